@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+# Every library Kerf stands on; docs/dependencies.md says why each was chosen.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(Eigen3 REQUIRED)
+find_package(Boost REQUIRED)
+find_package(HDF5 REQUIRED COMPONENTS C)
+pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
+pkg_check_modules(plplot REQUIRED IMPORTED_TARGET plplot)
+find_path(UDUNITS2_INCLUDE udunits2.h REQUIRED)
+find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+add_library(udunits2 INTERFACE)
+target_include_directories(udunits2 SYSTEM INTERFACE ${UDUNITS2_INCLUDE})
+target_link_libraries(udunits2 INTERFACE ${UDUNITS2_LIBRARY})
+
+# Particle loops: Thrust on TBB here, on CUDA with the toolkit's own Thrust.
+add_library(kerf_thrust INTERFACE)
+if(KERF_CUDA)
+  if(NOT CMAKE_CUDA_ARCHITECTURES)
+    set(CMAKE_CUDA_ARCHITECTURES 90)
+  endif()
+  enable_language(CUDA)
+  find_package(CUDAToolkit REQUIRED)
+  set(CMAKE_CUDA_STANDARD 20)
+  target_compile_definitions(kerf_thrust INTERFACE KERF_CUDA=1)
+  # Eigen's headers mark more functions for the device than nvcc can use; those warnings are not ours.
+  target_compile_options(kerf_thrust INTERFACE $<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr
+    -diag-suppress=20011,20012,20013,20014,20015>)
+  target_link_libraries(kerf_thrust INTERFACE CUDA::cudart TBB::tbb)
+else()
+  find_path(THRUST_INCLUDE thrust/version.h REQUIRED)
+  target_include_directories(kerf_thrust SYSTEM INTERFACE ${THRUST_INCLUDE})
+  target_compile_definitions(kerf_thrust INTERFACE
+    THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_TBB THRUST_IGNORE_DEPRECATED_CPP_DIALECT=1)
+  target_link_libraries(kerf_thrust INTERFACE TBB::tbb)
+endif()

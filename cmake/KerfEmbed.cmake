@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+# Puts text files into a program, so that it needs no data folder:
+#   kerf_embed(target function files...)
+# adds to `target` a source file that defines, in namespace kerf,
+#   std::span<const EmbeddedText> function();
+# of the files' names (without extension) and contents, as app/embedded.hpp declares; after
+# WITH_FOLDER, names begin with that of the file's folder ("rod-wave/case").
+set(KERF_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/KerfEmbedScript.cmake)
+
+function(kerf_embed target function)
+  cmake_parse_arguments(ARG "WITH_FOLDER" "" "" ${ARGN})
+  set(output ${CMAKE_BINARY_DIR}/generated/embedded/${function}.cpp)
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -DFUNCTION=${function}
+            -DWITH_FOLDER=${ARG_WITH_FOLDER} "-DFILES=${ARG_UNPARSED_ARGUMENTS}"
+            -P ${KERF_EMBED_SCRIPT}
+    DEPENDS ${ARG_UNPARSED_ARGUMENTS} ${KERF_EMBED_SCRIPT}
+    COMMENT "Embedding ${function}"
+    VERBATIM)
+  target_sources(${target} PRIVATE ${output})
+endfunction()
+
+file(GLOB kerf_case_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cases/*.toml)
+kerf_embed(kerf_app case_templates ${kerf_case_files})
+file(GLOB kerf_validation_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/validation/*/*.toml)
+kerf_embed(kerf_app validation_texts WITH_FOLDER ${kerf_validation_files})

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// How fast this build runs on this machine: whole steps of three standard loads.
+#include <fmt/format.h>
+#include <oneapi/tbb/info.h>
+
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/embedded.hpp"
+#include "case/read.hpp"
+#include "core/error.hpp"
+#include "core/version.hpp"
+#include "simulation/simulation.hpp"
+
+namespace kerf {
+namespace {
+
+struct BenchOptions {
+  double seconds = 5.0;  // per load
+  int threads = 0;
+  std::string json;
+};
+
+struct Load {
+  std::string name;
+  std::string text;  // a case
+};
+
+struct Result {
+  std::string name;
+  std::size_t particles = 0;
+  std::uint64_t steps = 0;
+  double seconds = 0.0;
+  double particle_steps = 0.0;     // per second
+  double pair_interactions = 0.0;  // per second; each ordered pair of each pass counts
+  double neighbours = 0.0;         // per particle, with the skin
+  double bytes = 0.0;              // per particle, with the list
+  std::vector<StageTime> stages;
+};
+
+constexpr const char* water_cube = R"toml(
+title = "Bench: a falling cube of water, 30 x 30 x 30 particles"
+dimension = 3
+[time]
+end = "1 s"
+[materials.bench_water]
+base = "water"
+sound_speed = "20 m/s"
+[[body]]
+name = "water"
+material = "bench_water"
+shape = { type = "box", minimum = ["0 mm", "0 mm", "0 mm"], maximum = ["30 mm", "30 mm", "30 mm"] }
+spacing = "1 mm"
+velocity = ["0 m/s", "-1 m/s", "0 m/s"]
+)toml";
+
+constexpr const char* elastic_cube = R"toml(
+title = "Bench: a quivering cube of tofu, 30 x 30 x 30 particles"
+dimension = 3
+[time]
+end = "1 s"
+[[body]]
+name = "block"
+material = "tofu"
+shape = { type = "box", minimum = ["0 mm", "0 mm", "0 mm"], maximum = ["30 mm", "30 mm", "30 mm"] }
+spacing = "1 mm"
+velocity_expression = ["0.01*sin(200*y)", "0.01*sin(200*z)", "0.01*sin(200*x)"]
+)toml";
+
+std::vector<Load> standard_loads() {
+  std::vector<Load> loads{{"water 3D", water_cube}, {"elastic 3D", elastic_cube}};
+  for (const EmbeddedText& text : case_templates())
+    if (text.name == "tofu-5ms") loads.push_back({"tofu 2D", std::string(text.text)});
+  return loads;
+}
+
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+
+Result measure(const Load& load, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto simulation = make_simulation(parse_case(load.text, load.name));
+  for (int warm_up = 0; warm_up < 3; ++warm_up) simulation->advance();
+  Result result;
+  result.name = load.name;
+  const double pairs_before = simulation->pair_interactions();
+  double particle_steps = 0.0;
+  const auto start = Clock::now();
+  while (result.seconds < seconds && !simulation->finished()) {
+    simulation->advance();
+    particle_steps += static_cast<double>(simulation->particles());
+    ++result.steps;
+    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  result.particles = simulation->particles();
+  result.particle_steps = particle_steps / result.seconds;
+  result.pair_interactions = (simulation->pair_interactions() - pairs_before) / result.seconds;
+  result.neighbours = simulation->neighbours_per_particle();
+  result.bytes = simulation->bytes_per_particle();
+  result.stages = simulation->stage_times();
+  return result;
+}
+
+nlohmann::json to_json(const Result& result) {
+  nlohmann::json stages;
+  for (const StageTime& stage : result.stages) stages[stage.name] = stage.seconds;
+  return {{"name", result.name},
+          {"particles", result.particles},
+          {"steps", result.steps},
+          {"seconds", result.seconds},
+          {"particle_steps_per_second", result.particle_steps},
+          {"pair_interactions_per_second", result.pair_interactions},
+          {"neighbours_per_particle", result.neighbours},
+          {"bytes_per_particle", result.bytes},
+          {"stage_seconds", stages}};
+}
+
+void bench(const BenchOptions& options) {
+  set_threads(options.threads);
+  const int threads =
+      options.threads > 0 ? options.threads : oneapi::tbb::info::default_concurrency();
+  fmt::print("Kerf {}, {}, {} threads on {}\n", program_version, compiler_name(), threads,
+             processor_name());
+  fmt::print("Two rate evaluations a step (midpoint), two passes over the pairs each.\n\n");
+  fmt::print("{:<12} {:>10} {:>7} {:>16} {:>18} {:>11} {:>11}\n", "load", "particles", "steps",
+             "particle-steps/s", "pair interact./s", "neighbours", "bytes/part.");
+  nlohmann::json results;
+  for (const Load& load : standard_loads()) {
+    const Result r = measure(load, options.seconds);
+    fmt::print("{:<12} {:>10} {:>7} {:>16.3e} {:>18.3e} {:>11.1f} {:>11.0f}\n", r.name, r.particles,
+               r.steps, r.particle_steps, r.pair_interactions, r.neighbours, r.bytes);
+    results.push_back(to_json(r));
+  }
+  if (options.json.empty()) return;
+  std::ofstream file(options.json);
+  file << nlohmann::json{{"version", program_version},
+                         {"compiler", compiler_name()},
+                         {"processor", processor_name()},
+                         {"threads", threads},
+                         {"loads", results}}
+              .dump(2)
+       << '\n';
+  if (!file.flush())
+    throw UserError("cannot write " + options.json + "; give --json a file in a folder you may write",
+                    exit_files);
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("bench", "Measure how fast this build runs on this machine");
+  auto options = std::make_shared<BenchOptions>();
+  command->add_option("--seconds", options->seconds, "Time per load, s")
+      ->check(CLI::Range(0.1, 600.0))
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "Threads; 0 = all cores")
+      ->check(CLI::Range(0, 1024));
+  command->add_option("--json", options->json, "Write the figures to this file as well");
+  command->callback([options] { bench(*options); });
+}
+
+}  // namespace kerf

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// kerf check: validates a case and prints what follows from it before it runs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/check_warnings.hpp"
+#include "app/commands.hpp"
+#include "case/read.hpp"
+#include "case/schema.hpp"
+#include "measure/derived.hpp"
+#include "simulation/simulation.hpp"
+
+namespace kerf {
+
+namespace {
+
+struct CheckOptions {
+  std::string file;
+  bool keys = false;
+  bool no_timing = false;
+  int threads = 0;
+};
+
+void row(const std::string& name, const std::string& value) {
+  fmt::print("  {:<34} {}\n", name, value);
+}
+
+// With a prefix where it helps to read: 12.5 kPa, 6.7 us.
+std::string readable(double value, const std::string& unit) {
+  struct Prefix {
+    double factor;
+    const char* name;
+  };
+  static constexpr Prefix prefixes[] = {{1e9, "G"},  {1e6, "M"},  {1e3, "k"}, {1.0, ""},
+                                        {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}};
+  for (const Prefix& prefix : prefixes)
+    if (std::abs(value) >= prefix.factor)
+      return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.name, unit);
+  return fmt::format("{:.4g} {}", value, unit);
+}
+
+void print_speeds(const DerivedNumbers& numbers) {
+  fmt::print("\nSpeeds\n");
+  row("fastest jet or body, V", fmt::format("{:.4g} m/s", numbers.jet_speed));
+  if (numbers.water_sound_speed > 0.0) {
+    row("sound in the water, c", fmt::format("{:.4g} m/s", numbers.water_sound_speed));
+    row("Mach number, V / c", fmt::format("{:.4g}", numbers.mach));
+  }
+  if (numbers.longitudinal_speed == 0.0) return;
+  row("longitudinal waves, c_p", fmt::format("{:.4g} m/s", numbers.longitudinal_speed));
+  row("shear waves, c_s", fmt::format("{:.4g} m/s", numbers.shear_speed));
+  row("Rayleigh waves, c_R", fmt::format("{:.4g} m/s", numbers.rayleigh_speed));
+  row("V / c_R", fmt::format("{:.4g}", numbers.speed_over_rayleigh));
+  row("V / c_p", fmt::format("{:.4g}", numbers.speed_over_longitudinal));
+}
+
+void print_loads(const DerivedNumbers& numbers) {
+  fmt::print("\nLoads\n");
+  if (numbers.stagnation_pressure > 0.0) {
+    row("stagnation pressure, rho V^2 / 2", readable(numbers.stagnation_pressure, "Pa"));
+    row("hammer pressure, rho c V", readable(numbers.hammer_pressure_numerical, "Pa"));
+    row("hammer pressure, c = 1481 m/s", readable(numbers.hammer_pressure_real, "Pa"));
+  }
+  if (numbers.contact_stress > 0.0)
+    row("first contact on the solid", readable(numbers.contact_stress, "Pa"));
+  if (numbers.cauchy_number > 0.0)
+    row("Cauchy number, rho V^2 / E", fmt::format("{:.4g}", numbers.cauchy_number));
+  if (numbers.hydrodynamic_front_speed > 0.0)
+    row("front without strength", fmt::format("{:.4g} m/s", numbers.hydrodynamic_front_speed));
+  row("regime", numbers.regime);
+}
+
+void print_cost(const DerivedNumbers& numbers) {
+  fmt::print("\nCost\n");
+  row("particles at the start", fmt::format("{}", numbers.particles_initial));
+  row("particles with all jet water", fmt::format("{}", numbers.particles_expected));
+  row("time step", readable(numbers.time_step, "s"));
+  row("steps", fmt::format("{:.0f}", numbers.steps));
+  row("memory", readable(numbers.memory, "B"));
+}
+
+std::string duration(double seconds) {
+  if (seconds < 100.0) return fmt::format("about {:.2g} s", seconds);
+  if (seconds < 6000.0) return fmt::format("about {:.0f} min", seconds / 60.0);
+  return fmt::format("about {:.1f} h", seconds / 3600.0);
+}
+
+// Some 30 steps of the run itself, at most 3 s of them, scaled to its steps and to the mean of its
+// particles at the start and at the end.
+void print_run_time(const Case& description, const DerivedNumbers& numbers) {
+  constexpr std::size_t most_particles = 4'000'000;
+  constexpr int steps_wanted = 30;
+  constexpr double longest = 3.0;  // s
+  if (numbers.particles_initial > most_particles) {
+    row("run time", "not measured: too many particles for a short trial");
+    return;
+  }
+  using Clock = std::chrono::steady_clock;
+  const auto simulation = make_simulation(description);
+  if (!simulation->finished()) simulation->advance();  // the first step also builds the lists
+  const auto start = Clock::now();
+  const std::uint64_t first = simulation->step();
+  double seconds = 0.0, particle_steps = 0.0;
+  for (int i = 0; i < steps_wanted && seconds < longest && !simulation->finished(); ++i) {
+    simulation->advance();
+    particle_steps += static_cast<double>(simulation->particles());
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  if (simulation->step() == first || particle_steps == 0.0) return;
+  const double mean_particles =
+      0.5 * static_cast<double>(numbers.particles_initial + numbers.particles_expected);
+  row("speed here", fmt::format("{:.3g} particle-steps/s", particle_steps / seconds));
+  row("run time", duration(seconds / particle_steps * mean_particles * numbers.steps));
+}
+
+void check(const CheckOptions& options) {
+  const Case description = read_case(options.file);
+  const DerivedNumbers numbers = derive(description);
+  fmt::print("{}: the case is good.\n", options.file);
+  fmt::print("{} ({}D; bodies: {}, jets: {})\n", description.title, description.dimension,
+             description.bodies.size(), description.jets.size());
+  print_speeds(numbers);
+  print_loads(numbers);
+  print_cost(numbers);
+  if (!options.no_timing) {
+    set_threads(options.threads);
+    print_run_time(description, numbers);
+  }
+  const auto warnings = check_warnings(description, numbers);
+  if (!warnings.empty()) fmt::print("\nWarnings\n");
+  for (const auto& warning : warnings) fmt::print("  - {}\n", warning);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "check", "Check a case and print its derived numbers, cost and expected run time");
+  auto options = std::make_shared<CheckOptions>();
+  auto* file = command->add_option("case", options->file, "Case file (TOML)");
+  command->add_flag("--no-timing", options->no_timing, "Do not time a few steps");
+  command->add_option("--threads", options->threads, "Threads of the trial, 0 = every core")
+      ->check(CLI::NonNegativeNumber);
+  auto* keys =
+      command->add_flag("--keys", options->keys, "Print the reference of all keys instead");
+  keys->excludes(file);
+  command->callback([options] {
+    if (options->keys)
+      fmt::print("{}", keys_page());
+    else if (options->file.empty())
+      throw CLI::RequiredError("case");
+    else
+      check(*options);
+  });
+}
+
+}  // namespace kerf

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/check_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "particles/fill.hpp"
+#include "particles/shapes.hpp"
+
+namespace kerf {
+
+namespace {
+
+// The mass of a body differs from that of its shape where the lattice does not fit.
+void warn_of_misfits(const Case& description, std::vector<std::string>& warnings) {
+  constexpr double noticeable = 0.02;
+  for (const Body& body : description.bodies) {
+    double filled = 0.0;
+    LatticeVisit count;
+    count.window = bounding_box(body.shape, description.dimension);
+    count.visit = [&](const Point&) {
+      filled += 1.0;
+      return true;
+    };
+    visit_particles(body, description.dimension, count);
+    filled *= particle_volume(body, description.dimension);
+    const double misfit = filled / volume_estimate(body.shape, description.dimension) - 1.0;
+    if (std::abs(misfit) > noticeable)
+      warnings.push_back(fmt::format(
+          "the particles of \"{}\" fill {:.1f}% {} than its shape: a smaller spacing, or edges of "
+          "whole spacings, fit better",
+          body.name, 100.0 * std::abs(misfit), misfit > 0.0 ? "more" : "less"));
+  }
+}
+
+void warn_of_materials(const Case& description, std::vector<std::string>& warnings) {
+  for (const Body& body : description.bodies) {
+    if (body.role != Role::elastic) continue;
+    const Material& material = description.materials[static_cast<std::size_t>(body.material)];
+    if (material.failure_strain <= 0.0) continue;
+    warnings.push_back(fmt::format(
+        "\"{}\" fractures at a strain without a length scale: what it takes to cut it depends on "
+        "the spacing",
+        material.name));
+    return;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> check_warnings(const Case& description, const DerivedNumbers& numbers) {
+  constexpr double enough_across_jet = 8.0;  // particles
+  constexpr double weakly_compressible = 0.11;
+  std::vector<std::string> warnings;
+  if (numbers.jet_resolution > 0.0 && numbers.jet_resolution < enough_across_jet)
+    warnings.push_back(
+        fmt::format("the jet is {:.3g} particles wide: {} or more resolve its stagnation pressure",
+                    numbers.jet_resolution, enough_across_jet));
+  if (numbers.solid_to_water_spacing > 1.0)
+    warnings.push_back(fmt::format(
+        "the solid's spacing is {:.3g} x the water's: water can slip between solid particles",
+        numbers.solid_to_water_spacing));
+  if (numbers.mach > weakly_compressible)
+    warnings.push_back(
+        fmt::format("the Mach number is {:.3g}: above 0.1 the water is compressed noticeably, "
+                    "give it a higher speed of sound",
+                    numbers.mach));
+  if (description.eraser) warnings.push_back("the back-flow eraser takes mass and momentum away");
+  warn_of_materials(description, warnings);
+  warn_of_misfits(description, warnings);
+  return warnings;
+}
+
+}  // namespace kerf

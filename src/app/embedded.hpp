@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texts that the build puts into the program (cmake/KerfEmbed.cmake).
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace kerf {
+
+struct EmbeddedText {
+  std::string_view name;
+  std::string_view text;
+};
+
+// The files of cases/, in alphabetical order.
+std::span<const EmbeddedText> case_templates();
+// The files of validation/, named "FOLDER/FILE", in alphabetical order.
+std::span<const EmbeddedText> validation_texts();
+
+}  // namespace kerf

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/embedded.hpp"
+#include "case/problems.hpp"
+#include "core/error.hpp"
+
+namespace kerf {
+
+namespace {
+
+// The first line of a template says what it is: "# name: what it is".
+std::string_view first_sentence(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  const auto colon = line.find(": ");
+  return colon == std::string_view::npos ? line : line.substr(colon + 2);
+}
+
+void list_templates() {
+  fmt::print("Cases to start from; \"kerf new NAME > my.toml\" writes one:\n\n");
+  for (const EmbeddedText& entry : case_templates())
+    fmt::print("  {:<18} {}\n", entry.name, first_sentence(entry.text));
+}
+
+void print_template(const std::string& name) {
+  std::vector<std::string> names;
+  for (const EmbeddedText& entry : case_templates()) {
+    if (entry.name == name) {
+      fmt::print("{}", entry.text);
+      return;
+    }
+    names.emplace_back(entry.name);
+  }
+  const std::string guess = closest(name, names);
+  throw UserError(fmt::format("there is no case \"{}\" to start from. {}Allowed: {}.", name,
+                              guess.empty() ? "" : fmt::format("Did you mean \"{}\"? ", guess),
+                              fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+void add_new_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("new", "Print a commented case to start from");
+  auto name = std::make_shared<std::string>();
+  command->add_option("name", *name, "Which case; without it, the cases are listed");
+  command->callback([name] { name->empty() ? list_templates() : print_template(*name); });
+}
+
+}  // namespace kerf

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/commands.hpp"
+#include "app/run_loop.hpp"
+#include "case/read.hpp"
+#include "case/write_used.hpp"
+#include "core/error.hpp"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunOptions {
+  std::string case_file;
+  std::string folder;
+  int threads = 0;
+  bool resume = false;
+  bool force = false;
+  bool quiet = false;
+};
+
+std::string resume_command(const RunOptions& options, const fs::path& folder) {
+  std::string command = fmt::format("kerf run {} --out {}", options.case_file, folder.string());
+  if (options.threads > 0) command += fmt::format(" --threads {}", options.threads);
+  return command + " --resume";
+}
+
+RunSettings settings_of(const RunOptions& options) {
+  RunSettings settings;
+  settings.description = read_case(options.case_file);
+  settings.case_name = fs::path(options.case_file).stem().string();
+  settings.case_text = write_used(settings.description);
+  settings.folder =
+      options.folder.empty() ? fs::path("out") / settings.case_name : fs::path(options.folder);
+  settings.existing = options.resume  ? Existing::resume
+                      : options.force ? Existing::replace
+                                      : Existing::refuse;
+  settings.quiet = options.quiet;
+  settings.threads =
+      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+  settings.resume_command = resume_command(options, settings.folder);
+  return settings;
+}
+
+void say_where_to_look(const RunSettings& settings) {
+  const auto result = nlohmann::json::parse(read_file(settings.folder / "result.json"));
+  fmt::print("{}\n", result.at("verdict").get<std::string>());
+  if (settings.quiet) return;
+  const std::string folder = settings.folder.string();
+  fmt::print("  report     {}/report.html\n", folder);
+  fmt::print("  particles  {}/{}.vtkhdf.series (ParaView)\n", folder,
+             result.at("case").get<std::string>());
+  fmt::print("  numbers    {0}/result.json, {0}/series.csv\n", folder);
+}
+
+void run(const RunOptions& options) {
+  set_threads(options.threads);
+  const RunSettings settings = settings_of(options);
+  const RunEnd end = RunLoop(settings, make_simulation).run();
+  // As a shell has it: 128 and the number of the signal.
+  if (end.signal != 0) throw CLI::RuntimeError(128 + end.signal);
+  say_where_to_look(settings);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& program) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = program.add_subcommand("run", "Run a case and report on it");
+  command->add_option("CASE", options->case_file, "the case file")->required();
+  command->add_option("--out", options->folder, "folder for the results; default out/<case>");
+  command->add_option("--threads", options->threads, "threads to use; default every core")
+      ->check(CLI::Range(1, 4096));
+  CLI::Option* resume =
+      command->add_flag("--resume", options->resume, "go on from the last checkpoint");
+  command->add_flag("--force", options->force, "replace the run that the folder holds")
+      ->excludes(resume);
+  command->add_flag("--quiet", options->quiet, "show the verdict only");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace kerf

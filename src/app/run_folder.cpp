@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path made(const fs::path& path) {
+  make_folder(path);
+  return path;
+}
+
+// What a write that was cut short leaves behind.
+bool is_leftover(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.starts_with('.') && name.ends_with(".tmp");
+}
+
+bool is_result(const fs::path& path) {
+  static const std::vector<std::string> names = {"result.json", "series.csv", "report.html",
+                                                 "checkpoint.h5", "log.txt"};
+  const std::string name = path.filename().string();
+  return std::find(names.begin(), names.end(), name) != names.end() || is_leftover(path) ||
+         name.ends_with(".vtkhdf.series") || path.extension() == ".vtkhdf" ||
+         (path.extension() == ".png" && path.parent_path().filename() == "pictures");
+}
+
+std::vector<fs::path> results_in(const fs::path& folder) {
+  std::vector<fs::path> results;
+  if (!fs::is_directory(folder)) return results;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && is_result(entry.path())) results.push_back(entry.path());
+  return results;
+}
+
+}  // namespace
+
+RunFolder::RunFolder(fs::path path, const std::string& case_text, Existing existing)
+    : path_(std::move(path)), lock_(made(path_)) {
+  try {
+    if (is_empty()) return;
+    check(case_text, existing);
+    has_checkpoint_ = existing == Existing::resume && fs::exists(checkpoint());
+    if (!has_checkpoint_) clear();
+  } catch (const fs::filesystem_error& error) {
+    throw UserError(
+        fmt::format("cannot use the folder {}: {}. Choose another with --out, or change "
+                    "its permissions.",
+                    path_.string(), error.code().message()),
+        exit_files);
+  }
+}
+
+bool RunFolder::is_empty() const {
+  return std::all_of(fs::directory_iterator(path_), fs::directory_iterator(),
+                     [](const fs::directory_entry& entry) {
+                       return is_leftover(entry.path()) ||
+                              (entry.is_directory() && fs::is_empty(entry.path()));
+                     });
+}
+
+void RunFolder::check(const std::string& case_text, Existing existing) const {
+  if (!fs::exists(used_case()))
+    throw UserError(fmt::format("{} is not empty and holds no run of Kerf. Choose another folder "
+                                "with --out.",
+                                path_.string()),
+                    exit_files);
+  if (existing == Existing::refuse)
+    throw UserError(fmt::format("{} holds a run already. Go on with it by --resume, replace it by "
+                                "--force, or choose another folder with --out.",
+                                path_.string()),
+                    exit_files);
+  // A checkpoint tells itself which case it is of.
+  if (existing == Existing::resume && !fs::exists(checkpoint()) &&
+      read_file(used_case()) != case_text)
+    throw UserError(fmt::format("{} holds a run of another case and no checkpoint. Replace it by "
+                                "--force, or choose another folder with --out.",
+                                path_.string()),
+                    exit_files);
+}
+
+// Only what a run of Kerf writes; the case goes last, as the mark of a folder that is Kerf's.
+void RunFolder::clear() const {
+  for (const char* inner : {"frames", "pictures", "."})
+    for (const fs::path& file : results_in(path_ / inner)) fs::remove(file);
+  fs::remove(used_case());
+}
+
+}  // namespace kerf

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The folder that holds a run's results.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "output/files.hpp"
+
+namespace kerf {
+
+// What to do with a folder that holds a run already.
+enum class Existing { refuse, resume, replace };
+
+class RunFolder {
+ public:
+  // Makes the folder when missing and holds it for this process. Throws UserError (exit_files) when
+  // it holds something that `existing` does not allow to be touched; nothing is changed then.
+  RunFolder(std::filesystem::path path, const std::string& case_text, Existing existing);
+
+  // True when there is a checkpoint to go on from; otherwise the folder is empty now.
+  bool has_checkpoint() const { return has_checkpoint_; }
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path used_case() const { return path_ / "case.used.toml"; }
+  std::filesystem::path log() const { return path_ / "log.txt"; }
+  std::filesystem::path series() const { return path_ / "series.csv"; }
+  std::filesystem::path result() const { return path_ / "result.json"; }
+  std::filesystem::path report() const { return path_ / "report.html"; }
+  std::filesystem::path checkpoint() const { return path_ / "checkpoint.h5"; }
+
+ private:
+  bool is_empty() const;
+  void check(const std::string& case_text, Existing existing) const;
+  void clear() const;
+
+  std::filesystem::path path_;
+  FolderLock lock_;
+  bool has_checkpoint_ = false;
+};
+
+}  // namespace kerf

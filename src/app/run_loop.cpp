@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run_loop.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/basic_file_sink.h>
+
+#include <csignal>
+
+#include "core/error.hpp"
+#include "core/version.hpp"
+#include "output/checkpoint.hpp"
+#include "output/result.hpp"
+#include "report/report.hpp"
+
+namespace kerf {
+namespace {
+
+std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path) {
+  try {
+    auto sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path.string());
+    auto log = std::make_shared<spdlog::logger>("run", sink);
+    // A log that cannot be written must not drown what the run itself has to say.
+    log->set_error_handler([](const std::string&) {});
+    log->flush_on(spdlog::level::info);
+    return log;
+  } catch (const spdlog::spdlog_ex& error) {
+    throw UserError(fmt::format("cannot write {}: {}. Check the disk and the folder's permissions.",
+                                path.string(), error.what()),
+                    exit_files);
+  }
+}
+
+const char* signal_name(int signal) {
+  switch (signal) {
+    case SIGINT:
+      return "Ctrl-C (SIGINT)";
+    case SIGTERM:
+      return "SIGTERM";
+    default:
+      return "SIGHUP";
+  }
+}
+
+}  // namespace
+
+RunLoop::RunLoop(RunSettings settings, SimulationMaker maker)
+    : settings_(std::move(settings)),
+      maker_(std::move(maker)),
+      folder_(settings_.folder, settings_.case_text, settings_.existing),
+      progress_(progress_style(settings_.quiet)),
+      series_(folder_.series(), settings_.description),
+      frames_(folder_.path(), settings_.case_name),
+      pictures_(folder_.path(), settings_.case_name, settings_.description),
+      frames_due_(settings_.description.output.frame_times),
+      pictures_due_(settings_.description.output.picture_times),
+      rows_due_(settings_.description.output.series_interval) {}
+
+RunEnd RunLoop::run() {
+  try {
+    return start_and_run();
+  } catch (const UserError& error) {
+    std::string message = error.what();
+    if (saved_time_ >= 0.0)
+      message += fmt::format(" The run is safe up to {:.6g} ms; go on from there with: {}",
+                             1e3 * saved_time_, settings_.resume_command);
+    if (log_) log_->error(message);
+    throw UserError(message, error.exit_code());
+  }
+}
+
+RunEnd RunLoop::start_and_run() {
+  if (!folder_.has_checkpoint()) {
+    write_file(folder_.used_case(), settings_.case_text);
+    log_ = open_log(folder_.log());
+    begin();
+    return steps();
+  }
+  log_ = open_log(folder_.log());
+  const Checkpoint checkpoint = read_checkpoint(folder_.checkpoint(), settings_.case_text);
+  resume(checkpoint.simulation, record_from(checkpoint.run));
+  if (!already_finished()) return steps();
+  progress_.say(
+      fmt::format("This run has finished already; its report is {}", folder_.report().string()));
+  return {};
+}
+
+bool RunLoop::already_finished() {
+  return before_.finished && std::filesystem::exists(folder_.result()) &&
+         std::filesystem::exists(folder_.report());
+}
+
+void RunLoop::begin() {
+  log_->info("kerf {}, {}, {} threads: {}", program_version, compiler_name(), settings_.threads,
+             settings_.description.title);
+  simulation_ = maker_(settings_.description);
+  cut_.emplace(settings_.description, frame());
+  tell(fmt::format("{}: {} particles to begin with, results in {}", settings_.case_name,
+                   simulation_->particles(), folder_.path().string()));
+  series_.start();
+  write_due();
+}
+
+void RunLoop::resume(const Archive& state, const RunRecord& record) {
+  simulation_ = maker_(settings_.description);
+  cut_.emplace(settings_.description, frame());
+  simulation_->restore(state);
+  frame_.reset();
+  before_ = record;
+  saved_time_ = simulation_->time();
+  if (before_.finished) return;
+  cut_->restore(record.cut_history);
+  series_.cut_back(simulation_->step(), record.rows);
+  frames_.restore(record.frame_times);
+  pictures_.restore(record.picture_times);
+  frames_due_.restore(record.frames_due);
+  pictures_due_.restore(record.pictures_due);
+  rows_due_.restore(record.rows_due);
+  limits_ = record.limits;
+  if (!record.cut_history.empty()) row_time_ = record.cut_history.back().time;
+  energy_drift_ = simulation_->ledger().energy_drift();
+  tell(fmt::format("{}: going on from {:.6g} ms, step {}", settings_.case_name,
+                   1e3 * simulation_->time(), simulation_->step()));
+}
+
+RunEnd RunLoop::steps() {
+  const double interval = settings_.description.output.checkpoint_interval;
+  while (!simulation_->finished()) {
+    if (signals_.caught() != 0) return stop(signals_.caught());
+    simulation_->advance();
+    frame_.reset();
+    ++limits_[simulation_->last_step().limit];
+    write_due();
+    if (std::chrono::duration<double>(Clock::now() - saved_).count() >= interval)
+      save_checkpoint(false);
+    progress_.update(numbers());
+  }
+  finish();
+  return {};
+}
+
+// At the end everything up to the end is due, whatever the last bit of the sum of all steps.
+void RunLoop::write_due() {
+  const double now = simulation_->finished()
+                         ? std::max(simulation_->time(), settings_.description.time.end)
+                         : simulation_->time();
+  if (rows_due_.due(now)) write_row();
+  if (frames_due_.due(now)) {
+    frames_.write(frame());
+    log_->info("frame {} at {:.6g} ms", frames_.times().size() - 1, 1e3 * frame().time);
+  }
+  if (pictures_due_.due(now)) pictures_.write(frame());
+}
+
+void RunLoop::write_row() {
+  SeriesSample sample;
+  sample.time = simulation_->time();
+  sample.step = simulation_->step();
+  sample.particles = simulation_->particles();
+  sample.last_step = simulation_->last_step();
+  sample.cut = cut_->observe(frame());
+  sample.ledger = simulation_->ledger();
+  sample.probes = simulation_->probe_values();
+  series_.append(sample);
+  energy_drift_ = sample.ledger.energy_drift();
+  row_time_ = sample.time;
+}
+
+void RunLoop::write_last() {
+  const double time = simulation_->time();
+  const auto missing = [time](const std::vector<double>& times) {
+    return times.empty() || times.back() != time;
+  };
+  if (row_time_ != time) write_row();
+  if (missing(frames_.times())) frames_.write(frame());
+  if (missing(pictures_.times())) pictures_.write(frame());
+}
+
+void RunLoop::finish() {
+  write_last();
+  write_result();
+  write_report(folder_.path(), settings_.description);
+  save_checkpoint(true);
+  log_->info("finished after {}", duration_text(wall_time()));
+}
+
+RunEnd RunLoop::stop(int signal) {
+  save_checkpoint(false);
+  tell(fmt::format("Stopped by {} at {:.6g} ms. Go on with: {}", signal_name(signal),
+                   1e3 * simulation_->time(), settings_.resume_command));
+  return {signal};
+}
+
+void RunLoop::save_checkpoint(bool finished) {
+  series_.sync();  // the checkpoint counts on its rows
+  Checkpoint checkpoint;
+  simulation_->save(checkpoint.simulation);
+  checkpoint.run = to_archive(record(finished));
+  write_checkpoint(folder_.checkpoint(), settings_.case_text, checkpoint);
+  saved_ = Clock::now();
+  saved_time_ = simulation_->time();
+  log_->info("checkpoint at {:.6g} ms, step {}", 1e3 * saved_time_, simulation_->step());
+}
+
+void RunLoop::tell(const std::string& line) {
+  log_->info(line);
+  progress_.say(line);
+}
+
+}  // namespace kerf

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// A run from its first step, or from its last checkpoint, to its report. Nothing it writes changes
+// what is computed.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <spdlog/logger.h>
+
+#include "app/progress.hpp"
+#include "app/run_folder.hpp"
+#include "app/run_record.hpp"
+#include "app/schedule.hpp"
+#include "app/signals.hpp"
+#include "case/case.hpp"
+#include "measure/cut.hpp"
+#include "output/series.hpp"
+#include "output/vtkhdf.hpp"
+#include "report/pictures.hpp"
+#include "simulation/simulation.hpp"
+
+namespace kerf {
+
+struct RunSettings {
+  Case description;
+  std::string case_name;  // the stem of the case file; names frames and pictures
+  std::string case_text;  // of case.used.toml
+  std::filesystem::path folder;
+  Existing existing = Existing::refuse;
+  bool quiet = false;
+  int threads = 0;             // as shown in the results
+  std::string resume_command;  // what a user types to go on
+};
+
+using SimulationMaker = std::function<std::unique_ptr<Simulation>(const Case&)>;
+
+// How a run was left.
+struct RunEnd {
+  int signal = 0;  // 0 = at its end; else the signal that asked it to stop
+};
+
+class RunLoop {
+ public:
+  RunLoop(RunSettings settings, SimulationMaker maker);
+
+  // Throws UserError; what was safe on the disk stays so, and the message says how to go on.
+  RunEnd run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  RunEnd start_and_run();
+  bool already_finished();
+  void begin();
+  void resume(const Archive& simulation, const RunRecord& record);
+  RunEnd steps();
+  void write_due();
+  void write_row();
+  void write_last();
+  void finish();
+  RunEnd stop(int signal);
+  void save_checkpoint(bool finished);
+  void write_result() const;
+
+  const Frame& frame();
+  RunRecord record(bool finished) const;
+  ProgressNumbers numbers() const;
+  double wall_time() const;
+  std::vector<StageTime> stage_times() const;
+  void tell(const std::string& line);
+
+  RunSettings settings_;
+  SimulationMaker maker_;
+  RunFolder folder_;
+  std::shared_ptr<spdlog::logger> log_;
+  StopSignals signals_;
+  Progress progress_;
+  Clock::time_point started_ = Clock::now();
+  Clock::time_point saved_ = Clock::now();
+
+  std::unique_ptr<Simulation> simulation_;
+  std::optional<CutMonitor> cut_;
+  std::optional<Frame> frame_;  // of the present step, made when first asked for
+  SeriesWriter series_;
+  FrameWriter frames_;
+  PictureWriter pictures_;
+  Schedule frames_due_, pictures_due_, rows_due_;
+  RunRecord before_;  // of the parts of the run before this one
+  std::map<std::string, std::uint64_t> limits_;
+  double energy_drift_ = 0.0;
+  double row_time_ = -1.0;    // s, of the last row of the series
+  double saved_time_ = -1.0;  // s, of the last checkpoint; negative = none
+};
+
+}  // namespace kerf

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <variant>
+
+#include "core/error.hpp"
+
+namespace kerf {
+namespace {
+
+struct HistoryColumn {
+  const char* name;
+  double CutState::*place;
+};
+constexpr std::array<HistoryColumn, 6> history_columns = {{
+    {"time", &CutState::time},
+    {"front_depth", &CutState::front_depth},
+    {"fractured_fraction", &CutState::fractured_fraction},
+    {"fractured_mass", &CutState::fractured_mass},
+    {"fractured_width", &CutState::fractured_width},
+    {"kerf_width", &CutState::kerf_width},
+}};
+
+std::string history_name(const char* name) {
+  return std::string("cut/") + name;
+}
+
+void save_history(const std::vector<CutState>& history, Archive& archive) {
+  for (const HistoryColumn& column : history_columns) {
+    std::vector<double> values;
+    for (const CutState& state : history) values.push_back(state.*column.place);
+    archive.arrays[history_name(column.name)] = std::move(values);
+  }
+  std::vector<std::uint32_t> pieces, through;
+  for (const CutState& state : history) {
+    pieces.push_back(static_cast<std::uint32_t>(state.pieces));
+    through.push_back(state.cut_through ? 1 : 0);
+  }
+  archive.arrays["cut/pieces"] = std::move(pieces);
+  archive.arrays["cut/through"] = std::move(through);
+}
+
+template <class T>
+const std::vector<T>& find(const Archive& archive, const std::string& name) {
+  const auto found = archive.arrays.find(name);
+  if (found == archive.arrays.end() || !std::holds_alternative<std::vector<T>>(found->second))
+    throw UserError(fmt::format("the checkpoint does not hold '{}'. Start the run again with "
+                                "--force.",
+                                name),
+                    exit_files);
+  return std::get<std::vector<T>>(found->second);
+}
+
+std::vector<CutState> restore_history(const Archive& archive) {
+  const auto& pieces = find<std::uint32_t>(archive, "cut/pieces");
+  const auto& through = find<std::uint32_t>(archive, "cut/through");
+  std::vector<CutState> history(pieces.size());
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    history[i].pieces = static_cast<int>(pieces[i]);
+    history[i].cut_through = through.at(i) != 0;
+  }
+  for (const HistoryColumn& column : history_columns) {
+    const auto& values = find<double>(archive, history_name(column.name));
+    for (std::size_t i = 0; i < history.size(); ++i) history[i].*column.place = values.at(i);
+  }
+  return history;
+}
+
+constexpr const char* stage_prefix = "stage/";
+constexpr const char* limit_prefix = "limit/";
+
+}  // namespace
+
+Archive to_archive(const RunRecord& record) {
+  Archive archive;
+  archive.texts["case_name"] = record.case_name;
+  archive.texts["state"] = record.finished ? "finished" : "running";
+  archive.arrays["wall_time"] = std::vector<double>{record.wall_time};
+  archive.arrays["frame_times"] = record.frame_times;
+  archive.arrays["picture_times"] = record.picture_times;
+  archive.arrays["schedule"] = std::vector<std::uint64_t>{record.frames_due, record.pictures_due,
+                                                          record.rows_due, record.rows};
+  for (const auto& [name, steps] : record.limits)
+    archive.texts[limit_prefix + name] = fmt::format("{}", steps);
+  for (const StageTime& stage : record.stage_times)
+    archive.texts[stage_prefix + stage.name] = fmt::format("{}", stage.seconds);
+  save_history(record.cut_history, archive);
+  return archive;
+}
+
+RunRecord record_from(const Archive& archive) {
+  RunRecord record;
+  const auto& schedule = find<std::uint64_t>(archive, "schedule");
+  record.wall_time = find<double>(archive, "wall_time").at(0);
+  record.frame_times = find<double>(archive, "frame_times");
+  record.picture_times = find<double>(archive, "picture_times");
+  record.frames_due = schedule.at(0);
+  record.pictures_due = schedule.at(1);
+  record.rows_due = schedule.at(2);
+  record.rows = schedule.at(3);
+  for (const auto& [name, text] : archive.texts) {
+    if (name == "case_name") record.case_name = text;
+    if (name == "state") record.finished = text == "finished";
+    if (name.starts_with(limit_prefix))
+      record.limits[name.substr(std::string(limit_prefix).size())] = std::stoull(text);
+    if (name.starts_with(stage_prefix))
+      record.stage_times.push_back(
+          {name.substr(std::string(stage_prefix).size()), std::stod(text)});
+  }
+  record.cut_history = restore_history(archive);
+  return record;
+}
+
+}  // namespace kerf

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the run loop must remember beside the simulation, to go on as if never stopped.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "measure/cut.hpp"
+#include "simulation/archive.hpp"
+#include "simulation/simulation.hpp"
+
+namespace kerf {
+
+struct RunRecord {
+  std::string case_name;
+  bool finished = false;
+  double wall_time = 0.0;                                        // s, of all parts of the run
+  std::vector<double> frame_times, picture_times;                // s, of what was written
+  std::uint64_t frames_due = 0, pictures_due = 0, rows_due = 0;  // places in the schedules
+  std::uint64_t rows = 0;                                        // of series.csv
+  std::map<std::string, std::uint64_t> limits;                   // steps that each limit set
+  std::vector<StageTime> stage_times;                            // of all parts of the run
+  std::vector<CutState> cut_history;
+};
+
+Archive to_archive(const RunRecord& record);
+// Throws UserError (exit_files) when something is missing.
+RunRecord record_from(const Archive& archive);
+
+}  // namespace kerf

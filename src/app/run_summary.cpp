@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run knows about itself: for the screen, for the checkpoint and for result.json.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/run_loop.hpp"
+#include "measure/derived.hpp"
+#include "output/result.hpp"
+
+namespace kerf {
+
+const Frame& RunLoop::frame() {
+  if (!frame_) frame_ = simulation_->frame();
+  return *frame_;
+}
+
+double RunLoop::wall_time() const {
+  return before_.wall_time + std::chrono::duration<double>(Clock::now() - started_).count();
+}
+
+std::vector<StageTime> RunLoop::stage_times() const {
+  std::vector<StageTime> stages = before_.stage_times;
+  for (const StageTime& stage : simulation_->stage_times()) {
+    const auto known = std::find_if(stages.begin(), stages.end(), [&](const StageTime& other) {
+      return other.name == stage.name;
+    });
+    if (known == stages.end())
+      stages.push_back(stage);
+    else
+      known->seconds += stage.seconds;
+  }
+  return stages;
+}
+
+RunRecord RunLoop::record(bool finished) const {
+  RunRecord record;
+  record.case_name = settings_.case_name;
+  record.finished = finished;
+  record.wall_time = wall_time();
+  record.frame_times = frames_.times();
+  record.picture_times = pictures_.times();
+  record.frames_due = frames_due_.passed();
+  record.pictures_due = pictures_due_.passed();
+  record.rows_due = rows_due_.passed();
+  record.rows = series_.rows();
+  record.limits = limits_;
+  record.stage_times = stage_times();
+  record.cut_history = cut_->history();
+  return record;
+}
+
+ProgressNumbers RunLoop::numbers() const {
+  ProgressNumbers numbers;
+  numbers.time = simulation_->time();
+  numbers.end = settings_.description.time.end;
+  numbers.step = simulation_->step();
+  numbers.last_step = simulation_->last_step();
+  if (!cut_->history().empty()) numbers.cut = cut_->history().back();
+  numbers.energy_drift = energy_drift_;
+  return numbers;
+}
+
+void RunLoop::write_result() const {
+  RunOutcome outcome;
+  outcome.description = settings_.description;
+  outcome.case_name = settings_.case_name;
+  outcome.derived = derive(settings_.description);
+  outcome.cut = cut_->summary();
+  outcome.still_cutting = still_cutting(cut_->history());
+  outcome.ledger = simulation_->ledger();
+  outcome.time = simulation_->time();
+  outcome.steps = simulation_->step();
+  outcome.particles = simulation_->particles();
+  outcome.pair_interactions = simulation_->pair_interactions();
+  outcome.time_step_limits = limits_;
+  outcome.wall_time = wall_time();
+  outcome.threads = settings_.threads;
+  outcome.stage_times = stage_times();
+  auto result = result_of(outcome);
+  result["frames"] = frames_.times().size();
+  result["pictures"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < pictures_.times().size(); ++i)
+    result["pictures"].push_back({{"file", pictures_.file(i)}, {"time", pictures_.times()[i]}});
+  write_file(folder_.result(), result.dump(2) + "\n");
+}
+
+}  // namespace kerf

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a case file says, as plain data in SI units. No behaviour lives here.
+// Vertical is y in two and three dimensions; a two-dimensional case is a plane-strain slice whose
+// masses, forces and energies are per metre of depth. Entries of `Point` beyond the dimension are 0.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kerf {
+
+using Point = std::array<double, 3>;  // m (or m/s, m/s^2 where a vector is meant)
+
+enum class Formulation { shinohara2004 };
+enum class PrecisionKind { mixed, double_precision };
+
+struct Box {
+  Point minimum{};  // m
+  Point maximum{};  // m
+  bool operator==(const Box&) const = default;
+};
+
+// A region of space. `kind` selects which members hold.
+//   box       minimum, maximum
+//   disc      centre, radius; in 3D a cylinder along `axis` from `centre` with `length`
+//   ring      centre, radius (outer), inner_radius; in 3D a tube along `axis` with `length`
+//   polygon   vertices in (x, y); in 3D an extrusion from z = depth_minimum to depth_maximum
+//   sphere    centre, radius (3D only)
+//   join      the points in any of `parts`           (case files spell it "union")
+//   difference  the points in parts[0] and in no other part
+struct Shape {
+  enum class Kind { box, disc, ring, polygon, sphere, join, difference };
+  Kind kind = Kind::box;
+  Box box;
+  Point centre{};
+  Point axis{0.0, 0.0, 1.0};  // unit vector
+  double radius = 0.0;        // m
+  double inner_radius = 0.0;  // m
+  double length = 0.0;        // m
+  std::vector<std::array<double, 2>> vertices;  // m
+  double depth_minimum = 0.0;                   // m
+  double depth_maximum = 0.0;                   // m
+  std::vector<Shape> parts;
+  bool operator==(const Shape&) const = default;
+};
+
+enum class MaterialKind { elastic, water };
+
+// One material, elastic or water. Members of the other kind keep their defaults and are not read.
+struct Material {
+  std::string name;
+  MaterialKind kind = MaterialKind::water;
+  double density = 1000.0;        // kg/m^3, reference
+  double youngs_modulus = 0.0;    // Pa
+  double poisson_ratio = 0.0;     // 1
+  double failure_strain = 0.0;    // 1, equivalent strain at fracture; 0 = never fractures
+  double viscosity = 0.0;         // Pa s
+  double sound_speed = 0.0;       // m/s; water: resolved by the reader (10 V unless given)
+  double tait_exponent = 7.0;     // 1
+  double artificial_linear = 0.0;     // A of eq. (38)
+  double artificial_quadratic = 0.0;  // B of eq. (38)
+  double artificial_softening = 0.1;  // C of eq. (39)
+  std::string source;                 // where the values come from
+  bool operator==(const Material&) const = default;
+};
+
+enum class Role { elastic, water, rigid };
+enum class Lattice { square, hexagonal };  // square is cubic in 3D
+
+// Which layer of a rigid body repels, eq. (43): the outermost one towards a side, or every side.
+enum class RepellingLayer { top, bottom, left, right, front, back, all };
+
+struct Body {
+  std::string name;
+  Role role = Role::elastic;
+  int material = -1;  // index into Case::materials; -1 for rigid
+  Shape shape;
+  double spacing = 0.0;  // m
+  Lattice lattice = Lattice::square;
+  Point offset{};                                    // m, shift of the lattice origin
+  std::array<std::string, 3> velocity{"0", "0", "0"};  // m/s, expressions in x, y, z (m)
+  bool fixed = false;
+  // Prescribed displacement from the initial place, m, expressions in t (s); empty = free.
+  std::array<std::string, 3> displacement;
+  std::string joined_to;  // name of a body this one is bonded to; empty = its own piece
+  // Rigid bodies only, eq. (43).
+  RepellingLayer repelling_layer = RepellingLayer::top;
+  double repulsion = 0.0;  // D, m^2/s^2
+  bool operator==(const Body&) const = default;
+};
+
+// A jet leaves its nozzle at `position - standoff * direction` and flies along
+// direction = (sin angle cos azimuth, -cos angle, sin angle sin azimuth).
+struct Jet {
+  std::string name;
+  int material = -1;      // index into Case::materials, a water
+  double speed = 0.0;     // m/s, mean over the section
+  double width = 0.0;     // m, slot width in 2D, diameter in 3D
+  Point position{};       // m, the point on the workpiece that the axis aims at
+  double standoff = 0.0;  // m
+  double angle = 0.0;     // rad, 0 = straight down
+  double azimuth = 0.0;   // rad, 3D only
+  double spacing = 0.0;   // m
+  double start = 0.0;     // s
+  double stop = 0.0;      // s; infinity = as long as the run lasts
+  // Speed over the section, expression in r (0 on the axis, 1 at the edge), any scale: the mean is
+  // normalised to `speed`. "1" = uniform.
+  std::string profile = "1";
+  bool operator==(const Jet&) const = default;
+};
+
+// Fig. 7 of Shinohara et al. (2004): water of a jet that flows back towards its nozzle is erased.
+struct Eraser {
+  // Erased when v.direction < speed_fraction * jet speed; 0 = moves back in the room, the speed of
+  // the water front over the jet's = moves back from the bottom of the crater.
+  double speed_fraction = 0.0;
+  bool operator==(const Eraser&) const = default;
+};
+
+struct Probe {
+  enum class Kind { point, plane };
+  Kind kind = Kind::point;
+  std::string name;
+  Point position{};            // m
+  Point normal{0.0, 1.0, 0.0};  // unit; plane only: force of the +normal side on the other side
+  bool operator==(const Probe&) const = default;
+};
+
+struct ArtificialStress {  // Gray, Monaghan & Swift (2001)
+  double epsilon = 0.0;    // 1; 0 = off
+  double exponent = 4.0;   // 1
+  bool operator==(const ArtificialStress&) const = default;
+};
+
+struct TimeControl {
+  double end = 0.0;      // s
+  double courant = 0.25;  // 1, factor of the acoustic limit
+  double maximum_step = 0.0;  // s; infinity = none
+  bool operator==(const TimeControl&) const = default;
+};
+
+struct OutputControl {
+  std::vector<double> frame_times;    // s, ascending, VTKHDF frames
+  std::vector<double> picture_times;  // s, ascending
+  double series_interval = 0.0;       // s
+  double checkpoint_interval = 60.0;  // s of wall time
+  bool operator==(const OutputControl&) const = default;
+};
+
+struct Case {
+  std::string title;
+  int dimension = 2;
+  Formulation formulation = Formulation::shinohara2004;
+  PrecisionKind precision = PrecisionKind::mixed;
+  TimeControl time;
+  Point gravity{};  // m/s^2
+  Box domain;       // m; particles that leave it are removed and accounted for
+  double smoothing_ratio = 1.5;  // h / spacing
+  ArtificialStress artificial_stress;
+  std::vector<Material> materials;
+  std::vector<Body> bodies;
+  std::vector<Jet> jets;
+  std::optional<Eraser> eraser;
+  std::vector<Probe> probes;
+  OutputControl output;
+  bool operator==(const Case&) const = default;
+};
+
+}  // namespace kerf

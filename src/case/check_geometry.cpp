@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can only be seen when the whole case is known.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "case/draft.hpp"
+#include "case/units.hpp"
+#include "particles/fill.hpp"
+#include "particles/shapes.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double most_particles = 5e8;
+constexpr double most_tested = 2e7;  // particles of a body that are tried against another
+
+std::string place(const Point& point, int dimension) {
+  const std::string xy = fmt::format("{:.6g} m, {:.6g} m", point[0], point[1]);
+  return dimension == 2 ? fmt::format("({})", xy) : fmt::format("({}, {:.6g} m)", xy, point[2]);
+}
+
+std::string box_text(const Box& box, int dimension) {
+  return fmt::format("from {} to {}", place(box.minimum, dimension), place(box.maximum, dimension));
+}
+
+bool box_within(const Box& inner, const Box& outer, int dimension) {
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    if (inner.minimum[a] < outer.minimum[a] || inner.maximum[a] > outer.maximum[a]) return false;
+  return true;
+}
+
+bool box_is_empty(const Box& box, int dimension) {
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    if (box.minimum[a] >= box.maximum[a]) return true;
+  return false;
+}
+
+Box common_part(const Box& a, const Box& b) {
+  Box box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.minimum[axis] = std::max(a.minimum[axis], b.minimum[axis]);
+    box.maximum[axis] = std::min(a.maximum[axis], b.maximum[axis]);
+  }
+  return box;
+}
+
+// Deeper inside than a quarter of a spacing along every axis, so that bodies may touch.
+bool deep_inside(const Shape& shape, const Point& point, double depth, int dimension) {
+  if (!contains(shape, point, dimension)) return false;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    for (const double sign : {-1.0, 1.0}) {
+      Point beside = point;
+      beside[a] += sign * depth;
+      if (!contains(shape, beside, dimension)) return false;
+    }
+  return true;
+}
+
+// The first particle of `body` inside `other`; of very many particles only every n-th is tried.
+std::optional<Point> particle_inside(const Body& body, const Body& other, int dimension) {
+  LatticeVisit request;
+  request.window =
+      common_part(bounding_box(body.shape, dimension), bounding_box(other.shape, dimension));
+  if (box_is_empty(request.window, dimension)) return {};
+  const double excess = lattice_nodes(body, dimension) / most_tested;
+  request.stride = std::max(1L, static_cast<long>(std::ceil(std::pow(excess, 1.0 / dimension))));
+  std::optional<Point> found;
+  request.visit = [&](const Point& point) {
+    if (deep_inside(other.shape, point, 0.25 * body.spacing, dimension)) found = point;
+    return !found;
+  };
+  visit_particles(body, dimension, request);
+  return found;
+}
+
+bool holds_a_particle(const Body& body, int dimension) {
+  bool found = false;
+  LatticeVisit request;
+  request.window = bounding_box(body.shape, dimension);
+  request.visit = [&](const Point&) {
+    found = true;
+    return false;
+  };
+  visit_particles(body, dimension, request);
+  return found;
+}
+
+void check_overlap(Draft& draft, std::size_t i, std::size_t j) {
+  const Body& first = draft.result.bodies[i];
+  const Body& second = draft.result.bodies[j];
+  const int dimension = draft.reading.dimension;
+  auto found = particle_inside(first, second, dimension);
+  if (!found) found = particle_inside(second, first, dimension);
+  if (!found) return;
+  draft.reading.problems.add(
+      {indexed("body", j) + ".shape",
+       fmt::format("the body \"{}\" overlaps the body \"{}\", for example at {}", second.name,
+                   first.name, place(*found, dimension)),
+       "bodies that touch at most",
+       "Move one of them or cut it away with a shape of the type \"difference\""});
+}
+
+// Particles the jet lets in until the end of the run, and columns across it.
+double jet_particles(const Jet& jet, const Case& description) {
+  const double area =
+      description.dimension == 2 ? jet.width : std::numbers::pi * jet.width * jet.width / 4.0;
+  const double open = std::max(0.0, std::min(jet.stop, description.time.end) - jet.start);
+  return jet.speed * area * open / std::pow(jet.spacing, description.dimension);
+}
+
+double jet_columns(const Jet& jet, int dimension) {
+  return std::pow(jet.width / jet.spacing + 1.0, dimension - 1);
+}
+
+}  // namespace
+
+void check_counts(Draft& draft) {
+  const Case& result = draft.result;
+  const std::string allowed = fmt::format("at most {:g} particles", most_particles);
+  double total = 0.0;
+  const auto count = [&](const std::string& path, double particles) {
+    total += particles;
+    if (total <= most_particles) return;
+    draft.reading.problems.add({path + ".spacing",
+                                fmt::format("this makes {:.3g} particles", particles), allowed,
+                                "Choose a larger spacing, or less of it"});
+    total = 0.0;
+  };
+  for (std::size_t i = 0; i < result.bodies.size(); ++i)
+    count(indexed("body", i), lattice_nodes(result.bodies[i], result.dimension));
+  for (std::size_t i = 0; i < result.jets.size(); ++i)
+    count(indexed("jet", i), jet_particles(result.jets[i], result) +
+                                 10.0 * jet_columns(result.jets[i], result.dimension));
+}
+
+void check_bodies(Draft& draft) {
+  const Case& result = draft.result;
+  const int dimension = result.dimension;
+  for (std::size_t i = 0; i < result.bodies.size(); ++i) {
+    const Body& body = result.bodies[i];
+    const std::string path = indexed("body", i) + ".shape";
+    const Box around = bounding_box(body.shape, dimension);
+    if (!box_within(around, result.domain, dimension))
+      draft.reading.problems.add({path,
+                                  fmt::format("the body \"{}\" reaches {} and leaves the domain",
+                                              body.name, box_text(around, dimension)),
+                                  "shapes inside the domain, " + box_text(result.domain, dimension),
+                                  "Move the body or enlarge the [domain]"});
+    if (!holds_a_particle(body, dimension))
+      draft.reading.problems.add(
+          {path, fmt::format("no particle of the body \"{}\" fits into it", body.name),
+           fmt::format("a shape that holds a lattice point at {}",
+                       write_quantity(body.spacing, "m")),
+           "Choose a smaller spacing or correct the shape"});
+  }
+  draft.reading.problems.throw_if_any();
+  for (std::size_t j = 1; j < result.bodies.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i) check_overlap(draft, i, j);
+}
+
+void check_probes(Draft& draft) {
+  const Case& result = draft.result;
+  for (std::size_t i = 0; i < result.probes.size(); ++i) {
+    const Point& position = result.probes[i].position;
+    if (box_within({position, position}, result.domain, result.dimension)) continue;
+    draft.reading.problems.add({indexed("probe", i) + ".position",
+                                "the probe is outside the domain",
+                                "places " + box_text(result.domain, result.dimension),
+                                "Move the probe or enlarge the [domain]"});
+  }
+}
+
+}  // namespace kerf

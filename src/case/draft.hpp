@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// A case while its file is being read: values as written, references still by name.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "case/section.hpp"
+
+namespace kerf {
+
+struct MaterialDraft {
+  Material material;
+  double sound_speed_factor = 0.0;  // 1; used while the speed of sound is 0
+};
+
+struct BodyDraft {
+  Body body;
+  std::string material;  // empty for a rigid body
+  std::string path;      // of its table, for complaints
+  bool has_repulsion = false;
+};
+
+struct JetDraft {
+  Jet jet;
+  std::string material;
+  std::string path;
+};
+
+struct Draft {
+  Reading reading;
+  Case result;  // bodies, jets, materials and defaults that follow from others come at the end
+  std::map<std::string, MaterialDraft>
+      materials;  // those of the case and those used of the library
+  std::vector<BodyDraft> bodies;
+  std::vector<JetDraft> jets;
+  bool has_domain = false;
+};
+
+void read_materials(Draft& draft, Section& top);
+// The material a body or jet names, taken from the library when the case has none of that name.
+// Null, with the problem noted, when nobody knows it.
+const MaterialDraft* use_material(Draft& draft, Section& section, const std::string& name);
+
+Shape read_shape(Reading& reading, const toml::table& table, const std::string& path);
+void read_bodies(Draft& draft, Section& top);
+void read_jets(Draft& draft, Section& top);
+void read_probes(Draft& draft, Section& top);
+void read_output(Draft& draft, Section& top);
+
+// Turns names into indices and computes the defaults that follow from the rest of the case: speeds
+// of sound, repulsions, the domain.
+void finish(Draft& draft);
+
+// Notes bodies and jets of more particles than any machine holds. To be called before anything
+// visits particles.
+void check_counts(Draft& draft);
+// Note what is wrong between the parts of a case: bodies that are empty, outside or overlap; jets
+// that start outside or in a body or miss everything; probes outside.
+void check_bodies(Draft& draft);
+void check_jets(Draft& draft);
+void check_probes(Draft& draft);
+
+// A vector as a unit vector; one that already is to rounding stays as it is, bit for bit.
+Point unit_vector(const Point& vector);
+std::string indexed(std::string_view list, std::size_t index);  // "body[1]" for index 0
+
+}  // namespace kerf

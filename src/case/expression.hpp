@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// A formula of a case file, such as "0.1*sin(pi*x/0.2)", ready to be evaluated (by muParser).
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kerf {
+
+// Arguments are SI numbers. One object is for one thread at a time; copies are independent.
+class Expression {
+ public:
+  // Throws a UserError that says what is wrong with the text, and where in it: an unknown variable
+  // or function, a syntax error, an assignment, more than one value.
+  Expression(const std::string& text, const std::vector<std::string>& variables);
+  Expression(const Expression& other);
+  Expression& operator=(const Expression& other);
+  Expression(Expression&&) noexcept;
+  Expression& operator=(Expression&&) noexcept;
+  ~Expression();
+
+  // With the first variables set to `values`.
+  double operator()(const std::array<double, 3>& values) const;
+  // With the first variable set to `value`.
+  double evaluate(double value) const { return (*this)({value, 0.0, 0.0}); }
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "case/draft.hpp"
+#include "case/material_library.hpp"
+
+namespace kerf {
+
+namespace {
+
+std::vector<std::string> library_names() {
+  std::vector<std::string> names;
+  for (const LibraryMaterial& entry : material_library()) names.emplace_back(entry.name);
+  return names;
+}
+
+void refuse_unknown_material(Section& section, std::string_view key, const std::string& name,
+                             const std::vector<std::string>& known) {
+  const std::string guess = closest(name, known);
+  section.refuse(key, "there is no such material",
+                 guess.empty() ? fmt::format("Choose one of these or describe it in a table "
+                                             "[materials.NAME]")
+                               : fmt::format("Did you mean \"{}\"?", guess),
+                 fmt::format("{}", fmt::join(known, ", ")));
+}
+
+const LibraryMaterial* read_base(Section& section) {
+  if (!section.has("base")) return nullptr;
+  const std::string name = section.text("base");
+  const LibraryMaterial* base = find_library_material(name);
+  if (!base && is_name(name)) refuse_unknown_material(section, "base", name, library_names());
+  return base;
+}
+
+MaterialKind read_kind(Section& section, const LibraryMaterial* base) {
+  if (!base && !section.has("kind") && !section.has("base"))
+    section.refuse("kind", "the key is missing", "Add it, or name a base of the library");
+  const std::string fallback = base ? kind_name(base->kind) : "elastic";
+  const std::string kind = section.text("kind", fallback);
+  if (base && kind != fallback)
+    section.refuse("kind", fmt::format("the base is of the kind \"{}\"", fallback),
+                   "Remove the key or choose another base", fmt::format("\"{}\"", fallback));
+  return kind == "water" ? MaterialKind::water : MaterialKind::elastic;
+}
+
+// Of the speed of sound and its factor at most one may be given.
+void read_sound_speed(Section& section, MaterialDraft& draft) {
+  if (section.has("sound_speed") && section.has("sound_speed_factor"))
+    section.refuse("sound_speed_factor", "the speed of sound itself is given as well",
+                   "Remove one of the two", "one of sound_speed and sound_speed_factor");
+  draft.material.sound_speed = section.number("sound_speed", 0.0);
+  draft.sound_speed_factor = section.number("sound_speed_factor");
+}
+
+MaterialDraft read_material(Section& section, const std::string& name) {
+  const LibraryMaterial* base = read_base(section);
+  MaterialDraft draft;
+  draft.material = base ? base->material() : Material{};
+  draft.material.kind = read_kind(section, base);
+  draft.material.name = name;
+  section.assume(kind_name(draft.material.kind));
+  const bool based = base && base->kind == draft.material.kind;
+  for (const MaterialField& field : material_fields(draft.material.kind)) {
+    double& value = draft.material.*field.member;
+    value = based ? section.number(field.key, value) : section.number(field.key);
+  }
+  if (draft.material.kind == MaterialKind::water) read_sound_speed(section, draft);
+  draft.material.source =
+      section.text("source", based ? draft.material.source : std::string("the case file"));
+  section.refuse_unknown();
+  return draft;
+}
+
+}  // namespace
+
+void read_materials(Draft& draft, Section& top) {
+  const toml::table* list = top.table("materials");
+  if (!list) return;
+  for (const auto& [key, value] : *list) {
+    const std::string name(key.str());
+    const std::string path = "materials." + name;
+    draft.reading.problems.mention(path, static_cast<int>(key.source().begin.line), show(value));
+    if (!is_name(name)) {
+      draft.reading.problems.add({path, "this is not a name",
+                                  "at most 64 letters, digits, '-' and '_'",
+                                  "Choose another name"});
+    } else if (!value.is_table()) {
+      draft.reading.problems.add({path, "a material is a table", "a table [materials.NAME]",
+                                  fmt::format("Write [materials.{}] and its keys below", name)});
+    } else {
+      Section section(draft.reading, *value.as_table(), "materials", path);
+      draft.materials[name] = read_material(section, name);
+    }
+  }
+}
+
+const MaterialDraft* use_material(Draft& draft, Section& section, const std::string& name) {
+  const auto found = draft.materials.find(name);
+  if (found != draft.materials.end()) return &found->second;
+  if (const LibraryMaterial* entry = find_library_material(name)) {
+    constexpr double standard_factor = 10.0;  // c = 10 V, eq. (18)
+    return &(draft.materials[name] = {entry->material(), standard_factor});
+  }
+  std::vector<std::string> known = library_names();
+  for (const auto& [other, material] : draft.materials)
+    if (!find_library_material(other)) known.push_back(other);
+  refuse_unknown_material(section, "material", name, known);
+  return nullptr;
+}
+
+}  // namespace kerf

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The speeds a case is built around, in m/s.
+#pragma once
+
+#include "case/case.hpp"
+
+namespace kerf {
+
+double fastest_jet(const Case& description);  // 0 without a jet
+// Initial velocities and prescribed motions, sampled at particles and times; 0 when all rest.
+double fastest_body(const Case& description);
+// sqrt(2 g H) with H the height of the water along gravity; 0 without either.
+double falling_speed(const Case& description);
+// V of eq. (18): the fastest jet or body, else the speed of falling water.
+double characteristic_speed(const Case& description);
+
+}  // namespace kerf

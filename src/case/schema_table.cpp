@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
+#include "case/schema.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range any{-infinity, infinity};
+constexpr Range positive{0.0, infinity, true};
+constexpr Range not_negative{0.0, infinity};
+constexpr Range up_to(double maximum) {
+  return {0.0, maximum, true};
+}
+constexpr Range from_zero_to(double maximum) {
+  return {0.0, maximum};
+}
+constexpr Range within(double limit) {
+  return {-limit, limit};
+}
+
+using enum ValueKind;
+
+// clang-format off
+constexpr Key table_of_keys[] = {
+{"", "title", text, "", "", any, "", "", "One line that says what the case is"},
+{"", "dimension", integer, "", "", {2, 3}, "", "", "2 = plane strain, everything per metre of depth; 3 = space. Vertical is y in both"},
+{"", "formulation", word, "", "shinohara2004", any, "shinohara2004", "", "The equations: those of Shinohara, Okabe & Nakayama (2004)"},
+{"", "precision", word, "", "mixed", any, "mixed double", "", "mixed = positions in double, fields in single precision; double = all in double"},
+{"", "smoothing_ratio", number, "", "1.5", {1.0, 3.0}, "", "", "Smoothing length over particle spacing, h / d"},
+{"", "gravity", vector, "m/s2", "0 m/s2", within(1e4), "", "", "Acceleration on every particle that is not rigid"},
+{"", "time", table, "", "", any, "", "", "How long the run is and how it steps"},
+{"", "domain", table, "", "(around all bodies and jets)", any, "", "", "Where particles may be"},
+{"", "materials", table, "", "(the library's)", any, "", "", "Materials of this case, by name"},
+{"", "body", tables, "", "(none)", any, "", "", "Things made of particles at the start"},
+{"", "jet", tables, "", "(none)", any, "", "", "Nozzles that let water in"},
+{"", "backflow_eraser", table, "", "(off)", any, "", "", "Erases jet water that flows back"},
+{"", "probe", tables, "", "(none)", any, "", "", "Places where the run is measured"},
+{"", "artificial_stress", table, "", "(off)", any, "", "", "Cure of the tensile instability"},
+{"", "output", table, "", "(all defaults)", any, "", "", "What is written, and when"},
+
+{"time", "end", quantity, "s", "", up_to(1e6), "", "", "When the run ends"},
+{"time", "courant", number, "", "0.25", up_to(1.0), "", "", "Factor of the acoustic limit of the time step"},
+{"time", "maximum_step", quantity, "s", "none", positive, "", "", "Largest time step"},
+
+{"domain", "minimum", vector, "m", "", within(1e8), "", "", "Lowest corner"},
+{"domain", "maximum", vector, "m", "", within(1e8), "", "", "Highest corner"},
+
+{"materials", "base", name, "", "(none)", any, "", "", "Material of the library whose values stand where this one gives none"},
+{"materials", "kind", word, "", "(that of the base)", any, "elastic water", "", "What the material is; needed where there is no base"},
+{"materials", "density", quantity, "kg/m3", "", up_to(1e5), "", "", "Density at rest"},
+{"materials", "youngs_modulus", quantity, "Pa", "", up_to(1e13), "", "elastic", "Young's modulus E"},
+{"materials", "poisson_ratio", number, "", "", {-1.0, 0.5, true, true}, "", "elastic", "Poisson's ratio"},
+{"materials", "failure_strain", number, "", "0", from_zero_to(10.0), "", "elastic", "Equivalent strain at which a particle fractures; 0 = never"},
+{"materials", "viscosity", quantity, "Pa s", "0 Pa s", from_zero_to(1e6), "", "water", "Dynamic viscosity"},
+{"materials", "sound_speed", quantity, "m/s", "(sound_speed_factor times the fastest speed)", up_to(1e8), "", "water", "Speed of sound of the equation of state"},
+{"materials", "sound_speed_factor", number, "", "10", {1.0, 1000.0}, "", "water", "Speed of sound over the fastest speed V of jets and bodies or, for water that falls, V = sqrt(2 g H), H = height of the water; eq. (18)"},
+{"materials", "tait_exponent", number, "", "7", {1.0, 15.0, true}, "", "water", "Exponent n of the equation of state, eq. (15)"},
+{"materials", "artificial_linear", number, "", "0.01", from_zero_to(10.0), "", "water", "A of the artificial viscosity, eq. (38)"},
+{"materials", "artificial_linear", number, "", "2.5", from_zero_to(10.0), "", "elastic", "A of the artificial viscosity, eq. (38)"},
+{"materials", "artificial_quadratic", number, "", "0", from_zero_to(10.0), "", "water", "B of the artificial viscosity, eq. (38)"},
+{"materials", "artificial_quadratic", number, "", "2.5", from_zero_to(10.0), "", "elastic", "B of the artificial viscosity, eq. (38)"},
+{"materials", "artificial_softening", number, "", "0.1", up_to(1.0), "", "", "C of the artificial viscosity, eq. (39)"},
+{"materials", "source", text, "", "(the case file)", any, "", "", "Where the values come from"},
+
+{"body", "name", name, "", "", any, "", "", "Name of the body, its own"},
+{"body", "role", word, "", "(the kind of its material)", any, "elastic water rigid", "", "What the body is; rigid ones need no material"},
+{"body", "material", name, "", "", any, "", "elastic water", "Name of a material of this case or of the library"},
+{"body", "shape", table, "", "", any, "", "", "The region it fills"},
+{"body", "spacing", quantity, "m", "", positive, "", "", "Distance of its particles, their diameter d"},
+{"body", "lattice", word, "", "square", any, "square hexagonal", "", "How particles are laid out; square is cubic in 3D, hexagonal is close-packed in 3D"},
+{"body", "offset", vector, "m", "0 m", any, "", "", "Shift of the lattice, at most one spacing along each axis"},
+{"body", "velocity", vector, "m/s", "0 m/s", within(1e5), "", "elastic water", "Velocity at the start"},
+{"body", "velocity_expression", expressions, "", "(velocity)", any, "", "elastic water", "Velocity at the start in m/s as formulas of x, y, z in m"},
+{"body", "fixed", flag, "", "false", any, "", "elastic rigid", "The particles stay where they are; a rigid body without a displacement_expression does anyway"},
+{"body", "displacement_expression", expressions, "", "(free)", any, "", "elastic rigid", "Prescribed displacement in m as formulas of t in s, 0 at t = 0"},
+{"body", "joined_to", name, "", "(nothing)", any, "", "elastic", "Name of an elastic body that this one is bonded to, as one piece"},
+{"body", "repelling_layer", word, "", "top", any, "top bottom left right front back all", "rigid", "The outermost layer of particles that repels, eq. (43)"},
+{"body", "repulsion", quantity, "m2/s2", "(the square of the fastest speed)", not_negative, "", "rigid", "Strength D of the repulsion, eq. (43)"},
+
+{"shape", "type", word, "", "", any, "box disc ring polygon sphere union difference", "", "Kind of shape; in 3D a disc is a cylinder, a ring a tube, a polygon an extrusion"},
+{"shape", "minimum", vector, "m", "", within(1e6), "", "box", "Lowest corner"},
+{"shape", "maximum", vector, "m", "", within(1e6), "", "box", "Highest corner"},
+{"shape", "centre", vector, "m", "", within(1e6), "", "disc ring sphere", "Centre; of a cylinder or tube, the centre of its first end"},
+{"shape", "radius", quantity, "m", "", up_to(1e6), "", "disc ring sphere", "Radius, of a ring the outer one"},
+{"shape", "inner_radius", quantity, "m", "", up_to(1e6), "", "ring", "Inner radius"},
+{"shape", "axis", vector, "", "(0, 0, 1)", any, "", "disc+3D ring+3D", "Direction of the axis, of any length"},
+{"shape", "length", quantity, "m", "", up_to(1e6), "", "disc+3D ring+3D", "Length along the axis"},
+{"shape", "vertices", vertices, "m", "", within(1e6), "", "polygon", "Corners (x, y) in order, either way round; the last joins the first"},
+{"shape", "depth_minimum", quantity, "m", "", within(1e6), "", "polygon+3D", "Lowest z of the extrusion"},
+{"shape", "depth_maximum", quantity, "m", "", within(1e6), "", "polygon+3D", "Highest z of the extrusion"},
+{"shape", "parts", tables, "", "", any, "", "union difference", "Shapes; a union holds the points of any, a difference those of the first and no other"},
+
+{"jet", "name", name, "", "", any, "", "", "Name of the jet, its own"},
+{"jet", "material", name, "", "water", any, "", "", "Name of a water of this case or of the library"},
+{"jet", "speed", quantity, "m/s", "", up_to(1e4), "", "", "Mean speed over the section"},
+{"jet", "width", quantity, "m", "", up_to(1e6), "", "2D", "Width of the slot of a two-dimensional jet; a jet in 3D is round and has a diameter"},
+{"jet", "diameter", quantity, "m", "", up_to(1e6), "", "3D", "Diameter of the round jet; a jet in 2D is a slot and has a width"},
+{"jet", "position", vector, "m", "", within(1e6), "", "", "Point on the workpiece that the axis of the jet aims at"},
+{"jet", "standoff", quantity, "m", "", from_zero_to(1e6), "", "", "Distance from the nozzle to that point"},
+{"jet", "angle", quantity, "rad", "0 deg", within(3.141592653589793), "", "", "Tilt from straight down, towards +x"},
+{"jet", "azimuth", quantity, "rad", "0 deg", within(6.283185307179586), "", "3D", "Turn of the tilt about the vertical, from +x towards +z"},
+{"jet", "spacing", quantity, "m", "", positive, "", "", "Distance of its particles, their diameter d"},
+{"jet", "start", quantity, "s", "0 s", not_negative, "", "", "When the water starts"},
+{"jet", "stop", quantity, "s", "none", positive, "", "", "When the water stops"},
+{"jet", "profile", word, "", "uniform", any, "uniform parabolic power", "", "Speed over the section: uniform, parabolic 1 - r^2, or power (1 - r)^(1/7)"},
+{"jet", "profile_expression", expression, "", "(profile)", any, "", "", "Speed over the section as a formula of r, 0 on the axis and 1 at the edge; only its shape counts"},
+
+{"backflow_eraser", "speed_fraction", number, "", "0", from_zero_to(1.0), "", "", "Water is erased when its speed along the jet is less than this fraction of the jet speed: 0 = it moves back in the room; the front's speed over the jet's = it moves back from the bottom of the cut"},
+
+{"probe", "name", name, "", "", any, "", "", "Name of the probe, its own"},
+{"probe", "kind", word, "", "point", any, "point plane", "", "point = pressure and velocity there; plane = force of the side the normal points to on the other"},
+{"probe", "position", vector, "m", "", within(1e6), "", "", "The point, or a point of the plane"},
+{"probe", "normal", vector, "", "(0, 1, 0)", any, "", "plane", "Direction of the normal, of any length"},
+
+{"artificial_stress", "epsilon", number, "", "0.3", from_zero_to(1.0), "", "", "Strength; 0 = off"},
+{"artificial_stress", "exponent", number, "", "4", {0.0, 20.0, true}, "", "", "Exponent of the kernel ratio"},
+
+{"output", "frame_interval", quantity, "s", "(end / 20)", positive, "", "", "Time between frames"},
+{"output", "frame_times", quantities, "s", "(every frame_interval)", not_negative, "", "", "Times of the frames, instead of an interval"},
+{"output", "picture_times", quantities, "s", "(0 and quarters of the run)", not_negative, "", "", "Times of the pictures"},
+{"output", "series_interval", quantity, "s", "(end / 500)", positive, "", "", "Time between rows of series.csv"},
+{"output", "checkpoint_interval", quantity, "s", "60 s", positive, "", "", "Time of the clock on the wall between checkpoints"},
+};
+
+constexpr SectionText sections[] = {
+{"", "Top level", "The keys before the first table."},
+{"time", "`[time]`", "Needed in every case."},
+{"domain", "`[domain]`", "Particles that leave it are taken out and accounted for. Left out, it is the box around all bodies and nozzles, grown on every side by half its longest edge."},
+{"materials", "`[materials.NAME]`", "One table for each material that the library (`kerf materials`) lacks, or that differs from it."},
+{"body", "`[[body]]`", "One table for each body."},
+{"shape", "`shape = { ... }` of a body", "Shapes nest: the `parts` of a union or difference are shapes."},
+{"jet", "`[[jet]]`", "A jet leaves its nozzle at `standoff` from `position` and flies towards it."},
+{"backflow_eraser", "`[backflow_eraser]`", "Off unless the table is there. Used for Fig. 7 of Shinohara et al. (2004); it takes mass away."},
+{"probe", "`[[probe]]`", "One table for each probe."},
+{"artificial_stress", "`[artificial_stress]`", "Off unless the table is there. After Gray, Monaghan & Swift (2001)."},
+{"output", "`[output]`", "Everything has a default."},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const Key> schema() {
+  return table_of_keys;
+}
+std::span<const SectionText> schema_sections() {
+  return sections;
+}
+
+}  // namespace kerf

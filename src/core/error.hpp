@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two kinds of error: a user's (a sentence that says what, where and what to do) and a developer's.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace kerf {
+
+// Something the user can put right. The message is shown as it is; the program ends with
+// `exit_code()` (1 = bad input, 3 = the run failed, 4 = files or folders).
+class UserError : public std::runtime_error {
+ public:
+  explicit UserError(const std::string& message, int exit_code = 1)
+      : std::runtime_error(message), exit_code_(exit_code) {}
+  int exit_code() const { return exit_code_; }
+
+ private:
+  int exit_code_;
+};
+
+inline constexpr int exit_bad_input = 1;
+inline constexpr int exit_run_failed = 3;
+inline constexpr int exit_files = 4;
+
+// A broken invariant of the program itself.
+inline void require(bool condition, const char* what) {
+  if (!condition) throw std::logic_error(std::string("internal error: ") + what);
+}
+
+}  // namespace kerf

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Second-order tensors. In two dimensions a symmetric tensor keeps its out-of-plane component: in
+// plane strain the deviatoric stress s_zz is not zero.
+#pragma once
+
+#include "core/vector.hpp"
+
+namespace kerf {
+
+// A full D x D tensor, e.g. a velocity gradient: entry (a, b) = d v_a / d x_b.
+template <int D, class T>
+struct Matrix {
+  T component[D * D];
+
+  KERF_FUNCTION T& operator()(int a, int b) { return component[a * D + b]; }
+  KERF_FUNCTION const T& operator()(int a, int b) const { return component[a * D + b]; }
+  KERF_FUNCTION static Matrix zero() {
+    Matrix m;
+    for (int k = 0; k < D * D; ++k) m.component[k] = T(0);
+    return m;
+  }
+  KERF_FUNCTION T trace() const {
+    T sum = T(0);
+    for (int a = 0; a < D; ++a) sum += (*this)(a, a);
+    return sum;
+  }
+};
+
+// A symmetric tensor of three-dimensional space whose components out of the plane of a
+// two-dimensional run vanish, but for zz.
+//   D = 2: xx yy zz xy        D = 3: xx yy zz xy xz yz
+template <int D, class T>
+struct SymmetricTensor {
+  static constexpr int count = D == 2 ? 4 : 6;
+  T component[count];
+
+  // Index of entry (a, b); a and b run to 2 on the diagonal even when D = 2.
+  KERF_FUNCTION static constexpr int index(int a, int b) { return a == b ? a : 2 + a + b; }
+  KERF_FUNCTION T& operator()(int a, int b) { return component[index(a, b)]; }
+  KERF_FUNCTION const T& operator()(int a, int b) const { return component[index(a, b)]; }
+  KERF_FUNCTION static SymmetricTensor zero() {
+    SymmetricTensor s;
+    for (int k = 0; k < count; ++k) s.component[k] = T(0);
+    return s;
+  }
+  KERF_FUNCTION SymmetricTensor& operator+=(const SymmetricTensor& other) {
+    for (int k = 0; k < count; ++k) component[k] += other.component[k];
+    return *this;
+  }
+  KERF_FUNCTION SymmetricTensor& operator*=(T factor) {
+    for (int k = 0; k < count; ++k) component[k] *= factor;
+    return *this;
+  }
+  KERF_FUNCTION friend SymmetricTensor operator+(SymmetricTensor u, const SymmetricTensor& v) {
+    return u += v;
+  }
+  KERF_FUNCTION friend SymmetricTensor operator*(T factor, SymmetricTensor s) {
+    return s *= factor;
+  }
+};
+
+// In-plane action on a vector: (S v)_a = S_ab v_b.
+template <int D, class T>
+KERF_FUNCTION Vector<D, T> operator*(const SymmetricTensor<D, T>& s, const Vector<D, T>& v) {
+  Vector<D, T> product = Vector<D, T>::zero();
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) product[a] += s(a, b) * v[b];
+  return product;
+}
+
+// Full contraction S : S over three dimensions.
+template <int D, class T>
+KERF_FUNCTION T contract(const SymmetricTensor<D, T>& s, const SymmetricTensor<D, T>& u) {
+  T sum = T(0);
+  for (int k = 0; k < 3; ++k) sum += s.component[k] * u.component[k];
+  for (int k = 3; k < SymmetricTensor<D, T>::count; ++k)
+    sum += T(2) * s.component[k] * u.component[k];
+  return sum;
+}
+
+// S : grad v, the stress power per volume; d v_z / d z = 0 in plane strain.
+template <int D, class T>
+KERF_FUNCTION T contract(const SymmetricTensor<D, T>& s, const Matrix<D, T>& gradient) {
+  T sum = T(0);
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) sum += s(a, b) * gradient(a, b);
+  return sum;
+}
+
+}  // namespace kerf

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where particle loops run: a thin layer on Thrust, whose device is TBB threads in the host build
+// and an NVIDIA GPU in the CUDA build. Loop bodies are named functors (nvcc refuses extended lambdas
+// inside generic code, and a named functor gives each profile a label).
+#pragma once
+
+#include <thrust/binary_search.h>
+#include <thrust/copy.h>
+#include <thrust/device_vector.h>
+#include <thrust/execution_policy.h>
+#include <thrust/extrema.h>
+#include <thrust/fill.h>
+#include <thrust/for_each.h>
+#include <thrust/gather.h>
+#include <thrust/host_vector.h>
+#include <thrust/iterator/counting_iterator.h>
+#include <thrust/reduce.h>
+#include <thrust/scan.h>
+#include <thrust/sequence.h>
+#include <thrust/sort.h>
+#include <thrust/transform_reduce.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "exec/host_device.hpp"
+
+namespace kerf {
+
+using Index = std::uint32_t;
+
+template <class T>
+using Array = thrust::device_vector<T>;
+
+template <class T>
+T* pointer(Array<T>& array) {
+  return thrust::raw_pointer_cast(array.data());
+}
+template <class T>
+const T* pointer(const Array<T>& array) {
+  return thrust::raw_pointer_cast(array.data());
+}
+
+// Calls body(i) for i = 0 .. count - 1, in any order.
+template <class Body>
+void for_each_index(Index count, const Body& body) {
+  thrust::for_each(thrust::device, thrust::counting_iterator<Index>(0),
+                   thrust::counting_iterator<Index>(count), body);
+}
+
+// Combines value(0) .. value(count - 1) with an operator whose result does not depend on order
+// (minimum, maximum, or): exact for any number of threads.
+template <class T, class Value, class Combine>
+T reduce_unordered(Index count, const Value& value, T initial, const Combine& combine) {
+  return thrust::transform_reduce(thrust::device, thrust::counting_iterator<Index>(0),
+                                  thrust::counting_iterator<Index>(count), value, initial, combine);
+}
+
+template <class T>
+std::vector<T> to_host(const Array<T>& array) {
+  std::vector<T> host(array.size());
+  thrust::copy(array.begin(), array.end(), host.begin());
+  return host;
+}
+
+template <class T>
+void to_device(const std::vector<T>& host, Array<T>& array) {
+  array.resize(host.size());
+  thrust::copy(host.begin(), host.end(), array.begin());
+}
+
+}  // namespace kerf

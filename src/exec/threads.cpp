@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+
+#include "simulation/simulation.hpp"
+
+namespace kerf {
+
+void set_threads(int threads) {
+  static std::unique_ptr<tbb::global_control> control;
+  const int wanted = threads > 0 ? threads : tbb::info::default_concurrency();
+  control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                  static_cast<std::size_t>(wanted));
+}
+
+}  // namespace kerf

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Midpoint rule, eqs. (41) and (42) of Shinohara et al. (2004):
+//   phi^(n+1/2) = phi^n + dt/2 F(phi^n),   phi^(n+1) = phi^n + dt F(phi^(n+1/2)).
+#pragma once
+
+#include "integrate/drive.hpp"
+#include "materials/hooke_solid.hpp"
+#include "particles/fields.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct KeepStart {
+  ParticleView<D, P> particles;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    particles.start_position[i] = particles.position[i];
+    particles.start_velocity[i] = particles.velocity[i];
+    particles.start_compression[i] = particles.compression[i];
+    particles.start_shear[i] = particles.shear[i];
+    particles.fracture_loss[i] = typename P::Real(0);
+  }
+};
+
+// Sets the state `dt` after the start of the step with the rates at hand.
+template <int D, class P>
+struct AdvanceFromStart {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  const Drive<D>* drives;
+  double dt;  // s
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const auto& medium = particles.medium(i);
+    if (particles.is_constrained(i)) {
+      advance_driven(i);
+    } else if (medium.phase != Phase::rigid) {
+      const auto travelled = dt * Vector<D, double>::from(particles.velocity[i]);
+      particles.position[i] = particles.start_position[i] + travelled;
+      particles.velocity[i] = particles.start_velocity[i] + Real(dt) * particles.acceleration[i];
+    }
+    if (medium.phase == Phase::rigid || particles.has(i, flag::upstream)) return;
+    particles.compression[i] =
+        particles.start_compression[i] + Real(dt) * particles.compression_rate[i];
+    if (medium.phase == Phase::solid && !particles.fractured[i]) advance_shear(i, medium);
+  }
+
+ private:
+  KERF_FUNCTION void advance_shear(Index i, const Medium<Real>& medium) const {
+    auto rate =
+        HookeSolid::shear_rate(medium, particles.shear[i], particles.velocity_gradient[i]);
+    rate *= Real(dt);
+    particles.shear[i] = particles.start_shear[i] + rate;
+  }
+
+  KERF_FUNCTION void advance_driven(Index i) const {
+    const Drive<D>& drive = drives[particles.source[i]];
+    Vector<D, double> displacement = drive.displacement;
+    Vector<D, double> velocity = drive.velocity;
+    if (particles.has(i, flag::upstream)) {
+      const double speed = particles.inlet_speed[i];
+      displacement = (speed * drive.open_time) * drive.direction;
+      velocity = (speed * drive.open_fraction) * drive.direction;
+    }
+    particles.position[i] = particles.start_position[i] + displacement;
+    particles.velocity[i] = Vector<D, Real>::from(velocity);
+  }
+};
+
+}  // namespace kerf

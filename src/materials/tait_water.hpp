@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nearly incompressible water, eq. (15) of Shinohara et al. (2004):
+//   p = B [(rho/rho_0)^n - 1],  B = c^2 rho_0 / n,  eqs. (17) to (19).
+#pragma once
+
+#include <cmath>
+
+#include "exec/host_device.hpp"
+#include "particles/medium.hpp"
+
+namespace kerf {
+
+struct TaitWater {
+  template <class T>
+  KERF_FUNCTION static T pressure(const Medium<T>& water, T compression) {  // Pa
+    // expm1 and log1p keep the digits of a compression of 1e-5 in single precision.
+    return water.tait_coefficient *
+           std::expm1(water.tait_exponent * std::log1p(compression));
+  }
+
+  // Speed of sound at this density, m/s: c^2 = dp/drho.
+  template <class T>
+  KERF_FUNCTION static T sound_speed(const Medium<T>& water, T compression) {
+    return water.sound_speed *
+           std::exp(T(0.5) * (water.tait_exponent - T(1)) * std::log1p(compression));
+  }
+
+  // Stored energy per mass, J/kg: the integral of p / rho^2 d rho from rho_0.
+  template <class T>
+  KERF_FUNCTION static double energy(const Medium<T>& water, double compression) {
+    const double n = water.tait_exponent;
+    const double ratio = 1.0 + compression;
+    return water.tait_coefficient / water.density *
+           ((std::pow(ratio, n - 1.0) - 1.0) / (n - 1.0) + 1.0 / ratio - 1.0);
+  }
+};
+
+}  // namespace kerf

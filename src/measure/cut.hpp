@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Follows a cut from frame to frame: how deep the water is, what is broken, whether the workpiece
+// is through. Definitions: docs/metrics.md.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "case/case.hpp"
+#include "simulation/frame.hpp"
+
+namespace kerf {
+
+struct Workpiece;
+
+// At one instant.
+struct CutState {
+  double time = 0.0;                // s
+  double front_depth = 0.0;         // m, below the aimed point, along the jet; 0 before contact
+  int pieces = 0;                   // connected pieces of intact solid > 5% of the workpiece
+  double fractured_fraction = 0.0;  // fractured mass over the workpiece's, as at the start
+  double fractured_mass = 0.0;      // kg, of the workpiece, fractured or gone from the domain
+  double fractured_width = 0.0;     // m, breadth of the fractured region at half the front depth
+  double kerf_width = 0.0;          // m, breadth without intact solid at half the front depth
+  bool cut_through = false;         // now or at any time before
+};
+
+// Over the run so far.
+struct CutSummary {
+  bool cut_through = false;
+  double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s
+  double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
+  CutState last;
+};
+
+class CutMonitor {
+ public:
+  // `initial` is the frame before the first step, also where a run is resumed.
+  CutMonitor(const Case& description, const Frame& initial);
+  CutState observe(const Frame& frame);  // in order of time
+  CutSummary summary() const;
+  // The history, so that a resumed run measures as if never stopped.
+  const std::vector<CutState>& history() const { return history_; }
+  void restore(std::vector<CutState> history);
+
+ private:
+  std::shared_ptr<const Workpiece> workpiece_;  // as laid out
+  double contact_depth_ = 0.0;                  // m, one spacing of the first jet
+  std::vector<CutState> history_;
+};
+
+}  // namespace kerf

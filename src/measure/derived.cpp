@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// The regime of a cut follows from three speeds. With U = V / (1 + sqrt(rho_t / rho_j)) the speed
+// of the front in a target without strength (hydrodynamic penetration) and e the failure strain:
+//   rho V^2 / 2 < E e     the stagnation pressure bends the target without breaking it: elastic
+//   dimple U < c_R               cracks, which run at up to c_R, outrun the front: crack-led c_R <=
+//   U <= c_p       the front outruns cracks, but not the elastic waves: erosion U > c_p the front
+//   outruns every elastic wave: hydrodynamic
+// For the solid of Shinohara et al. (2004) these limits lie at V = 4.6, 12 and 24 m/s: its case at
+// 5 m/s is crack-led and its case at 50 m/s hydrodynamic.
+#include "measure/derived.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "case/scales.hpp"
+#include "particles/fill.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double real_water_sound_speed = 1481.0;  // m/s, at 20 C
+
+const Material& material_of(const Case& description, int index) {
+  return description.materials[static_cast<std::size_t>(index)];
+}
+
+// What a jet or a moving body can hit: an elastic body that is free, else a fixed one.
+const Material* target_material(const Case& description) {
+  const Material* target = nullptr;
+  for (const Body& body : description.bodies) {
+    if (body.role != Role::elastic) continue;
+    if (!body.fixed) return &material_of(description, body.material);
+    if (!target) target = &material_of(description, body.material);
+  }
+  return target;
+}
+
+// That of the fastest jet, else of the first body of water.
+const Material* water_material(const Case& description) {
+  const auto fastest =
+      std::max_element(description.jets.begin(), description.jets.end(),
+                       [](const Jet& a, const Jet& b) { return a.speed < b.speed; });
+  if (fastest != description.jets.end()) return &material_of(description, fastest->material);
+  for (const Body& body : description.bodies)
+    if (body.role == Role::water) return &material_of(description, body.material);
+  return nullptr;
+}
+
+// The root of Rayleigh's equation (2 - x)^2 = 4 sqrt((1 - x)(1 - k x)) between 0 and 1, with
+// x = (c_R / c_s)^2 and k = (c_s / c_p)^2. x is 0.47 for nu = -1 and 0.91 for nu = 1/2.
+double rayleigh_speed(double shear_speed, double longitudinal_speed) {
+  const double k = std::pow(shear_speed / longitudinal_speed, 2);
+  const auto residual = [k](double x) {
+    return (2.0 - x) * (2.0 - x) - 4.0 * std::sqrt((1.0 - x) * (1.0 - k * x));
+  };
+  std::uintmax_t iterations = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      residual, 0.3, 1.0, boost::math::tools::eps_tolerance<double>(50), iterations);
+  return shear_speed * std::sqrt(0.5 * (bracket.first + bracket.second));
+}
+
+void derive_solid(DerivedNumbers& numbers, const Material& solid) {
+  const double young = solid.youngs_modulus, poisson = solid.poisson_ratio;
+  numbers.bulk_modulus = young / (3.0 * (1.0 - 2.0 * poisson));
+  numbers.shear_modulus = young / (2.0 * (1.0 + poisson));
+  numbers.bulk_speed = std::sqrt(numbers.bulk_modulus / solid.density);
+  numbers.longitudinal_speed =
+      std::sqrt((numbers.bulk_modulus + 4.0 / 3.0 * numbers.shear_modulus) / solid.density);
+  numbers.shear_speed = std::sqrt(numbers.shear_modulus / solid.density);
+  numbers.rayleigh_speed = rayleigh_speed(numbers.shear_speed, numbers.longitudinal_speed);
+  numbers.speed_over_rayleigh = numbers.jet_speed / numbers.rayleigh_speed;
+  numbers.speed_over_longitudinal = numbers.jet_speed / numbers.longitudinal_speed;
+}
+
+void derive_water(DerivedNumbers& numbers, const Material& water) {
+  const double speed = numbers.jet_speed;
+  numbers.water_sound_speed = water.sound_speed;
+  numbers.mach = speed / water.sound_speed;
+  numbers.stagnation_pressure = 0.5 * water.density * speed * speed;
+  numbers.hammer_pressure_numerical = water.density * water.sound_speed * speed;
+  numbers.hammer_pressure_real = water.density * real_water_sound_speed * speed;
+}
+
+// Water on a solid, or a solid on its like; in each case the impedances Z = rho c act together.
+void derive_contact(DerivedNumbers& numbers, const Material& solid, const Material* water) {
+  const double solid_impedance = solid.density * numbers.longitudinal_speed;
+  const double other = water ? water->density * water->sound_speed : solid_impedance;
+  numbers.contact_stress = numbers.jet_speed * solid_impedance * other / (solid_impedance + other);
+  if (!water) return;
+  numbers.cauchy_number =
+      water->density * numbers.jet_speed * numbers.jet_speed / solid.youngs_modulus;
+  numbers.hydrodynamic_front_speed =
+      numbers.jet_speed / (1.0 + std::sqrt(solid.density / water->density));
+}
+
+std::string regime_of(const DerivedNumbers& numbers, const Case& description,
+                      const Material* solid) {
+  if (description.jets.empty() || !solid) return "no jet";
+  const double strength = solid->youngs_modulus * solid->failure_strain;
+  if (solid->failure_strain == 0.0 || numbers.stagnation_pressure < strength)
+    return "elastic dimple";
+  if (numbers.hydrodynamic_front_speed < numbers.rayleigh_speed) return "crack-led";
+  if (numbers.hydrodynamic_front_speed <= numbers.longitudinal_speed) return "erosion";
+  return "hydrodynamic";
+}
+
+void derive_spacings(DerivedNumbers& numbers, const Case& description) {
+  double coarsest_solid = 0.0, finest_water = 0.0;
+  const auto water = [&](double spacing) {
+    finest_water = finest_water > 0.0 ? std::min(finest_water, spacing) : spacing;
+  };
+  for (const Body& body : description.bodies) {
+    if (body.role == Role::elastic) coarsest_solid = std::max(coarsest_solid, body.spacing);
+    if (body.role == Role::water) water(body.spacing);
+  }
+  for (const Jet& jet : description.jets) {
+    water(jet.spacing);
+    const double resolution = jet.width / jet.spacing;
+    numbers.jet_resolution =
+        numbers.jet_resolution > 0.0 ? std::min(numbers.jet_resolution, resolution) : resolution;
+  }
+  if (coarsest_solid > 0.0 && finest_water > 0.0)
+    numbers.solid_to_water_spacing = coarsest_solid / finest_water;
+}
+
+void derive_particles(DerivedNumbers& numbers, const Case& description) {
+  for (const Body& body : description.bodies) {
+    LatticeVisit count;
+    count.window = {{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};
+    count.visit = [&](const Point&) {
+      ++numbers.particles_initial;
+      return true;
+    };
+    visit_particles(body, description.dimension, count);
+  }
+  double added = 0.0;
+  for (const Jet& jet : description.jets) {
+    const double area =
+        description.dimension == 2 ? jet.width : std::numbers::pi * jet.width * jet.width / 4.0;
+    const double open = std::max(0.0, std::min(jet.stop, description.time.end) - jet.start);
+    added += jet.speed * area * open / std::pow(jet.spacing, description.dimension);
+  }
+  numbers.particles_expected = numbers.particles_initial + static_cast<std::size_t>(added);
+}
+
+// The acoustic limit with its term of artificial viscosity, h / (c + V + 1.2 A c).
+double acoustic_step(const Case& description, const Material& material, double spacing,
+                     double speed) {
+  double sound = material.sound_speed, fastest_wave = material.sound_speed;
+  if (material.kind == MaterialKind::elastic) {
+    DerivedNumbers solid;
+    derive_solid(solid, material);
+    sound = solid.bulk_speed;
+    fastest_wave = solid.longitudinal_speed;
+  }
+  return description.time.courant * description.smoothing_ratio * spacing /
+         (fastest_wave + speed + 1.2 * material.artificial_linear * sound);
+}
+
+void derive_steps(DerivedNumbers& numbers, const Case& description) {
+  double step = std::min(description.time.maximum_step, description.time.end);
+  const auto limit = [&](int material, double spacing) {
+    step = std::min(step, acoustic_step(description, material_of(description, material), spacing,
+                                        numbers.jet_speed));
+  };
+  for (const Body& body : description.bodies)
+    if (body.role != Role::rigid) limit(body.material, body.spacing);
+  for (const Jet& jet : description.jets) limit(jet.material, jet.spacing);
+  numbers.time_step = step;
+  numbers.steps = std::ceil(description.time.end / step);
+}
+
+// About 300 bytes of fields and, for every neighbour within 2 h and as many again in the skin of
+// the list, an index of 4 bytes.
+double bytes_per_particle(const Case& description) {
+  const double reach = 2.0 * description.smoothing_ratio;  // spacings
+  const double neighbours = description.dimension == 2
+                                ? std::numbers::pi * reach * reach
+                                : 4.0 / 3.0 * std::numbers::pi * reach * reach * reach;
+  return 300.0 + 2.0 * neighbours * 4.0;
+}
+
+}  // namespace
+
+DerivedNumbers derive(const Case& description) {
+  DerivedNumbers numbers;
+  numbers.jet_speed = fastest_jet(description);
+  if (numbers.jet_speed == 0.0) numbers.jet_speed = fastest_body(description);
+  const Material* solid = target_material(description);
+  const Material* water = water_material(description);
+  if (solid) derive_solid(numbers, *solid);
+  if (water) derive_water(numbers, *water);
+  if (solid) derive_contact(numbers, *solid, water);
+  derive_spacings(numbers, description);
+  derive_particles(numbers, description);
+  derive_steps(numbers, description);
+  numbers.memory =
+      bytes_per_particle(description) * static_cast<double>(numbers.particles_expected);
+  numbers.regime = regime_of(numbers, description, solid);
+  return numbers;
+}
+
+}  // namespace kerf

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Places seen from a jet: depth along it, distance across it.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "case/case.hpp"
+
+namespace kerf {
+
+struct JetAxis {
+  using Vector3 = std::array<double, 3>;
+
+  Vector3 aim{};       // m, the point on the workpiece that the axis aims at
+  Vector3 along{};     // unit, the way the water flies
+  Vector3 across{};    // unit, in the plane of the jet and the vertical; x for a jet straight down
+  Vector3 sideways{};  // unit, along x across; 3D only
+  double width = 0.0;  // m, slot width in 2D, diameter in 3D
+  double standoff = 0.0;  // m
+  double section = 0.0;   // m^2 (2D: m), area of the nozzle
+
+  JetAxis(const Jet& jet, int dimension)
+      : aim(jet.position), width(jet.width), standoff(jet.standoff) {
+    const double s = std::sin(jet.angle), c = std::cos(jet.angle);
+    const double cx = dimension == 3 ? std::cos(jet.azimuth) : 1.0;
+    const double cz = dimension == 3 ? std::sin(jet.azimuth) : 0.0;
+    along = {s * cx, -c, s * cz};
+    across = {c * cx, s, c * cz};
+    sideways = {along[1] * across[2] - along[2] * across[1],
+                along[2] * across[0] - along[0] * across[2],
+                along[0] * across[1] - along[1] * across[0]};
+    section = dimension == 3 ? std::numbers::pi / 4.0 * width * width : width;
+    if (dimension == 2) sideways = {};
+  }
+
+  // m, positive below the aimed point.
+  double depth(const Vector3& x) const { return project(x, along); }
+  // m, signed.
+  double offset(const Vector3& x) const { return project(x, across); }
+  // m, signed; 0 in 2D.
+  double side(const Vector3& x) const { return project(x, sideways); }
+  // m, from the axis.
+  double distance(const Vector3& x) const { return std::hypot(offset(x), side(x)); }
+
+ private:
+  double project(const Vector3& x, const Vector3& direction) const {
+    double sum = 0.0;
+    for (std::size_t a = 0; a < 3; ++a) sum += (x[a] - aim[a]) * direction[a];
+    return sum;
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Connected pieces of intact solid.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "measure/workpiece.hpp"
+
+namespace kerf {
+
+// Bonds join the nearest neighbours of the first layout and no others: 1.3 spacings reach those of
+// a jittered or hexagonal lattice (1 spacing), but not the diagonal of a square one (1.41), across
+// which a crack one particle wide would otherwise be bridged.
+inline constexpr double bond_reach = 1.3;  // spacings
+// A bond between two intact particles is gone when they are this far apart. A stretch of 2 is far
+// beyond what the solids here bear without fracturing.
+inline constexpr double bond_limit = 2.0;  // spacings
+// Smaller pieces are debris.
+inline constexpr double piece_mass_fraction = 0.05;
+
+// Pairs of slots that are neighbours in the first layout and of one piece of material.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> find_bonds(const Workpiece& workpiece);
+
+struct Pieces {
+  int count = 0;                       // heavier than piece_mass_fraction of the workpiece
+  std::vector<std::uint8_t> in_piece;  // per slot: 1 = part of a counted piece
+};
+
+Pieces find_pieces(const Workpiece& workpiece, const Frame& frame,
+                   const std::vector<std::uint32_t>& rows);
+
+}  // namespace kerf

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// A grid of square (cubic) cells over the domain. Cells are numbered row by row along x, so that the
+// three cells beside one another in x are one run of numbers.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/vector.hpp"
+#include "exec/exec.hpp"
+
+namespace kerf {
+
+template <int D>
+struct Grid {
+  Vector<D, double> origin;
+  double cell = 0.0;  // m
+  int cells[D];
+
+  // `cell` grows when the table would pass `most` cells.
+  static Grid covering(const Vector<D, double>& minimum, const Vector<D, double>& maximum,
+                       double cell, double most) {
+    Grid grid;
+    double total = most + 1.0;
+    for (grid.cell = cell; total > most; grid.cell *= total > most ? 1.25 : 1.0) {
+      total = 1.0;
+      for (int a = 0; a < D; ++a) {
+        grid.cells[a] = 1 + static_cast<int>(std::min((maximum[a] - minimum[a]) / grid.cell, 1e6));
+        total *= grid.cells[a];
+      }
+    }
+    grid.origin = minimum;
+    return grid;
+  }
+
+  KERF_FUNCTION int coordinate(double x, int a) const {
+    const double c = std::floor((x - origin[a]) / cell);
+    if (!(c > 0.0)) return 0;  // what lies outside is counted to the edge
+    return c < cells[a] - 1 ? static_cast<int>(c) : cells[a] - 1;
+  }
+  KERF_FUNCTION Index number(const int* coordinates) const {
+    Index n = static_cast<Index>(coordinates[D - 1]);
+    for (int a = D - 2; a >= 0; --a) n = n * static_cast<Index>(cells[a]) + coordinates[a];
+    return n;
+  }
+  KERF_FUNCTION Index number(const Vector<D, double>& x) const {
+    int coordinates[D];
+    for (int a = 0; a < D; ++a) coordinates[a] = coordinate(x[a], a);
+    return number(coordinates);
+  }
+  Index count() const {
+    Index total = 1;
+    for (int a = 0; a < D; ++a) total *= static_cast<Index>(cells[a]);
+    return total;
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Verlet list with a skin: for each particle the others within reach + skin of where the list was
+// built. It holds until a particle has moved half the skin. Each particle lists its own neighbours
+// in a fixed order, so sums over them do not depend on the number of threads.
+#pragma once
+
+#include "neighbours/grid.hpp"
+#include "neighbours/pair_range.hpp"
+
+namespace kerf {
+
+struct NeighbourView {
+  const Index* begin;  // begin[i] .. begin[i + 1] of `neighbour` are particle i's
+  const Index* neighbour;
+};
+
+template <int D, class P>
+struct CellNumber {
+  ParticleView<D, P> particles;
+  Grid<D> grid;
+  Index* number;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    number[i] = grid.number(particles.build_position[i]);
+  }
+};
+
+// Walks the candidates of particle i; counts them, or writes them where `neighbour` is given.
+template <int D, class P>
+struct FindNeighbours {
+  ParticleView<D, P> particles;
+  Grid<D> grid;
+  const Index* cell_begin;
+  double skin;
+  Index* count;      // out when neighbour is null
+  const Index* begin;
+  Index* neighbour;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    Index found = 0;
+    int low[D], high[D], row[D];
+    for (int a = 0; a < D; ++a) {
+      const int c = grid.coordinate(particles.build_position[i][a], a);
+      low[a] = c > 0 ? c - 1 : 0;
+      high[a] = c + 1 < grid.cells[a] ? c + 1 : c;
+      row[a] = low[a];
+    }
+    while (true) {
+      row[0] = low[0];
+      const Index first = grid.number(row);
+      const Index last = first + static_cast<Index>(high[0] - low[0]);
+      found = scan(i, cell_begin[first], cell_begin[last + 1], found);
+      int a = 1;
+      while (a < D && row[a] == high[a]) {
+        row[a] = low[a];
+        ++a;
+      }
+      if (a >= D) break;
+      ++row[a];
+    }
+    if (neighbour == nullptr) count[i] = found;
+  }
+
+ private:
+  KERF_FUNCTION Index scan(Index i, Index from, Index to, Index found) const {
+    for (Index j = from; j < to; ++j) {
+      if (j == i) continue;
+      const double reach = pair_reach(particles, i, j);
+      if (reach == 0.0) continue;
+      const auto r = particles.build_position[i] - particles.build_position[j];
+      const double limit = reach + skin;
+      if (dot(r, r) >= limit * limit) continue;
+      if (neighbour != nullptr) neighbour[begin[i] + found] = j;
+      ++found;
+    }
+    return found;
+  }
+};
+
+template <int D, class P>
+struct HasMovedFar {
+  ParticleView<D, P> particles;
+  double limit_square;  // m^2
+  double horizon;       // s, looked ahead
+
+  KERF_FUNCTION bool operator()(Index i) const {
+    auto moved = particles.position[i] - particles.build_position[i];
+    moved += horizon * Vector<D, double>::from(particles.velocity[i]);
+    return !(dot(moved, moved) <= limit_square);
+  }
+};
+
+struct Either {
+  KERF_FUNCTION bool operator()(bool a, bool b) const { return a || b; }
+};
+
+template <int D, class P>
+class NeighbourList {
+ public:
+  NeighbourList() = default;
+  // `reach`: the longest pair reach there is; `skin` in m.
+  NeighbourList(const Vector<D, double>& minimum, const Vector<D, double>& maximum, double reach,
+                double skin)
+      : grid_(Grid<D>::covering(minimum, maximum, reach + skin, 1.6e7)), skin_(skin) {}
+
+  // Cell numbers of the build positions, the sort key of the particles.
+  const Array<Index>& cell_numbers(Particles<D, P>& particles) {
+    key_.resize(particles.size());
+    for_each_index(particles.size(), CellNumber<D, P>{particles.view(), grid_, pointer(key_)});
+    return key_;
+  }
+
+  // Particles must already be in the order of their cell numbers.
+  void build(Particles<D, P>& particles) {
+    const Index n = particles.size();
+    cell_numbers(particles);
+    const Index cells = grid_.count();
+    cell_begin_.resize(cells + 1);
+    thrust::lower_bound(thrust::device, key_.begin(), key_.end(),
+                        thrust::counting_iterator<Index>(0),
+                        thrust::counting_iterator<Index>(cells + 1), cell_begin_.begin());
+    begin_.resize(n + 1);
+    FindNeighbours<D, P> find{particles.view(), grid_,          pointer(cell_begin_), skin_,
+                              pointer(begin_),  pointer(begin_), nullptr};
+    for_each_index(n, find);
+    thrust::fill_n(begin_.begin() + n, 1, Index(0));
+    thrust::exclusive_scan(thrust::device, begin_.begin(), begin_.end(), begin_.begin());
+    pairs_ = begin_[n];
+    if (neighbour_.size() < pairs_) neighbour_.resize(pairs_ + pairs_ / 8);
+    find.neighbour = pointer(neighbour_);
+    if (n > 0) for_each_index(n, find);
+  }
+
+  // Will a particle have moved more than half the skin within the next `horizon` seconds?
+  bool is_outdated(Particles<D, P>& particles, double horizon) const {
+    const double half = 0.5 * skin_;
+    return reduce_unordered(particles.size(),
+                            HasMovedFar<D, P>{particles.view(), half * half, horizon}, false,
+                            Either{});
+  }
+
+  NeighbourView view() const { return {pointer(begin_), pointer(neighbour_)}; }
+  Index pairs() const { return pairs_; }  // list entries, each pair twice
+  std::size_t bytes() const {
+    return sizeof(Index) * (neighbour_.size() + begin_.size() + cell_begin_.size() + key_.size());
+  }
+
+ private:
+  Grid<D> grid_{};
+  double skin_ = 0.0;
+  Index pairs_ = 0;
+  Array<Index> key_, cell_begin_, begin_, neighbour_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// result.json: the verdict of a run and its numbers, in SI units.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "measure/cut.hpp"
+#include "measure/derived.hpp"
+#include "simulation/ledger.hpp"
+#include "simulation/simulation.hpp"
+
+namespace kerf {
+
+// How a run ended.
+struct RunOutcome {
+  Case description;
+  std::string case_name;
+  DerivedNumbers derived;
+  CutSummary cut;
+  bool still_cutting = false;  // the front was moving when the run ended
+  Ledger ledger;
+  double time = 0.0;  // s
+  std::uint64_t steps = 0;
+  std::size_t particles = 0;
+  double pair_interactions = 0.0;
+  std::map<std::string, std::uint64_t> time_step_limits;  // steps that each limit set
+  double wall_time = 0.0;                                 // s, over all parts of the run
+  int threads = 0;
+  std::vector<StageTime> stage_times;
+};
+
+// True when the front went deeper in the last tenth of the history.
+bool still_cutting(const std::vector<CutState>& history);
+
+// What the run can and cannot promise, as sentences.
+std::vector<std::string> validity_of(const RunOutcome& outcome);
+
+// One sentence: did the jet cut through, and when, or how deep it came.
+std::string verdict_of(const RunOutcome& outcome);
+
+nlohmann::ordered_json result_of(const RunOutcome& outcome);
+
+}  // namespace kerf

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/vtkhdf.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "output/files.hpp"
+#include "output/hdf5.hpp"
+
+namespace kerf {
+namespace {
+
+using hdf5::Block;
+using hdf5::Handle;
+
+constexpr std::uint8_t vtk_vertex = 1;  // VTK's cell type of a single point
+
+template <class T>
+Block vectors(const std::vector<std::array<T, 3>>& values) {
+  return {values.data(), hdf5::type_of<T>(), values.size(), 3};
+}
+
+void write_cells(const Handle& root, std::int64_t particles) {
+  const std::vector<std::int64_t> count{particles};
+  for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
+    hdf5::write(root, name, hdf5::block(count));
+  // Cell i is the point i: offsets 0 .. n, connectivity 0 .. n - 1.
+  std::vector<std::int64_t> offsets(static_cast<std::size_t>(particles) + 1);
+  std::iota(offsets.begin(), offsets.end(), 0);
+  hdf5::write(root, "Offsets", hdf5::block(offsets));
+  offsets.pop_back();
+  hdf5::write(root, "Connectivity", hdf5::block(offsets));
+  const std::vector<std::uint8_t> types(offsets.size(), vtk_vertex);
+  hdf5::write(root, "Types", hdf5::block(types));
+}
+
+void write_field(const Handle& group, const std::string& name, const Block& values,
+                 const std::string& unit) {
+  const Handle dataset = hdf5::write(group, name, values);
+  hdf5::write_text_attribute(dataset, "unit", unit);
+}
+
+void write_fields(const Handle& group, const Frame& frame) {
+  std::vector<std::uint8_t> category(frame.category.size());
+  for (std::size_t i = 0; i < category.size(); ++i)
+    category[i] = static_cast<std::uint8_t>(frame.category[i]);
+  std::vector<std::array<float, 3>> velocity(frame.velocity.size());
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) velocity[i][k] = static_cast<float>(frame.velocity[i][k]);
+
+  write_field(group, "velocity", vectors(velocity), "m/s");
+  write_field(group, "category", hdf5::block(category), "1");
+  write_field(group, "id", hdf5::block(frame.id), "1");
+  write_field(group, "source", hdf5::block(frame.source), "1");
+  write_field(group, "spacing", hdf5::block(frame.spacing), "m");
+  write_field(group, "mass", hdf5::block(frame.mass), frame.dimension == 2 ? "kg/m" : "kg");
+  write_field(group, "density", hdf5::block(frame.density), "kg/m3");
+  write_field(group, "pressure", hdf5::block(frame.pressure), "Pa");
+  write_field(group, "upstream", hdf5::block(frame.upstream), "1");
+  for (const Column& column : frame.columns) {
+    const auto components = static_cast<std::size_t>(column.components);
+    require(column.values.size() == components * frame.position.size(), "a column's length");
+    write_field(group, column.name,
+                {column.values.data(), hdf5::type_of<float>(), frame.position.size(), components},
+                column.unit);
+  }
+}
+
+}  // namespace
+
+std::string vtkhdf_bytes(const Frame& frame) {
+  const Handle file = hdf5::create();
+  {
+    const Handle root = hdf5::create_group(file, "VTKHDF");
+    hdf5::write_attribute(root, "Version", {1, 0});
+    hdf5::write_text_attribute(root, "Type", "UnstructuredGrid");
+    write_cells(root, static_cast<std::int64_t>(frame.position.size()));
+    hdf5::write(root, "Points", vectors(frame.position));
+    write_fields(hdf5::create_group(root, "PointData"), frame);
+    const Handle fields = hdf5::create_group(root, "FieldData");
+    const std::vector<double> time{frame.time};
+    const std::vector<std::uint64_t> step{frame.step};
+    hdf5::write(fields, "TimeValue", hdf5::block(time));
+    hdf5::write(fields, "step", hdf5::block(step));
+  }
+  return hdf5::bytes_of(file);
+}
+
+void FrameWriter::write(const Frame& frame) {
+  make_folder(folder_ / "frames");
+  const std::string file = fmt::format("frames/{}_{:05}.vtkhdf", name_, times_.size());
+  write_file(folder_ / file, vtkhdf_bytes(frame));
+  times_.push_back(frame.time);
+  write_series();
+}
+
+void FrameWriter::write_series() const {
+  nlohmann::ordered_json series;
+  series["file-series-version"] = "1.0";
+  series["files"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < times_.size(); ++i)
+    series["files"].push_back(
+        {{"name", fmt::format("frames/{}_{:05}.vtkhdf", name_, i)}, {"time", times_[i]}});
+  write_file(folder_ / (name_ + ".vtkhdf.series"), series.dump(2) + "\n");
+}
+
+}  // namespace kerf

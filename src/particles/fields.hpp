@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// The field table: every per-particle quantity is listed here once. Storage, the view that loops
+// get, reordering, growth and checkpoints all follow from this list.
+#pragma once
+
+#include <cstdint>
+
+#include "core/tensor.hpp"
+#include "exec/exec.hpp"
+#include "particles/medium.hpp"
+
+namespace kerf {
+
+// Bits of the field `flags`.
+namespace flag {
+inline constexpr std::uint8_t repelling = 1;  // layer of a rigid body that repels, eq. (43)
+inline constexpr std::uint8_t upstream = 2;   // jet water still inside its nozzle
+inline constexpr std::uint8_t outside = 4;    // has left the domain: to be removed
+inline constexpr std::uint8_t erased = 8;     // flows back towards its nozzle: to be removed
+}  // namespace flag
+
+// FIELD(type, name): meaning, unit.
+// State: what a checkpoint holds and a reorder moves.
+#define KERF_STATE_FIELDS(FIELD)                                                         \
+  FIELD(Point, position)              /* m */                                            \
+  FIELD(Point, build_position)        /* m, where the neighbour list was built */        \
+  FIELD(RealVector, velocity)         /* m/s */                                          \
+  FIELD(Real, compression)            /* 1, rho / rho_0 - 1 */                           \
+  FIELD(Stress, shear)                /* Pa, deviatoric (solid) or viscous (water) */    \
+  FIELD(Real, pressure_work)          /* J/kg, done against pressure so far */           \
+  FIELD(Real, inlet_speed)            /* m/s, of jet water while it is in its nozzle */  \
+  FIELD(std::uint32_t, id)            /* unique, never reused */                         \
+  FIELD(std::uint16_t, source)        /* body, or number of bodies + jet */              \
+  FIELD(std::uint8_t, fractured)      /* 1 = carries compression only */                 \
+  FIELD(std::uint8_t, flags)
+
+// Scratch: filled and used within one step.
+#define KERF_SCRATCH_FIELDS(FIELD)                                                       \
+  FIELD(Point, start_position)        /* m, at the start of the step */                  \
+  FIELD(RealVector, start_velocity)   /* m/s */                                          \
+  FIELD(Real, start_compression)      /* 1 */                                            \
+  FIELD(Stress, start_shear)          /* Pa */                                           \
+  FIELD(Real, pressure)               /* Pa */                                           \
+  FIELD(Real, compression_rate)       /* 1/s */                                          \
+  FIELD(Gradient, velocity_gradient)  /* 1/s, over the particle's own phase */           \
+  FIELD(RealVector, acceleration)     /* m/s^2 */                                        \
+  FIELD(RealVector, repulsion)        /* m/s^2, the part due to rigid bodies */          \
+  FIELD(Real, repulsion_potential)    /* J/kg */                                         \
+  FIELD(Stress, artificial_stress)    /* m^2/s^2 per kg/m^3: R of Gray et al. */         \
+  FIELD(Real, pressure_power)         /* W/kg, now done against pressure */              \
+  FIELD(Real, artificial_power)       /* W/kg, artificial viscosity and stress */        \
+  FIELD(Real, fracture_loss)          /* J, given up by fracture in this step */
+
+template <int D, class P>
+struct FieldTypes {
+  using Real = typename P::Real;
+  using Point = Vector<D, double>;
+  using RealVector = Vector<D, Real>;
+  using Stress = SymmetricTensor<D, Real>;
+  using Gradient = Matrix<D, Real>;
+};
+
+// What a loop body gets: plain pointers.
+template <int D, class P>
+struct ParticleView : FieldTypes<D, P> {
+  using typename FieldTypes<D, P>::Real;
+  using typename FieldTypes<D, P>::Point;
+  using typename FieldTypes<D, P>::RealVector;
+  using typename FieldTypes<D, P>::Stress;
+  using typename FieldTypes<D, P>::Gradient;
+#define KERF_FIELD(type, name) type* name;
+  KERF_STATE_FIELDS(KERF_FIELD)
+  KERF_SCRATCH_FIELDS(KERF_FIELD)
+#undef KERF_FIELD
+  const Medium<Real>* media;
+
+  KERF_FUNCTION const Medium<Real>& medium(Index i) const { return media[source[i]]; }
+  KERF_FUNCTION Real density(Index i) const {
+    return medium(i).density * (Real(1) + compression[i]);
+  }
+  KERF_FUNCTION bool has(Index i, std::uint8_t bits) const { return (flags[i] & bits) != 0; }
+  // Its motion is prescribed: a nozzle's or a clamped body's.
+  KERF_FUNCTION bool is_constrained(Index i) const {
+    return medium(i).constrained || has(i, flag::upstream);
+  }
+};
+
+// Owns the fields, on the device of the build.
+template <int D, class P>
+class Particles : FieldTypes<D, P> {
+ public:
+  using typename FieldTypes<D, P>::Real;
+  using typename FieldTypes<D, P>::Point;
+  using typename FieldTypes<D, P>::RealVector;
+  using typename FieldTypes<D, P>::Stress;
+  using typename FieldTypes<D, P>::Gradient;
+
+#define KERF_FIELD(type, name) Array<type> name;
+  KERF_STATE_FIELDS(KERF_FIELD)
+  KERF_SCRATCH_FIELDS(KERF_FIELD)
+#undef KERF_FIELD
+  Array<Medium<Real>> media;
+
+  Index size() const { return static_cast<Index>(id.size()); }
+
+  void resize(Index count) {
+#define KERF_FIELD(type, name) name.resize(count);
+    KERF_STATE_FIELDS(KERF_FIELD)
+    KERF_SCRATCH_FIELDS(KERF_FIELD)
+#undef KERF_FIELD
+  }
+
+  // visit(name, array) for every field that a checkpoint holds.
+  template <class Visit>
+  void for_each_state(const Visit& visit) {
+#define KERF_FIELD(type, name) visit(#name, name);
+    KERF_STATE_FIELDS(KERF_FIELD)
+#undef KERF_FIELD
+  }
+  template <class Visit>
+  void for_each_state(const Visit& visit) const {
+#define KERF_FIELD(type, name) visit(#name, name);
+    KERF_STATE_FIELDS(KERF_FIELD)
+#undef KERF_FIELD
+  }
+
+  ParticleView<D, P> view() {
+    ParticleView<D, P> v;
+#define KERF_FIELD(type, name) v.name = pointer(name);
+    KERF_STATE_FIELDS(KERF_FIELD)
+    KERF_SCRATCH_FIELDS(KERF_FIELD)
+#undef KERF_FIELD
+    v.media = pointer(media);
+    return v;
+  }
+
+  static constexpr std::size_t bytes_per_particle() {
+    std::size_t bytes = 0;
+#define KERF_FIELD(type, name) bytes += sizeof(type);
+    KERF_STATE_FIELDS(KERF_FIELD)
+    KERF_SCRATCH_FIELDS(KERF_FIELD)
+#undef KERF_FIELD
+    return bytes;
+  }
+};
+
+}  // namespace kerf

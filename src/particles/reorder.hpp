@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keeps, drops and sorts particles: every state field follows one list of indices.
+#pragma once
+
+#include "particles/fields.hpp"
+
+namespace kerf {
+
+// Field k of the new order is field order[k] of the old. Scratch fields are only resized.
+template <int D, class P>
+void gather_particles(Particles<D, P>& particles, const Array<Index>& order) {
+  particles.for_each_state([&](const char*, auto& field) {
+    auto sorted = field;
+    sorted.resize(order.size());
+    thrust::gather(thrust::device, order.begin(), order.end(), field.begin(), sorted.begin());
+    field.swap(sorted);
+  });
+  particles.resize(static_cast<Index>(order.size()));
+}
+
+template <int D, class P>
+struct StaysIn {
+  ParticleView<D, P> particles;
+  KERF_FUNCTION bool operator()(Index i) const {
+    return !particles.has(i, flag::outside | flag::erased);
+  }
+};
+
+// Drops the particles marked for removal; the order of the others stays.
+template <int D, class P>
+void remove_leavers(Particles<D, P>& particles) {
+  Array<Index> order(particles.size());
+  const auto last = thrust::copy_if(thrust::device, thrust::counting_iterator<Index>(0),
+                                    thrust::counting_iterator<Index>(particles.size()),
+                                    order.begin(), StaysIn<D, P>{particles.view()});
+  order.resize(static_cast<std::size_t>(last - order.begin()));
+  if (order.size() < particles.size()) gather_particles(particles, order);
+}
+
+template <int D, class P>
+void sort_particles(Particles<D, P>& particles, Array<Index> key) {
+  Array<Index> order(particles.size());
+  thrust::sequence(thrust::device, order.begin(), order.end());
+  thrust::stable_sort_by_key(thrust::device, key.begin(), key.end(), order.begin());
+  gather_particles(particles, order);
+}
+
+}  // namespace kerf

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Regions of space: what is inside, how far they reach, how large they are.
+#pragma once
+
+#include "case/case.hpp"
+
+namespace kerf {
+
+// True inside the shape and on its boundary, to within 1e-9 of its size: a point that lies on the
+// boundary is inside whatever the rounding, so that symmetric shapes hold symmetric points.
+bool contains(const Shape& shape, const Point& point, int dimension);
+
+// The smallest box around the shape; of a difference, around its first part. In 2D the z entries
+// are 0.
+Box bounding_box(const Shape& shape, int dimension);
+
+// m^3 (m^2 in 2D): closed forms, and for unions and differences the share of a fine grid of points
+// in the bounding box, good to about 1%.
+double volume_estimate(const Shape& shape, int dimension);
+
+}  // namespace kerf

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Body force f of the momentum equation (26): gravity. It starts the sum of accelerations.
+#pragma once
+
+#include "rates/pair.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct BodyForce {
+  using Real = typename P::Real;
+  static constexpr bool feels_rigid = false;
+  struct Sum {};
+  Vector<D, Real> gravity;  // m/s^2
+
+  KERF_FUNCTION void add(const ParticleView<D, P>&, const Pair<D, P>&, Sum&) const {}
+  KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum&) const {
+    particles.acceleration[i] = gravity;
+    particles.artificial_power[i] = Real(0);
+  }
+};
+
+}  // namespace kerf

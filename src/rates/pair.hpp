@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every pair term needs of two particles, worked out once per pair.
+#pragma once
+
+#include "kernels/cubic_spline.hpp"
+#include "particles/fields.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct Pair {
+  using Real = typename P::Real;
+
+  Index i, j;
+  const Medium<Real>*medium_i, *medium_j;
+  Vector<D, Real> separation;  // d_ij = r_i - r_j, m
+  Vector<D, Real> velocity;    // v_ij = v_i - v_j, m/s
+  Vector<D, Real> gradient;    // nabla_i W_ij, 1/m^(D+1)
+  Real distance;               // m
+  Real smoothing_length;       // m, mean of both
+  // The two hold together: water with water, or intact solid of one piece. Fractured solid and
+  // different pieces only press on one another.
+  bool cohesive;
+  bool same_phase;
+};
+
+template <int D, class P>
+KERF_FUNCTION bool is_cohesive(const ParticleView<D, P>& particles, Index i, Index j) {
+  const auto& a = particles.medium(i);
+  const auto& b = particles.medium(j);
+  if (a.phase != b.phase) return false;
+  if (a.phase == Phase::water) return true;
+  return a.piece == b.piece && !particles.fractured[i] && !particles.fractured[j];
+}
+
+}  // namespace kerf

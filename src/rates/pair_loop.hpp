@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walks the neighbours of a particle once and folds the chosen terms over them. A term is a struct
+// with a nested Sum and
+//   void add(const View&, const Pair&, Sum&) const    for each pair,
+//   void finish(const View&, Index i, const Sum&) const   once per particle;
+// each particle sums its own neighbours in the order of the list.
+#pragma once
+
+#include "neighbours/neighbour_list.hpp"
+#include "rates/pair.hpp"
+
+namespace kerf {
+
+template <class... Terms>
+struct TermSums : Terms::Sum... {};
+
+struct EveryPair {
+  template <int D, class P>
+  KERF_FUNCTION bool operator()(const ParticleView<D, P>&, Index, Index) const {
+    return true;
+  }
+};
+
+// `Filter` chooses pairs, e.g. those across a plane.
+template <int D, class P, class Filter, class... Terms>
+struct FilteredPairLoop : Terms... {
+  using Real = typename P::Real;
+  using Sums = TermSums<Terms...>;
+  static constexpr bool feels_rigid = (Terms::feels_rigid || ...);
+
+  ParticleView<D, P> particles;
+  NeighbourView list;
+  Filter filter;
+
+  FilteredPairLoop(const ParticleView<D, P>& view, const NeighbourView& neighbours,
+                   const Filter& chosen, const Terms&... terms)
+      : Terms(terms)..., particles(view), list(neighbours), filter(chosen) {}
+
+  KERF_FUNCTION void operator()(Index i) const {
+    Sums sums{};
+    const auto& medium_i = particles.medium(i);
+    for (Index k = list.begin[i]; k < list.begin[i + 1]; ++k) {
+      Pair<D, P> pair;
+      pair.i = i;
+      pair.j = list.neighbour[k];
+      if (!filter(particles, i, pair.j)) continue;
+      pair.medium_i = &medium_i;
+      pair.medium_j = &particles.medium(pair.j);
+      pair.separation =
+          Vector<D, Real>::from(particles.position[i] - particles.position[pair.j]);
+      pair.distance = norm(pair.separation);
+      if (pair.medium_j->phase == Phase::rigid) {
+        if constexpr (feels_rigid) add_rigid(pair, sums);
+        continue;
+      }
+      pair.smoothing_length =
+          Real(0.5) * (medium_i.smoothing_length + pair.medium_j->smoothing_length);
+      if (pair.distance >= Real(CubicSpline<D>::support) * pair.smoothing_length) continue;
+      add_pair(pair, sums);
+    }
+    (static_cast<const Terms&>(*this).finish(particles, i,
+                                             static_cast<const typename Terms::Sum&>(sums)),
+     ...);
+  }
+
+ private:
+  KERF_FUNCTION void add_pair(Pair<D, P>& pair, Sums& sums) const {
+    // Two particles at one point have no direction; the gradient of the kernel is zero there.
+    const Real slope = CubicSpline<D>::derivative(pair.distance, pair.smoothing_length);
+    pair.gradient = (pair.distance > Real(0) ? slope / pair.distance : Real(0)) * pair.separation;
+    pair.velocity = particles.velocity[pair.i] - particles.velocity[pair.j];
+    pair.same_phase = pair.medium_i->phase == pair.medium_j->phase;
+    pair.cohesive = is_cohesive(particles, pair.i, pair.j);
+    (static_cast<const Terms&>(*this).add(particles, pair, static_cast<typename Terms::Sum&>(sums)),
+     ...);
+  }
+
+  KERF_FUNCTION void add_rigid(const Pair<D, P>& pair, Sums& sums) const {
+    (add_rigid_to<Terms>(pair, sums), ...);
+  }
+  template <class Term>
+  KERF_FUNCTION void add_rigid_to(const Pair<D, P>& pair, Sums& sums) const {
+    if constexpr (Term::feels_rigid)
+      static_cast<const Term&>(*this).add_rigid(particles, pair,
+                                                static_cast<typename Term::Sum&>(sums));
+  }
+};
+
+template <int D, class P, class... Terms>
+using PairLoop = FilteredPairLoop<D, P, EveryPair, Terms...>;
+
+}  // namespace kerf

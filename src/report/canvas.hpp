@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// A bitmap to draw on, by cairo. Lengths are pixels, y grows downwards.
+#pragma once
+
+#include <cairo.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "report/palette.hpp"
+
+namespace kerf {
+
+template <auto destroy>
+struct CairoDelete {
+  template <class T>
+  void operator()(T* object) const {
+    destroy(object);
+  }
+};
+using CairoSurface = std::unique_ptr<cairo_surface_t, CairoDelete<cairo_surface_destroy>>;
+using CairoContext = std::unique_ptr<cairo_t, CairoDelete<cairo_destroy>>;
+using CairoPattern = std::unique_ptr<cairo_pattern_t, CairoDelete<cairo_pattern_destroy>>;
+
+// Where a text stands relative to its point.
+enum class Anchor { left, middle, right };
+
+struct Rectangle {
+  double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+};
+
+struct TextStyle {
+  double size = 18.0;
+  Colour colour = palette::ink;
+  Anchor anchor = Anchor::left;
+  bool bold = false;
+};
+
+class Canvas {
+ public:
+  Canvas(int width, int height);
+
+  cairo_t* context() const { return context_.get(); }
+  void set_colour(Colour colour) const;
+  void line(double x0, double y0, double x1, double y1) const;
+  void rectangle(const Rectangle& area) const;  // outline
+  void fill_rectangle(const Rectangle& area) const;
+  void disc(double x, double y, double radius) const;
+  // `y` is the base line.
+  void text(double x, double y, std::string_view words, const TextStyle& style) const;
+  double text_width(std::string_view words, const TextStyle& style) const;
+  // Everything drawn while the clip lives stays inside the area.
+  class Clip {
+   public:
+    Clip(const Canvas& canvas, const Rectangle& area);
+    ~Clip();
+    Clip(const Clip&) = delete;
+    Clip& operator=(const Clip&) = delete;
+
+   private:
+    cairo_t* context_;
+  };
+
+  // Throws std::runtime_error when cairo is out of memory.
+  std::string png() const;
+
+ private:
+  CairoSurface surface_;
+  CairoContext context_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <cmath>
+
+#include "report/plot.hpp"
+#include "report/style.hpp"
+
+namespace kerf::html {
+
+std::string escape(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string number(double value, int digits) {
+  if (!std::isfinite(value)) return "—";
+  if (value == 0.0) return "0";
+  const double size = std::abs(value);
+  if (size >= 1e-3 && size < 1e5) return fmt::format("{:.{}g}", value, digits);
+  const int power = static_cast<int>(std::floor(std::log10(size)));
+  return fmt::format("{:.3g} · 10<sup>{}</sup>", value / std::pow(10.0, power), power);
+}
+
+std::string quantity(double value, const std::string& unit, int digits) {
+  if (!std::isfinite(value)) return "—";
+  const std::string space = "\u202f";  // narrow, and does not break the line
+  // Kilograms have their prefix already, and rounding noise is better shown as a power of ten.
+  const bool plain = unit.starts_with("kg") || std::abs(value) < 1e-9 || std::abs(value) >= 1e15;
+  if (plain) return number(value, digits) + space + unit;
+  const Prefix prefix = prefix_for(std::abs(value));
+  return fmt::format("{:.{}g}{}{}{}", value * prefix.factor, digits, space, prefix.symbol, unit);
+}
+
+std::string count(double value) {
+  std::string digits = fmt::format("{:.0f}", value);
+  for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
+    digits.insert(static_cast<std::size_t>(at), "\u202f");
+  return digits;
+}
+
+std::string png_address(std::string_view png) {
+  using namespace boost::archive::iterators;
+  using Encode = base64_from_binary<transform_width<const char*, 6, 8>>;
+  std::string text(Encode(png.data()), Encode(png.data() + png.size()));
+  text.append((3 - png.size() % 3) % 3, '=');
+  return "data:image/png;base64," + text;
+}
+
+std::string swatch(Colour colour, bool dashed) {
+  const auto byte = [](double share) { return static_cast<int>(std::lround(255.0 * share)); };
+  return fmt::format("<i class=\"swatch\" style=\"border-top:3px {} #{:02x}{:02x}{:02x}\"></i>",
+                     dashed ? "dotted" : "solid", byte(colour.red), byte(colour.green),
+                     byte(colour.blue));
+}
+
+std::string table(const std::string& caption, const std::vector<Row>& rows) {
+  const bool remarks =
+      std::any_of(rows.begin(), rows.end(), [](const Row& row) { return !row.remark.empty(); });
+  std::string text = fmt::format("<table><caption>{}</caption><tbody>\n", caption);
+  for (const Row& row : rows) {
+    text += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td>", row.name, row.value);
+    if (remarks) text += fmt::format("<td class=\"remark\">{}</td>", row.remark);
+    text += "</tr>\n";
+  }
+  return text + "</tbody></table>\n";
+}
+
+std::string page(const std::string& title, const std::string& body) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</"
+      "html>\n",
+      escape(title), style, body);
+}
+
+}  // namespace kerf::html

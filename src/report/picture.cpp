@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "particles/shapes.hpp"
+#include "report/picture_panels.hpp"
+
+namespace kerf {
+namespace {
+
+constexpr double margin_share = 0.08;  // of the larger extent, around bodies and jets
+constexpr double panel_width = 1200.0, panel_height = 900.0;  // px, the most a panel may take
+constexpr double left_space = 84.0, right_space = 28.0, top_space = 64.0, bottom_space = 92.0;
+constexpr double gap = 84.0;  // px, between two panels
+
+void include(Box& window, const Point& point, double radius) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    window.minimum[k] = std::min(window.minimum[k], point[k] - radius);
+    window.maximum[k] = std::max(window.maximum[k], point[k] + radius);
+  }
+}
+
+Point nozzle_of(const Jet& jet) {
+  const Point direction{std::sin(jet.angle) * std::cos(jet.azimuth), -std::cos(jet.angle),
+                        std::sin(jet.angle) * std::sin(jet.azimuth)};
+  Point nozzle = jet.position;
+  for (std::size_t k = 0; k < 3; ++k) nozzle[k] -= jet.standoff * direction[k];
+  return nozzle;
+}
+
+Map map_of(double left, double right, double bottom, double top) {
+  const double scale = std::min(panel_width / (right - left), panel_height / (top - bottom));
+  return {
+      {left_space, top_space, scale * (right - left), scale * (top - bottom)}, scale, left, bottom};
+}
+
+struct LegendEntry {
+  const char* name;
+  Colour colour;
+};
+
+// The same for every frame of a case.
+std::vector<LegendEntry> legend_of(const Case& description) {
+  const auto any_body = [&](Role role) {
+    return std::any_of(description.bodies.begin(), description.bodies.end(),
+                       [role](const Body& body) { return body.role == role; });
+  };
+  const bool breaks =
+      std::any_of(description.bodies.begin(), description.bodies.end(), [&](const Body& body) {
+        return body.role == Role::elastic &&
+               description.materials.at(static_cast<std::size_t>(body.material)).failure_strain >
+                   0.0;
+      });
+  std::vector<LegendEntry> entries;
+  if (!description.jets.empty() || any_body(Role::water))
+    entries.push_back({"water", palette::water});
+  if (any_body(Role::elastic)) entries.push_back({"solid", palette::solid});
+  if (breaks) entries.push_back({"fractured", palette::fractured});
+  if (any_body(Role::rigid)) entries.push_back({"plate", palette::plate});
+  return entries;
+}
+
+void draw_legend(const Canvas& canvas, const Case& description, double x, double y) {
+  constexpr double size = 19.0;
+  for (const LegendEntry& entry : legend_of(description)) {
+    canvas.set_colour(entry.colour);
+    canvas.disc(x + 8.0, y - 0.36 * size, 8.0);
+    canvas.text(x + 23.0, y, entry.name, {size});
+    x += 23.0 + canvas.text_width(entry.name, {size}) + 28.0;
+  }
+}
+
+// Below the panel's right end: a bar of known length for the eye, ticks serve for measuring.
+void draw_scale_bar(const Canvas& canvas, const Map& map, double y) {
+  const double length = round_interval(map.area.width / map.scale, 7.0);
+  const double right = map.area.x + map.area.width, left = right - length * map.scale;
+  canvas.set_colour(palette::ink);
+  cairo_set_line_width(canvas.context(), 3.0);
+  canvas.line(left, y, right, y);
+  canvas.text(left - 10.0, y + 6.0, fmt::format("{:g} mm", length * 1e3),
+              {19.0, palette::ink, Anchor::right});
+}
+
+void draw_heading(const Canvas& canvas, const Frame& frame, const Case& description, double right) {
+  TextStyle title{23.0, palette::ink, Anchor::left, true};
+  const std::string time = fmt::format("t = {:.4g} ms", frame.time * 1e3);
+  const double room = right - left_space - canvas.text_width(time, title) - 30.0;
+  while (title.size > 14.0 && canvas.text_width(description.title, title) > room) title.size -= 1.0;
+  canvas.text(left_space, 40.0, description.title, title);
+  canvas.text(right, 40.0, time, {23.0, palette::ink, Anchor::right, true});
+}
+
+int pixels(double length) {
+  return static_cast<int>(std::ceil(length));
+}
+
+std::string draw_flat(const Frame& frame, const Case& description, const Box& window) {
+  const Map map =
+      map_of(window.minimum[0], window.maximum[0], window.minimum[1], window.maximum[1]);
+  const double right = left_space + map.area.width, bottom = top_space + map.area.height;
+  const Canvas canvas(pixels(right + right_space), pixels(bottom + bottom_space));
+  std::vector<std::size_t> shown(frame.position.size());
+  std::iota(shown.begin(), shown.end(), std::size_t{0});
+  draw_discs(canvas, map, frame, shown);
+  draw_axes(canvas, map);
+  draw_heading(canvas, frame, description, right);
+  draw_legend(canvas, description, left_space, bottom + 72.0);
+  draw_scale_bar(canvas, map, bottom + 66.0);
+  return canvas.png();
+}
+
+// A spacing to either side, so that two layers which drift apart still close the slice.
+std::vector<std::size_t> slice_of(const Frame& frame, double z) {
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < frame.position.size(); ++i)
+    if (std::abs(frame.position[i][2] - z) <= frame.spacing[i]) shown.push_back(i);
+  return shown;
+}
+
+std::string draw_solid(const Frame& frame, const Case& description, const Box& window) {
+  const double z = description.jets.empty() ? 0.5 * (window.minimum[2] + window.maximum[2])
+                                            : description.jets.front().position[2];
+  Box half = window;
+  half.maximum[2] = z;
+  const Box seen = extent_of(half, oblique_sight());
+  Map oblique = map_of(seen.minimum[0], seen.maximum[0], seen.minimum[1], seen.maximum[1]);
+  Map slice = map_of(window.minimum[0], window.maximum[0], window.minimum[1], window.maximum[1]);
+  const double bottom = top_space + std::max(oblique.area.height, slice.area.height);
+  oblique.area.x = 0.5 * left_space;
+  slice.area.x = oblique.area.x + oblique.area.width + gap;
+  oblique.area.y = bottom - oblique.area.height;
+  slice.area.y = bottom - slice.area.height;
+  const double right = slice.area.x + slice.area.width;
+
+  const Canvas canvas(pixels(right + right_space), pixels(bottom + bottom_space));
+  draw_oblique(canvas, oblique, frame, z);
+  draw_discs(canvas, slice, frame, slice_of(frame, z));
+  draw_axes(canvas, slice);
+  draw_heading(canvas, frame, description, right);
+  draw_legend(canvas, description, left_space, bottom + 72.0);
+  draw_scale_bar(canvas, slice, bottom + 66.0);
+  return canvas.png();
+}
+
+}  // namespace
+
+Box picture_window(const Case& description) {
+  constexpr double far = 1e300;
+  Box window{{far, far, far}, {-far, -far, -far}};
+  for (const Body& body : description.bodies) {
+    const Box box = bounding_box(body.shape, description.dimension);
+    include(window, box.minimum, 0.0);
+    include(window, box.maximum, 0.0);
+  }
+  for (const Jet& jet : description.jets) {
+    include(window, jet.position, 0.0);
+    include(window, nozzle_of(jet), 0.5 * jet.width);
+  }
+  double extent = 0.0;
+  for (std::size_t k = 0; k < 2; ++k)
+    extent = std::max(extent, window.maximum[k] - window.minimum[k]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    window.minimum[k] =
+        std::max(window.minimum[k] - margin_share * extent, description.domain.minimum[k]);
+    window.maximum[k] =
+        std::min(window.maximum[k] + margin_share * extent, description.domain.maximum[k]);
+  }
+  return window;
+}
+
+std::string draw_picture(const Frame& frame, const Case& description) {
+  const Box window = picture_window(description);
+  return description.dimension == 2 ? draw_flat(frame, description, window)
+                                    : draw_solid(frame, description, window);
+}
+
+}  // namespace kerf

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/report.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "output/files.hpp"
+#include "report/html.hpp"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string heading(const Json& result) {
+  return fmt::format(
+      "<header>\n<h1>{}</h1>\n<p class=\"meta\">Case <code>{}</code> · {} dimensions · formulation "
+      "{} · {} precision · Kerf {}</p>\n</header>\n",
+      html::escape(result.at("title").get<std::string>()),
+      html::escape(result.at("case").get<std::string>()),
+      result.at("dimension").get<int>() == 2 ? "two" : "three",
+      result.at("formulation").get<std::string>(), result.at("precision").get<std::string>(),
+      result.at("version").get<std::string>());
+}
+
+// The sign says the same as the colour.
+std::string verdict(const Json& result, bool has_jet) {
+  const bool through = result.at("cut_through").get<bool>();
+  const char* kind = !has_jet ? "none" : through ? "yes" : "no";
+  const char* sign = !has_jet ? "" : through ? "<b>✓</b>" : "<b>✗</b>";
+  return fmt::format("<p class=\"verdict {}\">{}{}</p>\n", kind, sign,
+                     html::escape(result.at("verdict").get<std::string>()));
+}
+
+double value_of(const Json& result, const char* key) {
+  const Json& value = result.at(key);
+  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string percent(double share) {
+  return html::number(100.0 * share, 3) + "\u202f%";
+}
+
+std::string key_figures(const Json& result, bool has_jet) {
+  std::vector<std::pair<std::string, std::string>> figures;
+  const auto add = [&](const char* name, std::string value) {
+    figures.emplace_back(name, std::move(value));
+  };
+  if (has_jet) {
+    add("cut through after", html::quantity(value_of(result, "cut_through_time"), "s", 3));
+    add("speed of the water front", html::number(value_of(result, "front_speed"), 3) + "\u202fm/s");
+    add("front depth", html::quantity(value_of(result, "front_depth"), "m", 3));
+    add("kerf width at half depth", html::quantity(value_of(result, "kerf_width"), "m", 3));
+    add("solid fractured", percent(value_of(result, "fractured_fraction")));
+    add("regime", html::escape(result.at("regime").get<std::string>()));
+  }
+  add("energy unaccounted for", percent(value_of(result, "energy_drift")));
+  add("computing time", html::quantity(value_of(result, "wall_time"), "s", 3));
+  std::string text = "<dl class=\"figures\">\n";
+  for (const auto& [name, value] : figures)
+    text += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
+  return text + "</dl>\n";
+}
+
+std::string validity(const Json& result) {
+  std::string text = "<h3>What this run can and cannot promise</h3>\n<ul class=\"validity\">\n";
+  for (const Json& sentence : result.at("validity"))
+    text += fmt::format("<li>{}</li>\n", html::escape(sentence.get<std::string>()));
+  return text + "</ul>\n";
+}
+
+std::string pictures(const Json& result, const fs::path& folder) {
+  const Json& list = result.at("pictures");
+  if (list.empty()) return "";
+  // A picture of a 3D case holds two panels and wants the whole width.
+  const bool wide = result.at("dimension").get<int>() == 3;
+  std::string text =
+      fmt::format("<h2>Pictures</h2>\n<div class=\"pictures{}\">\n", wide ? " wide" : "");
+  for (const Json& picture : list)
+    text +=
+        fmt::format("<figure><img alt=\"The particles at {:.4g} ms\" src=\"{}\"></figure>\n",
+                    1e3 * picture.at("time").get<double>(),
+                    html::png_address(read_file(folder / picture.at("file").get<std::string>())));
+  return text + "</div>\n";
+}
+
+Json read_result(const fs::path& path) {
+  if (!fs::exists(path))
+    throw UserError(fmt::format("there is no {}: the run has not ended yet. Go on with it by 'kerf "
+                                "run CASE --out {} --resume'.",
+                                path.string(), path.parent_path().string()),
+                    exit_files);
+  return Json::parse(read_file(path));
+}
+
+}  // namespace
+
+void write_report(const fs::path& folder, const Case& description) {
+  const fs::path result_path = folder / "result.json";
+  std::string body;
+  try {
+    const Json result = read_result(result_path);
+    const SeriesTable series(folder / "series.csv", description);
+    const bool has_jet = !description.jets.empty();
+    const bool through = result.at("cut_through").get<bool>();
+    const double cut_time = through ? value_of(result, "cut_through_time") : -1.0;
+    body = heading(result) + verdict(result, has_jet) + key_figures(result, has_jet) +
+           validity(result) + pictures(result, folder) +
+           report_plots(series, description, cut_time) + report_tables(result, description);
+  } catch (const Json::exception& error) {
+    throw UserError(fmt::format("{} is damaged ({}). Make it again with 'kerf run CASE --out {} "
+                                "--resume'.",
+                                result_path.string(), error.what(), folder.string()),
+                    exit_files);
+  }
+  write_file(folder / "report.html", html::page(description.title, body));
+}
+
+}  // namespace kerf

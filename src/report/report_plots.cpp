@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "output/ledger_table.hpp"
+#include "report/html.hpp"
+#include "report/plot.hpp"
+#include "report/report.hpp"
+
+namespace kerf {
+namespace {
+
+// Draws the figures of one report, which share their time axis.
+class Figures {
+ public:
+  Figures(const SeriesTable& series, const Case& description, double cut_time)
+      : series_(series), description_(description), cut_time_(cut_time) {}
+
+  struct Line {
+    std::string column;
+    std::string label;
+    double factor = 1.0;
+  };
+
+  void add(const std::string& title, const Axis& axis, const std::vector<Line>& lines) {
+    std::vector<Curve> curves;
+    for (const Line& line : lines) {
+      std::vector<double> y = series_.numbers(line.column);
+      for (double& value : y) value *= line.factor;
+      curves.push_back({line.label, std::move(y), colour(curves.size()), stroke(curves.size())});
+    }
+    draw(title, axis, std::move(curves));
+  }
+
+  // One colour per limit: the piece of the line up to a row wears the limit of that row.
+  void add_time_step() {
+    const std::vector<double> dt = series_.numbers("dt");
+    const std::vector<std::string>& limits = series_.texts("limit");
+    std::vector<Curve> curves;
+    for (std::size_t i = 1; i < dt.size(); ++i) {
+      // The last step is only what was left of the run.
+      if (limits[i] == "end of run") continue;
+      auto curve = std::find_if(curves.begin(), curves.end(),
+                                [&](const Curve& known) { return known.label == limits[i]; });
+      if (curve == curves.end()) {
+        const std::vector<double> nothing(dt.size(), std::numeric_limits<double>::quiet_NaN());
+        curves.push_back({limits[i], nothing, colour(curves.size()), Stroke::full});
+        curve = curves.end() - 1;
+      }
+      // No step comes before the first row, so its dt says nothing.
+      if (i > 1) curve->y[i - 1] = dt[i - 1];
+      curve->y[i] = dt[i];
+    }
+    draw("Time step, by the limit that set it", {"step", "s"}, std::move(curves));
+  }
+
+  std::string html() const {
+    return "<h2>Curves</h2>\n<div class=\"plots\">\n" + text_ + "</div>\n";
+  }
+  std::string unit(const char* extensive) const {
+    return extensive_unit(extensive, description_.dimension);
+  }
+  bool moves(const std::string& column) const {
+    const std::vector<double> values = series_.numbers(column);
+    return std::any_of(values.begin(), values.end(), [](double value) { return value != 0.0; });
+  }
+
+ private:
+  static Colour colour(std::size_t index) {
+    return palette::curves[index % palette::curves.size()];
+  }
+  // Every other line is dashed, so that neighbours differ without their colours as well.
+  static Stroke stroke(std::size_t index) { return index % 2 == 1 ? Stroke::dashed : Stroke::full; }
+
+  void draw(const std::string& title, const Axis& axis, std::vector<Curve> curves) {
+    std::string legend;
+    for (const Curve& curve : curves)
+      legend += fmt::format("<span>{}{}</span>",
+                            html::swatch(curve.colour, curve.stroke == Stroke::dashed),
+                            html::escape(curve.label));
+    if (cut_time_ >= 0.0)
+      legend += "<span>" + html::swatch(palette::ink, true) + "cut through</span>";
+    const Plot plot{{"time", "s"}, axis, series_.numbers("time"), std::move(curves), cut_time_};
+    text_ += fmt::format(
+        "<figure><figcaption>{}<div class=\"legend\">{}</div></figcaption>{}</figure>\n", title,
+        legend, draw_plot(plot, fmt::format("plot{}", ++count_)));
+  }
+
+  const SeriesTable& series_;
+  const Case& description_;
+  double cut_time_;
+  std::string text_;
+  int count_ = 0;
+};
+
+void add_cut(Figures& figures) {
+  figures.add("Depth of the water front", {"front depth", "m"}, {{"front_depth", "front depth"}});
+  figures.add("Fractured solid", {"fractured mass in %", "1"},
+              {{"fractured_fraction", "share of the solid's mass", 100.0}});
+}
+
+void add_energy(Figures& figures) {
+  const std::vector<Figures::Line> kinds = {
+      {"kinetic", "kinetic"},
+      {"pressure_work", "work against pressure"},
+      {"elastic_deviatoric", "elastic, shape"},
+      {"plate_potential", "plate repulsion"},
+      {"dissipated_artificial", "lost to artificial viscosity"},
+      {"dissipated_viscous", "lost to water's viscosity"},
+      {"dissipated_fracture", "lost to fracture"}};
+  figures.add("Energy by kind", {"energy", figures.unit("J")}, kinds);
+  figures.add("What the ledgers miss", {"error in %", "1"},
+              {{"energy_drift", "energy", 100.0},
+               {"momentum_error", "momentum", 100.0},
+               {"mass_error", "mass", 100.0}});
+}
+
+void add_momentum(Figures& figures) {
+  std::vector<Figures::Line> lines = {{"momentum_now_y", "of the particles"},
+                                      {"momentum_in_y", "brought by the jets"},
+                                      {"momentum_out_y", "left"}};
+  if (figures.moves("impulse_plate_y"))
+    lines.push_back({"impulse_plate_y", "impulse of the plate"});
+  if (figures.moves("impulse_constraint_y"))
+    lines.push_back({"impulse_constraint_y", "impulse of nozzles and clamps"});
+  if (figures.moves("impulse_gravity_y"))
+    lines.push_back({"impulse_gravity_y", "impulse of gravity"});
+  figures.add("Vertical momentum (up is positive)", {"momentum", figures.unit("N s")}, lines);
+}
+
+void add_force(Figures& figures, int dimension) {
+  std::vector<Figures::Line> lines = {{"force_plate_y", "vertical"}, {"force_plate_x", "across"}};
+  if (dimension == 3) lines.push_back({"force_plate_z", "along z"});
+  figures.add("Force on the plate", {"force", figures.unit("N")}, lines);
+}
+
+void add_probes(Figures& figures, const Case& description) {
+  std::vector<Figures::Line> pressures, forces;
+  for (const Probe& probe : description.probes) {
+    if (probe.kind == Probe::Kind::point)
+      pressures.push_back({probe.name + "_pressure", probe.name});
+    else
+      forces.push_back({probe.name + "_force_y", probe.name});
+  }
+  if (!pressures.empty()) figures.add("Pressure at the probes", {"pressure", "Pa"}, pressures);
+  if (!forces.empty())
+    figures.add("Vertical force at the probes", {"force", figures.unit("N")}, forces);
+}
+
+}  // namespace
+
+std::string report_plots(const SeriesTable& series, const Case& description, double cut_time) {
+  Figures figures(series, description, cut_time);
+  if (!description.jets.empty()) add_cut(figures);
+  add_energy(figures);
+  add_momentum(figures);
+  if (figures.moves("force_plate_y")) add_force(figures, description.dimension);
+  add_probes(figures, description);
+  figures.add_time_step();
+  return figures.html();
+}
+
+}  // namespace kerf

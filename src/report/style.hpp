@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The looks of the report, on a screen and on paper.
+#pragma once
+
+namespace kerf::html {
+
+inline constexpr const char* style = R"css(
+:root { --ink: #22272e; --soft: #5b6470; --line: #dfe3e8; --wash: #f5f6f8;
+        --yes: #1a6b3c; --no: #9a3412; --none: #3d4a5c; }
+* { box-sizing: border-box; }
+html { font-size: 16px; }
+body { margin: 0; color: var(--ink); background: #fff; line-height: 1.5;
+       font-family: system-ui, "Segoe UI", "Helvetica Neue", "Noto Sans", "DejaVu Sans", Arial, sans-serif;
+       font-variant-numeric: tabular-nums; }
+main { max-width: 72rem; margin: 0 auto; padding: 2.5rem 1.5rem 4rem; }
+h1 { font-size: 1.9rem; line-height: 1.2; font-weight: 650; margin: 0 0 .35rem; letter-spacing: -.01em; }
+h2 { font-size: 1.2rem; font-weight: 650; margin: 3rem 0 1rem; padding-top: .9rem;
+     border-top: 1px solid var(--line); }
+.meta { color: var(--soft); margin: 0 0 1.6rem; font-size: .95rem; }
+.verdict { border-left: .4rem solid var(--none); background: var(--wash); margin: 0;
+           padding: 1rem 1.25rem; font-size: 1.3rem; line-height: 1.35; font-weight: 600; }
+.verdict.yes { border-color: var(--yes); } .verdict.no { border-color: var(--no); }
+.verdict b { font-weight: 700; margin-right: .5rem; }
+.verdict.yes b { color: var(--yes); } .verdict.no b { color: var(--no); }
+.figures { display: flex; flex-wrap: wrap; gap: 1px; background: var(--line);
+           border: 1px solid var(--line); margin: 1.4rem 0 0; }
+.figures div { background: #fff; padding: .8rem 1rem; flex: 1 1 14rem; }
+.figures dt { color: var(--soft); font-size: .85rem; }
+.figures dd { margin: .1rem 0 0; font-size: 1.25rem; font-weight: 600; }
+ul.validity { margin: .6rem 0 0; padding-left: 1.2rem; }
+ul.validity li { margin: .25rem 0; max-width: 62rem; }
+h3 { font-size: 1rem; margin: 1.8rem 0 0; font-weight: 650; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(26rem, 1fr)); gap: 1.5rem; }
+.pictures.wide { grid-template-columns: 1fr; }
+figure { margin: 0; break-inside: avoid; }
+figure img { width: 100%; height: auto; display: block; border: 1px solid var(--line); }
+.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(28rem, 1fr)); gap: 2rem 1.75rem; }
+.plots figcaption { font-weight: 600; margin-bottom: .2rem; }
+.plots .legend { font-weight: 400; font-size: .85rem; color: var(--soft); display: flex;
+                 flex-wrap: wrap; gap: .1rem 1rem; min-height: 1.3rem; }
+.plots .legend span { white-space: nowrap; }
+.swatch { display: inline-block; width: 1.4rem; margin-right: .4rem; vertical-align: middle; }
+sub, sup { line-height: 0; }
+svg { width: 100%; height: auto; display: block; }
+svg text, svg tspan { font-family: inherit; }
+.tables { columns: 2 30rem; column-gap: 2.5rem; }
+table { border-collapse: collapse; width: 100%; font-size: .92rem; margin: 0 0 2rem; break-inside: avoid; }
+caption { text-align: left; font-weight: 650; padding-bottom: .4rem; }
+th, td { text-align: left; font-weight: 400; padding: .28rem .5rem .28rem 0; vertical-align: baseline;
+         border-bottom: 1px solid var(--line); }
+td { text-align: right; white-space: nowrap; } td.remark { text-align: left; white-space: normal;
+     color: var(--soft); padding-left: .75rem; }
+code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em; }
+footer { color: var(--soft); font-size: .88rem; margin-top: 3rem; border-top: 1px solid var(--line);
+         padding-top: 1rem; }
+@media print {
+  @page { size: A4; margin: 14mm; }
+  html { font-size: 10.5px; } main { padding: 0; max-width: none; }
+  .pictures, .plots { grid-template-columns: 1fr 1fr; } .pictures.wide { grid-template-columns: 1fr; }
+  .verdict, .figures div, .swatch { -webkit-print-color-adjust: exact; print-color-adjust: exact; }
+  h2 { break-after: avoid; }
+}
+)css";
+
+}  // namespace kerf::html

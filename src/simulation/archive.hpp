@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state of a run as named arrays: what a checkpoint file holds, whatever the file format.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace kerf {
+
+using ArchiveArray =
+    std::variant<std::vector<double>, std::vector<float>, std::vector<std::uint64_t>,
+                 std::vector<std::uint32_t>, std::vector<std::uint16_t>, std::vector<std::uint8_t>>;
+
+struct Archive {
+  std::map<std::string, ArchiveArray> arrays;
+  std::map<std::string, std::string> texts;
+};
+
+}  // namespace kerf

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/instantiate.hpp"
+#include "simulation/shinohara2004.hpp"
+
+namespace kerf {
+
+std::unique_ptr<Simulation> make_2d_mixed(const Case& description) {
+  return std::make_unique<Shinohara2004<2, Mixed>>(description);
+}
+
+}  // namespace kerf

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the ledger adds up over particles, as functors for ordered_sum.
+#pragma once
+
+#include "exec/ordered_sum.hpp"
+#include "materials/hooke_solid.hpp"
+#include "materials/tait_water.hpp"
+#include "particles/fields.hpp"
+
+namespace kerf {
+
+// Energy that particle i holds, J: kinetic and stored.
+template <int D, class P>
+struct ParticleEnergy {
+  double kinetic, pressure_work, deviatoric;
+  double stored_water, stored_solid;  // by the equations of state, part of pressure_work
+
+  KERF_FUNCTION static ParticleEnergy of(const ParticleView<D, P>& particles, Index i,
+                                         double mass) {
+    const auto& medium = particles.medium(i);
+    const double compression = particles.compression[i];
+    const auto v = Vector<D, double>::from(particles.velocity[i]);
+    ParticleEnergy e{0.5 * mass * dot(v, v), mass * double(particles.pressure_work[i]), 0.0, 0.0,
+                     0.0};
+    if (medium.phase == Phase::water) {
+      e.stored_water = mass * TaitWater::energy(medium, compression);
+    } else {
+      const bool fractured = particles.fractured[i] != 0;
+      e.stored_solid = mass * HookeSolid::volumetric_energy(medium, compression, fractured);
+      e.deviatoric = mass * HookeSolid::deviatoric_energy(medium, particles.shear[i], compression);
+    }
+    return e;
+  }
+};
+
+// Changes over one step, from the rates at its middle and the states at both ends.
+template <int D, class P>
+struct StepChange {
+  enum Slot { plate = 0, constraint = D, mass = 2 * D, gravity_work, constraint_work, artificial,
+              viscous, fracture, slots };
+  ParticleView<D, P> particles;
+  const double* mass_of;  // kg, per source
+  Vector<D, double> gravity;
+  double dt;
+
+  KERF_FUNCTION void add(Index i, Terms<slots>& sum) const {
+    const auto& medium = particles.medium(i);
+    if (medium.phase == Phase::rigid) return;
+    const double m = mass_of[particles.source[i]];
+    const auto moved = particles.position[i] - particles.start_position[i];
+    const auto acceleration = Vector<D, double>::from(particles.acceleration[i]);
+    for (int a = 0; a < D; ++a) sum.value[plate + a] += m * dt * double(particles.repulsion[i][a]);
+    sum.value[mass] += m;
+    sum.value[gravity_work] += m * dot(gravity, moved);
+    sum.value[artificial] += m * dt * double(particles.artificial_power[i]);
+    sum.value[fracture] += double(particles.fracture_loss[i]);
+    if (medium.phase == Phase::water)
+      sum.value[viscous] +=
+          m * dt / double(particles.density(i)) *
+          double(contract(particles.shear[i], particles.velocity_gradient[i]));
+    if (!particles.is_constrained(i)) return;
+    const auto before = Vector<D, double>::from(particles.start_velocity[i]);
+    const auto after = Vector<D, double>::from(particles.velocity[i]);
+    for (int a = 0; a < D; ++a)
+      sum.value[constraint + a] += m * (after[a] - before[a] - dt * acceleration[a]);
+    sum.value[constraint_work] +=
+        m * (0.5 * (dot(after, after) - dot(before, before)) - dot(acceleration, moved));
+  }
+};
+
+// Adds one step's work against pressure to what the particles have done so far.
+template <int D, class P>
+struct AddPressureWork {
+  ParticleView<D, P> particles;
+  typename P::Real dt;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (particles.medium(i).phase != Phase::rigid)
+      particles.pressure_work[i] += dt * particles.pressure_power[i];
+  }
+};
+
+// What there is now.
+template <int D, class P>
+struct StateSum {
+  enum Slot { mass = 0, fractured_mass, momentum, kinetic = momentum + D, pressure_work,
+              deviatoric, stored_water, stored_solid, plate_potential, plate_force,
+              momentum_scale = plate_force + D, slots };
+  ParticleView<D, P> particles;
+  const double* mass_of;
+
+  KERF_FUNCTION void add(Index i, Terms<slots>& sum) const {
+    if (particles.medium(i).phase == Phase::rigid) return;
+    const double m = mass_of[particles.source[i]];
+    const auto energy = ParticleEnergy<D, P>::of(particles, i, m);
+    sum.value[mass] += m;
+    sum.value[fractured_mass] += particles.fractured[i] ? m : 0.0;
+    for (int a = 0; a < D; ++a) {
+      sum.value[momentum + a] += m * double(particles.velocity[i][a]);
+      sum.value[plate_force + a] -= m * double(particles.repulsion[i][a]);
+    }
+    sum.value[kinetic] += energy.kinetic;
+    sum.value[pressure_work] += energy.pressure_work;
+    sum.value[deviatoric] += energy.deviatoric;
+    sum.value[stored_water] += energy.stored_water;
+    sum.value[stored_solid] += energy.stored_solid;
+    sum.value[plate_potential] += m * double(particles.repulsion_potential[i]);
+    sum.value[momentum_scale] += m * norm(Vector<D, double>::from(particles.velocity[i]));
+  }
+};
+
+// What leaves with the particles marked for removal.
+template <int D, class P>
+struct LeaverSum {
+  enum Slot { mass_out = 0, mass_erased, count, momentum, energy = momentum + D, slots };
+  ParticleView<D, P> particles;
+  const double* mass_of;
+
+  KERF_FUNCTION void add(Index i, Terms<slots>& sum) const {
+    if (!particles.has(i, flag::outside | flag::erased)) return;
+    const double m = mass_of[particles.source[i]];
+    const auto e = ParticleEnergy<D, P>::of(particles, i, m);
+    sum.value[particles.has(i, flag::outside) ? mass_out : mass_erased] += m;
+    sum.value[count] += 1.0;
+    for (int a = 0; a < D; ++a) sum.value[momentum + a] += m * double(particles.velocity[i][a]);
+    sum.value[energy] += e.kinetic + e.pressure_work + e.deviatoric;
+  }
+};
+
+}  // namespace kerf

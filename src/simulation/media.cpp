@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/media.hpp"
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "core/error.hpp"
+#include "particles/fill.hpp"
+
+namespace kerf {
+namespace {
+
+void set_material(Medium<double>& medium, const Material& material) {
+  medium.density = material.density;
+  medium.artificial_linear = material.artificial_linear;
+  medium.artificial_quadratic = material.artificial_quadratic;
+  medium.artificial_softening = material.artificial_softening;
+  if (material.kind == MaterialKind::water) {
+    medium.phase = Phase::water;
+    medium.viscosity = material.viscosity;
+    medium.sound_speed = material.sound_speed;
+    medium.longitudinal_speed = material.sound_speed;
+    medium.tait_exponent = material.tait_exponent;
+    medium.tait_coefficient =
+        material.sound_speed * material.sound_speed * material.density / material.tait_exponent;
+    return;
+  }
+  medium.phase = Phase::solid;
+  const double e = material.youngs_modulus, nu = material.poisson_ratio;
+  medium.bulk_modulus = e / (3.0 * (1.0 - 2.0 * nu));
+  medium.shear_modulus = e / (2.0 * (1.0 + nu));
+  medium.failure_strain = material.failure_strain;
+  medium.sound_speed = std::sqrt(medium.bulk_modulus / material.density);
+  medium.longitudinal_speed =
+      std::sqrt((medium.bulk_modulus + 4.0 / 3.0 * medium.shear_modulus) / material.density);
+}
+
+// Bodies joined to one another share a piece number.
+std::vector<std::uint16_t> pieces_of(const std::vector<Body>& bodies) {
+  std::map<std::string, std::size_t> by_name;
+  for (std::size_t b = 0; b < bodies.size(); ++b) by_name[bodies[b].name] = b;
+  std::vector<std::uint16_t> piece(bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    std::size_t root = b;
+    for (std::size_t hop = 0; hop < bodies.size() && !bodies[root].joined_to.empty(); ++hop)
+      root = by_name.at(bodies[root].joined_to);
+    piece[b] = static_cast<std::uint16_t>(root);
+  }
+  return piece;
+}
+
+}  // namespace
+
+std::vector<Medium<double>> make_media(const Case& description,
+                                       const std::vector<Nozzle>& nozzles) {
+  require(nozzles.size() == description.jets.size(), "one nozzle per jet");
+  std::vector<Medium<double>> media;
+  const auto pieces = pieces_of(description.bodies);
+  for (const Body& body : description.bodies) {
+    Medium<double> medium;
+    if (body.role == Role::rigid) {
+      medium.phase = Phase::rigid;
+      medium.repulsion = body.repulsion;
+    } else {
+      set_material(medium, description.materials.at(static_cast<std::size_t>(body.material)));
+      medium.mass = medium.density * particle_volume(body, description.dimension);
+    }
+    medium.spacing = body.spacing;
+    medium.piece = pieces[media.size()];
+    medium.constrained = body.fixed || !body.displacement[0].empty() || body.role == Role::rigid;
+    media.push_back(medium);
+  }
+  for (std::size_t j = 0; j < description.jets.size(); ++j) {
+    const Jet& jet = description.jets[j];
+    Medium<double> medium;
+    set_material(medium, description.materials.at(static_cast<std::size_t>(jet.material)));
+    medium.mass = nozzles[j].particle_mass();
+    medium.spacing = jet.spacing;
+    media.push_back(medium);
+  }
+  for (Medium<double>& medium : media)
+    medium.smoothing_length = description.smoothing_ratio * medium.spacing;
+  return media;
+}
+
+}  // namespace kerf

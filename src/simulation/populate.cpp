@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/populate.hpp"
+
+#include "case/expression.hpp"
+#include "particles/fields.hpp"
+#include "particles/fill.hpp"
+
+namespace kerf {
+namespace {
+
+void add_body(const Body& body, std::uint16_t source, int dimension,
+              std::vector<NewParticle>& particles) {
+  const std::vector<Point> points = fill(body, dimension);
+  std::vector<std::uint8_t> repelling(points.size(), 0);
+  if (body.role == Role::rigid) repelling = repelling_flags(body, points, dimension);
+  std::vector<Expression> velocity;
+  for (const std::string& component : body.velocity)
+    velocity.emplace_back(component, std::vector<std::string>{"x", "y", "z"});
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    NewParticle particle;
+    particle.position = points[k];
+    particle.source = source;
+    particle.flags = repelling[k] ? flag::repelling : std::uint8_t{0};
+    if (!body.fixed && body.displacement[0].empty() && body.role != Role::rigid)
+      for (int a = 0; a < dimension; ++a)
+        particle.velocity[static_cast<std::size_t>(a)] =
+            velocity[static_cast<std::size_t>(a)](points[k]);
+    particles.push_back(particle);
+  }
+}
+
+}  // namespace
+
+std::vector<NewParticle> inlet_particles(const std::vector<InletParticle>& water,
+                                         const Nozzle& nozzle, std::size_t source, bool open) {
+  std::vector<NewParticle> particles;
+  for (const InletParticle& drop : water) {
+    NewParticle particle;
+    particle.position = drop.position;
+    particle.inlet_speed = drop.speed;
+    particle.source = static_cast<std::uint16_t>(source);
+    particle.flags = flag::upstream;
+    if (open)
+      for (std::size_t a = 0; a < 3; ++a)
+        particle.velocity[a] = drop.speed * nozzle.direction()[a];
+    particles.push_back(particle);
+  }
+  return particles;
+}
+
+std::vector<NewParticle> initial_particles(const Case& description,
+                                           const std::vector<Nozzle>& nozzles) {
+  std::vector<NewParticle> particles;
+  for (std::size_t b = 0; b < description.bodies.size(); ++b)
+    add_body(description.bodies[b], static_cast<std::uint16_t>(b), description.dimension,
+             particles);
+  for (std::size_t j = 0; j < nozzles.size(); ++j) {
+    const bool open = description.jets[j].start <= 0.0;
+    for (const NewParticle& particle : inlet_particles(
+             nozzles[j].standing_water(), nozzles[j], description.bodies.size() + j, open))
+      particles.push_back(particle);
+  }
+  return particles;
+}
+
+}  // namespace kerf

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Probes: pressure and velocity at a point by kernel interpolation, and the force that one side of a
+// plane exerts on the other, which is the sum of the pair forces across it.
+#pragma once
+
+#include "case/case.hpp"
+#include "exec/ordered_sum.hpp"
+#include "rates/rates.hpp"
+
+namespace kerf {
+
+// Shepard interpolation: sum f W V / sum W V over water and solid.
+template <int D, class P>
+struct PointSum {
+  enum Slot { weight = 0, pressure, velocity, slots = velocity + D };
+  ParticleView<D, P> particles;
+  Vector<D, double> point;
+
+  KERF_FUNCTION void add(Index i, Terms<slots>& sum) const {
+    const auto& medium = particles.medium(i);
+    if (medium.phase == Phase::rigid) return;
+    const auto r = particles.position[i] - point;
+    const double w =
+        CubicSpline<D>::value(norm(r), double(medium.smoothing_length)) *
+        (double(medium.mass) / double(particles.density(i)));
+    sum.value[weight] += w;
+    sum.value[pressure] += w * double(particles.pressure[i]);
+    for (int a = 0; a < D; ++a) sum.value[velocity + a] += w * double(particles.velocity[i][a]);
+  }
+};
+
+// Pairs of which i lies below the plane and j above (along the normal).
+template <int D>
+struct AcrossPlane {
+  Vector<D, double> point, normal;
+
+  template <class P>
+  KERF_FUNCTION bool above(const ParticleView<D, P>& particles, Index i) const {
+    return dot(particles.position[i] - point, normal) > 0.0;
+  }
+  template <class P>
+  KERF_FUNCTION bool operator()(const ParticleView<D, P>& particles, Index i, Index j) const {
+    return !above(particles, i) && above(particles, j);
+  }
+};
+
+template <int D, class P>
+struct ForceSum {
+  ParticleView<D, P> particles;
+
+  KERF_FUNCTION void add(Index i, Terms<D>& sum) const {
+    if (particles.medium(i).phase == Phase::rigid) return;
+    const double m = particles.medium(i).mass;
+    for (int a = 0; a < D; ++a) sum.value[a] += m * double(particles.acceleration[i][a]);
+  }
+};
+
+template <int D, class P>
+class Probes {
+ public:
+  // pressure, then velocity in three components.
+  void sample_point(Particles<D, P>& particles, const Probe& probe, std::vector<double>& values) {
+    using Sum = PointSum<D, P>;
+    const auto sum = point_sum_(particles.size(),
+                                Sum{particles.view(), Vector<D, double>::from(probe.position)});
+    const double weight = sum.value[Sum::weight];
+    values.push_back(weight > 0.0 ? sum.value[Sum::pressure] / weight : 0.0);
+    for (int a = 0; a < 3; ++a)
+      values.push_back(a < D && weight > 0.0 ? sum.value[Sum::velocity + a] / weight : 0.0);
+  }
+
+  // Force of what is above on what is below, three components; stresses must be up to date.
+  void sample_plane(Particles<D, P>& particles, const NeighbourView& list, const Probe& probe,
+                    const Rates<D, P>& rates, std::vector<double>& values) {
+    const AcrossPlane<D> across{Vector<D, double>::from(probe.position),
+                                Vector<D, double>::from(probe.normal)};
+    rates.accelerate(particles, particles.view(), list, across, BodyForce<D, P>{});
+    const auto sum = force_sum_(particles.size(), ForceSum<D, P>{particles.view()});
+    for (int a = 0; a < 3; ++a) values.push_back(a < D ? sum.value[a] : 0.0);
+  }
+
+ private:
+  OrderedSum<PointSum<D, P>::slots> point_sum_;
+  OrderedSum<D> force_sum_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages of a step of `shinohara2004`, in their order.
+#pragma once
+
+#include "simulation/breakdown.hpp"
+#include "simulation/populate.hpp"
+#include "simulation/shinohara2004.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+void Shinohara2004<D, P>::renew_neighbours() {
+  const auto timer = timers_.stage("neighbours");
+  remove_marked();
+  let_water_in();
+  // Half a step more than the last one took, so that the list holds to the end of this step.
+  if (!list_is_due_) list_is_due_ = list_.is_outdated(particles_, 1.5 * last_step_.dt);
+  if (list_is_due_) rebuild_list();
+  list_is_due_ = false;
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::remove_marked() {
+  const auto view = particles_.view();
+  const bool any = reduce_unordered(particles_.size(), IsLeaving<D, P>{view}, false, Either{});
+  if (!any) return;
+  book_.book_leavers(particles_);
+  remove_leavers(particles_);
+  list_is_due_ = true;
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::let_water_in() {
+  for (std::size_t j = 0; j < nozzles_.size(); ++j) {
+    const std::vector<InletParticle> water = nozzles_[j].emit(time_);
+    if (water.empty()) continue;
+    const std::size_t source = case_.bodies.size() + j;
+    const bool open = time_ >= case_.jets[j].start && time_ < case_.jets[j].stop;
+    const auto newcomers = inlet_particles(water, nozzles_[j], source, open);
+    for (const NewParticle& newcomer : newcomers) book_.book_entry(source, newcomer.velocity);
+    append(newcomers);
+    list_is_due_ = true;
+  }
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::rebuild_list() {
+  particles_.build_position = particles_.position;
+  sort_particles(particles_, list_.cell_numbers(particles_));
+  list_.build(particles_);
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::evaluate_rates() const {
+  const auto timer = timers_.stage("rates");
+  rates_.evaluate(particles_, list_.view());
+  pair_interactions_ += static_cast<double>(list_.pairs()) * Rates<D, P>::pair_passes;
+}
+
+template <int D, class P>
+double Shinohara2004<D, P>::choose_step() {
+  const auto timer = timers_.stage("time step");
+  const double remaining = case_.time.end - time_;
+  const double longest =
+      case_.time.maximum_step > 0.0 ? std::min(case_.time.maximum_step, remaining) : remaining;
+  const ParticleStepLimit<D, P> limit{particles_.view(), case_.time.courant, runaway_speed_,
+                                       longest};
+  StepLimit chosen{longest, longest < remaining ? Limit::maximum_step : Limit::end_of_run, 0};
+  const StepLimit least = reduce_unordered(particles_.size(), limit, chosen, SmallerStep{});
+  if (least.dt < longest) chosen = least;
+  const bool collapsed = chosen.dt < shortest_step_ && chosen.limit != Limit::end_of_run;
+  if (chosen.dt < 0.0 || collapsed) fail(chosen);
+  const std::uint32_t id = particles_.size() > 0 ? particles_.id[chosen.particle] : 0u;
+  last_step_ = {chosen.dt, limit_name(chosen.limit), id};
+  return chosen.dt;
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::fail(const StepLimit& cause) const {
+  Breakdown breakdown;
+  breakdown.time = time_;
+  breakdown.step = step_;
+  breakdown.particle = particles_.id[cause.particle];
+  breakdown.source = std::uint16_t{particles_.source[cause.particle]};
+  const Point x = particles_.position[cause.particle];
+  for (int a = 0; a < D; ++a) breakdown.position[static_cast<std::size_t>(a)] = x[a];
+  breakdown.fault = cause.dt < 0.0;
+  breakdown.dt = cause.dt;
+  breakdown.cause = limit_name(cause.limit);
+  report_breakdown(case_, breakdown);
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::keep_start() {
+  for_each_index(particles_.size(), KeepStart<D, P>{particles_.view()});
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::load_drives(double now) {
+  to_device(motion_.drives<D>(time_, now), drives_);
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::advance_to(double dt) {
+  const auto timer = timers_.stage("integrate");
+  load_drives(time_ + dt);
+  for_each_index(particles_.size(),
+                 AdvanceFromStart<D, P>{particles_.view(), pointer(drives_), dt});
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::break_particles() {
+  const auto timer = timers_.stage("fracture");
+  for_each_index(particles_.size(), BreakParticles<D, P>{particles_.view()});
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::book_step(double dt) {
+  const auto timer = timers_.stage("ledger");
+  book_.book_step(particles_, gravity_, dt);
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::mark_leavers() {
+  const auto timer = timers_.stage("outflow");
+  for_each_index(particles_.size(),
+                 MarkLeavers<D, P>{particles_.view(), pointer(drives_), minimum_, maximum_});
+}
+
+template <int D, class P>
+void Shinohara2004<D, P>::tick(double dt) {
+  time_ = last_step_.limit == limit_name(Limit::end_of_run) ? case_.time.end : time_ + dt;
+  ++step_;
+  fresh_ = false;
+}
+
+}  // namespace kerf

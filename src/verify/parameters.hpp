@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The keys of one check of a reference.toml as written, read when they are used.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace kerf {
+
+// A mistake in a reference.toml is one of the program, whose texts are built in: std::logic_error.
+class Parameters {
+ public:
+  explicit Parameters(std::string where) : where_(std::move(where)) {}
+
+  void set(const std::string& key, std::string value) { values_[key] = std::move(value); }
+  bool has(const std::string& key) const { return values_.count(key) > 0; }
+  std::string text(const std::string& key) const;
+  std::string text(const std::string& key, const std::string& fallback) const;
+  // A quantity with its unit, in `si_unit`; without a unit when that is empty.
+  double number(const std::string& key, const std::string& si_unit) const;
+  double number(const std::string& key, const std::string& si_unit, double fallback) const;
+  // Keys that nobody has asked for: misspelt ones.
+  std::vector<std::string> unread() const;
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  std::string where_;
+  std::map<std::string, std::string> values_;
+  mutable std::map<std::string, bool> read_;
+};
+
+}  // namespace kerf

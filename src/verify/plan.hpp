@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `kerf verify` does, read from validation/<name>/reference.toml: which cases run, what is
+// measured in them, and what it is compared with. The format is described in docs/validation.md.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/embedded.hpp"
+#include "case/case.hpp"
+#include "verify/parameters.hpp"
+
+namespace kerf {
+
+struct PlannedRun {
+  std::string name;
+  std::string case_text;   // the case with its overrides, as TOML
+  double refinement = 1.0;  // every spacing is divided by it
+  double sample_interval = 0.0;  // s; 0 = the case's series interval
+  bool is_long = false;
+
+  Case description() const;
+};
+
+// One row of the table for each of `runs`.
+struct Check {
+  std::string quantity;
+  std::vector<std::string> runs;  // from coarse to fine
+  std::string relative_to;  // name of a run: the value is its ratio to that run's; empty = itself
+  std::string unit;         // of the numbers below, as UDUNITS writes it; "1" = none
+  std::optional<double> reference;  // in `unit`; absent: bounds, or reported only
+  std::optional<double> tolerance;  // relative
+  std::optional<double> at_least, at_most;
+  bool every_run = false;  // judge all runs, not the last (finest) alone
+  std::string source;      // of the reference
+  Parameters parameters{""};  // signal, reduction and theirs
+
+  bool is_judged() const { return reference.has_value() || at_least || at_most; }
+};
+
+struct VerificationCase {
+  std::string name;
+  std::string title;
+  std::vector<PlannedRun> runs;
+  std::vector<Check> checks;
+
+  const PlannedRun& run(const std::string& name) const;
+  // The runs of a check that are not long, or all of them; none when it needs a long one beside.
+  std::vector<std::string> due_runs(const Check& check, bool all) const;
+};
+
+// `validation` holds "NAME/case" and "NAME/reference", `templates` the shipped cases by name; a run
+// takes one of either. In alphabetical order.
+std::vector<VerificationCase> read_verification_cases(std::span<const EmbeddedText> validation,
+                                                      std::span<const EmbeddedText> templates);
+
+}  // namespace kerf

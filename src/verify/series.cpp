@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/series.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace kerf {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+TimeSeries window(const TimeSeries& series, const Parameters& parameters) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double from = parameters.number("from", "s", -infinity);
+  const double to = parameters.number("to", "s", infinity);
+  TimeSeries result;
+  for (std::size_t i = 0; i < series.time.size(); ++i) {
+    if (series.time[i] < from || series.time[i] > to) continue;
+    result.time.push_back(series.time[i]);
+    result.value.push_back(series.value[i]);
+  }
+  return result;
+}
+
+// Of the samples, weighted by the time between them, which may differ.
+double mean(const TimeSeries& s) {
+  if (s.time.size() < 2) return s.value.front();
+  double sum = 0.0;
+  for (std::size_t i = 1; i < s.time.size(); ++i)
+    sum += 0.5 * (s.value[i] + s.value[i - 1]) * (s.time[i] - s.time[i - 1]);
+  return sum / (s.time.back() - s.time.front());
+}
+
+double slope(const TimeSeries& s) {
+  const auto n = static_cast<double>(s.time.size());
+  const double t = std::accumulate(s.time.begin(), s.time.end(), 0.0) / n;
+  const double v = std::accumulate(s.value.begin(), s.value.end(), 0.0) / n;
+  double product = 0.0, square = 0.0;
+  for (std::size_t i = 0; i < s.time.size(); ++i) {
+    product += (s.time[i] - t) * (s.value[i] - v);
+    square += (s.time[i] - t) * (s.time[i] - t);
+  }
+  return square > 0.0 ? product / square : none;
+}
+
+// Between the first and the last crossing, linear between samples.
+double period(const TimeSeries& s) {
+  std::vector<double> crossings;
+  for (std::size_t i = 1; i < s.time.size(); ++i) {
+    const double before = s.value[i - 1], after = s.value[i];
+    if (before == 0.0 || (before > 0.0) == (after > 0.0)) continue;
+    crossings.push_back(s.time[i - 1] +
+                        (s.time[i] - s.time[i - 1]) * before / (before - after));
+  }
+  if (crossings.size() < 2) return none;
+  return 2.0 * (crossings.back() - crossings.front()) / static_cast<double>(crossings.size() - 1);
+}
+
+double largest(const TimeSeries& s) {
+  return *std::max_element(s.value.begin(), s.value.end(),
+                           [](double a, double b) { return std::abs(a) < std::abs(b); });
+}
+
+double time_above(const TimeSeries& s, const Parameters& parameters) {
+  const double level = parameters.number("level", parameters.text("level_unit", ""));
+  const auto is_above = [level](double v) { return v >= level; };
+  if (parameters.text("reduce") == "first_above") {
+    const auto found = std::find_if(s.value.begin(), s.value.end(), is_above);
+    return found == s.value.end() ? none : s.time[static_cast<std::size_t>(found - s.value.begin())];
+  }
+  const auto found = std::find_if(s.value.rbegin(), s.value.rend(), is_above);
+  return found == s.value.rend()
+             ? none
+             : s.time[static_cast<std::size_t>(s.value.rend() - found) - 1];
+}
+
+}  // namespace
+
+double reduce(const TimeSeries& series, const Parameters& parameters) {
+  static const std::map<std::string, std::function<double(const TimeSeries&, const Parameters&)>>
+      reductions{
+          {"last", [](const TimeSeries& s, const Parameters&) { return s.value.back(); }},
+          {"mean", [](const TimeSeries& s, const Parameters&) { return mean(s); }},
+          {"peak",
+           [](const TimeSeries& s, const Parameters&) {
+             return *std::max_element(s.value.begin(), s.value.end());
+           }},
+          {"largest", [](const TimeSeries& s, const Parameters&) { return largest(s); }},
+          {"slope", [](const TimeSeries& s, const Parameters&) { return slope(s); }},
+          {"period", [](const TimeSeries& s, const Parameters&) { return period(s); }},
+          {"first_above", time_above},
+          {"last_above", time_above}};
+  const auto found = reductions.find(parameters.text("reduce"));
+  if (found == reductions.end())
+    parameters.fail(fmt::format("there is no reduction \"{}\"", parameters.text("reduce")));
+  const TimeSeries chosen = window(series, parameters);
+  return chosen.time.empty() ? none : found->second(chosen, parameters);
+}
+
+}  // namespace kerf

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// A signal is one number of a run over time, in SI units. Checks choose it by name ("signal") and
+// give its parameters; docs/validation.md lists them.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "verify/moment.hpp"
+#include "verify/parameters.hpp"
+
+namespace kerf {
+
+using Signal = std::function<double(Moment&)>;
+using SignalMaker = std::function<Signal(const Parameters&, const Beginning&)>;
+
+// Every signal there is, by name.
+const std::map<std::string, SignalMaker>& signal_makers();
+
+// Throws std::logic_error for a name that is not there or parameters that do not fit.
+Signal make_signal(const Parameters& parameters, const Beginning& beginning);
+
+// From the run's own books.
+Signal probe_signal(const Parameters& parameters, const Beginning& beginning);
+Signal ledger_signal(const Parameters& parameters, const Beginning& beginning);
+Signal cut_signal(const Parameters& parameters, const Beginning& beginning);
+
+// Over the particles of a body, weighted by a formula of their first places.
+Signal body_mean_signal(const Parameters& parameters, const Beginning& beginning);
+Signal kinetic_centroid_signal(const Parameters& parameters, const Beginning& beginning);
+// Against a formula of where they are.
+Signal profile_error_signal(const Parameters& parameters, const Beginning& beginning);
+
+// Of the shape of things.
+Signal asymmetry_signal(const Parameters& parameters, const Beginning& beginning);
+Signal jet_split_signal(const Parameters& parameters, const Beginning& beginning);
+Signal fractured_below_jet_signal(const Parameters& parameters, const Beginning& beginning);
+Signal largest_stretch_signal(const Parameters& parameters, const Beginning& beginning);
+
+}  // namespace kerf

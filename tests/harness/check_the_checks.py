@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Gives each checker in scripts/ something wrong, and fails unless the checker says so."""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SCRIPTS = pathlib.Path(__file__).resolve().parent.parent.parent / "scripts"
+
+LONG_FUNCTION = "int f(int a) {\n" + "  ++a;\n" * 60 + "  return a;\n}\n"
+MANY_ARGUMENTS = "int f(int a, int b, int c, int d, int e, int g, int h) { return a; }\n"
+DEEP = "int f(int a) {\n  if (a)\n    for (;;)\n      while (a)\n        if (a > 1) return 1;\n}\n"
+ELSE_IF = "int f(int a) {\n" + "  if (a) return 1; else" * 5 + " return 2;\n}\n"
+EXCUSED = "// budget: nesting: four loops of one stencil\n" + DEEP
+PYTHON_DEEP = (
+    "def f(a):\n    if a:\n        for b in a:\n            while b:\n                if b:\n"
+    "                    return\n"
+)
+
+# (file, text, whether it is within the budgets)
+BUDGETS = [
+    ("long_file.cpp", "int a;\n" * 301, False),
+    ("longest_file.cpp", "int a;\n" * 300, True),
+    ("long_function.cpp", LONG_FUNCTION, False),
+    ("arguments.hpp", MANY_ARGUMENTS, False),
+    ("deep.cpp", DEEP, False),
+    ("excused.cpp", EXCUSED, True),
+    ("else_if.cpp", ELSE_IF, True),
+    ("deep.py", PYTHON_DEEP, False),
+]
+
+# (pages and files of a tree, which check, whether it is in order)
+DOCUMENTS = [
+    ({"README.md": "[a](docs/a.md)", "docs/a.md": "`src/b.hpp`", "src/b.hpp": ""}, "links", True),
+    ({"README.md": "[a](docs/missing.md)"}, "links", False),
+    ({"README.md": "[a](#here) see `src/missing.hpp`"}, "links", False),
+    ({"README.md": "nothing"}, "links", False),
+    ({"scripts/packages.txt": "# c\n[build]\ng++\n", "docs/dependencies.md": "| `g++` | x |\n"},
+     "packages", True),
+    ({"scripts/packages.txt": "[build]\ng++\ncmake\n", "docs/dependencies.md": "| `g++` | x |\n"},
+     "packages", False),
+    ({"scripts/packages.txt": "[build]\n", "docs/dependencies.md": "| `g++` | x |\n"},
+     "packages", False),
+]
+
+
+def agrees(command, in_order, label):
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    right = done.returncode == (0 if in_order else 1)
+    if not right:
+        print(f"{label}: expected {'no ' if in_order else 'a '}complaint, status "
+              f"{done.returncode}:\n{done.stdout}{done.stderr}")
+    return right
+
+
+def write(folder, name, text):
+    path = pathlib.Path(folder) / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+    return path
+
+
+def check_budgets():
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text, in_order in BUDGETS:
+            path = write(folder, name, text)
+            yield agrees([SCRIPTS / "check_budgets.py", path], in_order, name)
+
+
+def check_documents():
+    for number, (files, what, in_order) in enumerate(DOCUMENTS):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                write(folder, name, text)
+            command = [SCRIPTS / "check_docs.py", what, "--root", folder]
+            yield agrees(command, in_order, f"document {number}")
+
+
+if __name__ == "__main__":
+    if not shutil.which("ctags"):
+        print("Universal Ctags is not installed: skipped")
+        sys.exit(77)
+    sys.exit(0 if all([*check_budgets(), *check_documents()]) else 1)

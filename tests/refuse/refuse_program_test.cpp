@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program itself: exit codes, where messages go, and what it prints of its own tables.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace kerf {
+namespace {
+
+struct Outcome {
+  int code;
+  std::string output;  // stdout, or stderr when asked for
+};
+
+Outcome run(const std::string& arguments, bool errors = false) {
+  const std::string command =
+      std::string(KERF_PROGRAM) + " " + arguments + (errors ? " 2>&1 >/dev/null" : " 2>/dev/null");
+  FILE* pipe = popen(command.c_str(), "r");
+  if (!pipe) return {-1, {}};
+  std::string output;
+  std::array<char, 4096> block;
+  std::size_t read;
+  while ((read = fread(block.data(), 1, block.size(), pipe)) > 0) output.append(block.data(), read);
+  return {WEXITSTATUS(pclose(pipe)), output};
+}
+
+std::string contents(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+TEST(RefuseProgram, BadCasesEndWithOneAndAMessage) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "kerf-bad-case.toml";
+  std::ofstream(file) << "title = \"bad\"\ndimension = 2\nsped = 1\n";
+  const Outcome outcome = run("check " + file.string(), true);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.output.rfind("kerf: error: " + file.string() + ":", 0), 0u) << outcome.output;
+  EXPECT_NE(outcome.output.find("toml:3: sped = 1: the key is unknown."), std::string::npos);
+  std::filesystem::remove(file);
+}
+
+TEST(RefuseProgram, MissingFilesEndWithFour) {
+  const Outcome outcome = run("check /nowhere/case.toml", true);
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_NE(outcome.output.find("/nowhere/case.toml: the case file cannot be read"),
+            std::string::npos);
+}
+
+TEST(RefuseProgram, WrongUseEndsWithTwo) {
+  EXPECT_EQ(run("").code, 2);
+  EXPECT_EQ(run("chekc").code, 2);
+  EXPECT_EQ(run("check").code, 2);
+  EXPECT_EQ(run("check --threads -3 case.toml").code, 2);
+}
+
+TEST(RefuseProgram, UnknownTemplatesAndMaterials) {
+  const Outcome material = run("materials tofo", true);
+  EXPECT_EQ(material.code, 1);
+  EXPECT_NE(material.output.find("Did you mean \"tofu\"?"), std::string::npos);
+  const Outcome start = run("new tofu-5m", true);
+  EXPECT_EQ(start.code, 1);
+  EXPECT_NE(start.output.find("Did you mean \"tofu-5ms\"?"), std::string::npos);
+}
+
+TEST(Program, TemplatesAreTheFilesOfCases) {
+  for (const auto& entry : std::filesystem::directory_iterator(KERF_SOURCE_DIR "/cases")) {
+    if (entry.path().extension() != ".toml") continue;
+    const Outcome outcome = run("new " + entry.path().stem().string());
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.output, contents(entry.path())) << entry.path();
+    EXPECT_NE(run("new").output.find(entry.path().stem().string()), std::string::npos);
+  }
+}
+
+TEST(Program, KeysPageIsPrinted) {
+  EXPECT_EQ(run("check --keys").output, contents(KERF_SOURCE_DIR "/docs/keys.md"));
+}
+
+TEST(Program, ChecksACase) {
+  const Outcome outcome = run("check --no-timing " KERF_SOURCE_DIR "/cases/tofu-5ms.toml");
+  EXPECT_EQ(outcome.code, 0);
+  for (const char* part : {"crack-led", "0.8428", "2870", "water can slip"})
+    EXPECT_NE(outcome.output.find(part), std::string::npos) << part;
+}
+
+}  // namespace
+}  // namespace kerf

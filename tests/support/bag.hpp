@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// A bag of particles of every kind in a random mixture, for tests of pair sums: fine and coarse
+// water, three pieces of solid of different size, intact and fractured, and a rigid body.
+#pragma once
+
+#include <random>
+
+#include "support/reference_sph.hpp"
+
+namespace kerf::test {
+
+struct BagChoice {
+  int dimension = 2;
+  unsigned seed = 1;
+  int per_side = 14;
+  double jitter = 0.3;  // of the spacing
+  bool rigid = true;
+};
+
+inline constexpr double bag_spacing = 1e-3;  // m
+
+inline Medium<double> bag_water(double spacing, int dimension) {
+  Medium<double> water;
+  water.phase = Phase::water;
+  water.spacing = spacing;
+  water.density = 1000.0;
+  water.sound_speed = water.longitudinal_speed = 50.0;
+  water.tait_exponent = 7.0;
+  water.tait_coefficient = 50.0 * 50.0 * 1000.0 / 7.0;
+  water.viscosity = 0.9;
+  water.artificial_linear = 0.01;
+  water.artificial_softening = 0.1;
+  water.smoothing_length = 1.5 * spacing;
+  water.mass = water.density * std::pow(spacing, dimension);
+  return water;
+}
+
+inline Medium<double> bag_solid(double spacing, int dimension, std::uint16_t piece) {
+  Medium<double> solid;
+  solid.phase = Phase::solid;
+  solid.piece = piece;
+  solid.spacing = spacing;
+  solid.density = 940.0;
+  solid.bulk_modulus = 8.3e4;
+  solid.shear_modulus = 3.8e4;
+  solid.sound_speed = std::sqrt(solid.bulk_modulus / solid.density);
+  solid.longitudinal_speed = 12.0;
+  solid.failure_strain = 0.1;
+  solid.artificial_linear = solid.artificial_quadratic = 2.5;
+  solid.artificial_softening = 0.1;
+  solid.smoothing_length = 1.5 * spacing;
+  solid.mass = solid.density * std::pow(spacing, dimension);
+  return solid;
+}
+
+inline Medium<double> bag_rigid(double spacing) {
+  Medium<double> rigid;
+  rigid.phase = Phase::rigid;
+  rigid.constrained = true;
+  rigid.spacing = spacing;
+  rigid.repulsion = 25.0;
+  rigid.smoothing_length = 1.5 * spacing;
+  return rigid;
+}
+
+// Random symmetric tensor of trace 0, without xz and yz in two dimensions.
+template <class Random>
+Matrix3 random_deviator(int dimension, Random&& uniform) {
+  Matrix3 s = Matrix3::Zero();
+  for (int a = 0; a < 3; ++a) s(a, a) = uniform();
+  for (int a = 0; a < dimension; ++a)
+    for (int b = a + 1; b < dimension; ++b) s(a, b) = s(b, a) = uniform();
+  return s - s.trace() / 3.0 * Matrix3::Identity();
+}
+
+inline ReferenceState random_bag(const BagChoice& choice) {
+  std::mt19937 engine(choice.seed);
+  std::uniform_real_distribution<double> distribution(-1.0, 1.0);
+  const auto uniform = [&] { return distribution(engine); };
+  const int d = choice.dimension;
+  const double step = bag_spacing;
+  ReferenceState state;
+  state.dimension = d;
+  state.media = {bag_water(step, d),           bag_water(2.0 * step, d),
+                 bag_solid(step, d, 2),        bag_solid(2.0 * step, d, 2),
+                 bag_solid(4.0 * step, d, 4),  bag_rigid(2.0 * step)};
+  const int layers = d == 3 ? choice.per_side : 1;
+  const std::size_t kinds = state.media.size() - (choice.rigid ? 0 : 1);
+  for (int k = 0; k < choice.per_side * choice.per_side * layers; ++k) {
+    ReferenceParticle particle;
+    const int cell[3] = {k % choice.per_side, k / choice.per_side % choice.per_side,
+                         k / (choice.per_side * choice.per_side)};
+    for (int a = 0; a < d; ++a) {
+      particle.position[a] = step * (cell[a] + 0.5 + choice.jitter * uniform());
+      particle.velocity[a] = 5.0 * uniform();
+    }
+    particle.source = engine() % kinds;
+    const Phase phase = state.media[particle.source].phase;
+    if (phase != Phase::rigid) particle.compression = 0.02 * uniform();
+    if (phase == Phase::solid) {
+      particle.fractured = uniform() > 0.4;
+      if (!particle.fractured) particle.shear = 5e3 * random_deviator(d, uniform);
+    }
+    particle.repelling = phase == Phase::rigid && uniform() > -0.6;
+    state.particles.push_back(particle);
+  }
+  return state;
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a case file means, and the defaults.
+#include "case/read.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "case/material_library.hpp"
+#include "case/schema.hpp"
+#include "case/write_used.hpp"
+
+namespace kerf {
+namespace {
+
+const std::string minimal = R"(title = "minimal"
+dimension = 2
+[time]
+end = "10 ms"
+[[body]]
+name = "block"
+material = "tofu"
+shape = { type = "box", minimum = ["-20 mm", "0 mm"], maximum = ["20 mm", "20 mm"] }
+spacing = "2 mm"
+[[body]]
+name = "plate"
+role = "rigid"
+shape = { type = "box", minimum = ["-40 mm", "-4 mm"], maximum = ["40 mm", "0 mm"] }
+spacing = "2 mm"
+[[jet]]
+name = "jet"
+speed = "5 m/s"
+width = "10 mm"
+position = ["0 mm", "20 mm"]
+standoff = "20 mm"
+spacing = "1 mm"
+)";
+
+TEST(Read, DefaultsOfAMinimalCase) {
+  const Case read = parse_case(minimal, "minimal.toml");
+  EXPECT_EQ(read.precision, PrecisionKind::mixed);
+  EXPECT_EQ(read.smoothing_ratio, 1.5);
+  EXPECT_EQ(read.time.courant, 0.25);
+  EXPECT_EQ(read.time.maximum_step, std::numeric_limits<double>::infinity());
+  ASSERT_EQ(read.materials.size(), 2u);
+  EXPECT_EQ(read.materials[0].name, "tofu");
+  EXPECT_EQ(read.materials[1].name, "water");
+  EXPECT_EQ(read.materials[1].sound_speed, 50.0);  // c = 10 V, eq. (18)
+  EXPECT_EQ(read.bodies[0].role, Role::elastic);
+  EXPECT_EQ(read.bodies[0].material, 0);
+  EXPECT_EQ(read.bodies[1].role, Role::rigid);
+  EXPECT_EQ(read.bodies[1].material, -1);
+  EXPECT_EQ(read.bodies[1].repulsion, 25.0);  // V^2
+  EXPECT_EQ(read.jets[0].material, 1);
+  EXPECT_EQ(read.jets[0].profile, "1");
+  EXPECT_FALSE(read.eraser.has_value());
+  EXPECT_EQ(read.artificial_stress.epsilon, 0.0);
+  EXPECT_EQ(read.output.frame_times.size(), 21u);
+  EXPECT_EQ(read.output.frame_times.back(), 0.01);
+  // Everything lies in -40 .. 40 by -10 .. 50 mm; half of 80 mm is added.
+  EXPECT_DOUBLE_EQ(read.domain.minimum[0], -0.08);
+  EXPECT_DOUBLE_EQ(read.domain.maximum[1], 0.09);
+  EXPECT_EQ(read.domain.maximum[2], 0.0);
+}
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = minimal;
+  text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+TEST(Read, MaterialsOverTheLibrary) {
+  const std::string table =
+      "[materials.soft]\nbase = \"tofu\"\nyoungs_modulus = \"50 kPa\"\n[[body]]\nname = \"block\"";
+  std::string text = with("[[body]]\nname = \"block\"", table);
+  text.replace(text.find("\"tofu\"\nshape"), 6, "\"soft\"");
+  const Case read = parse_case(text, "soft.toml");
+  ASSERT_EQ(read.materials[0].name, "soft");
+  EXPECT_EQ(read.materials[0].youngs_modulus, 5e4);
+  EXPECT_EQ(read.materials[0].density, 940.0);
+  EXPECT_EQ(read.materials[0].failure_strain, 0.1);
+}
+
+TEST(Read, SoundOfFallingWater) {
+  const Case read = parse_case(R"(title = "dam"
+dimension = 2
+gravity = ["0 m/s2", "-9.81 m/s2"]
+[time]
+end = "1 s"
+[[body]]
+name = "column"
+material = "water"
+shape = { type = "box", minimum = ["0 m", "0 m"], maximum = ["1 m", "2 m"] }
+spacing = "10 mm"
+)",
+                               "dam.toml");
+  EXPECT_NEAR(read.materials[0].sound_speed, 10.0 * std::sqrt(2.0 * 9.81 * 2.0), 1e-12 * 62.6);
+}
+
+TEST(Read, VelocitiesAndAngles) {
+  const Case numbers = parse_case(
+      with("material = \"tofu\"", "material = \"tofu\"\nvelocity = [\"36 km/h\", \"-1 m/s\"]"),
+      "a");
+  EXPECT_EQ(numbers.bodies[0].velocity[0], "10");
+  EXPECT_EQ(numbers.bodies[0].velocity[1], "-1");
+  EXPECT_NEAR(numbers.materials[1].sound_speed, 10.0 * std::hypot(10.0, 1.0), 1e-12 * 100.0);
+  const Case tilted =
+      parse_case(with("standoff = \"20 mm\"", "standoff = \"20 mm\"\nangle = \"30 deg\""), "a");
+  EXPECT_NEAR(tilted.jets[0].angle, std::numbers::pi / 6.0, 1e-15);
+}
+
+// A case that uses everything comes back bit for bit.
+TEST(Read, EveryKindOfThingComesBack) {
+  const std::string text = R"toml(title = "all \"things\" \u00e9"
+dimension = 3
+precision = "double"
+smoothing_ratio = 1.3
+[time]
+end = "10 ms"
+courant = 0.1
+maximum_step = "3 us"
+[materials.juice]
+base = "water"
+sound_speed_factor = 13
+[[body]]
+name = "tube"
+material = "rubber"
+lattice = "hexagonal"
+offset = ["0.3 mm", "0 mm", "-1 mm"]
+spacing = "3 mm"
+velocity_expression = ["0.1*sin(pi*x/0.2)", "z", "0"]
+[body.shape]
+type = "difference"
+parts = [
+  { type = "union", parts = [
+    { type = "ring", centre = ["0 m", "0 m", "0 m"], radius = "40 mm", inner_radius = "11 mm", axis = [1, 2, 3], length = "50 mm" },
+    { type = "sphere", centre = ["0 m", "0 m", "0 m"], radius = "33 mm" } ] },
+  { type = "polygon", vertices = [["0 m", "0 m"], ["9 mm", "0 m"], ["0 m", "7 mm"]], depth_minimum = "-9 mm", depth_maximum = "9 mm" },
+]
+[[body]]
+name = "holder"
+material = "rubber"
+joined_to = "tube"
+fixed = true
+spacing = "3 mm"
+shape = { type = "box", minimum = ["200 mm", "0 m", "0 m"], maximum = ["230 mm", "30 mm", "30 mm"] }
+[[body]]
+name = "piston"
+role = "rigid"
+repelling_layer = "front"
+displacement_expression = ["0", "0.1*t", "1e-3*sin(20*t)"]
+spacing = "3 mm"
+shape = { type = "disc", centre = ["0 m", "-200 mm", "0 m"], radius = "40 mm", length = "10 mm", axis = [0.1, 0.2, 0.3] }
+[[jet]]
+name = "jet"
+material = "juice"
+speed = "7 m/s"
+diameter = "9 mm"
+position = ["0 m", "50 mm", "0 m"]
+standoff = "37 mm"
+angle = "17 deg"
+azimuth = "-33 deg"
+spacing = "1 mm"
+start = "1 ms"
+stop = "7 ms"
+profile = "power"
+[backflow_eraser]
+speed_fraction = 0.1
+[[probe]]
+name = "p"
+position = ["1 mm", "2 mm", "3 mm"]
+[[probe]]
+name = "q"
+kind = "plane"
+position = ["1 mm", "2 mm", "3 mm"]
+normal = [1, 1, 1]
+[artificial_stress]
+[output]
+frame_times = ["0 s", "1.1 ms", "7 ms"]
+picture_times = []
+checkpoint_interval = "1 h"
+)toml";
+  const Case read = parse_case(text, "all.toml");
+  const std::string used = write_used(read);
+  EXPECT_EQ(parse_case(used, "case.used.toml"), read) << used;
+  EXPECT_EQ(read.artificial_stress.epsilon, 0.3);
+  EXPECT_EQ(read.output.checkpoint_interval, 3600.0);
+  EXPECT_EQ(read.jets[0].profile, "(1 - r)^(1/7)");
+  EXPECT_EQ(read.bodies[2].repelling_layer, RepellingLayer::front);
+  EXPECT_EQ(read.materials[0].sound_speed, 13.0 * 7.0);
+}
+
+TEST(Schema, KeysPageIsUpToDate) {
+  std::ifstream stream(KERF_SOURCE_DIR "/docs/keys.md");
+  const std::string page{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(page, keys_page()) << "write it anew: kerf check --keys > docs/keys.md";
+}
+
+// Defaults obey their own bounds, and every key is in a section that has a heading.
+TEST(Schema, IsConsistent) {
+  for (const Key& key : schema()) {
+    bool headed = false;
+    for (const SectionText& section : schema_sections()) headed |= section.section == key.section;
+    EXPECT_TRUE(headed) << key.name;
+    EXPECT_FALSE(key.sentence.empty() || key.sentence.back() == '.') << key.name;
+    EXPECT_EQ(key.kind == ValueKind::word, !key.choices.empty()) << key.name;
+    if (key.kind == ValueKind::number && !key.computed() && !key.required()) {
+      EXPECT_TRUE(in_range(key, std::stod(std::string(key.standard)))) << key.name;
+    }
+  }
+}
+
+TEST(MaterialLibrary, HoldsWhatThePaperSays) {
+  const Material tofu = find_library_material("tofu")->material();
+  EXPECT_EQ(tofu.density, 940.0);
+  EXPECT_EQ(tofu.youngs_modulus, 1e5);
+  EXPECT_EQ(tofu.poisson_ratio, 0.3);
+  EXPECT_EQ(tofu.failure_strain, 0.1);
+  EXPECT_EQ(tofu.artificial_linear, 2.5);
+  EXPECT_EQ(tofu.artificial_quadratic, 2.5);
+  const Material water = find_library_material("water")->material();
+  EXPECT_EQ(water.artificial_linear, 0.01);
+  EXPECT_EQ(water.artificial_softening, 0.1);
+  EXPECT_EQ(water.tait_exponent, 7.0);
+  for (const LibraryMaterial& entry : material_library())
+    for (const LibraryValue& value : entry.values) EXPECT_GT(value.source.size(), 10u);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/result.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "output/ledger_table.hpp"
+
+namespace kerf {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+RunOutcome outcome_with_jet() {
+  RunOutcome outcome;
+  outcome.description.jets.emplace_back();
+  outcome.description.jets[0].standoff = 0.02;
+  outcome.description.title = "a \"title\"";
+  outcome.derived.jet_resolution = 12.0;
+  outcome.derived.mach = 0.1;
+  outcome.derived.solid_to_water_spacing = 1.0;
+  outcome.time = 0.03;
+  outcome.cut.last.front_depth = 0.0123;
+  outcome.ledger.energy_in = 1.0;
+  outcome.ledger.kinetic = 1.0;
+  return outcome;
+}
+
+TEST(Result, HasEveryPromisedKey) {
+  const auto result = result_of(outcome_with_jet());
+  for (const char* key : {"cut_through",
+                          "cut_through_time",
+                          "front_speed",
+                          "pieces",
+                          "fractured_fraction",
+                          "V_over_cR",
+                          "V_over_cp",
+                          "cauchy_number",
+                          "regime",
+                          "mass_error",
+                          "momentum_error",
+                          "energy_drift",
+                          "steps",
+                          "particles",
+                          "wall_time",
+                          "title",
+                          "case",
+                          "dimension",
+                          "formulation",
+                          "precision",
+                          "version",
+                          "compiler",
+                          "threads",
+                          "end_time",
+                          "front_depth",
+                          "fractured_width",
+                          "kerf_width",
+                          "pair_interactions",
+                          "time_step_limits",
+                          "ledger",
+                          "jet_resolution",
+                          "validity",
+                          "stage_times"})
+    EXPECT_TRUE(result.contains(key)) << key;
+  EXPECT_EQ(result.at("ledger").size(), ledger_terms().size());
+}
+
+TEST(Result, CutThroughTimeIsNullUntilThereIsOne) {
+  RunOutcome outcome = outcome_with_jet();
+  EXPECT_TRUE(result_of(outcome).at("cut_through_time").is_null());
+  outcome.cut.cut_through = true;
+  outcome.cut.cut_through_time = 0.0221;
+  EXPECT_EQ(result_of(outcome).at("cut_through_time"), 0.0221);
+}
+
+TEST(Result, IsJsonWhateverTheNumbers) {
+  RunOutcome outcome = outcome_with_jet();
+  outcome.cut.front_speed = std::numeric_limits<double>::infinity();
+  outcome.ledger.kinetic = std::numeric_limits<double>::quiet_NaN();
+  const auto read = nlohmann::json::parse(result_of(outcome).dump());
+  EXPECT_TRUE(read.at("front_speed").is_null());
+  EXPECT_TRUE(read.at("energy_drift").is_null());
+  EXPECT_EQ(read.at("title"), "a \"title\"");
+}
+
+TEST(Verdict, SaysWhatHappened) {
+  RunOutcome outcome = outcome_with_jet();
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet does not cut through within 30 ms; its front is 12.3 mm deep.");
+  outcome.cut.cut_through = true;
+  outcome.cut.cut_through_time = 0.0221;
+  outcome.cut.last.pieces = 2;
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet cuts through after 22.1 ms; at the end the workpiece is in 2 pieces.");
+  outcome.description.jets.clear();
+  EXPECT_THAT(verdict_of(outcome), HasSubstr("no jet"));
+}
+
+TEST(Validity, NamesWhatIsWeakAndOnlyThat) {
+  RunOutcome outcome = outcome_with_jet();
+  const auto good = validity_of(outcome);
+  EXPECT_THAT(good, Contains("The jet is 12 particles wide."));
+  EXPECT_THAT(good, Contains(HasSubstr("closes to 0%")));
+  EXPECT_THAT(good, Contains(HasSubstr("air drag and break-up")));
+  EXPECT_THAT(good, Contains(HasSubstr("Abrasive is not modelled")));
+  EXPECT_THAT(good, Not(Contains(HasSubstr("slip between"))));
+  EXPECT_THAT(good, Not(Contains(HasSubstr("still cutting"))));
+
+  outcome.derived.jet_resolution = 5.0;
+  outcome.derived.mach = 0.3;
+  outcome.derived.solid_to_water_spacing = 2.0;
+  outcome.ledger.kinetic = 1.05;
+  outcome.still_cutting = true;
+  const auto weak = validity_of(outcome);
+  EXPECT_THAT(weak.front(), HasSubstr("still cutting"));
+  EXPECT_THAT(weak, Contains(HasSubstr("only 5 particles wide")));
+  EXPECT_THAT(weak, Contains(HasSubstr("0.3, over 0.1")));
+  EXPECT_THAT(weak, Contains(HasSubstr("2 times the water's")));
+  EXPECT_THAT(weak, Contains(HasSubstr("off by 5%")));
+}
+
+TEST(StillCutting, LooksAtTheLastTenth) {
+  std::vector<CutState> history(101);
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    history[i].time = static_cast<double>(i);
+    history[i].front_depth = std::min(80.0, static_cast<double>(i));
+  }
+  EXPECT_FALSE(still_cutting(history));
+  for (std::size_t i = 0; i < history.size(); ++i) history[i].front_depth = static_cast<double>(i);
+  EXPECT_TRUE(still_cutting(history));
+  history.back().cut_through = true;
+  EXPECT_FALSE(still_cutting(history));
+  EXPECT_FALSE(still_cutting({}));
+}
+
+TEST(LedgerTerms, EachHasOnePlace) {
+  for (const LedgerTerm& term : ledger_terms())
+    EXPECT_NE(term.scalar == nullptr, term.vector == nullptr) << term.name;
+}
+
+}  // namespace
+}  // namespace kerf
