@@ -27,12 +27,16 @@ if(KERF_CUDA)
     set(CMAKE_CUDA_ARCHITECTURES 90)
   endif()
   enable_language(CUDA)
-  find_package(CUDAToolkit REQUIRED)
   set(CMAKE_CUDA_STANDARD 20)
+  if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)  # CMake 3.25 does not know nvcc's flag
+    set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION "-std=c++20")
+    set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION "-std=c++20")
+  endif()
+  find_package(CUDAToolkit REQUIRED)
   target_compile_definitions(kerf_thrust INTERFACE KERF_CUDA=1)
-  # Eigen's headers mark more functions for the device than nvcc can use; those warnings are not ours.
-  target_compile_options(kerf_thrust INTERFACE $<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr
-    -diag-suppress=20011,20012,20013,20014,20015>)
+  # Eigen's headers mark more functions for the device than nvcc can use: not our warnings.
+  target_compile_options(kerf_thrust INTERFACE $<$<COMPILE_LANGUAGE:CUDA>:
+    --expt-relaxed-constexpr -diag-suppress=20011,20012,20013,20014,20015>)
   target_link_libraries(kerf_thrust INTERFACE CUDA::cudart TBB::tbb)
 else()
   find_path(THRUST_INCLUDE thrust/version.h REQUIRED)

@@ -13,7 +13,6 @@ target_link_libraries(kerf_verify PUBLIC kerf_engine kerf_measure tomlplusplus::
   PRIVATE nlohmann_json::nlohmann_json)
 target_link_libraries(kerf_app PUBLIC kerf_engine kerf_measure kerf_report kerf_verify CLI11::CLI11 spdlog::spdlog)
 if(KERF_CUDA)
-  file(GLOB kerf_device_sources ${CMAKE_SOURCE_DIR}/src/simulation/instantiate_*.cpp
-    ${CMAKE_SOURCE_DIR}/src/exec/*.cpp)
+  file(GLOB kerf_device_sources ${CMAKE_SOURCE_DIR}/src/simulation/instantiate_*.cpp)
   set_source_files_properties(${kerf_device_sources} PROPERTIES LANGUAGE CUDA)
 endif()

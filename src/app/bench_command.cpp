@@ -150,8 +150,9 @@ void bench(const BenchOptions& options) {
               .dump(2)
        << '\n';
   if (!file.flush())
-    throw UserError("cannot write " + options.json + "; give --json a file in a folder you may write",
-                    exit_files);
+    throw UserError(
+        "cannot write " + options.json + "; give --json a file in a folder you may write",
+        exit_files);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a case file says, as plain data in SI units. No behaviour lives here.
 // Vertical is y in two and three dimensions; a two-dimensional case is a plane-strain slice whose
-// masses, forces and energies are per metre of depth. Entries of `Point` beyond the dimension are 0.
+// masses, forces and energies are per metre of depth. Entries of `Point` beyond the dimension are
+// 0.
 #pragma once
 
 #include <array>
@@ -37,10 +38,10 @@ struct Shape {
   Kind kind = Kind::box;
   Box box;
   Point centre{};
-  Point axis{0.0, 0.0, 1.0};  // unit vector
-  double radius = 0.0;        // m
-  double inner_radius = 0.0;  // m
-  double length = 0.0;        // m
+  Point axis{0.0, 0.0, 1.0};                    // unit vector
+  double radius = 0.0;                          // m
+  double inner_radius = 0.0;                    // m
+  double length = 0.0;                          // m
   std::vector<std::array<double, 2>> vertices;  // m
   double depth_minimum = 0.0;                   // m
   double depth_maximum = 0.0;                   // m
@@ -54,13 +55,13 @@ enum class MaterialKind { elastic, water };
 struct Material {
   std::string name;
   MaterialKind kind = MaterialKind::water;
-  double density = 1000.0;        // kg/m^3, reference
-  double youngs_modulus = 0.0;    // Pa
-  double poisson_ratio = 0.0;     // 1
-  double failure_strain = 0.0;    // 1, equivalent strain at fracture; 0 = never fractures
-  double viscosity = 0.0;         // Pa s
-  double sound_speed = 0.0;       // m/s; water: resolved by the reader (10 V unless given)
-  double tait_exponent = 7.0;     // 1
+  double density = 1000.0;            // kg/m^3, reference
+  double youngs_modulus = 0.0;        // Pa
+  double poisson_ratio = 0.0;         // 1
+  double failure_strain = 0.0;        // 1, equivalent strain at fracture; 0 = never fractures
+  double viscosity = 0.0;             // Pa s
+  double sound_speed = 0.0;           // m/s; water: resolved by the reader (10 V unless given)
+  double tait_exponent = 7.0;         // 1
   double artificial_linear = 0.0;     // A of eq. (38)
   double artificial_quadratic = 0.0;  // B of eq. (38)
   double artificial_softening = 0.1;  // C of eq. (39)
@@ -81,7 +82,7 @@ struct Body {
   Shape shape;
   double spacing = 0.0;  // m
   Lattice lattice = Lattice::square;
-  Point offset{};                                    // m, shift of the lattice origin
+  Point offset{};                                      // m, shift of the lattice origin
   std::array<std::string, 3> velocity{"0", "0", "0"};  // m/s, expressions in x, y, z (m)
   bool fixed = false;
   // Prescribed displacement from the initial place, m, expressions in t (s); empty = free.
@@ -125,7 +126,7 @@ struct Probe {
   enum class Kind { point, plane };
   Kind kind = Kind::point;
   std::string name;
-  Point position{};            // m
+  Point position{};             // m
   Point normal{0.0, 1.0, 0.0};  // unit; plane only: force of the +normal side on the other side
   bool operator==(const Probe&) const = default;
 };
@@ -137,8 +138,8 @@ struct ArtificialStress {  // Gray, Monaghan & Swift (2001)
 };
 
 struct TimeControl {
-  double end = 0.0;      // s
-  double courant = 0.25;  // 1, factor of the acoustic limit
+  double end = 0.0;           // s
+  double courant = 0.25;      // 1, factor of the acoustic limit
   double maximum_step = 0.0;  // s; infinity = none
   bool operator==(const TimeControl&) const = default;
 };
@@ -157,8 +158,8 @@ struct Case {
   Formulation formulation = Formulation::shinohara2004;
   PrecisionKind precision = PrecisionKind::mixed;
   TimeControl time;
-  Point gravity{};  // m/s^2
-  Box domain;       // m; particles that leave it are removed and accounted for
+  Point gravity{};               // m/s^2
+  Box domain;                    // m; particles that leave it are removed and accounted for
   double smoothing_ratio = 1.5;  // h / spacing
   ArtificialStress artificial_stress;
   std::vector<Material> materials;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where particle loops run: a thin layer on Thrust, whose device is TBB threads in the host build
-// and an NVIDIA GPU in the CUDA build. Loop bodies are named functors (nvcc refuses extended lambdas
-// inside generic code, and a named functor gives each profile a label).
+// and an NVIDIA GPU in the CUDA build. Loop bodies are named functors (nvcc refuses extended
+// lambdas inside generic code, and a named functor gives each profile a label).
 #pragma once
 
 #include <thrust/binary_search.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <memory>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
+#include <memory>
 
 #include "simulation/simulation.hpp"
 

@@ -47,8 +47,7 @@ struct AdvanceFromStart {
 
  private:
   KERF_FUNCTION void advance_shear(Index i, const Medium<Real>& medium) const {
-    auto rate =
-        HookeSolid::shear_rate(medium, particles.shear[i], particles.velocity_gradient[i]);
+    auto rate = HookeSolid::shear_rate(medium, particles.shear[i], particles.velocity_gradient[i]);
     rate *= Real(dt);
     particles.shear[i] = particles.start_shear[i] + rate;
   }

@@ -26,15 +26,24 @@ enum class Limit : int {
 
 inline const char* limit_name(Limit limit) {
   switch (limit) {
-    case Limit::acoustic_water: return "acoustic (water)";
-    case Limit::acoustic_solid: return "acoustic (solid)";
-    case Limit::acceleration: return "acceleration";
-    case Limit::viscosity: return "viscosity";
-    case Limit::maximum_step: return "maximum step";
-    case Limit::end_of_run: return "end of run";
-    case Limit::not_a_number: return "a value that is not a number";
-    case Limit::runaway: return "a speed over ten times the fastest speed of sound";
-    case Limit::negative_density: return "a density of zero or less";
+    case Limit::acoustic_water:
+      return "acoustic (water)";
+    case Limit::acoustic_solid:
+      return "acoustic (solid)";
+    case Limit::acceleration:
+      return "acceleration";
+    case Limit::viscosity:
+      return "viscosity";
+    case Limit::maximum_step:
+      return "maximum step";
+    case Limit::end_of_run:
+      return "end of run";
+    case Limit::not_a_number:
+      return "a value that is not a number";
+    case Limit::runaway:
+      return "a speed over ten times the fastest speed of sound";
+    case Limit::negative_density:
+      return "a density of zero or less";
   }
   return "unknown";
 }
@@ -58,7 +67,7 @@ struct ParticleStepLimit {
   ParticleView<D, P> particles;
   double courant;
   double runaway_speed;  // m/s
-  double unlimited;  // s, a step longer than any
+  double unlimited;      // s, a step longer than any
 
   KERF_FUNCTION StepLimit operator()(Index i) const {
     StepLimit result{unlimited, Limit::maximum_step, i};

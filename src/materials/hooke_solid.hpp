@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elastic solid of Shinohara et al. (2004): pressure by eq. (32), p = K (rho/rho_0 - 1), and
 // deviatoric stress by Hooke's law with the Jaumann rate, eqs. (34) to (37),
-//   ds/dt = 2 G (e - tr(e)/3) + s w^T + w s,   e, w = symmetric, skew part of the velocity gradient.
+//   ds/dt = 2 G (e - tr(e)/3) + s w^T + w s,   e, w = symmetric, skew part of the velocity
+//   gradient.
 // A fractured particle carries compression only: p >= 0 and s = 0 (section 2.3).
 #pragma once
 
@@ -53,7 +54,8 @@ struct HookeSolid {
   // Deviatoric: s : s / (4 G rho).
   template <int D, class T>
   KERF_FUNCTION static double deviatoric_energy(const Medium<T>& solid,
-                                                const SymmetricTensor<D, T>& s, double compression) {
+                                                const SymmetricTensor<D, T>& s,
+                                                double compression) {
     const double square = static_cast<double>(contract(s, s));
     return square / (4.0 * solid.shear_modulus * solid.density * (1.0 + compression));
   }

@@ -14,8 +14,7 @@ struct TaitWater {
   template <class T>
   KERF_FUNCTION static T pressure(const Medium<T>& water, T compression) {  // Pa
     // expm1 and log1p keep the digits of a compression of 1e-5 in single precision.
-    return water.tait_coefficient *
-           std::expm1(water.tait_exponent * std::log1p(compression));
+    return water.tait_coefficient * std::expm1(water.tait_exponent * std::log1p(compression));
   }
 
   // Speed of sound at this density, m/s: c^2 = dp/drho.

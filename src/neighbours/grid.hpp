@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A grid of square (cubic) cells over the domain. Cells are numbered row by row along x, so that the
-// three cells beside one another in x are one run of numbers.
+// A grid of square (cubic) cells over the domain. Cells are numbered row by row along x, so that
+// the three cells beside one another in x are one run of numbers.
 #pragma once
 
 #include <cmath>

@@ -32,7 +32,7 @@ struct FindNeighbours {
   Grid<D> grid;
   const Index* cell_begin;
   double skin;
-  Index* count;      // out when neighbour is null
+  Index* count;  // out when neighbour is null
   const Index* begin;
   Index* neighbour;
 
@@ -120,8 +120,9 @@ class NeighbourList {
                         thrust::counting_iterator<Index>(0),
                         thrust::counting_iterator<Index>(cells + 1), cell_begin_.begin());
     begin_.resize(n + 1);
-    FindNeighbours<D, P> find{particles.view(), grid_,          pointer(cell_begin_), skin_,
-                              pointer(begin_),  pointer(begin_), nullptr};
+    FindNeighbours<D, P> find{
+        particles.view(), grid_,  pointer(cell_begin_), skin_, pointer(begin_),
+        pointer(begin_),  nullptr};
     for_each_index(n, find);
     thrust::fill_n(begin_.begin() + n, 1, Index(0));
     thrust::exclusive_scan(thrust::device, begin_.begin(), begin_.end(), begin_.begin());

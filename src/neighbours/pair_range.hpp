@@ -18,8 +18,7 @@ KERF_FUNCTION double pair_reach(const ParticleView<D, P>& particles, Index i, In
   if (a.phase == Phase::rigid) return 0.0;
   if (b.phase == Phase::rigid)
     return particles.has(j, flag::repelling) ? 0.5 * (double(a.spacing) + double(b.spacing)) : 0.0;
-  return CubicSpline<D>::support * 0.5 *
-         (double(a.smoothing_length) + double(b.smoothing_length));
+  return CubicSpline<D>::support * 0.5 * (double(a.smoothing_length) + double(b.smoothing_length));
 }
 
 }  // namespace kerf

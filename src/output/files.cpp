@@ -110,7 +110,7 @@ void write_file(const fs::path& path, std::string_view content) {
 }
 
 void append_to_file(const fs::path& path, std::string_view content) {
-  OpenFile file(path, O_WRONLY | O_CREAT | O_APPEND, path);
+  OpenFile file(path, O_WRONLY | O_APPEND, path);
   file.write(content);
   file.close();
 }
@@ -129,6 +129,12 @@ std::string read_file(const fs::path& path) {
   content << stream.rdbuf();
   if (stream.bad()) fail("cannot read", path, errno != 0 ? errno : EIO);
   return std::move(content).str();
+}
+
+void make_inner_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (error) fail("cannot make the folder", folder, error.value());
 }
 
 void make_folder(const fs::path& folder) {

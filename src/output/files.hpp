@@ -13,7 +13,7 @@ namespace kerf {
 // (exit_files); the old content is then still there.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-// Adds to the end of a file, which is made when missing. Throws UserError (exit_files).
+// Adds to the end of a file that is there. Throws UserError (exit_files).
 void append_to_file(const std::filesystem::path& path, std::string_view content);
 
 // Brings a file that was added to to the disk. Throws UserError (exit_files).
@@ -22,7 +22,11 @@ void sync_file(const std::filesystem::path& path);
 // Throws UserError (exit_files) when there is no such file or it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-// Throws UserError (exit_files) when the folder cannot be made.
+// Makes a folder in one that is there: a result folder that vanished must not come back empty.
+// Throws UserError (exit_files).
+void make_inner_folder(const std::filesystem::path& folder);
+
+// Makes a folder and those around it. Throws UserError (exit_files).
 void make_folder(const std::filesystem::path& folder);
 
 // Holds a folder for this process as long as it lives; the system lets go of it when the process

@@ -90,7 +90,7 @@ std::string vtkhdf_bytes(const Frame& frame) {
 }
 
 void FrameWriter::write(const Frame& frame) {
-  make_folder(folder_ / "frames");
+  make_inner_folder(folder_ / "frames");
   const std::string file = fmt::format("frames/{}_{:05}.vtkhdf", name_, times_.size());
   write_file(folder_ / file, vtkhdf_bytes(frame));
   times_.push_back(frame.time);

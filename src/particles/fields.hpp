@@ -7,49 +7,42 @@
 
 #include "core/tensor.hpp"
 #include "exec/exec.hpp"
+#include "particles/flags.hpp"
 #include "particles/medium.hpp"
 
 namespace kerf {
 
-// Bits of the field `flags`.
-namespace flag {
-inline constexpr std::uint8_t repelling = 1;  // layer of a rigid body that repels, eq. (43)
-inline constexpr std::uint8_t upstream = 2;   // jet water still inside its nozzle
-inline constexpr std::uint8_t outside = 4;    // has left the domain: to be removed
-inline constexpr std::uint8_t erased = 8;     // flows back towards its nozzle: to be removed
-}  // namespace flag
-
 // FIELD(type, name): meaning, unit.
 // State: what a checkpoint holds and a reorder moves.
-#define KERF_STATE_FIELDS(FIELD)                                                         \
-  FIELD(Point, position)              /* m */                                            \
-  FIELD(Point, build_position)        /* m, where the neighbour list was built */        \
-  FIELD(RealVector, velocity)         /* m/s */                                          \
-  FIELD(Real, compression)            /* 1, rho / rho_0 - 1 */                           \
-  FIELD(Stress, shear)                /* Pa, deviatoric (solid) or viscous (water) */    \
-  FIELD(Real, pressure_work)          /* J/kg, done against pressure so far */           \
-  FIELD(Real, inlet_speed)            /* m/s, of jet water while it is in its nozzle */  \
-  FIELD(std::uint32_t, id)            /* unique, never reused */                         \
-  FIELD(std::uint16_t, source)        /* body, or number of bodies + jet */              \
-  FIELD(std::uint8_t, fractured)      /* 1 = carries compression only */                 \
+#define KERF_STATE_FIELDS(FIELD)                                                   \
+  FIELD(Point, position)         /* m */                                           \
+  FIELD(Point, build_position)   /* m, where the neighbour list was built */       \
+  FIELD(RealVector, velocity)    /* m/s */                                         \
+  FIELD(Real, compression)       /* 1, rho / rho_0 - 1 */                          \
+  FIELD(Stress, shear)           /* Pa, deviatoric (solid) or viscous (water) */   \
+  FIELD(Real, pressure_work)     /* J/kg, done against pressure so far */          \
+  FIELD(Real, inlet_speed)       /* m/s, of jet water while it is in its nozzle */ \
+  FIELD(std::uint32_t, id)       /* unique, never reused */                        \
+  FIELD(std::uint16_t, source)   /* body, or number of bodies + jet */             \
+  FIELD(std::uint8_t, fractured) /* 1 = carries compression only */                \
   FIELD(std::uint8_t, flags)
 
 // Scratch: filled and used within one step.
-#define KERF_SCRATCH_FIELDS(FIELD)                                                       \
-  FIELD(Point, start_position)        /* m, at the start of the step */                  \
-  FIELD(RealVector, start_velocity)   /* m/s */                                          \
-  FIELD(Real, start_compression)      /* 1 */                                            \
-  FIELD(Stress, start_shear)          /* Pa */                                           \
-  FIELD(Real, pressure)               /* Pa */                                           \
-  FIELD(Real, compression_rate)       /* 1/s */                                          \
-  FIELD(Gradient, velocity_gradient)  /* 1/s, over the particle's own phase */           \
-  FIELD(RealVector, acceleration)     /* m/s^2 */                                        \
-  FIELD(RealVector, repulsion)        /* m/s^2, the part due to rigid bodies */          \
-  FIELD(Real, repulsion_potential)    /* J/kg */                                         \
-  FIELD(Stress, artificial_stress)    /* m^2/s^2 per kg/m^3: R of Gray et al. */         \
-  FIELD(Real, pressure_power)         /* W/kg, now done against pressure */              \
-  FIELD(Real, artificial_power)       /* W/kg, artificial viscosity and stress */        \
-  FIELD(Real, fracture_loss)          /* J, given up by fracture in this step */
+#define KERF_SCRATCH_FIELDS(FIELD)                                               \
+  FIELD(Point, start_position)       /* m, at the start of the step */           \
+  FIELD(RealVector, start_velocity)  /* m/s */                                   \
+  FIELD(Real, start_compression)     /* 1 */                                     \
+  FIELD(Stress, start_shear)         /* Pa */                                    \
+  FIELD(Real, pressure)              /* Pa */                                    \
+  FIELD(Real, compression_rate)      /* 1/s */                                   \
+  FIELD(Gradient, velocity_gradient) /* 1/s, over the particle's own phase */    \
+  FIELD(RealVector, acceleration)    /* m/s^2 */                                 \
+  FIELD(RealVector, repulsion)       /* m/s^2, the part due to rigid bodies */   \
+  FIELD(Real, repulsion_potential)   /* J/kg */                                  \
+  FIELD(Stress, artificial_stress)   /* m^2/s^2 per kg/m^3: R of Gray et al. */  \
+  FIELD(Real, pressure_power)        /* W/kg, now done against pressure */       \
+  FIELD(Real, artificial_power)      /* W/kg, artificial viscosity and stress */ \
+  FIELD(Real, fracture_loss)         /* J, given up by fracture in this step */
 
 template <int D, class P>
 struct FieldTypes {
@@ -74,11 +67,15 @@ struct ParticleView : FieldTypes<D, P> {
 #undef KERF_FIELD
   const Medium<Real>* media;
 
-  KERF_FUNCTION const Medium<Real>& medium(Index i) const { return media[source[i]]; }
+  KERF_FUNCTION const Medium<Real>& medium(Index i) const {
+    return media[source[i]];
+  }
   KERF_FUNCTION Real density(Index i) const {
     return medium(i).density * (Real(1) + compression[i]);
   }
-  KERF_FUNCTION bool has(Index i, std::uint8_t bits) const { return (flags[i] & bits) != 0; }
+  KERF_FUNCTION bool has(Index i, std::uint8_t bits) const {
+    return (flags[i] & bits) != 0;
+  }
   // Its motion is prescribed: a nozzle's or a clamped body's.
   KERF_FUNCTION bool is_constrained(Index i) const {
     return medium(i).constrained || has(i, flag::upstream);
@@ -101,7 +98,9 @@ class Particles : FieldTypes<D, P> {
 #undef KERF_FIELD
   Array<Medium<Real>> media;
 
-  Index size() const { return static_cast<Index>(id.size()); }
+  Index size() const {
+    return static_cast<Index>(id.size());
+  }
 
   void resize(Index count) {
 #define KERF_FIELD(type, name) name.resize(count);

@@ -61,8 +61,8 @@ void Nozzle::lay_out_columns(const Jet& jet, int dimension) {
   const double azimuth = dimension == 3 ? jet.azimuth : 0.0;
   const Point across{cosine * std::cos(azimuth), sine, cosine * std::sin(azimuth)};
   const Point aside{-std::sin(azimuth), 0.0, std::cos(azimuth)};
-  const auto offsets = dimension == 2 ? slot_offsets(jet.width, jet.spacing)
-                                      : disc_offsets(jet.width, jet.spacing);
+  const auto offsets =
+      dimension == 2 ? slot_offsets(jet.width, jet.spacing) : disc_offsets(jet.width, jet.spacing);
   const Expression profile(jet.profile, {"r"});
   double sum = 0.0;
   for (const auto& [u, w] : offsets) {

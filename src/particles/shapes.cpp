@@ -140,6 +140,7 @@ double counted_volume(const Shape& shape, int dimension) {
     return box.minimum[a] + (index + 0.5) / count * (box.maximum[a] - box.minimum[a]);
   };
   double inside = 0.0;
+  // budget: nesting: three axes and a test
   for (int k = 0; k < layers; ++k)
     for (int j = 0; j < count; ++j)
       for (int i = 0; i < count; ++i)

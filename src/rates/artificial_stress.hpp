@@ -26,8 +26,7 @@ struct TensileRepulsion {
     const Real h = pair.smoothing_length;
     const Real spacing = Real(0.5) * (pair.medium_i->spacing + pair.medium_j->spacing);
     const Real f = CubicSpline<D>::value(pair.distance, h) / CubicSpline<D>::value(spacing, h);
-    const auto stress =
-        particles.artificial_stress[pair.i] + particles.artificial_stress[pair.j];
+    const auto stress = particles.artificial_stress[pair.i] + particles.artificial_stress[pair.j];
     const auto force = (pair.medium_j->mass * std::pow(f, exponent)) * (stress * pair.gradient);
     sum.repulsive += force;
     sum.opposed_power -= Real(0.5) * dot(pair.velocity, force);

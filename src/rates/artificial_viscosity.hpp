@@ -2,10 +2,11 @@
 // Artificial viscosity, eqs. (38) and (39) of Shinohara et al. (2004), over all pairs, eq. (26):
 //   Pi_ij = (-A c theta + B theta^2) / rho   for v_ij . d_ij < 0, else 0,
 //   theta = h v_ij . d_ij / (d_ij^2 + C h^2),   c, rho, h: means of i and j.
-// Two misprints of the paper are settled: (39) prints C h, which has the wrong dimension, and in (26)
-// the term must oppose approach, so it enters with the sign of a pressure: dv_i/dt = -sum m_j Pi nabla W.
-// A and B belong to a phase; a pair of water and solid, which the paper leaves open, takes their
-// geometric mean, so that nearly inviscid water stays so beside a strongly damped solid.
+// Two misprints of the paper are settled: (39) prints C h, which has the wrong dimension, and in
+// (26) the term must oppose approach, so it enters with the sign of a pressure: dv_i/dt = -sum m_j
+// Pi nabla W. A and B belong to a phase; a pair of water and solid, which the paper leaves open,
+// takes their geometric mean, so that nearly inviscid water stays so beside a strongly damped
+// solid.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Continuity, eq. (22) of Shinohara et al. (2004), over water and solid together, which is what makes
-// the impact pressure:  d rho_i/dt = sum_j m_j (v_i - v_j) . nabla_i W_ij.
-// Kept as the rate of compression rho/rho_0 - 1.
+// Continuity, eq. (22) of Shinohara et al. (2004), over water and solid together, which is what
+// makes the impact pressure:  d rho_i/dt = sum_j m_j (v_i - v_j) . nabla_i W_ij. Kept as the rate
+// of compression rho/rho_0 - 1.
 #pragma once
 
 #include "rates/pair.hpp"

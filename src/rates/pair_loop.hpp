@@ -46,8 +46,7 @@ struct FilteredPairLoop : Terms... {
       if (!filter(particles, i, pair.j)) continue;
       pair.medium_i = &medium_i;
       pair.medium_j = &particles.medium(pair.j);
-      pair.separation =
-          Vector<D, Real>::from(particles.position[i] - particles.position[pair.j]);
+      pair.separation = Vector<D, Real>::from(particles.position[i] - particles.position[pair.j]);
       pair.distance = norm(pair.separation);
       if (pair.medium_j->phase == Phase::rigid) {
         if constexpr (feels_rigid) add_rigid(pair, sums);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pressure part of the momentum equation (26) of Shinohara et al. (2004), over all pairs:
 //   dv_i/dt = - sum_j m_j (p_i + p_j) / (rho_i rho_j) nabla_i W_ij.
-// Fractured solid and separate pieces of solid only press on each other: there neither side may pull
-// (section 2.3: "only compressive force acts"). The work against these forces is the thermal energy
-// equation that belongs to them (Monaghan 1992), half of a pair's on each side:
+// Fractured solid and separate pieces of solid only press on each other: there neither side may
+// pull (section 2.3: "only compressive force acts"). The work against these forces is the thermal
+// energy equation that belongs to them (Monaghan 1992), half of a pair's on each side:
 //   du_i/dt = 1/2 sum_j m_j (p_i + p_j) / (rho_i rho_j) v_ij . nabla_i W_ij.
 #pragma once
 

@@ -31,14 +31,15 @@ class Rates {
   void evaluate(Particles<D, P>& particles, const NeighbourView& list) const {
     const auto view = particles.view();
     const Index n = particles.size();
-    for_each_index(n, PairLoop<D, P, Continuity<D, P>, VelocityGradient<D, P>>(view, list, {},
-                                                                              {}, {}));
+    for_each_index(
+        n, PairLoop<D, P, Continuity<D, P>, VelocityGradient<D, P>>(view, list, {}, {}, {}));
     for_each_index(n, UpdateStress<D, P>{view});
     if (epsilon_ > Real(0)) for_each_index(n, ArtificialStressTensor<D, P>{view, epsilon_});
     accelerate(particles, view, list, EveryPair{}, body_force_);
   }
 
-  // Accelerations by the pairs that `filter` chooses; into view.acceleration, from stresses at hand.
+  // Accelerations by the pairs that `filter` chooses; into view.acceleration, from stresses at
+  // hand.
   template <class Filter>
   void accelerate(const Particles<D, P>& particles, const ParticleView<D, P>& view,
                   const NeighbourView& list, const Filter& filter,
@@ -50,10 +51,10 @@ class Rates {
                               ArtificialViscosity<D, P>, Repulsion<D, P>, TensileRepulsion<D, P>>(
                  view, list, filter, body_force, {}, {}, {}, {}, tensile_));
     } else {
-      for_each_index(n, FilteredPairLoop<D, P, Filter, BodyForce<D, P>, PressureForce<D, P>,
-                                         ShearForce<D, P>, ArtificialViscosity<D, P>,
-                                         Repulsion<D, P>>(view, list, filter, body_force, {}, {},
-                                                          {}, {}));
+      for_each_index(
+          n, FilteredPairLoop<D, P, Filter, BodyForce<D, P>, PressureForce<D, P>, ShearForce<D, P>,
+                              ArtificialViscosity<D, P>, Repulsion<D, P>>(
+                 view, list, filter, body_force, {}, {}, {}, {}));
     }
   }
 

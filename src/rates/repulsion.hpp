@@ -27,8 +27,7 @@ struct Repulsion {
     const Real strength = pair.medium_j->repulsion;
     sum.repulsion += (strength * (ratio2 * ratio2 - ratio2) / (d * d)) * pair.separation;
     // Integral of f from d to d_0.
-    sum.potential +=
-        strength * (Real(0.25) * ratio2 * ratio2 - Real(0.5) * ratio2 + Real(0.25));
+    sum.potential += strength * (Real(0.25) * ratio2 * ratio2 - Real(0.5) * ratio2 + Real(0.25));
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     particles.repulsion[i] = sum.repulsion;

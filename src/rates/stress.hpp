@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stress of each particle from its state: pressure by the equation of state, eqs. (15) and (32), and
-// for water the viscous stress mu V, eqs. (28) to (31),
+// Stress of each particle from its state: pressure by the equation of state, eqs. (15) and (32),
+// and for water the viscous stress mu V, eqs. (28) to (31),
 //   V = grad v + (grad v)^T - (2/3) div v.
 #pragma once
 
@@ -30,8 +30,8 @@ struct UpdateStress {
   }
 
  private:
-  KERF_FUNCTION static SymmetricTensor<D, Real> viscous_stress(
-      Real viscosity, const Matrix<D, Real>& gradient) {
+  KERF_FUNCTION static SymmetricTensor<D, Real> viscous_stress(Real viscosity,
+                                                               const Matrix<D, Real>& gradient) {
     auto stress = SymmetricTensor<D, Real>::zero();
     for (int a = 0; a < D; ++a)
       for (int b = a; b < D; ++b) stress(a, b) = viscosity * (gradient(a, b) + gradient(b, a));

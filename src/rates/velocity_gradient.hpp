@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Velocity gradient over the particle's own phase, the sums in eqs. (30), (36) and (37) of Shinohara
-// et al. (2004):  d v_a / d x_b = sum_j (m_j/rho_j) (v_j - v_i)_a d W_ij / d x_b.
-// In a solid only intact particles of the same piece count: a strain against something that has
-// broken away is no strain, and the shear force works over the same pairs.
+// Velocity gradient over the particle's own phase, the sums in eqs. (30), (36) and (37) of
+// Shinohara et al. (2004):  d v_a / d x_b = sum_j (m_j/rho_j) (v_j - v_i)_a d W_ij / d x_b. In a
+// solid only intact particles of the same piece count: a strain against something that has broken
+// away is no strain, and the shear force works over the same pairs.
 #pragma once
 
 #include "rates/pair.hpp"

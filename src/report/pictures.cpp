@@ -13,7 +13,7 @@ std::string PictureWriter::file(std::size_t index) const {
 }
 
 void PictureWriter::write(const Frame& frame) {
-  make_folder(folder_ / "pictures");
+  make_inner_folder(folder_ / "pictures");
   write_file(folder_ / file(times_.size()), draw_picture(frame, description_));
   times_.push_back(frame.time);
 }

@@ -13,10 +13,9 @@ void report_breakdown(const Case& description, const Breakdown& breakdown) {
       breakdown.source < bodies
           ? fmt::format("body '{}'", description.bodies[breakdown.source].name)
           : fmt::format("jet '{}'", description.jets[breakdown.source - bodies].name);
-  const std::string what =
-      breakdown.fault ? fmt::format("has {}", breakdown.cause)
-                      : fmt::format("needs a time step of {:.3g} s ({})", breakdown.dt,
-                                    breakdown.cause);
+  const std::string what = breakdown.fault ? fmt::format("has {}", breakdown.cause)
+                                           : fmt::format("needs a time step of {:.3g} s ({})",
+                                                         breakdown.dt, breakdown.cause);
   const Point& x = breakdown.position;
   throw UserError(
       fmt::format("the run broke down at t = {:.6g} s, step {}: particle {} of {} at "

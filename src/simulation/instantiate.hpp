@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only list of what is compiled: dimension and precision, one translation unit each so that they
-// build side by side.
+// The only list of what is compiled: dimension and precision, one translation unit each so that
+// they build side by side.
 #pragma once
 
 #include <memory>

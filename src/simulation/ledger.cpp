@@ -7,7 +7,9 @@
 namespace kerf {
 namespace {
 
-double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
+double length(const std::array<double, 3>& v) {
+  return std::hypot(v[0], v[1], v[2]);
+}
 
 double energy_supplied(const Ledger& ledger) {
   return ledger.energy_initial + ledger.energy_in + std::max(0.0, ledger.work_gravity) +
@@ -26,10 +28,9 @@ double Ledger::momentum_error() const {
   for (std::size_t a = 0; a < 3; ++a)
     gap[a] = momentum_now[a] - momentum_initial[a] - momentum_in[a] + momentum_out[a] -
              impulse_gravity[a] - impulse_plate[a] - impulse_constraint[a];
-  const double scale =
-      std::max({length(momentum_initial), length(momentum_now), length(momentum_in),
-                length(impulse_gravity), length(impulse_plate), length(impulse_constraint),
-                momentum_scale});
+  const double scale = std::max(
+      {length(momentum_initial), length(momentum_now), length(momentum_in), length(impulse_gravity),
+       length(impulse_plate), length(impulse_constraint), momentum_scale});
   return scale > 0.0 ? length(gap) / scale : 0.0;
 }
 

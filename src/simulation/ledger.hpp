@@ -10,33 +10,33 @@ namespace kerf {
 struct Ledger {
   // Mass, kg.
   double mass_initial = 0.0;
-  double mass_in = 0.0;       // created at the nozzles
-  double mass_out = 0.0;      // left the domain
-  double mass_erased = 0.0;   // removed by the back-flow eraser
-  double mass_now = 0.0;      // sum over the particles there are
+  double mass_in = 0.0;      // created at the nozzles
+  double mass_out = 0.0;     // left the domain
+  double mass_erased = 0.0;  // removed by the back-flow eraser
+  double mass_now = 0.0;     // sum over the particles there are
   double mass_fractured = 0.0;
-  double jet_mass_due = 0.0;  // integral of rho V A since the start
+  double jet_mass_due = 0.0;      // integral of rho V A since the start
   double jet_mass_carried = 0.0;  // the part of it not yet a whole layer: due = in + carried
 
   // Momentum, kg m/s.
   std::array<double, 3> momentum_initial{};
   std::array<double, 3> momentum_now{};
   std::array<double, 3> momentum_in{};
-  std::array<double, 3> momentum_out{};      // with leavers and erased water
+  std::array<double, 3> momentum_out{};  // with leavers and erased water
   std::array<double, 3> impulse_gravity{};
-  std::array<double, 3> impulse_plate{};      // of rigid bodies on the particles
+  std::array<double, 3> impulse_plate{};       // of rigid bodies on the particles
   std::array<double, 3> impulse_constraint{};  // of nozzles, clamps and prescribed motion
-  std::array<double, 3> force_plate{};        // N, of the particles on the rigid bodies, last step
+  std::array<double, 3> force_plate{};         // N, of the particles on the rigid bodies, last step
   double momentum_scale = 0.0;  // kg m/s, sum of m |v| now: a scale where momenta cancel
 
   // Energy, J.
-  double energy_initial = 0.0;   // kinetic + stored at t = 0
+  double energy_initial = 0.0;  // kinetic + stored at t = 0
   double energy_in = 0.0;
   double energy_out = 0.0;
   double work_gravity = 0.0;
   double work_constraint = 0.0;
-  double kinetic = 0.0;          // now
-  double pressure_work = 0.0;    // done against the pressure forces of eq. (26) so far
+  double kinetic = 0.0;        // now
+  double pressure_work = 0.0;  // done against the pressure forces of eq. (26) so far
   double elastic_deviatoric = 0.0;
   double plate_potential = 0.0;
   double dissipated_artificial = 0.0;  // integrated
@@ -48,10 +48,10 @@ struct Ledger {
   double stored_water = 0.0;
   double stored_solid = 0.0;
 
-  double mass_error() const;      // relative to all mass that ever was
-  double momentum_error() const;  // relative to the largest momentum or impulse term
-  double energy_drift() const;    // relative to all energy that ever came in
-  double energy_total() const;    // now, stored + dissipated
+  double mass_error() const;           // relative to all mass that ever was
+  double momentum_error() const;       // relative to the largest momentum or impulse term
+  double energy_drift() const;         // relative to all energy that ever came in
+  double energy_total() const;         // now, stored + dissipated
   double pressure_energy_gap() const;  // (stored by eq. of state - pressure work) / energy come in
 };
 

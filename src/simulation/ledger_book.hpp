@@ -23,11 +23,11 @@ class LedgerBook {
   }
 
   void book_step(Particles<D, P>& particles, const Vector<D, double>& gravity, double dt) {
-    for_each_index(particles.size(), AddPressureWork<D, P>{particles.view(),
-                                                           static_cast<typename P::Real>(dt)});
+    for_each_index(particles.size(),
+                   AddPressureWork<D, P>{particles.view(), static_cast<typename P::Real>(dt)});
     using Change = StepChange<D, P>;
-    const auto sum = change_sum_(
-        particles.size(), Change{particles.view(), pointer(mass_of_), gravity, dt});
+    const auto sum =
+        change_sum_(particles.size(), Change{particles.view(), pointer(mass_of_), gravity, dt});
     for (int a = 0; a < D; ++a) {
       const auto axis = static_cast<std::size_t>(a);
       ledger_.impulse_plate[axis] += sum.value[Change::plate + a];
@@ -43,8 +43,7 @@ class LedgerBook {
 
   void book_leavers(Particles<D, P>& particles) {
     using Leavers = LeaverSum<D, P>;
-    const auto sum =
-        leaver_sum_(particles.size(), Leavers{particles.view(), pointer(mass_of_)});
+    const auto sum = leaver_sum_(particles.size(), Leavers{particles.view(), pointer(mass_of_)});
     ledger_.mass_out += sum.value[Leavers::mass_out];
     ledger_.mass_erased += sum.value[Leavers::mass_erased];
     for (int a = 0; a < D; ++a)

@@ -36,8 +36,17 @@ struct ParticleEnergy {
 // Changes over one step, from the rates at its middle and the states at both ends.
 template <int D, class P>
 struct StepChange {
-  enum Slot { plate = 0, constraint = D, mass = 2 * D, gravity_work, constraint_work, artificial,
-              viscous, fracture, slots };
+  enum Slot {
+    plate = 0,
+    constraint = D,
+    mass = 2 * D,
+    gravity_work,
+    constraint_work,
+    artificial,
+    viscous,
+    fracture,
+    slots
+  };
   ParticleView<D, P> particles;
   const double* mass_of;  // kg, per source
   Vector<D, double> gravity;
@@ -55,9 +64,8 @@ struct StepChange {
     sum.value[artificial] += m * dt * double(particles.artificial_power[i]);
     sum.value[fracture] += double(particles.fracture_loss[i]);
     if (medium.phase == Phase::water)
-      sum.value[viscous] +=
-          m * dt / double(particles.density(i)) *
-          double(contract(particles.shear[i], particles.velocity_gradient[i]));
+      sum.value[viscous] += m * dt / double(particles.density(i)) *
+                            double(contract(particles.shear[i], particles.velocity_gradient[i]));
     if (!particles.is_constrained(i)) return;
     const auto before = Vector<D, double>::from(particles.start_velocity[i]);
     const auto after = Vector<D, double>::from(particles.velocity[i]);
@@ -83,9 +91,20 @@ struct AddPressureWork {
 // What there is now.
 template <int D, class P>
 struct StateSum {
-  enum Slot { mass = 0, fractured_mass, momentum, kinetic = momentum + D, pressure_work,
-              deviatoric, stored_water, stored_solid, plate_potential, plate_force,
-              momentum_scale = plate_force + D, slots };
+  enum Slot {
+    mass = 0,
+    fractured_mass,
+    momentum,
+    kinetic = momentum + D,
+    pressure_work,
+    deviatoric,
+    stored_water,
+    stored_solid,
+    plate_potential,
+    plate_force,
+    momentum_scale = plate_force + D,
+    slots
+  };
   ParticleView<D, P> particles;
   const double* mass_of;
 

@@ -2,8 +2,8 @@
 #include "simulation/populate.hpp"
 
 #include "case/expression.hpp"
-#include "particles/fields.hpp"
 #include "particles/fill.hpp"
+#include "particles/flags.hpp"
 
 namespace kerf {
 namespace {
@@ -41,8 +41,7 @@ std::vector<NewParticle> inlet_particles(const std::vector<InletParticle>& water
     particle.source = static_cast<std::uint16_t>(source);
     particle.flags = flag::upstream;
     if (open)
-      for (std::size_t a = 0; a < 3; ++a)
-        particle.velocity[a] = drop.speed * nozzle.direction()[a];
+      for (std::size_t a = 0; a < 3; ++a) particle.velocity[a] = drop.speed * nozzle.direction()[a];
     particles.push_back(particle);
   }
   return particles;
@@ -56,8 +55,8 @@ std::vector<NewParticle> initial_particles(const Case& description,
              particles);
   for (std::size_t j = 0; j < nozzles.size(); ++j) {
     const bool open = description.jets[j].start <= 0.0;
-    for (const NewParticle& particle : inlet_particles(
-             nozzles[j].standing_water(), nozzles[j], description.bodies.size() + j, open))
+    for (const NewParticle& particle : inlet_particles(nozzles[j].standing_water(), nozzles[j],
+                                                       description.bodies.size() + j, open))
       particles.push_back(particle);
   }
   return particles;

@@ -11,8 +11,8 @@
 namespace kerf {
 
 struct NewParticle {
-  Point position{};  // m
-  Point velocity{};  // m/s
+  Point position{};          // m
+  Point velocity{};          // m/s
   double inlet_speed = 0.0;  // m/s
   std::uint16_t source = 0;
   std::uint8_t flags = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes: pressure and velocity at a point by kernel interpolation, and the force that one side of a
-// plane exerts on the other, which is the sum of the pair forces across it.
+// Probes: pressure and velocity at a point by kernel interpolation, and the force that one side of
+// a plane exerts on the other, which is the sum of the pair forces across it.
 #pragma once
 
 #include "case/case.hpp"
@@ -20,9 +20,8 @@ struct PointSum {
     const auto& medium = particles.medium(i);
     if (medium.phase == Phase::rigid) return;
     const auto r = particles.position[i] - point;
-    const double w =
-        CubicSpline<D>::value(norm(r), double(medium.smoothing_length)) *
-        (double(medium.mass) / double(particles.density(i)));
+    const double w = CubicSpline<D>::value(norm(r), double(medium.smoothing_length)) *
+                     (double(medium.mass) / double(particles.density(i)));
     sum.value[weight] += w;
     sum.value[pressure] += w * double(particles.pressure[i]);
     for (int a = 0; a < D; ++a) sum.value[velocity + a] += w * double(particles.velocity[i][a]);

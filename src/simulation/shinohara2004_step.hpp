@@ -64,7 +64,7 @@ double Shinohara2004<D, P>::choose_step() {
   const double longest =
       case_.time.maximum_step > 0.0 ? std::min(case_.time.maximum_step, remaining) : remaining;
   const ParticleStepLimit<D, P> limit{particles_.view(), case_.time.courant, runaway_speed_,
-                                       longest};
+                                      longest};
   StepLimit chosen{longest, longest < remaining ? Limit::maximum_step : Limit::end_of_run, 0};
   const StepLimit least = reduce_unordered(particles_.size(), limit, chosen, SmallerStep{});
   if (least.dt < longest) chosen = least;

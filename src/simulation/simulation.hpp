@@ -16,8 +16,8 @@ namespace kerf {
 
 // The step that was taken, or would be taken next, and the limit that set it.
 struct StepInfo {
-  double dt = 0.0;            // s
-  std::string limit;          // e.g. "acoustic (water)", "acceleration", "end of run"
+  double dt = 0.0;                // s
+  std::string limit;              // e.g. "acoustic (water)", "acceleration", "end of run"
   std::uint64_t limiting_id = 0;  // id of the particle that set it
 };
 

@@ -51,8 +51,7 @@ const std::vector<Scalar>& find_array(const Archive& archive, const std::string&
 
 template <int D, class P>
 void restore_fields(const Archive& archive, Particles<D, P>& particles) {
-  particles.resize(
-      static_cast<Index>(find_array<std::uint32_t>(archive, "particles/id").size()));
+  particles.resize(static_cast<Index>(find_array<std::uint32_t>(archive, "particles/id").size()));
   particles.for_each_state([&](const char* name, auto& field) {
     using Entry = typename std::decay_t<decltype(field)>::value_type;
     using Scalar = ScalarOf<std::decay_t<decltype(field)>>;

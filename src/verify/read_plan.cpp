@@ -45,9 +45,9 @@ PlannedRun read_run(const toml::table& table, const std::string& owner, const So
   const Parameters keys = parameters_of(table, owner + "/reference.toml, a run");
   PlannedRun run;
   run.name = keys.text("name");
-  const std::string base = keys.text("case", "");
-  const std::string_view text = base.empty() ? find_text(sources.validation, owner + "/case")
-                                             : find_text(sources.templates, base);
+  const std::string base = keys.text("case", "case");
+  std::string_view text = find_text(sources.validation, owner + "/" + base);
+  if (text.empty()) text = find_text(sources.templates, base);
   if (text.empty()) keys.fail(fmt::format("run \"{}\" names no case", run.name));
   const toml::table* changes = table["override"].as_table();
   run.case_text = changes ? overlay(text, *changes) : std::string(text);
@@ -136,9 +136,9 @@ std::vector<VerificationCase> read_verification_cases(std::span<const EmbeddedTe
   std::vector<VerificationCase> cases;
   for (const EmbeddedText& entry : validation)
     if (entry.name.ends_with(suffix))
-      cases.push_back(read_verification(
-          std::string(entry.name.substr(0, entry.name.size() - suffix.size())),
-          {validation, templates}));
+      cases.push_back(
+          read_verification(std::string(entry.name.substr(0, entry.name.size() - suffix.size())),
+                            {validation, templates}));
   return cases;
 }
 

@@ -56,8 +56,7 @@ double period(const TimeSeries& s) {
   for (std::size_t i = 1; i < s.time.size(); ++i) {
     const double before = s.value[i - 1], after = s.value[i];
     if (before == 0.0 || (before > 0.0) == (after > 0.0)) continue;
-    crossings.push_back(s.time[i - 1] +
-                        (s.time[i] - s.time[i - 1]) * before / (before - after));
+    crossings.push_back(s.time[i - 1] + (s.time[i] - s.time[i - 1]) * before / (before - after));
   }
   if (crossings.size() < 2) return none;
   return 2.0 * (crossings.back() - crossings.front()) / static_cast<double>(crossings.size() - 1);
@@ -68,35 +67,52 @@ double largest(const TimeSeries& s) {
                            [](double a, double b) { return std::abs(a) < std::abs(b); });
 }
 
+// Greatest mean over any stretch of time "over" long: a wave's pressure without the ringing of its
+// front.
+double peak_of_mean(const TimeSeries& s, const Parameters& parameters) {
+  const double over = parameters.number("over", "s");
+  double greatest = none;
+  for (std::size_t first = 0, last = 0; last < s.time.size(); ++last) {
+    while (s.time[last] - s.time[first + 1 < last ? first + 1 : first] >= over) ++first;
+    if (s.time[last] - s.time[first] < over) continue;
+    const auto from = static_cast<std::ptrdiff_t>(first),
+               to = static_cast<std::ptrdiff_t>(last) + 1;
+    const double value = mean({{s.time.begin() + from, s.time.begin() + to},
+                               {s.value.begin() + from, s.value.begin() + to}});
+    if (!(value <= greatest)) greatest = value;
+  }
+  return greatest;
+}
+
 double time_above(const TimeSeries& s, const Parameters& parameters) {
   const double level = parameters.number("level", parameters.text("level_unit", ""));
   const auto is_above = [level](double v) { return v >= level; };
   if (parameters.text("reduce") == "first_above") {
     const auto found = std::find_if(s.value.begin(), s.value.end(), is_above);
-    return found == s.value.end() ? none : s.time[static_cast<std::size_t>(found - s.value.begin())];
+    return found == s.value.end() ? none
+                                  : s.time[static_cast<std::size_t>(found - s.value.begin())];
   }
   const auto found = std::find_if(s.value.rbegin(), s.value.rend(), is_above);
-  return found == s.value.rend()
-             ? none
-             : s.time[static_cast<std::size_t>(s.value.rend() - found) - 1];
+  return found == s.value.rend() ? none
+                                 : s.time[static_cast<std::size_t>(s.value.rend() - found) - 1];
 }
 
 }  // namespace
 
 double reduce(const TimeSeries& series, const Parameters& parameters) {
   static const std::map<std::string, std::function<double(const TimeSeries&, const Parameters&)>>
-      reductions{
-          {"last", [](const TimeSeries& s, const Parameters&) { return s.value.back(); }},
-          {"mean", [](const TimeSeries& s, const Parameters&) { return mean(s); }},
-          {"peak",
-           [](const TimeSeries& s, const Parameters&) {
-             return *std::max_element(s.value.begin(), s.value.end());
-           }},
-          {"largest", [](const TimeSeries& s, const Parameters&) { return largest(s); }},
-          {"slope", [](const TimeSeries& s, const Parameters&) { return slope(s); }},
-          {"period", [](const TimeSeries& s, const Parameters&) { return period(s); }},
-          {"first_above", time_above},
-          {"last_above", time_above}};
+      reductions{{"last", [](const TimeSeries& s, const Parameters&) { return s.value.back(); }},
+                 {"mean", [](const TimeSeries& s, const Parameters&) { return mean(s); }},
+                 {"peak",
+                  [](const TimeSeries& s, const Parameters&) {
+                    return *std::max_element(s.value.begin(), s.value.end());
+                  }},
+                 {"peak_of_mean", peak_of_mean},
+                 {"largest", [](const TimeSeries& s, const Parameters&) { return largest(s); }},
+                 {"slope", [](const TimeSeries& s, const Parameters&) { return slope(s); }},
+                 {"period", [](const TimeSeries& s, const Parameters&) { return period(s); }},
+                 {"first_above", time_above},
+                 {"last_above", time_above}};
   const auto found = reductions.find(parameters.text("reduce"));
   if (found == reductions.end())
     parameters.fail(fmt::format("there is no reduction \"{}\"", parameters.text("reduce")));

@@ -9,15 +9,17 @@
 namespace kerf {
 
 struct TimeSeries {
-  std::vector<double> time;   // s, ascending
+  std::vector<double> time;  // s, ascending
   std::vector<double> value;
 };
 
 // The number that the key "reduce" asks for, over the samples between "from" and "to":
 //   last, mean, peak (greatest value), largest (greatest magnitude, with its sign)
+//   peak_of_mean   greatest mean over a stretch of time "over" long
 //   slope          of the least-squares line, per second
 //   period         mean time between crossings of zero in the same direction
-//   first_above, last_above   the time, with "level" (in the SI unit `unit` of the signal)
+//   first_above, last_above   the time the signal is at "level" (in the SI unit "level_unit") or
+//   more
 // NaN when there is none. Throws std::logic_error for a reduction that is not there.
 double reduce(const TimeSeries& series, const Parameters& parameters);
 

@@ -2,4 +2,6 @@
 // Fails on purpose: tests/harness/CMakeLists.txt checks that the failure is noticed.
 #include <gtest/gtest.h>
 
-TEST(Harness, NoticesAFailure) { EXPECT_EQ(1, 2) << "this test is meant to fail"; }
+TEST(Harness, NoticesAFailure) {
+  EXPECT_EQ(1, 2) << "this test is meant to fail";
+}

@@ -21,8 +21,8 @@ struct Kind {
   using Precision = P;
 };
 
-// Double: what is left is the rounding of sums of some hundred terms in another order. Mixed: single
-// precision in fields and pairs.
+// Double: what is left is the rounding of sums of some hundred terms in another order. Mixed:
+// single precision in fields and pairs.
 template <class P>
 constexpr double tolerance = std::is_same_v<P, Double> ? 1e-12 : 1e-4;
 
@@ -79,8 +79,7 @@ class RatesOracle : public testing::Test {
                     due.repulsion_potential);
       add(gradient, as_eigen(Matrix<D, typename P::Real>(p.velocity_gradient[k])), due.gradient);
       add(shear, as_eigen(SymmetricTensor<D, typename P::Real>(p.shear[k])), due.shear);
-      add(acceleration, as_eigen(Vector<D, typename P::Real>(p.acceleration[k])),
-          due.acceleration);
+      add(acceleration, as_eigen(Vector<D, typename P::Real>(p.acceleration[k])), due.acceleration);
       add(repulsion, as_eigen(Vector<D, typename P::Real>(p.repulsion[k])), due.repulsion);
     }
     EXPECT_LE(continuity.error, tolerance<P> * continuity.scale);
@@ -93,8 +92,8 @@ class RatesOracle : public testing::Test {
   }
 };
 
-using Kinds = testing::Types<Kind<Two, Double>, Kind<Two, Mixed>, Kind<Three, Double>,
-                             Kind<Three, Mixed>>;
+using Kinds =
+    testing::Types<Kind<Two, Double>, Kind<Two, Mixed>, Kind<Three, Double>, Kind<Three, Mixed>>;
 TYPED_TEST_SUITE(RatesOracle, Kinds);
 
 TYPED_TEST(RatesOracle, MixedBagWithGravity) {

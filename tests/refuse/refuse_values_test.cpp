@@ -11,6 +11,7 @@ TEST(Refuse, TheGoodCaseIsGood) {
   EXPECT_EQ(message_of(good_case), "(no error)");
 }
 
+// budget: function: a table of cases reads best in one place
 TEST(Refuse, Units) {
   expect_refused({
       {"bare number",
@@ -89,6 +90,7 @@ TEST(Refuse, Units) {
   });
 }
 
+// budget: function: a table of cases reads best in one place
 TEST(Refuse, Ranges) {
   expect_refused({
       {"negative spacing",
@@ -154,6 +156,7 @@ TEST(Refuse, Ranges) {
   });
 }
 
+// budget: function: a table of cases reads best in one place
 TEST(Refuse, Types) {
   expect_refused({
       {"number for a text",

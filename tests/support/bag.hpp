@@ -81,9 +81,8 @@ inline ReferenceState random_bag(const BagChoice& choice) {
   const double step = bag_spacing;
   ReferenceState state;
   state.dimension = d;
-  state.media = {bag_water(step, d),           bag_water(2.0 * step, d),
-                 bag_solid(step, d, 2),        bag_solid(2.0 * step, d, 2),
-                 bag_solid(4.0 * step, d, 4),  bag_rigid(2.0 * step)};
+  state.media = {bag_water(step, d),          bag_water(2.0 * step, d),    bag_solid(step, d, 2),
+                 bag_solid(2.0 * step, d, 2), bag_solid(4.0 * step, d, 4), bag_rigid(2.0 * step)};
   const int layers = d == 3 ? choice.per_side : 1;
   const std::size_t kinds = state.media.size() - (choice.rigid ? 0 : 1);
   for (int k = 0; k < choice.per_side * choice.per_side * layers; ++k) {

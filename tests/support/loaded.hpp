@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The particles of a ReferenceState on the device with their neighbour list, and what became of them
-// in the order of the ReferenceState.
+// The particles of a ReferenceState on the device with their neighbour list, and what became of
+// them in the order of the ReferenceState.
 #pragma once
 
 #include <Eigen/Dense>
@@ -115,8 +115,7 @@ Matrix3 as_eigen(const SymmetricTensor<D, T>& s) {
   Matrix3 result = Matrix3::Zero();
   for (int a = 0; a < 3; ++a) result(a, a) = static_cast<double>(s(a, a));
   for (int a = 0; a < D; ++a)
-    for (int b = a + 1; b < D; ++b)
-      result(a, b) = result(b, a) = static_cast<double>(s(a, b));
+    for (int b = a + 1; b < D; ++b) result(a, b) = result(b, a) = static_cast<double>(s(a, b));
   return result;
 }
 

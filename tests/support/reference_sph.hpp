@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equations of Shinohara et al. (2004) as plain double loops over all pairs, in double precision
-// and on Eigen's three-dimensional matrices: an oracle that shares no code with the engine but the
-// plain data of a Medium.
+// The equations of Shinohara et al. (2004) as plain double loops over all pairs, in double
+// precision and on Eigen's three-dimensional matrices: an oracle that shares no code with the
+// engine but the plain data of a Medium.
 #pragma once
 
 #include <Eigen/Dense>
@@ -41,14 +41,14 @@ struct ReferenceState {
 };
 
 struct ReferenceRate {
-  double compression_rate = 0.0;              // 1/s
-  double pressure = 0.0;                      // Pa
-  Matrix3 gradient = Matrix3::Zero();         // 1/s
-  Matrix3 shear = Matrix3::Zero();            // Pa, viscous or deviatoric
-  Matrix3 artificial = Matrix3::Zero();       // R of Gray, Monaghan & Swift
-  Vector3 acceleration = Vector3::Zero();     // m/s^2
-  Vector3 repulsion = Vector3::Zero();        // m/s^2, part of the acceleration
-  double repulsion_potential = 0.0;           // J/kg
+  double compression_rate = 0.0;           // 1/s
+  double pressure = 0.0;                   // Pa
+  Matrix3 gradient = Matrix3::Zero();      // 1/s
+  Matrix3 shear = Matrix3::Zero();         // Pa, viscous or deviatoric
+  Matrix3 artificial = Matrix3::Zero();    // R of Gray, Monaghan & Swift
+  Vector3 acceleration = Vector3::Zero();  // m/s^2
+  Vector3 repulsion = Vector3::Zero();     // m/s^2, part of the acceleration
+  double repulsion_potential = 0.0;        // J/kg
 };
 
 // Eqs. (5), (6) as printed for 2D and as model of the 3D spline of Monaghan (1992).
@@ -162,16 +162,15 @@ class ReferenceSph {
     const std::size_t i = pair.i, j = pair.j;
     double p_i = rates_[i].pressure, p_j = rates_[j].pressure;
     Matrix3 shear = Matrix3::Zero(), artificial = Matrix3::Zero();
-    const bool both_solid = state_.medium(i).phase == Phase::solid &&
-                            state_.medium(j).phase == Phase::solid;
+    const bool both_solid =
+        state_.medium(i).phase == Phase::solid && state_.medium(j).phase == Phase::solid;
     if (holds_together(i, j)) {
       shear = rates_[i].shear + rates_[j].shear;
       const double spacing = 0.5 * (state_.medium(i).spacing + state_.medium(j).spacing);
       const double f = paper_kernel(pair.distance, pair.h, state_.dimension) /
                        paper_kernel(spacing, pair.h, state_.dimension);
       if (both_solid)
-        artificial =
-            std::pow(f, state_.exponent) * (rates_[i].artificial + rates_[j].artificial);
+        artificial = std::pow(f, state_.exponent) * (rates_[i].artificial + rates_[j].artificial);
     } else if (both_solid) {
       p_i = std::max(p_i, 0.0);
       p_j = std::max(p_j, 0.0);
@@ -187,8 +186,8 @@ class ReferenceSph {
     const double approach = pair.velocity.dot(pair.separation);
     if (approach >= 0.0) return;
     const double softening = 0.5 * (a.artificial_softening + b.artificial_softening);
-    const double theta = pair.h * approach /
-                         (pair.distance * pair.distance + softening * pair.h * pair.h);
+    const double theta =
+        pair.h * approach / (pair.distance * pair.distance + softening * pair.h * pair.h);
     const double linear = std::sqrt(a.artificial_linear * b.artificial_linear);
     const double quadratic = std::sqrt(a.artificial_quadratic * b.artificial_quadratic);
     const double c = 0.5 * (a.sound_speed + b.sound_speed);
@@ -205,8 +204,7 @@ class ReferenceSph {
     const double d_0 = 0.5 * (state_.medium(i).spacing + state_.medium(j).spacing);
     if (d > d_0) return;
     const double strength = state_.medium(j).repulsion, q = d_0 / d;
-    const Vector3 force =
-        strength * (std::pow(q, 4) - std::pow(q, 2)) / (d * d) * separation;
+    const Vector3 force = strength * (std::pow(q, 4) - std::pow(q, 2)) / (d * d) * separation;
     rates_[i].repulsion += force;
     rates_[i].acceleration += force;
     rates_[i].repulsion_potential +=

@@ -115,6 +115,7 @@ TEST(Read, VelocitiesAndAngles) {
 }
 
 // A case that uses everything comes back bit for bit.
+// budget: function: a table of cases reads best in one place
 TEST(Read, EveryKindOfThingComesBack) {
   const std::string text = R"toml(title = "all \"things\" \u00e9"
 dimension = 3

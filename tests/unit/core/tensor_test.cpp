@@ -64,8 +64,12 @@ void expect_products() {
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(sum(a, a), 2.0 * s(a, a) + u(a, a), 1e-15);
   EXPECT_NEAR(sum(0, 1), 2.0 * s(0, 1) + u(0, 1), 1e-15);
 }
-TEST(SymmetricTensor, ProductsIn2D) { expect_products<2>(); }
-TEST(SymmetricTensor, ProductsIn3D) { expect_products<3>(); }
+TEST(SymmetricTensor, ProductsIn2D) {
+  expect_products<2>();
+}
+TEST(SymmetricTensor, ProductsIn3D) {
+  expect_products<3>();
+}
 
 TEST(VectorOf, Algebra) {
   const Vector<3, double> u{{1.0, -2.0, 3.0}}, v{{4.0, 0.5, -1.0}};

@@ -69,8 +69,7 @@ TEST_F(AnyThreads, SumsHaveTheSameBits) {
     const auto n = static_cast<Index>(count);
     const auto one = with_threads(1, [&] { return sum(n, Entry{pointer(device)}); });
     EXPECT_EQ(one.value[1], static_cast<double>(count));
-    EXPECT_LE(std::fabs(static_cast<long double>(one.value[0]) - exact),
-              1e-13L * scale);
+    EXPECT_LE(std::fabs(static_cast<long double>(one.value[0]) - exact), 1e-13L * scale);
     for (int threads : {2, 3, 4, 7}) {
       const auto more = with_threads(threads, [&] { return sum(n, Entry{pointer(device)}); });
       EXPECT_EQ(std::memcmp(&one, &more, sizeof(one)), 0) << count << " on " << threads;

@@ -13,8 +13,7 @@ namespace {
 
 // (sqrt(2)/3) sqrt[(e1-e2)^2 + (e2-e3)^2 + (e3-e1)^2] of the elastic strain s/2G + (pressure part).
 double from_principal_strains(const Matrix3& shear, double shear_modulus, double volume_strain) {
-  const Matrix3 strain =
-      shear / (2.0 * shear_modulus) + volume_strain / 3.0 * Matrix3::Identity();
+  const Matrix3 strain = shear / (2.0 * shear_modulus) + volume_strain / 3.0 * Matrix3::Identity();
   const Vector3 e = Eigen::SelfAdjointEigenSolver<Matrix3>(strain).eigenvalues();
   return std::sqrt(2.0) / 3.0 *
          std::sqrt(std::pow(e[0] - e[1], 2) + std::pow(e[1] - e[2], 2) + std::pow(e[2] - e[0], 2));
@@ -42,8 +41,12 @@ void expect_random_tensors() {
     EXPECT_NEAR(equivalent_strain(packed<D, float>(s), static_cast<float>(g)), due, 1e-6 * due);
   }
 }
-TEST(EquivalentStrain, RandomTensors2D) { expect_random_tensors<2>(); }
-TEST(EquivalentStrain, RandomTensors3D) { expect_random_tensors<3>(); }
+TEST(EquivalentStrain, RandomTensors2D) {
+  expect_random_tensors<2>();
+}
+TEST(EquivalentStrain, RandomTensors3D) {
+  expect_random_tensors<3>();
+}
 
 // A bar stretched by e at constant volume has the equivalent strain e; simple shear by gamma has
 // gamma / sqrt(3).

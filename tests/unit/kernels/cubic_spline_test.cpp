@@ -19,8 +19,7 @@ class Kernel : public testing::Test {
   static double value(double r, double h) { return CubicSpline<D>::value(r, h); }
   static double slope(double r, double h) { return CubicSpline<D>::derivative(r, h); }
 };
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(Kernel, Dimensions);
 
 const double lengths[] = {0.7, 1.0, 3e-3};
@@ -63,8 +62,7 @@ TYPED_TEST(Kernel, RadialIntegral) {
   constexpr int cells = 2000;  // a break at s = 1 falls on a node
   const double step = 2.0 * h / cells;
   for (int k = 0; k < cells; ++k)
-    sum += step / 6.0 *
-           (shell(k * step) + 4.0 * shell((k + 0.5) * step) + shell((k + 1) * step));
+    sum += step / 6.0 * (shell(k * step) + 4.0 * shell((k + 0.5) * step) + shell((k + 1) * step));
   EXPECT_NEAR(sum, 1.0, 1e-12);
 }
 

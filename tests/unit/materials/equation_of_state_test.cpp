@@ -56,9 +56,9 @@ TEST(TaitWater, SoundSpeedIsTheSlopeOfPressure) {
   const auto water = bag_water(1e-3, 2);
   const double step = 1e-6;
   for (double x : compressions) {
-    const double slope = (TaitWater::pressure(water, x + step) -
-                          TaitWater::pressure(water, x - step)) /
-                         (2.0 * step * water.density);
+    const double slope =
+        (TaitWater::pressure(water, x + step) - TaitWater::pressure(water, x - step)) /
+        (2.0 * step * water.density);
     const double c = TaitWater::sound_speed(water, x);
     EXPECT_NEAR(c * c, slope, 1e-8 * slope);
   }

@@ -54,8 +54,12 @@ void expect_simple_shear() {
     EXPECT_NEAR(s(2, 2), 0.0, 1e-12 * g);
   }
 }
-TEST(HookeSolid, SimpleShear2D) { expect_simple_shear<2>(); }
-TEST(HookeSolid, SimpleShear3D) { expect_simple_shear<3>(); }
+TEST(HookeSolid, SimpleShear2D) {
+  expect_simple_shear<2>();
+}
+TEST(HookeSolid, SimpleShear3D) {
+  expect_simple_shear<3>();
+}
 
 // Uniaxial strain: s_xx = 4/3 G e, s_yy = s_zz = -2/3 G e; with the pressure of the compression
 // 1 / (1 + e) - 1 the axial stress is (K + 4G/3) e for a small strain.

@@ -64,8 +64,7 @@ class NeighbourLists : public testing::Test {
  protected:
   static constexpr int D = Dimension::value;
 };
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(NeighbourLists, Dimensions);
 
 TYPED_TEST(NeighbourLists, RandomPoints) {
@@ -78,7 +77,7 @@ TYPED_TEST(NeighbourLists, RandomPoints) {
 
 // Spread out, so that the reach is a fraction of the domain and there are many cells.
 TYPED_TEST(NeighbourLists, RandomPointsInManyCells) {
-  auto state = bag(TestFixture::D, 3, 0.49, 20.0);
+  auto state = bag(TestFixture::D, 3, 0.49, 8.0);
   std::mt19937 engine(5);
   for (std::size_t k = 0; k + 1 < state.particles.size(); k += 2) {
     auto& pair = state.particles[k + 1];
@@ -86,7 +85,7 @@ TYPED_TEST(NeighbourLists, RandomPointsInManyCells) {
     for (int a = 0; a < TestFixture::D; ++a)
       pair.position[a] += std::uniform_real_distribution<double>(-4e-3, 4e-3)(engine);
   }
-  const Loaded<TestFixture::D, Double> loaded(state, {0.0, 0.36, skin});
+  const Loaded<TestFixture::D, Double> loaded(state, {0.0, 0.144, skin});
   expect_all_pairs(state, loaded, skin, skin);
 }
 
@@ -131,7 +130,8 @@ TYPED_TEST(NeighbourLists, HoldsWhileNobodyMovedHalfTheSkin) {
   for (std::size_t i = 0; i < place.size(); ++i) {
     Vector3 step(uniform(engine), uniform(engine), dimension == 3 ? uniform(engine) : 0.0);
     state.particles[i].position += 0.4999 * skin / step.norm() * step;
-    loaded.particles.position[place[i]] = Vector<dimension, double>::from(state.particles[i].position);
+    loaded.particles.position[place[i]] =
+        Vector<dimension, double>::from(state.particles[i].position);
   }
   EXPECT_FALSE(loaded.list.is_outdated(loaded.particles, 0.0));
   expect_all_pairs(state, loaded, 0.0, 2.0 * skin);

@@ -34,7 +34,8 @@ TEST(Files, WritesAndReplacesWithoutLeavingAnythingElse) {
 
 TEST(Files, AppendsToWhatIsThere) {
   const TemporaryFolder folder;
-  append_to_file(folder / "a", "one\n");
+  EXPECT_THROW(append_to_file(folder / "a", "none"), UserError);
+  write_file(folder / "a", "one\n");
   append_to_file(folder / "a", "two\n");
   sync_file(folder / "a");
   EXPECT_EQ(read_file(folder / "a"), "one\ntwo\n");
@@ -64,6 +65,8 @@ TEST(Files, AFileInTheWayOfAFolderIsNamed) {
   EXPECT_THAT(message_of<UserError>([&] { make_folder(folder / "a/b"); }),
               HasSubstr("cannot make the folder " + (folder / "a/b").string()));
   EXPECT_THROW(make_folder(folder / "a"), UserError);
+  EXPECT_THAT(message_of<UserError>([&] { make_inner_folder(folder / "gone/frames"); }),
+              HasSubstr("bring it back"));
 }
 
 TEST(FolderLock, LetsOneIn) {

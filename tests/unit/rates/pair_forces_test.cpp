@@ -58,8 +58,7 @@ class PairForces : public testing::Test {
     return sum;
   }
 };
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(PairForces, Dimensions);
 
 TYPED_TEST(PairForces, SumToZero) {
@@ -96,8 +95,7 @@ TYPED_TEST(PairForces, PowerIsBooked) {
 // The shear forces do -s : grad v of work on each volume, since both sums run over the same pairs.
 TYPED_TEST(PairForces, ShearPowerIsStressPower) {
   auto state = TestFixture::bag(8);
-  for (auto& medium : state.media)
-    medium.artificial_linear = medium.artificial_quadratic = 0.0;
+  for (auto& medium : state.media) medium.artificial_linear = medium.artificial_quadratic = 0.0;
   for (auto& particle : state.particles) particle.compression = 0.0;
   const auto loaded = TestFixture::evaluated(state);
   const auto sum = TestFixture::balance(state, loaded);

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// A jet that meets nothing: it flies as it left the nozzle, a lattice at constant speed, every
+// particle once.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "particles/nozzle.hpp"
+#include "support/runs.hpp"
+#include "support/small_cases.hpp"
+
+namespace kerf::test {
+namespace {
+
+Case free_jet(int dimension, double stop) {
+  Case c = empty_case(dimension, PrecisionKind::double_precision);
+  c.jets = {jet(4.3e-3, 1e-3, {0.01, 0.0, 0.0}, 0.1)};
+  c.jets[0].angle = 0.3;
+  c.jets[0].azimuth = dimension == 3 ? 0.8 : 0.0;
+  c.jets[0].start = 2e-4;
+  c.jets[0].stop = stop;
+  return c;
+}
+
+double along(const Nozzle& nozzle, const std::array<double, 3>& p) {
+  double sum = 0.0;
+  for (std::size_t a = 0; a < 3; ++a) sum += (p[a] - nozzle.exit()[a]) * nozzle.direction()[a];
+  return sum;
+}
+
+void expect_free_flight(int dimension) {
+  const Case c = free_jet(dimension, std::numeric_limits<double>::infinity());
+  const Nozzle nozzle(c.jets[0], 1000.0, dimension);
+  const auto simulation = make_simulation(c);
+  std::set<std::uint32_t> ever;
+  while (simulation->time() < 3e-3) {
+    simulation->advance();
+    const Frame frame = simulation->frame();
+    const std::set<std::uint32_t> now(frame.id.begin(), frame.id.end());
+    ASSERT_EQ(now.size(), frame.id.size()) << "an id is there twice";
+    ever.insert(now.begin(), now.end());
+    ASSERT_EQ(ever.size(), frame.id.size()) << "somebody came or went";
+  }
+  const Frame frame = simulation->frame();
+  const std::size_t layers = frame.id.size() / nozzle.columns();
+  EXPECT_EQ(frame.id.size(), layers * nozzle.columns());
+  // Four layers stood in the nozzle; V t / d more had come when the last step began.
+  const double began = simulation->time() - simulation->last_step().dt;
+  EXPECT_EQ(layers, 4 + static_cast<std::size_t>(5.0 * (began - 2e-4) / 1e-3));
+  const double phase = along(nozzle, frame.position[0]);
+  for (std::size_t k = 0; k < frame.id.size(); ++k) {
+    const double steps = (along(nozzle, frame.position[k]) - phase) / 1e-3;
+    EXPECT_NEAR(steps, std::round(steps), 1e-9);
+    for (std::size_t a = 0; a < 3; ++a)
+      EXPECT_NEAR(frame.velocity[k][a], 5.0 * nozzle.direction()[a], 1e-9);
+    EXPECT_EQ(frame.upstream[k] != 0, along(nozzle, frame.position[k]) <= 0.0);
+  }
+  const Ledger ledger = simulation->ledger();
+  EXPECT_LE(ledger.momentum_error(), 1e-12);
+  EXPECT_LE(std::abs(ledger.energy_drift()), 1e-9);
+}
+TEST(FreeJet, FliesAsALattice2D) {
+  expect_free_flight(2);
+}
+TEST(FreeJet, FliesAsALattice3D) {
+  expect_free_flight(3);
+}
+
+// A nozzle that is shut in mid-run: the water behind the exit stands; what came is rho V A times
+// the time that it was open, the start and stop falling within steps.
+TEST(FreeJet, StartsAndStopsWithinSteps) {
+  for (int dimension : {2, 3}) {
+    const Case c = free_jet(dimension, 1.5e-3);
+    const Nozzle nozzle(c.jets[0], 1000.0, dimension);
+    const auto simulation = make_simulation(c);
+    while (simulation->time() < 3e-3) simulation->advance();
+    const Ledger ledger = simulation->ledger();
+    const double area = dimension == 2 ? 4.3e-3 : std::acos(-1.0) * 4.3e-3 * 4.3e-3 / 4.0;
+    const double due = 1000.0 * 5.0 * area * 1.3e-3;
+    EXPECT_NEAR(ledger.jet_mass_due, due, 1e-12 * due);
+    EXPECT_NEAR(ledger.mass_in + ledger.jet_mass_carried, due, 1e-12 * due);
+    EXPECT_LE(std::abs(ledger.mass_error()), 1e-12);
+    EXPECT_LE(ledger.momentum_error(), 1e-12);
+    const Frame frame = simulation->frame();
+    EXPECT_GT(std::count(frame.upstream.begin(), frame.upstream.end(), 1), 0);
+    for (std::size_t k = 0; k < frame.id.size(); ++k) {
+      if (frame.upstream[k]) {
+        EXPECT_EQ(frame.velocity[k], Point{});
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ledger against what can be worked out by hand or from frames, over short runs.
+#include "simulation/ledger.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "support/runs.hpp"
+#include "support/small_cases.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr auto both = {PrecisionKind::mixed, PrecisionKind::double_precision};
+
+// Rounding of sums of some thousand steps.
+double momentum_tolerance(PrecisionKind precision) {
+  return precision == PrecisionKind::mixed ? 1e-6 : 1e-12;
+}
+
+// Momentum by the sum over a frame, with the masses of the case.
+std::array<double, 3> momentum_of(const Frame& frame, const std::vector<double>& mass) {
+  std::array<double, 3> sum{};
+  for (std::size_t k = 0; k < frame.id.size(); ++k)
+    for (std::size_t a = 0; a < 3; ++a)
+      if (frame.category[k] != Category::rigid)
+        sum[a] += mass[frame.source[k]] * frame.velocity[k][a];
+  return sum;
+}
+
+void expect_balanced(const Ledger& now, PrecisionKind precision) {
+  const double mass = now.mass_initial + now.mass_in;
+  EXPECT_NEAR(now.mass_now + now.mass_out + now.mass_erased, mass, 1e-12 * mass);
+  EXPECT_LE(std::abs(now.mass_error()), 1e-12);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double due = now.momentum_initial[a] + now.momentum_in[a] - now.momentum_out[a] +
+                       now.impulse_gravity[a] + now.impulse_plate[a] + now.impulse_constraint[a];
+    EXPECT_NEAR(now.momentum_now[a], due, momentum_tolerance(precision) * now.momentum_scale);
+  }
+  EXPECT_LE(now.momentum_error(), momentum_tolerance(precision));
+}
+
+// A jet on a block on a plate, with gravity, eraser and a domain that water leaves.
+void run_everything(int dimension, PrecisionKind precision, int steps) {
+  Case c = jet_on_block(dimension, precision);
+  c.eraser = Eraser{};
+  // A clamped body that pushes the block from the side: prescribed motion; a drop that flies out.
+  const double z = dimension == 3 ? 0.004 : 0.0;
+  c.bodies.push_back(
+      body("pusher", Role::elastic, box({-0.0118, 0.002, -z}, {-0.0098, 0.006, z}), 1e-3));
+  c.bodies.back().displacement = {"0.5*t", "0", "0"};
+  c.bodies.push_back(
+      body("drop", Role::water, box({0.006, 0.02, -0.5 * z}, {0.01, 0.024, 0.5 * z}), 1e-3));
+  c.bodies.back().velocity = {"4", "1", "0"};
+  const auto simulation = make_simulation(c);
+  Ledger before = simulation->ledger();
+  for (int n = 0; n < steps; ++n) {
+    simulation->advance();
+    if (n % 10 != 0) continue;
+    const Ledger now = simulation->ledger();
+    ASSERT_GE(now.dissipated_artificial, before.dissipated_artificial);
+    ASSERT_GE(now.dissipated_viscous, before.dissipated_viscous);
+    ASSERT_GE(now.dissipated_fracture, before.dissipated_fracture);
+    expect_balanced(now, precision);
+    before = now;
+  }
+  const Ledger now = simulation->ledger();
+  std::printf("mass %.1e, momentum %.1e, energy %.1e, in %.3g out %.3g erased %.3g kg\n",
+              now.mass_error(), now.momentum_error(), now.energy_drift(), now.mass_in, now.mass_out,
+              now.mass_erased);
+  EXPECT_GT(now.mass_in, 0.0);
+  EXPECT_GT(now.mass_out, 0.0);
+  EXPECT_GT(now.mass_erased, 0.0);
+  EXPECT_GT(now.mass_fractured, 0.0);
+  EXPECT_GT(now.dissipated_viscous, 0.0);
+  EXPECT_NE(now.work_constraint, 0.0);
+  EXPECT_GT(now.impulse_plate[1], 0.0);
+  EXPECT_LE(std::abs(now.energy_drift()), 0.02);
+  // The jet's mass to rounding: rho V A t = in + carried.
+  const double area = dimension == 2 ? 5e-3 : std::numbers::pi * 25e-6 / 4.0;
+  const double due = 1000.0 * 5.0 * area * simulation->time();
+  EXPECT_NEAR(now.jet_mass_due, due, 1e-12 * due);
+  EXPECT_NEAR(now.mass_in + now.jet_mass_carried, due, 1e-12 * due);
+  EXPECT_GE(now.jet_mass_carried, 0.0);
+}
+TEST(LedgerOfEverything, Mixed2D) {
+  run_everything(2, PrecisionKind::mixed, 1500);
+}
+TEST(LedgerOfEverything, Double2D) {
+  run_everything(2, PrecisionKind::double_precision, 1500);
+}
+TEST(LedgerOfEverything, Mixed3D) {
+  run_everything(3, PrecisionKind::mixed, 600);
+}
+TEST(LedgerOfEverything, Double3D) {
+  run_everything(3, PrecisionKind::double_precision, 600);
+}
+
+// Its totals against sums over the frames, which the ledger has no part in.
+TEST(Ledger, AgreesWithTheFrame) {
+  Case c = jet_on_block(2, PrecisionKind::double_precision);
+  const auto simulation = make_simulation(c);
+  take_steps(*simulation, 400);
+  const Frame frame = simulation->frame();
+  const Ledger ledger = simulation->ledger();
+  const std::vector<double> mass{940.0 * 1e-6, 0.0, 1000.0 * 25e-8};
+  const auto momentum = momentum_of(frame, mass);
+  double kinetic = 0.0, total = 0.0, fractured = 0.0;
+  for (std::size_t k = 0; k < frame.id.size(); ++k) {
+    const double m = mass[frame.source[k]];
+    const auto& v = frame.velocity[k];
+    kinetic += 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    total += m;
+    if (frame.category[k] == Category::fractured) fractured += m;
+  }
+  EXPECT_NEAR(ledger.mass_now, total, 1e-12 * total);
+  EXPECT_NEAR(ledger.mass_fractured, fractured, 1e-12 * total);
+  EXPECT_NEAR(ledger.kinetic, kinetic, 1e-12 * kinetic);
+  for (std::size_t a = 0; a < 3; ++a)
+    EXPECT_NEAR(ledger.momentum_now[a], momentum[a], 1e-12 * ledger.momentum_scale);
+}
+
+// Free fall: momentum m g t, energy m g h.
+TEST(Ledger, FreeFall) {
+  for (PrecisionKind precision : both) {
+    Case c = empty_case(2, precision);
+    c.gravity = {0.5, -9.81, 0.0};
+    c.bodies = {body("block", Role::elastic, box({0.0, 0.0, 0.0}, {0.02, 0.02, 0.0}), 2e-3)};
+    const auto simulation = make_simulation(c);
+    take_steps(*simulation, 500);
+    const double t = simulation->time(), m = 940.0 * 4e-4;
+    const Ledger now = simulation->ledger();
+    const double digits = precision == PrecisionKind::mixed ? 1e-6 : 1e-12;
+    const double gravity = std::hypot(0.5, 9.81);
+    EXPECT_NEAR(now.impulse_gravity[1], -9.81 * m * t, 1e-12 * m * gravity * t);
+    EXPECT_NEAR(now.momentum_now[0], 0.5 * m * t, 10.0 * digits * m * gravity * t);
+    EXPECT_NEAR(now.momentum_now[1], -9.81 * m * t, 10.0 * digits * m * gravity * t);
+    const double fallen = 0.5 * m * gravity * gravity * t * t;
+    EXPECT_NEAR(now.work_gravity, fallen, 100.0 * digits * fallen);
+    EXPECT_NEAR(now.kinetic, fallen, 100.0 * digits * fallen);
+    EXPECT_LE(std::abs(now.energy_drift()), 100.0 * digits);
+  }
+}
+
+// A block thrown on a plate comes back: the impulse of the plate is the change of momentum. Energy
+// is that of the throw.
+TEST(Ledger, ThrownOnAPlate) {
+  Case c = empty_case(2, PrecisionKind::double_precision);
+  c.materials[0].failure_strain = 0.0;
+  c.bodies = {body("block", Role::elastic, box({-0.01, 0.002, 0.0}, {0.01, 0.022, 0.0}), 2e-3),
+              body("plate", Role::rigid, box({-0.02, -0.004, 0.0}, {0.02, 0.0, 0.0}), 2e-3)};
+  c.bodies[0].velocity = {"0", "-0.5", "0"};
+  const auto simulation = make_simulation(c);
+  while (simulation->time() < 0.02) simulation->advance();
+  const Ledger now = simulation->ledger();
+  const double thrown = 0.5 * 940.0 * 4e-4;
+  EXPECT_GT(now.momentum_now[1], 0.0);  // on its way back
+  EXPECT_NEAR(now.impulse_plate[1], thrown + now.momentum_now[1], 1e-12 * thrown);
+  EXPECT_LE(std::abs(now.energy_drift()), 0.01);
+  EXPECT_EQ(now.force_plate[1], 0.0);  // off the plate again
+}
+
+// A body laid out within the reach of the plate starts with that potential.
+TEST(Ledger, InitialEnergyHasThePotentialOfThePlate) {
+  Case c = empty_case(2, PrecisionKind::double_precision);
+  c.bodies = {body("block", Role::elastic, box({-0.01, 0.0, 0.0}, {0.01, 0.02, 0.0}), 2e-3),
+              body("plate", Role::rigid, box({-0.02, -0.004, 0.0}, {0.02, 0.0, 0.0}), 2e-3)};
+  c.bodies[0].offset = {0.0, -5e-4, 0.0};
+  const auto simulation = make_simulation(c);
+  const Ledger start = simulation->ledger();
+  ASSERT_GT(start.plate_potential, 0.0);
+  EXPECT_NEAR(start.energy_initial, start.energy_total(), 1e-12 * start.energy_total());
+}
+
+// A square of water that is squeezed and lets go: what the equation of state stores is the work
+// that was done against pressure, for one medium of nearly even density.
+TEST(Ledger, PressureWorkIsStored) {
+  for (PrecisionKind precision : both) {
+    Case c = empty_case(2, precision);
+    c.materials[1].artificial_linear = 0.0;
+    c.materials[1].viscosity = 0.0;
+    c.bodies = {body("drop", Role::water, box({-0.01, -0.01, 0.0}, {0.01, 0.01, 0.0}), 1e-3)};
+    c.bodies[0].velocity = {"-50*x", "-50*y", "0"};
+    const auto simulation = make_simulation(c);
+    double greatest = 0.0, gap = 0.0;
+    for (int n = 0; n < 60; ++n) {
+      simulation->advance();
+      const Ledger now = simulation->ledger();
+      greatest = std::max(greatest, now.pressure_work);
+      gap = std::max(gap, std::abs(now.stored_water - now.pressure_work));
+    }
+    const Ledger now = simulation->ledger();
+    EXPECT_GT(greatest, 0.1 * now.energy_initial);
+    EXPECT_LE(gap, 0.02 * greatest);
+    EXPECT_LE(std::abs(now.energy_drift()), 0.01);
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// The same bits for any number of threads, after a restart at any step, and whether or not somebody
+// looked in between.
+#include <oneapi/tbb/task_arena.h>
+
+#include <random>
+#include <tuple>
+
+#include "support/runs.hpp"
+#include "support/small_cases.hpp"
+
+namespace kerf::test {
+namespace {
+
+class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind>> {
+ protected:
+  ~SameAnswer() override { set_threads(0); }
+
+  Case description() const {
+    Case c = jet_on_block(std::get<0>(GetParam()), std::get<1>(GetParam()));
+    Probe point, plane;
+    point.name = "point";
+    point.position = {0.0, 0.006, 0.0};
+    plane.name = "plane";
+    plane.kind = Probe::Kind::plane;
+    plane.position = {0.0, 0.004, 0.0};
+    c.probes = {point, plane};
+    c.eraser = Eraser{};
+    return c;
+  }
+  int steps() const { return std::get<0>(GetParam()) == 2 ? 500 : 200; }
+
+  // On that many threads even where there are fewer cores.
+  static std::unique_ptr<Simulation> run_on(int threads, const Case& description, int steps) {
+    set_threads(threads);
+    return tbb::task_arena(threads).execute([&] {
+      auto simulation = make_simulation(description);
+      take_steps(*simulation, steps);
+      return simulation;
+    });
+  }
+};
+
+TEST_P(SameAnswer, AnyNumberOfThreads) {
+  const auto one = run_on(1, description(), steps());
+  // The case has what could go wrong: inflow, outflow, fracture.
+  EXPECT_GT(one->ledger().mass_in, 0.0);
+  EXPECT_GT(one->ledger().mass_fractured, 0.0);
+  if (std::get<0>(GetParam()) == 2) {
+    EXPECT_GT(one->ledger().mass_out + one->ledger().mass_erased, 0.0);
+  }
+  for (int threads : {2, 3}) expect_same_run(*one, *run_on(threads, description(), steps()));
+}
+
+TEST_P(SameAnswer, AfterARestart) {
+  const Case c = description();
+  std::mt19937 engine(static_cast<unsigned>(steps()));
+  const int at = 1 + static_cast<int>(engine() % static_cast<unsigned>(steps() - 1));
+  const auto whole = make_simulation(c);
+  take_steps(*whole, at);
+  Archive archive = saved(*whole);
+  take_steps(*whole, steps() - at);
+  const auto resumed = make_simulation(c);
+  resumed->restore(archive);
+  EXPECT_EQ(resumed->step(), static_cast<std::uint64_t>(at));
+  take_steps(*resumed, steps() - at);
+  EXPECT_EQ(resumed->step(), whole->step());
+  expect_same_run(*whole, *resumed);
+}
+
+// Resuming writes the same checkpoint again, and restarting at every few steps changes nothing.
+TEST_P(SameAnswer, AfterManyRestarts) {
+  const Case c = description();
+  const auto whole = make_simulation(c);
+  take_steps(*whole, steps() / 2);
+  auto current = make_simulation(c);
+  for (int n = 0; n < steps() / 2; n += 7) {
+    take_steps(*current, std::min(7, steps() / 2 - n));
+    const Archive archive = saved(*current);
+    current = make_simulation(c);
+    current->restore(archive);
+    expect_same_state(archive, saved(*current));
+  }
+  expect_same_run(*whole, *current);
+}
+
+TEST_P(SameAnswer, LookingChangesNothing) {
+  const Case c = description();
+  const auto undisturbed = make_simulation(c), looked_at = make_simulation(c);
+  take_steps(*undisturbed, steps());
+  for (int n = 0; n < steps(); ++n) {
+    looked_at->advance();
+    if (n % 5 == 0) looked_at->frame();
+    if (n % 7 == 0) looked_at->ledger();
+    if (n % 11 == 0) looked_at->probe_values();
+    if (n % 13 == 0) saved(*looked_at);
+  }
+  expect_same_run(*undisturbed, *looked_at);
+  // What is seen does not depend on what was looked at before.
+  const auto probes = undisturbed->probe_values();
+  expect_same_ledger(undisturbed->ledger(), looked_at->ledger());
+  expect_same_frame(undisturbed->frame(), looked_at->frame());
+  EXPECT_EQ(probes, looked_at->probe_values());
+}
+
+// A look at the restored state shows what the saved one showed.
+TEST_P(SameAnswer, RestoredLooksTheSame) {
+  const Case c = description();
+  const auto first = make_simulation(c);
+  take_steps(*first, steps() / 2);
+  const auto second = make_simulation(c);
+  second->restore(saved(*first));
+  expect_same_run(*first, *second);
+  EXPECT_EQ(first->probe_values(), second->probe_values());
+  EXPECT_EQ(first->pair_interactions(), second->pair_interactions());
+  EXPECT_EQ(first->last_step().dt, second->last_step().dt);
+  EXPECT_EQ(first->last_step().limit, second->last_step().limit);
+}
+
+std::string name_of(const testing::TestParamInfo<SameAnswer::ParamType>& info) {
+  return std::string(std::get<0>(info.param) == 2 ? "2D" : "3D") +
+         (std::get<1>(info.param) == PrecisionKind::mixed ? "Mixed" : "Double");
+}
+INSTANTIATE_TEST_SUITE_P(All, SameAnswer,
+                         testing::Combine(testing::Values(2, 3),
+                                          testing::Values(PrecisionKind::mixed,
+                                                          PrecisionKind::double_precision)),
+                         name_of);
+
+}  // namespace
+}  // namespace kerf::test

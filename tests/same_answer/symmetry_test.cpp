@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// A symmetric set-up stays symmetric, and precision changes nothing but digits.
+#include <cmath>
+
+#include "support/runs.hpp"
+#include "support/small_cases.hpp"
+
+namespace kerf::test {
+namespace {
+
+using Map = std::array<double, 3> (*)(const std::array<double, 3>&);
+
+// Worst distance from the image of a particle to the nearest particle of its kind, m, and worst
+// difference of their velocities, m/s.
+struct Asymmetry {
+  double position = 0.0, velocity = 0.0, speed = 0.0;
+};
+
+Asymmetry asymmetry(const Frame& frame, Map image) {
+  Asymmetry worst;
+  const auto distance = [](const auto& a, const auto& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  };
+  for (std::size_t i = 0; i < frame.position.size(); ++i) {
+    const auto wanted = image(frame.position[i]);
+    double nearest = 1.0;
+    std::size_t partner = i;
+    for (std::size_t j = 0; j < frame.position.size(); ++j) {
+      const double d = distance(frame.position[j], wanted);
+      if (frame.category[j] != frame.category[i] || d >= nearest) continue;
+      nearest = d;
+      partner = j;
+    }
+    worst.position = std::max(worst.position, nearest);
+    worst.velocity =
+        std::max(worst.velocity, distance(frame.velocity[partner], image(frame.velocity[i])));
+    worst.speed = std::max(worst.speed, distance(frame.velocity[i], Point{}));
+  }
+  return worst;
+}
+
+std::array<double, 3> left_right(const std::array<double, 3>& v) {
+  return {-v[0], v[1], v[2]};
+}
+std::array<double, 3> front_back(const std::array<double, 3>& v) {
+  return {v[0], v[1], -v[2]};
+}
+std::array<double, 3> exchange(const std::array<double, 3>& v) {
+  return {v[2], v[1], v[0]};
+}
+
+// Neighbours on the two sides are summed in another order: 1e-16 per step at first, which impact
+// and fracture make grow; a fault in a term shows at the size of a spacing.
+void expect_symmetric(const Frame& frame, Map image, double tolerance) {
+  const Asymmetry worst = asymmetry(frame, image);
+  std::printf("asymmetry: %.2e m, %.2e of the greatest speed\n", worst.position,
+              worst.velocity / worst.speed);
+  EXPECT_LT(worst.position, tolerance * 1e-3);
+  EXPECT_LT(worst.velocity, tolerance * worst.speed);
+}
+
+TEST(Symmetry, Jet2D) {
+  const auto simulation = make_simulation(jet_on_block(2, PrecisionKind::double_precision));
+  take_steps(*simulation, 400);
+  EXPECT_GT(count_of(simulation->frame(), Category::fractured), 0u);
+  expect_symmetric(simulation->frame(), left_right, 1e-11);
+}
+
+TEST(Symmetry, Jet3D) {
+  const auto simulation = make_simulation(jet_on_block(3, PrecisionKind::double_precision));
+  take_steps(*simulation, 200);
+  const Frame frame = simulation->frame();
+  EXPECT_GT(count_of(frame, Category::fractured), 0u);
+  expect_symmetric(frame, left_right, 1e-11);
+  expect_symmetric(frame, front_back, 1e-11);
+  expect_symmetric(frame, exchange, 1e-11);
+}
+
+// The same steps in both precisions: the step is set by the case, well below the stable one.
+void expect_precisions_agree(int dimension, int steps, double tolerance) {
+  Frame frames[2];
+  for (PrecisionKind precision : {PrecisionKind::mixed, PrecisionKind::double_precision}) {
+    Case c = jet_on_block(dimension, precision);
+    c.time.maximum_step = 2e-6;
+    const auto simulation = make_simulation(c);
+    take_steps(*simulation, steps);
+    EXPECT_EQ(simulation->last_step().limit, "maximum step");
+    frames[precision == PrecisionKind::mixed ? 0 : 1] = simulation->frame();
+  }
+  const auto other = by_id(frames[1]);
+  ASSERT_EQ(frames[0].id.size(), other.size());
+  double moved = 0.0, position = 0.0, velocity = 0.0;
+  for (std::size_t k = 0; k < frames[0].id.size(); ++k) {
+    const std::size_t j = other.at(frames[0].id[k]);
+    for (std::size_t a = 0; a < 3; ++a) {
+      position = std::max(position, std::abs(frames[0].position[k][a] - frames[1].position[j][a]));
+      velocity = std::max(velocity, std::abs(frames[0].velocity[k][a] - frames[1].velocity[j][a]));
+    }
+    moved = std::max(moved, std::abs(frames[0].velocity[k][1]));
+  }
+  std::printf("mixed from double: %.2e m, %.2e m/s\n", position, velocity);
+  EXPECT_GT(position, 0.0);  // they are two precisions
+  EXPECT_LT(position, tolerance * 5e-4);
+  EXPECT_LT(velocity, tolerance * moved);
+}
+TEST(Precision, MixedAgreesWithDouble2D) {
+  expect_precisions_agree(2, 300, 2e-5);
+}
+TEST(Precision, MixedAgreesWithDouble3D) {
+  expect_precisions_agree(3, 150, 2e-5);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/html.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "report/plot.hpp"
+
+namespace kerf {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+// The vectors of RFC 4648, section 10.
+TEST(Html, PngAddressIsBase64) {
+  const std::string start = "data:image/png;base64,";
+  EXPECT_EQ(html::png_address(""), start);
+  EXPECT_EQ(html::png_address("f"), start + "Zg==");
+  EXPECT_EQ(html::png_address("fo"), start + "Zm8=");
+  EXPECT_EQ(html::png_address("foo"), start + "Zm9v");
+  EXPECT_EQ(html::png_address("foobar"), start + "Zm9vYmFy");
+  EXPECT_EQ(html::png_address(std::string("\xff\x00\xfe", 3)), start + "/wD+");
+}
+
+TEST(Html, TextCannotBreakOut) {
+  EXPECT_EQ(html::escape("<b> & \"c\""), "&lt;b&gt; &amp; &quot;c&quot;");
+}
+
+TEST(Html, NumbersReadWell) {
+  const std::string thin = "\u202f";
+  EXPECT_EQ(html::quantity(0.0224, "s"), "22.4" + thin + "ms");
+  EXPECT_EQ(html::quantity(12500.0, "Pa"), "12.5" + thin + "kPa");
+  EXPECT_EQ(html::quantity(0.0, "m"), "0" + thin + "m");
+  EXPECT_EQ(html::quantity(0.005, "kg"), "0.005" + thin + "kg");
+  EXPECT_EQ(html::quantity(std::numeric_limits<double>::quiet_NaN(), "s"), "—");
+  EXPECT_EQ(html::number(0.84284), "0.8428");
+  EXPECT_EQ(html::number(1.26e9), "1.26 · 10<sup>9</sup>");
+  EXPECT_EQ(html::number(-8e-15), "-8 · 10<sup>-15</sup>");
+  EXPECT_EQ(html::count(1234567), "1" + thin + "234" + thin + "567");
+  EXPECT_EQ(html::count(123), "123");
+}
+
+TEST(Prefix, BringsNumbersBetweenOneAndAThousand) {
+  for (double size = 1e-9; size < 1e14; size *= 3.7) {
+    const double shown = size * prefix_for(size).factor;
+    EXPECT_GE(shown, 1.0) << size;
+    EXPECT_LT(shown, 1000.0) << size;
+  }
+  EXPECT_EQ(prefix_for(0.02).symbol, "m");
+  EXPECT_EQ(prefix_for(0.0).symbol, "");
+}
+
+Plot some_plot() {
+  Plot plot{{"time", "s"}, {"depth", "m"}, {}, {}, 0.005};
+  plot.curves.push_back({"a", {}, palette::curves[0], Stroke::full});
+  for (int i = 0; i < 50; ++i) {
+    plot.x.push_back(2e-4 * i);
+    plot.curves[0].y.push_back(i == 20 ? std::nan("") : 1e-3 * i);
+  }
+  return plot;
+}
+
+TEST(Plot, IsOneElementWithIdsOfItsOwn) {
+  const std::string svg = draw_plot(some_plot(), "depth");
+  EXPECT_TRUE(svg.starts_with("<svg"));
+  EXPECT_THAT(svg, AllOf(HasSubstr("</svg>"), HasSubstr("viewBox"), HasSubstr("depth-clip"),
+                         HasSubstr("#0072B2"), Not(HasSubstr("<?xml")), Not(HasSubstr("nan")),
+                         Not(HasSubstr("text-clipping"))));
+  EXPECT_EQ(svg, draw_plot(some_plot(), "depth"));
+}
+
+TEST(Plot, DrawsNothingMuchWithoutData) {
+  Plot plot{{"time", "s"}, {"depth", "m"}, {}, {}, -1.0};
+  EXPECT_TRUE(draw_plot(plot, "empty").starts_with("<svg"));
+  plot.x = {0.0};
+  plot.curves.push_back({"a", {std::nan("")}, palette::curves[0], Stroke::dashed});
+  EXPECT_TRUE(draw_plot(plot, "empty").starts_with("<svg"));
+  plot.curves[0].y = {-3.0};
+  EXPECT_TRUE(draw_plot(plot, "one").starts_with("<svg"));
+}
+
+}  // namespace
+}  // namespace kerf
