@@ -77,14 +77,17 @@ RunEnd RunLoop::start_and_run() {
   }
   log_ = open_log(folder_.log());
   const Checkpoint checkpoint = read_checkpoint(folder_.checkpoint(), settings_.case_text);
-  resume(checkpoint.simulation, record_from(checkpoint.run));
-  if (!already_finished()) return steps();
+  before_ = record_from(checkpoint.run);
+  if (!already_finished()) {
+    resume(checkpoint.simulation);
+    return steps();
+  }
   progress_.say(
       fmt::format("This run has finished already; its report is {}", folder_.report().string()));
   return {};
 }
 
-bool RunLoop::already_finished() {
+bool RunLoop::already_finished() const {
   return before_.finished && std::filesystem::exists(folder_.result()) &&
          std::filesystem::exists(folder_.report());
 }
@@ -100,23 +103,21 @@ void RunLoop::begin() {
   write_due();
 }
 
-void RunLoop::resume(const Archive& state, const RunRecord& record) {
+void RunLoop::resume(const Archive& state) {
   simulation_ = maker_(settings_.description);
   cut_.emplace(settings_.description, frame());
   simulation_->restore(state);
   frame_.reset();
-  before_ = record;
   saved_time_ = simulation_->time();
-  if (before_.finished) return;
-  cut_->restore(record.cut_history);
-  series_.cut_back(simulation_->step(), record.rows);
-  frames_.restore(record.frame_times);
-  pictures_.restore(record.picture_times);
-  frames_due_.restore(record.frames_due);
-  pictures_due_.restore(record.pictures_due);
-  rows_due_.restore(record.rows_due);
-  limits_ = record.limits;
-  if (!record.cut_history.empty()) row_time_ = record.cut_history.back().time;
+  cut_->restore(before_.cut_history);
+  series_.cut_back(simulation_->step(), before_.rows);
+  frames_.restore(before_.frame_times);
+  pictures_.restore(before_.picture_times);
+  frames_due_.restore(before_.frames_due);
+  pictures_due_.restore(before_.pictures_due);
+  rows_due_.restore(before_.rows_due);
+  limits_ = before_.limits;
+  if (!before_.cut_history.empty()) row_time_ = before_.cut_history.back().time;
   energy_drift_ = simulation_->ledger().energy_drift();
   tell(fmt::format("{}: going on from {:.6g} ms, step {}", settings_.case_name,
                    1e3 * simulation_->time(), simulation_->step()));

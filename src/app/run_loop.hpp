@@ -55,9 +55,9 @@ class RunLoop {
   using Clock = std::chrono::steady_clock;
 
   RunEnd start_and_run();
-  bool already_finished();
+  bool already_finished() const;
   void begin();
-  void resume(const Archive& simulation, const RunRecord& record);
+  void resume(const Archive& state);
   RunEnd steps();
   void write_due();
   void write_row();

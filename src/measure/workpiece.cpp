@@ -66,9 +66,7 @@ std::vector<std::uint32_t> find_exit_region(const Workpiece& workpiece) {
 }
 
 void add_particle(Workpiece& workpiece, const Frame& initial, std::uint32_t row) {
-  const std::uint32_t id = initial.id[row];
-  if (id >= workpiece.slot_of_id.size()) workpiece.slot_of_id.resize(id + 1, Workpiece::none);
-  workpiece.slot_of_id[id] = static_cast<std::uint32_t>(workpiece.position.size());
+  workpiece.slot_of_id[initial.id[row]] = static_cast<std::uint32_t>(workpiece.position.size());
   workpiece.position.push_back(initial.position[row]);
   workpiece.mass.push_back(initial.mass[row]);
   workpiece.size.push_back(initial.spacing[row]);
@@ -105,10 +103,8 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
 std::vector<std::uint32_t> locate(const Workpiece& workpiece, const Frame& frame) {
   std::vector<std::uint32_t> rows(workpiece.position.size(), Workpiece::none);
   for (std::uint32_t row = 0; row < frame.id.size(); ++row) {
-    const std::uint32_t id = frame.id[row];
-    if (id >= workpiece.slot_of_id.size()) continue;
-    const std::uint32_t slot = workpiece.slot_of_id[id];
-    if (slot != Workpiece::none) rows[slot] = row;
+    const auto found = workpiece.slot_of_id.find(frame.id[row]);
+    if (found != workpiece.slot_of_id.end()) rows[found->second] = row;
   }
   return rows;
 }

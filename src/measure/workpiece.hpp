@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -20,10 +21,10 @@ namespace kerf {
 struct Workpiece {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  std::optional<JetAxis> jet;                   // the first jet of the case
-  std::uint16_t jet_source = 0;                 // its index in Frame::source
-  double jet_density = 0.0;                     // kg/m^3
-  std::vector<std::uint32_t> slot_of_id;        // none = not of the workpiece
+  std::optional<JetAxis> jet;    // the first jet of the case
+  std::uint16_t jet_source = 0;  // its index in Frame::source
+  double jet_density = 0.0;      // kg/m^3
+  std::unordered_map<std::uint32_t, std::uint32_t> slot_of_id;
   std::vector<std::array<double, 3>> position;  // m, initial
   std::vector<double> mass;                     // kg (2D: kg/m)
   std::vector<double> size;                     // m, spacing of the particle

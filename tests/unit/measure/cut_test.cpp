@@ -230,6 +230,18 @@ TEST(CutMonitor, TheOrderOfTheParticlesDoesNotMatter) {
   EXPECT_EQ(a.kerf_width, b.kerf_width);
 }
 
+// Ids are unique, not small or without gaps.
+TEST(CutMonitor, AnyIdsWillDo) {
+  const Case description = make_case(2);
+  Frame block = make_block(2), frame = make_cut(description, 30.0 * mm, 12.0 * mm, 1e-3);
+  const CutState a = CutMonitor(description, block).observe(frame);
+  for (Frame* each : {&block, &frame})
+    for (std::uint32_t& id : each->id) id = std::numeric_limits<std::uint32_t>::max() - 1000u * id;
+  const CutState b = CutMonitor(description, block).observe(frame);
+  EXPECT_EQ(a.fractured_fraction, b.fractured_fraction);
+  EXPECT_EQ(a.kerf_width, b.kerf_width);
+}
+
 void expect_no_cut(CutMonitor& monitor, const Frame& frame) {
   const CutState state = monitor.observe(frame);
   EXPECT_EQ(state.front_depth, 0.0);

@@ -105,10 +105,9 @@ TEST_F(Run, OutputDoesNotChangeWhatIsComputed) {
 
 TEST_F(Run, KilledAnywhereItEndsAsIfNeverStopped) {
   run(settings("whole"));
-  description_.output.checkpoint_interval = 1e-9;  // after every step
-  const RunSettings whole = settings("frequent");
-  run(whole);
-  for (const std::uint64_t step : {1u, 2u, 57u, 58u, 59u, 200u, 390u}) {
+  description_.output.checkpoint_interval = 2e-3;  // s, every few steps
+  run(settings("frequent"));
+  for (const std::uint64_t step : {1u, 58u, 200u, 390u}) {
     const std::string name = "killed" + std::to_string(step);
     const auto kill = [step](std::uint64_t now) {
       if (now == step) throw Killed();
