@@ -90,10 +90,9 @@ std::vector<Row> verify_and_print(const std::vector<VerificationCase>& cases, bo
   std::vector<Row> rows;
   fmt::print("{}", table_head());
   for (const VerificationCase& entry : cases) {
-    const auto found =
-        verify(entry, all, [&](const std::string& run, double share) {
-          line.show(entry.name, run, share);
-        });
+    const auto found = verify(entry, all, [&](const std::string& run, double share) {
+      line.show(entry.name, run, share);
+    });
     line.clear();
     for (const Row& row : found) fmt::print("{}", table_row(row));
     std::fflush(stdout);
@@ -112,12 +111,10 @@ void run_verification(const VerifyOptions& options) {
   const auto rows = verify_and_print(cases, options.all);
   if (!options.json.empty()) write_file(options.json, to_json(rows));
   if (!options.page.empty()) put_into_page(options.page, to_markdown(cases, rows));
-  const auto failed = std::count_if(rows.begin(), rows.end(), [](const Row& row) {
-    return row.verdict == Verdict::fail;
-  });
-  const auto passed = std::count_if(rows.begin(), rows.end(), [](const Row& row) {
-    return row.verdict == Verdict::pass;
-  });
+  const auto failed = std::count_if(rows.begin(), rows.end(),
+                                    [](const Row& row) { return row.verdict == Verdict::fail; });
+  const auto passed = std::count_if(rows.begin(), rows.end(),
+                                    [](const Row& row) { return row.verdict == Verdict::pass; });
   fmt::print("{} passed, {} failed\n", passed, failed);
   if (failed > 0) throw CLI::RuntimeError(1);
 }
@@ -126,8 +123,8 @@ void run_verification(const VerifyOptions& options) {
 
 void add_verify_command(CLI::App& program) {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command = program.add_subcommand(
-      "verify", "Run the verification table against theory on this machine");
+  CLI::App* command =
+      program.add_subcommand("verify", "Run the verification table against theory on this machine");
   command->add_option("NAME", options->names, "Only these cases");
   command->add_flag("--all", options->all, "With the runs that take long");
   command->add_flag("--list", options->list, "List the cases and run none");

@@ -72,20 +72,17 @@ struct ParticleStepLimit {
   KERF_FUNCTION StepLimit operator()(Index i) const {
     StepLimit result{unlimited, Limit::maximum_step, i};
     const auto& medium = particles.medium(i);
-    if (medium.phase == Phase::rigid) return result;
-    const bool water = medium.phase == Phase::water;
-    const double h = medium.smoothing_length;
     const double speed = norm(particles.velocity[i]);
     const double acceleration = norm(particles.acceleration[i]);
-    const double compression = particles.compression[i];
-    // NaN anywhere in the state reaches the acceleration or the rate of compression.
-    const double sum = speed + acceleration + compression + particles.compression_rate[i] +
-                       contract(particles.shear[i], particles.shear[i]);
-    if (!(sum - sum == 0.0)) return {-1.0, Limit::not_a_number, i};
-    if (compression <= -1.0) return {-1.0, Limit::negative_density, i};
-    const double sound = water ? double(TaitWater::sound_speed(medium, Real(compression)))
+    const Limit fault = state_fault(i, speed);
+    if (fault != Limit::maximum_step) return {broken_state, fault, i};
+    if (medium.phase == Phase::rigid) return result;
+    if (!is_number(acceleration + particles.compression_rate[i]))
+      return {broken_rate, Limit::not_a_number, i};
+    const bool water = medium.phase == Phase::water;
+    const double h = medium.smoothing_length;
+    const double sound = water ? double(TaitWater::sound_speed(medium, particles.compression[i]))
                                : double(medium.longitudinal_speed);
-    if (speed > runaway_speed) return {-1.0, Limit::runaway, i};
 
     const double damping = 1.2 * medium.artificial_linear * medium.sound_speed;
     shorten(result, courant * h / (sound + speed + damping),
@@ -99,6 +96,23 @@ struct ParticleStepLimit {
   }
 
  private:
+  // A broken state is told before the rates that it breaks around it: the lesser step wins.
+  static constexpr double broken_state = -2.0, broken_rate = -1.0;
+
+  KERF_FUNCTION static bool is_number(double value) { return value - value == 0.0; }
+
+  // What is wrong with the state of particle i; maximum_step = nothing.
+  KERF_FUNCTION Limit state_fault(Index i, double speed) const {
+    double sum = speed + double(particles.compression[i]);
+    for (int a = 0; a < D; ++a) sum += particles.position[i][a];
+    // That of water is worked out from the rates.
+    if (particles.medium(i).phase == Phase::solid)
+      sum += double(contract(particles.shear[i], particles.shear[i]));
+    if (particles.compression[i] <= Real(-1)) return Limit::negative_density;
+    if (!is_number(sum)) return Limit::not_a_number;
+    return speed > runaway_speed ? Limit::runaway : Limit::maximum_step;
+  }
+
   KERF_FUNCTION static void shorten(StepLimit& result, double dt, Limit limit) {
     if (dt < result.dt) {
       result.dt = dt;

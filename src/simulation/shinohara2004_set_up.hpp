@@ -52,6 +52,7 @@ Shinohara2004<D, P>::Shinohara2004(const Case& description)
   append(initial_particles(case_, nozzles_));
   rebuild_list();
   list_is_due_ = false;
+  refresh();  // the ledger opens with what the first forces hold
   book_.open(particles_);
 }
 

@@ -76,8 +76,8 @@ Signal body_mean_signal(const Parameters& parameters, const Beginning& beginning
     for (std::size_t row = 0; row < frame.id.size(); ++row) {
       const std::uint32_t id = frame.id[row];
       if (!weights->has(id)) continue;
-      const double value = moved ? frame.position[row][axis] - weights->place[id][axis]
-                                 : frame.velocity[row][axis];
+      const double value =
+          moved ? frame.position[row][axis] - weights->place[id][axis] : frame.velocity[row][axis];
       sum += weights->weight[id] * value;
     }
     return sum / weights->total;
@@ -106,9 +106,8 @@ Signal kinetic_centroid_signal(const Parameters& parameters, const Beginning& be
 // Relative L2 distance of a body's pressure, averaged over layers one spacing high, from a formula
 // of x, y, z: sqrt(sum (p - formula)^2 / sum formula^2), each layer at its mean place.
 Signal profile_error_signal(const Parameters& parameters, const Beginning& beginning) {
-  const auto formula =
-      std::make_shared<const Expression>(parameters.text("formula"),
-                                         std::vector<std::string>{"x", "y", "z"});
+  const auto formula = std::make_shared<const Expression>(parameters.text("formula"),
+                                                          std::vector<std::string>{"x", "y", "z"});
   const auto weights = make_weights(parameters, beginning);
   return [weights, formula](Moment& moment) {
     struct Layer {

@@ -9,7 +9,9 @@ namespace {
 
 void merge(toml::table& base, const toml::table& changes);
 
-bool has_tables(const toml::array& list) { return !list.empty() && list[0].is_table(); }
+bool has_tables(const toml::array& list) {
+  return !list.empty() && list[0].is_table();
+}
 
 toml::table* entry_named(toml::array& list, const std::string& name) {
   for (toml::node& node : list) {

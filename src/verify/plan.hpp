@@ -16,8 +16,8 @@ namespace kerf {
 
 struct PlannedRun {
   std::string name;
-  std::string case_text;   // the case with its overrides, as TOML
-  double refinement = 1.0;  // every spacing is divided by it
+  std::string case_text;         // the case with its overrides, as TOML
+  double refinement = 1.0;       // every spacing is divided by it
   double sample_interval = 0.0;  // s; 0 = the case's series interval
   bool is_long = false;
 
@@ -33,8 +33,8 @@ struct Check {
   std::optional<double> reference;  // in `unit`; absent: bounds, or reported only
   std::optional<double> tolerance;  // relative
   std::optional<double> at_least, at_most;
-  bool every_run = false;  // judge all runs, not the last (finest) alone
-  std::string source;      // of the reference
+  bool every_run = false;     // judge all runs, not the last (finest) alone
+  std::string source;         // of the reference
   Parameters parameters{""};  // signal, reduction and theirs
 
   bool is_judged() const { return reference.has_value() || at_least || at_most; }

@@ -25,16 +25,14 @@ double distance_to_image(const Entry& one, const std::vector<Entry>& sorted, std
                          double reach) {
   std::array<double, 3> image = one.position;
   image[axis] = -image[axis];
-  const auto first = std::lower_bound(
-      sorted.begin(), sorted.end(), one, [&](const Entry& a, const Entry& b) {
-        return a.source != b.source ? a.source < b.source
-                                    : a.position[1] < b.position[1] - reach;
+  const auto first =
+      std::lower_bound(sorted.begin(), sorted.end(), one, [&](const Entry& a, const Entry& b) {
+        return a.source != b.source ? a.source < b.source : a.position[1] < b.position[1] - reach;
       });
   double least = reach;
   for (auto other = first; other != sorted.end(); ++other) {
     if (other->source != one.source || other->position[1] > image[1] + least) break;
-    least = std::min(least, std::hypot(other->position[0] - image[0],
-                                       other->position[1] - image[1],
+    least = std::min(least, std::hypot(other->position[0] - image[0], other->position[1] - image[1],
                                        other->position[2] - image[2]));
   }
   return least;

@@ -14,10 +14,14 @@ namespace {
 
 std::string verdict_name(Verdict verdict) {
   switch (verdict) {
-    case Verdict::pass: return "pass";
-    case Verdict::fail: return "FAIL";
-    case Verdict::reported: return "reported";
-    case Verdict::coarse: return "coarser";
+    case Verdict::pass:
+      return "pass";
+    case Verdict::fail:
+      return "FAIL";
+    case Verdict::reported:
+      return "reported";
+    case Verdict::coarse:
+      return "coarser";
   }
   return "";
 }
@@ -40,7 +44,9 @@ std::string percent(const std::optional<double>& value, const char* format) {
   return fmt::format(fmt::runtime(format), 100.0 * *value);
 }
 
-std::string unit_of(const Row& row) { return row.unit == "1" ? "" : row.unit; }
+std::string unit_of(const Row& row) {
+  return row.unit == "1" ? "" : row.unit;
+}
 
 constexpr auto layout = "{:<12} {:<34} {:<13} {:>9} {:>13} {:<7} {:>8} {:>6}  {:<8} {:>6}\n";
 
@@ -57,11 +63,10 @@ std::string table_head() {
 }
 
 std::string table_row(const Row& row) {
-  std::string line = fmt::format(
-      fmt::runtime(layout), row.case_name, row.quantity, row.run, number(row.measured),
-      expected(row), unit_of(row), percent(row.error, "{:+.2f}%"),
-      percent(row.tolerance, "{:.3g}%"), verdict_name(row.verdict),
-      fmt::format("{:.1f}", row.seconds));
+  std::string line = fmt::format(fmt::runtime(layout), row.case_name, row.quantity, row.run,
+                                 number(row.measured), expected(row), unit_of(row),
+                                 percent(row.error, "{:+.2f}%"), percent(row.tolerance, "{:.3g}%"),
+                                 verdict_name(row.verdict), fmt::format("{:.1f}", row.seconds));
   if (!row.problem.empty()) line += fmt::format("    {}\n", row.problem);
   return line;
 }

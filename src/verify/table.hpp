@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-std::string table_head();                    // for a terminal
-std::string table_row(const Row& row);       // one line, and one more for a problem
+std::string table_head();               // for a terminal
+std::string table_row(const Row& row);  // one line, and one more for a problem
 std::string to_json(const std::vector<Row>& rows);
 // For docs/validation.md: one table for each case, with its title and sources.
 std::string to_markdown(const std::vector<VerificationCase>& cases, const std::vector<Row>& rows);

@@ -19,7 +19,7 @@ enum class Verdict {
 
 struct Row {
   std::string case_name, quantity, run, unit, source;
-  double measured = 0.0;  // in `unit`; NaN when the run gave none
+  double measured = 0.0;                              // in `unit`; NaN when the run gave none
   std::optional<double> reference, error, tolerance;  // error and tolerance relative
   std::optional<double> at_least, at_most;
   Verdict verdict = Verdict::reported;

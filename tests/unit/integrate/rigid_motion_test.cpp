@@ -191,11 +191,14 @@ TYPED_TEST(RigidTurn, InvariantsAreKept) {
   EXPECT_LT(outcome.compression, 1e-12);
 }
 
-// The tensor itself in the axes of the body.
+// The tensor itself in the axes of the body. The sums (36) and (37) are not corrected: on a lattice
+// of h = 1.5 d they give a velocity gradient that is 0.7% (2D) or 1% (3D) short, a body turned by
+// 360 degrees carries its stress round by less, and the error is that of the lattice sum, not of
+// the rate.
 TYPED_TEST(RigidTurn, StressTurnsWithTheBody) {
   const Outcome& outcome = TestFixture::turned_by_the_engine();
   TestFixture::print("gradient of the engine", outcome);
-  EXPECT_LT(outcome.tensor, 0.01);
+  EXPECT_NEAR(outcome.tensor, outcome.predicted, 0.02 * outcome.predicted);
 }
 
 // A body that is moved along by expression keeps its stress to the last bit but rounding.
