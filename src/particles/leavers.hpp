@@ -24,8 +24,9 @@ struct MarkLeavers {
         particles.flags[i] = static_cast<std::uint8_t>(particles.flags[i] & ~flag::upstream);
       return;
     }
+    // A place that is no number is not outside: the time step finds it and stops the run.
     bool inside = true;
-    for (int a = 0; a < D; ++a) inside = inside && x[a] >= minimum[a] && x[a] <= maximum[a];
+    for (int a = 0; a < D; ++a) inside = inside && !(x[a] < minimum[a]) && !(x[a] > maximum[a]);
     const auto velocity = Vector<D, double>::from(particles.velocity[i]);
     if (!inside)
       particles.flags[i] |= flag::outside;
