@@ -24,8 +24,17 @@ struct RunOptions {
   bool quiet = false;
 };
 
+// A path as a shell takes it.
+std::string shell_word(const std::string& path) {
+  if (path.find_first_of(" \t'\"\\$&;()*?<>|`!#~") == std::string::npos) return path;
+  std::string word = "'";
+  for (const char c : path) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
 std::string resume_command(const RunOptions& options, const fs::path& folder) {
-  std::string command = fmt::format("kerf run {} --out {}", options.case_file, folder.string());
+  std::string command = fmt::format("kerf run {} --out {}", shell_word(options.case_file),
+                                    shell_word(folder.string()));
   if (options.threads > 0) command += fmt::format(" --threads {}", options.threads);
   return command + " --resume";
 }

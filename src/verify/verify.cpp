@@ -73,10 +73,11 @@ Recording record(const PlannedRun& run, const std::vector<const Check*>& checks,
 using Recordings = std::map<std::string, Recording>;
 
 double factor_of(const std::string& unit, const Parameters& parameters) {
+  const std::string si_unit = parameters.has("si_unit") ? parameters.text("si_unit") : "";
   if (unit == "1") return 1.0;
   const double percent = 0.01;
   if (unit == "%") return percent;
-  const Quantity quantity = read_quantity("1 " + unit, parameters.text("si_unit"));
+  const Quantity quantity = read_quantity("1 " + unit, si_unit);
   if (!quantity.problem.empty()) parameters.fail("unit: " + quantity.problem);
   return quantity.value;
 }

@@ -59,9 +59,7 @@ class Faults : public testing::Test {
   static void SetUpTestSuite() {
     folder_ = std::make_unique<test::TemporaryFolder>();
     write_file(case_file(), case_text);
-    const auto start = std::chrono::steady_clock::now();
     const Ending ending = Program(run_arguments("whole"), output()).wait();
-    duration_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     ASSERT_EQ(ending.exit_code, 0) << ending.output;
   }
   static void TearDownTestSuite() { folder_.reset(); }
@@ -90,6 +88,11 @@ class Faults : public testing::Test {
     ASSERT_EQ(ending.exit_code, 0) << ending.output;
     test::expect_same_results(path("whole"), path(name));
   }
+  static double size_or_zero(const fs::path& file) {
+    std::error_code missing;
+    const std::uintmax_t size = fs::file_size(file, missing);
+    return missing ? 0.0 : static_cast<double>(size);
+  }
   static std::uintmax_t size_of(const fs::path& folder) {
     std::uintmax_t sum = 0;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -98,18 +101,25 @@ class Faults : public testing::Test {
   }
 
   static inline std::unique_ptr<test::TemporaryFolder> folder_;
-  static inline double duration_ = 0.0;  // s, of a run that is left alone
 };
 
+// Kills at the start, where the folder is made, and then at random places of the way to the end,
+// told by the growing series, so that they hit a running program however fast the machine is.
 TEST_F(Faults, KilledAtRandomMomentsItEndsAsIfNeverStopped) {
   std::mt19937 random(20040110);
-  std::uniform_real_distribution<double> share(0.0, 0.6);
-  for (int round = 0; round < 3; ++round) {
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const auto whole = static_cast<double>(fs::file_size(path("whole/series.csv")));
+  constexpr int rounds = 3, kills = 5;
+  for (int round = 0; round < rounds; ++round) {
     const std::string name = "killed" + std::to_string(round);
-    for (int kills = 0; kills < 4; ++kills) {
+    for (int place = 0; place < kills; ++place) {
       Program program(run_arguments(name, "--resume"), output());
-      std::this_thread::sleep_for(std::chrono::duration<double>(share(random) * duration_));
-      program.end(SIGKILL);
+      const double target = whole * (place - 1 + 0.9 * share(random)) / (kills - 1);
+      EXPECT_TRUE(place == 0 || test::wait_for([&] {
+                    return size_or_zero(path(name) / "series.csv") >= target;
+                  }));
+      std::this_thread::sleep_for(std::chrono::duration<double>(0.03 * share(random)));
+      EXPECT_EQ(program.end(SIGKILL).signal, SIGKILL) << "it ended before it was killed";
     }
     expect_as_if_never_stopped(name);
   }

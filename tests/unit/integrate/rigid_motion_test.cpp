@@ -192,8 +192,8 @@ TYPED_TEST(RigidTurn, InvariantsAreKept) {
 }
 
 // The tensor itself in the axes of the body. The sums (36) and (37) are not corrected: on a lattice
-// of h = 1.5 d they give a velocity gradient that is 0.7% (2D) or 1% (3D) short, a body turned by
-// 360 degrees carries its stress round by less, and the error is that of the lattice sum, not of
+// of h = 1.5 d they give a velocity gradient that is 0.7% (2D) or 1% (3D) too large, a body turned
+// by 360 degrees carries its stress round by more, and the error is that of the lattice sum, not of
 // the rate.
 TYPED_TEST(RigidTurn, StressTurnsWithTheBody) {
   const Outcome& outcome = TestFixture::turned_by_the_engine();

@@ -148,7 +148,8 @@ class PairTest : public SignalTest {
 };
 
 TEST_F(PairTest, AsymmetryIsTwiceTheShift) {
-  EXPECT_NEAR(value({{"signal", "asymmetry"}, {"axis", "x"}}), 2.0 * 0.25 / 2.0, 1e-9);
+  EXPECT_NEAR(value({{"signal", "asymmetry"}, {"axis", "x"}}), 2.0 * 0.25 / 2.0,
+              1e-7);  // places in a frame are exact, sizes are float
 }
 
 TEST_F(PairTest, ProfileErrorOfNoPressureIsOne) {
