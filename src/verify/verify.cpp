@@ -148,8 +148,8 @@ Row measured_row(const VerificationCase& verification, const Check& check,
   row.run = run;
   row.unit = check.unit;
   row.source = check.source;
-  row.measured = check.relative_to.empty() ? measured(run) / factor_of(check.unit, check.parameters)
-                                           : measured(run) / measured(check.relative_to);
+  const double unit = factor_of(check.unit, check.parameters);
+  row.measured = measured(run) / (check.relative_to.empty() ? unit : measured(check.relative_to));
   row.problem = recordings.at(run).problem;
   row.seconds = recordings.at(run).seconds;
   if (const auto unread = check.parameters.unread(); row.problem.empty() && !unread.empty())
