@@ -13,10 +13,11 @@
 namespace kerf {
 namespace {
 
-constexpr double bar_pause = 0.1;     // s, between two pictures of the bar
-constexpr double line_pause = 5.0;    // s, at most, between two lines
-constexpr double line_share = 0.02;   // of the run, or that
-constexpr double pace_window = 10.0;  // s, the pace is an average over about this
+constexpr double bar_pause = 0.1;    // s, between two pictures of the bar
+constexpr double line_pause = 5.0;   // s, at most, between two lines
+constexpr double line_share = 0.02;  // of the run, or that
+constexpr double pace_window = 3.0;  // s, between two looks at the pace
+constexpr double pace_weight = 0.4;  // of the newest look
 constexpr int bar_cells = 24;
 
 int terminal_width() {
@@ -70,18 +71,25 @@ void Progress::update(const ProgressNumbers& numbers) {
   if (!time_to_show) return;
   shown_at_ = now;
   shown_share_ = share;
-  const double elapsed = seconds_between(pace_start_, now);
-  if (elapsed > 0.0 && share > pace_share_) pace_ = (share - pace_share_) / elapsed;
-  if (elapsed > pace_window) {
-    pace_share_ = share;
-    pace_start_ = now;
-  }
+  follow_pace(share, now);
   const double left = pace_ > 0.0 ? (1.0 - share) / pace_ : std::numeric_limits<double>::infinity();
   const std::string line = progress_line(numbers, left);
   if (style_ == ProgressStyle::bar)
     show_bar(share, line);
   else
     say(line);
+}
+
+void Progress::follow_pace(double share, Clock::time_point now) {
+  const double elapsed = seconds_between(pace_start_, now);
+  if (elapsed <= 0.0) return;
+  const double newest = (share - pace_share_) / elapsed;
+  if (!pace_settled_) pace_ = newest;
+  if (elapsed < pace_window) return;
+  if (pace_settled_) pace_ += pace_weight * (newest - pace_);
+  pace_settled_ = true;
+  pace_share_ = share;
+  pace_start_ = now;
 }
 
 void Progress::say(const std::string& line) {

@@ -44,6 +44,7 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void follow_pace(double share, Clock::time_point now);
   void show_bar(double share, const std::string& line);
   void clear_bar();
 
@@ -51,10 +52,11 @@ class Progress {
   bool bar_shown_ = false;
   Clock::time_point shown_at_{};
   double shown_share_ = -1.0;
-  // Where the pace is measured from; renewed, so that it follows a run that grows.
+  // Where the pace is measured from; renewed, so that it follows a run whose steps grow dearer.
   Clock::time_point pace_start_{};
   double pace_share_ = -1.0;
-  double pace_ = 0.0;  // share of the run per second of wall time
+  bool pace_settled_ = false;
+  double pace_ = 0.0;  // share of the run per second of wall time, an average over past looks
 };
 
 }  // namespace kerf
