@@ -59,6 +59,52 @@ struct SymmetricTensor {
   }
 };
 
+// A skew tensor, e.g. a spin: entry (a, b) = - (b, a); the entries above the diagonal are kept.
+//   D = 2: xy        D = 3: xy xz yz
+template <int D, class T>
+struct SkewTensor {
+  static constexpr int count = D * (D - 1) / 2;
+  T component[count];
+
+  KERF_FUNCTION T operator()(int a, int b) const {
+    if (a == b) return T(0);
+    return a < b ? component[a + b - 1] : -component[a + b - 1];
+  }
+  // (m - m^T) / 2
+  KERF_FUNCTION static SkewTensor part_of(const Matrix<D, T>& m) {
+    SkewTensor w;
+    for (int a = 0; a < D; ++a)
+      for (int b = a + 1; b < D; ++b) w.component[a + b - 1] = T(0.5) * (m(a, b) - m(b, a));
+    return w;
+  }
+};
+
+// Solves X m = y for X, where m is symmetric and not negative; y becomes X. False, with y as it
+// was, when a pivot of m is below `least`.
+template <int D, class T>
+KERF_FUNCTION bool divide(Matrix<D, T>& y, Matrix<D, T> m, T least) {
+  Matrix<D, T> x = y;
+  for (int k = 0; k < D; ++k) {  // column elimination: pivots of such an m need no exchange
+    const T pivot = m(k, k);
+    if (!(pivot >= least)) return false;
+    for (int b = k + 1; b < D; ++b) {
+      const T factor = m(k, b) / pivot;
+      for (int a = 0; a < D; ++a) {
+        m(a, b) -= factor * m(a, k);
+        x(a, b) -= factor * x(a, k);
+      }
+    }
+  }
+  for (int k = D - 1; k >= 0; --k) {
+    for (int a = 0; a < D; ++a) {
+      for (int c = k + 1; c < D; ++c) x(a, k) -= x(a, c) * m(c, k);
+      x(a, k) /= m(k, k);
+    }
+  }
+  y = x;
+  return true;
+}
+
 // In-plane action on a vector: (S v)_a = S_ab v_b.
 template <int D, class T>
 KERF_FUNCTION Vector<D, T> operator*(const SymmetricTensor<D, T>& s, const Vector<D, T>& v) {

@@ -47,7 +47,8 @@ struct AdvanceFromStart {
 
  private:
   KERF_FUNCTION void advance_shear(Index i, const Medium<Real>& medium) const {
-    auto rate = HookeSolid::shear_rate(medium, particles.shear[i], particles.velocity_gradient[i]);
+    auto rate = HookeSolid::shear_rate(medium, particles.shear[i], particles.velocity_gradient[i],
+                                       particles.spin[i]);
     rate *= Real(dt);
     particles.shear[i] = particles.start_shear[i] + rate;
   }

@@ -24,18 +24,15 @@ struct HookeSolid {
   template <int D, class T>
   KERF_FUNCTION static SymmetricTensor<D, T> shear_rate(const Medium<T>& solid,
                                                         const SymmetricTensor<D, T>& s,
-                                                        const Matrix<D, T>& gradient) {
+                                                        const Matrix<D, T>& gradient,
+                                                        const SkewTensor<D, T>& spin) {
     SymmetricTensor<D, T> rate = SymmetricTensor<D, T>::zero();
     const T two_g = T(2) * solid.shear_modulus;
     for (int a = 0; a < D; ++a)
       for (int b = a; b < D; ++b) {
         rate(a, b) += two_g * T(0.5) * (gradient(a, b) + gradient(b, a));
-        for (int g = 0; g < D; ++g) {
-          // w_ab = (d v_a/d x_b - d v_b/d x_a) / 2; the term s_ag w_bg + s_gb w_ag of eq. (34).
-          const T w_bg = T(0.5) * (gradient(b, g) - gradient(g, b));
-          const T w_ag = T(0.5) * (gradient(a, g) - gradient(g, a));
-          rate(a, b) += s(a, g) * w_bg + s(g, b) * w_ag;
-        }
+        // The term s_ag w_bg + s_gb w_ag of eq. (34).
+        for (int g = 0; g < D; ++g) rate(a, b) += s(a, g) * spin(b, g) + s(g, b) * spin(a, g);
       }
     const T mean = two_g * gradient.trace() / T(3);
     for (int a = 0; a < 3; ++a) rate(a, a) -= mean;

@@ -36,6 +36,7 @@ namespace kerf {
   FIELD(Real, pressure)              /* Pa */                                    \
   FIELD(Real, compression_rate)      /* 1/s */                                   \
   FIELD(Gradient, velocity_gradient) /* 1/s, over the particle's own phase */    \
+  FIELD(Spin, spin)                  /* 1/s, skew part of it, of solid */        \
   FIELD(RealVector, acceleration)    /* m/s^2 */                                 \
   FIELD(RealVector, repulsion)       /* m/s^2, the part due to rigid bodies */   \
   FIELD(Real, repulsion_potential)   /* J/kg */                                  \
@@ -51,6 +52,7 @@ struct FieldTypes {
   using RealVector = Vector<D, Real>;
   using Stress = SymmetricTensor<D, Real>;
   using Gradient = Matrix<D, Real>;
+  using Spin = SkewTensor<D, Real>;
 };
 
 // What a loop body gets: plain pointers.
@@ -61,6 +63,7 @@ struct ParticleView : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::RealVector;
   using typename FieldTypes<D, P>::Stress;
   using typename FieldTypes<D, P>::Gradient;
+  using typename FieldTypes<D, P>::Spin;
 #define KERF_FIELD(type, name) type* name;
   KERF_STATE_FIELDS(KERF_FIELD)
   KERF_SCRATCH_FIELDS(KERF_FIELD)
@@ -91,6 +94,7 @@ class Particles : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::RealVector;
   using typename FieldTypes<D, P>::Stress;
   using typename FieldTypes<D, P>::Gradient;
+  using typename FieldTypes<D, P>::Spin;
 
 #define KERF_FIELD(type, name) Array<type> name;
   KERF_STATE_FIELDS(KERF_FIELD)

@@ -63,7 +63,7 @@ class RatesOracle : public testing::Test {
   static void compare(const ReferenceState& state, const Loaded<D, P>& loaded) {
     const ReferenceSph oracle(state);
     const auto place = loaded.places();
-    Worst continuity, pressure, gradient, shear, acceleration, repulsion, potential;
+    Worst continuity, pressure, gradient, spin, shear, acceleration, repulsion, potential;
     for (std::size_t i = 0; i < place.size(); ++i) {
       const ReferenceRate& due = oracle.rates()[i];
       const auto& p = loaded.particles;
@@ -78,6 +78,8 @@ class RatesOracle : public testing::Test {
       potential.add(std::abs(double(p.repulsion_potential[k]) - due.repulsion_potential),
                     due.repulsion_potential);
       add(gradient, as_eigen(Matrix<D, typename P::Real>(p.velocity_gradient[k])), due.gradient);
+      if (state.medium(i).phase == Phase::solid)
+        add(spin, as_eigen(SkewTensor<D, typename P::Real>(p.spin[k])), due.spin);
       add(shear, as_eigen(SymmetricTensor<D, typename P::Real>(p.shear[k])), due.shear);
       add(acceleration, as_eigen(Vector<D, typename P::Real>(p.acceleration[k])), due.acceleration);
       add(repulsion, as_eigen(Vector<D, typename P::Real>(p.repulsion[k])), due.repulsion);
@@ -85,6 +87,8 @@ class RatesOracle : public testing::Test {
     EXPECT_LE(continuity.error, tolerance<P> * continuity.scale);
     EXPECT_LE(pressure.error, tolerance<P> * pressure.scale);
     EXPECT_LE(gradient.error, tolerance<P> * gradient.scale);
+    EXPECT_LE(spin.error, tolerance<P> * spin.scale);
+    EXPECT_GT(spin.scale, 0.0);
     EXPECT_LE(shear.error, tolerance<P> * shear.scale);
     EXPECT_LE(acceleration.error, tolerance<P> * acceleration.scale);
     EXPECT_LE(repulsion.error, tolerance<P> * repulsion.scale);

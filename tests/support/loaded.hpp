@@ -111,6 +111,13 @@ Matrix3 as_eigen(const Matrix<D, T>& m) {
   return result;
 }
 template <int D, class T>
+Matrix3 as_eigen(const SkewTensor<D, T>& w) {
+  Matrix3 result = Matrix3::Zero();
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) result(a, b) = static_cast<double>(w(a, b));
+  return result;
+}
+template <int D, class T>
 Matrix3 as_eigen(const SymmetricTensor<D, T>& s) {
   Matrix3 result = Matrix3::Zero();
   for (int a = 0; a < 3; ++a) result(a, a) = static_cast<double>(s(a, a));

@@ -44,6 +44,8 @@ struct ReferenceRate {
   double compression_rate = 0.0;           // 1/s
   double pressure = 0.0;                   // Pa
   Matrix3 gradient = Matrix3::Zero();      // 1/s
+  Matrix3 moment = Matrix3::Zero();        // 1, the gradient of the places themselves
+  Matrix3 spin = Matrix3::Zero();          // 1/s, of solid
   Matrix3 shear = Matrix3::Zero();         // Pa, viscous or deviatoric
   Matrix3 artificial = Matrix3::Zero();    // R of Gray, Monaghan & Swift
   Vector3 acceleration = Vector3::Zero();  // m/s^2
@@ -123,9 +125,26 @@ class ReferenceSph {
     const double m_j = state_.medium(pair.j).mass;
     rates_[pair.i].compression_rate +=
         m_j * pair.velocity.dot(pair.gradient) / state_.medium(pair.i).density;
-    if (holds_together(pair.i, pair.j))
-      rates_[pair.i].gradient +=
-          m_j / state_.density(pair.j) * (-pair.velocity) * pair.gradient.transpose();
+    if (!holds_together(pair.i, pair.j)) return;
+    const double volume = m_j / state_.density(pair.j);
+    rates_[pair.i].gradient -= volume * pair.velocity * pair.gradient.transpose();
+    rates_[pair.i].moment -= volume * pair.separation * pair.gradient.transpose();
+  }
+
+  // (37) with the gradient normalised, unless a ratio of leading minors of M is below 0.1.
+  Matrix3 spin_of(const ReferenceRate& rate) const {
+    const int d = state_.dimension;
+    const Eigen::MatrixXd moment = rate.moment.topLeftCorner(d, d);
+    Matrix3 gradient = rate.gradient;
+    double minor = 1.0, least = 1.0;
+    for (int k = 1; k <= d; ++k) {
+      const double next = moment.topLeftCorner(k, k).determinant();
+      least = std::min(least, minor > 0.0 ? next / minor : 0.0);
+      minor = next;
+    }
+    if (least >= 0.1)
+      gradient.topLeftCorner(d, d) = rate.gradient.topLeftCorner(d, d) * moment.inverse();
+    return 0.5 * (gradient - gradient.transpose());
   }
 
   // (15), (28), (30), (31), (32); section 2.3.
@@ -142,6 +161,7 @@ class ReferenceSph {
                                        2.0 / 3.0 * rate.gradient.trace() * Matrix3::Identity());
       return;
     }
+    rate.spin = spin_of(rate);
     rate.pressure = medium.bulk_modulus * (ratio - 1.0);
     if (particle.fractured) rate.pressure = std::max(rate.pressure, 0.0);
     rate.shear = particle.shear;

@@ -45,6 +45,49 @@ TEST(SymmetricTensor, EveryEntryHasItsPlace) {
 }
 
 template <int D>
+void expect_skew_part() {
+  Random random;
+  Matrix<D, double> m;
+  for (double& entry : m.component) entry = random();
+  const auto w = SkewTensor<D, double>::part_of(m);
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) EXPECT_EQ(w(a, b), 0.5 * (m(a, b) - m(b, a)));
+}
+TEST(SkewTensor, IsTheSkewPart) {
+  expect_skew_part<2>();
+  expect_skew_part<3>();
+}
+
+template <int D>
+void expect_division() {
+  using Square = Eigen::Matrix<double, D, D>;
+  Random random;
+  for (int trial = 0; trial < 100; ++trial) {
+    Square root, y;
+    for (int k = 0; k < D * D; ++k) root(k) = random(), y(k) = random();
+    const Square m = root * root.transpose() + 0.2 * Square::Identity();
+    Matrix<D, double> quotient, divisor;
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) quotient(a, b) = y(a, b), divisor(a, b) = m(a, b);
+    ASSERT_TRUE(divide(quotient, divisor, 0.1));
+    const Square due = y * m.inverse();
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) EXPECT_NEAR(quotient(a, b), due(a, b), 1e-12 * due.norm());
+  }
+}
+TEST(Matrix, DividedByASymmetricOne) {
+  expect_division<2>();
+  expect_division<3>();
+}
+
+TEST(Matrix, IsLeftAloneByASingularOne) {
+  Matrix<2, double> y, m;
+  for (int k = 0; k < 4; ++k) y.component[k] = k + 1.0, m.component[k] = 1.0;
+  EXPECT_FALSE(divide(y, m, 0.1));
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(y.component[k], k + 1.0);
+}
+
+template <int D>
 void expect_products() {
   Random random;
   const Matrix3 s = random_deviator(D, random), u = random_deviator(D, random);

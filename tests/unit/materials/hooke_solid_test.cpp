@@ -25,7 +25,8 @@ SymmetricTensor<D, double> stress_after(const Matrix<D, double>& gradient, doubl
                                         SymmetricTensor<D, double> s) {
   using Stress = SymmetricTensor<D, double>;
   const auto rate = [&](const Stress& stress) {
-    return HookeSolid::shear_rate(tofu(), stress, gradient);
+    return HookeSolid::shear_rate(tofu(), stress, gradient,
+                                  SkewTensor<D, double>::part_of(gradient));
   };
   constexpr int steps = 2000;
   const double dt = time / steps;
@@ -120,7 +121,8 @@ TEST(HookeSolid, JaumannRateIsTheCommutatorWithTheSpin) {
         s(a, b) = stress(a, b);
         gradient(a, b) = l(a, b);
       }
-    const auto rate = HookeSolid::shear_rate(tofu(), s, gradient);
+    const auto rate =
+        HookeSolid::shear_rate(tofu(), s, gradient, SkewTensor<3, double>::part_of(gradient));
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) EXPECT_NEAR(rate(a, b), due(a, b), 1e-13 * due.norm());
   }
