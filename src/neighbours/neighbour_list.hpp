@@ -26,7 +26,7 @@ struct CellNumber {
 };
 
 // Walks the candidates of particle i; counts them, or writes them where `neighbour` is given.
-template <int D, class P>
+template <int D, class P, class Reach>
 struct FindNeighbours {
   ParticleView<D, P> particles;
   Grid<D> grid;
@@ -65,7 +65,7 @@ struct FindNeighbours {
   KERF_FUNCTION Index scan(Index i, Index from, Index to, Index found) const {
     for (Index j = from; j < to; ++j) {
       if (j == i) continue;
-      const double reach = pair_reach(particles, i, j);
+      const double reach = Reach::of(particles, i, j);
       if (reach == 0.0) continue;
       const auto r = particles.build_position[i] - particles.build_position[j];
       const double limit = reach + skin;
@@ -94,14 +94,14 @@ struct Either {
   KERF_FUNCTION bool operator()(bool a, bool b) const { return a || b; }
 };
 
-template <int D, class P>
+template <int D, class P, class Reach>
 class NeighbourList {
  public:
   NeighbourList() = default;
-  // `reach`: the longest pair reach there is; `skin` in m.
-  NeighbourList(const Vector<D, double>& minimum, const Vector<D, double>& maximum, double reach,
+  // `longest`: the longest pair reach there is; `skin` in m.
+  NeighbourList(const Vector<D, double>& minimum, const Vector<D, double>& maximum, double longest,
                 double skin)
-      : grid_(Grid<D>::covering(minimum, maximum, reach + skin, 1.6e7)), skin_(skin) {}
+      : grid_(Grid<D>::covering(minimum, maximum, longest + skin, 1.6e7)), skin_(skin) {}
 
   // Cell numbers of the build positions, the sort key of the particles.
   const Array<Index>& cell_numbers(Particles<D, P>& particles) {
@@ -120,7 +120,7 @@ class NeighbourList {
                         thrust::counting_iterator<Index>(0),
                         thrust::counting_iterator<Index>(cells + 1), cell_begin_.begin());
     begin_.resize(n + 1);
-    FindNeighbours<D, P> find{
+    FindNeighbours<D, P, Reach> find{
         particles.view(), grid_,  pointer(cell_begin_), skin_, pointer(begin_),
         pointer(begin_),  nullptr};
     for_each_index(n, find);

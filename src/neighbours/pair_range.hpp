@@ -11,14 +11,18 @@ namespace kerf {
 // Reach of the pair (i, j) in m, as i sees j; 0 when j does not act on i. Water and solid see each
 // other over the support of the mean smoothing length; rigid bodies act by their repelling layer
 // only, within the mean spacing d_0 of eq. (43), and are not acted upon.
-template <int D, class P>
-KERF_FUNCTION double pair_reach(const ParticleView<D, P>& particles, Index i, Index j) {
-  const auto& a = particles.medium(i);
-  const auto& b = particles.medium(j);
-  if (a.phase == Phase::rigid) return 0.0;
-  if (b.phase == Phase::rigid)
-    return particles.has(j, flag::repelling) ? 0.5 * (double(a.spacing) + double(b.spacing)) : 0.0;
-  return CubicSpline<D>::support * 0.5 * (double(a.smoothing_length) + double(b.smoothing_length));
-}
+struct MeanReach {
+  template <int D, class P>
+  KERF_FUNCTION static double of(const ParticleView<D, P>& particles, Index i, Index j) {
+    const auto& a = particles.medium(i);
+    const auto& b = particles.medium(j);
+    if (a.phase == Phase::rigid) return 0.0;
+    if (b.phase == Phase::rigid)
+      return particles.has(j, flag::repelling) ? 0.5 * (double(a.spacing) + double(b.spacing))
+                                               : 0.0;
+    return CubicSpline<D>::support * 0.5 *
+           (double(a.smoothing_length) + double(b.smoothing_length));
+  }
+};
 
 }  // namespace kerf

@@ -109,7 +109,7 @@ void draw_page(const Plot& plot) {
   plbox("g", 0.0, 0, "g", 0.0, 0);
   plcol0(ink);
   plwidth(1.0);
-  plbox("bnst", 0.0, 0, "bnstv", 0.0, 0);
+  plbox("bnst", 0.0, 0, "bnstvf", 0.0, 0);
   plmtex("b", 2.9, 0.5, 0.5, axis_title(plot.x_axis, x_prefix).c_str());
   plmtex("l", 4.3, 0.5, 0.5, axis_title(plot.y_axis, y_prefix).c_str());
   if (plot.mark >= 0.0) {

@@ -5,7 +5,8 @@
 
 #include "case/case.hpp"
 #include "exec/ordered_sum.hpp"
-#include "rates/rates.hpp"
+#include "kernels/cubic_spline.hpp"
+#include "particles/fields.hpp"
 
 namespace kerf {
 
@@ -68,12 +69,8 @@ class Probes {
       values.push_back(a < D && weight > 0.0 ? sum.value[Sum::velocity + a] / weight : 0.0);
   }
 
-  // Force of what is above on what is below, three components; stresses must be up to date.
-  void sample_plane(Particles<D, P>& particles, const NeighbourView& list, const Probe& probe,
-                    const Rates<D, P>& rates, std::vector<double>& values) {
-    const AcrossPlane<D> across{Vector<D, double>::from(probe.position),
-                                Vector<D, double>::from(probe.normal)};
-    rates.accelerate(particles, particles.view(), list, across, BodyForce<D, P>{});
+  // The force that the particles' accelerations make together, three components.
+  void sum_force(Particles<D, P>& particles, std::vector<double>& values) {
     const auto sum = force_sum_(particles.size(), ForceSum<D, P>{particles.view()});
     for (int a = 0; a < 3; ++a) values.push_back(a < D ? sum.value[a] : 0.0);
   }

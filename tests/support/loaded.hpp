@@ -35,7 +35,7 @@ class Loaded {
       maximum[a] = choice.maximum;
     }
     for (const auto& medium : state.media) longest = std::max(longest, medium.smoothing_length);
-    list = NeighbourList<D, P>(minimum, maximum, 2.0 * longest, choice.skin);
+    list = NeighbourList<D, P, MeanReach>(minimum, maximum, 2.0 * longest, choice.skin);
     rebuild();
   }
 
@@ -65,7 +65,7 @@ class Loaded {
   }
 
   Particles<D, P> particles;
-  NeighbourList<D, P> list;
+  NeighbourList<D, P, MeanReach> list;
 
  private:
   void load_media(const ReferenceState& state) {

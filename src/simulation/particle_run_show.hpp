@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run of `shinohara2004` shows of itself. Nothing here changes how the run goes on.
+// What a run shows of itself. Nothing here changes how the run goes on.
 #pragma once
 
-#include "simulation/shinohara2004.hpp"
+#include "simulation/particle_run.hpp"
 #include "simulation/snapshot.hpp"
 
 namespace kerf {
 
 // Rates, stresses and forces belong to the middle of the last step: work them out for now.
-template <int D, class P>
-void Shinohara2004<D, P>::refresh() const {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::refresh() const {
   if (fresh_) return;
-  rates_.evaluate(particles_, list_.view());
+  evaluate_now();
   fresh_ = true;
 }
 
-template <int D, class P>
-Frame Shinohara2004<D, P>::frame() const {
+template <int D, class P, class Reach>
+Frame ParticleRun<D, P, Reach>::frame() const {
   refresh();
   Frame frame = make_frame(particles_, media_);
   frame.time = time_;
@@ -24,8 +24,8 @@ Frame Shinohara2004<D, P>::frame() const {
   return frame;
 }
 
-template <int D, class P>
-Ledger Shinohara2004<D, P>::ledger() const {
+template <int D, class P, class Reach>
+Ledger ParticleRun<D, P, Reach>::ledger() const {
   refresh();
   Ledger ledger = book_.state(particles_);
   for (const Nozzle& nozzle : nozzles_) {
@@ -35,28 +35,29 @@ Ledger Shinohara2004<D, P>::ledger() const {
   return ledger;
 }
 
-template <int D, class P>
-std::vector<double> Shinohara2004<D, P>::probe_values() const {
+template <int D, class P, class Reach>
+std::vector<double> ParticleRun<D, P, Reach>::probe_values() const {
   std::vector<double> values;
   for (const Probe& probe : case_.probes) {
     refresh();
     if (probe.kind == Probe::Kind::point) {
       probes_.sample_point(particles_, probe, values);
     } else {
-      probes_.sample_plane(particles_, list_.view(), probe, rates_, values);
+      accelerate_across(AcrossPlane<D>{Place::from(probe.position), Place::from(probe.normal)});
+      probes_.sum_force(particles_, values);
       fresh_ = false;  // the accelerations are those across the plane now
     }
   }
   return values;
 }
 
-template <int D, class P>
-double Shinohara2004<D, P>::neighbours_per_particle() const {
+template <int D, class P, class Reach>
+double ParticleRun<D, P, Reach>::neighbours_per_particle() const {
   return particles_.size() > 0 ? static_cast<double>(list_.pairs()) / particles_.size() : 0.0;
 }
 
-template <int D, class P>
-double Shinohara2004<D, P>::bytes_per_particle() const {
+template <int D, class P, class Reach>
+double ParticleRun<D, P, Reach>::bytes_per_particle() const {
   const double n = std::max<double>(1.0, particles_.size());
   return static_cast<double>(Particles<D, P>::bytes_per_particle()) +
          static_cast<double>(list_.bytes()) / n;

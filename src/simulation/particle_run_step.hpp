@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages of a step of `shinohara2004`, in their order.
+// The stages of a step that formulations share.
 #pragma once
 
 #include "simulation/breakdown.hpp"
+#include "simulation/particle_run.hpp"
 #include "simulation/populate.hpp"
-#include "simulation/shinohara2004.hpp"
 
 namespace kerf {
 
-template <int D, class P>
-void Shinohara2004<D, P>::renew_neighbours() {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::renew_neighbours() {
   const auto timer = timers_.stage("neighbours");
   remove_marked();
   let_water_in();
@@ -19,8 +19,8 @@ void Shinohara2004<D, P>::renew_neighbours() {
   list_is_due_ = false;
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::remove_marked() {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::remove_marked() {
   const auto view = particles_.view();
   const bool any = reduce_unordered(particles_.size(), IsLeaving<D, P>{view}, false, Either{});
   if (!any) return;
@@ -29,8 +29,8 @@ void Shinohara2004<D, P>::remove_marked() {
   list_is_due_ = true;
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::let_water_in() {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::let_water_in() {
   for (std::size_t j = 0; j < nozzles_.size(); ++j) {
     const std::vector<InletParticle> water = nozzles_[j].emit(time_);
     if (water.empty()) continue;
@@ -43,22 +43,15 @@ void Shinohara2004<D, P>::let_water_in() {
   }
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::rebuild_list() {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::rebuild_list() {
   particles_.build_position = particles_.position;
   sort_particles(particles_, list_.cell_numbers(particles_));
   list_.build(particles_);
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::evaluate_rates() const {
-  const auto timer = timers_.stage("rates");
-  rates_.evaluate(particles_, list_.view());
-  pair_interactions_ += static_cast<double>(list_.pairs()) * Rates<D, P>::pair_passes;
-}
-
-template <int D, class P>
-double Shinohara2004<D, P>::choose_step() {
+template <int D, class P, class Reach>
+double ParticleRun<D, P, Reach>::choose_step() {
   const auto timer = timers_.stage("time step");
   const double remaining = case_.time.end - time_;
   const double longest =
@@ -75,14 +68,14 @@ double Shinohara2004<D, P>::choose_step() {
   return chosen.dt;
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::fail(const StepLimit& cause) const {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::fail(const StepLimit& cause) const {
   Breakdown breakdown;
   breakdown.time = time_;
   breakdown.step = step_;
   breakdown.particle = particles_.id[cause.particle];
   breakdown.source = std::uint16_t{particles_.source[cause.particle]};
-  const Point x = particles_.position[cause.particle];
+  const Place x = particles_.position[cause.particle];
   for (int a = 0; a < D; ++a) breakdown.position[static_cast<std::size_t>(a)] = x[a];
   breakdown.fault = cause.dt < 0.0;
   breakdown.dt = cause.dt;
@@ -90,45 +83,26 @@ void Shinohara2004<D, P>::fail(const StepLimit& cause) const {
   report_breakdown(case_, breakdown);
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::keep_start() {
-  for_each_index(particles_.size(), KeepStart<D, P>{particles_.view()});
-}
-
-template <int D, class P>
-void Shinohara2004<D, P>::load_drives(double now) {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::load_drives(double now) {
   to_device(motion_.drives<D>(time_, now), drives_);
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::advance_to(double dt) {
-  const auto timer = timers_.stage("integrate");
-  load_drives(time_ + dt);
-  for_each_index(particles_.size(),
-                 AdvanceFromStart<D, P>{particles_.view(), pointer(drives_), dt});
-}
-
-template <int D, class P>
-void Shinohara2004<D, P>::break_particles() {
-  const auto timer = timers_.stage("fracture");
-  for_each_index(particles_.size(), BreakParticles<D, P>{particles_.view()});
-}
-
-template <int D, class P>
-void Shinohara2004<D, P>::book_step(double dt) {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::book_step(double dt) {
   const auto timer = timers_.stage("ledger");
   book_.book_step(particles_, gravity_, dt);
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::mark_leavers() {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::mark_leavers() {
   const auto timer = timers_.stage("outflow");
   for_each_index(particles_.size(),
                  MarkLeavers<D, P>{particles_.view(), pointer(drives_), minimum_, maximum_});
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::tick(double dt) {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::tick(double dt) {
   time_ = last_step_.limit == limit_name(Limit::end_of_run) ? case_.time.end : time_ + dt;
   ++step_;
   fresh_ = false;

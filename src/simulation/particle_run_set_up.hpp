@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a run of `shinohara2004` comes to be: from a case, or from a checkpoint.
+// How a run comes to be: from a case, or from a checkpoint.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <type_traits>
 
 #include "simulation/media.hpp"
+#include "simulation/particle_run.hpp"
 #include "simulation/populate.hpp"
-#include "simulation/shinohara2004.hpp"
 #include "simulation/state_io.hpp"
 
 namespace kerf {
@@ -22,16 +22,15 @@ inline std::vector<Nozzle> make_nozzles(const Case& description) {
   return nozzles;
 }
 
-template <int D, class P>
-Shinohara2004<D, P>::Shinohara2004(const Case& description)
+template <int D, class P, class Reach>
+ParticleRun<D, P, Reach>::ParticleRun(const Case& description)
     : case_(description),
       nozzles_(make_nozzles(description)),
       media_(make_media(description, nozzles_)),
       motion_(case_, nozzles_),
-      rates_(Point::from(description.gravity), description.artificial_stress),
-      gravity_(Point::from(description.gravity)),
-      minimum_(Point::from(description.domain.minimum)),
-      maximum_(Point::from(description.domain.maximum)) {
+      gravity_(Place::from(description.gravity)),
+      minimum_(Place::from(description.domain.minimum)),
+      maximum_(Place::from(description.domain.maximum)) {
   std::vector<Medium<Real>> media;
   std::vector<double> masses;
   double longest = 0.0, finest = 1e300, shortest = 1e300;
@@ -48,27 +47,31 @@ Shinohara2004<D, P>::Shinohara2004(const Case& description)
   book_.set_masses(masses);
   shortest_step_ = 1e-6 * case_.time.courant * shortest;
   const double skin = 0.5 * finest;
-  list_ = NeighbourList<D, P>(minimum_, maximum_, CubicSpline<D>::support * longest, skin);
+  list_ = NeighbourList<D, P, Reach>(minimum_, maximum_, CubicSpline<D>::support * longest, skin);
   append(initial_particles(case_, nozzles_));
+}
+
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::open() {
   rebuild_list();
   list_is_due_ = false;
   refresh();  // the ledger opens with what the first forces hold
   book_.open(particles_);
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::append(const std::vector<NewParticle>& newcomers) {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::append(const std::vector<NewParticle>& newcomers) {
   const Index before = particles_.size();
   const auto count = static_cast<Index>(newcomers.size());
   particles_.resize(before + count);
-  std::vector<Point> position;
+  std::vector<Place> position;
   std::vector<Vector<D, Real>> velocity;
   std::vector<Real> inlet_speed;
   std::vector<std::uint32_t> id;
   std::vector<std::uint16_t> source;
   std::vector<std::uint8_t> flags;
   for (const NewParticle& particle : newcomers) {
-    position.push_back(Point::from(particle.position));
+    position.push_back(Place::from(particle.position));
     velocity.push_back(Vector<D, Real>::from(particle.velocity));
     inlet_speed.push_back(static_cast<Real>(particle.inlet_speed));
     id.push_back(next_id_++);
@@ -88,8 +91,8 @@ void Shinohara2004<D, P>::append(const std::vector<NewParticle>& newcomers) {
   thrust::fill_n(particles_.fractured.begin() + before, count, std::uint8_t(0));
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::save(Archive& archive) const {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::save(Archive& archive) const {
   static_assert(std::is_trivially_copyable_v<Ledger> && sizeof(Ledger) % sizeof(double) == 0);
   save_fields(particles_, archive);
   archive.arrays["clock"] = std::vector<double>{time_, last_step_.dt};
@@ -104,8 +107,8 @@ void Shinohara2004<D, P>::save(Archive& archive) const {
     archive.arrays["nozzle/" + std::to_string(j)] = nozzles_[j].emitted();
 }
 
-template <int D, class P>
-void Shinohara2004<D, P>::restore(const Archive& archive) {
+template <int D, class P, class Reach>
+void ParticleRun<D, P, Reach>::restore(const Archive& archive) {
   restore_fields(archive, particles_);
   const auto& clock = find_array<double>(archive, "clock");
   const auto& counters = find_array<std::uint64_t>(archive, "counters");
