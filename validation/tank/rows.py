@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Pressure of a column of perfect rows of particles at rest, by the sums of the scheme.
+
+Row i sinks by u_i; continuity gives p_i = - rho c^2 sum_k w_k (u_k - u_i) over the rows that are there,
+w_k the slope of the kernel summed along a row, and the pressure forces are its transpose: B^T p = rho g.
+As the lowest row is held by the repulsion, whatever its strength, every u but that of the lowest row
+follows from the others; neither c nor D changes p.
+"""
+
+from math import hypot, pi, sqrt
+
+RATIO = 1.5  # h / d
+WEIGHT, HEIGHT = 1000.0 * 9.81, 0.05  # rho g in N/m3, m
+
+
+def kernel_slope(s):
+    """h^3 dW/dr of the cubic spline in 2D."""
+    return 15.0 / (7.0 * pi) * (2.0 * max(1.0 - s, 0.0) ** 2 - max(2.0 - s, 0.0) ** 2 / 2.0)
+
+
+def row_slope(k):
+    """Spacing times the slope of the kernel up the column, summed along a row k rows away."""
+    distances = [hypot(a, k) for a in range(-3, 4)]
+    return -sum(kernel_slope(r / RATIO) * k / r for r in distances) / RATIO**3
+
+
+def divergence(rows):
+    """B: the divergence in each row from the rows' displacements, in 1/spacing."""
+    result = [[0.0] * rows for _ in range(rows)]
+    for i in range(rows):
+        for k in (-2, -1, 1, 2):
+            if 0 <= i + k < rows:
+                result[i][i + k] += row_slope(k)
+                result[i][i] -= row_slope(k)
+    return result
+
+
+def solved(matrix, vector):
+    """Gaussian elimination with pivots."""
+    rows = [line[:] + [value] for line, value in zip(matrix, vector)]
+    size = len(rows)
+    for c in range(size):
+        pivot = max(range(c, size), key=lambda r: abs(rows[r][c]))
+        rows[c], rows[pivot] = rows[pivot], rows[c]
+        for r in range(c + 1, size):
+            factor = rows[r][c] / rows[c][c]
+            if factor:
+                rows[r] = [x - factor * y for x, y in zip(rows[r], rows[c])]
+    result = [0.0] * size
+    for r in reversed(range(size)):
+        known = sum(rows[r][c] * result[c] for c in range(r + 1, size))
+        result[r] = (rows[r][size] - known) / rows[r][r]
+    return result
+
+
+def pressures(rows):
+    b = divergence(rows)
+    sunk = range(1, rows)  # against the lowest row
+    stiffness = [[sum(b[i][m] * b[i][n] for i in range(rows)) for n in sunk] for m in sunk]
+    u = [0.0] + solved(stiffness, [-1.0] * (rows - 1))
+    scale = WEIGHT * HEIGHT / rows
+    return [-scale * sum(x * y for x, y in zip(line, u)) for line in b]
+
+
+def distance(rows, first):
+    """Relative L2 distance from rho g (H - y), from row `first` up."""
+    error = scale = 0.0
+    for i, p in list(enumerate(pressures(rows)))[first:]:
+        expected = WEIGHT * HEIGHT * (1.0 - (i + 0.5) / rows)
+        error += (p - expected) ** 2
+        scale += expected**2
+    return sqrt(error / scale)
+
+
+if __name__ == "__main__":
+    for rows in (10, 25, 50):
+        lowest = ", ".join(f"{p / (WEIGHT * HEIGHT):.2f}" for p in pressures(rows)[:4])
+        print(
+            f"{rows} rows: L2 {100 * distance(rows, 0):.1f}% to the floor, "
+            f"{100 * distance(rows, 3):.1f}% from the fourth row up; lowest rows {lowest} rho g H"
+        )
