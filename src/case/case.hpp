@@ -16,7 +16,10 @@ namespace kerf {
 
 using Point = std::array<double, 3>;  // m (or m/s, m/s^2 where a vector is meant)
 
-enum class Formulation { shinohara2004 };
+enum class Formulation { shinohara2004, standard };
+constexpr const char* formulation_name(Formulation formulation) {
+  return formulation == Formulation::standard ? "standard" : "shinohara2004";
+}
 enum class PrecisionKind { mixed, double_precision };
 
 struct Box {

@@ -80,10 +80,13 @@ void read_top(Draft& draft, const toml::table& table) {
   Case& result = draft.result;
   result.dimension = draft.reading.dimension;
   result.title = top.text("title");
-  top.text("formulation");
+  result.formulation =
+      top.text("formulation") == "standard" ? Formulation::standard : Formulation::shinohara2004;
   result.precision =
       top.text("precision") == "double" ? PrecisionKind::double_precision : PrecisionKind::mixed;
-  result.smoothing_ratio = top.number("smoothing_ratio");
+  const bool standard = result.formulation == Formulation::standard;
+  result.smoothing_ratio =
+      standard && !top.has("smoothing_ratio") ? 1.3 : top.number("smoothing_ratio");
   result.gravity = top.vector("gravity");
   read_time(draft, top);
   read_domain(draft, top);

@@ -27,9 +27,9 @@ using enum ValueKind;
 constexpr Key table_of_keys[] = {
 {"", "title", text, "", "", any, "", "", "One line that says what the case is"},
 {"", "dimension", integer, "", "", {2, 3}, "", "", "2 = plane strain, everything per metre of depth; 3 = space. Vertical is y in both"},
-{"", "formulation", word, "", "shinohara2004", any, "shinohara2004", "", "The equations: those of Shinohara, Okabe & Nakayama (2004)"},
+{"", "formulation", word, "", "shinohara2004", any, "shinohara2004 standard", "", "The equations: those of Shinohara, Okabe & Nakayama (2004), or Riemann SPH for water with total Lagrangian SPH for solids (in the making)"},
 {"", "precision", word, "", "mixed", any, "mixed double", "", "mixed = positions in double, fields in single precision; double = all in double"},
-{"", "smoothing_ratio", number, "", "1.5", {1.0, 3.0}, "", "", "Smoothing length over particle spacing, h / d"},
+{"", "smoothing_ratio", number, "", "1.5", {1.0, 3.0}, "", "", "Smoothing length over particle spacing, h / d; in the standard formulation 1.3 unless given"},
 {"", "gravity", vector, "m/s2", "0 m/s2", within(1e4), "", "", "Acceleration on every particle that is not rigid"},
 {"", "time", table, "", "", any, "", "", "How long the run is and how it steps"},
 {"", "domain", table, "", "(around all bodies and jets)", any, "", "", "Where particles may be"},

@@ -140,7 +140,7 @@ void write_top(Writer& writer, const Case& description) {
   writer.open("", "");
   writer.text("title", description.title);
   writer.raw("dimension", std::to_string(description.dimension));
-  writer.text("formulation", "shinohara2004");
+  writer.text("formulation", formulation_name(description.formulation));
   writer.text("precision", description.precision == PrecisionKind::mixed ? "mixed" : "double");
   writer.number("smoothing_ratio", description.smoothing_ratio);
   writer.vector("gravity", description.gravity);

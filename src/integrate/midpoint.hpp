@@ -3,7 +3,7 @@
 //   phi^(n+1/2) = phi^n + dt/2 F(phi^n),   phi^(n+1) = phi^n + dt F(phi^(n+1/2)).
 #pragma once
 
-#include "integrate/drive.hpp"
+#include "integrate/follow_drive.hpp"
 #include "materials/hooke_solid.hpp"
 #include "particles/fields.hpp"
 
@@ -33,7 +33,7 @@ struct AdvanceFromStart {
   KERF_FUNCTION void operator()(Index i) const {
     const auto& medium = particles.medium(i);
     if (particles.is_constrained(i)) {
-      advance_driven(i);
+      follow_drive(particles, drives, i);
     } else if (medium.phase != Phase::rigid) {
       const auto travelled = dt * Vector<D, double>::from(particles.velocity[i]);
       particles.position[i] = particles.start_position[i] + travelled;
@@ -51,19 +51,6 @@ struct AdvanceFromStart {
                                        particles.spin[i]);
     rate *= Real(dt);
     particles.shear[i] = particles.start_shear[i] + rate;
-  }
-
-  KERF_FUNCTION void advance_driven(Index i) const {
-    const Drive<D>& drive = drives[particles.source[i]];
-    Vector<D, double> displacement = drive.displacement;
-    Vector<D, double> velocity = drive.velocity;
-    if (particles.has(i, flag::upstream)) {
-      const double speed = particles.inlet_speed[i];
-      displacement = (speed * drive.open_time) * drive.direction;
-      velocity = (speed * drive.open_fraction) * drive.direction;
-    }
-    particles.position[i] = particles.start_position[i] + displacement;
-    particles.velocity[i] = Vector<D, Real>::from(velocity);
   }
 };
 

@@ -61,6 +61,10 @@ struct SmallerStep {
   }
 };
 
+// Whether the accelerations belong to the state that the step starts from. Where they are to come,
+// what they are made of sets the limit already, as the speed of sound does.
+enum class StepRates : std::uint8_t { at_hand, to_come };
+
 template <int D, class P>
 struct ParticleStepLimit {
   using Real = typename P::Real;
@@ -68,12 +72,14 @@ struct ParticleStepLimit {
   double courant;
   double runaway_speed;  // m/s
   double unlimited;      // s, a step longer than any
+  StepRates rates;
 
   KERF_FUNCTION StepLimit operator()(Index i) const {
     StepLimit result{unlimited, Limit::maximum_step, i};
     const auto& medium = particles.medium(i);
     const double speed = norm(particles.velocity[i]);
-    const double acceleration = norm(particles.acceleration[i]);
+    const bool at_hand = rates == StepRates::at_hand;
+    const double acceleration = at_hand ? double(norm(particles.acceleration[i])) : 0.0;
     const Limit fault = state_fault(i, speed);
     if (fault != Limit::maximum_step) return {broken_state, fault, i};
     if (medium.phase == Phase::rigid) return result;

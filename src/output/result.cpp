@@ -14,7 +14,7 @@ void add_run(Json& result, const RunOutcome& outcome) {
   result["title"] = description.title;
   result["case"] = outcome.case_name;
   result["dimension"] = description.dimension;
-  result["formulation"] = "shinohara2004";
+  result["formulation"] = formulation_name(description.formulation);
   result["precision"] = description.precision == PrecisionKind::mixed ? "mixed" : "double";
   result["version"] = program_version;
   result["compiler"] = compiler_name();

@@ -20,6 +20,7 @@ namespace kerf {
   FIELD(RealVector, velocity)    /* m/s */                                         \
   FIELD(Real, compression)       /* 1, rho / rho_0 - 1 */                          \
   FIELD(Stress, shear)           /* Pa, deviatoric (solid) or viscous (water) */   \
+  FIELD(Real, compression_rate)  /* 1/s */                                         \
   FIELD(Real, pressure_work)     /* J/kg, done against pressure so far */          \
   FIELD(Real, inlet_speed)       /* m/s, of jet water while it is in its nozzle */ \
   FIELD(std::uint32_t, id)       /* unique, never reused */                        \
@@ -28,22 +29,23 @@ namespace kerf {
   FIELD(std::uint8_t, flags)
 
 // Scratch: filled and used within one step.
-#define KERF_SCRATCH_FIELDS(FIELD)                                               \
-  FIELD(Point, start_position)       /* m, at the start of the step */           \
-  FIELD(RealVector, start_velocity)  /* m/s */                                   \
-  FIELD(Real, start_compression)     /* 1 */                                     \
-  FIELD(Stress, start_shear)         /* Pa */                                    \
-  FIELD(Real, pressure)              /* Pa */                                    \
-  FIELD(Real, compression_rate)      /* 1/s */                                   \
-  FIELD(Gradient, velocity_gradient) /* 1/s, over the particle's own phase */    \
-  FIELD(Spin, spin)                  /* 1/s, skew part of it, of solid */        \
-  FIELD(RealVector, acceleration)    /* m/s^2 */                                 \
-  FIELD(RealVector, repulsion)       /* m/s^2, the part due to rigid bodies */   \
-  FIELD(Real, repulsion_potential)   /* J/kg */                                  \
-  FIELD(Stress, artificial_stress)   /* m^2/s^2 per kg/m^3: R of Gray et al. */  \
-  FIELD(Real, pressure_power)        /* W/kg, now done against pressure */       \
-  FIELD(Real, artificial_power)      /* W/kg, artificial viscosity and stress */ \
-  FIELD(Real, fracture_loss)         /* J, given up by fracture in this step */
+#define KERF_SCRATCH_FIELDS(FIELD)                                                     \
+  FIELD(Point, start_position)             /* m, at the start of the step */           \
+  FIELD(RealVector, start_velocity)        /* m/s */                                   \
+  FIELD(Real, start_compression)           /* 1 */                                     \
+  FIELD(Stress, start_shear)               /* Pa */                                    \
+  FIELD(Real, pressure)                    /* Pa */                                    \
+  FIELD(Gradient, velocity_gradient)       /* 1/s, over the particle's own phase */    \
+  FIELD(Spin, spin)                        /* 1/s, skew part of it, of solid */        \
+  FIELD(RealVector, acceleration)          /* m/s^2 */                                 \
+  FIELD(RealVector, repulsion)             /* m/s^2, the part due to rigid bodies */   \
+  FIELD(RealVector, pressure_acceleration) /* m/s^2, part by water's pressure */       \
+  FIELD(RealVector, damping_acceleration)  /* m/s^2, the part that dissipates */       \
+  FIELD(Real, repulsion_potential)         /* J/kg */                                  \
+  FIELD(Stress, artificial_stress)         /* m^2/s^2 per kg/m^3: R of Gray et al. */  \
+  FIELD(Real, pressure_power)              /* W/kg, now done against pressure */       \
+  FIELD(Real, artificial_power)            /* W/kg, artificial viscosity and stress */ \
+  FIELD(Real, fracture_loss)               /* J, given up by fracture in this step */
 
 template <int D, class P>
 struct FieldTypes {

@@ -16,6 +16,7 @@ struct Medium {
   T spacing = 0;               // m
   T smoothing_length = 0;      // m
   T mass = 0;                  // kg per particle (2D: kg/m)
+  T volume = 0;                // m^3 per particle as laid out (2D: m^2)
   T density = 0;               // kg/m^3, reference
   T sound_speed = 0;           // m/s, the c of eqs. (18) and (32)
   T longitudinal_speed = 0;    // m/s, fastest wave: c_p in a solid, c in water

@@ -24,6 +24,13 @@ struct Pair {
   bool same_phase;
 };
 
+// Volume a particle stands for, m^3 (m^2 in 2D): water by its density, others as laid out.
+template <int D, class P>
+KERF_FUNCTION typename P::Real volume_of(const ParticleView<D, P>& particles, Index i,
+                                         const Medium<typename P::Real>& medium) {
+  return medium.phase == Phase::water ? medium.mass / particles.density(i) : medium.volume;
+}
+
 template <int D, class P>
 KERF_FUNCTION bool is_cohesive(const ParticleView<D, P>& particles, Index i, Index j) {
   const auto& a = particles.medium(i);

@@ -14,6 +14,18 @@ namespace kerf {
 template <class... Terms>
 struct TermSums : Terms::Sum... {};
 
+// How the formulation of Shinohara et al. (2004) sees a pair: one kernel over the mean smoothing
+// length for all, and rigid particles only as repelling points.
+struct JointPairs {
+  template <int D>
+  using Kernel = CubicSpline<D>;
+  static constexpr bool rigid_repels = true;
+  template <class T>
+  KERF_FUNCTION static T smoothing_length(const Medium<T>& a, const Medium<T>& b) {
+    return T(0.5) * (a.smoothing_length + b.smoothing_length);
+  }
+};
+
 struct EveryPair {
   template <int D, class P>
   KERF_FUNCTION bool operator()(const ParticleView<D, P>&, Index, Index) const {
@@ -21,11 +33,13 @@ struct EveryPair {
   }
 };
 
-// `Filter` chooses pairs, e.g. those across a plane.
-template <int D, class P, class Filter, class... Terms>
+// `Scheme`: kernel and smoothing length of a pair. `Filter` chooses pairs, e.g. those across a
+// plane.
+template <int D, class P, class Scheme, class Filter, class... Terms>
 struct FilteredPairLoop : Terms... {
   using Real = typename P::Real;
   using Sums = TermSums<Terms...>;
+  using Kernel = typename Scheme::template Kernel<D>;
   static constexpr bool feels_rigid = (Terms::feels_rigid || ...);
 
   ParticleView<D, P> particles;
@@ -48,13 +62,12 @@ struct FilteredPairLoop : Terms... {
       pair.medium_j = &particles.medium(pair.j);
       pair.separation = Vector<D, Real>::from(particles.position[i] - particles.position[pair.j]);
       pair.distance = norm(pair.separation);
-      if (pair.medium_j->phase == Phase::rigid) {
+      if (Scheme::rigid_repels && pair.medium_j->phase == Phase::rigid) {
         if constexpr (feels_rigid) add_rigid(pair, sums);
         continue;
       }
-      pair.smoothing_length =
-          Real(0.5) * (medium_i.smoothing_length + pair.medium_j->smoothing_length);
-      if (pair.distance >= Real(CubicSpline<D>::support) * pair.smoothing_length) continue;
+      pair.smoothing_length = Scheme::smoothing_length(medium_i, *pair.medium_j);
+      if (pair.distance >= Real(Kernel::support) * pair.smoothing_length) continue;
       add_pair(pair, sums);
     }
     (static_cast<const Terms&>(*this).finish(particles, i,
@@ -65,7 +78,7 @@ struct FilteredPairLoop : Terms... {
  private:
   KERF_FUNCTION void add_pair(Pair<D, P>& pair, Sums& sums) const {
     // Two particles at one point have no direction; the gradient of the kernel is zero there.
-    const Real slope = CubicSpline<D>::derivative(pair.distance, pair.smoothing_length);
+    const Real slope = Kernel::derivative(pair.distance, pair.smoothing_length);
     pair.gradient = (pair.distance > Real(0) ? slope / pair.distance : Real(0)) * pair.separation;
     pair.velocity = particles.velocity[pair.i] - particles.velocity[pair.j];
     pair.same_phase = pair.medium_i->phase == pair.medium_j->phase;
@@ -85,7 +98,7 @@ struct FilteredPairLoop : Terms... {
   }
 };
 
-template <int D, class P, class... Terms>
-using PairLoop = FilteredPairLoop<D, P, EveryPair, Terms...>;
+template <int D, class P, class Scheme, class... Terms>
+using PairLoop = FilteredPairLoop<D, P, Scheme, EveryPair, Terms...>;
 
 }  // namespace kerf

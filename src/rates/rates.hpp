@@ -31,8 +31,8 @@ class Rates {
   void evaluate(Particles<D, P>& particles, const NeighbourView& list) const {
     const auto view = particles.view();
     const Index n = particles.size();
-    for_each_index(
-        n, PairLoop<D, P, Continuity<D, P>, VelocityGradient<D, P>>(view, list, {}, {}, {}));
+    for_each_index(n, PairLoop<D, P, JointPairs, Continuity<D, P>, VelocityGradient<D, P>>(
+                          view, list, {}, {}, {}));
     for_each_index(n, UpdateStress<D, P>{view});
     if (epsilon_ > Real(0)) for_each_index(n, ArtificialStressTensor<D, P>{view, epsilon_});
     accelerate(particles, view, list, EveryPair{}, body_force_);
@@ -47,13 +47,14 @@ class Rates {
     const Index n = particles.size();
     if (epsilon_ > Real(0)) {
       for_each_index(
-          n, FilteredPairLoop<D, P, Filter, BodyForce<D, P>, PressureForce<D, P>, ShearForce<D, P>,
-                              ArtificialViscosity<D, P>, Repulsion<D, P>, TensileRepulsion<D, P>>(
-                 view, list, filter, body_force, {}, {}, {}, {}, tensile_));
+          n, FilteredPairLoop<D, P, JointPairs, Filter, BodyForce<D, P>, PressureForce<D, P>,
+                              ShearForce<D, P>, ArtificialViscosity<D, P>, Repulsion<D, P>,
+                              TensileRepulsion<D, P>>(view, list, filter, body_force, {}, {}, {},
+                                                      {}, tensile_));
     } else {
       for_each_index(
-          n, FilteredPairLoop<D, P, Filter, BodyForce<D, P>, PressureForce<D, P>, ShearForce<D, P>,
-                              ArtificialViscosity<D, P>, Repulsion<D, P>>(
+          n, FilteredPairLoop<D, P, JointPairs, Filter, BodyForce<D, P>, PressureForce<D, P>,
+                              ShearForce<D, P>, ArtificialViscosity<D, P>, Repulsion<D, P>>(
                  view, list, filter, body_force, {}, {}, {}, {}));
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only list of what is compiled: dimension and precision, one translation unit each so that
-// they build side by side.
+// The only list of what is compiled: formulation, dimension and precision, one translation unit
+// each so that they build side by side.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,20 @@
 
 namespace kerf {
 
-std::unique_ptr<Simulation> make_2d_mixed(const Case& description);
-std::unique_ptr<Simulation> make_2d_double(const Case& description);
-std::unique_ptr<Simulation> make_3d_mixed(const Case& description);
-std::unique_ptr<Simulation> make_3d_double(const Case& description);
+template <Formulation, int D, class P>
+std::unique_ptr<Simulation> make(const Case& description);
+
+#define KERF_MAKE(formulation, D, P) \
+  template <>                        \
+  std::unique_ptr<Simulation> make<Formulation::formulation, D, P>(const Case& description);
+KERF_MAKE(shinohara2004, 2, Mixed)
+KERF_MAKE(shinohara2004, 2, Double)
+KERF_MAKE(shinohara2004, 3, Mixed)
+KERF_MAKE(shinohara2004, 3, Double)
+KERF_MAKE(standard, 2, Mixed)
+KERF_MAKE(standard, 2, Double)
+KERF_MAKE(standard, 3, Mixed)
+KERF_MAKE(standard, 3, Double)
+#undef KERF_MAKE
 
 }  // namespace kerf

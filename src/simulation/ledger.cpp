@@ -35,8 +35,8 @@ double Ledger::momentum_error() const {
 }
 
 double Ledger::energy_total() const {
-  return kinetic + pressure_work + elastic_deviatoric + plate_potential + dissipated_artificial +
-         dissipated_viscous + dissipated_fracture;
+  return kinetic + pressure_work + elastic_deviatoric + elastic_strain + hourglass +
+         plate_potential + dissipated_artificial + dissipated_viscous + dissipated_fracture;
 }
 
 double Ledger::energy_drift() const {

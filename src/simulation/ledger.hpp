@@ -38,6 +38,8 @@ struct Ledger {
   double kinetic = 0.0;        // now
   double pressure_work = 0.0;  // done against the pressure forces of eq. (26) so far
   double elastic_deviatoric = 0.0;
+  double elastic_strain = 0.0;  // all of it in total Lagrangian solids, now
+  double hourglass = 0.0;       // in their hourglass control, now
   double plate_potential = 0.0;
   double dissipated_artificial = 0.0;  // integrated
   double dissipated_viscous = 0.0;

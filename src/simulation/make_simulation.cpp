@@ -2,12 +2,22 @@
 #include "simulation/instantiate.hpp"
 
 namespace kerf {
+namespace {
 
-std::unique_ptr<Simulation> make_simulation(const Case& description) {
+template <Formulation F>
+std::unique_ptr<Simulation> make_of(const Case& description) {
   const bool mixed = description.precision == PrecisionKind::mixed;
   if (description.dimension == 2)
-    return mixed ? make_2d_mixed(description) : make_2d_double(description);
-  return mixed ? make_3d_mixed(description) : make_3d_double(description);
+    return mixed ? make<F, 2, Mixed>(description) : make<F, 2, Double>(description);
+  return mixed ? make<F, 3, Mixed>(description) : make<F, 3, Double>(description);
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> make_simulation(const Case& description) {
+  return description.formulation == Formulation::standard
+             ? make_of<Formulation::standard>(description)
+             : make_of<Formulation::shinohara2004>(description);
 }
 
 }  // namespace kerf

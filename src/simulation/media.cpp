@@ -64,8 +64,9 @@ std::vector<Medium<double>> make_media(const Case& description,
       medium.repulsion = body.repulsion;
     } else {
       set_material(medium, description.materials.at(static_cast<std::size_t>(body.material)));
-      medium.mass = medium.density * particle_volume(body, description.dimension);
     }
+    medium.volume = particle_volume(body, description.dimension);
+    medium.mass = medium.density * medium.volume;
     medium.spacing = body.spacing;
     medium.piece = pieces[media.size()];
     medium.constrained = body.fixed || !body.displacement[0].empty() || body.role == Role::rigid;
@@ -76,6 +77,7 @@ std::vector<Medium<double>> make_media(const Case& description,
     Medium<double> medium;
     set_material(medium, description.materials.at(static_cast<std::size_t>(jet.material)));
     medium.mass = nozzles[j].particle_mass();
+    medium.volume = medium.mass / medium.density;
     medium.spacing = jet.spacing;
     media.push_back(medium);
   }

@@ -22,6 +22,7 @@ Medium<T> convert(const Medium<double>& m) {
   out.spacing = static_cast<T>(m.spacing);
   out.smoothing_length = static_cast<T>(m.smoothing_length);
   out.mass = static_cast<T>(m.mass);
+  out.volume = static_cast<T>(m.volume);
   out.density = static_cast<T>(m.density);
   out.sound_speed = static_cast<T>(m.sound_speed);
   out.longitudinal_speed = static_cast<T>(m.longitudinal_speed);

@@ -46,10 +46,13 @@ class ParticleRun : public Simulation {
   // The accelerations by the pairs across a plane, into the particles.
   virtual void accelerate_across(const AcrossPlane<D>& across) const = 0;
 
+  // Called when the particles have been put into another order.
+  virtual void after_reorder() {}
+
   // The start of a run and the stages of a step, in their order.
   void open();
   void renew_neighbours();
-  double choose_step();
+  double choose_step(StepRates rates);
   void load_drives(double now);
   void book_step(double dt);
   void mark_leavers();

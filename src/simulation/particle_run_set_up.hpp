@@ -86,6 +86,7 @@ void ParticleRun<D, P, Reach>::append(const std::vector<NewParticle>& newcomers)
   thrust::copy(source.begin(), source.end(), particles_.source.begin() + before);
   thrust::copy(flags.begin(), flags.end(), particles_.flags.begin() + before);
   thrust::fill_n(particles_.compression.begin() + before, count, Real(0));
+  thrust::fill_n(particles_.compression_rate.begin() + before, count, Real(0));
   thrust::fill_n(particles_.pressure_work.begin() + before, count, Real(0));
   thrust::fill_n(particles_.shear.begin() + before, count, SymmetricTensor<D, Real>::zero());
   thrust::fill_n(particles_.fractured.begin() + before, count, std::uint8_t(0));
@@ -127,6 +128,7 @@ void ParticleRun<D, P, Reach>::restore(const Archive& archive) {
     nozzles_[j].restore(find_array<std::uint64_t>(archive, "nozzle/" + std::to_string(j)));
   // The particles are in the order of the cells of their build positions: the same list results.
   list_.build(particles_);
+  after_reorder();
   fresh_ = false;
 }
 

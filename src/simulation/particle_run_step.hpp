@@ -48,16 +48,17 @@ void ParticleRun<D, P, Reach>::rebuild_list() {
   particles_.build_position = particles_.position;
   sort_particles(particles_, list_.cell_numbers(particles_));
   list_.build(particles_);
+  after_reorder();
 }
 
 template <int D, class P, class Reach>
-double ParticleRun<D, P, Reach>::choose_step() {
+double ParticleRun<D, P, Reach>::choose_step(StepRates rates) {
   const auto timer = timers_.stage("time step");
   const double remaining = case_.time.end - time_;
   const double longest =
       case_.time.maximum_step > 0.0 ? std::min(case_.time.maximum_step, remaining) : remaining;
   const ParticleStepLimit<D, P> limit{particles_.view(), case_.time.courant, runaway_speed_,
-                                      longest};
+                                      longest, rates};
   StepLimit chosen{longest, longest < remaining ? Limit::maximum_step : Limit::end_of_run, 0};
   const StepLimit least = reduce_unordered(particles_.size(), limit, chosen, SmallerStep{});
   if (least.dt < longest) chosen = least;

@@ -23,7 +23,7 @@ class Shinohara2004 final : public ParticleRun<D, P, MeanReach> {
   void advance() override {
     Run::renew_neighbours();
     evaluate_rates();
-    const double dt = Run::choose_step();
+    const double dt = Run::choose_step(StepRates::at_hand);
     keep_start();
     advance_to(0.5 * dt);
     evaluate_rates();

@@ -53,7 +53,8 @@ Signal ledger_signal(const Parameters& parameters, const Beginning&) {
       {"momentum_error", [](const Ledger& l) { return l.momentum_error(); }},
       {"energy_drift", [](const Ledger& l) { return l.energy_drift(); }},
       {"kinetic", [](const Ledger& l) { return l.kinetic; }},
-      {"elastic", [](const Ledger& l) { return l.elastic_deviatoric + l.stored_solid; }},
+      {"elastic",
+       [](const Ledger& l) { return l.elastic_deviatoric + l.stored_solid + l.elastic_strain; }},
       {"dissipated", [](const Ledger& l) { return l.dissipated_artificial; }},
       {"plate_force", [](const Ledger& l) { return l.force_plate[1]; }},
       // Speed at which the whole comes back over that at which it came, along y.

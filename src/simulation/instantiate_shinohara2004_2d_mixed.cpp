@@ -4,7 +4,8 @@
 
 namespace kerf {
 
-std::unique_ptr<Simulation> make_2d_mixed(const Case& description) {
+template <>
+std::unique_ptr<Simulation> make<Formulation::shinohara2004, 2, Mixed>(const Case& description) {
   return std::make_unique<Shinohara2004<2, Mixed>>(description);
 }
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fracture criteria of bonds, chosen per medium while the program runs.
+#pragma once
+
+#include "fracture/equivalent_total_strain.hpp"
+#include "fracture/principal_strain.hpp"
+
+namespace kerf {
+
+template <int D, class T>
+KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green) {
+  switch (solid.criterion) {
+    case BondCriterion::principal_strain:
+      return PrincipalStrain::prepare(solid, green);
+    case BondCriterion::equivalent_strain:
+      return EquivalentTotalStrain::prepare(solid, green);
+  }
+  return T(0);
+}
+
+template <class T>
+KERF_FUNCTION bool bond_breaks(const BondStrain<T>& bond, const SolidMedium<T>& solid) {
+  switch (solid.criterion) {
+    case BondCriterion::principal_strain:
+      return PrincipalStrain::breaks(bond, solid);
+    case BondCriterion::equivalent_strain:
+      return EquivalentTotalStrain::breaks(bond, solid);
+  }
+  return false;
+}
+
+}  // namespace kerf

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Position Verlet (drift, kick, drift) of the `standard` formulation:
+//   x^(n+1/2)   = x^n + dt/2 v^n,               rho^(n+1/2) = rho^n + dt/2 (d rho/dt)^n,
+//   v^(n+1)     = v^n + dt a(x^(n+1/2), v^n, rho^(n+1/2)),
+//   x^(n+1)     = x^(n+1/2) + dt/2 v^(n+1),     rho^(n+1) = rho^(n+1/2) + dt/2 (d rho/dt)^(n+1).
+// For forces that depend on places only it keeps a nearby energy for ever (it is symplectic).
+#pragma once
+
+#include "integrate/follow_drive.hpp"
+
+namespace kerf {
+
+// The first half drift; the state of the start of the step must be kept already.
+template <int D, class P>
+struct DriftHalf {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  const Drive<D>* drives;  // over the first half
+  double dt;               // s, of the whole step
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const auto& medium = particles.medium(i);
+    if (particles.is_constrained(i))
+      follow_drive(particles, drives, i);
+    else if (medium.phase != Phase::rigid)
+      particles.position[i] =
+          particles.start_position[i] + 0.5 * dt * Vector<D, double>::from(particles.velocity[i]);
+    if (medium.phase != Phase::water || particles.has(i, flag::upstream)) return;
+    particles.compression[i] =
+        particles.start_compression[i] + Real(0.5 * dt) * particles.compression_rate[i];
+  }
+};
+
+// The kick and the second half drift. What the forces did over the step is known only now: work is
+// force times the way gone, to the last digit.
+template <int D, class P>
+struct KickAndDrift {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  const Drive<D>* drives;  // over the whole step
+  double dt;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const auto& medium = particles.medium(i);
+    if (medium.phase == Phase::rigid && !particles.is_constrained(i)) return;
+    if (particles.is_constrained(i)) {
+      follow_drive(particles, drives, i);
+    } else {
+      particles.velocity[i] = particles.start_velocity[i] + Real(dt) * particles.acceleration[i];
+      particles.position[i] += 0.5 * dt * Vector<D, double>::from(particles.velocity[i]);
+    }
+    const auto moved = Vector<D, Real>::from(particles.position[i] - particles.start_position[i]);
+    const Real rate = Real(-1) / Real(dt);
+    particles.pressure_power[i] = rate * dot(particles.pressure_acceleration[i], moved);
+    particles.artificial_power[i] = rate * dot(particles.damping_acceleration[i], moved);
+  }
+};
+
+// Density to the end of the step, with its rate there.
+template <int D, class P>
+struct CloseDensity {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  double dt;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (particles.medium(i).phase != Phase::water || particles.has(i, flag::upstream)) return;
+    particles.compression[i] += Real(0.5 * dt) * particles.compression_rate[i];
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact of solids: of bodies, across a broken bond, and with rigid bodies. Particles closer than
+// the mean of their spacings push one another apart,
+//   f = k (d_0 - r) e,   k = M d_0^(D-2),
+// with M the mean of their P-wave moduli (K + 4 G / 3): the contact of two faces is as stiff as a
+// layer of particles of the solid, so that a wave passes it. The force has a potential,
+// k (d_0 - r)^2 / 2, which the ledger books half on each side.
+#pragma once
+
+#include "rates/pair.hpp"
+
+namespace kerf {
+
+// `Bonds`: bool whole(particles, i, j), whether an unbroken bond holds the two together.
+template <int D, class P, class Bonds>
+struct SolidContact {
+  using Real = typename P::Real;
+  static constexpr bool feels_rigid = false;
+  struct Sum {
+    Vector<D, Real> contact{}, rigid_contact{};
+    Real contact_energy{};
+  };
+  Bonds bonds;
+
+  KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
+                         Sum& sum) const {
+    const auto &a = *pair.medium_i, &b = *pair.medium_j;
+    if (a.phase != Phase::solid || b.phase == Phase::water) return;
+    const Real rest = Real(0.5) * (a.spacing + b.spacing);
+    if (pair.distance >= rest || !(pair.distance > Real(0))) return;
+    if (bonds.whole(particles, pair.i, pair.j)) return;
+    const Real overlap = rest - pair.distance;
+    const Real stiffness = stiffness_of(a, b) * (D == 3 ? rest : Real(1));
+    const auto push = (stiffness * overlap / pair.distance) * pair.separation;
+    sum.contact += push;
+    const bool rigid = b.phase == Phase::rigid;
+    if (rigid) sum.rigid_contact += push;
+    // The whole of it with a rigid body, which books nothing itself.
+    sum.contact_energy += (rigid ? Real(0.5) : Real(0.25)) * stiffness * overlap * overlap;
+  }
+  KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
+    const auto& medium = particles.medium(i);
+    if (medium.phase == Phase::rigid) return;
+    const Real inverse = Real(1) / medium.mass;
+    particles.acceleration[i] += inverse * sum.contact;
+    particles.repulsion[i] += inverse * sum.rigid_contact;
+    particles.repulsion_potential[i] = inverse * sum.contact_energy;
+  }
+
+ private:
+  KERF_FUNCTION static Real modulus(const Medium<Real>& m) {
+    return m.bulk_modulus + Real(4) / Real(3) * m.shear_modulus;
+  }
+  KERF_FUNCTION static Real stiffness_of(const Medium<Real>& a, const Medium<Real>& b) {
+    return b.phase == Phase::rigid ? modulus(a) : Real(0.5) * (modulus(a) + modulus(b));
+  }
+};
+
+}  // namespace kerf

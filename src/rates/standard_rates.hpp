@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pair sums of the `standard` formulation over the particles where they are now: water, water
+// against solid and walls, contact of solids. What holds a solid together is not among them: that
+// is summed over the bonds of its first shape (solid/).
+#pragma once
+
+#include "kernels/wendland_c2.hpp"
+#include "materials/tait_water.hpp"
+#include "rates/body_force.hpp"
+#include "rates/pair_loop.hpp"
+#include "rates/solid_contact.hpp"
+#include "rates/water_continuity.hpp"
+#include "rates/water_force.hpp"
+#include "rates/water_viscosity.hpp"
+
+namespace kerf {
+
+// Wendland's kernel; water and what it wets over the larger of their smoothing lengths, so that
+// neither slips between the particles of the other.
+struct ContactPairs {
+  template <int D>
+  using Kernel = WendlandC2<D>;
+  static constexpr bool rigid_repels = false;
+  template <class T>
+  KERF_FUNCTION static T smoothing_length(const Medium<T>& a, const Medium<T>& b) {
+    if (a.phase == b.phase) return T(0.5) * (a.smoothing_length + b.smoothing_length);
+    return a.smoothing_length > b.smoothing_length ? a.smoothing_length : b.smoothing_length;
+  }
+};
+
+// Pressure of water by its equation of state. Free water cannot be pulled: where it would be below
+// that of the room it opens (p >= 0).
+template <int D, class P>
+struct WaterPressure {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const auto& medium = particles.medium(i);
+    if (medium.phase != Phase::water) return;
+    const Real p = TaitWater::pressure(medium, particles.compression[i]);
+    particles.pressure[i] = p > Real(0) ? p : Real(0);
+  }
+};
+
+template <int D, class P>
+class StandardRates {
+ public:
+  using Real = typename P::Real;
+
+  StandardRates() = default;
+  explicit StandardRates(const Vector<D, double>& gravity)
+      : gravity_{Vector<D, Real>::from(gravity)}, water_{gravity_.gravity} {}
+
+  // Pressures and the accelerations by all pairs that `filter` chooses, with gravity.
+  template <class Bonds, class Filter>
+  void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
+                  const Bonds& bonds, const Filter& filter) const {
+    for_each_index(count, WaterPressure<D, P>{view});
+    for_each_index(count,
+                   FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, WaterForce<D, P>,
+                                    WaterViscosity<D, P>, SolidContact<D, P, Bonds>>(
+                       view, list, filter, gravity_, WaterForce<D, P>{water_}, {},
+                       SolidContact<D, P, Bonds>{bonds}));
+  }
+
+  void continuity(const ParticleView<D, P>& view, Index count, const NeighbourView& list) const {
+    for_each_index(count, PairLoop<D, P, ContactPairs, WaterContinuity<D, P>>(
+                              view, list, {}, WaterContinuity<D, P>{water_}));
+  }
+
+  static constexpr int pair_passes = 2;  // per step
+
+ private:
+  BodyForce<D, P> gravity_{};
+  WaterPair<D, P> water_{};
+};
+
+}  // namespace kerf

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Viscosity of water (Morris, Fox & Zhu, J. Comput. Phys. 136 (1997) 214), for constant mu:
+//   m_i dv_i/dt = sum_j V_i V_j 2 mu v_ij / r_ij dW/dr,   mu: that of the water of the pair.
+// Walls and solids hold the water at their speed (no slip).
+#pragma once
+
+#include "rates/pair.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct WaterViscosity {
+  using Real = typename P::Real;
+  static constexpr bool feels_rigid = false;
+  struct Sum {
+    Vector<D, Real> friction{}, wall_friction{};
+  };
+
+  KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
+                         Sum& sum) const {
+    const Real mu = viscosity(*pair.medium_i, *pair.medium_j);
+    if (!(mu > Real(0)) || !(pair.distance > Real(0))) return;
+    // dW/dr / r, from nabla W = (dW/dr / r) r_ij.
+    const Real slope =
+        dot(pair.gradient, pair.separation) / (pair.distance * pair.distance * pair.distance);
+    const auto drag = (Real(2) * mu * volume_of(particles, pair.i, *pair.medium_i) *
+                       volume_of(particles, pair.j, *pair.medium_j) * slope) *
+                      pair.velocity;
+    sum.friction += drag;
+    if (pair.medium_j->phase == Phase::rigid) sum.wall_friction += drag;
+  }
+  KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
+    const auto& medium = particles.medium(i);
+    if (medium.phase == Phase::rigid) return;
+    const Real inverse = Real(1) / medium.mass;
+    particles.damping_acceleration[i] += inverse * sum.friction;
+    particles.acceleration[i] += inverse * sum.friction;
+    particles.repulsion[i] += inverse * sum.wall_friction;
+  }
+
+ private:
+  KERF_FUNCTION static Real viscosity(const Medium<Real>& a, const Medium<Real>& b) {
+    if (a.phase != Phase::water) return b.viscosity;
+    if (b.phase != Phase::water) return a.viscosity;
+    const Real sum = a.viscosity + b.viscosity;
+    return sum > Real(0) ? Real(2) * a.viscosity * b.viscosity / sum : Real(0);
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Between the particles, which are sorted anew as they move, and the solid, whose particles keep
+// the numbers they were laid out with.
+#pragma once
+
+#include "particles/fields.hpp"
+#include "solid/solid_fields.hpp"
+
+namespace kerf {
+
+inline constexpr Index no_index = 0xffffffffu;
+
+// Both directions of the correspondence. Ids of solid particles are those of the start.
+struct SolidIndexView {
+  const Index* number_of_id;  // solid number, or no_index
+  Index ids;                  // entries of it
+  Index* particle_of;         // per solid number: place among the particles, or no_index
+
+  KERF_FUNCTION Index number(std::uint32_t id) const {
+    return id < ids ? number_of_id[id] : no_index;
+  }
+};
+
+template <int D, class P>
+struct FindSolids {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const Index number = link.number(particles.id[i]);
+    if (number != no_index) link.particle_of[number] = i;
+  }
+};
+
+// A particle that has left stays where it was last seen.
+template <int D, class P>
+struct GatherSolids {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  Vector<D, double>* position;
+  Vector<D, typename P::Real>* velocity;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i == no_index) return;
+    position[s] = particles.position[i];
+    velocity[s] = particles.velocity[i];
+  }
+};
+
+template <int D, class P>
+struct AddSolidAcceleration {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  const Vector<D, typename P::Real>* acceleration;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i != no_index) particles.acceleration[i] += acceleration[s];
+  }
+};
+
+// Shows on the particles what has become of the solid.
+template <int D, class P>
+struct MarkLoose {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  const std::uint8_t* loose;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i != no_index) particles.fractured[i] = loose[s];
+  }
+};
+
+template <int D, class P>
+struct FindLeavers {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  std::uint8_t* gone;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    gone[s] = i != no_index && particles.has(i, flag::outside | flag::erased) ? 1 : 0;
+  }
+};
+
+// Whether an unbroken bond holds two particles together.
+template <int D, class P>
+struct WholeBonds {
+  SolidIndexView link;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION bool whole(const ParticleView<D, P>& particles, Index i, Index j) const {
+    if (particles.medium(i).piece != particles.medium(j).piece) return false;
+    const Index a = link.number(particles.id[i]), b = link.number(particles.id[j]);
+    if (a == no_index || b == no_index) return false;
+    Index low = solid.bond_begin[a], high = solid.bond_begin[a + 1];  // ascending
+    while (low < high) {
+      const Index middle = low + (high - low) / 2;
+      if (solid.neighbour[middle] < b)
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    return low < solid.bond_begin[a + 1] && solid.neighbour[low] == b &&
+           solid.weight[low] > typename P::Real(0);
+  }
+};
+
+// A choice among pairs of particles, such as those across a plane, as a choice among bonds.
+template <int D, class P, class Filter>
+struct BondFilter {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  Filter filter;
+
+  KERF_FUNCTION bool operator()(Index a, Index b) const {
+    const Index i = link.particle_of[a], j = link.particle_of[b];
+    return i != no_index && j != no_index && filter(particles, i, j);
+  }
+};
+
+}  // namespace kerf

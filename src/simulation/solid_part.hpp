@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// The elastic solids of a run of the `standard` formulation: carries places and speeds over to the
+// total Lagrangian solid and its forces back, and keeps its share of the ledger and the checkpoint.
+#pragma once
+
+#include <memory>
+
+#include "simulation/ledger.hpp"
+#include "simulation/populate.hpp"
+#include "simulation/solid_link.hpp"
+#include "simulation/solid_show.hpp"
+#include "simulation/state_io.hpp"
+#include "solid/total_lagrangian.hpp"
+
+namespace kerf {
+
+// What the solids gave up so far, J (2D: J/m).
+struct SolidLosses {
+  double viscous = 0.0;   // by the viscosity of bonds
+  double released = 0.0;  // by bonds that broke
+};
+
+template <int D, class P>
+class SolidPart {
+ public:
+  using Real = typename P::Real;
+
+  SolidPart(const std::vector<Medium<double>>& media, const std::vector<NewParticle>& particles) {
+    SolidLayout<D> layout;
+    for (const Medium<double>& medium : media) layout.media.push_back(solid_medium(medium));
+    std::vector<Index> number(particles.size(), no_index);
+    for (std::size_t id = 0; id < particles.size(); ++id) {
+      const NewParticle& particle = particles[id];
+      if (media[particle.source].phase != Phase::solid) continue;
+      number[id] = static_cast<Index>(layout.reference.size());
+      layout.reference.push_back(Vector<D, double>::from(particle.position));
+      layout.medium_index.push_back(particle.source);
+    }
+    to_device(number, number_of_id_);
+    particle_of_.resize(layout.reference.size());
+    if (layout.reference.empty()) return;
+    solid_ = std::make_unique<TotalLagrangian<D, P>>(layout);
+    to_device(layout.reference, position_);
+    velocity_.resize(layout.reference.size());
+    gone_.resize(layout.reference.size());
+  }
+
+  // Finds the solid's particles in their new order.
+  void find(Particles<D, P>& particles) {
+    if (!solid_) return;
+    thrust::fill(particle_of_.begin(), particle_of_.end(), no_index);
+    for_each_index(particles.size(), FindSolids<D, P>{particles.view(), link()});
+    show_loose(particles);
+  }
+
+  void deform(Particles<D, P>& particles) {
+    if (!solid_) return;
+    for_each_index(solid_->size(), GatherSolids<D, P>{particles.view(), link(), pointer(position_),
+                                                      pointer(velocity_)});
+    solid_->deform(position_);
+  }
+
+  // Breaks what is strained too far; the deformation must be in force.
+  void break_bonds(Particles<D, P>& particles) {
+    if (!solid_) return;
+    const FractureBook book = solid_->fracture();
+    losses_.released += book.released;
+    if (book.bonds > 0) show_loose(particles);
+  }
+
+  // Adds the accelerations by all bonds that `filter` chooses.
+  template <class Filter>
+  void accelerate(Particles<D, P>& particles, const Filter& filter) {
+    if (!solid_) return;
+    solid_->accelerate(velocity_, BondFilter<D, P, Filter>{particles.view(), link(), filter});
+    for_each_index(solid_->size(),
+                   AddSolidAcceleration<D, P>{particles.view(), link(),
+                                              pointer(solid_->fields().acceleration)});
+  }
+
+  // Particles that are about to be removed let go of the others.
+  void let_go_of_leavers(Particles<D, P>& particles) {
+    if (!solid_) return;
+    thrust::fill(gone_.begin(), gone_.end(), std::uint8_t(0));
+    for_each_index(solid_->size(), FindLeavers<D, P>{particles.view(), link(), pointer(gone_)});
+    if (!reduce_unordered(solid_->size(), IsSet{pointer(gone_)}, false, EitherFlag{})) return;
+    losses_.released += solid_->let_go(gone_).released;
+    show_loose(particles);
+  }
+
+  WholeBonds<D, P> bonds() {
+    if (!solid_) return {};
+    return {link(), solid_->view()};
+  }
+
+  void book_step(double dt) {
+    if (solid_) losses_.viscous += dt * solid_->viscous_power();
+  }
+  void book(Ledger& ledger) {
+    ledger.dissipated_artificial += losses_.viscous;
+    ledger.dissipated_fracture += losses_.released;
+    if (!solid_) return;
+    const SolidEnergy energy = solid_->energy();
+    ledger.elastic_strain = energy.elastic;
+    ledger.hourglass = energy.hourglass;
+  }
+  void show(Frame& frame) const {
+    if (solid_) show_solid(solid_->fields(), number_of_id_, frame);
+  }
+
+  std::uint64_t bond_entries() const { return solid_ ? solid_->fields().neighbour.size() : 0; }
+  std::size_t bytes() const { return solid_ ? solid_->bytes() : 0; }
+
+  void save(Archive& archive) const {
+    archive.arrays["solid/losses"] = std::vector<double>{losses_.viscous, losses_.released};
+    if (solid_) archive.arrays["solid/bonds"] = solid_->save();
+  }
+  void restore(const Archive& archive) {
+    const auto& losses = find_array<double>(archive, "solid/losses");
+    losses_ = {losses.at(0), losses.at(1)};
+    if (solid_) solid_->restore(find_array<Real>(archive, "solid/bonds"));
+  }
+
+ private:
+  static SolidMedium<double> solid_medium(const Medium<double>& medium) {
+    SolidMedium<double> solid;
+    solid.piece = medium.piece;
+    solid.density = medium.density;
+    solid.spacing = medium.spacing;
+    solid.smoothing_length = medium.smoothing_length;
+    solid.mass = medium.mass;
+    solid.bulk_modulus = medium.bulk_modulus;
+    solid.shear_modulus = medium.shear_modulus;
+    solid.artificial_linear = medium.artificial_linear;
+    solid.artificial_quadratic = medium.artificial_quadratic;
+    solid.failure_strain = medium.failure_strain;
+    return solid;
+  }
+  SolidIndexView link() const {
+    return {pointer(number_of_id_), static_cast<Index>(number_of_id_.size()),
+            const_cast<Index*>(pointer(particle_of_))};
+  }
+  void show_loose(Particles<D, P>& particles) {
+    for_each_index(solid_->size(),
+                   MarkLoose<D, P>{particles.view(), link(), pointer(solid_->fields().loose)});
+  }
+
+  std::unique_ptr<TotalLagrangian<D, P>> solid_;
+  Array<Index> number_of_id_, particle_of_;
+  Array<Vector<D, double>> position_;
+  Array<Vector<D, Real>> velocity_;
+  Array<std::uint8_t> gone_;
+  SolidLosses losses_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// The `standard` formulation: water by Riemann SPH, solids by total Lagrangian SPH over bonds,
+// contact between them where they are now; `advance` is the order of a step.
+#pragma once
+
+#include "integrate/midpoint.hpp"
+#include "integrate/verlet.hpp"
+#include "rates/standard_rates.hpp"
+#include "simulation/particle_run.hpp"
+#include "simulation/solid_part.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+class Standard final : public ParticleRun<D, P, ContactReach> {
+  using Run = ParticleRun<D, P, ContactReach>;
+
+ public:
+  explicit Standard(const Case& description)
+      : Run(description),
+        rates_(Vector<D, double>::from(description.gravity)),
+        solid_(Run::media_, initial_particles(description, Run::nozzles_)) {
+    Run::open();
+    rates_.continuity(particles_.view(), particles_.size(), list_.view());
+  }
+
+  void advance() override {
+    Run::renew_neighbours();
+    const double dt = Run::choose_step(StepRates::to_come);
+    drift_half(dt);
+    deform_and_break();
+    accelerate();
+    kick_and_drift(dt);
+    close_density(dt);
+    Run::book_step(dt);
+    Run::mark_leavers();
+    solid_.let_go_of_leavers(particles_);
+    Run::tick(dt);
+  }
+
+  Frame frame() const override {
+    Frame frame = Run::frame();
+    solid_.show(frame);
+    return frame;
+  }
+  Ledger ledger() const override {
+    Ledger ledger = Run::ledger();
+    solid_.book(ledger);
+    return ledger;
+  }
+  double bytes_per_particle() const override {
+    const double n = std::max<double>(1.0, particles_.size());
+    return Run::bytes_per_particle() + static_cast<double>(solid_.bytes()) / n;
+  }
+  void save(Archive& archive) const override {
+    Run::save(archive);
+    solid_.save(archive);
+  }
+  void restore(const Archive& archive) override {
+    solid_.restore(archive);
+    Run::restore(archive);
+  }
+
+ private:
+  using Run::drives_, Run::list_, Run::pair_interactions_, Run::particles_, Run::time_,
+      Run::timers_;
+
+  void after_reorder() override { solid_.find(particles_); }
+
+  void evaluate_now() const override {
+    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(),
+                      EveryPair{});
+    solid_.deform(particles_);
+    solid_.accelerate(particles_, EveryPair{});
+  }
+
+  void accelerate_across(const AcrossPlane<D>& across) const override {
+    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(), across);
+    solid_.deform(particles_);
+    solid_.accelerate(particles_, across);
+  }
+
+  void drift_half(double dt) {
+    const auto timer = timers_.stage("integrate");
+    Run::load_drives(time_ + 0.5 * dt);
+    for_each_index(particles_.size(), KeepStart<D, P>{particles_.view()});
+    for_each_index(particles_.size(), DriftHalf<D, P>{particles_.view(), pointer(drives_), dt});
+  }
+
+  void deform_and_break() {
+    {
+      const auto timer = timers_.stage("solid");
+      solid_.deform(particles_);
+      pair_interactions_ += static_cast<double>(solid_.bond_entries());
+    }
+    const auto timer = timers_.stage("fracture");
+    solid_.break_bonds(particles_);
+  }
+
+  void accelerate() {
+    {
+      const auto timer = timers_.stage("water and contact");
+      rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(),
+                        EveryPair{});
+      pair_interactions_ += static_cast<double>(list_.pairs());
+    }
+    const auto timer = timers_.stage("solid");
+    solid_.accelerate(particles_, EveryPair{});
+    pair_interactions_ += static_cast<double>(solid_.bond_entries());
+  }
+
+  void kick_and_drift(double dt) {
+    const auto timer = timers_.stage("integrate");
+    Run::load_drives(time_ + dt);
+    for_each_index(particles_.size(), KickAndDrift<D, P>{particles_.view(), pointer(drives_), dt});
+    solid_.book_step(dt);
+  }
+
+  void close_density(double dt) {
+    const auto timer = timers_.stage("water and contact");
+    rates_.continuity(particles_.view(), particles_.size(), list_.view());
+    for_each_index(particles_.size(), CloseDensity<D, P>{particles_.view(), dt});
+    pair_interactions_ += static_cast<double>(list_.pairs());
+  }
+
+  StandardRates<D, P> rates_;
+  mutable SolidPart<D, P> solid_;
+};
+
+}  // namespace kerf

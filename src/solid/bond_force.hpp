@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The force on a particle from its bonds, the slope of the stored energy
+//   sum_i V_i psi(F_i) + 1/2 sum_i mu_i sum_j w_ij |gamma_ij|^2,   gamma_ij = F_i R - (x_j - x_i).
+// Elastic part (Bonet & Lok 1999): sum_j w_ij (P_i B_i + P_j B_j) R. Hourglass part: the moment
+// sum_j w_ij gamma_ij (x) R vanishes because F_i is the fit of least squares with these weights, so
+// the derivative through F_i drops out (Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42)
+// and what stays is - sum_j w_ij [mu_i (F_i R - x_ij) + mu_j (F_j R - x_ij)]. Together
+//   m_i a_i = sum_j w_ij [(A_i + A_j) R + (mu_i + mu_j) (u_j - u_i)],   A of deform.hpp,
+// equal and opposite on j to the last bit.
+#pragma once
+
+#include "solid/solid_fields.hpp"
+
+namespace kerf {
+
+// Viscosity along the line of centres of a bond that shortens (Monaghan, J. Comput. Phys. 82 (1989)
+// 1), with the kernel and the distance of the reference configuration:
+//   q_ij = rho (A c theta + B theta^2),   theta = -h (v_ij . x_ij) / (|x_ij| R) > 0,
+// rho, c, h: means; A, B: geometric means; c: the longitudinal wave.
+template <int D, class P>
+struct BondViscosity {
+  using Real = typename P::Real;
+  static constexpr bool acts = true;
+  const Vector<D, Real>* velocity;
+
+  // Adds the force on i and half of the power that the pair dissipates.
+  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, Vector<D, Real>& force,
+                         Real& power) const {
+    const Index j = solid.neighbour[k];
+    const auto& a = solid.medium(i);
+    const auto& b = solid.medium(j);
+    const Vector<D, Real> bond = solid.reference_bond(i, j);
+    const Vector<D, Real> line = bond + solid.displacement_bond(i, j);
+    const Real reference_length = norm(bond), length = norm(line);
+    const Real approach = -dot(velocity[j] - velocity[i], line);  // m^2/s
+    if (!(approach > Real(0)) || !(length > Real(0))) return;
+    const Real speed = approach / length;
+    const Real theta =
+        Real(0.5) * (a.smoothing_length + b.smoothing_length) * speed / reference_length;
+    const Real wave = Real(0.5) * (a.longitudinal_speed() + b.longitudinal_speed());
+    const Real linear = std::sqrt(a.artificial_linear * b.artificial_linear);
+    const Real quadratic = std::sqrt(a.artificial_quadratic * b.artificial_quadratic);
+    const Real pressure =
+        Real(0.5) * (a.density + b.density) * theta * (linear * wave + quadratic * theta);
+    const Real push = solid.weight[k] * reference_length * pressure;  // N
+    force -= (push / length) * line;
+    power += Real(0.5) * push * speed;
+  }
+};
+
+template <int D, class P>
+struct NoViscosity {
+  using Real = typename P::Real;
+  static constexpr bool acts = false;
+};
+
+struct EveryBond {
+  KERF_FUNCTION bool operator()(Index, Index) const { return true; }
+};
+
+// `Filter` chooses bonds, e.g. those across a plane.
+template <int D, class P, class Viscosity, class Filter>
+struct BondForce {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+  Viscosity viscosity;
+  Filter filter;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    auto force = Vector<D, Real>::zero();
+    Real power = Real(0);
+    const auto& medium = solid.medium(i);
+    const Real modulus = medium.hourglass_modulus();
+    const Matrix<D, Real> traction = solid.traction[i];
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
+      const Real weight = solid.weight[k];
+      if (!(weight > Real(0))) continue;
+      const Index j = solid.neighbour[k];
+      if (!filter(i, j)) continue;
+      const Real stiffness = modulus + solid.medium(j).hourglass_modulus();
+      force += weight * ((traction + solid.traction[j]) * solid.reference_bond(i, j) +
+                         stiffness * solid.displacement_bond(i, j));
+      if constexpr (Viscosity::acts) viscosity.add(solid, i, k, force, power);
+    }
+    solid.acceleration[i] = (Real(1) / medium.mass) * force;
+    solid.viscous_power[i] = power;
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Breaks bonds by the criterion of their media: first a look that changes nothing and marks the
+// particles concerned, then the break. Both ends of a bond come to the same answer by themselves.
+#pragma once
+
+#include "exec/ordered_sum.hpp"
+#include "fracture/bond_criterion.hpp"
+#include "solid/solid_fields.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct PrepareCriterion {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    solid.criterion[i] = prepare_criterion(solid.medium(i), green_strain(solid.gradient[i]));
+  }
+};
+
+template <int D, class P>
+struct BondTest {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION bool breaks(Index i, Index k, const SymmetricTensor<D, Real>& green) const {
+    if (!(solid.weight[k] > Real(0))) return false;
+    const Index j = solid.neighbour[k];
+    const auto bond = solid.reference_bond(i, j);
+    const auto change = solid.displacement_bond(i, j);
+    const Real square = dot(bond, bond);
+    BondStrain<Real> strain;
+    // |x|^2 - R^2 = (2 R + u) . u
+    strain.own = dot(Real(2) * bond + change, change) / square;
+    if (!(strain.own > Real(0))) return false;  // no bond breaks that is not stretched
+    const auto sum = green + green_strain(solid.gradient[j]);
+    strain.mean = dot(bond, sum * bond) / square;
+    strain.prepared = Real(0.5) * (solid.criterion[i] + solid.criterion[j]);
+    if (bond_breaks(strain, solid.medium(i))) return true;
+    return solid.medium_index[i] != solid.medium_index[j] && bond_breaks(strain, solid.medium(j));
+  }
+};
+
+template <int D, class P>
+struct MarkBreaking {
+  BondTest<D, P> test;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const auto& solid = test.solid;
+    const auto green = green_strain(solid.gradient[i]);
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1] && !solid.changed[i]; ++k)
+      if (test.breaks(i, k, green)) solid.changed[i] = 1;
+  }
+};
+
+template <int D, class P>
+struct BreakMarked {
+  using Real = typename P::Real;
+  BondTest<D, P> test;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const auto& solid = test.solid;
+    if (!solid.changed[i]) return;
+    const auto green = green_strain(solid.gradient[i]);
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k)
+      if (test.breaks(i, k, green)) solid.weight[k] = Real(0);
+  }
+};
+
+// Breaks the bonds between places that are apart from the start, as on the two sides of a notch:
+// `separates(X_i, X_j)`, the same in both directions.
+template <int D, class P, class Separates>
+struct CutBonds {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+  Separates separates;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
+      if (!separates(solid.reference[i], solid.reference[solid.neighbour[k]])) continue;
+      solid.weight[k] = Real(0);
+      solid.changed[i] = 1;
+    }
+  }
+};
+
+// Breaks the bonds of particles that leave the run.
+template <int D, class P>
+struct LetGo {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+  const std::uint8_t* gone;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
+      if (!(solid.weight[k] > Real(0))) continue;
+      if (!gone[i] && !gone[solid.neighbour[k]]) continue;
+      solid.weight[k] = Real(0);
+      solid.changed[i] = 1;
+    }
+  }
+};
+
+// Intact bonds, each counted from both ends, and loose particles.
+template <int D, class P>
+struct CountTerms {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void add(Index i, Terms<2>& sum) const {
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k)
+      sum.value[0] += solid.weight[k] > Real(0) ? 1.0 : 0.0;
+    sum.value[1] += solid.loose[i];
+  }
+};
+
+}  // namespace kerf

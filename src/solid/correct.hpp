@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// The correction of a particle's gradients, worked out anew when its bonds have changed:
+//   B_i = (sum_j V_j f_ij (X_j - X_i) (x) grad_0 W_ij)^-1 = V_i (sum_j w_ij R (x) R)^-1,
+// after which the gradient of any linear field is exact, beside free surfaces and cracks too (Bonet
+// & Lok, Comput. Methods Appl. Mech. Engrg. 180 (1999) 97). A particle that has no sound B is
+// loose.
+#pragma once
+
+#include "solid/find_bonds.hpp"
+#include "solid/solid_fields.hpp"
+
+namespace kerf {
+
+// D bonds fix a deformation gradient, and then every motion is a deformation: noise cannot be told
+// from strain. One more is the least that lets the hourglass control see it.
+template <int D>
+inline constexpr Index least_bonds = D + 1;
+// Least pivot of the moment, which is near 1 inside, 1/2 on a face, 0.2 in the corner of a cube.
+inline constexpr double least_pivot = 0.1;
+
+template <int D, class P>
+struct SetWholeWeights {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
+      const Index j = solid.neighbour[k];
+      const Real distance = norm(solid.reference_bond(i, j));
+      solid.weight[k] = whole_weight<D>(solid.medium(i), solid.medium(j), distance);
+    }
+  }
+};
+
+template <int D, class P>
+struct Correct {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (!solid.changed[i]) return;
+    solid.changed[i] = 0;
+    const Real volume = solid.medium(i).volume();
+    auto moment = Matrix<D, Real>::zero();
+    Index whole = 0;
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
+      const Real weight = solid.weight[k];
+      if (!(weight > Real(0))) continue;
+      const auto bond = solid.reference_bond(i, solid.neighbour[k]);
+      add_outer(moment, (weight / volume) * bond, bond);
+      ++whole;
+    }
+    auto correction = identity<D, Real>();
+    if (whole < least_bonds<D> || !divide(correction, moment, Real(least_pivot))) {
+      solid.loose[i] = 1;
+      solid.correction[i] = Matrix<D, Real>::zero();
+      return;
+    }
+    solid.correction[i] = (Real(1) / volume) * correction;
+  }
+};
+
+// Takes away the bonds that a loose particle has a part in, on this particle's side.
+template <int D, class P>
+struct DropLooseBonds {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
+      if (!(solid.weight[k] > Real(0))) continue;
+      if (!solid.loose[i] && !solid.loose[solid.neighbour[k]]) continue;
+      solid.weight[k] = Real(0);
+      solid.changed[i] = 1;
+    }
+  }
+};
+
+struct IsSet {
+  const std::uint8_t* flag;
+  KERF_FUNCTION bool operator()(Index i) const { return flag[i] != 0; }
+};
+struct EitherFlag {
+  KERF_FUNCTION bool operator()(bool a, bool b) const { return a || b; }
+};
+
+}  // namespace kerf

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// From positions to deformation and stress. With R = X_j - X_i and w_ij of solid_fields.hpp,
+//   H_i = F_i - 1 = (sum_j w_ij (u_j - u_i) (x) R) B_i / V_i.
+// The force needs of a particle one tensor only, which joins stress and hourglass control,
+//   A_i = P_i B_i - mu_i H_i,   mu = zeta E,   see bond_force.hpp.
+#pragma once
+
+#include "materials/elastic_law.hpp"
+#include "solid/solid_fields.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct Displace {
+  SolidView<D, P> solid;
+  const Vector<D, double>* position;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    solid.displacement[i] = position[i] - solid.reference[i];
+  }
+};
+
+template <int D, class P>
+struct Deform {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (solid.loose[i]) {
+      solid.gradient[i] = solid.traction[i] = Matrix<D, Real>::zero();
+      return;
+    }
+    auto sum = Matrix<D, Real>::zero();
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
+      const Index j = solid.neighbour[k];
+      const Vector<D, Real> bond = solid.weight[k] * solid.reference_bond(i, j);
+      add_outer(sum, solid.displacement_bond(i, j), bond);
+    }
+    const auto& medium = solid.medium(i);
+    const Matrix<D, Real> h = sum * solid.correction[i];
+    solid.gradient[i] = h;
+    solid.traction[i] = medium.volume() * (piola(medium, h) * solid.correction[i]);
+    solid.traction[i] += -medium.hourglass_modulus() * h;
+  }
+};
+
+}  // namespace kerf

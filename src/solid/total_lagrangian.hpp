@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// An elastic solid that breaks, in the total Lagrangian description: deformation and forces are
+// sums over bonds of the reference configuration, found once (docs/theory/total_lagrangian.md).
+// Particles keep the order of set-up; neighbours in memory should be neighbours in space. After
+// set-up nothing allocates but fracture() and the energies, on their first call.
+//
+// A step:  deform(positions);  fracture();  accelerate(velocities).
+#pragma once
+
+#include <utility>
+
+#include "core/error.hpp"
+#include "solid/bond_force.hpp"
+#include "solid/break_bonds.hpp"
+#include "solid/correct.hpp"
+#include "solid/deform.hpp"
+#include "solid/stored_energy.hpp"
+
+namespace kerf {
+
+struct FractureBook {
+  std::uint64_t bonds = 0;  // broken, each counted once
+  Index loosened = 0;       // particles that came loose
+  double released = 0.0;    // J (2D: J/m): stored energy before less after, hourglass part included
+};
+
+template <int D, class P>
+class TotalLagrangian {
+ public:
+  using Real = typename P::Real;
+  using Positions = Array<Vector<D, double>>;
+  using Velocities = Array<Vector<D, Real>>;
+
+  explicit TotalLagrangian(const SolidLayout<D>& layout) {
+    const std::size_t n = layout.reference.size();
+    require(n > 0 && layout.medium_index.size() == n, "a solid has one medium per particle");
+    std::vector<SolidMedium<Real>> media;
+    for (const auto& medium : layout.media) {
+      media.push_back(SolidMedium<Real>::from(medium));
+      is_viscous_ |= medium.artificial_linear > 0.0 || medium.artificial_quadratic > 0.0;
+      can_break_ |= medium.failure_strain > 0.0;
+    }
+    const BondLists bonds = BondFinder<D>(layout).find();
+    to_device(media, fields_.media);
+    to_device(layout.medium_index, fields_.medium_index);
+    to_device(layout.reference, fields_.reference);
+    to_device(bonds.begin, fields_.bond_begin);
+    to_device(bonds.neighbour, fields_.neighbour);
+    fields_.weight.resize(bonds.neighbour.size());
+    fields_.for_each_result([n](auto& array) { array.resize(n); });
+    for_each_index(size(), SetWholeWeights<D, P>{view()});
+    correct_all();
+  }
+
+  // Deformation and stress at these positions.
+  void deform(const Positions& position) {
+    require(position.size() == size(), "positions of every particle of the solid");
+    for_each_index(size(), Displace<D, P>{view(), pointer(position)});
+    for_each_index(size(), Deform<D, P>{view()});
+  }
+
+  // Acceleration and viscous power of the deformation in force.
+  void accelerate(const Velocities& velocity) { accelerate(velocity, EveryBond{}); }
+  // By the bonds that `filter` chooses, e.g. those across a plane.
+  template <class Filter>
+  void accelerate(const Velocities& velocity, const Filter& filter) {
+    if (is_viscous_) {
+      require(velocity.size() == size(), "velocities of every particle of the solid");
+      accelerate_with(BondViscosity<D, P>{pointer(velocity)}, filter);
+    } else {
+      accelerate_with(NoViscosity<D, P>{}, filter);
+    }
+  }
+
+  void evaluate(const Positions& position, const Velocities& velocity) {
+    deform(position);
+    accelerate(velocity);
+  }
+
+  // Breaks the bonds that pass their limit at the deformation in force, and deforms what is left
+  // anew. To be called between deform() and accelerate().
+  FractureBook fracture() {
+    if (!can_break_) return {};
+    for_each_index(size(), PrepareCriterion<D, P>{view()});
+    for_each_index(size(), MarkBreaking<D, P>{{view()}});
+    if (!any_changed()) return {};
+    const double stored = energy().total();
+    const auto [bonds, loose] = count();
+    for_each_index(size(), BreakMarked<D, P>{{view()}});
+    settle();
+    for_each_index(size(), Deform<D, P>{view()});
+    const auto [bonds_left, loose_now] = count();
+    return {bonds - bonds_left, loose_now - loose, stored - energy().total()};
+  }
+
+  // Breaks bonds for good before the run: a notch. See CutBonds.
+  template <class Separates>
+  void cut(const Separates& separates) {
+    for_each_index(size(), CutBonds<D, P, Separates>{view(), separates});
+    settle();
+  }
+
+  // Breaks all bonds of the particles that are `gone`.
+  FractureBook let_go(const Array<std::uint8_t>& gone) {
+    const double stored = energy().total();
+    const auto [bonds, loose] = count();
+    for_each_index(size(), LetGo<D, P>{view(), pointer(gone)});
+    settle();
+    for_each_index(size(), Deform<D, P>{view()});
+    const auto [bonds_left, loose_now] = count();
+    return {bonds - bonds_left, loose_now - loose, stored - energy().total()};
+  }
+
+  // Power that the viscosity of the bonds dissipates now, W.
+  double viscous_power() {
+    return is_viscous_ ? power_sum_(size(), PowerTerm<D, P>{view()}).value[0] : 0.0;
+  }
+
+  // Works out the energies per particle at the deformation in force; their totals.
+  SolidEnergy energy() {
+    for_each_index(size(), StoreEnergy<D, P>{view()});
+    const Terms<2> sum = sum_(size(), EnergyTerms<D, P>{view()});
+    return {sum.value[0], sum.value[1]};
+  }
+
+  Index size() const { return fields_.size(); }
+  const SolidFields<D, P>& fields() const { return fields_; }
+  SolidView<D, P> view() { return fields_.view(); }
+  std::pair<std::uint64_t, Index> count() {  // intact bonds, loose particles
+    const Terms<2> sum = sum_(size(), CountTerms<D, P>{view()});
+    return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1])};
+  }
+  std::size_t bytes() const { return fields_.bytes(); }
+
+  // The state beyond positions and velocities, which are the caller's: the weight of every bond.
+  std::vector<Real> save() const { return to_host(fields_.weight); }
+  // Goes on from a state saved by a solid of the same layout. deform() comes next.
+  void restore(const std::vector<Real>& weight) {
+    require(weight.size() == fields_.weight.size(), "a saved solid has the bonds of its layout");
+    to_device(weight, fields_.weight);
+    correct_all();
+  }
+
+ private:
+  template <class Viscosity, class Filter>
+  void accelerate_with(const Viscosity& viscosity, const Filter& filter) {
+    for_each_index(size(), BondForce<D, P, Viscosity, Filter>{view(), viscosity, filter});
+  }
+
+  void correct_all() {
+    thrust::fill(fields_.loose.begin(), fields_.loose.end(), std::uint8_t(0));
+    thrust::fill(fields_.changed.begin(), fields_.changed.end(), std::uint8_t(1));
+    settle();
+  }
+
+  // A particle that comes loose takes bonds from others, which may come loose in turn.
+  void settle() {
+    do {
+      for_each_index(size(), Correct<D, P>{view()});
+      for_each_index(size(), DropLooseBonds<D, P>{view()});
+    } while (any_changed());
+  }
+
+  bool any_changed() {
+    return reduce_unordered(size(), IsSet{pointer(fields_.changed)}, false, EitherFlag{});
+  }
+
+  SolidFields<D, P> fields_;
+  OrderedSum<2> sum_;
+  OrderedSum<1> power_sum_;
+  bool is_viscous_ = false;
+  bool can_break_ = false;
+};
+
+}  // namespace kerf

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Elastic laws against the difference quotient of their energy, Hooke's law, and closed forms.
+#include "materials/elastic_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+namespace kerf::test {
+namespace {
+
+SolidMedium<double> some_solid(ElasticLaw law) {
+  SolidMedium<double> solid;
+  solid.law = law;
+  solid.bulk_modulus = 8.3e4;
+  solid.shear_modulus = 3.8e4;
+  return solid;
+}
+
+// Energies written down from their definition in C and J, on Eigen's matrices.
+double energy_by_definition(const SolidMedium<double>& solid, const Eigen::Matrix3d& f) {
+  const double g = solid.shear_modulus, k = solid.bulk_modulus;
+  const Eigen::Matrix3d c = f.transpose() * f;
+  if (solid.law == ElasticLaw::neo_hookean) {
+    const double j = f.determinant();
+    return 0.5 * g * (std::pow(j, -2.0 / 3.0) * c.trace() - 3.0) +
+           0.5 * k * (0.5 * (j * j - 1.0) - std::log(j));
+  }
+  const Eigen::Matrix3d e = 0.5 * (c - Eigen::Matrix3d::Identity());
+  return 0.5 * (k - 2.0 / 3.0 * g) * e.trace() * e.trace() + g * (e * e).trace();
+}
+
+template <int D>
+Eigen::Matrix3d in_space(const Matrix<D, double>& h) {  // F of H
+  Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) f(a, b) += h(a, b);
+  return f;
+}
+
+template <class Dimension>
+class Law : public testing::Test {
+ protected:
+  static Matrix<Dimension::value, double> random_gradient(std::mt19937& engine, double size) {
+    std::uniform_real_distribution<double> uniform(-size, size);
+    Matrix<Dimension::value, double> h;
+    for (double& entry : h.component) entry = uniform(engine);
+    return h;
+  }
+};
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(Law, Dimensions);
+
+const ElasticLaw laws[] = {ElasticLaw::neo_hookean, ElasticLaw::st_venant_kirchhoff};
+
+TYPED_TEST(Law, StressIsTheSlopeOfTheEnergy) {
+  constexpr int D = TypeParam::value;
+  std::mt19937 engine(1);
+  for (ElasticLaw law : laws)
+    for (int n = 0; n < 50; ++n) {
+      const auto solid = some_solid(law);
+      const auto h = this->random_gradient(engine, 0.4);
+      const Eigen::Matrix3d f = in_space(h);
+      if (f.determinant() < 0.2) continue;
+      const auto p = piola(solid, h);
+      EXPECT_NEAR(energy_density(solid, green_strain(h)), energy_by_definition(solid, f),
+                  1e-12 * solid.bulk_modulus);
+      for (int a = 0; a < D; ++a)
+        for (int b = 0; b < D; ++b) {
+          // Fourth-order difference: truncation (1e-3)^4 / 30 times a fifth derivative near 1e3 K.
+          const double step = 1e-3;
+          const auto at = [&](double shift) {
+            Eigen::Matrix3d moved = f;
+            moved(a, b) += shift;
+            return energy_by_definition(solid, moved);
+          };
+          const double slope =
+              (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step);
+          EXPECT_NEAR(p(a, b), slope, 1e-8 * solid.bulk_modulus);
+        }
+    }
+}
+
+// sigma = K tr(e) + 2 G dev(e), with the stress out of the plane; the rest is of second order.
+TYPED_TEST(Law, HookeAtSmallStrain) {
+  constexpr int D = TypeParam::value;
+  std::mt19937 engine(2);
+  for (ElasticLaw law : laws)
+    for (double size : {1e-3, 1e-6}) {
+      const auto solid = some_solid(law);
+      const auto h = this->random_gradient(engine, size);
+      const Eigen::Matrix3d f = in_space(h);
+      const Eigen::Matrix3d e = 0.5 * (f + f.transpose()) - Eigen::Matrix3d::Identity();
+      const Eigen::Matrix3d hooke =
+          2.0 * solid.shear_modulus * e + (solid.bulk_modulus - 2.0 / 3.0 * solid.shear_modulus) *
+                                              e.trace() * Eigen::Matrix3d::Identity();
+      const auto stress = cauchy(solid, h);
+      for (int a = 0; a < 3; ++a)
+        for (int b = a; b < (a < D ? D : 3); ++b)
+          EXPECT_NEAR(stress(a, b), hooke(a, b), 20.0 * size * size * solid.bulk_modulus);
+    }
+}
+
+// Single precision keeps small strains: relative to the stress, not to the modulus.
+TYPED_TEST(Law, SinglePrecision) {
+  std::mt19937 engine(3);
+  for (ElasticLaw law : laws)
+    for (double size : {0.3, 1e-3, 1e-6}) {
+      const auto solid = some_solid(law);
+      const auto h = this->random_gradient(engine, size);
+      Matrix<TypeParam::value, float> single;
+      for (int k = 0; k < TypeParam::value * TypeParam::value; ++k)
+        single.component[k] = static_cast<float>(h.component[k]);
+      const auto p = piola(solid, h);
+      const auto q = piola(SolidMedium<float>::from(solid), single);
+      for (int k = 0; k < TypeParam::value * TypeParam::value; ++k)
+        EXPECT_NEAR(q.component[k], p.component[k], 5e-6 * size * solid.bulk_modulus);
+    }
+}
+
+// A rotation on top changes no energy and turns the stress.
+TYPED_TEST(Law, RotationTurnsTheStress) {
+  constexpr int D = TypeParam::value;
+  std::mt19937 engine(4);
+  for (ElasticLaw law : laws) {
+    const auto solid = some_solid(law);
+    const auto h = this->random_gradient(engine, 0.3);
+    Eigen::Matrix3d turn = Eigen::AngleAxisd(2.0, D == 2 ? Eigen::Vector3d::UnitZ().eval()
+                                                         : Eigen::Vector3d(1, -2, 3).normalized())
+                               .toRotationMatrix();
+    const Eigen::Matrix3d turned = turn * in_space(h);
+    Matrix<D, double> h_turned;
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) h_turned(a, b) = turned(a, b) - (a == b ? 1.0 : 0.0);
+    EXPECT_NEAR(energy_density(solid, green_strain(h)),
+                energy_density(solid, green_strain(h_turned)), 1e-12 * solid.bulk_modulus);
+    const auto p = piola(solid, h), q = piola(solid, h_turned);
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) {
+        double expected = 0.0;
+        for (int c = 0; c < D; ++c) expected += turn(a, c) * p(c, b);
+        EXPECT_NEAR(q(a, b), expected, 1e-11 * solid.bulk_modulus);
+      }
+  }
+}
+
+TYPED_TEST(Law, PrincipalValuesAreEigenvalues) {
+  constexpr int D = TypeParam::value;
+  std::mt19937 engine(5);
+  for (int n = 0; n < 100; ++n) {
+    const auto green = green_strain(this->random_gradient(engine, 0.4));
+    Eigen::Matrix3d e = Eigen::Matrix3d::Zero();
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) e(a, b) = green(a, b);
+    auto values = principal_values(green);
+    std::sort(values.component, values.component + 3);
+    const Eigen::Vector3d expected =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(e).eigenvalues();
+    for (int a = 0; a < 3; ++a) EXPECT_NEAR(values[a], expected[a], 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test
