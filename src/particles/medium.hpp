@@ -12,6 +12,7 @@ template <class T>
 struct Medium {
   Phase phase = Phase::water;
   bool constrained = false;    // fixed, or moved by prescription
+  bool cavitates = false;      // water that opens instead of being pulled
   std::uint16_t piece = 0;     // solids of one piece hold together; different pieces only touch
   T spacing = 0;               // m
   T smoothing_length = 0;      // m

@@ -28,8 +28,6 @@ struct ContactPairs {
   }
 };
 
-// Pressure of water by its equation of state. Free water cannot be pulled: where it would be below
-// that of the room it opens (p >= 0).
 template <int D, class P>
 struct WaterPressure {
   using Real = typename P::Real;
@@ -38,8 +36,7 @@ struct WaterPressure {
   KERF_FUNCTION void operator()(Index i) const {
     const auto& medium = particles.medium(i);
     if (medium.phase != Phase::water) return;
-    const Real p = TaitWater::pressure(medium, particles.compression[i]);
-    particles.pressure[i] = p > Real(0) ? p : Real(0);
+    particles.pressure[i] = TaitWater::pressure(medium, particles.compression[i]);
   }
 };
 

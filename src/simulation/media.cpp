@@ -81,8 +81,11 @@ std::vector<Medium<double>> make_media(const Case& description,
     medium.spacing = jet.spacing;
     media.push_back(medium);
   }
-  for (Medium<double>& medium : media)
+  for (Medium<double>& medium : media) {
     medium.smoothing_length = description.smoothing_ratio * medium.spacing;
+    medium.cavitates =
+        medium.phase == Phase::water && description.formulation == Formulation::standard;
+  }
   return media;
 }
 

@@ -18,6 +18,7 @@ Medium<T> convert(const Medium<double>& m) {
   Medium<T> out;
   out.phase = m.phase;
   out.constrained = m.constrained;
+  out.cavitates = m.cavitates;
   out.piece = m.piece;
   out.spacing = static_cast<T>(m.spacing);
   out.smoothing_length = static_cast<T>(m.smoothing_length);
