@@ -103,13 +103,16 @@ Signal kinetic_centroid_signal(const Parameters& parameters, const Beginning& be
   };
 }
 
-// Relative L2 distance of a body's pressure, averaged over layers one spacing high, from a formula
-// of x, y, z: sqrt(sum (p - formula)^2 / sum formula^2), each layer at its mean place.
+// Relative L2 distance of a body's pressure, averaged over layers, from a formula of x, y, z:
+// sqrt(sum (p - formula)^2 / sum formula^2), each layer at its mean place. A layer is "layer"
+// spacings high: one that holds two rows averages out a ripple from row to row, which the pressure
+// force does not feel.
 Signal profile_error_signal(const Parameters& parameters, const Beginning& beginning) {
   const auto formula = std::make_shared<const Expression>(parameters.text("formula"),
                                                           std::vector<std::string>{"x", "y", "z"});
   const auto weights = make_weights(parameters, beginning);
-  return [weights, formula](Moment& moment) {
+  const double height = parameters.number("layer", "", 1.0);
+  return [weights, formula, height](Moment& moment) {
     struct Layer {
       double count = 0.0, pressure = 0.0;
       Point place{};
@@ -119,7 +122,7 @@ Signal profile_error_signal(const Parameters& parameters, const Beginning& begin
     for (std::size_t row = 0; row < frame.id.size(); ++row) {
       if (!weights->has(frame.id[row])) continue;
       const Point& place = frame.position[row];
-      Layer& layer = layers[std::lround(std::floor(place[1] / frame.spacing[row]))];
+      Layer& layer = layers[std::lround(std::floor(place[1] / (height * frame.spacing[row])))];
       layer.count += 1.0;
       layer.pressure += frame.pressure[row];
       for (std::size_t a = 0; a < 3; ++a) layer.place[a] += place[a];

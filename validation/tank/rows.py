@@ -63,12 +63,14 @@ def pressures(rows):
     return [-scale * sum(x * y for x, y in zip(line, u)) for line in b]
 
 
-def distance(rows, first):
-    """Relative L2 distance from rho g (H - y), from row `first` up."""
+def distance(rows, first, layer):
+    """Relative L2 distance from rho g (H - y), from row `first` up, in layers of so many rows."""
+    p = pressures(rows)
     error = scale = 0.0
-    for i, p in list(enumerate(pressures(rows)))[first:]:
-        expected = WEIGHT * HEIGHT * (1.0 - (i + 0.5) / rows)
-        error += (p - expected) ** 2
+    for lowest in range(first, rows, layer):
+        inside = range(lowest, min(lowest + layer, rows))
+        expected = WEIGHT * HEIGHT * (1.0 - (inside[0] + inside[-1] + 1) / 2.0 / rows)
+        error += (sum(p[i] for i in inside) / len(inside) - expected) ** 2
         scale += expected**2
     return sqrt(error / scale)
 
@@ -76,7 +78,7 @@ def distance(rows, first):
 if __name__ == "__main__":
     for rows in (10, 25, 50):
         lowest = ", ".join(f"{p / (WEIGHT * HEIGHT):.2f}" for p in pressures(rows)[:4])
-        print(
-            f"{rows} rows: L2 {100 * distance(rows, 0):.1f}% to the floor, "
-            f"{100 * distance(rows, 3):.1f}% from the fourth row up; lowest rows {lowest} rho g H"
-        )
+        print(f"{rows} rows: lowest rows {lowest} rho g H; distance from rho g (H - y):")
+        for layer in (1, 2):
+            whole, off = (100.0 * distance(rows, first, layer) for first in (0, 4))
+            print(f"  layers of {layer}: {whole:.1f}% to the floor, {off:.1f}% from the fifth row up")

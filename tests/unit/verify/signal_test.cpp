@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "case/read.hpp"
+#include "support/fake_simulation.hpp"
 
 namespace kerf {
 namespace {
@@ -155,6 +156,40 @@ TEST_F(PairTest, AsymmetryIsTwiceTheShift) {
 TEST_F(PairTest, ProfileErrorOfNoPressureIsOne) {
   EXPECT_NEAR(value({{"signal", "profile_error"}, {"body", "both"}, {"formula", "1000*(0.1-y)"}}),
               1.0, 1e-12);
+}
+
+// A hydrostatic block whose rows, 2 mm high, lie above and below the right pressure in turn.
+class RippledSimulation : public test::FakeSimulation {
+ public:
+  using FakeSimulation::FakeSimulation;
+  Frame frame() const override {
+    Frame frame = FakeSimulation::frame();
+    for (std::size_t row = 0; row < frame.id.size(); ++row) {
+      const double y = frame.position[row][1];
+      const double ripple = std::lround(std::floor(y / 2e-3)) % 2 == 0 ? 20.0 : -20.0;
+      frame.pressure[row] = static_cast<float>(1000.0 * (0.1 - y) + ripple);
+    }
+    return frame;
+  }
+};
+
+TEST(ProfileError, LayersOfTwoRowsAverageOutARipple) {
+  const Case description = test::fake_case();
+  const RippledSimulation simulation(description);
+  Beginning beginning(description, simulation);
+  const auto error = [&](const std::string& layer) {
+    Parameters parameters("test");
+    parameters.set("signal", "profile_error");
+    parameters.set("body", "block");
+    parameters.set("weight", "y < 0.008");  // four rows
+    parameters.set("formula", "1000*(0.1-y)");
+    parameters.set("layer", layer);
+    Moment moment(beginning, simulation);
+    return make_signal(parameters, beginning)(moment);
+  };
+  const double scale = std::hypot(std::hypot(99.0, 97.0), std::hypot(95.0, 93.0));
+  EXPECT_NEAR(error("1"), std::hypot(20.0, 20.0) * std::sqrt(2.0) / scale, 1e-6);
+  EXPECT_NEAR(error("2"), 0.0, 1e-6);
 }
 
 }  // namespace
