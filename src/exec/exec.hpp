@@ -59,14 +59,14 @@ T reduce_unordered(Index count, const Value& value, T initial, const Combine& co
 template <class T>
 std::vector<T> to_host(const Array<T>& array) {
   std::vector<T> host(array.size());
-  thrust::copy(array.begin(), array.end(), host.begin());
+  if (!host.empty()) thrust::copy(array.begin(), array.end(), host.begin());
   return host;
 }
 
 template <class T>
 void to_device(const std::vector<T>& host, Array<T>& array) {
   array.resize(host.size());
-  thrust::copy(host.begin(), host.end(), array.begin());
+  if (!host.empty()) thrust::copy(host.begin(), host.end(), array.begin());
 }
 
 }  // namespace kerf
