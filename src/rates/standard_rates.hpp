@@ -28,6 +28,7 @@ struct ContactPairs {
   }
 };
 
+// Pressure of water by its equation of state; no other particle has one here.
 template <int D, class P>
 struct WaterPressure {
   using Real = typename P::Real;
@@ -35,8 +36,9 @@ struct WaterPressure {
 
   KERF_FUNCTION void operator()(Index i) const {
     const auto& medium = particles.medium(i);
-    if (medium.phase != Phase::water) return;
-    particles.pressure[i] = TaitWater::pressure(medium, particles.compression[i]);
+    const bool water = medium.phase == Phase::water;
+    particles.pressure[i] =
+        water ? TaitWater::pressure(medium, particles.compression[i]) : Real(0);
   }
 };
 
@@ -49,15 +51,22 @@ class StandardRates {
   explicit StandardRates(const Vector<D, double>& gravity)
       : gravity_{Vector<D, Real>::from(gravity)}, water_{gravity_.gravity} {}
 
-  // Pressures and the accelerations by all pairs that `filter` chooses, with gravity.
+  // Pressures and the accelerations by gravity and all pairs.
+  template <class Bonds>
+  void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
+                  const Bonds& bonds) const {
+    accelerate(view, count, list, bonds, EveryPair{}, gravity_);
+  }
+  // Those by the pairs that `filter` chooses and a body force of one's own.
   template <class Bonds, class Filter>
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
-                  const Bonds& bonds, const Filter& filter) const {
+                  const Bonds& bonds, const Filter& filter,
+                  const BodyForce<D, P>& body_force) const {
     for_each_index(count, WaterPressure<D, P>{view});
     for_each_index(count,
                    FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, WaterForce<D, P>,
                                     WaterViscosity<D, P>, SolidContact<D, P, Bonds>>(
-                       view, list, filter, gravity_, WaterForce<D, P>{water_}, {},
+                       view, list, filter, body_force, WaterForce<D, P>{water_}, {},
                        SolidContact<D, P, Bonds>{bonds}));
   }
 

@@ -21,8 +21,7 @@ struct WaterViscosity {
     const Real mu = viscosity(*pair.medium_i, *pair.medium_j);
     if (!(mu > Real(0)) || !(pair.distance > Real(0))) return;
     // dW/dr / r, from nabla W = (dW/dr / r) r_ij.
-    const Real slope =
-        dot(pair.gradient, pair.separation) / (pair.distance * pair.distance * pair.distance);
+    const Real slope = dot(pair.gradient, pair.separation) / (pair.distance * pair.distance);
     const auto drag = (Real(2) * mu * volume_of(particles, pair.i, *pair.medium_i) *
                        volume_of(particles, pair.j, *pair.medium_j) * slope) *
                       pair.velocity;

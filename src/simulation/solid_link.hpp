@@ -3,6 +3,7 @@
 // the numbers they were laid out with.
 #pragma once
 
+#include "materials/elastic_law.hpp"
 #include "particles/fields.hpp"
 #include "solid/solid_fields.hpp"
 
@@ -57,6 +58,23 @@ struct AddSolidAcceleration {
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
     if (i != no_index) particles.acceleration[i] += acceleration[s];
+  }
+};
+
+// - tr sigma / 3; none where a particle holds on to nothing.
+template <int D, class P>
+struct ShowPressure {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i == no_index) return;
+    const auto stress = solid.loose[s] ? SymmetricTensor<D, Real>::zero()
+                                       : cauchy(solid.medium(s), solid.gradient[s]);
+    particles.pressure[i] = -trace(stress) / Real(3);
   }
 };
 

@@ -78,6 +78,12 @@ class SolidPart {
                                               pointer(solid_->fields().acceleration)});
   }
 
+  // Puts the pressure of the solid at the deformation in force on its particles, for probes.
+  void show_pressure(Particles<D, P>& particles) {
+    if (!solid_) return;
+    for_each_index(solid_->size(), ShowPressure<D, P>{particles.view(), link(), solid_->view()});
+  }
+
   // Particles that are about to be removed let go of the others.
   void let_go_of_leavers(Particles<D, P>& particles) {
     if (!solid_) return;

@@ -68,14 +68,15 @@ class Standard final : public ParticleRun<D, P, ContactReach> {
   void after_reorder() override { solid_.find(particles_); }
 
   void evaluate_now() const override {
-    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(),
-                      EveryPair{});
+    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds());
     solid_.deform(particles_);
     solid_.accelerate(particles_, EveryPair{});
+    solid_.show_pressure(particles_);
   }
 
   void accelerate_across(const AcrossPlane<D>& across) const override {
-    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(), across);
+    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(), across,
+                      BodyForce<D, P>{});
     solid_.deform(particles_);
     solid_.accelerate(particles_, across);
   }
@@ -100,8 +101,7 @@ class Standard final : public ParticleRun<D, P, ContactReach> {
   void accelerate() {
     {
       const auto timer = timers_.stage("water and contact");
-      rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(),
-                        EveryPair{});
+      rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds());
       pair_interactions_ += static_cast<double>(list_.pairs());
     }
     const auto timer = timers_.stage("solid");

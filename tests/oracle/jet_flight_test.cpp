@@ -28,8 +28,9 @@ double along(const Nozzle& nozzle, const std::array<double, 3>& p) {
   return sum;
 }
 
-void expect_free_flight(int dimension) {
-  const Case c = free_jet(dimension, std::numeric_limits<double>::infinity());
+void expect_free_flight(int dimension, Formulation formulation) {
+  Case c = free_jet(dimension, std::numeric_limits<double>::infinity());
+  c.formulation = formulation;
   const Nozzle nozzle(c.jets[0], 1000.0, dimension);
   const auto simulation = make_simulation(c);
   std::set<std::uint32_t> ever;
@@ -60,10 +61,16 @@ void expect_free_flight(int dimension) {
   EXPECT_LE(std::abs(ledger.energy_drift()), 1e-9);
 }
 TEST(FreeJet, FliesAsALattice2D) {
-  expect_free_flight(2);
+  expect_free_flight(2, Formulation::shinohara2004);
 }
 TEST(FreeJet, FliesAsALattice3D) {
-  expect_free_flight(3);
+  expect_free_flight(3, Formulation::shinohara2004);
+}
+TEST(FreeJet, FliesAsALatticeInTheStandardFormulation2D) {
+  expect_free_flight(2, Formulation::standard);
+}
+TEST(FreeJet, FliesAsALatticeInTheStandardFormulation3D) {
+  expect_free_flight(3, Formulation::standard);
 }
 
 // A nozzle that is shut in mid-run: the water behind the exit stands; what came is rho V A times

@@ -12,12 +12,13 @@
 namespace kerf::test {
 namespace {
 
-class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind>> {
+class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind, Formulation>> {
  protected:
   ~SameAnswer() override { set_threads(0); }
 
   Case description() const {
-    Case c = jet_on_block(std::get<0>(GetParam()), std::get<1>(GetParam()));
+    Case c =
+        jet_on_block(std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam()));
     Probe point, plane;
     point.name = "point";
     point.position = {0.0, 0.006, 0.0};
@@ -119,13 +120,15 @@ TEST_P(SameAnswer, RestoredLooksTheSame) {
 
 std::string name_of(const testing::TestParamInfo<SameAnswer::ParamType>& info) {
   return std::string(std::get<0>(info.param) == 2 ? "2D" : "3D") +
-         (std::get<1>(info.param) == PrecisionKind::mixed ? "Mixed" : "Double");
+         (std::get<1>(info.param) == PrecisionKind::mixed ? "Mixed" : "Double") +
+         (std::get<2>(info.param) == Formulation::standard ? "Standard" : "");
 }
-INSTANTIATE_TEST_SUITE_P(All, SameAnswer,
-                         testing::Combine(testing::Values(2, 3),
-                                          testing::Values(PrecisionKind::mixed,
-                                                          PrecisionKind::double_precision)),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(
+    All, SameAnswer,
+    testing::Combine(testing::Values(2, 3),
+                     testing::Values(PrecisionKind::mixed, PrecisionKind::double_precision),
+                     testing::Values(Formulation::shinohara2004, Formulation::standard)),
+    name_of);
 
 }  // namespace
 }  // namespace kerf::test

@@ -90,4 +90,21 @@ inline Case jet_on_block(int dimension, PrecisionKind precision) {
   return c;
 }
 
+// The same for the `standard` formulation, which wants solids and walls as fine as the water; the
+// tofu is brittle, so that it breaks at once.
+inline Case standard_jet_on_block(int dimension, PrecisionKind precision) {
+  Case c = jet_on_block(dimension, precision);
+  c.formulation = Formulation::standard;
+  c.smoothing_ratio = 1.3;
+  c.materials[0].failure_strain = 0.05;
+  c.materials[0].artificial_linear = c.materials[0].artificial_quadratic = 0.5;
+  for (Body& body : c.bodies) body.spacing = c.jets[0].spacing;
+  return c;
+}
+
+inline Case jet_on_block(int dimension, PrecisionKind precision, Formulation formulation) {
+  return formulation == Formulation::standard ? standard_jet_on_block(dimension, precision)
+                                              : jet_on_block(dimension, precision);
+}
+
 }  // namespace kerf::test

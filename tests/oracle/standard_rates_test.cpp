@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pair sums of the `standard` formulation against double loops written from its sources.
+#include <gtest/gtest.h>
+
+#include "support/wet_bag.hpp"
+
+namespace kerf::test {
+namespace {
+
+// The largest error of a field over the largest value of that field.
+struct Gap {
+  double error = 0.0, scale = 0.0;
+  void add(double value, double due) {
+    error = std::max(error, std::abs(value - due));
+    scale = std::max(scale, std::abs(due));
+  }
+  void add(const Vector3& value, const Vector3& due) {
+    error = std::max(error, (value - due).norm());
+    scale = std::max(scale, due.norm());
+  }
+};
+
+template <class K>
+class StandardRatesOracle : public testing::Test {
+ protected:
+  static constexpr int dimension = K::D;
+  using Precision = typename K::P;
+  // Double: what is left is the rounding of sums of some hundred terms in another order. Mixed:
+  // single precision in fields and pairs.
+  static constexpr double tolerance = std::is_same_v<Precision, Double> ? 1e-12 : 1e-4;
+
+  struct Gaps {
+    Gap pressure, continuity, pressing, damping, total, from_rigid, energy;
+  };
+
+  static Gaps compare(const ReferenceState& state,
+                      const LoadedStandard<dimension, Precision>& loaded) {
+    const ReferenceStandard oracle(state, bonds_of(state));
+    const auto place = loaded.places();
+    const auto& p = loaded.particles;
+    Gaps gaps;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      if (state.medium(i).phase == Phase::rigid) continue;
+      const StandardRate& due = oracle.rates()[i];
+      const std::size_t k = place[i];
+      const double m = state.medium(i).mass;
+      if (state.medium(i).phase == Phase::water) gaps.pressure.add(p.pressure[k], due.pressure);
+      gaps.continuity.add(p.compression_rate[k], due.compression_rate);
+      gaps.energy.add(p.repulsion_potential[k], due.contact_energy / m);
+      gaps.pressing.add(of(p.pressure_acceleration[k]), due.pressing / m);
+      gaps.damping.add(of(p.damping_acceleration[k]), due.damping / m);
+      gaps.from_rigid.add(of(p.repulsion[k]), due.from_rigid / m);
+      gaps.total.add(of(p.acceleration[k]), oracle.force(i) / m + state.gravity);
+    }
+    for (const Gap& gap : {gaps.pressure, gaps.continuity, gaps.pressing, gaps.damping, gaps.total,
+                           gaps.from_rigid, gaps.energy})
+      EXPECT_LE(gap.error, tolerance * gap.scale);
+    return gaps;
+  }
+
+ private:
+  static Vector3 of(const Vector<dimension, typename Precision::Real>& v) { return as_eigen(v); }
+};
+TYPED_TEST_SUITE(StandardRatesOracle, BagKinds);
+
+TYPED_TEST(StandardRatesOracle, MixedBagWithGravity) {
+  constexpr int D = TypeParam::D;
+  for (unsigned seed : {1u, 2u, 3u}) {
+    auto state = wet_bag(D, seed);
+    state.gravity = {3000.0, -9810.0, D == 3 ? 700.0 : 0.0};  // to be seen beside the pressures
+    const auto gaps =
+        TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state));
+    for (const Gap& gap : {gaps.pressure, gaps.continuity, gaps.pressing, gaps.damping, gaps.total,
+                           gaps.from_rigid, gaps.energy})
+      EXPECT_GT(gap.scale, 0.0);
+  }
+}
+
+// Each term alone: in the sum of all, the strong ones would hide a fault of the weak ones. Water
+// that expands everywhere and has no pressure feels its viscosity only.
+TYPED_TEST(StandardRatesOracle, ViscosityAlone) {
+  constexpr int D = TypeParam::D;
+  auto state = wet_bag(D, 4);
+  const Vector3 spin(0.0, 0.0, 200.0);
+  for (auto& particle : state.particles) {
+    particle.compression = -0.01;
+    particle.velocity = 100.0 * particle.position + spin.cross(particle.position);
+  }
+  const auto gaps =
+      TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state));
+  EXPECT_EQ(gaps.pressing.scale, 0.0);
+  EXPECT_GT(gaps.damping.scale, 0.0);
+}
+
+TYPED_TEST(StandardRatesOracle, DissipationAlone) {
+  constexpr int D = TypeParam::D;
+  auto state = wet_bag(D, 5);
+  for (auto& medium : state.media) medium.viscosity = 0.0;
+  for (auto& particle : state.particles) particle.compression = -0.01;
+  const auto gaps =
+      TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state));
+  EXPECT_EQ(gaps.pressing.scale, 0.0);
+  EXPECT_GT(gaps.damping.scale, 0.0);
+}
+
+TYPED_TEST(StandardRatesOracle, PressureAtRest) {
+  constexpr int D = TypeParam::D;
+  auto state = wet_bag(D, 6);
+  for (auto& particle : state.particles) particle.velocity.setZero();
+  const auto gaps =
+      TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state));
+  EXPECT_EQ(gaps.damping.scale, 0.0);
+  EXPECT_GT(gaps.pressing.scale, 0.0);
+  EXPECT_GT(gaps.continuity.scale, 0.0);  // differences in pressure diffuse density
+}
+
+// The list holds while no particle has moved more than half the skin.
+TYPED_TEST(StandardRatesOracle, AfterMotionWithinTheSkin) {
+  constexpr int D = TypeParam::D;
+  using P = typename TypeParam::P;
+  auto state = wet_bag(D, 7);
+  LoadedStandard<D, P> loaded(state, {});
+  const auto place = loaded.places();
+  std::mt19937 engine(11);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    Vector3 step(uniform(engine), uniform(engine), D == 3 ? uniform(engine) : 0.0);
+    step *= 0.2499 * 1e-3 / step.norm();
+    state.particles[i].position += step;
+    loaded.particles.position[place[i]] = Vector<D, double>::from(state.particles[i].position);
+  }
+  EXPECT_FALSE(loaded.list.is_outdated(loaded.particles, 0.0));
+  evaluate_standard(state, loaded);
+  TestFixture::compare(state, loaded);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// Short runs of the `standard` formulation against what must stay the same in them: mass, momentum,
+// and energy where nothing can take it.
+#include <cmath>
+
+#include "support/runs.hpp"
+#include "support/small_cases.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr auto both = {PrecisionKind::mixed, PrecisionKind::double_precision};
+
+// Rounding of the sums of some hundred steps: forces are equal and opposite to the last digits.
+double momentum_tolerance(PrecisionKind precision) {
+  return precision == PrecisionKind::mixed ? 1e-6 : 1e-10;
+}
+
+void expect_balanced(const Ledger& now, PrecisionKind precision) {
+  EXPECT_LE(std::abs(now.mass_error()), 1e-12);
+  EXPECT_LE(now.momentum_error(), momentum_tolerance(precision));
+}
+
+void print(const char* what, const Ledger& now) {
+  std::printf("%s: mass %.1e, momentum %.1e, energy %.2e\n", what, now.mass_error(),
+              now.momentum_error(), now.energy_drift());
+}
+
+// A jet breaks a block on a plate; with gravity, eraser, a body moved from the side and a drop that
+// flies out.
+void run_everything(int dimension, PrecisionKind precision, int steps) {
+  Case c = standard_jet_on_block(dimension, precision);
+  c.eraser = Eraser{};
+  const double z = dimension == 3 ? 0.004 : 0.0;
+  c.bodies.push_back(body("pusher", Role::elastic, box({-0.0118, 0.002, -z}, {-0.0098, 0.006, z}),
+                          c.jets[0].spacing));
+  c.bodies.back().displacement = {"0.5*t", "0", "0"};
+  c.bodies.push_back(
+      body("drop", Role::water, box({0.006, 0.02, -0.5 * z}, {0.01, 0.024, 0.5 * z}), 1e-3));
+  c.bodies.back().velocity = {"4", "1", "0"};
+  const auto simulation = make_simulation(c);
+  Ledger before = simulation->ledger();
+  for (int n = 0; n < steps; ++n) {
+    simulation->advance();
+    if (n % 10 != 0) continue;
+    const Ledger now = simulation->ledger();
+    ASSERT_GE(now.dissipated_artificial, before.dissipated_artificial);
+    expect_balanced(now, precision);
+    before = now;
+  }
+  const Ledger now = simulation->ledger();
+  print("jet on block", now);
+  EXPECT_GT(now.mass_in, 0.0);
+  EXPECT_GT(now.mass_out, 0.0);
+  EXPECT_GT(now.mass_fractured, 0.0);
+  EXPECT_NE(now.work_constraint, 0.0);
+  EXPECT_GT(now.impulse_plate[1], 0.0);
+}
+TEST(StandardLedger, OfEverythingMixed2D) {
+  run_everything(2, PrecisionKind::mixed, 900);
+}
+TEST(StandardLedger, OfEverythingDouble2D) {
+  run_everything(2, PrecisionKind::double_precision, 900);
+}
+TEST(StandardLedger, OfEverythingMixed3D) {
+  run_everything(3, PrecisionKind::mixed, 500);
+}
+TEST(StandardLedger, OfEverythingDouble3D) {
+  run_everything(3, PrecisionKind::double_precision, 500);
+}
+
+// Momentum, mass and kinetic energy by sums over a frame, which the ledger has no part in.
+TEST(StandardLedger, AgreesWithTheFrame) {
+  const auto simulation =
+      make_simulation(standard_jet_on_block(2, PrecisionKind::double_precision));
+  take_steps(*simulation, 500);
+  const Frame frame = simulation->frame();
+  const Ledger ledger = simulation->ledger();
+  const std::vector<double> mass{940.0 * 25e-8, 0.0, 1000.0 * 25e-8};
+  double total = 0.0, kinetic = 0.0, fractured = 0.0;
+  std::array<double, 3> momentum{};
+  for (std::size_t k = 0; k < frame.id.size(); ++k) {
+    const double m = mass[frame.source[k]];
+    total += m;
+    if (frame.category[k] == Category::fractured) fractured += m;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double v = frame.velocity[k][a];
+      kinetic += 0.5 * m * v * v;
+      momentum[a] += m * v;
+    }
+  }
+  EXPECT_NEAR(ledger.mass_now, total, 1e-12 * total);
+  EXPECT_NEAR(ledger.mass_fractured, fractured, 1e-12 * total);
+  EXPECT_NEAR(ledger.kinetic, kinetic, 1e-12 * kinetic);
+  for (std::size_t a = 0; a < 3; ++a)
+    EXPECT_NEAR(ledger.momentum_now[a], momentum[a], 1e-12 * ledger.momentum_scale);
+}
+
+// A block flies out of the domain edge first, row by row; those that are left behind fly on. In the
+// end nothing is there.
+void fly_out(int dimension, PrecisionKind precision, double failure_strain) {
+  Case c = empty_case(dimension, precision);
+  c.formulation = Formulation::standard;
+  c.smoothing_ratio = 1.3;
+  c.materials[0].failure_strain = failure_strain;
+  const double z = dimension == 3 ? 0.003 : 0.0;
+  c.domain = {{-0.02, -0.02, -0.02}, {0.01, 0.02, 0.02}};
+  c.bodies = {body("block", Role::elastic, box({-0.006, 0.0, 0.0}, {0.006, 0.006, z}), 1e-3)};
+  c.bodies[0].velocity = {"4+300*y", "100*(x+0.004)", "0"};  // also turns and shears
+  const auto simulation = make_simulation(c);
+  const double mass = simulation->ledger().mass_now;
+  bool half_way = false;
+  while (simulation->particles() > 0 && simulation->time() < 0.02) {
+    simulation->advance();
+    const Ledger now = simulation->ledger();
+    ASSERT_LE(std::abs(now.mass_error()), 1e-12);
+    ASSERT_LE(now.momentum_error(), momentum_tolerance(precision));
+    half_way = half_way || (now.mass_out > 0.3 * mass && now.mass_out < 0.7 * mass);
+  }
+  const Ledger end = simulation->ledger();
+  print("flown out", end);
+  EXPECT_TRUE(half_way);
+  EXPECT_EQ(simulation->particles(), 0u);
+  EXPECT_NEAR(end.mass_out, mass, 1e-12 * mass);
+  EXPECT_LE(std::abs(end.energy_drift()), 0.05);
+  EXPECT_EQ(simulation->frame().id.size(), 0u);
+}
+TEST(StandardLedger, SolidLeavesTheDomain) {
+  for (int dimension : {2, 3})
+    for (PrecisionKind precision : both)
+      for (double failure_strain : {0.0, 0.05}) fly_out(dimension, precision, failure_strain);
+}
+
+// Two blocks without damping collide: what their motion loses their elasticity holds, and gives
+// back.
+void collide(int dimension, PrecisionKind precision, double courant) {
+  Case c = empty_case(dimension, precision);
+  c.formulation = Formulation::standard;
+  c.smoothing_ratio = 1.3;
+  c.time.courant = courant;
+  c.materials[0].failure_strain = 0.0;
+  c.materials[0].artificial_linear = c.materials[0].artificial_quadratic = 0.0;
+  const double z = dimension == 3 ? 0.01 : 0.0;
+  c.bodies = {body("left", Role::elastic, box({-0.0205, -0.005, 0.0}, {-0.0005, 0.005, z}), 1e-3),
+              body("right", Role::elastic, box({0.0005, -0.007, 0.0}, {0.0205, 0.007, z}), 1e-3)};
+  c.bodies[0].velocity = {"0.5", "0", "0"};
+  c.bodies[1].velocity = {"-0.5", "0", "0"};
+  const auto simulation = make_simulation(c);
+  double worst = 0.0, stored = 0.0, touched = 0.0;
+  const double start = simulation->ledger().energy_initial;
+  while (simulation->time() < 0.012) {
+    for (int n = 0; n < 5; ++n) simulation->advance();
+    const Ledger now = simulation->ledger();
+    worst = std::max(worst, std::abs(now.energy_drift()));
+    stored = std::max(stored, now.elastic_strain / start);
+    touched = std::max(touched, now.plate_potential / start);
+  }
+  const Ledger end = simulation->ledger();
+  std::printf(
+      "collision %dD: drift at worst %.2e, at the end %.2e; at most %.2f elastic, %.2f in "
+      "contact; momentum %.1e\n",
+      dimension, worst, end.energy_drift(), stored, touched, end.momentum_error());
+  EXPECT_GT(stored, 0.3);
+  EXPECT_EQ(end.plate_potential, 0.0);  // apart again
+  EXPECT_LE(worst, 0.01);
+  expect_balanced(end, precision);
+}
+TEST(StandardEnergy, CollisionWithoutDampingKeepsIt2D) {
+  for (PrecisionKind precision : both) collide(2, precision, 0.25);
+}
+TEST(StandardEnergy, CollisionWithoutDampingKeepsIt3D) {
+  collide(3, PrecisionKind::mixed, 0.25);
+}
+
+}  // namespace
+}  // namespace kerf::test

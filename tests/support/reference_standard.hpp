@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pair sums of the `standard` formulation as plain double loops over all pairs, each pair once,
+// in double precision on Eigen's vectors; shares no code with the engine but the plain data of a
+// Medium. Zhang, Hu & Adams, J. Comput. Phys. 335 (2017) 605; Morris, Fox & Zhu, J. Comput. Phys.
+// 136 (1997) 214.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "support/reference_sph.hpp"
+
+namespace kerf::test {
+
+struct StandardRate {
+  double pressure = 0.0;                 // Pa
+  double compression_rate = 0.0;         // 1/s
+  Vector3 pressing = Vector3::Zero();    // N, by the mean pressure of pairs
+  Vector3 damping = Vector3::Zero();     // N, by dissipation and viscosity
+  Vector3 contact = Vector3::Zero();     // N
+  Vector3 from_rigid = Vector3::Zero();  // N, the part of these by rigid bodies
+  double contact_energy = 0.0;           // J
+};
+
+// Wendland C2, support 2 h: dW/dr = - 5 alpha / h q (1 - q/2)^3.
+inline double wendland_slope(double r, double h, int dimension) {
+  const double q = r / h, pi = std::numbers::pi;
+  if (q >= 2.0) return 0.0;
+  const double alpha = dimension == 2 ? 7.0 / (4.0 * pi * h * h) : 21.0 / (16.0 * pi * h * h * h);
+  return -5.0 * alpha / h * q * std::pow(1.0 - q / 2.0, 3);
+}
+
+// P* split into its mean and its dissipation, and U*; U towards the right is positive.
+struct StarState {
+  double mean, dissipation, speed;
+};
+struct RiemannState {
+  double density, pressure, speed;
+};
+inline StarState reference_star(const RiemannState& left, const RiemannState& right, double c) {
+  const double rho = (left.density + right.density) / 2.0;
+  const double jump = left.speed - right.speed;
+  const double beta = std::min(3.0 * std::max(jump, 0.0) / c, 1.0);
+  return {(left.pressure + right.pressure) / 2.0, beta * rho * c * jump / 2.0,
+          (left.speed + right.speed) / 2.0 + (left.pressure - right.pressure) / (2.0 * rho * c)};
+}
+
+class ReferenceStandard {
+ public:
+  // Whether an unbroken bond joins two particles, by their numbers.
+  using Bonded = std::function<bool(std::size_t, std::size_t)>;
+
+  ReferenceStandard(const ReferenceState& state, const Bonded& bonded)
+      : state_(state), bonded_(bonded), rates_(state.particles.size()) {
+    for (std::size_t i = 0; i < rates_.size(); ++i)
+      if (is(i, Phase::water)) rates_[i].pressure = water_pressure(i);
+    for (std::size_t i = 0; i < rates_.size(); ++i)
+      for (std::size_t j = i + 1; j < rates_.size(); ++j) add_pair(i, j);
+  }
+  const std::vector<StandardRate>& rates() const { return rates_; }
+  Vector3 force(std::size_t i) const {
+    return rates_[i].pressing + rates_[i].damping + rates_[i].contact;
+  }
+
+ private:
+  bool is(std::size_t i, Phase phase) const { return state_.medium(i).phase == phase; }
+  const ReferenceParticle& at(std::size_t i) const { return state_.particles[i]; }
+  double volume(std::size_t i) const {
+    return is(i, Phase::water) ? state_.medium(i).mass / state_.density(i)
+                               : state_.medium(i).volume;
+  }
+  double water_pressure(std::size_t i) const {
+    const auto& m = state_.medium(i);
+    const double b = m.sound_speed * m.sound_speed * m.density / 7.0;
+    return std::max(0.0, b * (std::pow(1.0 + at(i).compression, 7.0) - 1.0));
+  }
+
+  void add_pair(std::size_t i, std::size_t j) {
+    if (is(i, Phase::water)) return add_water(i, j);
+    if (is(j, Phase::water)) return add_water(j, i);
+    if (is(i, Phase::solid)) return add_contact(i, j);
+    if (is(j, Phase::solid)) return add_contact(j, i);
+  }
+
+  // `w` is water; the other is anything.
+  void add_water(std::size_t w, std::size_t o) {
+    const auto &a = state_.medium(w), &b = state_.medium(o);
+    const bool both = b.phase == Phase::water;
+    const double h = both ? (a.smoothing_length + b.smoothing_length) / 2.0
+                          : std::max(a.smoothing_length, b.smoothing_length);
+    const Vector3 apart = at(w).position - at(o).position;
+    const double r = apart.norm(), slope = wendland_slope(r, h, state_.dimension);
+    const Vector3 e = apart / r;
+    const RiemannState left{state_.density(w), rates_[w].pressure, -at(w).velocity.dot(e)};
+    StarState star{};
+    if (both) {
+      const RiemannState right{state_.density(o), rates_[o].pressure, -at(o).velocity.dot(e)};
+      star = reference_star(left, right, (a.sound_speed + b.sound_speed) / 2.0);
+    } else {
+      const double wall = -at(o).velocity.dot(e);
+      const double depth = std::max(0.0, -state_.gravity.dot(e)) * r;
+      star = reference_star(
+          left, {left.density, left.pressure + left.density * depth, 2.0 * wall - left.speed},
+          a.sound_speed);
+      star.speed = wall;
+    }
+    add_forces(w, o, e, star, slope);
+    add_friction(w, o, slope / r);
+    // rho' / rho = 2 sum V (v - v*) . e W', where v* . e = - U*.
+    const double growth_w = 2.0 * volume(o) * slope * (at(w).velocity.dot(e) + star.speed);
+    rates_[w].compression_rate += (1.0 + at(w).compression) * growth_w;
+    if (!both) return;
+    const double growth_o = 2.0 * volume(w) * slope * (-at(o).velocity.dot(e) - star.speed);
+    rates_[o].compression_rate += (1.0 + at(o).compression) * growth_o;
+  }
+
+  void add_forces(std::size_t w, std::size_t o, const Vector3& e, const StarState& star,
+                  double slope) {
+    const Vector3 unit = -2.0 * volume(w) * volume(o) * slope * e;
+    rates_[w].pressing += star.mean * unit;
+    rates_[o].pressing -= star.mean * unit;
+    rates_[w].damping += star.dissipation * unit;
+    rates_[o].damping -= star.dissipation * unit;
+    if (is(o, Phase::rigid)) rates_[w].from_rigid += (star.mean + star.dissipation) * unit;
+  }
+
+  void add_friction(std::size_t w, std::size_t o, double slope_per_distance) {
+    const double mu_w = state_.medium(w).viscosity, mu_o = state_.medium(o).viscosity;
+    double mu = mu_w;
+    if (is(o, Phase::water)) mu = mu_w + mu_o > 0.0 ? 2.0 * mu_w * mu_o / (mu_w + mu_o) : 0.0;
+    const Vector3 drag =
+        2.0 * mu * volume(w) * volume(o) * slope_per_distance * (at(w).velocity - at(o).velocity);
+    rates_[w].damping += drag;
+    rates_[o].damping -= drag;
+    if (is(o, Phase::rigid)) rates_[w].from_rigid += drag;
+  }
+
+  static double wave_modulus(const Medium<double>& m) {
+    return m.bulk_modulus + 4.0 / 3.0 * m.shear_modulus;
+  }
+
+  // `s` is solid, the other solid or rigid: a spring that only pushes.
+  void add_contact(std::size_t s, std::size_t o) {
+    const auto &a = state_.medium(s), &b = state_.medium(o);
+    const Vector3 apart = at(s).position - at(o).position;
+    const double rest = (a.spacing + b.spacing) / 2.0, overlap = rest - apart.norm();
+    const bool rigid = b.phase == Phase::rigid;
+    if (overlap <= 0.0 || (!rigid && bonded_(s, o))) return;
+    const double modulus = rigid ? wave_modulus(a) : (wave_modulus(a) + wave_modulus(b)) / 2.0;
+    const double stiffness = modulus * std::pow(rest, state_.dimension - 2);
+    const Vector3 push = stiffness * overlap * apart.normalized();
+    const double energy = stiffness * overlap * overlap / 2.0;
+    rates_[s].contact += push;
+    rates_[o].contact -= push;
+    rates_[s].contact_energy += rigid ? energy : energy / 2.0;
+    if (rigid)
+      rates_[s].from_rigid += push;
+    else
+      rates_[o].contact_energy += energy / 2.0;
+  }
+
+  const ReferenceState& state_;
+  Bonded bonded_;
+  std::vector<StandardRate> rates_;
+};
+
+}  // namespace kerf::test

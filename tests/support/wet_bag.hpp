@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The random bag as the `standard` formulation sees it, its bonds and its rates.
+#pragma once
+
+#include <type_traits>
+
+#include "rates/standard_rates.hpp"
+#include "support/bag.hpp"
+#include "support/loaded.hpp"
+#include "support/reference_standard.hpp"
+
+namespace kerf::test {
+
+template <int D_, class P_>
+struct BagKind {
+  static constexpr int D = D_;
+  using P = P_;
+};
+using BagKinds =
+    testing::Types<BagKind<2, Double>, BagKind<2, Mixed>, BagKind<3, Double>, BagKind<3, Mixed>>;
+using BagDimensions =
+    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+
+// Two waters of different viscosity and speed of sound; walls that have a volume.
+inline ReferenceState wet_bag(int dimension, unsigned seed) {
+  BagChoice choice;
+  choice.dimension = dimension;
+  choice.seed = seed;
+  choice.per_side = dimension == 2 ? 14 : 7;
+  ReferenceState state = random_bag(choice);
+  for (auto& medium : state.media) {
+    medium.smoothing_length = 1.3 * medium.spacing;
+    medium.volume = std::pow(medium.spacing, dimension);
+    medium.longitudinal_speed = std::max(medium.longitudinal_speed, medium.sound_speed);
+  }
+  state.media[1].viscosity = 0.2;
+  state.media[1].sound_speed = 35.0;
+  state.media[1].tait_coefficient = 35.0 * 35.0 * 1000.0 / 7.0;
+  return state;
+}
+
+// An arbitrary choice of unbroken bonds between particles of one piece, the same from both ends.
+inline bool bag_bonded(std::size_t i, std::size_t j) {
+  return (7 * (i + j) + 3 * (i * j)) % 5 < 3;
+}
+template <int D, class P>
+struct BagBonds {
+  KERF_FUNCTION bool whole(const ParticleView<D, P>& particles, Index i, Index j) const {
+    return particles.medium(i).piece == particles.medium(j).piece &&
+           particles.medium(j).phase == Phase::solid &&
+           bag_bonded(particles.id[i], particles.id[j]);
+  }
+};
+
+inline ReferenceStandard::Bonded bonds_of(const ReferenceState& state) {
+  return [&state](std::size_t i, std::size_t j) {
+    return state.medium(i).piece == state.medium(j).piece && bag_bonded(i, j);
+  };
+}
+
+template <int D, class P>
+using LoadedStandard = Loaded<D, P, ContactReach>;
+
+template <int D, class P>
+void evaluate_standard(const ReferenceState& state, LoadedStandard<D, P>& loaded) {
+  const StandardRates<D, P> rates(Vector<D, double>::from(state.gravity));
+  auto& particles = loaded.particles;
+  rates.accelerate(particles.view(), particles.size(), loaded.list.view(), BagBonds<D, P>{});
+  rates.continuity(particles.view(), particles.size(), loaded.list.view());
+}
+
+template <int D, class P>
+LoadedStandard<D, P> evaluated_standard(const ReferenceState& state) {
+  LoadedStandard<D, P> loaded(state, {});
+  evaluate_standard(state, loaded);
+  return loaded;
+}
+
+}  // namespace kerf::test

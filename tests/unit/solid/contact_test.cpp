@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact beside bonds: what is bonded does not also push, what has come apart does.
+#include <gtest/gtest.h>
+
+#include "rates/standard_rates.hpp"
+#include "simulation/solid_link.hpp"
+#include "support/loaded.hpp"
+#include "support/solid_blocks.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr double cut_at = 3e-3;  // m
+
+template <int D>
+struct ApartAt {
+  KERF_FUNCTION bool operator()(const Vector<D, double>& a, const Vector<D, double>& b) const {
+    return (a[0] < cut_at) != (b[0] < cut_at);
+  }
+};
+
+// A block of 6 x 4 (x 4) particles squeezed to 95%, so that all neighbours overlap.
+template <class K>
+class ContactOfBonds : public testing::Test {
+ protected:
+  static constexpr int dimension = K::D;
+  using Precision = typename K::P;
+  using Real = typename Precision::Real;
+
+  static ReferenceState squeezed(const SolidLayout<dimension>& layout) {
+    ReferenceState state;
+    state.dimension = dimension;
+    const SolidMedium<double>& from = layout.media[0];
+    Medium<double> medium;
+    medium.phase = Phase::solid;
+    medium.spacing = from.spacing;
+    medium.smoothing_length = from.smoothing_length;
+    medium.density = from.density;
+    medium.mass = from.mass;
+    medium.volume = from.volume();
+    medium.bulk_modulus = from.bulk_modulus;
+    medium.shear_modulus = from.shear_modulus;
+    state.media = {medium};
+    for (const auto& x : layout.reference) {
+      ReferenceParticle particle;
+      particle.position = 0.95 * as_eigen(x);
+      state.particles.push_back(particle);
+    }
+    return state;
+  }
+
+  // Contact force on each particle of the layout by the bonds of `solid`, N.
+  static std::vector<Vector3> forces(const SolidLayout<dimension>& layout,
+                                     TotalLagrangian<dimension, Precision>& solid) {
+    const ReferenceState state = squeezed(layout);
+    Loaded<dimension, Precision, ContactReach> loaded(state, {});
+    std::vector<Index> number(layout.reference.size()), particle_of(number.size());
+    const auto place = loaded.places();
+    for (std::size_t s = 0; s < number.size(); ++s) {
+      number[s] = static_cast<Index>(s);
+      particle_of[s] = static_cast<Index>(place[s]);
+    }
+    const SolidIndexView link{number.data(), static_cast<Index>(number.size()), particle_of.data()};
+    const StandardRates<dimension, Precision> rates(Vector<dimension, double>::zero());
+    rates.accelerate(loaded.particles.view(), loaded.particles.size(), loaded.list.view(),
+                     WholeBonds<dimension, Precision>{link, solid.view()});
+    std::vector<Vector3> result;
+    for (std::size_t s = 0; s < number.size(); ++s)
+      result.push_back(layout.media[0].mass *
+                       as_eigen(Vector<dimension, Real>(loaded.particles.acceleration[place[s]])));
+    return result;
+  }
+};
+TYPED_TEST_SUITE(ContactOfBonds, BothPrecisions);
+
+TYPED_TEST(ContactOfBonds, WholeBondsDoNotPush) {
+  constexpr int D = TypeParam::D;
+  const auto layout = block<D>({.cells = {6, 4, 4}});
+  TotalLagrangian<D, typename TypeParam::P> solid(layout);
+  for (const Vector3& force : TestFixture::forces(layout, solid)) EXPECT_EQ(force.norm(), 0.0);
+}
+
+// Across the cut only nearest neighbours overlap: each of the two rows at it is pushed away from
+// it by M d^(D-2) times the overlap of 5% of the spacing, M = K + 4 G / 3.
+TYPED_TEST(ContactOfBonds, BrokenBondsPush) {
+  constexpr int D = TypeParam::D;
+  const auto layout = block<D>({.cells = {6, 4, 4}});
+  TotalLagrangian<D, typename TypeParam::P> solid(layout);
+  solid.cut(ApartAt<D>{});
+  const auto forces = TestFixture::forces(layout, solid);
+  const auto& medium = layout.media[0];
+  const double modulus = medium.bulk_modulus + 4.0 / 3.0 * medium.shear_modulus;
+  const double due = modulus * std::pow(1e-3, D - 2) * 0.05 * 1e-3;
+  std::size_t pushed = 0;
+  for (std::size_t s = 0; s < forces.size(); ++s) {
+    const double x = layout.reference[s][0];
+    Vector3 expected = Vector3::Zero();
+    if (std::abs(x - cut_at) < 1e-3) expected[0] = x < cut_at ? -due : due;
+    pushed += expected[0] != 0.0;
+    // The overlap is a small difference, so that single precision leaves 1e-7 / 0.05.
+    EXPECT_LE((forces[s] - expected).norm(), 20.0 * TypeParam::rounding * due) << s;
+  }
+  EXPECT_EQ(pushed, D == 2 ? 8u : 32u);
+}
+
+}  // namespace
+}  // namespace kerf::test
