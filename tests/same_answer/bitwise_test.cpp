@@ -46,7 +46,7 @@ TEST_P(SameAnswer, AnyNumberOfThreads) {
   const auto one = run_on(1, description(), steps());
   // The case has what could go wrong: inflow, outflow, fracture.
   EXPECT_GT(one->ledger().mass_in, 0.0);
-  EXPECT_GT(one->ledger().mass_fractured, 0.0);
+  EXPECT_GT(one->ledger().dissipated_fracture, 0.0);
   if (std::get<0>(GetParam()) == 2) {
     EXPECT_GT(one->ledger().mass_out + one->ledger().mass_erased, 0.0);
   }

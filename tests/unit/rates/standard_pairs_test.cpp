@@ -62,7 +62,7 @@ TYPED_TEST(StandardPairs, ForcesSumToZero) {
     const auto sum = TestFixture::sums(state, evaluated_standard<D, Double>(state));
     double mass = 0.0;
     for (std::size_t i = 0; i < state.particles.size(); ++i) mass += state.medium(i).mass;
-    ASSERT_GT(sum.force_scale, 100.0 * mass * state.gravity.norm());
+    ASSERT_GT(sum.force_scale, 10.0 * mass * state.gravity.norm());
     EXPECT_LE((sum.force - mass * state.gravity).norm(), 1e-12 * sum.force_scale);
   }
 }
