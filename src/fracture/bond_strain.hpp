@@ -1,26 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a bond of the total Lagrangian solid is strained: what a fracture criterion looks at. A
 // criterion is a struct with
-//   prepare(medium, green)     a number per particle, worked out once; handed back in the bond
+//   prepare(medium, green)     a number per particle, worked out once; its mean is in the bond
 //   breaks(bond, medium)       whether a bond of this medium breaks
 // It sees a bond from either end with the same numbers, so that both ends decide alike.
 //
-// Two measures go together. The mean of both particles' tensors along the bond is free of hourglass
-// noise, but is smeared over the kernel: beside a crack that opens, all bonds of a band seem
-// strained. The bond's own change of length tells those that cross the crack from those that do
-// not. In a uniform strain both are the same.
+// Two measures go together. The tensors of both particles say how the neighbourhood is strained,
+// free of hourglass noise but smeared over the kernel: beside a crack that opens, all bonds of a
+// band seem strained, and at its tip none is strained as much as it should. The bond's own change
+// of length tells those that cross the crack from those that do not. In a uniform strain both
+// agree.
 #pragma once
 
-#include "core/tensor.hpp"
+#include <cmath>
+
+#include "exec/host_device.hpp"
 
 namespace kerf {
 
+// Stretches as lambda^2 - 1.
 template <class T>
 struct BondStrain {
-  T mean =
-      0;      // lambda^2 - 1 = N . (E_i + E_j) N: stretch along the bond by the tensors of its ends
-  T own = 0;  // lambda^2 - 1 = |x_ij|^2 / R^2 - 1: stretch of the bond itself
+  T mean = 0;      // N . (E_i + E_j) N: along the bond, by the tensors of its ends
+  T own = 0;       // |x_ij|^2 / R^2 - 1: of the bond itself
   T prepared = 0;  // mean of the numbers prepared for its ends
+
+  // It is stretched, and takes at least half of what the tensors say of its direction.
+  KERF_FUNCTION bool is_opening() const { return mean > T(0) && own > T(0.5) * mean; }
+  // Its own Hencky strain ln(lambda) is above this.
+  KERF_FUNCTION bool is_longer_than(T strain) const {
+    // exp(2 e) - 1 > 2 e: most bonds need no exponential.
+    return own > T(2) * strain && own > std::expm1(T(2) * strain);
+  }
 };
 
 }  // namespace kerf

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Equivalent strain of the deformation gradient: sqrt(2/3 e' : e') of the deviator e' of Hencky's
 // strain e = ln(C)/2, the finite-strain form of the criterion of Shinohara et al. (2004), section
-// 2.3. It does not know tension from compression; a bond breaks only where it is stretched, and
-// where its own stretch is at least half of what the tensors of its ends say, so that bonds beside
-// an open crack stay (bond_strain.hpp).
+// 2.3. It does not know tension from compression: of the bonds at a place that passes the limit
+// those break that are stretched and take their part (bond_strain.hpp). A bond whose own strain is
+// above 3/2 of the limit breaks too, the strain at which the equivalent strain of a uniaxial
+// strain, 2/3 e, passes it; this holds the tip of a crack together no longer than a uniform field,
+// and is the only limit there is to hydrostatic tension.
 #pragma once
 
 #include <cmath>
@@ -30,8 +32,9 @@ struct EquivalentTotalStrain {
 
   template <class T>
   KERF_FUNCTION static bool breaks(const BondStrain<T>& bond, const SolidMedium<T>& solid) {
-    if (!(solid.failure_strain > T(0)) || !(bond.prepared > solid.failure_strain)) return false;
-    return bond.mean > T(0) && bond.own > T(0.5) * bond.mean;
+    const T limit = solid.failure_strain;
+    if (!(limit > T(0))) return false;
+    return (bond.prepared > limit && bond.is_opening()) || bond.is_longer_than(T(1.5) * limit);
   }
 };
 

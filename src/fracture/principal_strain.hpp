@@ -1,31 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Largest principal strain, as a test of each bond: the logarithmic (Hencky) strain along the bond,
-// ln lambda, passes the limit. Over bonds of many directions the largest such strain is the largest
-// principal one, and the bonds that break are those that point that way: the crack runs across
-// them. Hencky's measure, because strains of successive stretches add up and what a tensile test
-// calls true strain is the same number.
+// Largest principal strain. A bond breaks when
+// - it is itself longer than the limit, ln(lambda) > limit, which no bond is in a uniform strain
+// below
+//   it; at the tip of a crack such bonds go first. Or
+// - the largest principal strain at its place (the mean of its ends) passes the limit, and the bond
+//   runs across the crack that opens there: it has at least a quarter of that strain (within 60
+//   degrees of the axis, for a uniaxial strain) and takes its part of it (bond_strain.hpp). So the
+//   slanting bonds go along with the straight ones and do not bridge the crack.
+// The limit is in Hencky's measure, because strains of successive stretches add up and it is what a
+// tensile test calls true strain.
 #pragma once
 
-#include <cmath>
-
 #include "fracture/bond_strain.hpp"
+#include "materials/finite_strain.hpp"
 #include "solid/solid_medium.hpp"
 
 namespace kerf {
 
 struct PrincipalStrain {
+  // lambda^2 - 1 of the largest principal stretch.
   template <int D, class T>
-  KERF_FUNCTION static T prepare(const SolidMedium<T>&, const SymmetricTensor<D, T>&) {
-    return T(0);
+  KERF_FUNCTION static T prepare(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green) {
+    if (!(solid.failure_strain > T(0))) return T(0);
+    const Vector<3, T> values = principal_values(green);
+    T largest = values[0] > values[1] ? values[0] : values[1];
+    largest = largest > values[2] ? largest : values[2];
+    return T(2) * largest;
   }
 
   template <class T>
   KERF_FUNCTION static bool breaks(const BondStrain<T>& bond, const SolidMedium<T>& solid) {
     const T limit = solid.failure_strain;
-    // exp(2 limit) - 1 > 2 limit: most bonds need no exponential.
-    if (!(limit > T(0)) || !(bond.own > T(2) * limit)) return false;
-    const T stretch = std::expm1(T(2) * limit);
-    return bond.own > stretch && bond.mean > stretch;
+    if (!(limit > T(0))) return false;
+    if (bond.is_longer_than(limit)) return true;
+    return bond.mean > T(0.25) * bond.prepared && bond.is_opening() &&
+           bond.prepared > std::expm1(T(2) * limit);
   }
 };
 

@@ -24,6 +24,14 @@ struct FractureBook {
   double released = 0.0;    // J (2D: J/m): stored energy before less after, hourglass part included
 };
 
+// What a solid remembers beside positions and velocities, which are the caller's: its bonds, and
+// the acceleration, because the kick of a step may come before accelerate().
+template <int D, class P>
+struct SolidState {
+  std::vector<typename P::Real> weight;
+  std::vector<Vector<D, typename P::Real>> acceleration;
+};
+
 template <int D, class P>
 class TotalLagrangian {
  public:
@@ -132,12 +140,13 @@ class TotalLagrangian {
   }
   std::size_t bytes() const { return fields_.bytes(); }
 
-  // The state beyond positions and velocities, which are the caller's: the weight of every bond.
-  std::vector<Real> save() const { return to_host(fields_.weight); }
+  SolidState<D, P> save() const { return {to_host(fields_.weight), to_host(fields_.acceleration)}; }
   // Goes on from a state saved by a solid of the same layout. deform() comes next.
-  void restore(const std::vector<Real>& weight) {
-    require(weight.size() == fields_.weight.size(), "a saved solid has the bonds of its layout");
-    to_device(weight, fields_.weight);
+  void restore(const SolidState<D, P>& state) {
+    require(state.weight.size() == fields_.weight.size() && state.acceleration.size() == size(),
+            "a saved solid has the particles and bonds of its layout");
+    to_device(state.weight, fields_.weight);
+    to_device(state.acceleration, fields_.acceleration);
     correct_all();
   }
 

@@ -23,6 +23,7 @@ struct Kind {
 };
 using BothPrecisions =
     testing::Types<Kind<2, Double>, Kind<3, Double>, Kind<2, Mixed>, Kind<3, Mixed>>;
+using PlaneOnly = testing::Types<Kind<2, Double>, Kind<2, Mixed>>;
 using DoubleOnly = testing::Types<Kind<2, Double>, Kind<3, Double>>;
 
 // E = 1e5 Pa, nu = 0.3, as the tofu of the cases.
@@ -76,6 +77,11 @@ Square<D> as_eigen(const Matrix<D, T>& m) {
   for (int a = 0; a < D; ++a)
     for (int b = 0; b < D; ++b) e(a, b) = m(a, b);
   return e;
+}
+
+template <int D>
+Eigen::Matrix<double, D, 1> as_column(const Vector<D, double>& v) {
+  return Eigen::Map<const Eigen::Matrix<double, D, 1>>(v.component);
 }
 
 // A linear map of order one, with stretch, shear and rotation.
@@ -142,7 +148,7 @@ struct SolidOnTrial {
     return layout.media[layout.medium_index[i]].mass * Vector<D, double>::from(a);
   }
   Matrix<D, Real> gradient(std::size_t i) const { return solid.fields().gradient[i]; }
-  // Kick, drift, kick with given accelerations held at the start.
+  // Kick, drift, kick; evaluate() must have been called before the first.
   void step(double dt) {
     kick(0.5 * dt);
     for (std::size_t i = 0; i < size(); ++i)

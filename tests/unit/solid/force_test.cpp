@@ -100,8 +100,7 @@ TYPED_TEST(SolidForce, SumsAndTorquesVanish) {
       sum += f;
       scale += norm(f);
       arm += norm(f) * norm(x);
-      for (int a = 0; a < D; ++a)
-        for (int b = 0; b < D; ++b) torque(a, b) += x[a] * f[b] - x[b] * f[a];
+      torque += as_column(x) * as_column(f).transpose() - as_column(f) * as_column(x).transpose();
       booked += trial.solid.fields().viscous_power[i];
     }
     // Pairs cancel to the last bit; what is left is the rounding of each particle's sum.

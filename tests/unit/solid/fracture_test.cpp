@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which bonds break, what becomes of the pieces, and the energy of it.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "support/solid_blocks.hpp"
+
+namespace kerf::test {
+namespace {
+
+template <class Chosen>
+class SolidFracture : public testing::Test {};
+TYPED_TEST_SUITE(SolidFracture, BothPrecisions);
+template <class Chosen>
+class PlaneFracture : public testing::Test {};
+TYPED_TEST_SUITE(PlaneFracture, PlaneOnly);
+
+template <int D, class P>
+SolidOnTrial<D, P> brittle_block(BondCriterion criterion, double limit) {
+  auto medium = soft_solid(1e-3, D);
+  medium.criterion = criterion;
+  medium.failure_strain = limit;
+  return SolidOnTrial<D, P>(block<D>({.cells = {9, 8, 7}, .jitter = 0.2}, medium));
+}
+
+template <int D>
+Square<D> stretch_along_x(double stretch) {
+  Square<D> map = Square<D>::Identity();
+  map(0, 0) = stretch;
+  return map;
+}
+
+// Nothing breaks below the limit, nor in compression. For the equivalent strain, 2/3 of a uniaxial
+// one, the limit is 3/2 as high.
+TYPED_TEST(SolidFracture, BreaksAboveTheLimitOnly) {
+  constexpr int D = TypeParam::D;
+  for (auto criterion : {BondCriterion::principal_strain, BondCriterion::equivalent_strain}) {
+    const double limit = criterion == BondCriterion::principal_strain ? 0.1 : 0.15;
+    auto trial = brittle_block<D, typename TypeParam::P>(criterion, 0.1);
+    for (double share : {-5.0, -1.0, 0.0, 0.5, 0.999, 1.001}) {
+      trial.map(stretch_along_x<D>(std::exp(share * limit)));
+      trial.deform();
+      const FractureBook book = trial.solid.fracture();
+      EXPECT_EQ(book.bonds > 0, share > 1.0) << share;
+      EXPECT_EQ(book.released > 0.0, share > 1.0) << share;
+    }
+  }
+}
+
+// One half is moved away: the tensors of a band seem strained, but only bonds across the gap break.
+TYPED_TEST(SolidFracture, OnlyBondsAcrossTheGapBreak) {
+  constexpr int D = TypeParam::D;
+  for (auto criterion : {BondCriterion::principal_strain, BondCriterion::equivalent_strain}) {
+    auto trial = brittle_block<D, typename TypeParam::P>(criterion, 0.1);
+    const auto is_upper = [&](Index i) { return trial.layout.reference[i][0] > 4.5e-3; };
+    for (Index i = 0; i < trial.size(); ++i)
+      if (is_upper(i)) trial.position[i][0] += 1.5e-3;
+    trial.deform();
+    double seeming = 0.0;
+    for (Index i = 0; i < trial.size(); ++i)
+      seeming = std::max(seeming, static_cast<double>(trial.gradient(i)(0, 0)));
+    EXPECT_GT(seeming, 0.3);
+    std::uint64_t broken = 0;
+    for (FractureBook book{.bonds = 1}; book.bonds > 0;) {  // what is left may break in turn
+      book = trial.solid.fracture();
+      broken += book.bonds;
+    }
+    EXPECT_GT(broken, 0u);
+    EXPECT_EQ(trial.solid.count().second, 0u);
+    const auto& fields = trial.solid.fields();
+    for (Index i = 0; i < trial.size(); ++i)
+      for (Index k = fields.bond_begin[i]; k < fields.bond_begin[i + 1]; ++k)
+        ASSERT_EQ(fields.weight[k] == 0, is_upper(i) != is_upper(fields.neighbour[k]));
+    // Both halves are at rest again.
+    EXPECT_LE(trial.solid.energy().total(), 1e-9);
+  }
+}
+
+// A particle within reach of D others has no strain of its own; one with many has.
+TYPED_TEST(SolidFracture, LooseParticles) {
+  constexpr int D = TypeParam::D;
+  auto layout = block<D>({.cells = {5, 5, 5}});
+  auto alone = layout.reference.back();
+  for (int a = 0; a < D; ++a) alone[a] += 10e-3;
+  layout.reference.push_back(alone);  // sees nobody
+  auto far = layout.reference.front();
+  far[0] -= 2.5e-3;
+  layout.reference.push_back(far);  // sees one
+  layout.medium_index.resize(layout.reference.size(), 0);
+  SolidOnTrial<D, typename TypeParam::P> trial(layout);
+  EXPECT_EQ(trial.solid.count().second, 2u);
+  trial.map(some_map<D>());
+  trial.evaluate();
+  for (std::size_t i : {trial.size() - 1, trial.size() - 2}) {
+    EXPECT_EQ(trial.solid.fields().loose[i], 1);
+    EXPECT_EQ(norm(trial.force(i)), 0.0);
+  }
+  // A row of particles cannot tell a strain across it: all loose.
+  SolidOnTrial<D, typename TypeParam::P> row(block<D>({.cells = {20, 1, 1}}));
+  EXPECT_EQ(row.solid.count(), std::make_pair(std::uint64_t(0), Index(20)));
+}
+
+// Which piece each particle is part of, by its intact bonds.
+template <int D, class P>
+std::vector<Index> pieces_of(const SolidOnTrial<D, P>& trial) {
+  std::vector<Index> root(trial.size());
+  std::iota(root.begin(), root.end(), Index(0));
+  const auto find = [&](Index i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  const auto& fields = trial.solid.fields();
+  for (Index i = 0; i < trial.size(); ++i)
+    for (Index k = fields.bond_begin[i]; k < fields.bond_begin[i + 1]; ++k)
+      if (fields.weight[k] > 0) root[find(i)] = find(fields.neighbour[k]);
+  for (Index i = 0; i < trial.size(); ++i) root[i] = find(i);
+  return root;
+}
+
+struct LeftNotch {
+  KERF_FUNCTION bool operator()(const Vector<2, double>& a, const Vector<2, double>& b) const {
+    return a[0] < 10e-3 && b[0] < 10e-3 && (a[1] < 10e-3) != (b[1] < 10e-3);
+  }
+};
+
+template <class P>
+SolidOnTrial<2, P> notched_strip(double spacing = 1e-3, double limit = 0.1) {
+  auto medium = soft_solid(spacing, 2);
+  medium.failure_strain = limit;
+  medium.artificial_linear = 0.5;
+  const int wide = static_cast<int>(std::lround(30e-3 / spacing));
+  const int high = static_cast<int>(std::lround(20e-3 / spacing));
+  SolidOnTrial<2, P> trial(block<2>({.cells = {wide, high, 1}, .spacing = spacing}, medium));
+  trial.solid.cut(LeftNotch{});
+  return trial;
+}
+
+// Pulls the two ends apart until the strip is in two; the energy set free, J/m.
+template <class P>
+double pull(SolidOnTrial<2, P>& trial, double speed, double time) {
+  const auto& medium = trial.layout.media[0];
+  const double dt = 0.2 * medium.spacing / medium.longitudinal_speed();
+  double released = 0.0;
+  trial.evaluate();
+  for (double t = 0.0; t < time; t += dt) {
+    trial.kick(0.5 * dt);
+    for (std::size_t i = 0; i < trial.size(); ++i) {
+      const double y = trial.layout.reference[i][1];
+      if (y < 2e-3) trial.velocity[i] = {0, static_cast<typename P::Real>(-speed)};
+      if (y > 18e-3) trial.velocity[i] = {0, static_cast<typename P::Real>(speed)};
+      trial.position[i] += dt * Vector<2, double>::from(trial.velocity[i]);
+    }
+    trial.deform();
+    released += trial.solid.fracture().released;
+    trial.evaluate();
+    trial.kick(0.5 * dt);
+  }
+  return released;
+}
+
+// The crack runs from the notch to the other side, between the rows on both sides of the notch's
+// line; no particle is used up by it, and the two halves feel nothing of one another.
+TYPED_TEST(PlaneFracture, CrackOfANotchedStrip) {
+  auto trial = notched_strip<typename TypeParam::P>();
+  pull(trial, 0.03, 0.04);
+  const auto piece = pieces_of(trial);
+  int astray = 0;
+  for (std::size_t i = 0; i < trial.size(); ++i) {
+    const bool upper = trial.layout.reference[i][1] > 10e-3;
+    astray += piece[i] != piece[upper ? trial.size() - 1 : 0];
+  }
+  EXPECT_NE(piece.front(), piece.back());
+  EXPECT_EQ(astray, 0);
+  EXPECT_EQ(trial.solid.count().second, 0u);
+
+  trial.evaluate();
+  std::vector<Vector<2, double>> force;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < trial.size(); ++i) {
+    force.push_back(trial.force(i));
+    largest = std::max(largest, norm(force[i]));
+  }
+  for (std::size_t i = 0; i < trial.size(); ++i)
+    if (piece[i] == piece.back()) trial.position[i] -= {0.3e-3, 3e-3};
+  trial.evaluate();
+  for (std::size_t i = 0; i < trial.size(); ++i)
+    EXPECT_LE(norm(trial.force(i) - force[i]), 100.0 * TypeParam::rounding * largest);
+}
+
+// A limit scaled by 1/sqrt(spacing) makes the energy per area of crack a property of the material
+// (crack band): near E/(1 - nu^2) limit^2 / 2 times a band of two to three spacings.
+TYPED_TEST(PlaneFracture, CrackBand) {
+  double area_energy[2];  // J/m^2
+  for (int fine : {0, 1}) {
+    const double spacing = fine ? 1e-3 : 2e-3, limit = fine ? 0.1 : 0.1 / std::sqrt(2.0);
+    auto trial = notched_strip<typename TypeParam::P>(spacing, limit);
+    area_energy[fine] = pull(trial, 0.03, 0.04) / 20e-3;
+    const double density = 0.5 * 1e5 / (1.0 - 0.3 * 0.3) * limit * limit;
+    const double band = area_energy[fine] / density / spacing;
+    this->RecordProperty("band_of_spacings_" + std::to_string(fine), std::to_string(band));
+    EXPECT_GT(band, 2.0);
+    EXPECT_LT(band, 3.0);
+  }
+  EXPECT_NEAR(area_energy[0], area_energy[1], 0.1 * area_energy[1]);
+}
+
+// Torn by its own motion: what is stored, moved, dissipated and released stays the same.
+TYPED_TEST(PlaneFracture, EnergyIsBooked) {
+  auto trial = notched_strip<typename TypeParam::P>();
+  const double dt = 0.1 * 1e-3 / trial.layout.media[0].longitudinal_speed();
+  for (std::size_t i = 0; i < trial.size(); ++i)
+    trial.velocity[i] = {
+        0, static_cast<typename TypeParam::Real>(150.0 * (trial.layout.reference[i][1] - 10e-3))};
+  trial.evaluate();
+  const double start = trial.kinetic_energy() + trial.solid.energy().total();
+  double released = 0.0, dissipated = 0.0;
+  const auto power = [&] {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < trial.size(); ++i) sum += trial.solid.fields().viscous_power[i];
+    return sum;
+  };
+  double power_before = power();
+  for (int n = 0; n < 1500; ++n) {
+    trial.kick(0.5 * dt);
+    for (std::size_t i = 0; i < trial.size(); ++i)
+      trial.position[i] += dt * Vector<2, double>::from(trial.velocity[i]);
+    trial.deform();
+    released += trial.solid.fracture().released;
+    trial.evaluate();
+    trial.kick(0.5 * dt);
+    dissipated += 0.5 * dt * (power_before + power());
+    power_before = power();
+  }
+  const double end = trial.kinetic_energy() + trial.solid.energy().total();
+  this->RecordProperty("released_percent", std::to_string(100.0 * released / start));
+  this->RecordProperty("dissipated_percent", std::to_string(100.0 * dissipated / start));
+  this->RecordProperty("off_percent",
+                       std::to_string(100.0 * (end + released + dissipated - start) / start));
+  this->RecordProperty("loose", static_cast<int>(trial.solid.count().second));
+  EXPECT_GT(released, 0.01 * start);
+  EXPECT_NEAR(end + released + dissipated, start, 0.005 * start);
+}
+
+}  // namespace
+}  // namespace kerf::test

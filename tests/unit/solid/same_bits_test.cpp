@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// The same bits for any number of threads, and from a saved state.
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <cstring>
+
+#include "support/solid_blocks.hpp"
+
+namespace kerf::test {
+namespace {
+
+template <class Chosen>
+class SameBits : public testing::Test {
+ protected:
+  using Trial = SolidOnTrial<Chosen::D, typename Chosen::P>;
+
+  // A block that flies apart along x and breaks.
+  static Trial start() {
+    constexpr int dimension = Chosen::D;
+    auto medium = soft_solid(1e-3, dimension);
+    medium.failure_strain = 0.1;
+    medium.artificial_linear = 0.3;
+    Trial trial(block<dimension>({.cells = {30, 9, 6}, .jitter = 0.2, .seed = 6}, medium));
+    for (std::size_t i = 0; i < trial.size(); ++i)
+      trial.velocity[i][0] =
+          static_cast<typename Chosen::Real>(200.0 * (trial.layout.reference[i][0] - 15e-3));
+    trial.evaluate();
+    return trial;
+  }
+  static double take_steps(Trial& trial, int steps) {
+    double released = 0.0;
+    const double dt = 0.2 * 1e-3 / trial.layout.media[0].longitudinal_speed();
+    for (int n = 0; n < steps; ++n) {
+      trial.kick(0.5 * dt);
+      for (std::size_t i = 0; i < trial.size(); ++i)
+        trial.position[i] += dt * Vector<Chosen::D, double>::from(trial.velocity[i]);
+      trial.deform();
+      released += trial.solid.fracture().released;
+      trial.evaluate();
+      trial.kick(0.5 * dt);
+    }
+    return released;
+  }
+  template <class T>
+  static bool are_same(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+  }
+  static void expect_same(Trial& a, Trial& b) {
+    EXPECT_TRUE(are_same(a.position, b.position));
+    EXPECT_TRUE(are_same(a.velocity, b.velocity));
+    EXPECT_TRUE(are_same(a.solid.save().weight, b.solid.save().weight));
+    EXPECT_TRUE(are_same(a.solid.save().acceleration, b.solid.save().acceleration));
+    EXPECT_TRUE(are_same(to_host(a.solid.fields().loose), to_host(b.solid.fields().loose)));
+    EXPECT_EQ(a.solid.energy().total(), b.solid.energy().total());
+  }
+  // On that many threads even where there are fewer cores.
+  static Trial run_on(int threads, int steps) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    return tbb::task_arena(threads).execute([&] {
+      Trial trial = start();
+      take_steps(trial, steps);
+      return trial;
+    });
+  }
+};
+TYPED_TEST_SUITE(SameBits, BothPrecisions);
+
+constexpr int steps = 60;
+
+TYPED_TEST(SameBits, ForAnyNumberOfThreads) {
+  auto one = this->run_on(1, steps);
+  EXPECT_LT(one.solid.count().first, this->start().solid.count().first);  // something broke
+  for (int threads : {2, 3}) {
+    auto other = this->run_on(threads, steps);
+    this->expect_same(one, other);
+  }
+}
+
+TYPED_TEST(SameBits, FromASavedState) {
+  auto whole = this->start();
+  this->take_steps(whole, steps);
+  const auto saved = whole.solid.save();
+  auto resumed = this->start();
+  resumed.position = whole.position;
+  resumed.velocity = whole.velocity;
+  resumed.solid.restore(saved);
+  resumed.deform();
+  const double released = this->take_steps(whole, 20);
+  EXPECT_EQ(this->take_steps(resumed, 20), released);
+  this->expect_same(whole, resumed);
+}
+
+}  // namespace
+}  // namespace kerf::test
