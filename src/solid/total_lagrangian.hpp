@@ -2,7 +2,7 @@
 // An elastic solid that breaks, in the total Lagrangian description: deformation and forces are
 // sums over bonds of the reference configuration, found once (docs/theory/total_lagrangian.md).
 // Particles keep the order of set-up; neighbours in memory should be neighbours in space. After
-// set-up nothing allocates but fracture() and the energies, on their first call.
+// set-up nothing allocates.
 //
 // A step:  deform(positions);  fracture();  accelerate(velocities).
 #pragma once
@@ -58,6 +58,7 @@ class TotalLagrangian {
     fields_.for_each_result([n](auto& array) { array.resize(n); });
     for_each_index(size(), SetWholeWeights<D, P>{view()});
     correct_all();
+    count();  // makes room for sums
   }
 
   // Deformation and stress at these positions.

@@ -196,7 +196,7 @@ TEST(CrackBand, EnergyPerAreaDoesNotDependOnSpacing) {
   for (int fine : {0, 1}) {
     const double spacing = fine ? 0.625e-3 : 1.25e-3, limit = fine ? 0.1 * std::sqrt(2.0) : 0.1;
     auto trial = notched_strip<Mixed>(spacing, limit);
-    area_energy[fine] = pull(trial, 0.06, 0.02) / 20e-3;
+    area_energy[fine] = pull(trial, 0.03, 0.03) / 20e-3;
     const double density = 0.5 * 1e5 / (1.0 - 0.3 * 0.3) * limit * limit;
     const double band = area_energy[fine] / density / spacing;
     RecordProperty("band_of_spacings_" + std::to_string(fine), std::to_string(band));
