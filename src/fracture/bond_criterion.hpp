@@ -19,6 +19,17 @@ KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTe
 }
 
 template <class T>
+KERF_FUNCTION bool place_passes(T prepared, const SolidMedium<T>& solid) {
+  switch (solid.criterion) {
+    case BondCriterion::principal_strain:
+      return PrincipalStrain::passes(prepared, solid);
+    case BondCriterion::equivalent_strain:
+      return EquivalentTotalStrain::passes(prepared, solid);
+  }
+  return false;
+}
+
+template <class T>
 KERF_FUNCTION bool bond_breaks(const BondStrain<T>& bond, const SolidMedium<T>& solid) {
   switch (solid.criterion) {
     case BondCriterion::principal_strain:

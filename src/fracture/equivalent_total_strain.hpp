@@ -31,10 +31,14 @@ struct EquivalentTotalStrain {
   }
 
   template <class T>
+  KERF_FUNCTION static bool passes(T prepared, const SolidMedium<T>& solid) {
+    return solid.failure_strain > T(0) && prepared > solid.failure_strain;
+  }
+
+  template <class T>
   KERF_FUNCTION static bool breaks(const BondStrain<T>& bond, const SolidMedium<T>& solid) {
-    const T limit = solid.failure_strain;
-    if (!(limit > T(0))) return false;
-    return (bond.prepared > limit && bond.is_opening()) || bond.is_longer_than(T(1.5) * limit);
+    return is_above(bond.own, T(1.5) * solid.failure_strain) ||
+           (passes(bond.prepared, solid) && bond.is_opening());
   }
 };
 

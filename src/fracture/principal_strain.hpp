@@ -29,12 +29,14 @@ struct PrincipalStrain {
   }
 
   template <class T>
+  KERF_FUNCTION static bool passes(T prepared, const SolidMedium<T>& solid) {
+    return is_above(prepared, solid.failure_strain);
+  }
+
+  template <class T>
   KERF_FUNCTION static bool breaks(const BondStrain<T>& bond, const SolidMedium<T>& solid) {
-    const T limit = solid.failure_strain;
-    if (!(limit > T(0))) return false;
-    if (bond.is_longer_than(limit)) return true;
-    return bond.mean > T(0.25) * bond.prepared && bond.is_opening() &&
-           bond.prepared > std::expm1(T(2) * limit);
+    if (is_above(bond.own, solid.failure_strain)) return true;
+    return passes(bond.prepared, solid) && bond.mean > T(0.25) * bond.prepared && bond.is_opening();
   }
 };
 

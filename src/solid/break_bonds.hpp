@@ -34,11 +34,13 @@ struct BondTest {
     // |x|^2 - R^2 = (2 R + u) . u
     strain.own = dot(Real(2) * bond + change, change) / square;
     if (!(strain.own > Real(0))) return false;  // no bond breaks that is not stretched
-    const auto sum = green + green_strain(solid.gradient[j]);
-    strain.mean = dot(bond, sum * bond) / square;
+    const auto& a = solid.medium(i);
+    const auto& b = solid.medium(j);
+    const bool same = solid.medium_index[i] == solid.medium_index[j];
     strain.prepared = Real(0.5) * (solid.criterion[i] + solid.criterion[j]);
-    if (bond_breaks(strain, solid.medium(i))) return true;
-    return solid.medium_index[i] != solid.medium_index[j] && bond_breaks(strain, solid.medium(j));
+    if (place_passes(strain.prepared, a) || (!same && place_passes(strain.prepared, b)))
+      strain.mean = dot(bond, (green + green_strain(solid.gradient[j])) * bond) / square;
+    return bond_breaks(strain, a) || (!same && bond_breaks(strain, b));
   }
 };
 
