@@ -37,8 +37,7 @@ struct WaterPressure {
   KERF_FUNCTION void operator()(Index i) const {
     const auto& medium = particles.medium(i);
     const bool water = medium.phase == Phase::water;
-    particles.pressure[i] =
-        water ? TaitWater::pressure(medium, particles.compression[i]) : Real(0);
+    particles.pressure[i] = water ? TaitWater::pressure(medium, particles.compression[i]) : Real(0);
   }
 };
 
