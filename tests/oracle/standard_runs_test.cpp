@@ -131,6 +131,58 @@ TEST(StandardLedger, SolidLeavesTheDomain) {
       for (double failure_strain : {0.0, 0.05}) fly_out(dimension, precision, failure_strain);
 }
 
+// A plane through a block that falls freely passes no force: gravity is none that one side of a
+// plane exerts on the other. The block is hung on nothing and squeezed by nothing.
+TEST(StandardProbes, NoForceAcrossAPlaneInFreeFall) {
+  for (PrecisionKind precision : both) {
+    Case c = empty_case(2, precision);
+    c.formulation = Formulation::standard;
+    c.smoothing_ratio = 1.3;
+    c.gravity = {0.0, -9.81, 0.0};
+    c.bodies = {body("block", Role::elastic, box({0.0, 0.0, 0.0}, {0.01, 0.01, 0.0}), 1e-3),
+                body("drop", Role::water, box({-0.02, 0.0, 0.0}, {-0.01, 0.01, 0.0}), 1e-3)};
+    Probe plane;
+    plane.name = "plane";
+    plane.kind = Probe::Kind::plane;
+    plane.position = {0.0, 0.005, 0.0};
+    c.probes = {plane};
+    const auto simulation = make_simulation(c);
+    take_steps(*simulation, 50);
+    const double weight = 9.81 * (940.0 + 1000.0) * 1e-4;  // N/m
+    // Rounding of places of 0.01 m in double over bonds of 1 mm, times moduli of 1e5 Pa.
+    const double digits = precision == PrecisionKind::mixed ? 1e-5 : 1e-9;
+    for (const double force : simulation->probe_values()) EXPECT_NEAR(force, 0.0, digits * weight);
+    EXPECT_LT(simulation->ledger().momentum_now[1], 0.0);
+  }
+}
+
+// A block squeezed evenly by its velocity at the start: the pressure that a point inside shows is
+// that of the frame's particles around it.
+TEST(StandardProbes, PointInASolidShowsItsPressure) {
+  Case c = empty_case(2, PrecisionKind::double_precision);
+  c.formulation = Formulation::standard;
+  c.smoothing_ratio = 1.3;
+  c.materials[0].failure_strain = 0.0;
+  c.bodies = {body("block", Role::elastic, box({-0.01, -0.01, 0.0}, {0.01, 0.01, 0.0}), 1e-3)};
+  c.bodies[0].velocity = {"-50*x", "-50*y", "0"};
+  Probe point;
+  point.name = "point";
+  c.probes = {point};
+  const auto simulation = make_simulation(c);
+  take_steps(*simulation, 10);
+  const double shown = simulation->probe_values()[0];
+  const Frame frame = simulation->frame();
+  double least = 1e300, greatest = 0.0;
+  for (std::size_t k = 0; k < frame.id.size(); ++k) {
+    if (std::hypot(frame.position[k][0], frame.position[k][1]) > 2.7e-3) continue;  // 2 h
+    least = std::min(least, static_cast<double>(frame.pressure[k]));
+    greatest = std::max(greatest, static_cast<double>(frame.pressure[k]));
+  }
+  EXPECT_GT(least, 100.0);
+  EXPECT_GE(shown, (1.0 - 1e-6) * least);
+  EXPECT_LE(shown, (1.0 + 1e-6) * greatest);
+}
+
 // Two blocks without damping collide: what their motion loses their elasticity holds, and gives
 // back.
 void collide(int dimension, PrecisionKind precision, double courant) {
