@@ -102,7 +102,6 @@ class ReferenceStandard {
       star = reference_star(
           left, {left.density, left.pressure + left.density * depth, 2.0 * wall - left.speed},
           a.sound_speed);
-      star.speed = wall;
     }
     add_forces(w, o, e, star, slope);
     add_friction(w, o, slope / r);

@@ -62,11 +62,13 @@ TEST(Riemann, BetaSaturatesAtOne) {
 }
 
 // A wall is the mirror of the water: the mean of both speeds is the wall's, water at its speed
-// feels its own pressure only, and the water's weight is added on the way down, never taken off.
+// feels its own pressure only, and the water's weight is added on the way down, never taken off. It
+// diffuses density from the wall as that between two rows of the water does.
 TEST(Riemann, WallMirrorsTheWater) {
   const Side water{1010.0, 2e4, 3.0};
   const auto star = solve_riemann_at_wall(water, 1.0, 100.0, 50.0);
-  EXPECT_EQ(star.speed, 1.0);
+  EXPECT_DOUBLE_EQ(star.speed, 1.0 - 0.5 * 100.0 / (1010.0 * 50.0));
+  EXPECT_DOUBLE_EQ(solve_riemann_at_wall(water, 1.0, 0.0, 50.0).speed, 1.0);
   EXPECT_DOUBLE_EQ(star.mean_pressure, 2e4 + 50.0);
   EXPECT_DOUBLE_EQ(star.dissipation, 0.5 * (3.0 * 4.0 / 50.0) * 1010.0 * 50.0 * 4.0);
   EXPECT_DOUBLE_EQ(solve_riemann_at_wall(water, 1.0, -100.0, 50.0).mean_pressure, 2e4);
