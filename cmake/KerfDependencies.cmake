@@ -41,7 +41,13 @@ if(KERF_CUDA)
 else()
   find_path(THRUST_INCLUDE thrust/version.h REQUIRED)
   target_include_directories(kerf_thrust SYSTEM INTERFACE ${THRUST_INCLUDE})
-  target_compile_definitions(kerf_thrust INTERFACE
-    THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_TBB THRUST_IGNORE_DEPRECATED_CPP_DIALECT=1)
+  # ThreadSanitizer cannot look into Debian's TBB: exec/watched_threads.hpp.
+  if(KERF_SANITIZE MATCHES thread)
+    target_compile_definitions(kerf_thrust INTERFACE
+      THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_CPP KERF_WATCHED_THREADS=1)
+  else()
+    target_compile_definitions(kerf_thrust INTERFACE THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_TBB)
+  endif()
+  target_compile_definitions(kerf_thrust INTERFACE THRUST_IGNORE_DEPRECATED_CPP_DIALECT=1)
   target_link_libraries(kerf_thrust INTERFACE TBB::tbb)
 endif()

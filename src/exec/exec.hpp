@@ -24,6 +24,9 @@
 #include <vector>
 
 #include "exec/host_device.hpp"
+#if defined(KERF_WATCHED_THREADS)
+#include "exec/watched_threads.hpp"
+#endif
 
 namespace kerf {
 
@@ -44,6 +47,9 @@ const T* pointer(const Array<T>& array) {
 // Calls body(i) for i = 0 .. count - 1, in any order.
 template <class Body>
 void for_each_index(Index count, const Body& body) {
+#if defined(KERF_WATCHED_THREADS)
+  return for_each_index_watched(count, body);
+#endif
   thrust::for_each(thrust::device, thrust::counting_iterator<Index>(0),
                    thrust::counting_iterator<Index>(count), body);
 }

@@ -3,11 +3,24 @@
 #include <oneapi/tbb/info.h>
 #include <memory>
 
+#include "exec/exec.hpp"
 #include "simulation/simulation.hpp"
 
 namespace kerf {
 
+#if defined(KERF_WATCHED_THREADS)
+namespace {
+int wanted_threads = 0;
+}
+int watched_threads() {
+  return wanted_threads > 0 ? wanted_threads : 2;
+}
+#endif
+
 void set_threads(int threads) {
+#if defined(KERF_WATCHED_THREADS)
+  wanted_threads = threads;
+#endif
   static std::unique_ptr<tbb::global_control> control;
   const int wanted = threads > 0 ? threads : tbb::info::default_concurrency();
   control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
