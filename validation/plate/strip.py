@@ -13,7 +13,12 @@ number of the mode.
 """
 
 from cmath import exp
+import pathlib
+import sys
 from math import hypot, pi, sqrt
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from elimination import solved
 
 DENSITY = 1000.0  # kg/m3
 YOUNGS_MODULUS = 2.0e6  # Pa
@@ -121,24 +126,6 @@ def stiffness(rows):
             stress_xy = SHEAR_MODULUS * xy[m]
             for n in range(size):
                 result[m][n] += stress_xx * xx[n] + stress_yy * yy[n] + stress_xy * xy[n]
-    return result
-
-
-def solved(matrix, vector):
-    """Gaussian elimination with pivots."""
-    rows = [line[:] + [value] for line, value in zip(matrix, vector)]
-    size = len(rows)
-    for c in range(size):
-        pivot = max(range(c, size), key=lambda r: abs(rows[r][c]))
-        rows[c], rows[pivot] = rows[pivot], rows[c]
-        for r in range(c + 1, size):
-            factor = rows[r][c] / rows[c][c]
-            if factor:
-                rows[r] = [x - factor * y for x, y in zip(rows[r], rows[c])]
-    result = [0.0] * size
-    for r in reversed(range(size)):
-        known = sum(rows[r][c] * result[c] for c in range(r + 1, size))
-        result[r] = (rows[r][size] - known) / rows[r][r]
     return result
 
 

@@ -8,7 +8,12 @@ As the lowest row is held by the repulsion, whatever its strength, every u but t
 follows from the others; neither c nor D changes p.
 """
 
+import pathlib
+import sys
 from math import hypot, pi, sqrt
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from elimination import solved
 
 RATIO = 1.5  # h / d
 WEIGHT, HEIGHT = 1000.0 * 9.81, 0.05  # rho g in N/m3, m
@@ -33,24 +38,6 @@ def divergence(rows):
             if 0 <= i + k < rows:
                 result[i][i + k] += row_slope(k)
                 result[i][i] -= row_slope(k)
-    return result
-
-
-def solved(matrix, vector):
-    """Gaussian elimination with pivots."""
-    rows = [line[:] + [value] for line, value in zip(matrix, vector)]
-    size = len(rows)
-    for c in range(size):
-        pivot = max(range(c, size), key=lambda r: abs(rows[r][c]))
-        rows[c], rows[pivot] = rows[pivot], rows[c]
-        for r in range(c + 1, size):
-            factor = rows[r][c] / rows[c][c]
-            if factor:
-                rows[r] = [x - factor * y for x, y in zip(rows[r], rows[c])]
-    result = [0.0] * size
-    for r in reversed(range(size)):
-        known = sum(rows[r][c] * result[c] for c in range(r + 1, size))
-        result[r] = (rows[r][size] - known) / rows[r][r]
     return result
 
 
