@@ -84,9 +84,8 @@ void read_top(Draft& draft, const toml::table& table) {
       top.text("formulation") == "standard" ? Formulation::standard : Formulation::shinohara2004;
   result.precision =
       top.text("precision") == "double" ? PrecisionKind::double_precision : PrecisionKind::mixed;
-  const bool standard = result.formulation == Formulation::standard;
-  result.smoothing_ratio =
-      standard && !top.has("smoothing_ratio") ? 1.3 : top.number("smoothing_ratio");
+  top.assume(formulation_name(result.formulation));
+  result.smoothing_ratio = top.number("smoothing_ratio");
   result.gravity = top.vector("gravity");
   read_time(draft, top);
   read_domain(draft, top);

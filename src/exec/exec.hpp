@@ -48,10 +48,11 @@ const T* pointer(const Array<T>& array) {
 template <class Body>
 void for_each_index(Index count, const Body& body) {
 #if defined(KERF_WATCHED_THREADS)
-  return for_each_index_watched(count, body);
-#endif
+  for_each_index_watched(count, body);
+#else
   thrust::for_each(thrust::device, thrust::counting_iterator<Index>(0),
                    thrust::counting_iterator<Index>(count), body);
+#endif
 }
 
 // Combines value(0) .. value(count - 1) with an operator whose result does not depend on order
@@ -61,6 +62,11 @@ T reduce_unordered(Index count, const Value& value, T initial, const Combine& co
   return thrust::transform_reduce(thrust::device, thrust::counting_iterator<Index>(0),
                                   thrust::counting_iterator<Index>(count), value, initial, combine);
 }
+
+// Does it hold for one of them?
+struct Either {
+  KERF_FUNCTION bool operator()(bool a, bool b) const { return a || b; }
+};
 
 template <class T>
 std::vector<T> to_host(const Array<T>& array) {

@@ -22,9 +22,9 @@ void for_each_index_watched(std::uint32_t count, const Body& body) {
       for (std::uint64_t i = begin; i < begin + block && i < count; ++i)
         body(static_cast<std::uint32_t>(i));
   };
-  if (threads == 1 || count <= block) return work(0), void();
   std::vector<std::thread> others;
-  for (std::uint32_t thread = 1; thread < threads; ++thread) others.emplace_back(work, thread);
+  for (std::uint32_t thread = 1; thread < threads && block * thread < count; ++thread)
+    others.emplace_back(work, thread);
   work(0);
   for (std::thread& other : others) other.join();
 }

@@ -26,7 +26,7 @@ struct CellNumber {
 };
 
 // Walks the candidates of particle i; counts them, or writes them where `neighbour` is given.
-template <int D, class P, class Reach>
+template <int D, class P, class Scheme>
 struct FindNeighbours {
   ParticleView<D, P> particles;
   Grid<D> grid;
@@ -65,7 +65,7 @@ struct FindNeighbours {
   KERF_FUNCTION Index scan(Index i, Index from, Index to, Index found) const {
     for (Index j = from; j < to; ++j) {
       if (j == i) continue;
-      const double reach = Reach::of(particles, i, j);
+      const double reach = Scheme::reach(particles, i, j);
       if (reach == 0.0) continue;
       const auto r = particles.build_position[i] - particles.build_position[j];
       const double limit = reach + skin;
@@ -90,11 +90,7 @@ struct HasMovedFar {
   }
 };
 
-struct Either {
-  KERF_FUNCTION bool operator()(bool a, bool b) const { return a || b; }
-};
-
-template <int D, class P, class Reach>
+template <int D, class P, class Scheme>
 class NeighbourList {
  public:
   NeighbourList() = default;
@@ -120,7 +116,7 @@ class NeighbourList {
                         thrust::counting_iterator<Index>(0),
                         thrust::counting_iterator<Index>(cells + 1), cell_begin_.begin());
     begin_.resize(n + 1);
-    FindNeighbours<D, P, Reach> find{
+    FindNeighbours<D, P, Scheme> find{
         particles.view(), grid_,  pointer(cell_begin_), skin_, pointer(begin_),
         pointer(begin_),  nullptr};
     for_each_index(n, find);

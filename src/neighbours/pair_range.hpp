@@ -9,37 +9,55 @@
 
 namespace kerf {
 
-// Reach of the pair (i, j) in m, as i sees j; 0 when j does not act on i. Water and solid see each
-// other over the support of the mean smoothing length; rigid bodies act by their repelling layer
-// only, within the mean spacing d_0 of eq. (43), and are not acted upon.
-struct MeanReach {
+// A scheme says how a formulation sees a pair: its kernel, the smoothing length of two media, and
+// the reach of the pair (i, j) in m as i sees j; 0 when j does not act on i. Rigid bodies see
+// nothing.
+
+// Shinohara et al. (2004): one kernel over the mean smoothing length for all; rigid bodies act by
+// their repelling layer only, within the mean spacing d_0 of eq. (43).
+struct JointPairs {
+  template <int D>
+  using Kernel = CubicSpline<D>;
+  static constexpr bool rigid_repels = true;
+
+  template <class Real, class T>
+  KERF_FUNCTION static Real smoothing_length(const Medium<T>& a, const Medium<T>& b) {
+    return Real(0.5) * (Real(a.smoothing_length) + Real(b.smoothing_length));
+  }
   template <int D, class P>
-  KERF_FUNCTION static double of(const ParticleView<D, P>& particles, Index i, Index j) {
+  KERF_FUNCTION static double reach(const ParticleView<D, P>& particles, Index i, Index j) {
     const auto& a = particles.medium(i);
     const auto& b = particles.medium(j);
     if (a.phase == Phase::rigid) return 0.0;
     if (b.phase == Phase::rigid)
       return particles.has(j, flag::repelling) ? 0.5 * (double(a.spacing) + double(b.spacing))
                                                : 0.0;
-    return CubicSpline<D>::support * 0.5 *
-           (double(a.smoothing_length) + double(b.smoothing_length));
+    return Kernel<D>::support * smoothing_length<double>(a, b);
   }
 };
 
-// Reach in the `standard` formulation: water sees water over the support of the mean smoothing
-// length, and solid or rigid particles over that of the larger one, as these see water; solids see
-// solids and rigid bodies when they touch. Rigid bodies see nothing.
-struct ContactReach {
+// The `standard` formulation: water and what it wets see one another over the larger of their
+// smoothing lengths, so that neither slips between the particles of the other; solids see solids
+// and rigid bodies when they touch.
+struct ContactPairs {
+  template <int D>
+  using Kernel = WendlandC2<D>;
+  static constexpr bool rigid_repels = false;
+
+  template <class Real, class T>
+  KERF_FUNCTION static Real smoothing_length(const Medium<T>& a, const Medium<T>& b) {
+    const Real h_a = a.smoothing_length, h_b = b.smoothing_length;
+    if (a.phase == b.phase) return Real(0.5) * (h_a + h_b);
+    return h_a > h_b ? h_a : h_b;
+  }
   template <int D, class P>
-  KERF_FUNCTION static double of(const ParticleView<D, P>& particles, Index i, Index j) {
+  KERF_FUNCTION static double reach(const ParticleView<D, P>& particles, Index i, Index j) {
     const auto& a = particles.medium(i);
     const auto& b = particles.medium(j);
     if (a.phase == Phase::rigid) return 0.0;
     if (a.phase != Phase::water && b.phase != Phase::water)
       return 0.5 * (double(a.spacing) + double(b.spacing));
-    const double h_a = a.smoothing_length, h_b = b.smoothing_length;
-    const bool both = a.phase == b.phase;
-    return WendlandC2<D>::support * (both ? 0.5 * (h_a + h_b) : (h_a > h_b ? h_a : h_b));
+    return Kernel<D>::support * smoothing_length<double>(a, b);
   }
 };
 

@@ -14,18 +14,6 @@ namespace kerf {
 template <class... Terms>
 struct TermSums : Terms::Sum... {};
 
-// How the formulation of Shinohara et al. (2004) sees a pair: one kernel over the mean smoothing
-// length for all, and rigid particles only as repelling points.
-struct JointPairs {
-  template <int D>
-  using Kernel = CubicSpline<D>;
-  static constexpr bool rigid_repels = true;
-  template <class T>
-  KERF_FUNCTION static T smoothing_length(const Medium<T>& a, const Medium<T>& b) {
-    return T(0.5) * (a.smoothing_length + b.smoothing_length);
-  }
-};
-
 struct EveryPair {
   template <int D, class P>
   KERF_FUNCTION bool operator()(const ParticleView<D, P>&, Index, Index) const {
@@ -33,7 +21,7 @@ struct EveryPair {
   }
 };
 
-// `Scheme`: kernel and smoothing length of a pair. `Filter` chooses pairs, e.g. those across a
+// `Scheme` of neighbours/pair_range.hpp. `Filter` chooses pairs, e.g. those across a
 // plane.
 template <int D, class P, class Scheme, class Filter, class... Terms>
 struct FilteredPairLoop : Terms... {
@@ -66,7 +54,7 @@ struct FilteredPairLoop : Terms... {
         if constexpr (feels_rigid) add_rigid(pair, sums);
         continue;
       }
-      pair.smoothing_length = Scheme::smoothing_length(medium_i, *pair.medium_j);
+      pair.smoothing_length = Scheme::template smoothing_length<Real>(medium_i, *pair.medium_j);
       if (pair.distance >= Real(Kernel::support) * pair.smoothing_length) continue;
       add_pair(pair, sums);
     }

@@ -15,19 +15,6 @@
 
 namespace kerf {
 
-// Wendland's kernel; water and what it wets over the larger of their smoothing lengths, so that
-// neither slips between the particles of the other.
-struct ContactPairs {
-  template <int D>
-  using Kernel = WendlandC2<D>;
-  static constexpr bool rigid_repels = false;
-  template <class T>
-  KERF_FUNCTION static T smoothing_length(const Medium<T>& a, const Medium<T>& b) {
-    if (a.phase == b.phase) return T(0.5) * (a.smoothing_length + b.smoothing_length);
-    return a.smoothing_length > b.smoothing_length ? a.smoothing_length : b.smoothing_length;
-  }
-};
-
 // Pressure of water by its equation of state; no other particle has one here.
 template <int D, class P>
 struct WaterPressure {

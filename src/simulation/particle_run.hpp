@@ -16,8 +16,8 @@
 
 namespace kerf {
 
-// `Reach` says how far a pair of particles sees one another (neighbours/pair_range.hpp).
-template <int D, class P, class Reach>
+// `Scheme` says how a pair of particles sees one another (neighbours/pair_range.hpp).
+template <int D, class P, class Scheme>
 class ParticleRun : public Simulation {
  public:
   bool finished() const override { return time_ >= case_.time.end; }
@@ -68,7 +68,7 @@ class ParticleRun : public Simulation {
   mutable Probes<D, P> probes_;
   mutable Timers timers_;
   mutable double pair_interactions_ = 0.0;
-  NeighbourList<D, P, Reach> list_;
+  NeighbourList<D, P, Scheme> list_;
   Array<Drive<D>> drives_;
   Place gravity_, minimum_, maximum_;
   double time_ = 0.0;

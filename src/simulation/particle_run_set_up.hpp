@@ -22,8 +22,8 @@ inline std::vector<Nozzle> make_nozzles(const Case& description) {
   return nozzles;
 }
 
-template <int D, class P, class Reach>
-ParticleRun<D, P, Reach>::ParticleRun(const Case& description)
+template <int D, class P, class Scheme>
+ParticleRun<D, P, Scheme>::ParticleRun(const Case& description)
     : case_(description),
       nozzles_(make_nozzles(description)),
       media_(make_media(description, nozzles_)),
@@ -47,20 +47,21 @@ ParticleRun<D, P, Reach>::ParticleRun(const Case& description)
   book_.set_masses(masses);
   shortest_step_ = 1e-6 * case_.time.courant * shortest;
   const double skin = 0.5 * finest;
-  list_ = NeighbourList<D, P, Reach>(minimum_, maximum_, CubicSpline<D>::support * longest, skin);
+  list_ = NeighbourList<D, P, Scheme>(minimum_, maximum_,
+                                      Scheme::template Kernel<D>::support * longest, skin);
   append(initial_particles(case_, nozzles_));
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::open() {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::open() {
   rebuild_list();
   list_is_due_ = false;
   refresh();  // the ledger opens with what the first forces hold
   book_.open(particles_);
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::append(const std::vector<NewParticle>& newcomers) {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::append(const std::vector<NewParticle>& newcomers) {
   const Index before = particles_.size();
   const auto count = static_cast<Index>(newcomers.size());
   particles_.resize(before + count);
@@ -92,8 +93,8 @@ void ParticleRun<D, P, Reach>::append(const std::vector<NewParticle>& newcomers)
   thrust::fill_n(particles_.fractured.begin() + before, count, std::uint8_t(0));
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::save(Archive& archive) const {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::save(Archive& archive) const {
   static_assert(std::is_trivially_copyable_v<Ledger> && sizeof(Ledger) % sizeof(double) == 0);
   save_fields(particles_, archive);
   archive.arrays["clock"] = std::vector<double>{time_, last_step_.dt};
@@ -108,8 +109,8 @@ void ParticleRun<D, P, Reach>::save(Archive& archive) const {
     archive.arrays["nozzle/" + std::to_string(j)] = nozzles_[j].emitted();
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::restore(const Archive& archive) {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::restore(const Archive& archive) {
   restore_fields(archive, particles_);
   const auto& clock = find_array<double>(archive, "clock");
   const auto& counters = find_array<std::uint64_t>(archive, "counters");

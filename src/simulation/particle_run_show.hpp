@@ -8,15 +8,15 @@
 namespace kerf {
 
 // Rates, stresses and forces belong to the middle of the last step: work them out for now.
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::refresh() const {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::refresh() const {
   if (fresh_) return;
   evaluate_now();
   fresh_ = true;
 }
 
-template <int D, class P, class Reach>
-Frame ParticleRun<D, P, Reach>::frame() const {
+template <int D, class P, class Scheme>
+Frame ParticleRun<D, P, Scheme>::frame() const {
   refresh();
   Frame frame = make_frame(particles_, media_);
   frame.time = time_;
@@ -24,8 +24,8 @@ Frame ParticleRun<D, P, Reach>::frame() const {
   return frame;
 }
 
-template <int D, class P, class Reach>
-Ledger ParticleRun<D, P, Reach>::ledger() const {
+template <int D, class P, class Scheme>
+Ledger ParticleRun<D, P, Scheme>::ledger() const {
   refresh();
   Ledger ledger = book_.state(particles_);
   for (const Nozzle& nozzle : nozzles_) {
@@ -35,8 +35,8 @@ Ledger ParticleRun<D, P, Reach>::ledger() const {
   return ledger;
 }
 
-template <int D, class P, class Reach>
-std::vector<double> ParticleRun<D, P, Reach>::probe_values() const {
+template <int D, class P, class Scheme>
+std::vector<double> ParticleRun<D, P, Scheme>::probe_values() const {
   std::vector<double> values;
   for (const Probe& probe : case_.probes) {
     refresh();
@@ -51,13 +51,13 @@ std::vector<double> ParticleRun<D, P, Reach>::probe_values() const {
   return values;
 }
 
-template <int D, class P, class Reach>
-double ParticleRun<D, P, Reach>::neighbours_per_particle() const {
+template <int D, class P, class Scheme>
+double ParticleRun<D, P, Scheme>::neighbours_per_particle() const {
   return particles_.size() > 0 ? static_cast<double>(list_.pairs()) / particles_.size() : 0.0;
 }
 
-template <int D, class P, class Reach>
-double ParticleRun<D, P, Reach>::bytes_per_particle() const {
+template <int D, class P, class Scheme>
+double ParticleRun<D, P, Scheme>::bytes_per_particle() const {
   const double n = std::max<double>(1.0, particles_.size());
   return static_cast<double>(Particles<D, P>::bytes_per_particle()) +
          static_cast<double>(list_.bytes()) / n;

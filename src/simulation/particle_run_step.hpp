@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::renew_neighbours() {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::renew_neighbours() {
   const auto timer = timers_.stage("neighbours");
   remove_marked();
   let_water_in();
@@ -19,8 +19,8 @@ void ParticleRun<D, P, Reach>::renew_neighbours() {
   list_is_due_ = false;
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::remove_marked() {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::remove_marked() {
   const auto view = particles_.view();
   const bool any = reduce_unordered(particles_.size(), IsLeaving<D, P>{view}, false, Either{});
   if (!any) return;
@@ -29,8 +29,8 @@ void ParticleRun<D, P, Reach>::remove_marked() {
   list_is_due_ = true;
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::let_water_in() {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::let_water_in() {
   for (std::size_t j = 0; j < nozzles_.size(); ++j) {
     const std::vector<InletParticle> water = nozzles_[j].emit(time_);
     if (water.empty()) continue;
@@ -43,16 +43,16 @@ void ParticleRun<D, P, Reach>::let_water_in() {
   }
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::rebuild_list() {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::rebuild_list() {
   particles_.build_position = particles_.position;
   sort_particles(particles_, list_.cell_numbers(particles_));
   list_.build(particles_);
   after_reorder();
 }
 
-template <int D, class P, class Reach>
-double ParticleRun<D, P, Reach>::choose_step(StepRates rates) {
+template <int D, class P, class Scheme>
+double ParticleRun<D, P, Scheme>::choose_step(StepRates rates) {
   const auto timer = timers_.stage("time step");
   const double remaining = case_.time.end - time_;
   const double longest =
@@ -69,8 +69,8 @@ double ParticleRun<D, P, Reach>::choose_step(StepRates rates) {
   return chosen.dt;
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::fail(const StepLimit& cause) const {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::fail(const StepLimit& cause) const {
   Breakdown breakdown;
   breakdown.time = time_;
   breakdown.step = step_;
@@ -84,26 +84,26 @@ void ParticleRun<D, P, Reach>::fail(const StepLimit& cause) const {
   report_breakdown(case_, breakdown);
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::load_drives(double now) {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::load_drives(double now) {
   to_device(motion_.drives<D>(time_, now), drives_);
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::book_step(double dt) {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::book_step(double dt) {
   const auto timer = timers_.stage("ledger");
   book_.book_step(particles_, gravity_, dt);
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::mark_leavers() {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::mark_leavers() {
   const auto timer = timers_.stage("outflow");
   for_each_index(particles_.size(),
                  MarkLeavers<D, P>{particles_.view(), pointer(drives_), minimum_, maximum_});
 }
 
-template <int D, class P, class Reach>
-void ParticleRun<D, P, Reach>::tick(double dt) {
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::tick(double dt) {
   time_ = last_step_.limit == limit_name(Limit::end_of_run) ? case_.time.end : time_ + dt;
   ++step_;
   fresh_ = false;

@@ -10,8 +10,8 @@
 namespace kerf {
 
 template <int D, class P>
-class Shinohara2004 final : public ParticleRun<D, P, MeanReach> {
-  using Run = ParticleRun<D, P, MeanReach>;
+class Shinohara2004 final : public ParticleRun<D, P, JointPairs> {
+  using Run = ParticleRun<D, P, JointPairs>;
 
  public:
   explicit Shinohara2004(const Case& description)

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "simulation/ledger.hpp"
-#include "simulation/populate.hpp"
 #include "simulation/solid_link.hpp"
 #include "simulation/solid_show.hpp"
 #include "simulation/state_io.hpp"
@@ -25,16 +24,18 @@ class SolidPart {
  public:
   using Real = typename P::Real;
 
-  SolidPart(const std::vector<Medium<double>>& media, const std::vector<NewParticle>& particles) {
+  // The particles of the start, in the order of their ids.
+  SolidPart(const std::vector<Medium<double>>& media, const Particles<D, P>& particles) {
     SolidLayout<D> layout;
     for (const Medium<double>& medium : media) layout.media.push_back(solid_medium(medium));
-    std::vector<Index> number(particles.size(), no_index);
-    for (std::size_t id = 0; id < particles.size(); ++id) {
-      const NewParticle& particle = particles[id];
-      if (media[particle.source].phase != Phase::solid) continue;
+    const auto position = to_host(particles.position);
+    const auto source = to_host(particles.source);
+    std::vector<Index> number(source.size(), no_index);
+    for (std::size_t id = 0; id < source.size(); ++id) {
+      if (media[source[id]].phase != Phase::solid) continue;
       number[id] = static_cast<Index>(layout.reference.size());
-      layout.reference.push_back(Vector<D, double>::from(particle.position));
-      layout.medium_index.push_back(particle.source);
+      layout.reference.push_back(position[id]);
+      layout.medium_index.push_back(source[id]);
     }
     to_device(number, number_of_id_);
     particle_of_.resize(layout.reference.size());
@@ -68,14 +69,15 @@ class SolidPart {
     if (book.bonds > 0) show_loose(particles);
   }
 
-  // Adds the accelerations by all bonds that `filter` chooses.
+  // Adds the accelerations by all bonds.
+  void accelerate(Particles<D, P>& particles) {
+    if (solid_) accelerate_by(particles, EveryBond{});
+  }
+  // Those by the bonds that `filter` chooses by their particles.
   template <class Filter>
   void accelerate(Particles<D, P>& particles, const Filter& filter) {
-    if (!solid_) return;
-    solid_->accelerate(velocity_, BondFilter<D, P, Filter>{particles.view(), link(), filter});
-    for_each_index(solid_->size(),
-                   AddSolidAcceleration<D, P>{particles.view(), link(),
-                                              pointer(solid_->fields().acceleration)});
+    if (solid_)
+      accelerate_by(particles, BondFilter<D, P, Filter>{particles.view(), link(), filter});
   }
 
   // Puts the pressure of the solid at the deformation in force on its particles, for probes.
@@ -87,9 +89,8 @@ class SolidPart {
   // Particles that are about to be removed let go of the others.
   void let_go_of_leavers(Particles<D, P>& particles) {
     if (!solid_) return;
-    thrust::fill(gone_.begin(), gone_.end(), std::uint8_t(0));
     for_each_index(solid_->size(), FindLeavers<D, P>{particles.view(), link(), pointer(gone_)});
-    if (!reduce_unordered(solid_->size(), IsSet{pointer(gone_)}, false, EitherFlag{})) return;
+    if (!reduce_unordered(solid_->size(), IsSet{pointer(gone_)}, false, Either{})) return;
     losses_.released += solid_->let_go(gone_).released;
     show_loose(particles);
   }
@@ -144,6 +145,13 @@ class SolidPart {
     solid.artificial_quadratic = medium.artificial_quadratic;
     solid.failure_strain = medium.failure_strain;
     return solid;
+  }
+  template <class ChosenBonds>
+  void accelerate_by(Particles<D, P>& particles, const ChosenBonds& chosen) {
+    solid_->accelerate(velocity_, chosen);
+    for_each_index(solid_->size(),
+                   AddSolidAcceleration<D, P>{particles.view(), link(),
+                                              pointer(solid_->fields().acceleration)});
   }
   SolidIndexView link() const {
     return {pointer(number_of_id_), static_cast<Index>(number_of_id_.size()),

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The solids of the `standard` formulation in a frame: pressure, deviatoric stress, density and the
-// share of a particle's bonds that is broken.
+// The solids of the `standard` formulation in a frame, beyond what their particles hold: deviatoric
+// stress and the share of a particle's bonds that is broken.
 #pragma once
 
 #include "materials/elastic_law.hpp"
 #include "simulation/frame.hpp"
+#include "simulation/solid_link.hpp"
 #include "solid/solid_fields.hpp"
 
 namespace kerf {
@@ -42,7 +43,7 @@ class SolidOnHost {
   std::vector<std::uint8_t> loose_;
 };
 
-// `number_of_id`: solid number of a particle's id, 0xffffffff where it has none.
+// `number_of_id`: solid number of a particle's id, no_index where it has none.
 template <int D, class P>
 void show_solid(const SolidFields<D, P>& fields, const Array<Index>& number_of_id, Frame& frame) {
   const SolidOnHost<D, P> solid(fields);
@@ -52,12 +53,11 @@ void show_solid(const SolidFields<D, P>& fields, const Array<Index>& number_of_i
   for (Column& column : frame.columns)
     if (column.name == "deviatoric_stress") stress = &column;
   for (std::size_t i = 0; i < frame.id.size(); ++i) {
-    if (frame.id[i] >= number.size() || number[frame.id[i]] == 0xffffffffu) continue;
+    if (frame.id[i] >= number.size() || number[frame.id[i]] == no_index) continue;
     const Index s = number[frame.id[i]];
     auto sigma = solid.stress(s);
-    const auto mean = (sigma(0, 0) + sigma(1, 1) + sigma(2, 2)) / 3;
+    const auto mean = trace(sigma) / 3;
     for (int a = 0; a < 3; ++a) sigma(a, a) -= mean;
-    frame.pressure[i] = static_cast<float>(-mean);
     damage.values[i] = solid.damage(s);
     if (stress == nullptr) continue;
     std::vector<float> rows;

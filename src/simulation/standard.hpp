@@ -12,14 +12,14 @@
 namespace kerf {
 
 template <int D, class P>
-class Standard final : public ParticleRun<D, P, ContactReach> {
-  using Run = ParticleRun<D, P, ContactReach>;
+class Standard final : public ParticleRun<D, P, ContactPairs> {
+  using Run = ParticleRun<D, P, ContactPairs>;
 
  public:
   explicit Standard(const Case& description)
       : Run(description),
         rates_(Vector<D, double>::from(description.gravity)),
-        solid_(Run::media_, initial_particles(description, Run::nozzles_)) {
+        solid_(Run::media_, Run::particles_) {
     Run::open();
     rates_.continuity(particles_.view(), particles_.size(), list_.view());
   }
@@ -70,7 +70,7 @@ class Standard final : public ParticleRun<D, P, ContactReach> {
   void evaluate_now() const override {
     rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds());
     solid_.deform(particles_);
-    solid_.accelerate(particles_, EveryPair{});
+    solid_.accelerate(particles_);
     solid_.show_pressure(particles_);
   }
 
@@ -105,7 +105,7 @@ class Standard final : public ParticleRun<D, P, ContactReach> {
       pair_interactions_ += static_cast<double>(list_.pairs());
     }
     const auto timer = timers_.stage("solid");
-    solid_.accelerate(particles_, EveryPair{});
+    solid_.accelerate(particles_);
     pair_interactions_ += static_cast<double>(solid_.bond_entries());
   }
 

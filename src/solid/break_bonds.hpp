@@ -87,23 +87,6 @@ struct CutBonds {
   }
 };
 
-// Breaks the bonds of particles that leave the run.
-template <int D, class P>
-struct LetGo {
-  using Real = typename P::Real;
-  SolidView<D, P> solid;
-  const std::uint8_t* gone;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-      if (!(solid.weight[k] > Real(0))) continue;
-      if (!gone[i] && !gone[solid.neighbour[k]]) continue;
-      solid.weight[k] = Real(0);
-      solid.changed[i] = 1;
-    }
-  }
-};
-
 // Intact bonds, each counted from both ends, and loose particles.
 template <int D, class P>
 struct CountTerms {

@@ -60,16 +60,17 @@ struct Correct {
   }
 };
 
-// Takes away the bonds that a loose particle has a part in, on this particle's side.
+// Takes away the bonds in which a particle of `dropped` has a part, on this particle's side.
 template <int D, class P>
-struct DropLooseBonds {
+struct DropBonds {
   using Real = typename P::Real;
   SolidView<D, P> solid;
+  const std::uint8_t* dropped;  // 1: holds on to nothing
 
   KERF_FUNCTION void operator()(Index i) const {
     for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
       if (!(solid.weight[k] > Real(0))) continue;
-      if (!solid.loose[i] && !solid.loose[solid.neighbour[k]]) continue;
+      if (!dropped[i] && !dropped[solid.neighbour[k]]) continue;
       solid.weight[k] = Real(0);
       solid.changed[i] = 1;
     }
@@ -80,8 +81,4 @@ struct IsSet {
   const std::uint8_t* flag;
   KERF_FUNCTION bool operator()(Index i) const { return flag[i] != 0; }
 };
-struct EitherFlag {
-  KERF_FUNCTION bool operator()(bool a, bool b) const { return a || b; }
-};
-
 }  // namespace kerf

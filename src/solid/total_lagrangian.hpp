@@ -93,13 +93,7 @@ class TotalLagrangian {
     for_each_index(size(), PrepareCriterion<D, P>{view()});
     for_each_index(size(), MarkBreaking<D, P>{{view()}});
     if (!any_changed()) return {};
-    const double stored = energy().total();
-    const auto [bonds, loose] = count();
-    for_each_index(size(), BreakMarked<D, P>{{view()}});
-    settle();
-    for_each_index(size(), Deform<D, P>{view()});
-    const auto [bonds_left, loose_now] = count();
-    return {bonds - bonds_left, loose_now - loose, stored - energy().total()};
+    return book(BreakMarked<D, P>{{view()}});
   }
 
   // Breaks bonds for good before the run: a notch. See CutBonds.
@@ -111,13 +105,7 @@ class TotalLagrangian {
 
   // Breaks all bonds of the particles that are `gone`.
   FractureBook let_go(const Array<std::uint8_t>& gone) {
-    const double stored = energy().total();
-    const auto [bonds, loose] = count();
-    for_each_index(size(), LetGo<D, P>{view(), pointer(gone)});
-    settle();
-    for_each_index(size(), Deform<D, P>{view()});
-    const auto [bonds_left, loose_now] = count();
-    return {bonds - bonds_left, loose_now - loose, stored - energy().total()};
+    return book(DropBonds<D, P>{view(), pointer(gone)});
   }
 
   // Power that the viscosity of the bonds dissipates now, W.
@@ -157,6 +145,18 @@ class TotalLagrangian {
     for_each_index(size(), BondForce<D, P, Viscosity, Filter>{view(), viscosity, filter});
   }
 
+  // Breaks bonds by `breaker`, deforms what is left anew and says what that made of the solid.
+  template <class Breaker>
+  FractureBook book(const Breaker& breaker) {
+    const double stored = energy().total();
+    const auto [bonds, loose] = count();
+    for_each_index(size(), breaker);
+    settle();
+    for_each_index(size(), Deform<D, P>{view()});
+    const auto [bonds_left, loose_now] = count();
+    return {bonds - bonds_left, loose_now - loose, stored - energy().total()};
+  }
+
   void correct_all() {
     thrust::fill(fields_.loose.begin(), fields_.loose.end(), std::uint8_t(0));
     thrust::fill(fields_.changed.begin(), fields_.changed.end(), std::uint8_t(1));
@@ -167,12 +167,12 @@ class TotalLagrangian {
   void settle() {
     do {
       for_each_index(size(), Correct<D, P>{view()});
-      for_each_index(size(), DropLooseBonds<D, P>{view()});
+      for_each_index(size(), DropBonds<D, P>{view(), pointer(fields_.loose)});
     } while (any_changed());
   }
 
   bool any_changed() {
-    return reduce_unordered(size(), IsSet{pointer(fields_.changed)}, false, EitherFlag{});
+    return reduce_unordered(size(), IsSet{pointer(fields_.changed)}, false, Either{});
   }
 
   SolidFields<D, P> fields_;

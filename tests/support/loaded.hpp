@@ -20,7 +20,7 @@ struct ListChoice {
   double skin = 5e-4;                     // m
 };
 
-template <int D, class P, class Reach = MeanReach>
+template <int D, class P, class Scheme = JointPairs>
 class Loaded {
  public:
   using Real = typename P::Real;
@@ -35,7 +35,7 @@ class Loaded {
       maximum[a] = choice.maximum;
     }
     for (const auto& medium : state.media) longest = std::max(longest, medium.smoothing_length);
-    list = NeighbourList<D, P, Reach>(minimum, maximum, 2.0 * longest, choice.skin);
+    list = NeighbourList<D, P, Scheme>(minimum, maximum, 2.0 * longest, choice.skin);
     rebuild();
   }
 
@@ -65,7 +65,7 @@ class Loaded {
   }
 
   Particles<D, P> particles;
-  NeighbourList<D, P, Reach> list;
+  NeighbourList<D, P, Scheme> list;
 
  private:
   void load_media(const ReferenceState& state) {

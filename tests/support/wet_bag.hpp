@@ -60,7 +60,7 @@ inline ReferenceStandard::Bonded bonds_of(const ReferenceState& state) {
 }
 
 template <int D, class P>
-using LoadedStandard = Loaded<D, P, ContactReach>;
+using LoadedStandard = Loaded<D, P, ContactPairs>;
 
 template <int D, class P>
 void evaluate_standard(const ReferenceState& state, LoadedStandard<D, P>& loaded) {

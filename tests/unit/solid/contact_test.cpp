@@ -53,7 +53,7 @@ class ContactOfBonds : public testing::Test {
   static std::vector<Vector3> forces(const SolidLayout<dimension>& layout,
                                      TotalLagrangian<dimension, Precision>& solid) {
     const ReferenceState state = squeezed(layout);
-    Loaded<dimension, Precision, ContactReach> loaded(state, {});
+    Loaded<dimension, Precision, ContactPairs> loaded(state, {});
     std::vector<Index> number(layout.reference.size()), particle_of(number.size());
     const auto place = loaded.places();
     for (std::size_t s = 0; s < number.size(); ++s) {
