@@ -54,6 +54,16 @@ KERF_FUNCTION Matrix<D, T> identity() {
   return m;
 }
 
+template <int D, class T>
+KERF_FUNCTION T determinant(const Matrix<D, T>& m) {
+  if constexpr (D == 2)
+    return m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
+  else
+    return m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1)) -
+           m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0)) +
+           m(0, 2) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0));
+}
+
 // The in-plane part of a symmetric tensor.
 template <int D, class T>
 KERF_FUNCTION Matrix<D, T> in_plane(const SymmetricTensor<D, T>& s) {

@@ -43,6 +43,7 @@ class OrderedSum {
   // `Value` has `void add(Index i, Terms<N>& sum) const`.
   template <class Value>
   Terms<N> operator()(Index count, const Value& value) {
+    if (count == 0) return Terms<N>::zero();
     using Block = SumBlock<N, Value>;
     const Index blocks = (count + Block::length - 1) / Block::length;
     if (partial_.size() < blocks) {

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "materials/tait_water.hpp"
+#include "materials/tait.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -87,9 +87,7 @@ struct ParticleStepLimit {
       return {broken_rate, Limit::not_a_number, i};
     const bool water = medium.phase == Phase::water;
     const double h = medium.smoothing_length;
-    const double sound = water ? double(TaitWater::sound_speed(medium, particles.compression[i]))
-                               : double(medium.longitudinal_speed);
-
+    const double sound = sound_speed(medium, i);
     const double damping = 1.2 * medium.artificial_linear * medium.sound_speed;
     shorten(result, courant * h / (sound + speed + damping),
             water ? Limit::acoustic_water : Limit::acoustic_solid);
@@ -102,6 +100,14 @@ struct ParticleStepLimit {
   }
 
  private:
+  // Fastest wave, m/s. Solids of the `standard` formulation have a density where it stiffens them.
+  KERF_FUNCTION double sound_speed(const Medium<Real>& medium, Index i) const {
+    if (medium.phase != Phase::water && !medium.cavitates) return medium.longitudinal_speed;
+    const bool solid = medium.phase == Phase::solid && !particles.fractured[i];
+    return Tait::sound_speed(medium, particles.compression[i]) *
+           (solid ? medium.longitudinal_speed / medium.sound_speed : Real(1));
+  }
+
   // A broken state is told before the rates that it breaks around it: the lesser step wins.
   static constexpr double broken_state = -2.0, broken_rate = -1.0;
 

@@ -10,6 +10,13 @@
 
 namespace kerf {
 
+// Matter without pressure opens to twice its volume in the sums and no further: the drops of a
+// spray are as dense as ever, and stand for no more room than that.
+template <class T>
+KERF_FUNCTION T opened_at_most(T compression) {
+  return compression < T(-0.5) ? T(-0.5) : compression;
+}
+
 // The first half drift; the state of the start of the step must be kept already.
 template <int D, class P>
 struct DriftHalf {
@@ -19,15 +26,14 @@ struct DriftHalf {
   double dt;               // s, of the whole step
 
   KERF_FUNCTION void operator()(Index i) const {
-    const auto& medium = particles.medium(i);
     if (particles.is_constrained(i))
       follow_drive(particles, drives, i);
-    else if (medium.phase != Phase::rigid)
+    else if (particles.medium(i).phase != Phase::rigid)
       particles.position[i] =
           particles.start_position[i] + 0.5 * dt * Vector<D, double>::from(particles.velocity[i]);
-    if (medium.phase != Phase::water || particles.has(i, flag::upstream)) return;
-    particles.compression[i] =
-        particles.start_compression[i] + Real(0.5 * dt) * particles.compression_rate[i];
+    if (!particles.has_density(i) || particles.has(i, flag::upstream)) return;
+    particles.compression[i] = opened_at_most(particles.start_compression[i] +
+                                              Real(0.5 * dt) * particles.compression_rate[i]);
   }
 };
 
@@ -56,7 +62,8 @@ struct KickAndDrift {
   }
 };
 
-// Density to the end of the step, with its rate there.
+// Density to the end of the step, with its rate there; opened matter is no emptier than the room
+// that it is in (rates/filling.hpp).
 template <int D, class P>
 struct CloseDensity {
   using Real = typename P::Real;
@@ -64,8 +71,11 @@ struct CloseDensity {
   double dt;
 
   KERF_FUNCTION void operator()(Index i) const {
-    if (particles.medium(i).phase != Phase::water || particles.has(i, flag::upstream)) return;
-    particles.compression[i] += Real(0.5 * dt) * particles.compression_rate[i];
+    if (!particles.has_density(i) || particles.has(i, flag::upstream)) return;
+    const Real compression =
+        opened_at_most(particles.compression[i] + Real(0.5 * dt) * particles.compression_rate[i]);
+    const Real least = particles.filling[i] < Real(1) ? particles.filling[i] - Real(1) : Real(0);
+    particles.compression[i] = compression < least ? least : compression;
   }
 };
 

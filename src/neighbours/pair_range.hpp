@@ -37,8 +37,9 @@ struct JointPairs {
 };
 
 // The `standard` formulation: water and what it wets see one another over the larger of their
-// smoothing lengths, so that neither slips between the particles of the other; solids see solids
-// and rigid bodies when they touch.
+// smoothing lengths, so that neither slips between the particles of the other. Solid that has come
+// loose is a liquid too, and so is nearly incompressible solid to its own piece. Other solids see
+// solids and rigid bodies when they touch.
 struct ContactPairs {
   template <int D>
   using Kernel = WendlandC2<D>;
@@ -55,7 +56,8 @@ struct ContactPairs {
     const auto& a = particles.medium(i);
     const auto& b = particles.medium(j);
     if (a.phase == Phase::rigid) return 0.0;
-    if (a.phase != Phase::water && b.phase != Phase::water)
+    const bool one_volume = a.excess_bulk_modulus > 0 && a.piece == b.piece;
+    if (!one_volume && !particles.is_fluid(i) && !particles.is_fluid(j))
       return 0.5 * (double(a.spacing) + double(b.spacing));
     return Kernel<D>::support * smoothing_length<double>(a, b);
   }

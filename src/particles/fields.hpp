@@ -35,6 +35,7 @@ namespace kerf {
   FIELD(Real, start_compression)           /* 1 */                                     \
   FIELD(Stress, start_shear)               /* Pa */                                    \
   FIELD(Real, pressure)                    /* Pa */                                    \
+  FIELD(Real, filling)                     /* 1, sum of V W, 1 inside matter */        \
   FIELD(Gradient, velocity_gradient)       /* 1/s, over the particle's own phase */    \
   FIELD(Spin, spin)                        /* 1/s, skew part of it, of solid */        \
   FIELD(RealVector, acceleration)          /* m/s^2 */                                 \
@@ -80,6 +81,14 @@ struct ParticleView : FieldTypes<D, P> {
   }
   KERF_FUNCTION bool has(Index i, std::uint8_t bits) const {
     return (flags[i] & bits) != 0;
+  }
+  // It holds on to nothing: water, and solid that broke.
+  KERF_FUNCTION bool is_fluid(Index i) const {
+    return medium(i).phase == Phase::water || fractured[i] != 0;
+  }
+  // Its density tells its pressure, or a part of it.
+  KERF_FUNCTION bool has_density(Index i) const {
+    return is_fluid(i) || medium(i).excess_bulk_modulus > Real(0);
   }
   // Its motion is prescribed: a nozzle's or a clamped body's.
   KERF_FUNCTION bool is_constrained(Index i) const {

@@ -8,29 +8,49 @@ namespace kerf {
 
 enum class Phase : std::uint8_t { water, solid, rigid };
 
+// NUMBER(name): meaning, unit.
+#define KERF_MEDIUM_NUMBERS(NUMBER)                                                           \
+  NUMBER(spacing)              /* m */                                                        \
+  NUMBER(smoothing_length)     /* m */                                                        \
+  NUMBER(mass)                 /* kg per particle (2D: kg/m) */                               \
+  NUMBER(volume)               /* m^3 per particle as laid out (2D: m^2) */                   \
+  NUMBER(density)              /* kg/m^3, reference */                                        \
+  NUMBER(sound_speed)          /* m/s, the c of eqs. (18) and (32) */                         \
+  NUMBER(longitudinal_speed)   /* m/s, fastest wave: c_p in a solid, c in water */            \
+  NUMBER(tait_coefficient)     /* Pa, B of eq. (15) */                                        \
+  NUMBER(tait_exponent)        /* 1, n */                                                     \
+  NUMBER(viscosity)            /* Pa s */                                                     \
+  NUMBER(bulk_modulus)         /* Pa, K */                                                    \
+  NUMBER(excess_bulk_modulus)  /* Pa, the part of K that acts by the density, not by bonds */ \
+  NUMBER(shear_modulus)        /* Pa */                                                       \
+  NUMBER(failure_strain)       /* 1; 0 = never fractures */                                   \
+  NUMBER(artificial_linear)    /* A of eq. (38) */                                            \
+  NUMBER(artificial_quadratic) /* B of eq. (38) */                                            \
+  NUMBER(artificial_softening) /* C of eq. (39) */                                            \
+  NUMBER(repulsion)            /* m^2/s^2, D of eq. (43) */
+
 template <class T>
 struct Medium {
   Phase phase = Phase::water;
-  bool constrained = false;    // fixed, or moved by prescription
-  bool cavitates = false;      // water that opens instead of being pulled
-  std::uint16_t piece = 0;     // solids of one piece hold together; different pieces only touch
-  T spacing = 0;               // m
-  T smoothing_length = 0;      // m
-  T mass = 0;                  // kg per particle (2D: kg/m)
-  T volume = 0;                // m^3 per particle as laid out (2D: m^2)
-  T density = 0;               // kg/m^3, reference
-  T sound_speed = 0;           // m/s, the c of eqs. (18) and (32)
-  T longitudinal_speed = 0;    // m/s, fastest wave: c_p in a solid, c in water
-  T tait_coefficient = 0;      // Pa, B of eq. (15)
-  T tait_exponent = 0;         // 1
-  T viscosity = 0;             // Pa s
-  T bulk_modulus = 0;          // Pa
-  T shear_modulus = 0;         // Pa
-  T failure_strain = 0;        // 1; 0 = never fractures
-  T artificial_linear = 0;     // A of eq. (38)
-  T artificial_quadratic = 0;  // B of eq. (38)
-  T artificial_softening = 0;  // C of eq. (39)
-  T repulsion = 0;             // m^2/s^2, D of eq. (43)
+  bool constrained = false;  // fixed, or moved by prescription
+  bool cavitates = false;    // opens instead of being pulled once it holds on to nothing
+  std::uint16_t piece = 0;   // solids of one piece hold together; different pieces only touch
+#define KERF_NUMBER(name) T name = 0;
+  KERF_MEDIUM_NUMBERS(KERF_NUMBER)
+#undef KERF_NUMBER
+
+  template <class Other>
+  static Medium from(const Medium<Other>& other) {
+    Medium medium;
+    medium.phase = other.phase;
+    medium.constrained = other.constrained;
+    medium.cavitates = other.cavitates;
+    medium.piece = other.piece;
+#define KERF_NUMBER(name) medium.name = static_cast<T>(other.name);
+    KERF_MEDIUM_NUMBERS(KERF_NUMBER)
+#undef KERF_NUMBER
+    return medium;
+  }
 };
 
 }  // namespace kerf

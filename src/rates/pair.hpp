@@ -24,11 +24,19 @@ struct Pair {
   bool same_phase;
 };
 
-// Volume a particle stands for, m^3 (m^2 in 2D): water by its density, others as laid out.
+// Volume a particle stands for, m^3 (m^2 in 2D): by its density where it has one, else as laid out.
 template <int D, class P>
 KERF_FUNCTION typename P::Real volume_of(const ParticleView<D, P>& particles, Index i,
                                          const Medium<typename P::Real>& medium) {
-  return medium.phase == Phase::water ? medium.mass / particles.density(i) : medium.volume;
+  return particles.has_density(i) ? medium.mass / particles.density(i) : medium.volume;
+}
+
+// Two particles of one nearly incompressible solid, which resists by its density.
+template <int D, class P>
+KERF_FUNCTION bool is_one_volume(const ParticleView<D, P>& particles, const Pair<D, P>& pair) {
+  return pair.medium_i->excess_bulk_modulus > 0 && pair.medium_j->excess_bulk_modulus > 0 &&
+         pair.medium_i->piece == pair.medium_j->piece && !particles.fractured[pair.i] &&
+         !particles.fractured[pair.j];
 }
 
 template <int D, class P>

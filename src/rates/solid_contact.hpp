@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact of solids: of bodies, across a broken bond, and with rigid bodies. Particles closer than
-// the mean of their spacings push one another apart,
+// Contact of solids that hold together: of bodies, across a broken bond, and with rigid bodies.
+// Particles closer than the mean of their spacings push one another apart,
 //   f = k (d_0 - r) e,   k = M d_0^(D-2),
 // with M the mean of their P-wave moduli (K + 4 G / 3): the contact of two faces is as stiff as a
 // layer of particles of the solid, so that a wave passes it. The force has a potential,
@@ -25,7 +25,8 @@ struct SolidContact {
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     const auto &a = *pair.medium_i, &b = *pair.medium_j;
-    if (a.phase != Phase::solid || b.phase == Phase::water) return;
+    if (a.phase != Phase::solid || particles.is_fluid(pair.i) || particles.is_fluid(pair.j)) return;
+    if (is_one_volume(particles, pair)) return;
     const Real rest = Real(0.5) * (a.spacing + b.spacing);
     if (pair.distance >= rest || !(pair.distance > Real(0))) return;
     if (bonds.whole(particles, pair.i, pair.j)) return;

@@ -1,30 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pair sums of the `standard` formulation over the particles where they are now: water, water
+// The pair sums of the `standard` formulation over the particles where they are now: fluid, fluid
 // against solid and walls, contact of solids. What holds a solid together is not among them: that
 // is summed over the bonds of its first shape (solid/).
 #pragma once
 
 #include "kernels/wendland_c2.hpp"
-#include "materials/tait_water.hpp"
+#include "materials/tait.hpp"
 #include "rates/body_force.hpp"
+#include "rates/filling.hpp"
+#include "rates/fluid_continuity.hpp"
+#include "rates/fluid_force.hpp"
 #include "rates/pair_loop.hpp"
 #include "rates/solid_contact.hpp"
-#include "rates/water_continuity.hpp"
-#include "rates/water_force.hpp"
 #include "rates/water_viscosity.hpp"
 
 namespace kerf {
 
-// Pressure of water by its equation of state; no other particle has one here.
+// Pressure by the density: all of it in fluids, that of the excess of K in nearly incompressible
+// solids, none in others.
 template <int D, class P>
-struct WaterPressure {
+struct FluidPressure {
   using Real = typename P::Real;
   ParticleView<D, P> particles;
 
   KERF_FUNCTION void operator()(Index i) const {
     const auto& medium = particles.medium(i);
-    const bool water = medium.phase == Phase::water;
-    particles.pressure[i] = water ? TaitWater::pressure(medium, particles.compression[i]) : Real(0);
+    Real share = Real(0);
+    if (particles.is_fluid(i))
+      share = Real(1);
+    else if (particles.has_density(i))
+      share = medium.excess_bulk_modulus / medium.bulk_modulus;
+    particles.pressure[i] =
+        share > Real(0) ? share * Tait::pressure(medium, particles.compression[i]) : Real(0);
   }
 };
 
@@ -35,7 +42,7 @@ class StandardRates {
 
   StandardRates() = default;
   explicit StandardRates(const Vector<D, double>& gravity)
-      : gravity_{Vector<D, Real>::from(gravity)}, water_{gravity_.gravity} {}
+      : gravity_{Vector<D, Real>::from(gravity)}, fluid_pair_{gravity_.gravity} {}
 
   // Pressures and the accelerations by gravity and all pairs.
   template <class Bonds>
@@ -48,24 +55,25 @@ class StandardRates {
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                   const Bonds& bonds, const Filter& filter,
                   const BodyForce<D, P>& body_force) const {
-    for_each_index(count, WaterPressure<D, P>{view});
+    for_each_index(count, FluidPressure<D, P>{view});
     for_each_index(count,
-                   FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, WaterForce<D, P>,
+                   FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, FluidForce<D, P>,
                                     WaterViscosity<D, P>, SolidContact<D, P, Bonds>>(
-                       view, list, filter, body_force, WaterForce<D, P>{water_}, {},
+                       view, list, filter, body_force, FluidForce<D, P>{fluid_pair_}, {},
                        SolidContact<D, P, Bonds>{bonds}));
   }
 
   void continuity(const ParticleView<D, P>& view, Index count, const NeighbourView& list) const {
-    for_each_index(count, PairLoop<D, P, ContactPairs, WaterContinuity<D, P>>(
-                              view, list, {}, WaterContinuity<D, P>{water_}));
+    using Full = Filling<D, P, ContactPairs::Kernel<D>>;
+    for_each_index(count, PairLoop<D, P, ContactPairs, FluidContinuity<D, P>, Full>(
+                              view, list, {}, FluidContinuity<D, P>{fluid_pair_}, Full{}));
   }
 
   static constexpr int pair_passes = 2;  // per step
 
  private:
   BodyForce<D, P> gravity_{};
-  WaterPair<D, P> water_{};
+  FluidPair<D, P> fluid_pair_{};
 };
 
 }  // namespace kerf

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "materials/hooke_solid.hpp"
-#include "materials/tait_water.hpp"
+#include "materials/tait.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -19,7 +19,7 @@ struct UpdateStress {
     const auto& medium = particles.medium(i);
     const Real compression = particles.compression[i];
     if (medium.phase == Phase::water) {
-      particles.pressure[i] = TaitWater::pressure(medium, compression);
+      particles.pressure[i] = Tait::pressure(medium, compression);
       particles.shear[i] = viscous_stress(medium.viscosity, particles.velocity_gradient[i]);
     } else if (medium.phase == Phase::solid) {
       particles.pressure[i] =

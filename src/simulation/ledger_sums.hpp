@@ -4,7 +4,7 @@
 
 #include "exec/ordered_sum.hpp"
 #include "materials/hooke_solid.hpp"
-#include "materials/tait_water.hpp"
+#include "materials/tait.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -23,7 +23,12 @@ struct ParticleEnergy {
     ParticleEnergy e{0.5 * mass * dot(v, v), mass * double(particles.pressure_work[i]), 0.0, 0.0,
                      0.0};
     if (medium.phase == Phase::water) {
-      e.stored_water = mass * TaitWater::energy(medium, compression);
+      e.stored_water = mass * Tait::energy(medium, compression);
+    } else if (medium.cavitates) {  // of the `standard` formulation: what the density stores
+      const double share = particles.fractured[i]
+                               ? 1.0
+                               : double(medium.excess_bulk_modulus) / double(medium.bulk_modulus);
+      e.stored_solid = mass * share * Tait::energy(medium, compression);
     } else {
       const bool fractured = particles.fractured[i] != 0;
       e.stored_solid = mass * HookeSolid::volumetric_energy(medium, compression, fractured);

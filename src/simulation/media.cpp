@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/media.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -10,6 +11,10 @@
 
 namespace kerf {
 namespace {
+
+// n of loose solid: that of water. Solids have 3 to 7; it says how much stiffer than K they are
+// when squeezed by a pressure like K.
+constexpr double loose_exponent = 7.0;
 
 void set_material(Medium<double>& medium, const Material& material) {
   medium.density = material.density;
@@ -32,6 +37,8 @@ void set_material(Medium<double>& medium, const Material& material) {
   medium.shear_modulus = e / (2.0 * (1.0 + nu));
   medium.failure_strain = material.failure_strain;
   medium.sound_speed = std::sqrt(medium.bulk_modulus / material.density);
+  medium.tait_exponent = loose_exponent;
+  medium.tait_coefficient = medium.bulk_modulus / loose_exponent;
   medium.longitudinal_speed =
       std::sqrt((medium.bulk_modulus + 4.0 / 3.0 * medium.shear_modulus) / material.density);
 }
@@ -49,6 +56,9 @@ std::vector<std::uint16_t> pieces_of(const std::vector<Body>& bodies) {
   }
   return piece;
 }
+
+// K / G that bonds carry at most (nu = 0.41), docs/theory/nearly_incompressible.md.
+constexpr double most_bond_bulk = 5.0;
 
 }  // namespace
 
@@ -83,8 +93,11 @@ std::vector<Medium<double>> make_media(const Case& description,
   }
   for (Medium<double>& medium : media) {
     medium.smoothing_length = description.smoothing_ratio * medium.spacing;
+    if (medium.phase == Phase::solid && description.formulation == Formulation::standard)
+      medium.excess_bulk_modulus =
+          std::max(0.0, medium.bulk_modulus - most_bond_bulk * medium.shear_modulus);
     medium.cavitates =
-        medium.phase == Phase::water && description.formulation == Formulation::standard;
+        medium.phase != Phase::rigid && description.formulation == Formulation::standard;
   }
   return media;
 }

@@ -52,6 +52,7 @@ class ParticleRun : public Simulation {
   // The start of a run and the stages of a step, in their order.
   void open();
   void renew_neighbours();
+  void rebuild_list();
   double choose_step(StepRates rates);
   void load_drives(double now);
   void book_step(double dt);
@@ -77,7 +78,6 @@ class ParticleRun : public Simulation {
   void remove_marked();
   void let_water_in();
   void append(const std::vector<NewParticle>& newcomers);
-  void rebuild_list();
   [[noreturn]] void fail(const StepLimit& cause) const;
   void refresh() const;
 

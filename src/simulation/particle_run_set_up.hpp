@@ -35,7 +35,7 @@ ParticleRun<D, P, Scheme>::ParticleRun(const Case& description)
   std::vector<double> masses;
   double longest = 0.0, finest = 1e300, shortest = 1e300;
   for (const Medium<double>& medium : media_) {
-    media.push_back(convert<Real>(medium));
+    media.push_back(Medium<Real>::from(medium));
     masses.push_back(medium.mass);
     longest = std::max(longest, medium.smoothing_length);
     finest = std::min(finest, medium.spacing);

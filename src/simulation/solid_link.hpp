@@ -4,6 +4,7 @@
 #pragma once
 
 #include "materials/elastic_law.hpp"
+#include "materials/tait.hpp"
 #include "particles/fields.hpp"
 #include "solid/solid_fields.hpp"
 
@@ -61,7 +62,7 @@ struct AddSolidAcceleration {
   }
 };
 
-// - tr sigma / 3; none where a particle holds on to nothing.
+// Adds what bonds give, - tr sigma / 3, to the pressure of particles that hold together.
 template <int D, class P>
 struct ShowPressure {
   using Real = typename P::Real;
@@ -71,23 +72,29 @@ struct ShowPressure {
 
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
-    if (i == no_index) return;
-    const auto stress = solid.loose[s] ? SymmetricTensor<D, Real>::zero()
-                                       : cauchy(solid.medium(s), solid.gradient[s]);
-    particles.pressure[i] = -trace(stress) / Real(3);
+    if (i == no_index || solid.loose[s]) return;
+    particles.pressure[i] -= trace(cauchy(solid.medium(s), solid.gradient[s])) / Real(3);
   }
 };
 
-// Shows on the particles what has become of the solid.
+// Shows on the particles what has become of the solid. One that comes loose goes on as a fluid,
+// with the pressure that it has: pushed, not pulled, by its neighbours.
 template <int D, class P>
 struct MarkLoose {
+  using Real = typename P::Real;
   ParticleView<D, P> particles;
   SolidIndexView link;
-  const std::uint8_t* loose;
+  SolidView<D, P> solid;
 
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
-    if (i != no_index) particles.fractured[i] = loose[s];
+    if (i == no_index || !solid.loose[s] || particles.fractured[i]) return;
+    particles.fractured[i] = 1;
+    const auto& medium = particles.medium(i);
+    const Real by_density = medium.excess_bulk_modulus / medium.bulk_modulus *
+                            Tait::pressure(medium, particles.compression[i]);
+    const Real by_bonds = -trace(cauchy(solid.medium(s), solid.gradient[s])) / Real(3);
+    particles.compression[i] = Tait::compression(medium, by_density + by_bonds);
   }
 };
 

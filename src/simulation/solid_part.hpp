@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "simulation/ledger.hpp"
 #include "simulation/solid_link.hpp"
@@ -63,10 +64,7 @@ class SolidPart {
 
   // Breaks what is strained too far; the deformation must be in force.
   void break_bonds(Particles<D, P>& particles) {
-    if (!solid_) return;
-    const FractureBook book = solid_->fracture();
-    losses_.released += book.released;
-    if (book.bonds > 0) show_loose(particles);
+    if (solid_) take(solid_->fracture(), particles);
   }
 
   // Adds the accelerations by all bonds.
@@ -91,9 +89,11 @@ class SolidPart {
     if (!solid_) return;
     for_each_index(solid_->size(), FindLeavers<D, P>{particles.view(), link(), pointer(gone_)});
     if (!reduce_unordered(solid_->size(), IsSet{pointer(gone_)}, false, Either{})) return;
-    losses_.released += solid_->let_go(gone_).released;
-    show_loose(particles);
+    take(solid_->let_go(gone_), particles);
   }
+
+  // Whether particles came loose since the last call.
+  bool take_loosened() { return std::exchange(loosened_, false); }
 
   WholeBonds<D, P> bonds() {
     if (!solid_) return {};
@@ -139,7 +139,7 @@ class SolidPart {
     solid.spacing = medium.spacing;
     solid.smoothing_length = medium.smoothing_length;
     solid.mass = medium.mass;
-    solid.bulk_modulus = medium.bulk_modulus;
+    solid.bulk_modulus = medium.bulk_modulus - medium.excess_bulk_modulus;
     solid.shear_modulus = medium.shear_modulus;
     solid.artificial_linear = medium.artificial_linear;
     solid.artificial_quadratic = medium.artificial_quadratic;
@@ -153,13 +153,18 @@ class SolidPart {
                    AddSolidAcceleration<D, P>{particles.view(), link(),
                                               pointer(solid_->fields().acceleration)});
   }
+  void take(const FractureBook& book, Particles<D, P>& particles) {
+    losses_.released += book.released;
+    if (book.loosened == 0) return;
+    loosened_ = true;
+    show_loose(particles);
+  }
   SolidIndexView link() const {
     return {pointer(number_of_id_), static_cast<Index>(number_of_id_.size()),
             const_cast<Index*>(pointer(particle_of_))};
   }
   void show_loose(Particles<D, P>& particles) {
-    for_each_index(solid_->size(),
-                   MarkLoose<D, P>{particles.view(), link(), pointer(solid_->fields().loose)});
+    for_each_index(solid_->size(), MarkLoose<D, P>{particles.view(), link(), solid_->view()});
   }
 
   std::unique_ptr<TotalLagrangian<D, P>> solid_;
@@ -168,6 +173,7 @@ class SolidPart {
   Array<Vector<D, Real>> velocity_;
   Array<std::uint8_t> gone_;
   SolidLosses losses_;
+  bool loosened_ = false;
 };
 
 }  // namespace kerf

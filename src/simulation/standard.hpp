@@ -35,6 +35,7 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     Run::book_step(dt);
     Run::mark_leavers();
     solid_.let_go_of_leavers(particles_);
+    if (solid_.take_loosened()) Run::rebuild_list();  // what is loose sees further
     Run::tick(dt);
   }
 

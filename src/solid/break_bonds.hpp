@@ -5,6 +5,7 @@
 
 #include "exec/ordered_sum.hpp"
 #include "fracture/bond_criterion.hpp"
+#include "fracture/crushing.hpp"
 #include "solid/solid_fields.hpp"
 
 namespace kerf {
@@ -15,7 +16,14 @@ struct PrepareCriterion {
   SolidView<D, P> solid;
 
   KERF_FUNCTION void operator()(Index i) const {
-    solid.criterion[i] = prepare_criterion(solid.medium(i), green_strain(solid.gradient[i]));
+    const auto& medium = solid.medium(i);
+    if (solid.loose[i]) {
+      solid.criterion[i] = Real(0);
+      return;
+    }
+    solid.criterion[i] = is_crushed(medium, solid.gradient[i])
+                             ? crushed<Real>
+                             : prepare_criterion(medium, green_strain(solid.gradient[i]));
   }
 };
 
@@ -46,10 +54,12 @@ struct BondTest {
 
 template <int D, class P>
 struct MarkBreaking {
+  using Real = typename P::Real;
   BondTest<D, P> test;
 
   KERF_FUNCTION void operator()(Index i) const {
     const auto& solid = test.solid;
+    if (!(solid.criterion[i] < crushed<Real>)) solid.changed[i] = 1;
     const auto green = green_strain(solid.gradient[i]);
     for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1] && !solid.changed[i]; ++k)
       if (test.breaks(i, k, green)) solid.changed[i] = 1;
@@ -64,9 +74,25 @@ struct BreakMarked {
   KERF_FUNCTION void operator()(Index i) const {
     const auto& solid = test.solid;
     if (!solid.changed[i]) return;
+    if (!(solid.criterion[i] < crushed<Real>)) {
+      solid.loose[i] = 1;
+      return;
+    }
     const auto green = green_strain(solid.gradient[i]);
     for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k)
       if (test.breaks(i, k, green)) solid.weight[k] = Real(0);
+  }
+};
+
+// Looks once more after a break: the fit over the bonds that are left may find a particle crushed.
+template <int D, class P>
+struct Crush {
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (solid.loose[i] || !is_crushed(solid.medium(i), solid.gradient[i])) return;
+    solid.loose[i] = 1;
+    solid.changed[i] = 1;
   }
 };
 

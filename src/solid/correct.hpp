@@ -40,6 +40,10 @@ struct Correct {
   KERF_FUNCTION void operator()(Index i) const {
     if (!solid.changed[i]) return;
     solid.changed[i] = 0;
+    if (solid.loose[i]) {
+      solid.correction[i] = Matrix<D, Real>::zero();
+      return;
+    }
     const Real volume = solid.medium(i).volume();
     auto moment = Matrix<D, Real>::zero();
     Index whole = 0;

@@ -26,8 +26,8 @@ struct Deform {
   SolidView<D, P> solid;
 
   KERF_FUNCTION void operator()(Index i) const {
-    if (solid.loose[i]) {
-      solid.gradient[i] = solid.traction[i] = Matrix<D, Real>::zero();
+    if (solid.loose[i]) {  // it keeps the gradient with which it came loose
+      solid.traction[i] = Matrix<D, Real>::zero();
       return;
     }
     auto sum = Matrix<D, Real>::zero();

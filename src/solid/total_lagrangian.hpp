@@ -151,8 +151,11 @@ class TotalLagrangian {
     const double stored = energy().total();
     const auto [bonds, loose] = count();
     for_each_index(size(), breaker);
-    settle();
-    for_each_index(size(), Deform<D, P>{view()});
+    do {
+      settle();
+      for_each_index(size(), Deform<D, P>{view()});
+      if (can_break_) for_each_index(size(), Crush<D, P>{view()});
+    } while (any_changed());
     const auto [bonds_left, loose_now] = count();
     return {bonds - bonds_left, loose_now - loose, stored - energy().total()};
   }

@@ -70,7 +70,7 @@ class Loaded {
  private:
   void load_media(const ReferenceState& state) {
     std::vector<Medium<Real>> media;
-    for (const auto& medium : state.media) media.push_back(convert<Real>(medium));
+    for (const auto& medium : state.media) media.push_back(Medium<Real>::from(medium));
     to_device(media, particles.media);
   }
 

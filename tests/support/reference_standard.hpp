@@ -30,19 +30,33 @@ inline double wendland_slope(double r, double h, int dimension) {
   return -5.0 * alpha / h * q * std::pow(1.0 - q / 2.0, 3);
 }
 
-// P* split into its mean and its dissipation, and U*; U towards the right is positive.
+// Wendland C2: W = alpha (1 - q/2)^4 (2 q + 1).
+inline double wendland(double r, double h, int dimension) {
+  const double q = r / h, pi = std::numbers::pi;
+  if (q >= 2.0) return 0.0;
+  const double alpha = dimension == 2 ? 7.0 / (4.0 * pi * h * h) : 21.0 / (16.0 * pi * h * h * h);
+  return alpha * std::pow(1.0 - q / 2.0, 4) * (2.0 * q + 1.0);
+}
+
+// P* split into its mean and its dissipation, and U*; U towards the right is positive. The star
+// state is where the two acoustic waves meet: P* = p_l + Z_l (U_l - U*) = p_r - Z_r (U_r - U*).
 struct StarState {
   double mean, dissipation, speed;
 };
 struct RiemannState {
-  double density, pressure, speed;
+  double density, pressure, speed, sound_speed;
 };
-inline StarState reference_star(const RiemannState& left, const RiemannState& right, double c) {
-  const double rho = (left.density + right.density) / 2.0;
+inline StarState reference_star(const RiemannState& left, const RiemannState& right) {
+  const double z_l = left.density * left.sound_speed, z_r = right.density * right.sound_speed;
   const double jump = left.speed - right.speed;
+  const double c = std::min(left.sound_speed, right.sound_speed);
   const double beta = std::min(3.0 * std::max(jump, 0.0) / c, 1.0);
-  return {(left.pressure + right.pressure) / 2.0, beta * rho * c * jump / 2.0,
-          (left.speed + right.speed) / 2.0 + (left.pressure - right.pressure) / (2.0 * rho * c)};
+  const double speed =
+      (z_l * left.speed + z_r * right.speed + left.pressure - right.pressure) / (z_l + z_r);
+  // Without the jump of speed, and by the jump of speed alone.
+  const double mean = left.pressure - z_l * (left.pressure - right.pressure) / (z_l + z_r);
+  const double wave = z_l * (left.speed - (z_l * left.speed + z_r * right.speed) / (z_l + z_r));
+  return {mean, beta * wave, speed};
 }
 
 class ReferenceStandard {
@@ -52,8 +66,7 @@ class ReferenceStandard {
 
   ReferenceStandard(const ReferenceState& state, const Bonded& bonded)
       : state_(state), bonded_(bonded), rates_(state.particles.size()) {
-    for (std::size_t i = 0; i < rates_.size(); ++i)
-      if (is(i, Phase::water)) rates_[i].pressure = water_pressure(i);
+    for (std::size_t i = 0; i < rates_.size(); ++i) rates_[i].pressure = density_pressure(i);
     for (std::size_t i = 0; i < rates_.size(); ++i)
       for (std::size_t j = i + 1; j < rates_.size(); ++j) add_pair(i, j);
   }
@@ -65,43 +78,54 @@ class ReferenceStandard {
  private:
   bool is(std::size_t i, Phase phase) const { return state_.medium(i).phase == phase; }
   const ReferenceParticle& at(std::size_t i) const { return state_.particles[i]; }
-  double volume(std::size_t i) const {
-    return is(i, Phase::water) ? state_.medium(i).mass / state_.density(i)
-                               : state_.medium(i).volume;
+  // Water, and solid that is loose.
+  bool flows(std::size_t i) const { return is(i, Phase::water) || at(i).fractured; }
+  // Solid that holds together and is nearly incompressible.
+  bool keeps_volume(std::size_t i) const {
+    return is(i, Phase::solid) && !at(i).fractured && state_.medium(i).excess_bulk_modulus > 0.0;
   }
-  double water_pressure(std::size_t i) const {
+  double volume(std::size_t i) const {
+    return flows(i) || keeps_volume(i) ? state_.medium(i).mass / state_.density(i)
+                                       : state_.medium(i).volume;
+  }
+  double density_pressure(std::size_t i) const {
+    if (!flows(i) && !keeps_volume(i)) return 0.0;
     const auto& m = state_.medium(i);
-    const double b = m.sound_speed * m.sound_speed * m.density / 7.0;
-    return std::max(0.0, b * (std::pow(1.0 + at(i).compression, 7.0) - 1.0));
+    const double modulus = keeps_volume(i)       ? m.excess_bulk_modulus
+                           : is(i, Phase::solid) ? m.bulk_modulus
+                                                 : m.sound_speed * m.sound_speed * m.density;
+    return std::max(0.0, modulus / 7.0 * (std::pow(1.0 + at(i).compression, 7.0) - 1.0));
   }
 
   void add_pair(std::size_t i, std::size_t j) {
-    if (is(i, Phase::water)) return add_water(i, j);
-    if (is(j, Phase::water)) return add_water(j, i);
+    if (flows(i)) return add_fluid(i, j);
+    if (flows(j)) return add_fluid(j, i);
+    if (keeps_volume(i) && keeps_volume(j) && state_.medium(i).piece == state_.medium(j).piece)
+      return add_fluid(i, j);
     if (is(i, Phase::solid)) return add_contact(i, j);
     if (is(j, Phase::solid)) return add_contact(j, i);
   }
 
-  // `w` is water; the other is anything.
-  void add_water(std::size_t w, std::size_t o) {
+  // `w` is fluid, and the other anything; or both are of one nearly incompressible solid.
+  void add_fluid(std::size_t w, std::size_t o) {
     const auto &a = state_.medium(w), &b = state_.medium(o);
-    const bool both = b.phase == Phase::water;
-    const double h = both ? (a.smoothing_length + b.smoothing_length) / 2.0
-                          : std::max(a.smoothing_length, b.smoothing_length);
+    const bool both = flows(o) || !flows(w);
+    const double h = a.phase == b.phase ? (a.smoothing_length + b.smoothing_length) / 2.0
+                                        : std::max(a.smoothing_length, b.smoothing_length);
     const Vector3 apart = at(w).position - at(o).position;
     const double r = apart.norm(), slope = wendland_slope(r, h, state_.dimension);
     const Vector3 e = apart / r;
-    const RiemannState left{state_.density(w), rates_[w].pressure, -at(w).velocity.dot(e)};
+    const RiemannState left{state_.density(w), rates_[w].pressure, -at(w).velocity.dot(e),
+                            a.sound_speed};
     StarState star{};
     if (both) {
-      const RiemannState right{state_.density(o), rates_[o].pressure, -at(o).velocity.dot(e)};
-      star = reference_star(left, right, (a.sound_speed + b.sound_speed) / 2.0);
+      star = reference_star(
+          left, {state_.density(o), rates_[o].pressure, -at(o).velocity.dot(e), b.sound_speed});
     } else {
       const double wall = -at(o).velocity.dot(e);
       const double depth = std::max(0.0, -state_.gravity.dot(e)) * r;
-      star = reference_star(
-          left, {left.density, left.pressure + left.density * depth, 2.0 * wall - left.speed},
-          a.sound_speed);
+      star = reference_star(left, {left.density, left.pressure + left.density * depth,
+                                   2.0 * wall - left.speed, a.sound_speed});
     }
     add_forces(w, o, e, star, slope);
     add_friction(w, o, slope / r);
@@ -125,8 +149,9 @@ class ReferenceStandard {
 
   void add_friction(std::size_t w, std::size_t o, double slope_per_distance) {
     const double mu_w = state_.medium(w).viscosity, mu_o = state_.medium(o).viscosity;
-    double mu = mu_w;
-    if (is(o, Phase::water)) mu = mu_w + mu_o > 0.0 ? 2.0 * mu_w * mu_o / (mu_w + mu_o) : 0.0;
+    double mu = is(w, Phase::water) ? mu_w : mu_o;
+    if (is(w, Phase::water) && is(o, Phase::water))
+      mu = mu_w + mu_o > 0.0 ? 2.0 * mu_w * mu_o / (mu_w + mu_o) : 0.0;
     const Vector3 drag =
         2.0 * mu * volume(w) * volume(o) * slope_per_distance * (at(w).velocity - at(o).velocity);
     rates_[w].damping += drag;

@@ -31,13 +31,24 @@ inline ReferenceState wet_bag(int dimension, unsigned seed) {
   for (auto& medium : state.media) {
     medium.smoothing_length = 1.3 * medium.spacing;
     medium.volume = std::pow(medium.spacing, dimension);
-    medium.cavitates = medium.phase == Phase::water;
+    medium.cavitates = medium.phase != Phase::rigid;
+    if (medium.phase == Phase::solid) {
+      medium.tait_exponent = 7.0;
+      medium.tait_coefficient = medium.bulk_modulus / 7.0;
+    }
     medium.longitudinal_speed = std::max(medium.longitudinal_speed, medium.sound_speed);
   }
   state.media[1].viscosity = 0.2;
   state.media[1].sound_speed = 35.0;
   state.media[1].tait_coefficient = 35.0 * 35.0 * 1000.0 / 7.0;
   return state;
+}
+
+// Makes one of the two bodies' materials nearly incompressible: two media of one piece, and leaves
+// the other as it is.
+inline void stiffen_volume(ReferenceState& state) {
+  state.media[2].excess_bulk_modulus = 0.7 * state.media[2].bulk_modulus;
+  state.media[3].excess_bulk_modulus = 0.4 * state.media[3].bulk_modulus;
 }
 
 // An arbitrary choice of unbroken bonds between particles of one piece, the same from both ends.

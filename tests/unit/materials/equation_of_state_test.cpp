@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "materials/hooke_solid.hpp"
-#include "materials/tait_water.hpp"
+#include "materials/tait.hpp"
 #include "support/bag.hpp"
 
 namespace kerf::test {
@@ -33,55 +33,54 @@ double energy_by_quadrature(const Pressure& pressure, double density, double com
 
 const double compressions[] = {-0.3, -0.05, -1e-3, 1e-3, 0.05, 0.4};
 
-TEST(TaitWater, PressureAsPrinted) {
+TEST(Tait, PressureAsPrinted) {
   const auto water = bag_water(1e-3, 2);
   const double b = 50.0 * 50.0 * 1000.0 / 7.0;  // eqs. (17) to (19)
   for (double x : compressions) {
     const double due = b * (std::pow(1.0 + x, 7.0) - 1.0);  // eq. (15)
-    EXPECT_NEAR(TaitWater::pressure(water, x), due, 1e-12 * std::abs(due));
+    EXPECT_NEAR(Tait::pressure(water, x), due, 1e-12 * std::abs(due));
   }
-  EXPECT_EQ(TaitWater::pressure(water, 0.0), 0.0);
+  EXPECT_EQ(Tait::pressure(water, 0.0), 0.0);
 }
 
-TEST(TaitWater, SinglePrecisionKeepsSmallCompressions) {
+TEST(Tait, SinglePrecisionKeepsSmallCompressions) {
   const auto water = bag_water(1e-3, 2);
   Medium<float> single;
   single.tait_coefficient = static_cast<float>(water.tait_coefficient);
   single.tait_exponent = 7.0f;
-  const double exact = TaitWater::pressure(water, double(1e-6f));
-  EXPECT_NEAR(TaitWater::pressure(single, 1e-6f), exact, 1e-6 * exact);
+  const double exact = Tait::pressure(water, double(1e-6f));
+  EXPECT_NEAR(Tait::pressure(single, 1e-6f), exact, 1e-6 * exact);
 }
 
-TEST(TaitWater, SoundSpeedIsTheSlopeOfPressure) {
+TEST(Tait, SoundSpeedIsTheSlopeOfPressure) {
   const auto water = bag_water(1e-3, 2);
   const double step = 1e-6;
   for (double x : compressions) {
-    const double slope =
-        (TaitWater::pressure(water, x + step) - TaitWater::pressure(water, x - step)) /
-        (2.0 * step * water.density);
-    const double c = TaitWater::sound_speed(water, x);
+    const double slope = (Tait::pressure(water, x + step) - Tait::pressure(water, x - step)) /
+                         (2.0 * step * water.density);
+    const double c = Tait::sound_speed(water, x);
     EXPECT_NEAR(c * c, slope, 1e-8 * slope);
   }
-  EXPECT_NEAR(TaitWater::sound_speed(water, 0.0), 50.0, 1e-12);
+  EXPECT_NEAR(Tait::sound_speed(water, 0.0), 50.0, 1e-12);
 }
 
-TEST(TaitWater, EnergyIsTheWorkOfPressure) {
+TEST(Tait, EnergyIsTheWorkOfPressure) {
   const auto water = bag_water(1e-3, 2);
   for (double x : compressions) {
     const double due = energy_by_quadrature(
-        [&](double compression) { return TaitWater::pressure(water, compression); }, 1000.0, x);
+        [&](double compression) { return Tait::pressure(water, compression); }, 1000.0, x);
     // The closed form is a difference of numbers near 1: its rounding is of B / rho_0.
-    EXPECT_NEAR(TaitWater::energy(water, x), due, 1e-9 * due + 1e-15 * water.tait_coefficient);
+    EXPECT_NEAR(Tait::energy(water, x), due, 1e-9 * due + 1e-15 * water.tait_coefficient);
     EXPECT_GT(due, 0.0);
   }
 }
 
-TEST(TaitWater, EnergyForAnotherExponent) {
+TEST(Tait, EnergyForAnotherExponent) {
   auto water = bag_water(1e-3, 2);
   water.tait_exponent = 3.3;
   const double due = energy_by_quadrature(
-      [&](double compression) { return TaitWater::pressure(water, compression); }, 1000.0, 0.2);
-  EXPECT_NEAR(TaitWater::energy(water, 0.2), due, 1e-9 * due);
+      [&](double compression) { return Tait::pressure(water, compression); }, 1000.0, 0.2);
+  EXPECT_NEAR(Tait::energy(water, 0.2), due, 1e-9 * due);
 }
 
 TEST(HookePressure, LinearAndItsEnergy) {

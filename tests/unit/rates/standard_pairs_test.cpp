@@ -58,6 +58,7 @@ TYPED_TEST(StandardPairs, ForcesSumToZero) {
   constexpr int D = TypeParam::value;
   for (unsigned seed = 1; seed <= 5; ++seed) {
     auto state = TestFixture::bag(seed);
+    if (seed > 2) stiffen_volume(state);
     state.gravity = {50.0, -981.0, D == 3 ? 30.0 : 0.0};
     const auto sum = TestFixture::sums(state, evaluated_standard<D, Double>(state));
     double mass = 0.0;
@@ -115,6 +116,7 @@ TYPED_TEST(StandardPairs, LossOfEachPairIsNotNegative) {
     state.particles.resize(2);
     state.particles[0].source = static_cast<std::size_t>(n % 2);
     state.particles[1].source = static_cast<std::size_t>(n / 2 % 6);
+    state.particles[1].fractured = state.medium(1).phase == Phase::solid && n % 3 == 0;
     if (n % 4 < 2)
       for (auto& medium : state.media) medium.viscosity = 0.0;
     for (auto& particle : state.particles)

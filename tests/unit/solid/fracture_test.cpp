@@ -48,6 +48,26 @@ TYPED_TEST(SolidFracture, BreaksAboveTheLimitOnly) {
   }
 }
 
+// Squeezed to a fifth of its volume, or turned inside out, a solid that can break is crushed: all
+// of it is loose, without stress. One that can't break bears it.
+TYPED_TEST(SolidFracture, CrushedBelowAFifthOfTheVolume) {
+  constexpr int D = TypeParam::D;
+  for (double limit : {0.0, 0.1})
+    for (double volume : {0.9, 0.21, 0.19, -0.5}) {
+      auto trial = brittle_block<D, typename TypeParam::P>(BondCriterion::principal_strain, limit);
+      Square<D> map = std::pow(std::abs(volume), 1.0 / D) * Square<D>::Identity();
+      if (volume < 0.0) map.row(0) *= -1.0;
+      trial.map(map);
+      trial.deform();
+      const FractureBook book = trial.solid.fracture();
+      EXPECT_EQ(book.loosened, limit > 0.0 && volume < 0.2 ? trial.size() : 0u) << volume;
+      trial.evaluate();
+      if (book.loosened == 0) continue;
+      for (Index i = 0; i < trial.size(); ++i) EXPECT_EQ(norm(trial.force(i)), 0.0);
+      EXPECT_EQ(trial.solid.energy().total(), 0.0);
+    }
+}
+
 // One half is moved away: the tensors of a band seem strained, but only bonds across the gap break.
 TYPED_TEST(SolidFracture, OnlyBondsAcrossTheGapBreak) {
   constexpr int D = TypeParam::D;

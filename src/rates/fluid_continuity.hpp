@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Continuity of water with the Riemann solution (Zhang, Hu & Adams 2017):
+// Continuity of fluids, and of nearly incompressible solids, with the Riemann solution (Zhang, Hu &
+// Adams 2017):
 //   d rho_i/dt = 2 rho_i sum_j V_j (v_i - v*) . nabla_i W_ij,   v* . e = - U*,
-// over water and the solid beside it, kept as the rate of compression rho/rho_0 - 1.
+// over the fluid and the solid beside it, kept as the rate of compression rho/rho_0 - 1.
 #pragma once
 
-#include "rates/riemann.hpp"
+#include "rates/fluid_pair.hpp"
 
 namespace kerf {
 
 template <int D, class P>
-struct WaterContinuity {
+struct FluidContinuity {
   using Real = typename P::Real;
   static constexpr bool feels_rigid = false;
   struct Sum {
     Real strain_rate{};  // 1/s, of the volume, negative
   };
-  WaterPair<D, P> water_pair;
+  FluidPair<D, P> fluid_pair;
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
-    if (pair.medium_i->phase != Phase::water || !(pair.distance > Real(0))) return;
-    const auto star = water_pair(particles, pair);
+    const Meeting kind = meeting(particles, pair);
+    if (kind != Meeting::alike && kind != Meeting::wall_of_i) return;
+    if (!(pair.distance > Real(0))) return;
+    const auto star = fluid_pair(particles, pair, kind);
     const Real u_i = -dot(particles.velocity[pair.i], pair.separation) / pair.distance;
     // (v_i - v*) . nabla W = - (U_i - U*) dW/dr.
     const Real slope = dot(pair.gradient, pair.separation) / pair.distance;

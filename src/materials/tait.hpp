@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nearly incompressible water, eq. (15) of Shinohara et al. (2004):
 //   p = B [(rho/rho_0)^n - 1],  B = c^2 rho_0 / n,  eqs. (17) to (19).
-// Water that cavitates opens where that would be negative: p = 0, and no energy is stored.
+// Matter that cavitates opens where that would be negative: p = 0, and no energy is stored. As the
+// equation of Murnaghan (Proc. Natl. Acad. Sci. 30 (1944) 244), with B = K / n, it also serves
+// solid that has come loose.
 #pragma once
 
 #include <cmath>
@@ -11,12 +13,19 @@
 
 namespace kerf {
 
-struct TaitWater {
+struct Tait {
   template <class T>
   KERF_FUNCTION static T pressure(const Medium<T>& water, T compression) {  // Pa
     // expm1 and log1p keep the digits of a compression of 1e-5 in single precision.
     if (water.cavitates && compression < T(0)) return T(0);
     return water.tait_coefficient * std::expm1(water.tait_exponent * std::log1p(compression));
+  }
+
+  // The compression at which the pressure is this, Pa; 0 for none.
+  template <class T>
+  KERF_FUNCTION static T compression(const Medium<T>& water, T pressure) {
+    if (!(pressure > T(0))) return T(0);
+    return std::expm1(std::log1p(pressure / water.tait_coefficient) / water.tait_exponent);
   }
 
   // Speed of sound at this density, m/s: c^2 = dp/drho.

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// How two particles press on one another by their densities: two fluids, or two particles of one
+// nearly incompressible solid, by the Riemann solution between them; fluid and anything else by
+// that at a wall. Both particles of a pair get the same numbers, so that forces are equal and
+// opposite.
+#pragma once
+
+#include "rates/riemann.hpp"
+
+namespace kerf {
+
+enum class Meeting : std::uint8_t {
+  nothing,
+  alike,
+  wall_of_i,
+  wall_of_j
+};  // wall_of_i: i is fluid
+
+template <int D, class P>
+KERF_FUNCTION Meeting meeting(const ParticleView<D, P>& particles, const Pair<D, P>& pair) {
+  const bool fluid_i = particles.is_fluid(pair.i), fluid_j = particles.is_fluid(pair.j);
+  if (fluid_i && fluid_j) return Meeting::alike;
+  if (fluid_i) return Meeting::wall_of_i;
+  if (fluid_j) return Meeting::wall_of_j;
+  return is_one_volume(particles, pair) ? Meeting::alike : Meeting::nothing;
+}
+
+template <int D, class P>
+struct FluidPair {
+  using Real = typename P::Real;
+  Vector<D, Real> gravity;  // m/s^2
+
+  // As particle i sees it; U_i and U_j are along e from j to i.
+  KERF_FUNCTION RiemannStar<Real> operator()(const ParticleView<D, P>& particles,
+                                             const Pair<D, P>& pair, Meeting kind) const {
+    const Real inverse = Real(1) / pair.distance;
+    const Real u_i = -inverse * dot(particles.velocity[pair.i], pair.separation);
+    const Real u_j = -inverse * dot(particles.velocity[pair.j], pair.separation);
+    if (kind == Meeting::alike)
+      return solve_riemann(side(particles, pair.i, *pair.medium_i, u_i),
+                           side(particles, pair.j, *pair.medium_j, u_j));
+    const Real fall = dot(gravity, pair.separation);
+    if (kind == Meeting::wall_of_i)
+      return solve_riemann_at_wall(side(particles, pair.i, *pair.medium_i, u_i), u_j,
+                                   -particles.density(pair.i) * fall);
+    // Seen from the fluid, e and with it both speeds change sign.
+    return solve_riemann_at_wall(side(particles, pair.j, *pair.medium_j, -u_j), -u_i,
+                                 particles.density(pair.j) * fall);
+  }
+
+ private:
+  KERF_FUNCTION static RiemannSide<Real> side(const ParticleView<D, P>& particles, Index i,
+                                              const Medium<Real>& medium, Real speed) {
+    return {particles.density(i), particles.pressure[i], speed, medium.sound_speed};
+  }
+};
+
+}  // namespace kerf
