@@ -69,6 +69,8 @@ void print_loads(const DerivedNumbers& numbers) {
   }
   if (numbers.contact_stress > 0.0)
     row("first contact on the solid", readable(numbers.contact_stress, "Pa"));
+  if (numbers.failure_strain > 0.0)
+    row("strain at which the solid breaks", fmt::format("{:.4g}", numbers.failure_strain));
   if (numbers.cauchy_number > 0.0)
     row("Cauchy number, rho V^2 / E", fmt::format("{:.4g}", numbers.cauchy_number));
   if (numbers.hydrodynamic_front_speed > 0.0)

@@ -38,7 +38,7 @@ void warn_of_materials(const Case& description, std::vector<std::string>& warnin
   for (const Body& body : description.bodies) {
     if (body.role != Role::elastic) continue;
     const Material& material = description.materials[static_cast<std::size_t>(body.material)];
-    if (material.failure_strain <= 0.0) continue;
+    if (material.failure_strain <= 0.0) continue;  // those with an energy have a length scale
     warnings.push_back(fmt::format(
         "\"{}\" fractures at a strain without a length scale: what it takes to cut it depends on "
         "the spacing",

@@ -58,17 +58,19 @@ enum class MaterialKind { elastic, water };
 struct Material {
   std::string name;
   MaterialKind kind = MaterialKind::water;
-  double density = 1000.0;            // kg/m^3, reference
-  double youngs_modulus = 0.0;        // Pa
-  double poisson_ratio = 0.0;         // 1
-  double failure_strain = 0.0;        // 1, equivalent strain at fracture; 0 = never fractures
-  double viscosity = 0.0;             // Pa s
-  double sound_speed = 0.0;           // m/s; water: resolved by the reader (10 V unless given)
-  double tait_exponent = 7.0;         // 1
-  double artificial_linear = 0.0;     // A of eq. (38)
+  double density = 1000.0;         // kg/m^3, reference
+  double youngs_modulus = 0.0;     // Pa
+  double poisson_ratio = 0.0;      // 1
+  double failure_strain = 0.0;     // 1, equivalent strain at fracture; 0 = never fractures
+  double fracture_energy = 0.0;    // J/m^2 of crack; where it is given there is no failure_strain
+  double viscosity = 0.0;          // Pa s
+  double sound_speed = 0.0;        // m/s; water: resolved by the reader (10 V unless given)
+  double tait_exponent = 7.0;      // 1
+  double artificial_linear = 0.0;  // A of eq. (38)
   double artificial_quadratic = 0.0;  // B of eq. (38)
   double artificial_softening = 0.1;  // C of eq. (39)
   std::string source;                 // where the values come from
+  bool can_fracture() const { return failure_strain > 0.0 || fracture_energy > 0.0; }
   bool operator==(const Material&) const = default;
 };
 

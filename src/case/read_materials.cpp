@@ -52,7 +52,19 @@ void read_sound_speed(Section& section, MaterialDraft& draft) {
   draft.sound_speed_factor = section.number("sound_speed_factor");
 }
 
-MaterialDraft read_material(Section& section, const std::string& name) {
+// In place of a strain, and where the criterion looks at bonds.
+void settle_fracture(Section& section, Formulation formulation, Material& material) {
+  if (!section.has("fracture_energy") || material.fracture_energy == 0.0) return;
+  if (formulation != Formulation::standard)
+    section.refuse("fracture_energy", "this formulation breaks particles at a strain",
+                   "Give a failure_strain, or choose formulation = \"standard\"");
+  if (section.has("failure_strain") && material.failure_strain > 0.0)
+    section.refuse("fracture_energy", "a failure_strain is given as well", "Remove one of the two",
+                   "one of failure_strain and fracture_energy");
+  material.failure_strain = 0.0;
+}
+
+MaterialDraft read_material(Section& section, Formulation formulation, const std::string& name) {
   const LibraryMaterial* base = read_base(section);
   MaterialDraft draft;
   draft.material = base ? base->material() : Material{};
@@ -65,6 +77,7 @@ MaterialDraft read_material(Section& section, const std::string& name) {
     value = based ? section.number(field.key, value) : section.number(field.key);
   }
   if (draft.material.kind == MaterialKind::water) read_sound_speed(section, draft);
+  settle_fracture(section, formulation, draft.material);
   draft.material.source =
       section.text("source", based ? draft.material.source : std::string("the case file"));
   section.refuse_unknown();
@@ -89,7 +102,7 @@ void read_materials(Draft& draft, Section& top) {
                                   fmt::format("Write [materials.{}] and its keys below", name)});
     } else {
       Section section(draft.reading, *value.as_table(), "materials", path);
-      draft.materials[name] = read_material(section, name);
+      draft.materials[name] = read_material(section, draft.result.formulation, name);
     }
   }
 }

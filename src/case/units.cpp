@@ -158,6 +158,7 @@ constexpr DimensionName dimension_names[] = {
     {"Pa", "a pressure", "100 kPa"},
     {"Pa s", "a dynamic viscosity", "1 mPa s"},
     {"kg/m3", "a density", "1000 kg/m3"},
+    {"J/m2", "an energy per area", "4 J/m2"},
     {"rad", "an angle", "60 deg"},
 };
 

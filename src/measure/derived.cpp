@@ -15,6 +15,8 @@
 #include <numbers>
 
 #include "case/scales.hpp"
+#include "fracture/crack_band.hpp"
+#include "materials/bond_bulk.hpp"
 #include "particles/fill.hpp"
 
 namespace kerf {
@@ -99,8 +101,8 @@ void derive_contact(DerivedNumbers& numbers, const Material& solid, const Materi
 std::string regime_of(const DerivedNumbers& numbers, const Case& description,
                       const Material* solid) {
   if (description.jets.empty() || !solid) return "no jet";
-  const double strength = solid->youngs_modulus * solid->failure_strain;
-  if (solid->failure_strain == 0.0 || numbers.stagnation_pressure < strength)
+  const double strength = solid->youngs_modulus * numbers.failure_strain;
+  if (numbers.failure_strain == 0.0 || numbers.stagnation_pressure < strength)
     return "elastic dimple";
   if (numbers.hydrodynamic_front_speed < numbers.rayleigh_speed) return "crack-led";
   if (numbers.hydrodynamic_front_speed <= numbers.longitudinal_speed) return "erosion";
@@ -122,6 +124,13 @@ void derive_spacings(DerivedNumbers& numbers, const Case& description) {
     numbers.jet_resolution =
         numbers.jet_resolution > 0.0 ? std::min(numbers.jet_resolution, resolution) : resolution;
   }
+  if (const Material* solid = target_material(description))
+    numbers.failure_strain =
+        solid->fracture_energy > 0.0
+            ? failure_strain_of(solid->fracture_energy,
+                                bond_bulk_modulus(numbers.bulk_modulus, numbers.shear_modulus),
+                                numbers.shear_modulus, coarsest_solid)
+            : solid->failure_strain;
   if (coarsest_solid > 0.0 && finest_water > 0.0)
     numbers.solid_to_water_spacing = coarsest_solid / finest_water;
 }

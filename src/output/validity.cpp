@@ -19,7 +19,7 @@ double thickest_standoff(const Case& description) {
   return standoff;
 }
 
-bool can_fracture(const Case& description) {
+bool breaks_at_a_strain(const Case& description) {
   return std::any_of(description.materials.begin(), description.materials.end(),
                      [](const Material& material) { return material.failure_strain > 0.0; });
 }
@@ -78,7 +78,7 @@ std::vector<std::string> validity_of(const RunOutcome& outcome) {
                     "solid's particles.",
                     derived.solid_to_water_spacing));
   sentences.push_back(drift_sentence(outcome.ledger.energy_drift()));
-  if (can_fracture(description))
+  if (breaks_at_a_strain(description))
     sentences.push_back(
         "Fracture is decided by a strain that has no length scale: the energy that cracks take "
         "depends on the spacing.");

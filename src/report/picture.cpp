@@ -53,8 +53,7 @@ std::vector<LegendEntry> legend_of(const Case& description) {
   const bool breaks =
       std::any_of(description.bodies.begin(), description.bodies.end(), [&](const Body& body) {
         return body.role == Role::elastic &&
-               description.materials.at(static_cast<std::size_t>(body.material)).failure_strain >
-                   0.0;
+               description.materials.at(static_cast<std::size_t>(body.material)).can_fracture();
       });
   std::vector<LegendEntry> entries;
   if (!description.jets.empty() || any_body(Role::water))

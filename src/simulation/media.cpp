@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/media.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
 
 #include "core/error.hpp"
+#include "fracture/crack_band.hpp"
+#include "materials/bond_bulk.hpp"
 #include "particles/fill.hpp"
 
 namespace kerf {
@@ -36,6 +37,7 @@ void set_material(Medium<double>& medium, const Material& material) {
   medium.bulk_modulus = e / (3.0 * (1.0 - 2.0 * nu));
   medium.shear_modulus = e / (2.0 * (1.0 + nu));
   medium.failure_strain = material.failure_strain;
+  medium.fracture_energy = material.fracture_energy;
   medium.sound_speed = std::sqrt(medium.bulk_modulus / material.density);
   medium.tait_exponent = loose_exponent;
   medium.tait_coefficient = medium.bulk_modulus / loose_exponent;
@@ -56,9 +58,6 @@ std::vector<std::uint16_t> pieces_of(const std::vector<Body>& bodies) {
   }
   return piece;
 }
-
-// K / G that bonds carry at most (nu = 0.41), docs/theory/nearly_incompressible.md.
-constexpr double most_bond_bulk = 5.0;
 
 }  // namespace
 
@@ -95,7 +94,11 @@ std::vector<Medium<double>> make_media(const Case& description,
     medium.smoothing_length = description.smoothing_ratio * medium.spacing;
     if (medium.phase == Phase::solid && description.formulation == Formulation::standard)
       medium.excess_bulk_modulus =
-          std::max(0.0, medium.bulk_modulus - most_bond_bulk * medium.shear_modulus);
+          medium.bulk_modulus - bond_bulk_modulus(medium.bulk_modulus, medium.shear_modulus);
+    if (medium.fracture_energy > 0.0)
+      medium.failure_strain = failure_strain_of(medium.fracture_energy,
+                                                medium.bulk_modulus - medium.excess_bulk_modulus,
+                                                medium.shear_modulus, medium.spacing);
     medium.cavitates =
         medium.phase != Phase::rigid && description.formulation == Formulation::standard;
   }

@@ -74,6 +74,17 @@ TEST(Derived, Regimes) {
   EXPECT_EQ(derive(tofu_at(20.0)).regime, "erosion");
   EXPECT_EQ(derive(tofu_at(50.0)).regime, "hydrodynamic");
   EXPECT_EQ(of("rings").regime, "no jet");
+
+  // By its fracture energy: Gc = w d M strain^2 / 2, on the block's spacing of 2 mm.
+  Case tough = tofu_at(5.0);
+  for (Material& material : tough.materials)
+    if (material.kind == MaterialKind::elastic) {
+      material.failure_strain = 0.0;
+      material.fracture_energy = 40.0;
+    }
+  const double m = 1e5 * 0.7 / (1.3 * 0.4);
+  EXPECT_NEAR(derive(tough).failure_strain, std::sqrt(2.0 * 40.0 / (3.2 * 2e-3 * m)), 1e-12);
+  EXPECT_EQ(derive(tough).regime, "elastic dimple");
 }
 
 // Block 50 x 25, plate 61 x 2; 5 m/s x 10 mm x 30 ms = 1500 mm2 of water at 1 mm.

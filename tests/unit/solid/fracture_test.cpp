@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "support/solid_blocks.hpp"
+#include "support/notched_strip.hpp"
 
 namespace kerf::test {
 namespace {
@@ -138,47 +138,6 @@ std::vector<Index> pieces_of(const SolidOnTrial<D, P>& trial) {
   return root;
 }
 
-struct LeftNotch {
-  KERF_FUNCTION bool operator()(const Vector<2, double>& a, const Vector<2, double>& b) const {
-    return a[0] < 10e-3 && b[0] < 10e-3 && (a[1] < 10e-3) != (b[1] < 10e-3);
-  }
-};
-
-template <class P>
-SolidOnTrial<2, P> notched_strip(double spacing = 1e-3, double limit = 0.1) {
-  auto medium = soft_solid(spacing, 2);
-  medium.failure_strain = limit;
-  medium.artificial_linear = 0.5;
-  const int wide = static_cast<int>(std::lround(30e-3 / spacing));
-  const int high = static_cast<int>(std::lround(20e-3 / spacing));
-  SolidOnTrial<2, P> trial(block<2>({.cells = {wide, high, 1}, .spacing = spacing}, medium));
-  trial.solid.cut(LeftNotch{});
-  return trial;
-}
-
-// Pulls the two ends apart until the strip is in two; the energy set free, J/m.
-template <class P>
-double pull(SolidOnTrial<2, P>& trial, double speed, double time) {
-  const auto& medium = trial.layout.media[0];
-  const double dt = 0.2 * medium.spacing / medium.longitudinal_speed();
-  double released = 0.0;
-  trial.evaluate();
-  for (double t = 0.0; t < time; t += dt) {
-    trial.kick(0.5 * dt);
-    for (std::size_t i = 0; i < trial.size(); ++i) {
-      const double y = trial.layout.reference[i][1];
-      if (y < 2e-3) trial.velocity[i] = {0, static_cast<typename P::Real>(-speed)};
-      if (y > 18e-3) trial.velocity[i] = {0, static_cast<typename P::Real>(speed)};
-      trial.position[i] += dt * Vector<2, double>::from(trial.velocity[i]);
-    }
-    trial.deform();
-    released += trial.solid.fracture().released;
-    trial.evaluate();
-    trial.kick(0.5 * dt);
-  }
-  return released;
-}
-
 // The crack runs from the notch to the other side, between the rows on both sides of the notch's
 // line; no particle is used up by it, and the two halves feel nothing of one another.
 TYPED_TEST(PlaneFracture, CrackOfANotchedStrip) {
@@ -206,24 +165,6 @@ TYPED_TEST(PlaneFracture, CrackOfANotchedStrip) {
   trial.evaluate();
   for (std::size_t i = 0; i < trial.size(); ++i)
     EXPECT_LE(norm(trial.force(i) - force[i]), 100.0 * TypeParam::rounding * largest);
-}
-
-// A limit scaled by 1/sqrt(spacing) makes the energy per area of crack a property of the material
-// (crack band): near E/(1 - nu^2) limit^2 / 2 times a band of two to three spacings. Unscaled it
-// would be half as large at half the spacing.
-TEST(CrackBand, EnergyPerAreaDoesNotDependOnSpacing) {
-  double area_energy[2];  // J/m^2
-  for (int fine : {0, 1}) {
-    const double spacing = fine ? 0.625e-3 : 1.25e-3, limit = fine ? 0.1 * std::sqrt(2.0) : 0.1;
-    auto trial = notched_strip<Mixed>(spacing, limit);
-    area_energy[fine] = pull(trial, 0.03, 0.03) / 20e-3;
-    const double density = 0.5 * 1e5 / (1.0 - 0.3 * 0.3) * limit * limit;
-    const double band = area_energy[fine] / density / spacing;
-    RecordProperty("band_of_spacings_" + std::to_string(fine), std::to_string(band));
-    EXPECT_GT(band, 2.0);
-    EXPECT_LT(band, 3.0);
-  }
-  EXPECT_NEAR(area_energy[0], area_energy[1], 0.1 * area_energy[1]);
 }
 
 // Torn by its own motion: what is stored, moved, dissipated and released stays the same.

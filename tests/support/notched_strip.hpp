@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// A strip with a notch that is pulled apart.
+#pragma once
+
+#include "support/solid_blocks.hpp"
+
+namespace kerf::test {
+
+struct LeftNotch {
+  KERF_FUNCTION bool operator()(const Vector<2, double>& a, const Vector<2, double>& b) const {
+    return a[0] < 10e-3 && b[0] < 10e-3 && (a[1] < 10e-3) != (b[1] < 10e-3);
+  }
+};
+
+template <class P>
+SolidOnTrial<2, P> notched_strip(double spacing = 1e-3, double limit = 0.1) {
+  auto medium = soft_solid(spacing, 2);
+  medium.failure_strain = limit;
+  medium.artificial_linear = 0.5;
+  const int wide = static_cast<int>(std::lround(30e-3 / spacing));
+  const int high = static_cast<int>(std::lround(20e-3 / spacing));
+  SolidOnTrial<2, P> trial(block<2>({.cells = {wide, high, 1}, .spacing = spacing}, medium));
+  trial.solid.cut(LeftNotch{});
+  return trial;
+}
+
+// Pulls the two ends apart until the strip is in two; the energy set free, J/m.
+template <class P>
+double pull(SolidOnTrial<2, P>& trial, double speed, double time) {
+  const auto& medium = trial.layout.media[0];
+  const double dt = 0.2 * medium.spacing / medium.longitudinal_speed();
+  double released = 0.0;
+  trial.evaluate();
+  for (double t = 0.0; t < time; t += dt) {
+    trial.kick(0.5 * dt);
+    for (std::size_t i = 0; i < trial.size(); ++i) {
+      const double y = trial.layout.reference[i][1];
+      if (y < 2e-3) trial.velocity[i] = {0, static_cast<typename P::Real>(-speed)};
+      if (y > 18e-3) trial.velocity[i] = {0, static_cast<typename P::Real>(speed)};
+      trial.position[i] += dt * Vector<2, double>::from(trial.velocity[i]);
+    }
+    trial.deform();
+    released += trial.solid.fracture().released;
+    trial.evaluate();
+    trial.kick(0.5 * dt);
+  }
+  return released;
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// The energy that a crack takes per area is the material's: crack_band.hpp.
+#include "fracture/crack_band.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "support/notched_strip.hpp"
+
+namespace kerf::test {
+namespace {
+
+// Half way up, from the left to the middle of a strip 80 mm wide and 20 mm high.
+struct LongNotch {
+  KERF_FUNCTION bool operator()(const Vector<2, double>& a, const Vector<2, double>& b) const {
+    return a[0] < 40e-3 && b[0] < 40e-3 && (a[1] < 10e-3) != (b[1] < 10e-3);
+  }
+};
+
+// The strain that follows from an energy per area of crack: a strip torn in two gives up as much of
+// it by its bonds whatever the spacing (more than half; the rest goes off as waves).
+TEST(CrackBand, EnergyPerAreaDoesNotDependOnSpacing) {
+  const double energy = 2.0;  // J/m^2
+  double area_energy[2];
+  for (int fine : {0, 1}) {
+    const double spacing = fine ? 0.625e-3 : 1.25e-3;
+    const auto medium = soft_solid(spacing, 2);
+    const double limit =
+        failure_strain_of(energy, medium.bulk_modulus, medium.shear_modulus, spacing);
+    auto trial = notched_strip<Mixed>(spacing, limit);
+    area_energy[fine] = pull(trial, 0.03, 0.03) / 20e-3;
+    std::printf("torn in two, spacing %g mm: limit %.3f, %.3f J/m^2 of %.3f\n", 1e3 * spacing,
+                limit, area_energy[fine], energy);
+    EXPECT_GT(area_energy[fine], 0.5 * energy);
+    EXPECT_LT(area_energy[fine], energy);
+  }
+  EXPECT_NEAR(area_energy[0], area_energy[1], 0.1 * area_energy[1]);
+}
+
+// A wide strip, clamped above and below, with a long notch half way up: a crack takes W H per area
+// as it runs (Rivlin & Thomas, J. Polym. Sci. 10 (1953) 291), with W what is stored far ahead per
+// volume and H the height. What is available when the first bond breaks, J/m^2.
+double tears_at(const SolidMedium<double>& medium, double jitter, double energy) {
+  const double spacing = medium.spacing;
+  const int wide = static_cast<int>(std::lround(80e-3 / spacing));
+  const int high = static_cast<int>(std::lround(20e-3 / spacing));
+  auto brittle = medium;
+  brittle.artificial_linear = 0.5;
+  brittle.failure_strain =
+      failure_strain_of(energy, medium.bulk_modulus, medium.shear_modulus, spacing);
+  SolidOnTrial<2, Mixed> trial(
+      block<2>({.cells = {wide, high, 1}, .spacing = spacing, .jitter = jitter}, brittle));
+  trial.solid.cut(LongNotch{});
+  const double clamp = 2e-3, speed = 0.01, dt = 0.2 * spacing / medium.longitudinal_speed();
+  double torn = 0.0;
+  trial.evaluate();
+  for (double t = 0.0; t < 1.0 && torn == 0.0; t += dt) {
+    trial.kick(0.5 * dt);
+    for (std::size_t i = 0; i < trial.size(); ++i) {
+      const double y = trial.layout.reference[i][1];
+      if (y < clamp) trial.velocity[i] = {0, static_cast<float>(-speed)};
+      if (y > 20e-3 - clamp) trial.velocity[i] = {0, static_cast<float>(speed)};
+      trial.position[i] += dt * Vector<2, double>::from(trial.velocity[i]);
+    }
+    trial.deform();
+    if (trial.solid.fracture().bonds > 0) torn = t;
+    trial.evaluate();
+    trial.kick(0.5 * dt);
+  }
+  // Between the clamped rows; no strain along the strip.
+  const double height = 20e-3 - 2.0 * clamp + spacing, strain = 2.0 * speed * torn / height;
+  const double modulus = medium.bulk_modulus + 4.0 / 3.0 * medium.shear_modulus;
+  return 0.5 * modulus * strain * strain * height;
+}
+// The band of crack_band.hpp is one number for all of these; coarser strips are not wide.
+TEST(CrackBand, WideStripTearsWhenItShould) {
+  struct Strip {
+    double spacing, jitter, poisson_ratio, energy;
+  };
+  for (const Strip& strip :
+       {Strip{1e-3, 0.0, 0.3, 1.4}, Strip{1e-3, 0.15, 0.3, 1.4}, Strip{1e-3, 0.0, 0.0, 1.4},
+        Strip{1e-3, 0.15, 0.0, 0.35}, Strip{0.5e-3, 0.0, 0.3, 1.4}}) {
+    auto medium = soft_solid(strip.spacing, 2);
+    medium.bulk_modulus = 1e5 / (3.0 * (1.0 - 2.0 * strip.poisson_ratio));
+    medium.shear_modulus = 1e5 / (2.0 * (1.0 + strip.poisson_ratio));
+    const double available = tears_at(medium, strip.jitter, strip.energy);
+    std::printf("wide strip, spacing %g mm, jitter %g, nu %g: tears at %.3f of Gc\n",
+                1e3 * strip.spacing, strip.jitter, strip.poisson_ratio, available / strip.energy);
+    EXPECT_NEAR(available, strip.energy, 0.12 * strip.energy);
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test
