@@ -48,6 +48,13 @@ Matrix<D, double> gradient_of(const Matrix3& f) {  // H of F
   return h;
 }
 
+template <int D>
+Matrix<D, float> single(const Matrix<D, double>& h) {
+  Matrix<D, float> result;
+  for (int k = 0; k < D * D; ++k) result.component[k] = static_cast<float>(h.component[k]);
+  return result;
+}
+
 template <int D, class T>
 Matrix3 matrix_of(const SymmetricTensor<D, T>& s) {
   Matrix3 m = Matrix3::Zero();
@@ -103,6 +110,15 @@ inline Path bending_path(std::mt19937& engine, int dimension, double size) {
   const Matrix3 bend = random_matrix(engine, dimension, size);
   return [=](double s) -> Matrix3 {
     return Matrix3::Identity() + s * straight + std::sin(3.0 * s) * bend;
+  };
+}
+
+// The same shape at constant volume.
+inline Path at_constant_volume(const Path& path, int dimension) {
+  return [=](double s) -> Matrix3 {
+    Matrix3 f = path(s);
+    f.topLeftCorner(dimension, dimension) *= std::pow(f.determinant(), -1.0 / dimension);
+    return f;
   };
 }
 

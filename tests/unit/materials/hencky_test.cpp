@@ -73,13 +73,6 @@ TYPED_TEST(Hencky, StressIsTheSlopeOfTheEnergy) {
   EXPECT_GT(tried, 30);
 }
 
-template <int D>
-Matrix<D, float> single(const Matrix<D, double>& h) {
-  Matrix<D, float> result;
-  for (int k = 0; k < D * D; ++k) result.component[k] = static_cast<float>(h.component[k]);
-  return result;
-}
-
 // Relative to the stress of such a strain, not to the modulus: some thirty roundings of 6e-8.
 TYPED_TEST(Hencky, SinglePrecisionKeepsSmallStrains) {
   constexpr int D = TypeParam::value;
