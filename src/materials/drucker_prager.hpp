@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rock and soil: strength grows with pressure (Drucker & Prager, Q. Appl. Math. 10 (1952) 157), and
+// tension has a cap. In q = sqrt(3/2 s : s) and the mean stress p, tension positive,
+//   q + friction p <= strength,   p <= tension,
+// with flow along q + dilation p on the cone and along p on the cap; both act where they meet,
+// which is the apex if the cap lies there. The cone touches the pyramid of Mohr & Coulomb along
+// meridians of one's choice (de Souza Neto, Peric & Owen, Computational Methods for Plasticity
+// (2008), 6.4.4).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "materials/return_mapping.hpp"
+
+namespace kerf {
+
+enum class ConeMatch : std::uint8_t {
+  compression,  // like a cylinder pressed along its axis: the outer cone
+  extension,    // like a cylinder pressed from its side: the inner cone
+  plane_strain  // collapse in plane strain; exact where dilation = friction
+};
+
+template <class T>
+struct DruckerPrager {
+  T strength = 0;  // k, Pa
+  T friction = 0;  // slopes of the cone and of its flow
+  T dilation = 0;
+  T tension = 0;  // Pa, no further out than the apex
+
+  // Slope of the cone over the sine of the angle of friction, or of the flow over that of dilation.
+  KERF_FUNCTION static T steepness(T sine, ConeMatch match) {
+    switch (match) {
+      case ConeMatch::compression:
+        return T(6) / (T(3) - sine);
+      case ConeMatch::extension:
+        return T(6) / (T(3) + sine);
+      case ConeMatch::plane_strain:
+        return T(3) / std::sqrt(T(3) + sine * sine);
+    }
+    return T(0);
+  }
+
+  // From cohesion and tension cut-off, Pa, and angles of friction and dilation, rad, below a right
+  // angle. A cut-off beyond the apex is none.
+  KERF_FUNCTION static DruckerPrager of(T cohesion, T friction_angle, T dilation_angle, T cut_off,
+                                        ConeMatch match) {
+    DruckerPrager law;
+    const T sine = std::sin(friction_angle), flow_sine = std::sin(dilation_angle);
+    law.friction = steepness(sine, match) * sine;
+    law.dilation = steepness(flow_sine, match) * flow_sine;
+    law.strength = steepness(sine, match) * cohesion * std::cos(friction_angle);
+    law.tension = law.friction * cut_off < law.strength ? cut_off : law.strength / law.friction;
+    return law;
+  }
+
+  KERF_FUNCTION PlasticFlow<T> flow(const SolidMedium<T>& solid,
+                                    const MeridianStress<T>& trial) const {
+    const T shear_modulus = T(3) * solid.shear_modulus, bulk_modulus = solid.bulk_modulus;
+    const T excess = trial.equivalent + friction * trial.mean - strength;
+    T shear = T(0), mean = trial.mean;
+    if (excess > T(0)) {
+      shear = excess / (shear_modulus + bulk_modulus * friction * dilation);
+      mean -= bulk_modulus * dilation * shear;
+    }
+    if (!(mean > tension)) return {shear, dilation * shear};
+    // The cap, and the cone too where what is left of q is too much at its edge.
+    const T beyond = trial.equivalent - (strength - friction * tension);
+    return {beyond > T(0) ? beyond / shear_modulus : T(0), (trial.mean - tension) / bulk_modulus};
+  }
+
+  template <class Other>
+  KERF_FUNCTION static DruckerPrager from(const DruckerPrager<Other>& other) {
+    return {static_cast<T>(other.strength), static_cast<T>(other.friction),
+            static_cast<T>(other.dilation), static_cast<T>(other.tension)};
+  }
+};
+
+}  // namespace kerf
