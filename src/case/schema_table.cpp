@@ -39,7 +39,7 @@ constexpr Key table_of_keys[] = {
 {"", "jet", tables, "", "(none)", any, "", "", "Nozzles that let water in"},
 {"", "backflow_eraser", table, "", "(off)", any, "", "", "Erases jet water that flows back"},
 {"", "probe", tables, "", "(none)", any, "", "", "Places where the run is measured"},
-{"", "artificial_stress", table, "", "(off)", any, "", "", "Cure of the tensile instability"},
+{"", "artificial_stress", table, "", "(off)", any, "", "shinohara2004", "Cure of the tensile instability"},
 {"", "output", table, "", "(all defaults)", any, "", "", "What is written, and when"},
 
 {"time", "end", quantity, "s", "", up_to(1e6), "", "", "When the run ends"},
