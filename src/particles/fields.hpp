@@ -21,6 +21,7 @@ namespace kerf {
   FIELD(Real, compression)       /* 1, rho / rho_0 - 1 */                          \
   FIELD(Stress, shear)           /* Pa, deviatoric (solid) or viscous (water) */   \
   FIELD(Real, compression_rate)  /* 1/s */                                         \
+  FIELD(RealVector, wall_normal) /* 1, of a fluid's wall, towards it; 0 = none */  \
   FIELD(Real, pressure_work)     /* J/kg, done against pressure so far */          \
   FIELD(Real, inlet_speed)       /* m/s, of jet water while it is in its nozzle */ \
   FIELD(std::uint32_t, id)       /* unique, never reused */                        \

@@ -2,7 +2,8 @@
 // Continuity of fluids, and of nearly incompressible solids, with the Riemann solution (Zhang, Hu &
 // Adams 2017):
 //   d rho_i/dt = 2 rho_i sum_j V_j (v_i - v*) . nabla_i W_ij,   v* . e = - U*,
-// over the fluid and the solid beside it, kept as the rate of compression rho/rho_0 - 1.
+// over the fluid and the solid beside it, kept as the rate of compression rho/rho_0 - 1. On the way
+// it finds the normal of the wall that a fluid particle is at.
 #pragma once
 
 #include "rates/fluid_pair.hpp"
@@ -14,9 +15,12 @@ struct FluidContinuity {
   using Real = typename P::Real;
   static constexpr bool feels_rigid = false;
   struct Sum {
-    Real strain_rate{};  // 1/s, of the volume, negative
+    Real strain_rate{};      // 1/s, of the volume, negative
+    Vector<D, Real> wall{};  // 1/m, - sum V nabla W over the wall: its normal
   };
   FluidPair<D, P> fluid_pair;
+  // h |sum V nabla W| is about 1/2 at a wall; much less between two that face each other.
+  static constexpr double least_wall = 0.02;
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
@@ -27,11 +31,15 @@ struct FluidContinuity {
     const Real u_i = -dot(particles.velocity[pair.i], pair.separation) / pair.distance;
     // (v_i - v*) . nabla W = - (U_i - U*) dW/dr.
     const Real slope = dot(pair.gradient, pair.separation) / pair.distance;
-    sum.strain_rate -=
-        Real(2) * volume_of(particles, pair.j, *pair.medium_j) * (u_i - star.speed) * slope;
+    const Real volume = volume_of(particles, pair.j, *pair.medium_j);
+    sum.strain_rate -= Real(2) * volume * (u_i - star.speed) * slope;
+    if (kind == Meeting::wall_of_i) sum.wall -= volume * pair.gradient;
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     particles.compression_rate[i] = (Real(1) + particles.compression[i]) * sum.strain_rate;
+    const Real length = norm(sum.wall);
+    const bool plain = length * particles.medium(i).smoothing_length > Real(least_wall);
+    particles.wall_normal[i] = plain ? (Real(1) / length) * sum.wall : Vector<D, Real>::zero();
   }
 };
 

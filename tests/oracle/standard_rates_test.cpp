@@ -34,8 +34,9 @@ class StandardRatesOracle : public testing::Test {
   };
 
   static Gaps compare(const ReferenceState& state,
-                      const LoadedStandard<dimension, Precision>& loaded) {
-    const ReferenceStandard oracle(state, bonds_of(state));
+                      const LoadedStandard<dimension, Precision>& loaded,
+                      ReferenceStandard::Normals normals = ReferenceStandard::Normals::unknown) {
+    const ReferenceStandard oracle(state, bonds_of(state), normals);
     const auto place = loaded.places();
     const auto& p = loaded.particles;
     Gaps gaps;
@@ -113,6 +114,19 @@ TYPED_TEST(StandardRatesOracle, PressureAtRest) {
   EXPECT_EQ(gaps.damping.scale, 0.0);
   EXPECT_GT(gaps.pressing.scale, 0.0);
   EXPECT_GT(gaps.continuity.scale, 0.0);  // differences in pressure diffuse density
+}
+
+// From the second step on the normals of walls are known.
+TYPED_TEST(StandardRatesOracle, WithNormalsOfWalls) {
+  constexpr int D = TypeParam::D;
+  using P = typename TypeParam::P;
+  auto state = wet_bag(D, 9);
+  for (auto& medium : state.media) medium.viscosity = 0.0;
+  LoadedStandard<D, P> loaded(state, {});
+  evaluate_standard(state, loaded);
+  evaluate_standard(state, loaded);
+  const auto gaps = TestFixture::compare(state, loaded, ReferenceStandard::Normals::known);
+  EXPECT_GT(gaps.damping.scale, 0.0);
 }
 
 // How full the room around a particle is, against the double sum.

@@ -64,8 +64,16 @@ class ReferenceStandard {
   // Whether an unbroken bond joins two particles, by their numbers.
   using Bonded = std::function<bool(std::size_t, std::size_t)>;
 
-  ReferenceStandard(const ReferenceState& state, const Bonded& bonded)
-      : state_(state), bonded_(bonded), rates_(state.particles.size()) {
+  // Whether the normals of walls are known already; before that the line of centres stands for
+  // them.
+  enum class Normals { unknown, known };
+  ReferenceStandard(const ReferenceState& state, const Bonded& bonded,
+                    Normals normals = Normals::unknown)
+      : state_(state),
+        bonded_(bonded),
+        normal_(state.particles.size(), Vector3::Zero()),
+        rates_(state.particles.size()) {
+    if (normals == Normals::known) find_normals();
     for (std::size_t i = 0; i < rates_.size(); ++i) rates_[i].pressure = density_pressure(i);
     for (std::size_t i = 0; i < rates_.size(); ++i)
       for (std::size_t j = i + 1; j < rates_.size(); ++j) add_pair(i, j);
@@ -97,6 +105,23 @@ class ReferenceStandard {
     return std::max(0.0, modulus / 7.0 * (std::pow(1.0 + at(i).compression, 7.0) - 1.0));
   }
 
+  // Of the walls that a fluid particle is at, away from them; none where they nearly cancel.
+  void find_normals() {
+    for (std::size_t i = 0; i < rates_.size(); ++i) {
+      if (!flows(i)) continue;
+      Vector3 sum = Vector3::Zero();
+      for (std::size_t j = 0; j < rates_.size(); ++j) {
+        if (j == i || flows(j)) continue;
+        const auto &a = state_.medium(i), &b = state_.medium(j);
+        const double h = a.phase == b.phase ? (a.smoothing_length + b.smoothing_length) / 2.0
+                                            : std::max(a.smoothing_length, b.smoothing_length);
+        const Vector3 apart = at(i).position - at(j).position;
+        sum -= volume(j) * wendland_slope(apart.norm(), h, state_.dimension) * apart.normalized();
+      }
+      if (sum.norm() * state_.medium(i).smoothing_length > 0.02) normal_[i] = sum.normalized();
+    }
+  }
+
   void add_pair(std::size_t i, std::size_t j) {
     if (flows(i)) return add_fluid(i, j);
     if (flows(j)) return add_fluid(j, i);
@@ -126,6 +151,12 @@ class ReferenceStandard {
       const double depth = std::max(0.0, -state_.gravity.dot(e)) * r;
       star = reference_star(left, {left.density, left.pressure + left.density * depth,
                                    2.0 * wall - left.speed, a.sound_speed});
+      if (normal_[w].norm() > 0.0) {
+        const double into = normal_[w].dot(at(o).velocity - at(w).velocity);
+        star.dissipation = reference_star({left.density, 0.0, into, a.sound_speed},
+                                          {left.density, 0.0, -into, a.sound_speed})
+                               .dissipation;
+      }
     }
     add_forces(w, o, e, star, slope);
     add_friction(w, o, slope / r);
@@ -185,6 +216,7 @@ class ReferenceStandard {
 
   const ReferenceState& state_;
   Bonded bonded_;
+  std::vector<Vector3> normal_;
   std::vector<StandardRate> rates_;
 };
 
