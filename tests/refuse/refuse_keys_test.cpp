@@ -130,7 +130,7 @@ TEST(Refuse, References) {
        "material = \"toffu\"",
        "toffu",
        "body[1].material = \"toffu\": there is no such material.",
-       {"Allowed: water, tofu, rubber, gel", "Did you mean \"tofu\"?"}},
+       {"Allowed: aluminium-6061, concrete", "tofu, trabecular-bone, water, gel", "Did you mean \"tofu\"?"}},
       {"unknown base",
        "poisson_ratio = 0.4",
        "poisson_ratio = 0.4\nbase = \"rubbr\"",
