@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,7 +23,7 @@ struct MaterialsOptions {
 void print_list() {
   fmt::print("Materials of the library; \"kerf materials NAME\" shows the values of one:\n\n");
   for (const LibraryMaterial& entry : material_library())
-    fmt::print("  {:<16} {:<8} {}\n", entry.name, kind_name(entry.kind), entry.title);
+    fmt::print("  {:<18} {:<8} {}\n", entry.name, kind_name(entry.kind), entry.title);
 }
 
 void print_values(const std::vector<LibraryValue>& values) {
@@ -37,14 +36,10 @@ void print_values(const std::vector<LibraryValue>& values) {
 // What the library leaves out and a case file therefore takes from its defaults.
 void print_defaults(const LibraryMaterial& entry) {
   const Material material = entry.material();
-  for (const MaterialField& field : material_fields(entry.kind)) {
-    const auto given =
-        std::find_if(entry.values.begin(), entry.values.end(),
-                     [&](const LibraryValue& value) { return value.name == field.key; });
-    if (given == entry.values.end())
+  for (const MaterialField& field : material_fields(entry.kind))
+    if (!entry.find(field.key))
       fmt::print("  {:<21} {:<14} default of a case file\n", field.key,
                  shortest(material.*field.member));
-  }
 }
 
 void print_material(const std::string& name) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/material_library.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include "case/schema.hpp"
@@ -59,19 +58,21 @@ std::span<const KnownQuantity> known_quantities() {
   return all_known;
 }
 
+const LibraryValue* LibraryMaterial::find(std::string_view key) const {
+  for (const LibraryValue& value : values)
+    if (value.name == key) return &value;
+  return nullptr;
+}
+
 Material LibraryMaterial::material() const {
   Material result;
   result.name = name;
   result.kind = kind;
   result.source = "Kerf's library: " + title;
   for (const MaterialField& field : material_fields(kind)) {
-    const auto given = std::find_if(values.begin(), values.end(), [&](const LibraryValue& value) {
-      return value.name == field.key;
-    });
-    result.*field.member =
-        given != values.end()
-            ? given->value
-            : standard_number(*find_key("materials", field.key, {kind_name(kind)}));
+    const LibraryValue* given = find(field.key);
+    const Key* key = find_key("materials", field.key, {kind_name(kind)});
+    result.*field.member = given ? given->value : standard_number(*key);
   }
   return result;
 }

@@ -44,6 +44,8 @@ struct LibraryMaterial {
   std::vector<LibraryValue> values;
   std::vector<LibraryValue> known;  // used by no law yet
 
+  // The value of a key, or null when `values` leaves it out.
+  const LibraryValue* find(std::string_view key) const;
   // What `values` leaves out has its default in a case file. The speed of sound is 0, as that of a
   // water is found when the case is read.
   Material material() const;

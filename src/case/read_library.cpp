@@ -112,10 +112,8 @@ class LibraryFile {
 
   void refuse_missing(const LibraryMaterial& material) const {
     for (const MaterialField& field : material_fields(material.kind)) {
-      const bool given =
-          std::any_of(material.values.begin(), material.values.end(),
-                      [&](const LibraryValue& value) { return value.name == field.key; });
-      if (!given && find_key("materials", field.key, {kind_name(material.kind)})->required())
+      const Key* key = find_key("materials", field.key, {kind_name(material.kind)});
+      if (key->required() && !material.find(field.key))
         fail(fmt::format("{} is missing", field.key));
     }
   }
