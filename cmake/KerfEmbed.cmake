@@ -3,13 +3,13 @@
 #   kerf_embed(target function files...)
 # adds to `target` a source file that defines, in namespace kerf,
 #   std::span<const EmbeddedText> function();
-# of the files' names (without extension) and contents, as app/embedded.hpp declares; after
+# of the files' names (without extension) and contents, as core/embedded_text.hpp has them; after
 # WITH_FOLDER, names begin with that of the file's folder ("rod-wave/case").
 set(KERF_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/KerfEmbedScript.cmake)
 
 function(kerf_embed target function)
   cmake_parse_arguments(ARG "WITH_FOLDER" "" "" ${ARGN})
-  set(output ${CMAKE_BINARY_DIR}/generated/embedded/${function}.cpp)
+  set(output ${CMAKE_BINARY_DIR}/generated/embedded/${target}/${function}.cpp)
   add_custom_command(
     OUTPUT ${output}
     COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -DFUNCTION=${function}
@@ -21,6 +21,8 @@ function(kerf_embed target function)
   target_sources(${target} PRIVATE ${output})
 endfunction()
 
+file(GLOB kerf_material_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/materials/*.toml)
+kerf_embed(kerf_case material_files ${kerf_material_files})
 file(GLOB kerf_case_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cases/*.toml)
 kerf_embed(kerf_app case_templates ${kerf_case_files})
 file(GLOB kerf_validation_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/validation/*/*.toml)

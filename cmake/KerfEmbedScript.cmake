@@ -17,7 +17,9 @@ foreach(file IN LISTS FILES)
   string(APPEND entries "    {\"${name}\", R\"embedded(${text})embedded\"},\n")
 endforeach()
 file(WRITE ${OUTPUT} "// Made by cmake/KerfEmbedScript.cmake.
-#include \"app/embedded.hpp\"
+#include <span>
+
+#include \"core/embedded_text.hpp\"
 
 namespace kerf {
 

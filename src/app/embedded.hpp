@@ -3,14 +3,10 @@
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "core/embedded_text.hpp"
 
 namespace kerf {
-
-struct EmbeddedText {
-  std::string_view name;
-  std::string_view text;
-};
 
 // The files of cases/, in alphabetical order.
 std::span<const EmbeddedText> case_templates();

@@ -8,7 +8,6 @@
 #include "app/commands.hpp"
 #include "case/material_library.hpp"
 #include "case/problems.hpp"
-#include "case/schema.hpp"
 #include "case/units.hpp"
 #include "core/error.hpp"
 
@@ -16,16 +15,31 @@ namespace kerf {
 
 namespace {
 
-std::string with_unit(const LibraryValue& value, MaterialKind kind) {
-  const Key* key = find_key("materials", value.key, {kind_name(kind)});
-  return key->unit.empty() ? shortest(value.value)
-                           : write_quantity(value.value, std::string(key->unit));
-}
+struct MaterialsOptions {
+  std::string name;
+  bool page = false;
+};
 
 void print_list() {
   fmt::print("Materials of the library; \"kerf materials NAME\" shows the values of one:\n\n");
   for (const LibraryMaterial& entry : material_library())
-    fmt::print("  {:<10} {:<8} {}\n", entry.name, kind_name(entry.kind), entry.summary);
+    fmt::print("  {:<18} {:<8} {}\n", entry.name, kind_name(entry.kind), entry.title);
+}
+
+void print_values(const std::vector<LibraryValue>& values) {
+  for (const LibraryValue& value : values) {
+    fmt::print("  {:<21} {:<14} {}\n", value.name, value.written, value.source);
+    if (!value.note.empty()) fmt::print("  {:<21} {:<14} ({})\n", "", "", value.note);
+  }
+}
+
+// What the library leaves out and a case file therefore takes from its defaults.
+void print_defaults(const LibraryMaterial& entry) {
+  const Material material = entry.material();
+  for (const MaterialField& field : material_fields(entry.kind))
+    if (!entry.find(field.key))
+      fmt::print("  {:<21} {:<14} default of a case file\n", field.key,
+                 shortest(material.*field.member));
 }
 
 void print_material(const std::string& name) {
@@ -38,19 +52,34 @@ void print_material(const std::string& name) {
                                 guess.empty() ? "" : fmt::format("Did you mean \"{}\"? ", guess),
                                 fmt::join(names, ", ")));
   }
-  fmt::print("{} ({}): {}\n\n", entry->name, kind_name(entry->kind), entry->summary);
+  fmt::print("{} ({}): {}\n\n", entry->name, kind_name(entry->kind), entry->title);
   fmt::print("  {:<21} {:<14} {}\n", "key", "value", "source");
-  for (const LibraryValue& value : entry->values)
-    fmt::print("  {:<21} {:<14} {}\n", value.key, with_unit(value, entry->kind), value.source);
+  print_values(entry->values);
+  print_defaults(*entry);
+  if (entry->known.empty()) return;
+  fmt::print("\nKnown, not used by a law yet:\n\n");
+  print_values(entry->known);
+}
+
+void show(const MaterialsOptions& options) {
+  if (options.page)
+    fmt::print("{}", materials_page());
+  else if (options.name.empty())
+    print_list();
+  else
+    print_material(options.name);
 }
 
 }  // namespace
 
 void add_materials_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("materials", "Show the material library");
-  auto name = std::make_shared<std::string>();
-  command->add_option("name", *name, "Which material; without it, all are listed");
-  command->callback([name] { name->empty() ? print_list() : print_material(*name); });
+  auto options = std::make_shared<MaterialsOptions>();
+  auto* name =
+      command->add_option("name", options->name, "Which material; without it, all are listed");
+  auto* page = command->add_flag("--page", options->page, "Print docs/materials.md instead");
+  page->excludes(name);
+  command->callback([options] { show(*options); });
 }
 
 }  // namespace kerf

@@ -4,15 +4,10 @@
 #include <set>
 
 #include "case/schema.hpp"
-#include "core/error.hpp"
 
 namespace kerf {
 
 namespace {
-
-constexpr std::string_view shinohara = "Shinohara, Okabe & Nakayama (2004), sec. 4";
-constexpr std::string_view shinohara_viscosity = "Shinohara, Okabe & Nakayama (2004), sec. 2.4";
-constexpr std::string_view gray = "Gray, Monaghan & Swift (2001), colliding rubber cylinders";
 
 constexpr MaterialField all_fields[] = {
     {"density", &Material::density},
@@ -27,39 +22,26 @@ constexpr MaterialField all_fields[] = {
     {"artificial_softening", &Material::artificial_softening},
 };
 
-const LibraryMaterial library[] = {
-    {"water",
-     MaterialKind::water,
-     "Water at 20 C; its speed of sound is ten times the fastest speed of the case, eq. (18)",
-     {{"density", 1000.0, "reference density of the equation of state, rounded from 998 kg/m3"},
-      {"viscosity", 1.0e-3, "water at 20 C, rounded from 1.002 mPa s (IAPWS 2008)"},
-      {"tait_exponent", 7.0,
-       "Shinohara, Okabe & Nakayama (2004), eq. (15), after Batchelor (1967)"},
-      {"artificial_linear", 0.01, shinohara_viscosity},
-      {"artificial_quadratic", 0.0, shinohara_viscosity},
-      {"artificial_softening", 0.1, shinohara_viscosity}}},
-    {"tofu",
-     MaterialKind::elastic,
-     "Bean curd as the founding paper has it; real tofu is nearly incompressible",
-     {{"density", 940.0, shinohara},
-      {"youngs_modulus", 1.0e5, shinohara},
-      {"poisson_ratio", 0.3, shinohara},
-      {"failure_strain", 0.1, shinohara},
-      {"fracture_energy", 0.0, "unknown; the paper has a strain"},
-      {"artificial_linear", 2.5, shinohara_viscosity},
-      {"artificial_quadratic", 2.5, shinohara_viscosity},
-      {"artificial_softening", 0.1, shinohara_viscosity}}},
-    {"rubber",
-     MaterialKind::elastic,
-     "Rubber of the colliding rings of Gray, Monaghan & Swift (2001)",
-     {{"density", 1000.0, "chosen: the published problem is scaled to a density of 1"},
-      {"youngs_modulus", 1.0e7, gray},
-      {"poisson_ratio", 0.3975, gray},
-      {"failure_strain", 0.0, "never fractures: the published rings bounce"},
-      {"fracture_energy", 0.0, "never fractures"},
-      {"artificial_linear", 1.0, "chosen: enough to stop particles from crossing"},
-      {"artificial_quadratic", 1.0, "chosen: enough to stop particles from crossing"},
-      {"artificial_softening", 0.01, "Monaghan (1992), eta^2 = 0.01 h^2"}}},
+constexpr KnownQuantity all_known[] = {
+    {"tensile_strength", "Pa", "stress at which it breaks in tension"},
+    {"compressive_strength", "Pa", "stress at which it breaks in compression"},
+    {"spall_strength", "Pa", "tension that breaks it in a stress wave"},
+    {"ultimate_strain", "", "strain at which it breaks in tension"},
+    {"fracture_energy", "J/m2", "energy Gc of a crack per area"},
+    {"yield_strength", "Pa", "stress at which it begins to flow"},
+    {"hardening_modulus", "Pa", "slope of the yield stress over plastic strain"},
+    {"power_law_coefficient", "Pa", "k of a power law k strain^n of plasticity"},
+    {"power_law_exponent", "", "n of a power law k strain^n of plasticity"},
+    {"johnson_cook_a", "Pa", "A of Johnson and Cook: yield stress"},
+    {"johnson_cook_b", "Pa", "B of Johnson and Cook: hardening"},
+    {"johnson_cook_n", "", "n of Johnson and Cook: exponent of hardening"},
+    {"johnson_cook_c", "", "C of Johnson and Cook: rate"},
+    {"johnson_cook_m", "", "m of Johnson and Cook: temperature"},
+    {"cohesion", "Pa", "of Mohr and Coulomb"},
+    {"friction_angle", "rad", "of Mohr and Coulomb"},
+    {"weibull_k", "m-3", "k of the number of flaws k strain^m per volume"},
+    {"weibull_m", "", "m of the number of flaws k strain^m per volume"},
+    {"jet_threshold", "Pa", "pump pressure below which a plain water jet leaves it whole"},
 };
 
 }  // namespace
@@ -73,29 +55,41 @@ std::vector<MaterialField> material_fields(MaterialKind kind) {
   return fields;
 }
 
+std::span<const KnownQuantity> known_quantities() {
+  return all_known;
+}
+
+const LibraryValue* LibraryMaterial::find(std::string_view key) const {
+  for (const LibraryValue& value : values)
+    if (value.name == key) return &value;
+  return nullptr;
+}
+
 Material LibraryMaterial::material() const {
   Material result;
   result.name = name;
   result.kind = kind;
-  result.source = "Kerf's library: " + std::string(summary);
+  result.source = "Kerf's library: " + title;
   for (const MaterialField& field : material_fields(kind)) {
-    bool found = false;
-    for (const LibraryValue& value : values) {
-      if (value.key != field.key) continue;
-      result.*field.member = value.value;
-      found = true;
-    }
-    require(found, "a material of the library lacks a value");
+    const LibraryValue* given = find(field.key);
+    const Key* key = find_key("materials", field.key, {kind_name(kind)});
+    result.*field.member = given ? given->value : standard_number(*key);
   }
   return result;
 }
 
 std::span<const LibraryMaterial> material_library() {
+  static const std::vector<LibraryMaterial> library = [] {
+    std::vector<LibraryMaterial> all;
+    for (const EmbeddedText& file : material_files())
+      all.push_back(read_library_material(file.name, file.text));
+    return all;
+  }();
   return library;
 }
 
 const LibraryMaterial* find_library_material(std::string_view name) {
-  for (const LibraryMaterial& entry : library)
+  for (const LibraryMaterial& entry : material_library())
     if (entry.name == name) return &entry;
   return nullptr;
 }

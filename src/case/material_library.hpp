@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials that every case may name, each value with its source.
+// Materials that every case may name, each value with its source. They come from materials/*.toml,
+// which the build puts into the program.
 #pragma once
 
 #include <span>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "core/embedded_text.hpp"
 
 namespace kerf {
 
@@ -19,25 +21,46 @@ struct MaterialField {
 // The fields a material of that kind has, but for the speed of sound, in the order of the schema.
 std::vector<MaterialField> material_fields(MaterialKind kind);
 
+// What a material may be known to have although no law of Kerf uses it yet.
+struct KnownQuantity {
+  std::string_view name;
+  std::string_view unit;  // SI; "" = a pure number
+  std::string_view meaning;
+};
+std::span<const KnownQuantity> known_quantities();
+
 struct LibraryValue {
-  std::string_view key;
-  double value;  // SI
-  std::string_view source;
+  std::string name;     // a key of [materials.NAME], or one of known_quantities()
+  double value = 0.0;   // SI
+  std::string written;  // as the file has it: "100 kPa"
+  std::string source;
+  std::string note;  // conditions and range; may be empty
 };
 
 struct LibraryMaterial {
-  std::string_view name;
-  MaterialKind kind;
-  std::string_view summary;
+  std::string name;
+  MaterialKind kind = MaterialKind::elastic;
+  std::string title;
   std::vector<LibraryValue> values;
+  std::vector<LibraryValue> known;  // used by no law yet
 
-  // Its speed of sound is 0, as that of a water is found when the case is read.
+  // The value of a key, or null when `values` leaves it out.
+  const LibraryValue* find(std::string_view key) const;
+  // What `values` leaves out has its default in a case file. The speed of sound is 0, as that of a
+  // water is found when the case is read.
   Material material() const;
 };
+
+// The files of materials/ by name, in alphabetical order.
+std::span<const EmbeddedText> material_files();
+// A mistake in the text is one of the program, whose texts are built in: std::logic_error.
+LibraryMaterial read_library_material(std::string_view name, std::string_view text);
 
 std::span<const LibraryMaterial> material_library();
 // Null when the library has no such material.
 const LibraryMaterial* find_library_material(std::string_view name);
 std::string kind_name(MaterialKind kind);
+// docs/materials.md.
+std::string materials_page();
 
 }  // namespace kerf

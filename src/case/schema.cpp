@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "case/units.hpp"
+#include "core/error.hpp"
 
 namespace kerf {
 
@@ -122,6 +124,14 @@ bool in_range(const Key& key, double value) {
   if (!(value >= range.minimum && value <= range.maximum)) return false;
   if (range.open_minimum && value == range.minimum) return false;
   return !(range.open_maximum && value == range.maximum);
+}
+
+double standard_number(const Key& key) {
+  require(!key.computed(), "a default that is computed has no fallback");
+  if (key.required()) return 0.0;
+  if (key.standard == "none") return std::numeric_limits<double>::infinity();
+  if (key.unit.empty()) return std::stod(std::string(key.standard));
+  return read_quantity(key.standard, std::string(key.unit)).value;
 }
 
 std::string keys_page() {

@@ -74,6 +74,8 @@ std::vector<std::string> split_words(std::string_view words, char separator = ' 
 // What the key may hold, in words: "a length greater than 0 m", "elastic, water or rigid".
 std::string allowed_text(const Key& key);
 bool in_range(const Key& key, double value);
+// The number that holds when the key is left out; 0 where it must be given.
+double standard_number(const Key& key);
 // docs/keys.md.
 std::string keys_page();
 

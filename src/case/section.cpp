@@ -73,14 +73,6 @@ double Section::entry(const Key& key, const toml::node& node, const std::string&
   return value;
 }
 
-double Section::standard_number(const Key& key) {
-  require(!key.computed(), "a default that is computed has no fallback");
-  if (key.required()) return 0.0;
-  if (key.standard == "none") return std::numeric_limits<double>::infinity();
-  if (key.unit.empty()) return std::stod(std::string(key.standard));
-  return read_quantity(key.standard, std::string(key.unit)).value;
-}
-
 double Section::number(std::string_view name, std::optional<double> fallback) {
   const Key& wanted = key(name);
   if (fallback && !has(name)) return *fallback;

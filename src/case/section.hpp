@@ -68,7 +68,6 @@ class Section {
   const toml::node* node(const Key& key);
   // One quantity or number of a key; `where` says which entry of a list it is.
   double entry(const Key& key, const toml::node& node, const std::string& where);
-  double standard_number(const Key& key);
   void wrong_type(const Key& key, const std::string& where);
   std::string checked_expression(const Key& key, const toml::node& node,
                                  const std::vector<std::string>& variables);

@@ -160,6 +160,8 @@ constexpr DimensionName dimension_names[] = {
     {"kg/m3", "a density", "1000 kg/m3"},
     {"J/m2", "an energy per area", "4 J/m2"},
     {"rad", "an angle", "60 deg"},
+    {"J/m2", "an energy per area", "10 J/m2"},
+    {"m-3", "a number per volume", "1e6 m-3"},
 };
 
 const DimensionName& named(const std::string& si_unit) {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/embedded.hpp"
 #include "case/case.hpp"
+#include "core/embedded_text.hpp"
 #include "verify/parameters.hpp"
 
 namespace kerf {

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "app/embedded.hpp"
 #include "verify/signal.hpp"
 #include "verify/table.hpp"
 
