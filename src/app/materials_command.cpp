@@ -57,7 +57,7 @@ void print_material(const std::string& name) {
   print_values(entry->values);
   print_defaults(*entry);
   if (entry->known.empty()) return;
-  fmt::print("\nKnown, not used by a law yet:\n\n");
+  fmt::print("\nKnown besides, used by no run unless a case gives it as a key:\n\n");
   print_values(entry->known);
 }
 

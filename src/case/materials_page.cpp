@@ -67,7 +67,8 @@ std::string materials_page() {
         material.name, kind_name(material.kind), material.title, rows(material.values));
     if (!material.known.empty())
       page += fmt::format(
-          "\nKnown, not used by a law yet:\n\n| name | value | source | note |\n"
+          "\nKnown besides, used by no run unless a case gives it as a key:\n\n| name | value | "
+          "source | note |\n"
           "| --- | --- | --- | --- |\n{}",
           rows(material.known));
   }

@@ -214,9 +214,11 @@ void write_control(Writer& writer, const Case& description) {
     writer.open("[backflow_eraser]", "backflow_eraser");
     writer.number("speed_fraction", description.eraser->speed_fraction);
   }
-  writer.open("[artificial_stress]", "artificial_stress");
-  writer.number("epsilon", description.artificial_stress.epsilon);
-  writer.number("exponent", description.artificial_stress.exponent);
+  if (description.formulation == Formulation::shinohara2004) {
+    writer.open("[artificial_stress]", "artificial_stress");
+    writer.number("epsilon", description.artificial_stress.epsilon);
+    writer.number("exponent", description.artificial_stress.exponent);
+  }
   writer.open("[output]", "output");
   writer.numbers("frame_times", description.output.frame_times);
   writer.numbers("picture_times", description.output.picture_times);

@@ -52,18 +52,18 @@ TEST(MaterialLibrary, HoldsWhatIssueThreeAsksFor) {
 // These three were in the program before they were files: bit for bit what they were.
 TEST(MaterialLibrary, FirstThreeAreUnchanged) {
   const Material tofu = find_library_material("tofu")->material();
-  EXPECT_EQ(tofu, (Material{"tofu", MaterialKind::elastic, 940.0, 1.0e5, 0.3, 0.1, 0.0, 0.0, 7.0,
-                            2.5, 2.5, 0.1,
+  EXPECT_EQ(tofu, (Material{"tofu", MaterialKind::elastic, 940.0, 1.0e5, 0.3, 0.1, 0.0, 0.0, 0.0,
+                            7.0, 2.5, 2.5, 0.1,
                             "Kerf's library: Bean curd as the founding paper has it; real tofu is "
                             "nearly incompressible"}));
   const Material water = find_library_material("water")->material();
-  EXPECT_EQ(water, (Material{"water", MaterialKind::water, 1000.0, 0.0, 0.0, 0.0, 1.0e-3, 0.0, 7.0,
-                             0.01, 0.0, 0.1,
+  EXPECT_EQ(water, (Material{"water", MaterialKind::water, 1000.0, 0.0, 0.0, 0.0, 0.0, 1.0e-3, 0.0,
+                             7.0, 0.01, 0.0, 0.1,
                              "Kerf's library: Water at 20 C; its speed of sound is ten times the "
                              "fastest speed of the case, eq. (18)"}));
   const Material rubber = find_library_material("rubber")->material();
   EXPECT_EQ(rubber, (Material{"rubber", MaterialKind::elastic, 1000.0, 1.0e7, 0.3975, 0.0, 0.0, 0.0,
-                              7.0, 1.0, 1.0, 0.01,
+                              0.0, 7.0, 1.0, 1.0, 0.01,
                               "Kerf's library: Rubber of the colliding rings of Gray, Monaghan & "
                               "Swift (2001)"}));
 }
@@ -88,9 +88,11 @@ TEST(MaterialLibrary, EveryValueHasASource) {
 }
 
 // Once the case schema has a key of that name, the value belongs to [[values]].
+// But for one, which a case takes in place of a strain, and in one formulation only.
 TEST(MaterialLibrary, WhatIsKnownIsNoKeyOfACase) {
   for (const KnownQuantity& quantity : known_quantities())
-    EXPECT_EQ(find_key("materials", quantity.name, {}), nullptr) << quantity.name;
+    if (quantity.name != "fracture_energy")
+      EXPECT_EQ(find_key("materials", quantity.name, {}), nullptr) << quantity.name;
 }
 
 // A slip of a prefix (MPa for kPa) would show in the wave speed or in the order of the strengths.
