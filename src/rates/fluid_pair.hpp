@@ -9,12 +9,8 @@
 
 namespace kerf {
 
-enum class Meeting : std::uint8_t {
-  nothing,
-  alike,
-  wall_of_i,
-  wall_of_j
-};  // wall_of_i: i is fluid
+// `alike`: two fluids, or two parts of one solid. `wall_of_i`: i is fluid, j what it meets.
+enum class Meeting : std::uint8_t { nothing, alike, wall_of_i, wall_of_j };
 
 template <int D, class P>
 KERF_FUNCTION Meeting meeting(const ParticleView<D, P>& particles, const Pair<D, P>& pair) {
