@@ -101,8 +101,14 @@ std::string verdict_of(const RunOutcome& outcome) {
         "The jet does not cut through within {:.4g} ms; its front is {:.3g} mm deep.",
         1e3 * outcome.time, depth);
   const int pieces = outcome.cut.last.pieces;
+  const double time = 1e3 * outcome.cut.cut_through_time;
+  if (pieces == 0)
+    return fmt::format(
+        "The jet cuts through after {:.4g} ms; at the end no piece of the workpiece is left that is "
+        "larger than 5% of it.",
+        time);
   return fmt::format("The jet cuts through after {:.4g} ms; at the end the workpiece is in {} {}.",
-                     1e3 * outcome.cut.cut_through_time, pieces, pieces == 1 ? "piece" : "pieces");
+                     time, pieces, pieces == 1 ? "piece" : "pieces");
 }
 
 }  // namespace kerf

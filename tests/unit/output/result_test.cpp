@@ -94,6 +94,8 @@ TEST(Verdict, SaysWhatHappened) {
   outcome.cut.last.pieces = 2;
   EXPECT_EQ(verdict_of(outcome),
             "The jet cuts through after 22.1 ms; at the end the workpiece is in 2 pieces.");
+  outcome.cut.last.pieces = 0;
+  EXPECT_THAT(verdict_of(outcome), HasSubstr("no piece of the workpiece is left"));
   outcome.description.jets.clear();
   EXPECT_THAT(verdict_of(outcome), HasSubstr("no jet"));
 }
