@@ -104,7 +104,8 @@ std::string verdict_of(const RunOutcome& outcome) {
   const double time = 1e3 * outcome.cut.cut_through_time;
   if (pieces == 0)
     return fmt::format(
-        "The jet cuts through after {:.4g} ms; at the end no piece of the workpiece is left that is "
+        "The jet cuts through after {:.4g} ms; at the end no piece of the workpiece is left that "
+        "is "
         "larger than 5% of it.",
         time);
   return fmt::format("The jet cuts through after {:.4g} ms; at the end the workpiece is in {} {}.",
