@@ -36,7 +36,7 @@ void print_values(const std::vector<LibraryValue>& values) {
 // What the library leaves out and a case file therefore takes from its defaults.
 void print_defaults(const LibraryMaterial& entry) {
   const Material material = entry.material();
-  for (const MaterialField& field : material_fields(entry.kind))
+  for (const MaterialField& field : material_fields(entry.conditions()))
     if (!entry.find(field.key))
       fmt::print("  {:<21} {:<14} default of a case file\n", field.key,
                  shortest(material.*field.member));
@@ -57,7 +57,7 @@ void print_material(const std::string& name) {
   print_values(entry->values);
   print_defaults(*entry);
   if (entry->known.empty()) return;
-  fmt::print("\nKnown besides, used by no run unless a case gives it as a key:\n\n");
+  fmt::print("\n{}\n\n", known_heading);
   print_values(entry->known);
 }
 

@@ -7,10 +7,13 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "case/material.hpp"
 
 namespace kerf {
 
@@ -52,28 +55,6 @@ struct Shape {
   bool operator==(const Shape&) const = default;
 };
 
-enum class MaterialKind { elastic, water };
-
-// One material, elastic or water. Members of the other kind keep their defaults and are not read.
-struct Material {
-  std::string name;
-  MaterialKind kind = MaterialKind::water;
-  double density = 1000.0;         // kg/m^3, reference
-  double youngs_modulus = 0.0;     // Pa
-  double poisson_ratio = 0.0;      // 1
-  double failure_strain = 0.0;     // 1, equivalent strain at fracture; 0 = never fractures
-  double fracture_energy = 0.0;    // J/m^2 of crack; where it is given there is no failure_strain
-  double viscosity = 0.0;          // Pa s
-  double sound_speed = 0.0;        // m/s; water: resolved by the reader (10 V unless given)
-  double tait_exponent = 7.0;      // 1
-  double artificial_linear = 0.0;  // A of eq. (38)
-  double artificial_quadratic = 0.0;  // B of eq. (38)
-  double artificial_softening = 0.1;  // C of eq. (39)
-  std::string source;                 // where the values come from
-  bool can_fracture() const { return failure_strain > 0.0 || fracture_energy > 0.0; }
-  bool operator==(const Material&) const = default;
-};
-
 enum class Role { elastic, water, rigid };
 enum class Lattice { square, hexagonal };  // square is cubic in 3D
 
@@ -95,7 +76,8 @@ struct Body {
   std::string joined_to;  // name of a body this one is bonded to; empty = its own piece
   // Rigid bodies only, eq. (43).
   RepellingLayer repelling_layer = RepellingLayer::top;
-  double repulsion = 0.0;  // D, m^2/s^2
+  double repulsion = 0.0;                                     // D, m^2/s^2
+  double friction = std::numeric_limits<double>::infinity();  // 1; infinity: the other decides
   bool operator==(const Body&) const = default;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/material_library.hpp"
 
-#include <set>
-
 #include "case/schema.hpp"
 
 namespace kerf {
@@ -15,6 +13,31 @@ constexpr MaterialField all_fields[] = {
     {"poisson_ratio", &Material::poisson_ratio},
     {"failure_strain", &Material::failure_strain},
     {"fracture_energy", &Material::fracture_energy},
+    {"friction", &Material::friction},
+    {"yield_strength", &Material::yield_strength},
+    {"hardening_modulus", &Material::hardening_modulus},
+    {"saturation_stress", &Material::saturation_stress},
+    {"saturation_strain", &Material::saturation_strain},
+    {"hardening_coefficient", &Material::hardening_coefficient},
+    {"hardening_exponent", &Material::hardening_exponent},
+    {"rate_coefficient", &Material::rate_coefficient},
+    {"reference_rate", &Material::reference_rate},
+    {"thermal_exponent", &Material::thermal_exponent},
+    {"heat_capacity", &Material::heat_capacity},
+    {"heat_share", &Material::heat_share},
+    {"temperature", &Material::temperature},
+    {"reference_temperature", &Material::reference_temperature},
+    {"melting_temperature", &Material::melting_temperature},
+    {"damage_d1", &Material::damage_d1},
+    {"damage_d2", &Material::damage_d2},
+    {"damage_d3", &Material::damage_d3},
+    {"damage_d4", &Material::damage_d4},
+    {"damage_d5", &Material::damage_d5},
+    {"least_plastic_failure", &Material::least_plastic_failure},
+    {"cohesion", &Material::cohesion},
+    {"friction_angle", &Material::friction_angle},
+    {"dilation_angle", &Material::dilation_angle},
+    {"tension_cut_off", &Material::tension_cut_off},
     {"viscosity", &Material::viscosity},
     {"tait_exponent", &Material::tait_exponent},
     {"artificial_linear", &Material::artificial_linear},
@@ -29,7 +52,6 @@ constexpr KnownQuantity all_known[] = {
     {"ultimate_strain", "", "strain at which it breaks in tension"},
     {"fracture_energy", "J/m2", "energy Gc of a crack per area"},
     {"yield_strength", "Pa", "stress at which it begins to flow"},
-    {"hardening_modulus", "Pa", "slope of the yield stress over plastic strain"},
     {"power_law_coefficient", "Pa", "k of a power law k strain^n of plasticity"},
     {"power_law_exponent", "", "n of a power law k strain^n of plasticity"},
     {"johnson_cook_a", "Pa", "A of Johnson and Cook: yield stress"},
@@ -46,8 +68,14 @@ constexpr KnownQuantity all_known[] = {
 
 }  // namespace
 
-std::vector<MaterialField> material_fields(MaterialKind kind) {
-  const std::set<std::string> conditions{kind_name(kind)};
+std::set<std::string> material_conditions(const Material& material, Formulation formulation) {
+  std::set<std::string> conditions{kind_name(material.kind), formulation_name(formulation)};
+  if (material.kind == MaterialKind::elastic)
+    conditions.emplace(word_of(material.plasticity, plastic_law_words));
+  return conditions;
+}
+
+std::vector<MaterialField> material_fields(const std::set<std::string>& conditions) {
   std::vector<MaterialField> fields;
   for (const MaterialField& field : all_fields)
     if (find_key("materials", field.key, conditions)->applies_under(conditions))
@@ -65,14 +93,23 @@ const LibraryValue* LibraryMaterial::find(std::string_view key) const {
   return nullptr;
 }
 
-Material LibraryMaterial::material() const {
+std::set<std::string> LibraryMaterial::conditions() const {
+  Material material;
+  material.kind = kind;
+  material.plasticity = plasticity;
+  return material_conditions(material, Formulation::standard);
+}
+
+Material LibraryMaterial::material(Formulation formulation) const {
   Material result;
   result.name = name;
   result.kind = kind;
+  if (formulation == Formulation::standard) result.plasticity = plasticity;
   result.source = "Kerf's library: " + title;
-  for (const MaterialField& field : material_fields(kind)) {
+  const auto conditions = material_conditions(result, formulation);
+  for (const MaterialField& field : material_fields(conditions)) {
     const LibraryValue* given = find(field.key);
-    const Key* key = find_key("materials", field.key, {kind_name(kind)});
+    const Key* key = find_key("materials", field.key, conditions);
     result.*field.member = given ? given->value : standard_number(*key);
   }
   return result;

@@ -3,6 +3,7 @@
 // which the build puts into the program.
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,8 +19,10 @@ struct MaterialField {
   std::string_view key;
   double Material::*member;
 };
-// The fields a material of that kind has, but for the speed of sound, in the order of the schema.
-std::vector<MaterialField> material_fields(MaterialKind kind);
+// What decides which fields a material has, as the schema names it.
+std::set<std::string> material_conditions(const Material& material, Formulation formulation);
+// The fields it has but for the speed of sound, in the order of the schema.
+std::vector<MaterialField> material_fields(const std::set<std::string>& conditions);
 
 // What a material may be known to have although no law of Kerf uses it yet.
 struct KnownQuantity {
@@ -27,6 +30,8 @@ struct KnownQuantity {
   std::string_view unit;  // SI; "" = a pure number
   std::string_view meaning;
 };
+inline constexpr std::string_view known_heading =
+    "Known besides, used by no run unless a case gives it as a key:";
 std::span<const KnownQuantity> known_quantities();
 
 struct LibraryValue {
@@ -40,15 +45,17 @@ struct LibraryValue {
 struct LibraryMaterial {
   std::string name;
   MaterialKind kind = MaterialKind::elastic;
+  PlasticLaw plasticity = PlasticLaw::none;
   std::string title;
   std::vector<LibraryValue> values;
   std::vector<LibraryValue> known;  // used by no law yet
 
   // The value of a key, or null when `values` leaves it out.
   const LibraryValue* find(std::string_view key) const;
+  std::set<std::string> conditions() const;
   // What `values` leaves out has its default in a case file. The speed of sound is 0, as that of a
-  // water is found when the case is read.
-  Material material() const;
+  // water is found when the case is read. `shinohara2004` knows no law of plasticity.
+  Material material(Formulation formulation = Formulation::standard) const;
 };
 
 // The files of materials/ by name, in alphabetical order.

@@ -66,11 +66,8 @@ std::string materials_page() {
         "\n## {} ({})\n{}.\n\n| key | value | source | note |\n| --- | --- | --- | --- |\n{}",
         material.name, kind_name(material.kind), material.title, rows(material.values));
     if (!material.known.empty())
-      page += fmt::format(
-          "\nKnown besides, used by no run unless a case gives it as a key:\n\n| name | value | "
-          "source | note |\n"
-          "| --- | --- | --- | --- |\n{}",
-          rows(material.known));
+      page += fmt::format("\n{}\n\n| name | value | source | note |\n| --- | --- | --- | --- |\n{}",
+                          known_heading, rows(material.known));
   }
   return page;
 }

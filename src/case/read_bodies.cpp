@@ -98,6 +98,7 @@ void read_rigid(Section& section, BodyDraft& entry) {
                    "\"top\", \"bottom\", \"left\", \"right\" or \"all\" in 2D");
   entry.has_repulsion = section.has("repulsion");
   entry.body.repulsion = section.number("repulsion", 0.0);
+  entry.body.friction = section.number("friction");
 }
 
 void read_body(Draft& draft, const toml::table& table, const std::string& path) {
@@ -110,6 +111,7 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
   }
   Section section(draft.reading, table, "body", path);
   assume_role(section, body.role);
+  section.assume(formulation_name(draft.result.formulation));
   body.name = section.text("name");
   if (const toml::table* shape = section.table("shape"))
     body.shape = read_shape(draft.reading, *shape, section.path("shape"));

@@ -26,14 +26,16 @@ class LibraryFile {
   }
 
   LibraryMaterial read() const {
-    allow(table_, {"title", "kind", "values", "known"});
+    allow(table_, {"title", "kind", "plasticity", "values", "known"});
     LibraryMaterial result;
     result.name = name_;
     result.title = text(table_, "title");
     const std::string kind = text(table_, "kind");
     if (kind != "water" && kind != "elastic") fail(fmt::format("unknown kind \"{}\"", kind));
     result.kind = kind == "water" ? MaterialKind::water : MaterialKind::elastic;
-    for (const toml::table* entry : entries("values")) add(result.values, case_value(*entry, kind));
+    if (table_.contains("plasticity")) result.plasticity = plasticity();
+    for (const toml::table* entry : entries("values"))
+      add(result.values, case_value(*entry, result.conditions()));
     for (const toml::table* entry : entries("known")) add(result.known, known_value(*entry));
     refuse_missing(result);
     return result;
@@ -71,13 +73,21 @@ class LibraryFile {
     list.push_back(std::move(value));
   }
 
-  LibraryValue case_value(const toml::table& entry, const std::string& kind) const {
+  PlasticLaw plasticity() const {
+    const std::string word = text(table_, "plasticity");
+    const PlasticLaw law = law_of<PlasticLaw>(word, plastic_law_words);
+    if (word_of(law, plastic_law_words) != word)
+      fail(fmt::format("unknown plasticity \"{}\"", word));
+    return law;
+  }
+
+  LibraryValue case_value(const toml::table& entry, const std::set<std::string>& conditions) const {
     allow(entry, {"key", "value", "source", "note"});
     const std::string name = text(entry, "key");
-    const Key* key = find_key("materials", name, {kind});
+    const Key* key = find_key("materials", name, conditions);
     const bool number = key && (key->kind == ValueKind::quantity || key->kind == ValueKind::number);
-    if (!number || !key->applies_under({kind}))
-      fail(fmt::format("\"{}\" is no number of {} material", name, kind));
+    if (!number || !key->applies_under(conditions))
+      fail(fmt::format("\"{}\" is no number of a material of this kind and law", name));
     LibraryValue result = measured(entry, name, key->unit);
     if (!in_range(*key, result.value))
       fail(fmt::format("{} = {} is out of range", name, result.written));
@@ -111,8 +121,8 @@ class LibraryFile {
   }
 
   void refuse_missing(const LibraryMaterial& material) const {
-    for (const MaterialField& field : material_fields(material.kind)) {
-      const Key* key = find_key("materials", field.key, {kind_name(material.kind)});
+    for (const MaterialField& field : material_fields(material.conditions())) {
+      const Key* key = find_key("materials", field.key, material.conditions());
       if (key->required() && !material.find(field.key))
         fail(fmt::format("{} is missing", field.key));
     }

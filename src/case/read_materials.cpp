@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <set>
+
 #include "case/draft.hpp"
 #include "case/material_library.hpp"
 
@@ -64,18 +66,43 @@ void settle_fracture(Section& section, Formulation formulation, Material& materi
   material.failure_strain = 0.0;
 }
 
+// The laws of a solid.
+void read_laws(Section& section, Formulation formulation, Material& material) {
+  const std::string fallback(word_of(material.plasticity, plastic_law_words));
+  if (material.kind != MaterialKind::elastic) return;
+  if (formulation == Formulation::standard) {
+    material.elasticity = law_of<ElasticLaw>(section.text("elasticity"), elastic_law_words);
+    material.plasticity =
+        law_of<PlasticLaw>(section.text("plasticity", fallback), plastic_law_words);
+    material.criterion = law_of<BondCriterion>(section.text("criterion"), bond_criterion_words);
+  }
+  for (const std::string& condition : material_conditions(material, formulation))
+    section.assume(condition);
+}
+
+// The value of a base where there is one that has the key under the same laws.
+void read_numbers(Section& section, Formulation formulation, const Material* base,
+                  Material& material) {
+  const auto inherited = base ? material_conditions(*base, formulation) : std::set<std::string>{};
+  for (const MaterialField& field : material_fields(material_conditions(material, formulation))) {
+    const bool has = base && find_key("materials", field.key, inherited)->applies_under(inherited);
+    material.*field.member =
+        has ? section.number(field.key, base->*field.member) : section.number(field.key);
+  }
+}
+
 MaterialDraft read_material(Section& section, Formulation formulation, const std::string& name) {
-  const LibraryMaterial* base = read_base(section);
+  const LibraryMaterial* entry = read_base(section);
   MaterialDraft draft;
-  draft.material = base ? base->material() : Material{};
-  draft.material.kind = read_kind(section, base);
+  draft.material = entry ? entry->material(formulation) : Material{};
+  draft.material.kind = read_kind(section, entry);
   draft.material.name = name;
   section.assume(kind_name(draft.material.kind));
-  const bool based = base && base->kind == draft.material.kind;
-  for (const MaterialField& field : material_fields(draft.material.kind)) {
-    double& value = draft.material.*field.member;
-    value = based ? section.number(field.key, value) : section.number(field.key);
-  }
+  section.assume(formulation_name(formulation));
+  const bool based = entry && entry->kind == draft.material.kind;
+  const Material base = draft.material;
+  read_laws(section, formulation, draft.material);
+  read_numbers(section, formulation, based ? &base : nullptr, draft.material);
   if (draft.material.kind == MaterialKind::water) read_sound_speed(section, draft);
   settle_fracture(section, formulation, draft.material);
   draft.material.source =
@@ -112,7 +139,7 @@ const MaterialDraft* use_material(Draft& draft, Section& section, const std::str
   if (found != draft.materials.end()) return &found->second;
   if (const LibraryMaterial* entry = find_library_material(name)) {
     constexpr double standard_factor = 10.0;  // c = 10 V, eq. (18)
-    return &(draft.materials[name] = {entry->material(), standard_factor});
+    return &(draft.materials[name] = {entry->material(draft.result.formulation), standard_factor});
   }
   std::vector<std::string> known = library_names();
   for (const auto& [other, material] : draft.materials)

@@ -95,7 +95,8 @@ std::string allowed_text(const Key& key) {
     case ValueKind::integer:
       return "a whole number" + range_text(key);
     case ValueKind::number:
-      return "a number without unit" + range_text(key);
+      return "a number without unit" + range_text(key) +
+             (key.standard == "none" ? ", or \"none\"" : "");
     case ValueKind::flag:
       return "true or false";
     case ValueKind::quantity:

@@ -51,6 +51,8 @@ void Section::wrong_type(const Key& key, const std::string& where) {
 double Section::entry(const Key& key, const toml::node& node, const std::string& where) {
   double value = 0.0;
   if (key.unit.empty()) {
+    if (key.standard == "none" && node.value_exact<std::string>() == "none")
+      return std::numeric_limits<double>::infinity();
     if (!node.is_number()) return wrong_type(key, where), value;
     value = *node.value<double>();
   } else {

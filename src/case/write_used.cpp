@@ -153,10 +153,15 @@ void write_top(Writer& writer, const Case& description) {
   writer.vector("maximum", description.domain.maximum);
 }
 
-void write_material(Writer& writer, const Material& material) {
+void write_material(Writer& writer, Formulation formulation, const Material& material) {
   writer.open(fmt::format("[materials.{}]", material.name), "materials");
   writer.text("kind", kind_name(material.kind));
-  for (const MaterialField& field : material_fields(material.kind))
+  if (material.kind == MaterialKind::elastic && formulation == Formulation::standard) {
+    writer.text("elasticity", word_of(material.elasticity, elastic_law_words));
+    writer.text("plasticity", word_of(material.plasticity, plastic_law_words));
+    writer.text("criterion", word_of(material.criterion, bond_criterion_words));
+  }
+  for (const MaterialField& field : material_fields(material_conditions(material, formulation)))
     writer.number(field.key, material.*field.member);
   if (material.kind == MaterialKind::water) writer.number("sound_speed", material.sound_speed);
   writer.text("source", material.source);
@@ -183,6 +188,7 @@ void write_body(Writer& writer, const Case& description, const Body& body) {
   if (body.role != Role::rigid) return;
   writer.text("repelling_layer", layers[static_cast<std::size_t>(body.repelling_layer)]);
   writer.number("repulsion", body.repulsion);
+  if (description.formulation == Formulation::standard) writer.number("friction", body.friction);
 }
 
 void write_jet(Writer& writer, const Case& description, const Jet& jet) {
@@ -231,7 +237,8 @@ void write_control(Writer& writer, const Case& description) {
 std::string write_used(const Case& description) {
   Writer writer(description.dimension);
   write_top(writer, description);
-  for (const Material& material : description.materials) write_material(writer, material);
+  for (const Material& material : description.materials)
+    write_material(writer, description.formulation, material);
   for (const Body& body : description.bodies) write_body(writer, description, body);
   for (const Jet& jet : description.jets) write_jet(writer, description, jet);
   for (const Probe& probe : description.probes) write_probe(writer, probe);

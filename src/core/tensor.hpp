@@ -14,6 +14,12 @@ struct Matrix {
 
   KERF_FUNCTION T& operator()(int a, int b) { return component[a * D + b]; }
   KERF_FUNCTION const T& operator()(int a, int b) const { return component[a * D + b]; }
+  template <class Other>
+  KERF_FUNCTION static Matrix from(const Matrix<D, Other>& other) {
+    Matrix m;
+    for (int k = 0; k < D * D; ++k) m.component[k] = static_cast<T>(other.component[k]);
+    return m;
+  }
   KERF_FUNCTION static Matrix zero() {
     Matrix m;
     for (int k = 0; k < D * D; ++k) m.component[k] = T(0);
@@ -38,6 +44,12 @@ struct SymmetricTensor {
   KERF_FUNCTION static constexpr int index(int a, int b) { return a == b ? a : 2 + a + b; }
   KERF_FUNCTION T& operator()(int a, int b) { return component[index(a, b)]; }
   KERF_FUNCTION const T& operator()(int a, int b) const { return component[index(a, b)]; }
+  template <class Other>
+  KERF_FUNCTION static SymmetricTensor from(const SymmetricTensor<D, Other>& other) {
+    SymmetricTensor s;
+    for (int k = 0; k < count; ++k) s.component[k] = static_cast<T>(other.component[k]);
+    return s;
+  }
   KERF_FUNCTION static SymmetricTensor zero() {
     SymmetricTensor s;
     for (int k = 0; k < count; ++k) s.component[k] = T(0);

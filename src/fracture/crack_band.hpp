@@ -10,14 +10,16 @@
 
 #include <cmath>
 
+#include "materials/bond_bulk.hpp"
+
 namespace kerf {
 
 inline constexpr double crack_band = 3.2;  // w, spacings
 
-// K and G in Pa, energy in J/m^2, spacing in m.
+// K and G of the material in Pa, energy in J/m^2, spacing in m.
 inline double failure_strain_of(double fracture_energy, double bulk_modulus, double shear_modulus,
                                 double spacing) {
-  const double modulus = bulk_modulus + 4.0 / 3.0 * shear_modulus;
+  const double modulus = bond_bulk_modulus(bulk_modulus, shear_modulus) + 4.0 / 3.0 * shear_modulus;
   return std::sqrt(2.0 * fracture_energy / (crack_band * spacing * modulus));
 }
 

@@ -33,20 +33,24 @@ KERF_FUNCTION SymmetricTensor<D, T> second_piola(const SolidMedium<T>& solid,
   return SymmetricTensor<D, T>::zero();
 }
 
-// First Piola-Kirchhoff stress P = F S = dpsi/dF at the displacement gradient H = F - 1, Pa.
+// First Piola-Kirchhoff stress P = F S at the displacement gradient H = F - 1, Pa.
+template <int D, class T>
+KERF_FUNCTION Matrix<D, T> first_piola(const SymmetricTensor<D, T>& second, const Matrix<D, T>& h) {
+  const Matrix<D, T> stress = in_plane(second);
+  return stress + h * stress;
+}
+// That of an elastic solid, dpsi/dF.
 template <int D, class T>
 KERF_FUNCTION Matrix<D, T> piola(const SolidMedium<T>& solid, const Matrix<D, T>& h) {
-  const Matrix<D, T> stress = in_plane(second_piola(solid, green_strain(h)));
-  return stress + h * stress;
+  return first_piola(second_piola(solid, green_strain(h)), h);
 }
 
 // Cauchy stress F S F^T / J, Pa, with its component out of the plane.
 template <int D, class T>
-KERF_FUNCTION SymmetricTensor<D, T> cauchy(const SolidMedium<T>& solid, const Matrix<D, T>& h) {
-  const auto green = green_strain(h);
-  const auto second = second_piola(solid, green);
-  const T volume = std::sqrt(T(1) + volume_square_less_one(green));  // J
-  const Matrix<D, T> first = piola(solid, h);
+KERF_FUNCTION SymmetricTensor<D, T> cauchy(const SymmetricTensor<D, T>& second,
+                                           const Matrix<D, T>& h) {
+  const T volume = std::sqrt(T(1) + volume_square_less_one(green_strain(h)));  // J
+  const Matrix<D, T> first = first_piola(second, h);
   auto stress = SymmetricTensor<D, T>::zero();
   stress(2, 2) = second(2, 2) / volume;
   for (int a = 0; a < D; ++a)
@@ -56,6 +60,10 @@ KERF_FUNCTION SymmetricTensor<D, T> cauchy(const SolidMedium<T>& solid, const Ma
       stress(a, b) = sum / volume;
     }
   return stress;
+}
+template <int D, class T>
+KERF_FUNCTION SymmetricTensor<D, T> cauchy(const SolidMedium<T>& solid, const Matrix<D, T>& h) {
+  return cauchy(second_piola(solid, green_strain(h)), h);
 }
 
 }  // namespace kerf

@@ -10,17 +10,30 @@
 
 namespace kerf {
 
-enum class PlasticLaw : std::uint8_t { none, j2_hardening, johnson_cook, drucker_prager };
-
 template <class T>
 struct PlasticParameters {
   PlasticLaw law = PlasticLaw::none;  // none: Hencky's elasticity
-  J2Hardening<T> hardening;           // of j2_hardening
+  J2Hardening<T> hardening;           // of von_mises
   JohnsonCookStrength<T> strength;    // of johnson_cook
   DruckerPrager<T> cone;              // of drucker_prager
   JohnsonCookDamage<T> damage;        // of any
   PlasticHeat<T> heat;                // of any
 
+  KERF_FUNCTION bool flows() const { return law != PlasticLaw::none; }
+  // Strength q at first flow, cold, slow and free of pressure, Pa.
+  KERF_FUNCTION T first_strength() const {
+    switch (law) {
+      case PlasticLaw::none:
+        break;
+      case PlasticLaw::von_mises:
+        return hardening.yield_stress;
+      case PlasticLaw::johnson_cook:
+        return strength.yield_stress;
+      case PlasticLaw::drucker_prager:
+        return cone.strength;
+    }
+    return T(0);
+  }
   // Flow keeps the volume.
   KERF_FUNCTION bool is_metal() const { return law != PlasticLaw::drucker_prager; }
 
@@ -55,7 +68,7 @@ KERF_FUNCTION PlasticFlow<T> flow_of(const SolidMedium<T>& solid,
   switch (parameters.law) {
     case PlasticLaw::none:
       break;
-    case PlasticLaw::j2_hardening:
+    case PlasticLaw::von_mises:
       return metal_flow(ExcessStress<T, J2Hardening<T>>{
           parameters.hardening, parameters.heat, trial.equivalent, modulus, dt,
           start.plastic_strain, start.temperature_rise});
@@ -84,6 +97,21 @@ KERF_FUNCTION T wear(const PlasticParameters<T>& parameters, const PlasticFlow<T
                                                                    rate, homologous);
   state.damage = damage < T(1) ? damage : T(1);
   return work;
+}
+
+// Stored energy, J/m^3, and second Piola-Kirchhoff stress, Pa, at a state that flows no further.
+template <int D, class T>
+KERF_FUNCTION T energy_density(const SolidMedium<T>& solid, const PlasticParameters<T>& parameters,
+                               const Matrix<D, T>& h, const SymmetricTensor<D, T>& metric) {
+  return trial_strain(parameters, h, metric).energy_density(solid);
+}
+template <int D, class T>
+KERF_FUNCTION SymmetricTensor<D, T> second_piola(const SolidMedium<T>& solid,
+                                                 const PlasticParameters<T>& parameters,
+                                                 const Matrix<D, T>& h,
+                                                 const SymmetricTensor<D, T>& metric) {
+  const auto strain = trial_strain(parameters, h, metric);
+  return congruence(inverse(identity<D, T>() + h), strain.kirchhoff(solid));
 }
 
 // A step of `dt` (s; 0 = so slow that no rate counts) from the state `start` to the displacement

@@ -22,19 +22,16 @@ KERF_FUNCTION SymmetricTensor<D, T> congruence(const Matrix<D, T>& m,
 template <int D, class T>
 KERF_FUNCTION Matrix<D, T> inverse(const Matrix<D, T>& m) {
   Matrix<D, T> adjoint;
-  T determinant = T(0);
   if constexpr (D == 2) {
     adjoint = {{m(1, 1), -m(0, 1), -m(1, 0), m(0, 0)}};
-    determinant = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
   } else {
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) {
         const int c = (b + 1) % 3, d = (b + 2) % 3, e = (a + 1) % 3, f = (a + 2) % 3;
         adjoint(a, b) = m(c, e) * m(d, f) - m(c, f) * m(d, e);
       }
-    for (int k = 0; k < 3; ++k) determinant += m(0, k) * adjoint(k, 0);
   }
-  return (T(1) / determinant) * adjoint;
+  return (T(1) / determinant(m)) * adjoint;
 }
 
 }  // namespace kerf

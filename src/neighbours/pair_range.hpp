@@ -38,8 +38,8 @@ struct JointPairs {
 
 // The `standard` formulation: water and what it wets see one another over the larger of their
 // smoothing lengths, so that neither slips between the particles of the other. Solid that has come
-// loose is a liquid too, and so is nearly incompressible solid to its own piece. Other solids see
-// solids and rigid bodies when they touch.
+// loose is a liquid too, and so is nearly incompressible solid to its own piece. Others see what
+// else there is of their piece when it touches them.
 struct ContactPairs {
   template <int D>
   using Kernel = WendlandC2<D>;
@@ -57,7 +57,8 @@ struct ContactPairs {
     const auto& b = particles.medium(j);
     if (a.phase == Phase::rigid) return 0.0;
     const bool one_volume = a.excess_bulk_modulus > 0 && a.piece == b.piece;
-    if (!one_volume && !particles.is_fluid(i) && !particles.is_fluid(j))
+    const bool one_piece = a.piece == b.piece && !one_volume;
+    if (one_piece && !particles.is_fluid(i) && !particles.is_fluid(j))
       return 0.5 * (double(a.spacing) + double(b.spacing));
     return Kernel<D>::support * smoothing_length<double>(a, b);
   }

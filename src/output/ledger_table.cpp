@@ -61,6 +61,7 @@ std::vector<LedgerTerm> energy_terms() {
              "by artificial viscosity"),
       number("dissipated_viscous", "J", &Ledger::dissipated_viscous, "by the water's viscosity"),
       number("dissipated_fracture", "J", &Ledger::dissipated_fracture, "by fracture"),
+      number("dissipated_plastic", "J", &Ledger::dissipated_plastic, "by plastic flow"),
       number("stored_water", "J", &Ledger::stored_water,
              "of the pressure work, what the water's densities can give back"),
       number("stored_solid", "J", &Ledger::stored_solid,

@@ -9,24 +9,27 @@
 #include "exec/exec.hpp"
 #include "particles/flags.hpp"
 #include "particles/medium.hpp"
+#include "particles/touch.hpp"
 
 namespace kerf {
 
 // FIELD(type, name): meaning, unit.
 // State: what a checkpoint holds and a reorder moves.
-#define KERF_STATE_FIELDS(FIELD)                                                   \
-  FIELD(Point, position)         /* m */                                           \
-  FIELD(Point, build_position)   /* m, where the neighbour list was built */       \
-  FIELD(RealVector, velocity)    /* m/s */                                         \
-  FIELD(Real, compression)       /* 1, rho / rho_0 - 1 */                          \
-  FIELD(Stress, shear)           /* Pa, deviatoric (solid) or viscous (water) */   \
-  FIELD(Real, compression_rate)  /* 1/s */                                         \
-  FIELD(RealVector, wall_normal) /* 1, of a fluid's wall, towards it; 0 = none */  \
-  FIELD(Real, pressure_work)     /* J/kg, done against pressure so far */          \
-  FIELD(Real, inlet_speed)       /* m/s, of jet water while it is in its nozzle */ \
-  FIELD(std::uint32_t, id)       /* unique, never reused */                        \
-  FIELD(std::uint16_t, source)   /* body, or number of bodies + jet */             \
-  FIELD(std::uint8_t, fractured) /* 1 = carries compression only */                \
+#define KERF_STATE_FIELDS(FIELD)                                                     \
+  FIELD(Point, position)         /* m */                                             \
+  FIELD(Point, build_position)   /* m, where the neighbour list was built */         \
+  FIELD(RealVector, velocity)    /* m/s */                                           \
+  FIELD(Real, compression)       /* 1, rho / rho_0 - 1 */                            \
+  FIELD(Stress, shear)           /* Pa, deviatoric (solid) or viscous (water) */     \
+  FIELD(Real, compression_rate)  /* 1/s */                                           \
+  FIELD(RealVector, wall_normal) /* 1, of a fluid's wall, towards it; 0 = none */    \
+  FIELD(Real, solid_fit)         /* 1, filling by solids at which it touches them */ \
+  FIELD(Real, rigid_fit)         /* 1, by rigid bodies */                            \
+  FIELD(Real, pressure_work)     /* J/kg, done against pressure so far */            \
+  FIELD(Real, inlet_speed)       /* m/s, of jet water while it is in its nozzle */   \
+  FIELD(std::uint32_t, id)       /* unique, never reused */                          \
+  FIELD(std::uint16_t, source)   /* body, or number of bodies + jet */               \
+  FIELD(std::uint8_t, fractured) /* 1 = carries compression only */                  \
   FIELD(std::uint8_t, flags)
 
 // Scratch: filled and used within one step.
@@ -44,6 +47,8 @@ namespace kerf {
   FIELD(RealVector, pressure_acceleration) /* m/s^2, part by water's pressure */       \
   FIELD(RealVector, damping_acceleration)  /* m/s^2, the part that dissipates */       \
   FIELD(Real, repulsion_potential)         /* J/kg */                                  \
+  FIELD(SurfaceTouch, solid_touch)         /* how it touches other solids */           \
+  FIELD(SurfaceTouch, rigid_touch)         /* how it touches rigid bodies */           \
   FIELD(Stress, artificial_stress)         /* m^2/s^2 per kg/m^3: R of Gray et al. */  \
   FIELD(Real, pressure_power)              /* W/kg, now done against pressure */       \
   FIELD(Real, artificial_power)            /* W/kg, artificial viscosity and stress */ \
@@ -57,6 +62,7 @@ struct FieldTypes {
   using Stress = SymmetricTensor<D, Real>;
   using Gradient = Matrix<D, Real>;
   using Spin = SkewTensor<D, Real>;
+  using SurfaceTouch = Touch<D, Real>;
 };
 
 // What a loop body gets: plain pointers.
@@ -68,6 +74,7 @@ struct ParticleView : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::Stress;
   using typename FieldTypes<D, P>::Gradient;
   using typename FieldTypes<D, P>::Spin;
+  using typename FieldTypes<D, P>::SurfaceTouch;
 #define KERF_FIELD(type, name) type* name;
   KERF_STATE_FIELDS(KERF_FIELD)
   KERF_SCRATCH_FIELDS(KERF_FIELD)
@@ -107,6 +114,7 @@ class Particles : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::Stress;
   using typename FieldTypes<D, P>::Gradient;
   using typename FieldTypes<D, P>::Spin;
+  using typename FieldTypes<D, P>::SurfaceTouch;
 
 #define KERF_FIELD(type, name) Array<type> name;
   KERF_STATE_FIELDS(KERF_FIELD)

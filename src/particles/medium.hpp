@@ -4,6 +4,9 @@
 
 #include <cstdint>
 
+#include "exec/host_device.hpp"
+#include "materials/laws.hpp"
+
 namespace kerf {
 
 enum class Phase : std::uint8_t { water, solid, rigid };
@@ -24,10 +27,10 @@ enum class Phase : std::uint8_t { water, solid, rigid };
   NUMBER(excess_bulk_modulus)  /* Pa, the part of K that acts by the density, not by bonds */ \
   NUMBER(shear_modulus)        /* Pa */                                                       \
   NUMBER(failure_strain)       /* 1; 0 = never fractures */                                   \
-  NUMBER(fracture_energy)      /* J/m^2; 0 = by the strain alone */                           \
   NUMBER(artificial_linear)    /* A of eq. (38) */                                            \
   NUMBER(artificial_quadratic) /* B of eq. (38) */                                            \
   NUMBER(artificial_softening) /* C of eq. (39) */                                            \
+  NUMBER(friction)             /* 1, coefficient of dry friction */                           \
   NUMBER(repulsion)            /* m^2/s^2, D of eq. (43) */
 
 template <class T>
@@ -35,10 +38,23 @@ struct Medium {
   Phase phase = Phase::water;
   bool constrained = false;  // fixed, or moved by prescription
   bool cavitates = false;    // opens instead of being pulled once it holds on to nothing
-  std::uint16_t piece = 0;   // solids of one piece hold together; different pieces only touch
+  ElasticLaw elasticity = ElasticLaw::neo_hookean;
+  BondCriterion criterion = BondCriterion::principal_strain;
+  std::uint16_t piece = 0;  // solids of one piece hold together; different pieces only touch
 #define KERF_NUMBER(name) T name = 0;
   KERF_MEDIUM_NUMBERS(KERF_NUMBER)
 #undef KERF_NUMBER
+
+  // Pa, in a solid.
+  KERF_FUNCTION T p_wave_modulus() const {
+    return bulk_modulus + T(4) / T(3) * shear_modulus;
+  }
+
+  // Of K, the share that acts by the density: all of it in what is loose. Solids only.
+  template <class Real>
+  KERF_FUNCTION Real share_by_density(bool is_loose) const {
+    return is_loose ? Real(1) : Real(excess_bulk_modulus) / Real(bulk_modulus);
+  }
 
   template <class Other>
   static Medium from(const Medium<Other>& other) {
@@ -46,6 +62,8 @@ struct Medium {
     medium.phase = other.phase;
     medium.constrained = other.constrained;
     medium.cavitates = other.cavitates;
+    medium.elasticity = other.elasticity;
+    medium.criterion = other.criterion;
     medium.piece = other.piece;
 #define KERF_NUMBER(name) medium.name = static_cast<T>(other.name);
     KERF_MEDIUM_NUMBERS(KERF_NUMBER)

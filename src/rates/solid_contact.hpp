@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact of solids that hold together: of bodies, across a broken bond, and with rigid bodies.
+// Contact within one solid across broken bonds; that of bodies is in surface_contact.hpp.
 // Particles closer than the mean of their spacings push one another apart,
 //   f = k (d_0 - r) e,   k = M d_0^(D-2),
 // with M the mean of their P-wave moduli (K + 4 G / 3): the contact of two faces is as stiff as a
@@ -17,7 +17,7 @@ struct SolidContact {
   using Real = typename P::Real;
   static constexpr bool feels_rigid = false;
   struct Sum {
-    Vector<D, Real> contact{}, rigid_contact{};
+    Vector<D, Real> contact{};
     Real contact_energy{};
   };
   Bonds bonds;
@@ -25,7 +25,8 @@ struct SolidContact {
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     const auto &a = *pair.medium_i, &b = *pair.medium_j;
-    if (a.phase != Phase::solid || particles.is_fluid(pair.i) || particles.is_fluid(pair.j)) return;
+    if (a.phase != Phase::solid || a.piece != b.piece) return;
+    if (particles.is_fluid(pair.i) || particles.is_fluid(pair.j)) return;
     if (is_one_volume(particles, pair)) return;
     const Real rest = Real(0.5) * (a.spacing + b.spacing);
     if (pair.distance >= rest || !(pair.distance > Real(0))) return;
@@ -34,26 +35,19 @@ struct SolidContact {
     const Real stiffness = stiffness_of(a, b) * (D == 3 ? rest : Real(1));
     const auto push = (stiffness * overlap / pair.distance) * pair.separation;
     sum.contact += push;
-    const bool rigid = b.phase == Phase::rigid;
-    if (rigid) sum.rigid_contact += push;
-    // The whole of it with a rigid body, which books nothing itself.
-    sum.contact_energy += (rigid ? Real(0.5) : Real(0.25)) * stiffness * overlap * overlap;
+    sum.contact_energy += Real(0.25) * stiffness * overlap * overlap;
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     const auto& medium = particles.medium(i);
     if (medium.phase == Phase::rigid) return;
     const Real inverse = Real(1) / medium.mass;
     particles.acceleration[i] += inverse * sum.contact;
-    particles.repulsion[i] += inverse * sum.rigid_contact;
     particles.repulsion_potential[i] = inverse * sum.contact_energy;
   }
 
  private:
-  KERF_FUNCTION static Real modulus(const Medium<Real>& m) {
-    return m.bulk_modulus + Real(4) / Real(3) * m.shear_modulus;
-  }
   KERF_FUNCTION static Real stiffness_of(const Medium<Real>& a, const Medium<Real>& b) {
-    return b.phase == Phase::rigid ? modulus(a) : Real(0.5) * (modulus(a) + modulus(b));
+    return Real(0.5) * (a.p_wave_modulus() + b.p_wave_modulus());
   }
 };
 

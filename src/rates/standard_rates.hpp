@@ -12,6 +12,7 @@
 #include "rates/fluid_force.hpp"
 #include "rates/pair_loop.hpp"
 #include "rates/solid_contact.hpp"
+#include "rates/surface_contact.hpp"
 #include "rates/water_viscosity.hpp"
 
 namespace kerf {
@@ -25,13 +26,22 @@ struct FluidPressure {
 
   KERF_FUNCTION void operator()(Index i) const {
     const auto& medium = particles.medium(i);
-    Real share = Real(0);
-    if (particles.is_fluid(i))
-      share = Real(1);
-    else if (particles.has_density(i))
-      share = medium.excess_bulk_modulus / medium.bulk_modulus;
-    particles.pressure[i] =
-        share > Real(0) ? share * Tait::pressure(medium, particles.compression[i]) : Real(0);
+    const bool fluid = particles.is_fluid(i);
+    particles.pressure[i] = particles.has_density(i)
+                                ? medium.template share_by_density<Real>(fluid) *
+                                      Tait::pressure(medium, particles.compression[i])
+                                : Real(0);
+  }
+};
+
+// A loop over the particles of solids alone.
+template <int D, class P, class Loop>
+struct OfSolids {
+  ParticleView<D, P> particles;
+  Loop loop;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (particles.medium(i).phase == Phase::solid) loop(i);
   }
 };
 
@@ -40,9 +50,17 @@ class StandardRates {
  public:
   using Real = typename P::Real;
 
-  StandardRates() = default;
-  explicit StandardRates(const Vector<D, double>& gravity)
-      : gravity_{Vector<D, Real>::from(gravity)}, fluid_pair_{gravity_.gravity} {}
+  StandardRates(const Vector<D, double>& gravity, const std::vector<Medium<double>>& media)
+      : gravity_{Vector<D, Real>::from(gravity)},
+        fluid_pair_{gravity_.gravity},
+        media_(static_cast<Index>(media.size())) {
+    std::vector<TouchOfMedia<Real>> touch;
+    for (const auto& entry : touch_table<D, ContactPairs>(media))
+      touch.push_back(
+          {static_cast<Real>(entry.inverse_filling), static_cast<Real>(entry.stiffness)});
+    to_device(touch, touch_);
+    for (const auto& medium : media) has_solids_ |= medium.phase == Phase::solid;
+  }
 
   // Pressures and the accelerations by gravity and all pairs.
   template <class Bonds>
@@ -56,11 +74,18 @@ class StandardRates {
                   const Bonds& bonds, const Filter& filter,
                   const BodyForce<D, P>& body_force) const {
     for_each_index(count, FluidPressure<D, P>{view});
-    for_each_index(count,
-                   FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, FluidForce<D, P>,
-                                    WaterViscosity<D, P>, SolidContact<D, P, Bonds>>(
-                       view, list, filter, body_force, FluidForce<D, P>{fluid_pair_}, {},
-                       SolidContact<D, P, Bonds>{bonds}));
+    if (has_solids_) look_at_surfaces(view, count, list, {touch()});
+    for_each_index(
+        count,
+        FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, FluidForce<D, P>,
+                         WaterViscosity<D, P>, SolidContact<D, P, Bonds>, SurfaceContact<D, P>>(
+            view, list, filter, body_force, FluidForce<D, P>{fluid_pair_}, {},
+            SolidContact<D, P, Bonds>{bonds}, SurfaceContact<D, P>{touch()}));
+  }
+
+  // Bodies as they are laid out do not push. Once, at the start of a run.
+  void fit_surfaces(const ParticleView<D, P>& view, Index count, const NeighbourView& list) const {
+    if (has_solids_) look_at_surfaces(view, count, list, {touch(), true});
   }
 
   void continuity(const ParticleView<D, P>& view, Index count, const NeighbourView& list) const {
@@ -72,8 +97,18 @@ class StandardRates {
   static constexpr int pair_passes = 2;  // per step
 
  private:
+  void look_at_surfaces(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
+                        const SurfaceOverlap<D, P>& term) const {
+    using Loop = PairLoop<D, P, ContactPairs, SurfaceOverlap<D, P>>;
+    for_each_index(count, OfSolids<D, P, Loop>{view, Loop(view, list, {}, term)});
+  }
+  TouchTable<Real> touch() const { return {pointer(touch_), media_}; }
+
   BodyForce<D, P> gravity_{};
   FluidPair<D, P> fluid_pair_{};
+  Index media_ = 0;
+  Array<TouchOfMedia<Real>> touch_;
+  bool has_solids_ = false;
 };
 
 }  // namespace kerf

@@ -107,10 +107,13 @@ void add_energy(Figures& figures) {
       {"kinetic", "kinetic"},
       {"pressure_work", "work against pressure"},
       {"elastic_deviatoric", "elastic, shape"},
+      {"elastic_strain", "elastic, total Lagrangian"},
+      {"hourglass", "hourglass control"},
       {"plate_potential", "plate repulsion"},
       {"dissipated_artificial", "lost to artificial viscosity"},
       {"dissipated_viscous", "lost to water's viscosity"},
-      {"dissipated_fracture", "lost to fracture"}};
+      {"dissipated_fracture", "lost to fracture"},
+      {"dissipated_plastic", "lost to plastic flow"}};
   figures.add("Energy by kind", {"energy", figures.unit("J")}, kinds);
   figures.add("What the ledgers miss", {"error in %", "1"},
               {{"energy_drift", "energy", 100.0},

@@ -36,7 +36,8 @@ double Ledger::momentum_error() const {
 
 double Ledger::energy_total() const {
   return kinetic + pressure_work + elastic_deviatoric + elastic_strain + hourglass +
-         plate_potential + dissipated_artificial + dissipated_viscous + dissipated_fracture;
+         plate_potential + dissipated_artificial + dissipated_viscous + dissipated_fracture +
+         dissipated_plastic;
 }
 
 double Ledger::energy_drift() const {

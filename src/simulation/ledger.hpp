@@ -44,6 +44,7 @@ struct Ledger {
   double dissipated_artificial = 0.0;  // integrated
   double dissipated_viscous = 0.0;
   double dissipated_fracture = 0.0;
+  double dissipated_plastic = 0.0;  // by the flow of total Lagrangian solids
   // The part of the pressure work that the equations of state can give back, by the densities of
   // eq. (22). Where densities differ much (water beside crushed solid) eqs. (22) and (26) do not
   // belong to the same energy, and this departs from what was put in: see docs/theory/ledger.md.

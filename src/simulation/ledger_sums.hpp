@@ -25,9 +25,7 @@ struct ParticleEnergy {
     if (medium.phase == Phase::water) {
       e.stored_water = mass * Tait::energy(medium, compression);
     } else if (medium.cavitates) {  // of the `standard` formulation: what the density stores
-      const double share = particles.fractured[i]
-                               ? 1.0
-                               : double(medium.excess_bulk_modulus) / double(medium.bulk_modulus);
+      const auto share = medium.template share_by_density<double>(particles.fractured[i] != 0);
       e.stored_solid = mass * share * Tait::energy(medium, compression);
     } else {
       const bool fractured = particles.fractured[i] != 0;

@@ -37,7 +37,9 @@ void set_material(Medium<double>& medium, const Material& material) {
   medium.bulk_modulus = e / (3.0 * (1.0 - 2.0 * nu));
   medium.shear_modulus = e / (2.0 * (1.0 + nu));
   medium.failure_strain = material.failure_strain;
-  medium.fracture_energy = material.fracture_energy;
+  medium.friction = material.friction;
+  medium.elasticity = material.elasticity;
+  medium.criterion = material.criterion;
   medium.sound_speed = std::sqrt(medium.bulk_modulus / material.density);
   medium.tait_exponent = loose_exponent;
   medium.tait_coefficient = medium.bulk_modulus / loose_exponent;
@@ -71,8 +73,13 @@ std::vector<Medium<double>> make_media(const Case& description,
     if (body.role == Role::rigid) {
       medium.phase = Phase::rigid;
       medium.repulsion = body.repulsion;
+      medium.friction = body.friction;
     } else {
-      set_material(medium, description.materials.at(static_cast<std::size_t>(body.material)));
+      const auto& material = description.materials.at(static_cast<std::size_t>(body.material));
+      set_material(medium, material);
+      if (material.fracture_energy > 0.0)
+        medium.failure_strain = failure_strain_of(material.fracture_energy, medium.bulk_modulus,
+                                                  medium.shear_modulus, body.spacing);
     }
     medium.volume = particle_volume(body, description.dimension);
     medium.mass = medium.density * medium.volume;
@@ -95,10 +102,6 @@ std::vector<Medium<double>> make_media(const Case& description,
     if (medium.phase == Phase::solid && description.formulation == Formulation::standard)
       medium.excess_bulk_modulus =
           medium.bulk_modulus - bond_bulk_modulus(medium.bulk_modulus, medium.shear_modulus);
-    if (medium.fracture_energy > 0.0)
-      medium.failure_strain = failure_strain_of(medium.fracture_energy,
-                                                medium.bulk_modulus - medium.excess_bulk_modulus,
-                                                medium.shear_modulus, medium.spacing);
     medium.cavitates =
         medium.phase != Phase::rigid && description.formulation == Formulation::standard;
   }

@@ -50,10 +50,13 @@ class ParticleRun : public Simulation {
   virtual void after_reorder() {}
 
   // The start of a run and the stages of a step, in their order.
-  void open();
+  // `lay_out` is called once the list is there, before the first forces.
+  template <class LayOut>
+  void open(const LayOut& lay_out);
   void renew_neighbours();
   void rebuild_list();
-  double choose_step(StepRates rates);
+  // `other`: a limit that particles do not know of.
+  double choose_step(StepRates rates, const StepLimit& other = {1e300, Limit::end_of_run, 0});
   void load_drives(double now);
   void book_step(double dt);
   void mark_leavers();

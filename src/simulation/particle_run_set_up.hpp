@@ -53,8 +53,10 @@ ParticleRun<D, P, Scheme>::ParticleRun(const Case& description)
 }
 
 template <int D, class P, class Scheme>
-void ParticleRun<D, P, Scheme>::open() {
+template <class LayOut>
+void ParticleRun<D, P, Scheme>::open(const LayOut& lay_out) {
   rebuild_list();
+  lay_out();
   list_is_due_ = false;
   refresh();  // the ledger opens with what the first forces hold
   book_.open(particles_);
@@ -89,6 +91,8 @@ void ParticleRun<D, P, Scheme>::append(const std::vector<NewParticle>& newcomers
   thrust::fill_n(particles_.compression.begin() + before, count, Real(0));
   thrust::fill_n(particles_.compression_rate.begin() + before, count, Real(0));
   thrust::fill_n(particles_.wall_normal.begin() + before, count, Vector<D, Real>::zero());
+  thrust::fill_n(particles_.solid_fit.begin() + before, count, Real(1));
+  thrust::fill_n(particles_.rigid_fit.begin() + before, count, Real(1));
   thrust::fill_n(particles_.pressure_work.begin() + before, count, Real(0));
   thrust::fill_n(particles_.shear.begin() + before, count, SymmetricTensor<D, Real>::zero());
   thrust::fill_n(particles_.fractured.begin() + before, count, std::uint8_t(0));

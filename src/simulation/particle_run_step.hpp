@@ -52,7 +52,7 @@ void ParticleRun<D, P, Scheme>::rebuild_list() {
 }
 
 template <int D, class P, class Scheme>
-double ParticleRun<D, P, Scheme>::choose_step(StepRates rates) {
+double ParticleRun<D, P, Scheme>::choose_step(StepRates rates, const StepLimit& other) {
   const auto timer = timers_.stage("time step");
   const double remaining = case_.time.end - time_;
   const double longest =
@@ -60,8 +60,9 @@ double ParticleRun<D, P, Scheme>::choose_step(StepRates rates) {
   const ParticleStepLimit<D, P> limit{particles_.view(), case_.time.courant, runaway_speed_,
                                       longest, rates};
   StepLimit chosen{longest, longest < remaining ? Limit::maximum_step : Limit::end_of_run, 0};
+  if (other.dt < longest) chosen = other;
   const StepLimit least = reduce_unordered(particles_.size(), limit, chosen, SmallerStep{});
-  if (least.dt < longest) chosen = least;
+  if (least.dt < chosen.dt) chosen = least;
   const bool collapsed = chosen.dt < shortest_step_ && chosen.limit != Limit::end_of_run;
   if (chosen.dt < 0.0 || collapsed) fail(chosen);
   const std::uint32_t id = particles_.size() > 0 ? particles_.id[chosen.particle] : 0u;

@@ -17,7 +17,7 @@ class Shinohara2004 final : public ParticleRun<D, P, JointPairs> {
   explicit Shinohara2004(const Case& description)
       : Run(description),
         rates_(Vector<D, double>::from(description.gravity), description.artificial_stress) {
-    Run::open();
+    Run::open([] {});
   }
 
   void advance() override {

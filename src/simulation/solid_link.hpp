@@ -3,10 +3,9 @@
 // the numbers they were laid out with.
 #pragma once
 
-#include "materials/elastic_law.hpp"
 #include "materials/tait.hpp"
 #include "particles/fields.hpp"
-#include "solid/solid_fields.hpp"
+#include "solid/respond.hpp"
 
 namespace kerf {
 
@@ -73,7 +72,7 @@ struct ShowPressure {
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
     if (i == no_index || solid.loose[s]) return;
-    particles.pressure[i] -= trace(cauchy(solid.medium(s), solid.gradient[s])) / Real(3);
+    particles.pressure[i] -= trace(cauchy_now(solid, s)) / Real(3);
   }
 };
 
@@ -91,9 +90,9 @@ struct MarkLoose {
     if (i == no_index || !solid.loose[s] || particles.fractured[i]) return;
     particles.fractured[i] = 1;
     const auto& medium = particles.medium(i);
-    const Real by_density = medium.excess_bulk_modulus / medium.bulk_modulus *
+    const Real by_density = medium.template share_by_density<Real>(false) *
                             Tait::pressure(medium, particles.compression[i]);
-    const Real by_bonds = -trace(cauchy(solid.medium(s), solid.gradient[s])) / Real(3);
+    const Real by_bonds = -trace(cauchy_now(solid, s)) / Real(3);
     particles.compression[i] = Tait::compression(medium, by_density + by_bonds);
   }
 };

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elastic solids of a run of the `standard` formulation: carries places and speeds over to the
+// The solids of a run of the `standard` formulation: carries places and speeds over to the
 // total Lagrangian solid and its forces back, and keeps its share of the ledger and the checkpoint.
 #pragma once
 
 #include <memory>
 #include <utility>
 
+#include "integrate/time_step.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/solid_link.hpp"
 #include "simulation/solid_show.hpp"
@@ -18,6 +19,7 @@ namespace kerf {
 struct SolidLosses {
   double viscous = 0.0;   // by the viscosity of bonds
   double released = 0.0;  // by bonds that broke
+  double plastic = 0.0;   // by plastic flow
 };
 
 template <int D, class P>
@@ -26,8 +28,10 @@ class SolidPart {
   using Real = typename P::Real;
 
   // The particles of the start, in the order of their ids.
-  SolidPart(const std::vector<Medium<double>>& media, const Particles<D, P>& particles) {
+  SolidPart(const std::vector<Medium<double>>& media,
+            std::vector<PlasticParameters<double>> plastic, const Particles<D, P>& particles) {
     SolidLayout<D> layout;
+    layout.plastic = std::move(plastic);
     for (const Medium<double>& medium : media) layout.media.push_back(solid_medium(medium));
     const auto position = to_host(particles.position);
     const auto source = to_host(particles.source);
@@ -55,11 +59,12 @@ class SolidPart {
     show_loose(particles);
   }
 
-  void deform(Particles<D, P>& particles) {
+  // `dt` after the last end_step().
+  void deform(Particles<D, P>& particles, double dt) {
     if (!solid_) return;
     for_each_index(solid_->size(), GatherSolids<D, P>{particles.view(), link(), pointer(position_),
                                                       pointer(velocity_)});
-    solid_->deform(position_);
+    solid_->deform(position_, dt);
   }
 
   // Breaks what is strained too far; the deformation must be in force.
@@ -100,13 +105,25 @@ class SolidPart {
     return {link(), solid_->view()};
   }
 
-  void book_step(double dt) {
-    if (solid_) losses_.viscous += dt * solid_->viscous_power();
+  void end_step(double dt) {
+    if (!solid_) return;
+    losses_.viscous += dt * solid_->viscous_power();
+    losses_.plastic += solid_->keep_flow();
+    wave_ = solid_->wave_time();
+  }
+  // What the waves of the solid allow for the next step, by its shape in the middle of the last
+  // one.
+  StepLimit step_limit(double courant) const {
+    if (!solid_) return {wave_.time, Limit::acoustic_solid, 0};
+    const Index particle = particle_of_[wave_.particle];
+    return {courant * wave_.time, Limit::acoustic_solid, particle == no_index ? 0 : particle};
   }
   void book(Ledger& ledger) {
     ledger.dissipated_artificial += losses_.viscous;
     ledger.dissipated_fracture += losses_.released;
+    ledger.dissipated_plastic += losses_.plastic;
     if (!solid_) return;
+    ledger.dissipated_plastic += solid_->flow_work();
     const SolidEnergy energy = solid_->energy();
     ledger.elastic_strain = energy.elastic;
     ledger.hourglass = energy.hourglass;
@@ -119,21 +136,31 @@ class SolidPart {
   std::size_t bytes() const { return solid_ ? solid_->bytes() : 0; }
 
   void save(Archive& archive) const {
-    archive.arrays["solid/losses"] = std::vector<double>{losses_.viscous, losses_.released};
-    if (solid_) archive.arrays["solid/bonds"] = solid_->save().weight;
+    archive.arrays["solid/losses"] =
+        std::vector<double>{losses_.viscous, losses_.released, losses_.plastic};
+    if (!solid_) return;
+    const SolidState<D, P> state = solid_->save();
+    archive.arrays["solid/wave"] = std::vector<double>{wave_.time, double(wave_.particle)};
+    archive.arrays["solid/bonds"] = state.weight;
+    archive.arrays["solid/flow"] = flat<Real>(state.flow);
   }
   void restore(const Archive& archive) {
     const auto& losses = find_array<double>(archive, "solid/losses");
-    losses_ = {losses.at(0), losses.at(1)};
+    losses_ = {losses.at(0), losses.at(1), losses.at(2)};
     if (!solid_) return;
+    const auto& wave = find_array<double>(archive, "solid/wave");
+    wave_ = {wave.at(0), static_cast<Index>(wave.at(1))};
     // Accelerations are worked out before a step uses them.
     solid_->restore({find_array<Real>(archive, "solid/bonds"),
-                     std::vector<Vector<D, Real>>(solid_->size(), Vector<D, Real>::zero())});
+                     std::vector<Vector<D, Real>>(solid_->size(), Vector<D, Real>::zero()),
+                     unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow"))});
   }
 
  private:
   static SolidMedium<double> solid_medium(const Medium<double>& medium) {
     SolidMedium<double> solid;
+    solid.law = medium.elasticity;
+    solid.criterion = medium.criterion;
     solid.piece = medium.piece;
     solid.density = medium.density;
     solid.spacing = medium.spacing;
@@ -173,6 +200,7 @@ class SolidPart {
   Array<Vector<D, Real>> velocity_;
   Array<std::uint8_t> gone_;
   SolidLosses losses_;
+  WaveTime wave_{1e300, 0};
   bool loosened_ = false;
 };
 

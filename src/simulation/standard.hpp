@@ -7,6 +7,7 @@
 #include "integrate/verlet.hpp"
 #include "rates/standard_rates.hpp"
 #include "simulation/particle_run.hpp"
+#include "simulation/plastic_media.hpp"
 #include "simulation/solid_part.hpp"
 
 namespace kerf {
@@ -18,17 +19,17 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
  public:
   explicit Standard(const Case& description)
       : Run(description),
-        rates_(Vector<D, double>::from(description.gravity)),
-        solid_(Run::media_, Run::particles_) {
-    Run::open();
+        rates_(Vector<D, double>::from(description.gravity), Run::media_),
+        solid_(Run::media_, make_plastic_media(description), Run::particles_) {
+    Run::open([this] { rates_.fit_surfaces(particles_.view(), particles_.size(), list_.view()); });
     rates_.continuity(particles_.view(), particles_.size(), list_.view());
   }
 
   void advance() override {
     Run::renew_neighbours();
-    const double dt = Run::choose_step(StepRates::to_come);
+    const double dt = Run::choose_step(StepRates::to_come, solid_.step_limit(case_.time.courant));
     drift_half(dt);
-    deform_and_break();
+    deform_and_break(dt);
     accelerate();
     kick_and_drift(dt);
     close_density(dt);
@@ -63,14 +64,14 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
   }
 
  private:
-  using Run::drives_, Run::list_, Run::pair_interactions_, Run::particles_, Run::time_,
+  using Run::case_, Run::drives_, Run::list_, Run::pair_interactions_, Run::particles_, Run::time_,
       Run::timers_;
 
   void after_reorder() override { solid_.find(particles_); }
 
   void evaluate_now() const override {
     rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds());
-    solid_.deform(particles_);
+    solid_.deform(particles_, since_step());
     solid_.accelerate(particles_);
     solid_.show_pressure(particles_);
   }
@@ -78,9 +79,12 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
   void accelerate_across(const AcrossPlane<D>& across) const override {
     rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(), across,
                       BodyForce<D, P>{});
-    solid_.deform(particles_);
+    solid_.deform(particles_, since_step());
     solid_.accelerate(particles_, across);
   }
+
+  // What flows last stood at the middle of the last step.
+  double since_step() const { return 0.5 * Run::last_step().dt; }
 
   void drift_half(double dt) {
     const auto timer = timers_.stage("integrate");
@@ -89,10 +93,10 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     for_each_index(particles_.size(), DriftHalf<D, P>{particles_.view(), pointer(drives_), dt});
   }
 
-  void deform_and_break() {
+  void deform_and_break(double dt) {
     {
       const auto timer = timers_.stage("solid");
-      solid_.deform(particles_);
+      solid_.deform(particles_, dt);
       pair_interactions_ += static_cast<double>(solid_.bond_entries());
     }
     const auto timer = timers_.stage("fracture");
@@ -114,7 +118,7 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     const auto timer = timers_.stage("integrate");
     Run::load_drives(time_ + dt);
     for_each_index(particles_.size(), KickAndDrift<D, P>{particles_.view(), pointer(drives_), dt});
-    solid_.book_step(dt);
+    solid_.end_step(dt);
   }
 
   void close_density(double dt) {

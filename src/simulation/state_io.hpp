@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 
 #include "core/error.hpp"
 #include "particles/fields.hpp"
@@ -24,6 +25,19 @@ struct Scalars<SymmetricTensor<D, T>> {
   using type = T;
 };
 
+// Entries made of nothing but `Scalar`s, as plain numbers and back.
+template <class Scalar, class Entry>
+std::vector<Scalar> flat(const std::vector<Entry>& entries) {
+  static_assert(std::is_trivially_copyable_v<Entry> && sizeof(Entry) % sizeof(Scalar) == 0);
+  const auto* first = reinterpret_cast<const Scalar*>(entries.data());
+  return {first, first + entries.size() * (sizeof(Entry) / sizeof(Scalar))};
+}
+template <class Entry, class Scalar>
+std::vector<Entry> unflat(const std::vector<Scalar>& numbers) {
+  static_assert(std::is_trivially_copyable_v<Entry> && sizeof(Entry) % sizeof(Scalar) == 0);
+  const auto* first = reinterpret_cast<const Entry*>(numbers.data());
+  return {first, first + numbers.size() * sizeof(Scalar) / sizeof(Entry)};
+}
 template <class Field>
 using ScalarOf = typename Scalars<typename Field::value_type>::type;
 
@@ -32,10 +46,8 @@ void save_fields(const Particles<D, P>& particles, Archive& archive) {
   particles.for_each_state([&](const char* name, const auto& field) {
     using Entry = typename std::decay_t<decltype(field)>::value_type;
     using Scalar = ScalarOf<std::decay_t<decltype(field)>>;
-    const std::vector<Entry> entries = to_host(field);
-    const auto* first = reinterpret_cast<const Scalar*>(entries.data());
     archive.arrays[std::string("particles/") + name] =
-        std::vector<Scalar>(first, first + entries.size() * (sizeof(Entry) / sizeof(Scalar)));
+        flat<Scalar>(std::vector<Entry>(to_host(field)));
   });
 }
 
@@ -56,13 +68,12 @@ void restore_fields(const Archive& archive, Particles<D, P>& particles) {
     using Entry = typename std::decay_t<decltype(field)>::value_type;
     using Scalar = ScalarOf<std::decay_t<decltype(field)>>;
     const auto& numbers = find_array<Scalar>(archive, std::string("particles/") + name);
-    const auto* first = reinterpret_cast<const Entry*>(numbers.data());
     if (numbers.size() * sizeof(Scalar) != field.size() * sizeof(Entry))
       throw UserError(std::string("the checkpoint's field '") + name +
                           "' has another length than its particles; start the run again without "
                           "--resume",
                       exit_files);
-    to_device(std::vector<Entry>(first, first + field.size()), field);
+    to_device(unflat<Entry>(numbers), field);
   });
 }
 

@@ -9,7 +9,7 @@
 // equal and opposite on j to the last bit.
 #pragma once
 
-#include "solid/solid_fields.hpp"
+#include "solid/hourglass_viscosity.hpp"
 
 namespace kerf {
 
@@ -54,6 +54,21 @@ struct NoViscosity {
   static constexpr bool acts = false;
 };
 
+// Of solids that flow.
+template <int D, class P>
+struct FlowViscosity {
+  using Real = typename P::Real;
+  static constexpr bool acts = true;
+  BondViscosity<D, P> bonds;
+  HourglassViscosity<D, P> hourglass;
+
+  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, Vector<D, Real>& force,
+                         Real& power) const {
+    bonds.add(solid, i, k, force, power);
+    hourglass.add(solid, i, k, force, power);
+  }
+};
+
 struct EveryBond {
   KERF_FUNCTION bool operator()(Index, Index) const { return true; }
 };
@@ -70,14 +85,14 @@ struct BondForce {
     auto force = Vector<D, Real>::zero();
     Real power = Real(0);
     const auto& medium = solid.medium(i);
-    const Real modulus = medium.hourglass_modulus();
+    const Real modulus = solid.hourglass[i];
     const Matrix<D, Real> traction = solid.traction[i];
     for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
       const Real weight = solid.weight[k];
       if (!(weight > Real(0))) continue;
       const Index j = solid.neighbour[k];
       if (!filter(i, j)) continue;
-      const Real stiffness = modulus + solid.medium(j).hourglass_modulus();
+      const Real stiffness = modulus + solid.hourglass[j];
       force += weight * ((traction + solid.traction[j]) * solid.reference_bond(i, j) +
                          stiffness * solid.displacement_bond(i, j));
       if constexpr (Viscosity::acts) viscosity.add(solid, i, k, force, power);

@@ -21,9 +21,15 @@ struct PrepareCriterion {
       solid.criterion[i] = Real(0);
       return;
     }
-    solid.criterion[i] = is_crushed(medium, solid.gradient[i])
+    solid.criterion[i] = has_failed(i) || is_crushed(medium, solid.gradient[i])
                              ? crushed<Real>
                              : prepare_criterion(medium, green_strain(solid.gradient[i]));
+  }
+
+ private:
+  // By ductile damage.
+  KERF_FUNCTION bool has_failed(Index i) const {
+    return solid.flows(i) && !(solid.flow_now[i].damage < Real(1));
   }
 };
 
@@ -74,7 +80,7 @@ struct BreakMarked {
   KERF_FUNCTION void operator()(Index i) const {
     const auto& solid = test.solid;
     if (!solid.changed[i]) return;
-    if (!(solid.criterion[i] < crushed<Real>)) {
+    if (!(solid.criterion[i] < crushed<Real>)) {  // or failed
       solid.loose[i] = 1;
       return;
     }

@@ -2,11 +2,10 @@
 // From positions to deformation and stress. With R = X_j - X_i and w_ij of solid_fields.hpp,
 //   H_i = F_i - 1 = (sum_j w_ij (u_j - u_i) (x) R) B_i / V_i.
 // The force needs of a particle one tensor only, which joins stress and hourglass control,
-//   A_i = P_i B_i - mu_i H_i,   mu = zeta E,   see bond_force.hpp.
+//   A_i = P_i B_i - mu_i H_i,   mu of respond.hpp,   see bond_force.hpp.
 #pragma once
 
-#include "materials/elastic_law.hpp"
-#include "solid/solid_fields.hpp"
+#include "solid/respond.hpp"
 
 namespace kerf {
 
@@ -20,10 +19,11 @@ struct Displace {
   }
 };
 
-template <int D, class P>
+template <int D, class P, class Response>
 struct Deform {
   using Real = typename P::Real;
   SolidView<D, P> solid;
+  Response response;
 
   KERF_FUNCTION void operator()(Index i) const {
     if (solid.loose[i]) {  // it keeps the gradient with which it came loose
@@ -39,8 +39,9 @@ struct Deform {
     const auto& medium = solid.medium(i);
     const Matrix<D, Real> h = sum * solid.correction[i];
     solid.gradient[i] = h;
-    solid.traction[i] = medium.volume() * (piola(medium, h) * solid.correction[i]);
-    solid.traction[i] += -medium.hourglass_modulus() * h;
+    const Matrix<D, Real> stress = first_piola(response.stress(solid, i, h), h);
+    solid.traction[i] = medium.volume() * (stress * solid.correction[i]);
+    solid.traction[i] += -solid.hourglass[i] * h;
   }
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernels/wendland_c2.hpp"
+#include "materials/plastic_law.hpp"
 #include "neighbours/grid.hpp"
 #include "solid/solid_medium.hpp"
 
@@ -15,8 +16,9 @@ namespace kerf {
 template <int D>
 struct SolidLayout {
   std::vector<SolidMedium<double>> media;
-  std::vector<Vector<D, double>> reference;  // X, m
-  std::vector<std::uint16_t> medium_index;   // per particle
+  std::vector<PlasticParameters<double>> plastic;  // per medium; empty: none flows
+  std::vector<Vector<D, double>> reference;        // X, m
+  std::vector<std::uint16_t> medium_index;         // per particle
 };
 
 // Lists in compressed rows: the bonds of i are neighbour[begin[i]] .. neighbour[begin[i + 1] - 1].

@@ -1,14 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the total Lagrangian solid keeps per particle and per bond. State: the weights and `loose`;
-// everything else follows from these and from where the particles are.
+// What the total Lagrangian solid keeps per particle and per bond. State: the weights, `loose` and
+// `flow_start`; everything else follows from these and from where the particles are.
 #pragma once
 
 #include "core/matrix.hpp"
 #include "core/precision.hpp"
 #include "exec/exec.hpp"
+#include "materials/plastic_law.hpp"
 #include "solid/solid_medium.hpp"
 
 namespace kerf {
+
+// Fields with one entry per particle that are not given at set-up. FIELD(type, name): meaning.
+#define KERF_SOLID_RESULTS(FIELD)                                                 \
+  FIELD(std::uint8_t, loose)      /* 1: holds on to nothing, carries no stress */ \
+  FIELD(std::uint8_t, changed)    /* 1: its correction is outdated */             \
+  FIELD(Place, displacement)      /* u = x - X, m */                              \
+  FIELD(Tensor, correction)       /* B_i / V_i, 1/m^D */                          \
+  FIELD(Tensor, gradient)         /* H = F - 1 */                                 \
+  FIELD(Tensor, traction)         /* A = (P B) - mu H, Pa; see deform.hpp */      \
+  FIELD(Real, hourglass)          /* mu, Pa; see respond.hpp */                   \
+  FIELD(Real, criterion)          /* of the fracture criterion */                 \
+  FIELD(Speed, acceleration)      /* m/s^2 */                                     \
+  FIELD(Real, viscous_power)      /* W, dissipated by the bond viscosity */       \
+  FIELD(double, elastic_energy)   /* J (2D: J/m) */                               \
+  FIELD(double, hourglass_energy) /* J (2D: J/m) */
+// Those that only solids have of which some part flows.
+#define KERF_SOLID_FLOW(FIELD)                                                   \
+  FIELD(State, flow_start)         /* at the start of the step */                \
+  FIELD(State, flow_now)           /* at the deformation in force */             \
+  FIELD(Tensor, rate_traction)     /* of hourglass_viscosity.hpp, Pa */          \
+  FIELD(Real, hourglass_viscosity) /* eta, Pa s */                               \
+  FIELD(Real, flow_work)           /* plastic work of the step in hand, J/m^3 */ \
+  FIELD(double, flow_loss)         /* dissipated in the last step, J (2D: J/m) */
 
 // Every pair i, j of one piece that is closer than 2 h in the reference configuration is a bond. It
 // stands in the lists of both, with one weight,
@@ -18,26 +42,34 @@ namespace kerf {
 template <int D, class P>
 struct SolidView {
   using Real = typename P::Real;
-  Index count;
-  const SolidMedium<Real>* media;
-  const std::uint16_t* medium_index;
-  const Vector<D, double>* reference;  // X, m
-  const Index* bond_begin;             // bonds of i: bond_begin[i] .. bond_begin[i + 1]
-  const Index* neighbour;
-  Real* weight;                     // w_ij
-  std::uint8_t* loose;              // 1: holds on to nothing, carries no stress; debris
-  std::uint8_t* changed;            // 1: its correction is outdated
-  Vector<D, double>* displacement;  // u = x - X, m
-  Matrix<D, Real>* correction;      // B_i / V_i, 1/m^D
-  Matrix<D, Real>* gradient;        // H = F - 1
-  Matrix<D, Real>* traction;        // A = (P B) - mu H, Pa; see deform.hpp
-  Real* criterion;                  // of the fracture criterion, per particle
-  Vector<D, Real>* acceleration;    // m/s^2
-  Real* viscous_power;              // W, dissipated by the bond viscosity
-  double* elastic_energy;           // J (2D: J/m)
-  double* hourglass_energy;         // J (2D: J/m)
+  using Place = Vector<D, double>;
+  using Speed = Vector<D, Real>;
+  using Tensor = Matrix<D, Real>;
+  using State = PlasticState<D, Real>;
 
-  KERF_FUNCTION const SolidMedium<Real>& medium(Index i) const { return media[medium_index[i]]; }
+  Index count;
+  bool any_flows;  // whether there is a medium that flows
+  const SolidMedium<Real>* media;
+  const PlasticParameters<Real>* plastic;  // per medium
+  const std::uint16_t* medium_index;
+  const Place* reference;   // X, m
+  const Index* bond_begin;  // bonds of i: bond_begin[i] .. bond_begin[i + 1]
+  const Index* neighbour;
+  Real* weight;  // w_ij
+#define KERF_FIELD(type, name) type* name;
+  KERF_SOLID_RESULTS(KERF_FIELD)
+  KERF_SOLID_FLOW(KERF_FIELD)
+#undef KERF_FIELD
+
+  KERF_FUNCTION const SolidMedium<Real>& medium(Index i) const {
+    return media[medium_index[i]];
+  }
+  KERF_FUNCTION const PlasticParameters<Real>& plasticity(Index i) const {
+    return plastic[medium_index[i]];
+  }
+  KERF_FUNCTION bool flows(Index i) const {
+    return any_flows && plasticity(i).flows();
+  }
   // X_j - X_i, m.
   KERF_FUNCTION Vector<D, Real> reference_bond(Index i, Index j) const {
     return Vector<D, Real>::from(reference[j] - reference[i]);
@@ -50,57 +82,67 @@ struct SolidView {
 
 template <int D, class P>
 struct SolidFields {
+  using View = SolidView<D, P>;
   using Real = typename P::Real;
+  using Place = typename View::Place;
+  using Speed = typename View::Speed;
+  using Tensor = typename View::Tensor;
+  using State = typename View::State;
+
+  bool any_flows = false;
   Array<SolidMedium<Real>> media;
+  Array<PlasticParameters<Real>> plastic;
   Array<std::uint16_t> medium_index;
-  Array<Vector<D, double>> reference;
+  Array<Place> reference;
   Array<Index> bond_begin, neighbour;
   Array<Real> weight;
-  Array<std::uint8_t> loose, changed;
-  Array<Vector<D, double>> displacement;
-  Array<Matrix<D, Real>> correction, gradient, traction;
-  Array<Real> criterion;
-  Array<Vector<D, Real>> acceleration;
-  Array<Real> viscous_power;
-  Array<double> elastic_energy, hourglass_energy;
+#define KERF_FIELD(type, name) Array<type> name;
+  KERF_SOLID_RESULTS(KERF_FIELD)
+  KERF_SOLID_FLOW(KERF_FIELD)
+#undef KERF_FIELD
 
-  Index size() const { return static_cast<Index>(reference.size()); }
+  Index size() const {
+    return static_cast<Index>(reference.size());
+  }
 
-  // Calls visit(array) for each array that has one entry per particle and is not given at set-up.
-  template <class Visit>
-  void for_each_result(Visit&& visit) {
-    visit(loose), visit(changed), visit(displacement), visit(correction), visit(gradient);
-    visit(traction), visit(criterion), visit(acceleration), visit(viscous_power);
-    visit(elastic_energy), visit(hourglass_energy);
+  // Makes room for all that is not given at set-up.
+  void make_room() {
+    weight.resize(neighbour.size());
+#define KERF_FIELD(type, name) name.resize(reference.size());
+    KERF_SOLID_RESULTS(KERF_FIELD)
+    if (any_flows) {
+      KERF_SOLID_FLOW(KERF_FIELD)
+    }
+#undef KERF_FIELD
   }
 
   std::size_t bytes() const {
-    return bytes_of(media) + bytes_of(medium_index) + bytes_of(reference) + bytes_of(bond_begin) +
-           bytes_of(neighbour) + bytes_of(weight) + bytes_of(loose) + bytes_of(changed) +
-           bytes_of(displacement) + bytes_of(correction) + bytes_of(gradient) + bytes_of(traction) +
-           bytes_of(criterion) + bytes_of(acceleration) + bytes_of(viscous_power) +
-           bytes_of(elastic_energy) + bytes_of(hourglass_energy);
+    std::size_t sum = bytes_of(media) + bytes_of(plastic) + bytes_of(medium_index) +
+                      bytes_of(reference) + bytes_of(bond_begin) + bytes_of(neighbour) +
+                      bytes_of(weight);
+#define KERF_FIELD(type, name) sum += bytes_of(name);
+    KERF_SOLID_RESULTS(KERF_FIELD)
+    KERF_SOLID_FLOW(KERF_FIELD)
+#undef KERF_FIELD
+    return sum;
   }
 
-  SolidView<D, P> view() {
-    return {size(),
-            pointer(media),
-            pointer(medium_index),
-            pointer(reference),
-            pointer(bond_begin),
-            pointer(neighbour),
-            pointer(weight),
-            pointer(loose),
-            pointer(changed),
-            pointer(displacement),
-            pointer(correction),
-            pointer(gradient),
-            pointer(traction),
-            pointer(criterion),
-            pointer(acceleration),
-            pointer(viscous_power),
-            pointer(elastic_energy),
-            pointer(hourglass_energy)};
+  View view() {
+    View view;
+    view.count = size();
+    view.any_flows = any_flows;
+    view.media = pointer(media);
+    view.plastic = pointer(plastic);
+    view.medium_index = pointer(medium_index);
+    view.reference = pointer(reference);
+    view.bond_begin = pointer(bond_begin);
+    view.neighbour = pointer(neighbour);
+    view.weight = pointer(weight);
+#define KERF_FIELD(type, name) view.name = pointer(name);
+    KERF_SOLID_RESULTS(KERF_FIELD)
+    KERF_SOLID_FLOW(KERF_FIELD)
+#undef KERF_FIELD
+    return view;
   }
 
  private:

@@ -6,11 +6,9 @@
 #include <cstdint>
 
 #include "exec/host_device.hpp"
+#include "materials/laws.hpp"
 
 namespace kerf {
-
-enum class ElasticLaw : std::uint8_t { neo_hookean, st_venant_kirchhoff };
-enum class BondCriterion : std::uint8_t { principal_strain, equivalent_strain };
 
 template <class T>
 struct SolidMedium {

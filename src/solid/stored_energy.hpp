@@ -5,10 +5,23 @@
 #pragma once
 
 #include "exec/ordered_sum.hpp"
-#include "materials/elastic_law.hpp"
-#include "solid/solid_fields.hpp"
+#include "solid/respond.hpp"
 
 namespace kerf {
+
+// sum_j w_ij |F_i R - x_ij|^2
+template <int D, class P>
+KERF_FUNCTION double misfit(const SolidView<D, P>& solid, Index i) {
+  const auto h = Matrix<D, double>::from(solid.gradient[i]);
+  double sum = 0.0;
+  for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
+    const Index j = solid.neighbour[k];
+    auto gamma = h * Vector<D, double>::from(solid.reference[j] - solid.reference[i]);  // H R - u
+    gamma -= solid.displacement[j] - solid.displacement[i];
+    sum += double(solid.weight[k]) * dot(gamma, gamma);
+  }
+  return sum;
+}
 
 template <int D, class P>
 struct StoreEnergy {
@@ -18,19 +31,10 @@ struct StoreEnergy {
   KERF_FUNCTION void operator()(Index i) const {
     solid.elastic_energy[i] = solid.hourglass_energy[i] = 0.0;
     if (solid.loose[i]) return;
-    const auto medium = SolidMedium<double>::from(solid.medium(i));
-    Matrix<D, double> h;
-    for (int k = 0; k < D * D; ++k) h.component[k] = solid.gradient[i].component[k];
-    solid.elastic_energy[i] = medium.volume() * energy_density(medium, green_strain(h));
-    double sum = 0.0;
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-      const Index j = solid.neighbour[k];
-      // gamma = F R - x = H R - u
-      auto gamma = h * Vector<D, double>::from(solid.reference[j] - solid.reference[i]);
-      gamma -= solid.displacement[j] - solid.displacement[i];
-      sum += solid.weight[k] * dot(gamma, gamma);
-    }
-    solid.hourglass_energy[i] = 0.5 * medium.hourglass_modulus() * sum;
+    const auto& medium = solid.medium(i);
+    solid.elastic_energy[i] =
+        double(medium.mass) / double(medium.density) * energy_density_now(solid, i);
+    solid.hourglass_energy[i] = 0.5 * double(solid.hourglass[i]) * misfit(solid, i);
   }
 };
 

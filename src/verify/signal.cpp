@@ -55,6 +55,8 @@ Signal ledger_signal(const Parameters& parameters, const Beginning&) {
       {"kinetic", [](const Ledger& l) { return l.kinetic; }},
       {"elastic",
        [](const Ledger& l) { return l.elastic_deviatoric + l.stored_solid + l.elastic_strain; }},
+      {"hourglass", [](const Ledger& l) { return l.hourglass; }},
+      {"plastic", [](const Ledger& l) { return l.dissipated_plastic; }},
       {"dissipated", [](const Ledger& l) { return l.dissipated_artificial; }},
       {"plate_force", [](const Ledger& l) { return l.force_plate[1]; }},
       // Speed at which the whole comes back over that at which it came, along y.
@@ -88,6 +90,7 @@ const std::map<std::string, SignalMaker>& signal_makers() {
       {"body_mean", body_mean_signal},
       {"kinetic_centroid", kinetic_centroid_signal},
       {"profile_error", profile_error_signal},
+      {"extent", extent_signal},
       {"asymmetry", asymmetry_signal},
       {"jet_split", jet_split_signal},
       {"fractured_below_jet", fractured_below_jet_signal},

@@ -33,6 +33,7 @@ Signal kinetic_centroid_signal(const Parameters& parameters, const Beginning& be
 Signal profile_error_signal(const Parameters& parameters, const Beginning& beginning);
 
 // Of the shape of things.
+Signal extent_signal(const Parameters& parameters, const Beginning& beginning);
 Signal asymmetry_signal(const Parameters& parameters, const Beginning& beginning);
 Signal jet_split_signal(const Parameters& parameters, const Beginning& beginning);
 Signal fractured_below_jet_signal(const Parameters& parameters, const Beginning& beginning);

@@ -24,26 +24,36 @@ SolidOnTrial<2, P> notched_strip(double spacing = 1e-3, double limit = 0.1) {
   return trial;
 }
 
+template <class P>
+double pulling_step(const SolidOnTrial<2, P>& trial) {  // s
+  const auto& medium = trial.layout.media[0];
+  return 0.2 * medium.spacing / medium.longitudinal_speed();
+}
+
+// A step in which the two ends of a strip 20 mm high are pulled apart; what breaks in it.
+template <class P>
+FractureBook pull_once(SolidOnTrial<2, P>& trial, double speed, double dt) {
+  trial.kick(0.5 * dt);
+  for (std::size_t i = 0; i < trial.size(); ++i) {
+    const double y = trial.layout.reference[i][1];
+    if (y < 2e-3) trial.velocity[i] = {0, static_cast<typename P::Real>(-speed)};
+    if (y > 18e-3) trial.velocity[i] = {0, static_cast<typename P::Real>(speed)};
+    trial.position[i] += dt * Vector<2, double>::from(trial.velocity[i]);
+  }
+  trial.deform();
+  const FractureBook book = trial.solid.fracture();
+  trial.evaluate();
+  trial.kick(0.5 * dt);
+  return book;
+}
+
 // Pulls the two ends apart until the strip is in two; the energy set free, J/m.
 template <class P>
 double pull(SolidOnTrial<2, P>& trial, double speed, double time) {
-  const auto& medium = trial.layout.media[0];
-  const double dt = 0.2 * medium.spacing / medium.longitudinal_speed();
+  const double dt = pulling_step(trial);
   double released = 0.0;
   trial.evaluate();
-  for (double t = 0.0; t < time; t += dt) {
-    trial.kick(0.5 * dt);
-    for (std::size_t i = 0; i < trial.size(); ++i) {
-      const double y = trial.layout.reference[i][1];
-      if (y < 2e-3) trial.velocity[i] = {0, static_cast<typename P::Real>(-speed)};
-      if (y > 18e-3) trial.velocity[i] = {0, static_cast<typename P::Real>(speed)};
-      trial.position[i] += dt * Vector<2, double>::from(trial.velocity[i]);
-    }
-    trial.deform();
-    released += trial.solid.fracture().released;
-    trial.evaluate();
-    trial.kick(0.5 * dt);
-  }
+  for (double t = 0.0; t < time; t += dt) released += pull_once(trial, speed, dt).released;
   return released;
 }
 

@@ -24,7 +24,7 @@ inline SolidMedium<double> steel() {
 
 inline PlasticParameters<double> linear_hardening(double yield_stress, double modulus) {
   PlasticParameters<double> parameters;
-  parameters.law = PlasticLaw::j2_hardening;
+  parameters.law = PlasticLaw::von_mises;
   parameters.hardening.yield_stress = yield_stress;
   parameters.hardening.modulus = modulus;
   return parameters;

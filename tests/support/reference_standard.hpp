@@ -7,8 +7,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 
-#include "support/reference_sph.hpp"
+#include "support/reference_touch.hpp"
 
 namespace kerf::test {
 
@@ -21,22 +22,6 @@ struct StandardRate {
   Vector3 from_rigid = Vector3::Zero();  // N, the part of these by rigid bodies
   double contact_energy = 0.0;           // J
 };
-
-// Wendland C2, support 2 h: dW/dr = - 5 alpha / h q (1 - q/2)^3.
-inline double wendland_slope(double r, double h, int dimension) {
-  const double q = r / h, pi = std::numbers::pi;
-  if (q >= 2.0) return 0.0;
-  const double alpha = dimension == 2 ? 7.0 / (4.0 * pi * h * h) : 21.0 / (16.0 * pi * h * h * h);
-  return -5.0 * alpha / h * q * std::pow(1.0 - q / 2.0, 3);
-}
-
-// Wendland C2: W = alpha (1 - q/2)^4 (2 q + 1).
-inline double wendland(double r, double h, int dimension) {
-  const double q = r / h, pi = std::numbers::pi;
-  if (q >= 2.0) return 0.0;
-  const double alpha = dimension == 2 ? 7.0 / (4.0 * pi * h * h) : 21.0 / (16.0 * pi * h * h * h);
-  return alpha * std::pow(1.0 - q / 2.0, 4) * (2.0 * q + 1.0);
-}
 
 // P* split into its mean and its dissipation, and U*; U towards the right is positive. The star
 // state is where the two acoustic waves meet: P* = p_l + Z_l (U_l - U*) = p_r - Z_r (U_r - U*).
@@ -72,7 +57,9 @@ class ReferenceStandard {
       : state_(state),
         bonded_(bonded),
         normal_(state.particles.size(), Vector3::Zero()),
-        rates_(state.particles.size()) {
+        rates_(state.particles.size()),
+        touch_(state) {
+    for (std::size_t i = 0; i < rates_.size(); ++i) rates_[i].contact_energy = touch_.energy(i);
     if (normals == Normals::known) find_normals();
     for (std::size_t i = 0; i < rates_.size(); ++i) rates_[i].pressure = density_pressure(i);
     for (std::size_t i = 0; i < rates_.size(); ++i)
@@ -194,30 +181,41 @@ class ReferenceStandard {
     return m.bulk_modulus + 4.0 / 3.0 * m.shear_modulus;
   }
 
-  // `s` is solid, the other solid or rigid: a spring that only pushes.
+  // Both are of one solid that no bond holds together any more: a spring that only pushes.
   void add_contact(std::size_t s, std::size_t o) {
     const auto &a = state_.medium(s), &b = state_.medium(o);
+    if (b.phase == Phase::rigid || a.piece != b.piece) return add_touch(s, o);
     const Vector3 apart = at(s).position - at(o).position;
     const double rest = (a.spacing + b.spacing) / 2.0, overlap = rest - apart.norm();
-    const bool rigid = b.phase == Phase::rigid;
-    if (overlap <= 0.0 || (!rigid && bonded_(s, o))) return;
-    const double modulus = rigid ? wave_modulus(a) : (wave_modulus(a) + wave_modulus(b)) / 2.0;
+    if (overlap <= 0.0 || bonded_(s, o)) return;
+    const double modulus = (wave_modulus(a) + wave_modulus(b)) / 2.0;
     const double stiffness = modulus * std::pow(rest, state_.dimension - 2);
     const Vector3 push = stiffness * overlap * apart.normalized();
-    const double energy = stiffness * overlap * overlap / 2.0;
     rates_[s].contact += push;
     rates_[o].contact -= push;
-    rates_[s].contact_energy += rigid ? energy : energy / 2.0;
-    if (rigid)
-      rates_[s].from_rigid += push;
-    else
-      rates_[o].contact_energy += energy / 2.0;
+    rates_[s].contact_energy += stiffness * overlap * overlap / 4.0;
+    rates_[o].contact_energy += stiffness * overlap * overlap / 4.0;
+  }
+
+  // `s` is solid, the other a solid of another piece, or rigid.
+  void add_touch(std::size_t s, std::size_t o) {
+    if (!touch_.touches(s, o)) return;
+    book_touch(s, o, touch_.of(s, o));
+    if (!is(o, Phase::rigid)) book_touch(o, s, touch_.of(o, s));
+  }
+  void book_touch(std::size_t i, std::size_t j, const TouchForce& force) {
+    rates_[i].contact += force.push;
+    rates_[j].contact -= force.push;
+    rates_[i].damping += force.drag;
+    rates_[j].damping -= force.drag;
+    if (is(j, Phase::rigid)) rates_[i].from_rigid += force.push + force.drag;
   }
 
   const ReferenceState& state_;
   Bonded bonded_;
   std::vector<Vector3> normal_;
   std::vector<StandardRate> rates_;
+  ReferenceTouch touch_;
 };
 
 }  // namespace kerf::test

@@ -38,6 +38,7 @@ inline ReferenceState wet_bag(int dimension, unsigned seed) {
     }
     medium.longitudinal_speed = std::max(medium.longitudinal_speed, medium.sound_speed);
   }
+  for (auto& medium : state.media) medium.friction = medium.phase == Phase::rigid ? 0.4 : 0.3;
   state.media[1].viscosity = 0.2;
   state.media[1].sound_speed = 35.0;
   state.media[1].tait_coefficient = 35.0 * 35.0 * 1000.0 / 7.0;
@@ -75,8 +76,10 @@ using LoadedStandard = Loaded<D, P, ContactPairs>;
 
 template <int D, class P>
 void evaluate_standard(const ReferenceState& state, LoadedStandard<D, P>& loaded) {
-  const StandardRates<D, P> rates(Vector<D, double>::from(state.gravity));
+  const StandardRates<D, P> rates(Vector<D, double>::from(state.gravity), state.media);
   auto& particles = loaded.particles;
+  thrust::fill(particles.solid_fit.begin(), particles.solid_fit.end(), 1);
+  thrust::fill(particles.rigid_fit.begin(), particles.rigid_fit.end(), 1);
   rates.accelerate(particles.view(), particles.size(), loaded.list.view(), BagBonds<D, P>{});
   rates.continuity(particles.view(), particles.size(), loaded.list.view());
 }

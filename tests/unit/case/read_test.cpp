@@ -209,10 +209,22 @@ TEST(Schema, IsConsistent) {
     EXPECT_TRUE(headed) << key.name;
     EXPECT_FALSE(key.sentence.empty() || key.sentence.back() == '.') << key.name;
     EXPECT_EQ(key.kind == ValueKind::word, !key.choices.empty()) << key.name;
-    if (key.kind == ValueKind::number && !key.computed() && !key.required()) {
+    if (key.kind == ValueKind::number && !key.computed() && !key.required() &&
+        key.standard != "none") {
       EXPECT_TRUE(in_range(key, std::stod(std::string(key.standard)))) << key.name;
     }
   }
+}
+
+template <std::size_t N>
+void expect_words(std::string_view key, const std::array<std::string_view, N>& words) {
+  const auto choices = split_words(find_key("materials", key, {"elastic", "standard"})->choices);
+  EXPECT_EQ(choices, std::vector<std::string>(words.begin(), words.end())) << key;
+}
+TEST(Schema, OffersTheLawsThereAre) {
+  expect_words("elasticity", elastic_law_words);
+  expect_words("plasticity", plastic_law_words);
+  expect_words("criterion", bond_criterion_words);
 }
 
 }  // namespace

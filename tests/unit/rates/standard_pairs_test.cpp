@@ -86,11 +86,11 @@ TYPED_TEST(StandardPairs, WaterAndSolidPushEqually) {
   EXPECT_LE((force[Phase::water] + force[Phase::solid]).norm(), 1e-12 * scale);
 }
 
-// Pressure, its dissipation, contact and this viscosity act along the line of centres or the
-// velocity; without viscosity nothing turns.
+// Pressure, its dissipation and contact act along the line of centres, viscosity and friction along
+// the velocity; without these nothing turns.
 TYPED_TEST(StandardPairs, CentralForcesHaveNoTorque) {
   auto state = TestFixture::bag(7);
-  for (auto& medium : state.media) medium.viscosity = 0.0;
+  for (auto& medium : state.media) medium.viscosity = medium.friction = 0.0;
   const auto sum = TestFixture::sums(state, evaluated_standard<TypeParam::value, Double>(state));
   ASSERT_GT(sum.torque_scale, 0.0);
   EXPECT_LE(sum.torque.norm(), 1e-12 * sum.torque_scale);

@@ -61,7 +61,7 @@ class ContactOfBonds : public testing::Test {
       particle_of[s] = static_cast<Index>(place[s]);
     }
     const SolidIndexView link{number.data(), static_cast<Index>(number.size()), particle_of.data()};
-    const StandardRates<dimension, Precision> rates(Vector<dimension, double>::zero());
+    const StandardRates<dimension, Precision> rates(Vector<dimension, double>::zero(), state.media);
     rates.accelerate(loaded.particles.view(), loaded.particles.size(), loaded.list.view(),
                      WholeBonds<dimension, Precision>{link, solid.view()});
     std::vector<Vector3> result;

@@ -52,24 +52,13 @@ double tears_at(const SolidMedium<double>& medium, double jitter, double energy)
   SolidOnTrial<2, Mixed> trial(
       block<2>({.cells = {wide, high, 1}, .spacing = spacing, .jitter = jitter}, brittle));
   trial.solid.cut(LongNotch{});
-  const double clamp = 2e-3, speed = 0.01, dt = 0.2 * spacing / medium.longitudinal_speed();
+  const double speed = 0.01, dt = pulling_step(trial);
   double torn = 0.0;
   trial.evaluate();
-  for (double t = 0.0; t < 1.0 && torn == 0.0; t += dt) {
-    trial.kick(0.5 * dt);
-    for (std::size_t i = 0; i < trial.size(); ++i) {
-      const double y = trial.layout.reference[i][1];
-      if (y < clamp) trial.velocity[i] = {0, static_cast<float>(-speed)};
-      if (y > 20e-3 - clamp) trial.velocity[i] = {0, static_cast<float>(speed)};
-      trial.position[i] += dt * Vector<2, double>::from(trial.velocity[i]);
-    }
-    trial.deform();
-    if (trial.solid.fracture().bonds > 0) torn = t;
-    trial.evaluate();
-    trial.kick(0.5 * dt);
-  }
+  for (double t = 0.0; t < 1.0 && torn == 0.0; t += dt)
+    if (pull_once(trial, speed, dt).bonds > 0) torn = t;
   // Between the clamped rows; no strain along the strip.
-  const double height = 20e-3 - 2.0 * clamp + spacing, strain = 2.0 * speed * torn / height;
+  const double height = 16e-3 + spacing, strain = 2.0 * speed * torn / height;
   const double modulus = medium.bulk_modulus + 4.0 / 3.0 * medium.shear_modulus;
   return 0.5 * modulus * strain * strain * height;
 }

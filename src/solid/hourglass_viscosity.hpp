@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a solid has flown its hourglass control has gone soft (respond.hpp), and the motion that a
+// particle's gradient does not see would be free. It is damped instead, as finite elements with one
+// point of integration do (Flanagan & Belytschko, Int. J. Numer. Methods Eng. 17 (1981) 679). The
+// power  sum_i eta_i sum_j w_ij |gamma_ij|^2,  gamma_ij = Fdot_i R - v_ij,  is Rayleigh's function,
+// so that the force is its slope, as that of the elastic control is the slope of an energy:
+//   m_i a_i = sum_j w_ij [(eta_i + eta_j) v_ij - (eta_i Fdot_i + eta_j Fdot_j) R].
+#pragma once
+
+#include "solid/respond.hpp"
+
+namespace kerf {
+
+// eta = xi (zeta E - mu) h / c: a share of the stiffness that was lost, over the time in which a
+// wave crosses the kernel.
+inline constexpr double hourglass_damping = 0.05;  // xi
+
+template <int D, class P>
+KERF_FUNCTION typename P::Real hourglass_viscosity(const SolidView<D, P>& solid, Index i) {
+  using Real = typename P::Real;
+  if (!solid.flows(i)) return Real(0);
+  const auto& medium = solid.medium(i);
+  const Real lost = medium.hourglass_modulus() - solid.hourglass[i];
+  return Real(hourglass_damping) * lost * medium.smoothing_length / medium.longitudinal_speed();
+}
+
+// eta_i Fdot_i of every particle, Pa.
+template <int D, class P>
+struct RateTraction {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+  const Vector<D, Real>* velocity;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const Real viscosity = solid.loose[i] ? Real(0) : hourglass_viscosity(solid, i);
+    solid.hourglass_viscosity[i] = viscosity;
+    auto sum = Matrix<D, Real>::zero();
+    if (viscosity > Real(0))
+      for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
+        const Index j = solid.neighbour[k];
+        add_outer(sum, velocity[j] - velocity[i], solid.weight[k] * solid.reference_bond(i, j));
+      }
+    solid.rate_traction[i] = viscosity * (sum * solid.correction[i]);
+  }
+};
+
+template <int D, class P>
+struct HourglassViscosity {
+  using Real = typename P::Real;
+  const Vector<D, Real>* velocity;
+
+  // Adds the force on i and the power of its own share.
+  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, Vector<D, Real>& force,
+                         Real& power) const {
+    const Index j = solid.neighbour[k];
+    const Real own = solid.hourglass_viscosity[i], both = own + solid.hourglass_viscosity[j];
+    if (!(both > Real(0))) return;
+    const Real weight = solid.weight[k];
+    const Vector<D, Real> bond = solid.reference_bond(i, j), speed = velocity[j] - velocity[i];
+    const Vector<D, Real> seen = solid.rate_traction[i] * bond;
+    force += weight * (both * speed - seen - solid.rate_traction[j] * bond);
+    if (!(own > Real(0))) return;
+    const Vector<D, Real> unseen = seen - own * speed;
+    power += weight / own * dot(unseen, unseen);
+  }
+};
+
+}  // namespace kerf

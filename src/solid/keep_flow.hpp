@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// The end of a step of what flows: the state it came to is where the next step starts.
+#pragma once
+
+#include "exec/ordered_sum.hpp"
+#include "solid/respond.hpp"
+#include "solid/stored_energy.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct StartUnflown {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    solid.flow_start[i] = solid.flow_now[i] = PlasticState<D, Real>::virgin();
+    solid.flow_work[i] = Real(0);
+    solid.flow_loss[i] = 0.0;
+  }
+};
+
+// What the state at the start of the step makes of the hourglass control.
+template <int D, class P>
+struct SetHourglassModulus {
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const auto& medium = solid.medium(i);
+    solid.hourglass[i] = solid.flows(i) ? hourglass_modulus(medium, solid.plasticity(i),
+                                                            solid.flow_start[i].plastic_strain)
+                                        : medium.hourglass_modulus();
+  }
+};
+
+template <int D, class P>
+struct KeepFlow {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    solid.flow_loss[i] = 0.0;
+    if (!solid.flows(i) || solid.loose[i]) return;
+    const auto& medium = solid.medium(i);
+    solid.flow_loss[i] = double(medium.volume()) * double(solid.flow_work[i]);
+    solid.flow_work[i] = Real(0);
+    solid.flow_start[i] = solid.flow_now[i];
+    const Real modulus =
+        hourglass_modulus(medium, solid.plasticity(i), solid.flow_start[i].plastic_strain);
+    if (!(modulus < solid.hourglass[i])) return;
+    solid.flow_loss[i] += 0.5 * double(solid.hourglass[i] - modulus) * misfit(solid, i);
+    solid.hourglass[i] = modulus;
+  }
+};
+
+// Plastic work of the step in hand, J.
+template <int D, class P>
+struct FlowWorkTerm {
+  SolidView<D, P> solid;
+  KERF_FUNCTION void add(Index i, Terms<1>& sum) const {
+    if (!solid.loose[i])
+      sum.value[0] += double(solid.medium(i).volume()) * double(solid.flow_work[i]);
+  }
+};
+// What the last KeepFlow dissipated, J.
+template <int D, class P>
+struct FlowLossTerm {
+  SolidView<D, P> solid;
+  KERF_FUNCTION void add(Index i, Terms<1>& sum) const { sum.value[0] += solid.flow_loss[i]; }
+};
+
+}  // namespace kerf

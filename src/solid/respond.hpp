@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a particle of the solid answers to its deformation gradient. An elastic one has a stress that
+// the gradient alone decides. One that flows starts each step from the state of the last one,
+// `flow_start`, and comes to `flow_now`; to look at a deformation changes `flow_now` only, until
+// KeepFlow makes it the start of the next step.
+//
+// The hourglass control resists what a particle's gradient does not see, with a modulus mu =
+// zeta E. Where the material flows that is flow too, and resisted by the strength: mu falls like
+// the secant of a test in shear,  mu = zeta E / (1 + eps_p / eps_y),  eps_y = sigma_0 / (3 G), and
+// the energy that the control then holds too much of is dissipated.
+#pragma once
+
+#include "materials/elastic_law.hpp"
+#include "solid/solid_fields.hpp"
+
+namespace kerf {
+
+template <class T>
+KERF_FUNCTION T hourglass_modulus(const SolidMedium<T>& medium,
+                                  const PlasticParameters<T>& parameters, T plastic_strain) {
+  const T elastic = medium.hourglass_modulus();
+  if (!parameters.flows()) return elastic;
+  const T first_strain = parameters.first_strength() / (T(3) * medium.shear_modulus);
+  return first_strain > T(0) ? elastic * (first_strain / (first_strain + plastic_strain)) : T(0);
+}
+
+// The answers that Deform asks for: the second Piola-Kirchhoff stress at the gradient H, Pa.
+template <int D, class P>
+struct ElasticResponse {
+  using Real = typename P::Real;
+  KERF_FUNCTION SymmetricTensor<D, Real> stress(const SolidView<D, P>& solid, Index i,
+                                                const Matrix<D, Real>& h) const {
+    return second_piola(solid.medium(i), green_strain(h));
+  }
+};
+template <int D, class P>
+struct FlowingResponse {
+  using Real = typename P::Real;
+  Real dt;  // s, since the state `flow_start`
+  KERF_FUNCTION SymmetricTensor<D, Real> stress(const SolidView<D, P>& solid, Index i,
+                                                const Matrix<D, Real>& h) const {
+    const auto& medium = solid.medium(i);
+    if (!solid.flows(i)) return second_piola(medium, green_strain(h));
+    const auto result = advance(medium, solid.plasticity(i), h, dt, solid.flow_start[i]);
+    solid.flow_now[i] = result.state;
+    solid.flow_work[i] = result.plastic_work;
+    return result.stress;
+  }
+};
+
+// Of the deformation in force.
+template <int D, class P>
+KERF_FUNCTION SymmetricTensor<D, typename P::Real> cauchy_now(const SolidView<D, P>& solid,
+                                                              Index i) {
+  const auto& medium = solid.medium(i);
+  const auto& h = solid.gradient[i];
+  if (!solid.flows(i)) return cauchy(medium, h);
+  return cauchy(second_piola(medium, solid.plasticity(i), h, solid.flow_now[i].metric), h);
+}
+
+// Stored energy per reference volume in double, J/m^3.
+template <int D, class P>
+KERF_FUNCTION double energy_density_now(const SolidView<D, P>& solid, Index i) {
+  const auto medium = SolidMedium<double>::from(solid.medium(i));
+  const auto h = Matrix<D, double>::from(solid.gradient[i]);
+  if (!solid.flows(i)) return energy_density(medium, green_strain(h));
+  const auto parameters = PlasticParameters<double>::from(solid.plasticity(i));
+  return energy_density(medium, parameters, h,
+                        SymmetricTensor<D, double>::from(solid.flow_now[i].metric));
+}
+
+}  // namespace kerf

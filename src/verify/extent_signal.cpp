@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far a body reaches, from surface to surface. The surface is half a spacing beyond the
+// outermost particle as laid out, and half the way to its neighbour inwards once deformed.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "verify/signal.hpp"
+
+namespace kerf {
+
+namespace {
+
+// Coordinate along x, y or z, or distance from the y axis.
+struct Along {
+  std::size_t axis = 0;
+  bool radial = false;
+
+  double of(const Point& x) const { return radial ? std::hypot(x[0], x[2]) : x[axis]; }
+  // x moved by `distance` along.
+  Point moved(Point x, double distance) const {
+    const double radius = of(x);
+    if (!radial) {
+      x[axis] += distance;
+    } else if (radius > 0.0) {
+      x[0] += distance * x[0] / radius;
+      x[2] += distance * x[2] / radius;
+    }
+    return x;
+  }
+};
+
+struct Edge {
+  std::uint32_t outer, inner;  // ids of a particle at the surface and its neighbour inwards
+};
+
+double square_distance(const Point& a, const Point& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return sum;
+}
+
+// The particles laid out last along, `inwards` = -1 or +1, within a spacing of the outermost.
+std::vector<Edge> find_edges(const std::vector<std::pair<std::uint32_t, Point>>& places,
+                             const Along& along, double spacing, double inwards) {
+  double outermost = -std::numeric_limits<double>::infinity();
+  for (const auto& [id, x] : places) outermost = std::max(outermost, -inwards * along.of(x));
+  std::vector<Edge> edges;
+  for (const auto& [id, x] : places) {
+    if (-inwards * along.of(x) < outermost - 0.999 * spacing) continue;
+    const Point target = along.moved(x, inwards * spacing);
+    const auto nearest =
+        std::min_element(places.begin(), places.end(), [&](const auto& a, const auto& b) {
+          return square_distance(a.second, target) < square_distance(b.second, target);
+        });
+    if (nearest->first != id) edges.push_back({id, nearest->first});
+  }
+  return edges;
+}
+
+}  // namespace
+
+Signal extent_signal(const Parameters& parameters, const Beginning& beginning) {
+  const std::string word = parameters.text("along");
+  if (word != "x" && word != "y" && word != "z" && word != "radius")
+    parameters.fail("along is x, y, z or radius");
+  const Along along{word == "radius" ? 0 : static_cast<std::size_t>(word[0] - 'x'),
+                    word == "radius"};
+  const auto& bodies = beginning.description.bodies;
+  const std::string name = parameters.text("body");
+  const auto body = std::find_if(bodies.begin(), bodies.end(),
+                                 [&](const Body& candidate) { return candidate.name == name; });
+  if (body == bodies.end()) parameters.fail("there is no body \"" + name + "\"");
+  std::vector<std::pair<std::uint32_t, Point>> places;
+  for (std::size_t row = 0; row < beginning.frame.id.size(); ++row)
+    if (beginning.frame.source[row] == static_cast<std::size_t>(body - bodies.begin()))
+      places.emplace_back(beginning.frame.id[row], beginning.frame.position[row]);
+  const double spacing = body->spacing;
+  const auto upper = find_edges(places, along, spacing, -1.0);
+  const auto lower = along.radial ? std::vector<Edge>{} : find_edges(places, along, spacing, 1.0);
+  return [along, upper, lower](Moment& moment) {
+    const Frame& frame = moment.frame();
+    std::vector<double> at(1 + *std::max_element(frame.id.begin(), frame.id.end()));
+    for (std::size_t row = 0; row < frame.id.size(); ++row)
+      at[frame.id[row]] = along.of(frame.position[row]);
+    const auto surface = [&](const Edge& e) { return 1.5 * at[e.outer] - 0.5 * at[e.inner]; };
+    double most = -std::numeric_limits<double>::infinity(), least = along.radial ? 0.0 : -most;
+    for (const Edge& edge : upper) most = std::max(most, surface(edge));
+    for (const Edge& edge : lower) least = std::min(least, surface(edge));
+    return most - least;
+  };
+}
+
+}  // namespace kerf

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact of bodies of the `standard` formulation as plain double loops
+// (docs/theory/solid_contact.md); shares no code with the engine but the plain data of a Medium.
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include "support/reference_sph.hpp"
+
+namespace kerf::test {
+
+// Wendland C2, support 2 h: dW/dr = - 5 alpha / h q (1 - q/2)^3.
+inline double wendland_slope(double r, double h, int dimension) {
+  const double q = r / h, pi = std::numbers::pi;
+  if (q >= 2.0) return 0.0;
+  const double alpha = dimension == 2 ? 7.0 / (4.0 * pi * h * h) : 21.0 / (16.0 * pi * h * h * h);
+  return -5.0 * alpha / h * q * std::pow(1.0 - q / 2.0, 3);
+}
+
+// Wendland C2: W = alpha (1 - q/2)^4 (2 q + 1).
+inline double wendland(double r, double h, int dimension) {
+  const double q = r / h, pi = std::numbers::pi;
+  if (q >= 2.0) return 0.0;
+  const double alpha = dimension == 2 ? 7.0 / (4.0 * pi * h * h) : 21.0 / (16.0 * pi * h * h * h);
+  return alpha * std::pow(1.0 - q / 2.0, 4) * (2.0 * q + 1.0);
+}
+
+struct TouchForce {
+  Vector3 push = Vector3::Zero();  // N
+  Vector3 drag = Vector3::Zero();  // N
+};
+
+class ReferenceTouch {
+ public:
+  explicit ReferenceTouch(const ReferenceState& state)
+      : state_(state), on_solids_(state.particles.size()), on_rigid_(state.particles.size()) {
+    for (std::size_t i = 0; i < on_solids_.size(); ++i) {
+      if (state.medium(i).phase != Phase::solid || !is_body(i)) continue;
+      on_solids_[i] = overlap(i, Phase::solid);
+      on_rigid_[i] = overlap(i, Phase::rigid);
+    }
+  }
+
+  // Whether both are bodies, and not the same one.
+  bool touches(std::size_t i, std::size_t j) const {
+    return i != j && is_body(i) && is_body(j) && state_.medium(i).piece != state_.medium(j).piece;
+  }
+  double energy(std::size_t i) const { return on_solids_[i].energy + on_rigid_[i].energy; }
+
+  // The force on i that j has part in by the energy of i; the opposite is on j.
+  TouchForce of(std::size_t i, std::size_t j) const {
+    const auto &a = state_.medium(i), &b = state_.medium(j);
+    const Overlap& own = b.phase == Phase::rigid ? on_rigid_[i] : on_solids_[i];
+    const Vector3 apart = at(i).position - at(j).position;
+    const double h = length(a, b);
+    if (own.slope == 0.0 || apart.norm() >= 2.0 * h) return {};
+    const double slope = wendland_slope(apart.norm(), h, state_.dimension);
+    TouchForce force;
+    force.push = -own.slope * b.volume / just_touching(a, b).first * slope * apart.normalized();
+    const double coefficient = std::min(a.friction, b.friction);
+    if (coefficient == 0.0) return force;
+    const Vector3 normal = own.gradient.normalized(), speed = at(i).velocity - at(j).velocity;
+    const Vector3 along = speed - normal.dot(speed) * normal;
+    const double creep =
+        coefficient * own.slope * own.gradient.norm() * a.spacing / (a.mass * a.longitudinal_speed);
+    force.drag =
+        -coefficient * std::abs(force.push.dot(normal)) / std::max(along.norm(), creep) * along;
+    return force;
+  }
+
+ private:
+  // The energy of a particle by its overlap, and what follows from it.
+  struct Overlap {
+    double slope = 0.0;                  // of the energy over the filling, J
+    double energy = 0.0;                 // J
+    Vector3 gradient = Vector3::Zero();  // of the filling, 1/m
+  };
+
+  const ReferenceParticle& at(std::size_t i) const { return state_.particles[i]; }
+  bool is_body(std::size_t i) const {
+    return state_.medium(i).phase != Phase::water && !at(i).fractured;
+  }
+  static double length(const Medium<double>& a, const Medium<double>& b) {
+    return a.phase == b.phase ? (a.smoothing_length + b.smoothing_length) / 2.0
+                              : std::max(a.smoothing_length, b.smoothing_length);
+  }
+
+  // What `a` sees of a lattice of `b` that fills half of space, and its slope over the approach;
+  // the mean over the two places opposite a particle and aside of it.
+  std::pair<double, double> just_touching(const Medium<double>& a, const Medium<double>& b) const {
+    const double h = length(a, b), d = b.spacing, first = (a.spacing + d) / 2.0;
+    const int reach = 2 + static_cast<int>(2.0 * h / d), side = 2 * reach + 1;
+    const int deep = state_.dimension == 3 ? side : 1;
+    double filling = 0.0, slope = 0.0;
+    for (double aside : {0.0, 0.5})
+      for (int k = 0; k < side * deep * (reach + 1); ++k) {
+        const int x = k % side - reach, z = k / side % deep - (deep > 1 ? reach : 0);
+        const Vector3 to((x + aside) * d, first + k / (side * deep) * d,
+                         deep > 1 ? (z + aside) * d : 0.0);
+        const double volume = std::pow(d, state_.dimension) / 2.0, r = to.norm();
+        filling += volume * wendland(r, h, state_.dimension);
+        slope -= volume * wendland_slope(r, h, state_.dimension) * to[1] / r;
+      }
+    return {filling, slope};
+  }
+
+  Overlap overlap(std::size_t i, Phase phase) const {
+    Overlap result;
+    double filling = 0.0;
+    const auto& a = state_.medium(i);
+    for (std::size_t j = 0; j < state_.particles.size(); ++j) {
+      const auto& b = state_.medium(j);
+      if (!touches(i, j) || b.phase != phase) continue;
+      const Vector3 apart = at(i).position - at(j).position;
+      const double h = length(a, b), r = apart.norm();
+      if (r >= 2.0 * h) continue;
+      const double full = just_touching(a, b).first;
+      filling += b.volume / full * wendland(r, h, state_.dimension);
+      result.gradient += b.volume / full * wendland_slope(r, h, state_.dimension) * apart / r;
+    }
+    if (filling <= 1.0) return {};
+    const auto [full, slope] = just_touching(a, a);
+    const double share = phase == Phase::rigid ? 1.0 : 0.5;
+    const double stiffness = a.volume * (a.bulk_modulus + 4.0 / 3.0 * a.shear_modulus) *
+                             std::pow(full / (slope * a.spacing), 2) * share;
+    result.slope = stiffness * (filling - 1.0);
+    result.energy = stiffness * (filling - 1.0) * (filling - 1.0) / 2.0;
+    return result;
+  }
+
+  const ReferenceState& state_;
+  std::vector<Overlap> on_solids_, on_rigid_;
+};
+
+}  // namespace kerf::test
