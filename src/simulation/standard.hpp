@@ -28,7 +28,7 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     Run::renew_neighbours();
     const double dt = Run::choose_step(StepRates::to_come);
     drift_half(dt);
-    deform_and_break();
+    deform_and_break(dt);
     accelerate();
     kick_and_drift(dt);
     close_density(dt);
@@ -89,14 +89,14 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     for_each_index(particles_.size(), DriftHalf<D, P>{particles_.view(), pointer(drives_), dt});
   }
 
-  void deform_and_break() {
+  void deform_and_break(double dt) {
     {
       const auto timer = timers_.stage("solid");
       solid_.deform(particles_);
       pair_interactions_ += static_cast<double>(solid_.bond_entries());
     }
     const auto timer = timers_.stage("fracture");
-    solid_.break_bonds(particles_);
+    solid_.break_bonds(particles_, dt);
   }
 
   void accelerate() {
