@@ -67,9 +67,14 @@ class SolidPart {
     solid_->deform(position_, dt);
   }
 
-  // Breaks what is strained too far; the deformation must be in force.
-  void break_bonds(Particles<D, P>& particles) {
-    if (solid_) take(solid_->fracture(), particles);
+  // Breaks what is strained too far; the deformation must be in force, in the middle of a step.
+  void break_bonds(Particles<D, P>& particles, double dt) {
+    if (!solid_) return;
+    const FractureBook book = solid_->fracture(velocity_);
+    // The whole kick of the step is without the broken bonds, as if they broke at its start, when
+    // they had stored less by what they took up since.
+    losses_.released -= 0.5 * dt * book.power_gain;
+    take(book, particles);
   }
 
   // Adds the accelerations by all bonds.

@@ -100,7 +100,7 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
       pair_interactions_ += static_cast<double>(solid_.bond_entries());
     }
     const auto timer = timers_.stage("fracture");
-    solid_.break_bonds(particles_);
+    solid_.break_bonds(particles_, dt);
   }
 
   void accelerate() {

@@ -53,6 +53,20 @@ struct PowerTerm {
   }
 };
 
+// Of the accelerations that are in force.
+template <int D, class P>
+struct ElasticPowerTerm {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+  const Vector<D, Real>* velocity;
+
+  KERF_FUNCTION void add(Index i, Terms<1>& sum) const {
+    const auto acceleration = Vector<D, double>::from(solid.acceleration[i]);
+    sum.value[0] +=
+        double(solid.medium(i).mass) * dot(acceleration, Vector<D, double>::from(velocity[i]));
+  }
+};
+
 template <int D, class P>
 struct EnergyTerms {
   SolidView<D, P> solid;

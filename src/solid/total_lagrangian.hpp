@@ -24,6 +24,8 @@ struct FractureBook {
   std::uint64_t bonds = 0;  // broken, each counted once
   Index loosened = 0;       // particles that came loose
   double released = 0.0;    // J (2D: J/m): stored energy before less after, hourglass part included
+  double power_gain = 0.0;  // W (2D: W/m): power of the bonds on the moving particles, after less
+                            // before
 };
 
 // What a solid remembers beside positions and velocities, which are the caller's: its bonds, and
@@ -101,13 +103,14 @@ class TotalLagrangian {
   }
 
   // Breaks the bonds that pass their limit at the deformation in force, and deforms what is left
-  // anew. To be called between deform() and accelerate().
-  FractureBook fracture() {
+  // anew. To be called between deform() and accelerate(). Without velocities no power is worked
+  // out.
+  FractureBook fracture(const Velocities& velocity = {}) {
     if (!can_break_) return {};
     for_each_index(size(), PrepareCriterion<D, P>{view()});
     for_each_index(size(), MarkBreaking<D, P>{{view()}});
     if (!any_changed()) return {};
-    return book(BreakMarked<D, P>{{view()}});
+    return book(BreakMarked<D, P>{{view()}}, velocity);
   }
 
   // Breaks bonds for good before the run: a notch. See CutBonds.
@@ -119,7 +122,7 @@ class TotalLagrangian {
 
   // Breaks all bonds of the particles that are `gone`.
   FractureBook let_go(const Array<std::uint8_t>& gone) {
-    return book(DropBonds<D, P>{view(), pointer(gone)});
+    return book(DropBonds<D, P>{view(), pointer(gone)}, {});
   }
 
   // The shortest time in which a wave crosses a kernel at the deformation in force.
@@ -199,8 +202,8 @@ class TotalLagrangian {
 
   // Breaks bonds by `breaker`, deforms what is left anew and says what that made of the solid.
   template <class Breaker>
-  FractureBook book(const Breaker& breaker) {
-    const double held = energy().total() + flow_work();
+  FractureBook book(const Breaker& breaker, const Velocities& velocity) {
+    const double held = energy().total() + flow_work(), power = elastic_power(velocity);
     const auto [bonds, loose] = count();
     for_each_index(size(), breaker);
     do {
@@ -209,7 +212,15 @@ class TotalLagrangian {
       if (can_break_) for_each_index(size(), Crush<D, P>{view()});
     } while (any_changed());
     const auto [bonds_left, loose_now] = count();
-    return {bonds - bonds_left, loose_now - loose, held - energy().total() - flow_work()};
+    return {bonds - bonds_left, loose_now - loose, held - energy().total() - flow_work(),
+            elastic_power(velocity) - power};
+  }
+
+  // Power of the bonds on particles that move like this, without viscosity, W.
+  double elastic_power(const Velocities& velocity) {
+    if (velocity.empty()) return 0.0;
+    accelerate_with(NoViscosity<D, P>{}, EveryBond{});
+    return power_sum_(size(), ElasticPowerTerm<D, P>{view(), pointer(velocity)}).value[0];
   }
 
   void correct_all() {

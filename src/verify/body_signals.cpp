@@ -15,9 +15,10 @@ namespace {
 
 constexpr std::size_t everything = static_cast<std::size_t>(-1);
 
-std::size_t body_index(const Parameters& parameters, const Beginning& beginning) {
-  if (!parameters.has("body")) return everything;
-  const std::string name = parameters.text("body");
+std::size_t body_index(const Parameters& parameters, const Beginning& beginning,
+                       const std::string& key = "body") {
+  if (!parameters.has(key)) return everything;
+  const std::string name = parameters.text(key);
   const auto& bodies = beginning.description.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     if (bodies[b].name == name) return b;
@@ -62,25 +63,35 @@ std::size_t axis_of(const Parameters& parameters) {
 }  // namespace
 
 // sum w u / sum |w|, u the displacement or velocity along an axis, w = mass x formula. With the
-// shape of a mode as the formula it is the amplitude of that mode.
+// shape of a mode as the formula it is the amplitude of that mode. u is taken relative to the mean
+// of the body `less`, if one is named.
 Signal body_mean_signal(const Parameters& parameters, const Beginning& beginning) {
   const auto weights = make_weights(parameters, beginning);
   const std::size_t axis = axis_of(parameters);
+  const std::size_t less = body_index(parameters, beginning, "less");
   const std::string field = parameters.text("field");
   if (field != "velocity" && field != "displacement")
     parameters.fail("field is velocity or displacement");
   const bool moved = field == "displacement";
-  return [weights, axis, moved](Moment& moment) {
+  return [weights, axis, less, moved](Moment& moment) {
     const Frame& frame = moment.frame();
-    double sum = 0.0;
+    double sum = 0.0, weight = 0.0, ground = 0.0, ground_mass = 0.0;
     for (std::size_t row = 0; row < frame.id.size(); ++row) {
       const std::uint32_t id = frame.id[row];
-      if (!weights->has(id)) continue;
+      const bool counts = weights->has(id), is_ground = frame.source[row] == less;
+      if (!counts && !is_ground) continue;
       const double value =
           moved ? frame.position[row][axis] - weights->place[id][axis] : frame.velocity[row][axis];
-      sum += weights->weight[id] * value;
+      if (counts) {
+        sum += weights->weight[id] * value;
+        weight += weights->weight[id];
+      }
+      if (is_ground) {
+        ground += frame.mass[row] * value;
+        ground_mass += frame.mass[row];
+      }
     }
-    return sum / weights->total;
+    return (ground_mass > 0.0 ? sum - weight * ground / ground_mass : sum) / weights->total;
   };
 }
 

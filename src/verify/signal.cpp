@@ -55,6 +55,7 @@ Signal ledger_signal(const Parameters& parameters, const Beginning&) {
       {"kinetic", [](const Ledger& l) { return l.kinetic; }},
       {"elastic",
        [](const Ledger& l) { return l.elastic_deviatoric + l.stored_solid + l.elastic_strain; }},
+      {"elastic_strain", [](const Ledger& l) { return l.elastic_strain; }},
       {"hourglass", [](const Ledger& l) { return l.hourglass; }},
       {"plastic", [](const Ledger& l) { return l.dissipated_plastic; }},
       {"dissipated", [](const Ledger& l) { return l.dissipated_artificial; }},
@@ -94,7 +95,10 @@ const std::map<std::string, SignalMaker>& signal_makers() {
       {"asymmetry", asymmetry_signal},
       {"jet_split", jet_split_signal},
       {"fractured_below_jet", fractured_below_jet_signal},
-      {"largest_stretch", largest_stretch_signal}};
+      {"largest_stretch", largest_stretch_signal},
+      {"hourglass_share", hourglass_share_signal},
+      {"largest_damage", largest_damage_signal},
+      {"crack", crack_signal}};
   return makers;
 }
 

@@ -39,4 +39,9 @@ Signal jet_split_signal(const Parameters& parameters, const Beginning& beginning
 Signal fractured_below_jet_signal(const Parameters& parameters, const Beginning& beginning);
 Signal largest_stretch_signal(const Parameters& parameters, const Beginning& beginning);
 
+// Of solids of the standard formulation: their energy and their broken bonds.
+Signal hourglass_share_signal(const Parameters& parameters, const Beginning& beginning);
+Signal largest_damage_signal(const Parameters& parameters, const Beginning& beginning);
+Signal crack_signal(const Parameters& parameters, const Beginning& beginning);
+
 }  // namespace kerf

@@ -68,6 +68,15 @@ TEST_F(SignalTest, BodyMeanOfAFreeFlight) {
   EXPECT_NEAR(moved / (-2.0 * seconds), 1.0, 1e-5);
 }
 
+TEST_F(SignalTest, BodyMeanLessThatOfTheSameBodyIsNothing) {
+  EXPECT_NEAR(value({{"signal", "body_mean"},
+                     {"field", "velocity"},
+                     {"axis", "x"},
+                     {"weight", "x > 0.01"},
+                     {"less", "block"}}),
+              0.0, 1e-6);
+}
+
 TEST_F(SignalTest, BodyMeanProjectsOnAMode) {
   // Of a constant, on a cosine over its whole length: nothing. On the sine: 1 / mean |sin| x mean.
   EXPECT_NEAR(value({{"signal", "body_mean"},
@@ -101,6 +110,10 @@ TEST_F(SignalTest, LedgerKeepsTheKineticEnergy) {
 TEST_F(SignalTest, AFlyingBlockIsNotStretched) {
   finish();
   EXPECT_NEAR(value({{"signal", "largest_stretch"}}), 1.0, 1e-5);
+}
+
+TEST_F(SignalTest, BrokenBondsNeedTheStandardFormulation) {
+  EXPECT_THROW(value({{"signal", "largest_damage"}}), std::logic_error);
 }
 
 TEST_F(SignalTest, AsymmetryOfABlockBesideTheMirror) {
@@ -190,6 +203,84 @@ TEST(ProfileError, LayersOfTwoRowsAverageOutARipple) {
   const double scale = std::hypot(std::hypot(99.0, 97.0), std::hypot(95.0, 93.0));
   EXPECT_NEAR(error("1"), std::hypot(20.0, 20.0) * std::sqrt(2.0) / scale, 1e-6);
   EXPECT_NEAR(error("2"), 0.0, 1e-6);
+}
+
+// A block that is torn along its diagonal, and whose energies are given.
+class TornSimulation : public test::FakeSimulation {
+ public:
+  using FakeSimulation::FakeSimulation;
+  Frame frame() const override {
+    Frame frame = FakeSimulation::frame();
+    Column damage{"damage", "1", 1, std::vector<float>(frame.id.size(), 0.0f)};
+    for (std::size_t row = 0; row < frame.id.size(); ++row) {
+      const Point& place = frame.position[row];
+      if (frame.category[row] == Category::solid && std::abs(place[0] - place[1]) < 1e-6)
+        damage.values[row] = place[0] < 8e-3 ? 0.5f : 0.25f;
+    }
+    frame.columns.push_back(damage);
+    return frame;
+  }
+  Ledger ledger() const override {
+    Ledger ledger;
+    ledger.elastic_strain = elastic;
+    ledger.hourglass = hourglass;
+    return ledger;
+  }
+  double elastic = 0.0, hourglass = 0.0;
+};
+
+class TornTest : public ::testing::Test {
+ protected:
+  TornTest()
+      : description_(test::fake_case()),
+        simulation_(description_),
+        beginning_(description_, simulation_) {}
+
+  Signal signal(const std::map<std::string, std::string>& keys) {
+    Parameters parameters("test");
+    for (const auto& [key, text] : keys) parameters.set(key, text);
+    return make_signal(parameters, beginning_);
+  }
+  double value(const Signal& signal) {
+    Moment moment(beginning_, simulation_);
+    return signal(moment);
+  }
+
+  Case description_;
+  TornSimulation simulation_;
+  Beginning beginning_;
+};
+
+TEST_F(TornTest, HourglassShareIsOfTheMostElasticEnergySoFar) {
+  const Signal share = signal({{"signal", "hourglass_share"}});
+  EXPECT_EQ(value(share), 0.0);
+  simulation_.elastic = 2.0;
+  simulation_.hourglass = 0.5;
+  EXPECT_EQ(value(share), 0.25);
+  simulation_.elastic = 1.0;
+  simulation_.hourglass = 0.2;
+  EXPECT_EQ(value(share), 0.1);
+}
+
+TEST_F(TornTest, LargestDamage) {
+  EXPECT_EQ(value(signal({{"signal", "largest_damage"}})), 0.5);
+}
+
+TEST_F(TornTest, CrackAlongTheDiagonal) {
+  std::map<std::string, std::string> keys{{"signal", "crack"}, {"tip_x", "0 mm"},
+                                          {"tip_y", "0 mm"},   {"axis", "y"},
+                                          {"damage", "0.3"},   {"field", "angle"}};
+  EXPECT_NEAR(value(signal(keys)), 0.25 * std::numbers::pi, 1e-6);
+  keys["field"] = "length";
+  EXPECT_NEAR(value(signal(keys)), std::hypot(7e-3, 7e-3), 1e-8);
+  keys["damage"] = "0.2";
+  EXPECT_NEAR(value(signal(keys)), std::hypot(9e-3, 9e-3), 1e-8);
+  keys["within"] = "6 mm";
+  EXPECT_NEAR(value(signal(keys)), std::hypot(3e-3, 3e-3), 1e-8);
+  keys["where"] = "x < 0";
+  EXPECT_EQ(value(signal(keys)), 0.0);
+  keys["axis"] = "z";
+  EXPECT_THROW(value(signal(keys)), std::logic_error);
 }
 
 }  // namespace
