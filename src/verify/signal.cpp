@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
+
 namespace kerf {
 
 namespace {
@@ -63,6 +66,14 @@ Signal ledger_signal(const Parameters& parameters, const Beginning&) {
   return [field](Moment& moment) { return field(moment.ledger()); };
 }
 
+Signal hourglass_share_signal(const Parameters&, const Beginning&) {
+  return [most = std::make_shared<double>(0.0)](Moment& moment) {
+    const Ledger& ledger = moment.ledger();
+    *most = std::max(*most, ledger.elastic_strain);
+    return *most > 0.0 ? ledger.hourglass / *most : 0.0;
+  };
+}
+
 Signal cut_signal(const Parameters& parameters, const Beginning& beginning) {
   static const Fields<CutState> fields{
       {"front_depth", [](const CutState& s) { return s.front_depth; }},
@@ -84,10 +95,13 @@ const std::map<std::string, SignalMaker>& signal_makers() {
   static const std::map<std::string, SignalMaker> makers{
       {"probe", probe_signal},
       {"ledger", ledger_signal},
+      {"hourglass_share", hourglass_share_signal},
       {"cut", cut_signal},
       {"body_mean", body_mean_signal},
       {"kinetic_centroid", kinetic_centroid_signal},
       {"profile_error", profile_error_signal},
+      {"jet_tip", jet_tip_signal},
+      {"deepest_water", deepest_water_signal},
       {"asymmetry", asymmetry_signal},
       {"jet_split", jet_split_signal},
       {"fractured_below_jet", fractured_below_jet_signal},
