@@ -10,6 +10,7 @@
 #include "rates/filling.hpp"
 #include "rates/fluid_continuity.hpp"
 #include "rates/fluid_force.hpp"
+#include "rates/lattice_sums.hpp"
 #include "rates/pair_loop.hpp"
 #include "rates/solid_contact.hpp"
 #include "rates/water_viscosity.hpp"
@@ -41,8 +42,9 @@ class StandardRates {
   using Real = typename P::Real;
 
   StandardRates() = default;
-  explicit StandardRates(const Vector<D, double>& gravity)
-      : gravity_{Vector<D, Real>::from(gravity)}, fluid_pair_{gravity_.gravity} {}
+  explicit StandardRates(const Vector<D, double>& gravity, const LatticeSums& lattice = {})
+      : gravity_{Vector<D, Real>::from(gravity)},
+        fluid_pair_{gravity_.gravity, Real(1.0 / lattice.slope)} {}
 
   // Pressures and the accelerations by gravity and all pairs.
   template <class Bonds>
