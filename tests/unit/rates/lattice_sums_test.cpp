@@ -34,7 +34,8 @@ TEST(LatticeSums, SlopeIsThatOfTheFilling) {
     return lattice_sums<2, WendlandC2<2>>(ratio / (1.0 + s)).filling / ((1.0 + s) * (1.0 + s));
   };
   const double loss = (filling(step) - filling(-step)) / (2.0 * step);
-  EXPECT_NEAR(-loss / 2.0, lattice_sums<2, WendlandC2<2>>(ratio).slope, 1e-6);
+  const LatticeSums sums = lattice_sums<2, WendlandC2<2>>(ratio);
+  EXPECT_NEAR(-loss / 2.0, sums.slope, 1e-6);
 }
 
 }  // namespace
