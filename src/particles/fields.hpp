@@ -40,6 +40,7 @@ namespace kerf {
   FIELD(Stress, start_shear)               /* Pa */                                    \
   FIELD(Real, pressure)                    /* Pa */                                    \
   FIELD(Real, filling)                     /* 1, sum of V W, 1 inside matter */        \
+  FIELD(Real, stir)                        /* 1/s, how fast fluid neighbours pass */   \
   FIELD(Gradient, velocity_gradient)       /* 1/s, over the particle's own phase */    \
   FIELD(Spin, spin)                        /* 1/s, skew part of it, of solid */        \
   FIELD(RealVector, acceleration)          /* m/s^2 */                                 \

@@ -3,8 +3,12 @@
 // matter that is neither squeezed nor opened, about 1/2 at a flat surface. The continuity equation
 // adds up rates along the way and has no memory of where particles are: matter that was torn about
 // without pressure may stay "opened" although its particles have closed in again, and would let
-// others into it. So the density of opened matter is not below rho_0 phi (integrate/verlet.hpp).
+// others into it. So the density of opened matter is not below rho_0 phi (integrate/verlet.hpp),
+// and that of water in motion goes back to it (integrate/regain_density.hpp). How fast matter is
+// stirred is the largest |v_ij| of its fluid neighbours over h.
 #pragma once
+
+#include <cmath>
 
 #include "rates/pair.hpp"
 
@@ -16,17 +20,22 @@ struct Filling {
   static constexpr bool feels_rigid = false;
   struct Sum {
     Real filling{};
+    Real fastest_squared{};  // m^2/s^2
   };
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     if (!particles.has_density(pair.i)) return;
     sum.filling += pair.medium_j->volume * Kernel::value(pair.distance, pair.smoothing_length);
+    if (!particles.is_fluid(pair.j)) return;
+    const Real squared = dot(pair.velocity, pair.velocity);
+    if (squared > sum.fastest_squared) sum.fastest_squared = squared;
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     const auto& medium = particles.medium(i);
     particles.filling[i] =
         sum.filling + medium.volume * Kernel::value(Real(0), Real(medium.smoothing_length));
+    particles.stir[i] = std::sqrt(sum.fastest_squared) / medium.smoothing_length;
   }
 };
 

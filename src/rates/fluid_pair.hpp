@@ -24,7 +24,8 @@ KERF_FUNCTION Meeting meeting(const ParticleView<D, P>& particles, const Pair<D,
 template <int D, class P>
 struct FluidPair {
   using Real = typename P::Real;
-  Vector<D, Real> gravity;  // m/s^2
+  Vector<D, Real> gravity;    // m/s^2
+  Real steepening = Real(1);  // of the kernel: 1 / its slope on the lattice (lattice_sums.hpp)
 
   // As particle i sees it; U_i and U_j are along e from j to i.
   KERF_FUNCTION RiemannStar<Real> operator()(const ParticleView<D, P>& particles,

@@ -10,6 +10,7 @@
 #include "rates/filling.hpp"
 #include "rates/fluid_continuity.hpp"
 #include "rates/fluid_force.hpp"
+#include "rates/lattice_sums.hpp"
 #include "rates/pair_loop.hpp"
 #include "rates/solid_contact.hpp"
 #include "rates/surface_contact.hpp"
@@ -50,9 +51,10 @@ class StandardRates {
  public:
   using Real = typename P::Real;
 
-  StandardRates(const Vector<D, double>& gravity, const std::vector<Medium<double>>& media)
+  StandardRates(const Vector<D, double>& gravity, const std::vector<Medium<double>>& media,
+                const LatticeSums& lattice = {})
       : gravity_{Vector<D, Real>::from(gravity)},
-        fluid_pair_{gravity_.gravity},
+        fluid_pair_{gravity_.gravity, Real(1.0 / lattice.slope)},
         media_(static_cast<Index>(media.size())) {
     std::vector<TouchOfMedia<Real>> touch;
     for (const auto& entry : touch_table<D, ContactPairs>(media))

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "integrate/midpoint.hpp"
+#include "integrate/regain_density.hpp"
 #include "integrate/verlet.hpp"
 #include "rates/standard_rates.hpp"
 #include "simulation/particle_run.hpp"
@@ -19,7 +20,8 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
  public:
   explicit Standard(const Case& description)
       : Run(description),
-        rates_(Vector<D, double>::from(description.gravity), Run::media_),
+        lattice_(lattice_sums<D, ContactPairs::Kernel<D>>(description.smoothing_ratio)),
+        rates_(Vector<D, double>::from(description.gravity), Run::media_, lattice_),
         solid_(Run::media_, make_plastic_media(description), Run::particles_) {
     Run::open([this] { rates_.fit_surfaces(particles_.view(), particles_.size(), list_.view()); });
     rates_.continuity(particles_.view(), particles_.size(), list_.view());
@@ -125,9 +127,11 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     const auto timer = timers_.stage("water and contact");
     rates_.continuity(particles_.view(), particles_.size(), list_.view());
     for_each_index(particles_.size(), CloseDensity<D, P>{particles_.view(), dt});
+    for_each_index(particles_.size(), RegainDensity<D, P>{particles_.view(), dt, lattice_.filling});
     pair_interactions_ += static_cast<double>(list_.pairs());
   }
 
+  LatticeSums lattice_;
   StandardRates<D, P> rates_;
   mutable SolidPart<D, P> solid_;
 };

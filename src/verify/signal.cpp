@@ -92,6 +92,8 @@ const std::map<std::string, SignalMaker>& signal_makers() {
       {"kinetic_centroid", kinetic_centroid_signal},
       {"profile_error", profile_error_signal},
       {"extent", extent_signal},
+      {"jet_tip", jet_tip_signal},
+      {"deepest_water", deepest_water_signal},
       {"asymmetry", asymmetry_signal},
       {"jet_split", jet_split_signal},
       {"fractured_below_jet", fractured_below_jet_signal},

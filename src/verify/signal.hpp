@@ -24,6 +24,7 @@ Signal make_signal(const Parameters& parameters, const Beginning& beginning);
 // From the run's own books.
 Signal probe_signal(const Parameters& parameters, const Beginning& beginning);
 Signal ledger_signal(const Parameters& parameters, const Beginning& beginning);
+// Energy of the hourglass control over the most elastic energy that there was so far.
 Signal cut_signal(const Parameters& parameters, const Beginning& beginning);
 
 // Over the particles of a body, weighted by a formula of their first places.
@@ -43,5 +44,9 @@ Signal largest_stretch_signal(const Parameters& parameters, const Beginning& beg
 Signal hourglass_share_signal(const Parameters& parameters, const Beginning& beginning);
 Signal largest_damage_signal(const Parameters& parameters, const Beginning& beginning);
 Signal crack_signal(const Parameters& parameters, const Beginning& beginning);
+
+// Of water on other matter.
+Signal jet_tip_signal(const Parameters& parameters, const Beginning& beginning);
+Signal deepest_water_signal(const Parameters& parameters, const Beginning& beginning);
 
 }  // namespace kerf

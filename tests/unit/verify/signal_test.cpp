@@ -10,6 +10,7 @@
 
 #include "case/read.hpp"
 #include "support/fake_simulation.hpp"
+#include "support/signal_fixture.hpp"
 
 namespace kerf {
 namespace {
@@ -38,26 +39,9 @@ position = ["10 mm", "0 mm"]
 normal = [1, 0]
 )";
 
-class SignalTest : public ::testing::Test {
+class SignalTest : public test::SignalFixture {
  protected:
-  explicit SignalTest(std::string_view text = flying_block)
-      : description_(parse_case(text, "test")),
-        simulation_(make_simulation(description_)),
-        beginning_(description_, *simulation_) {}
-
-  double value(const std::map<std::string, std::string>& keys) {
-    Parameters parameters("test");
-    for (const auto& [key, text] : keys) parameters.set(key, text);
-    Moment moment(beginning_, *simulation_);
-    return make_signal(parameters, beginning_)(moment);
-  }
-  void finish() {
-    while (!simulation_->finished()) simulation_->advance();
-  }
-
-  Case description_;
-  std::unique_ptr<Simulation> simulation_;
-  Beginning beginning_;
+  explicit SignalTest(std::string_view text = flying_block) : SignalFixture(text) {}
 };
 
 TEST_F(SignalTest, BodyMeanOfAFreeFlight) {
@@ -114,6 +98,14 @@ TEST_F(SignalTest, AFlyingBlockIsNotStretched) {
 
 TEST_F(SignalTest, BrokenBondsNeedTheStandardFormulation) {
   EXPECT_THROW(value({{"signal", "largest_damage"}}), std::logic_error);
+}
+
+TEST_F(SignalTest, ExtentIsFromSurfaceToSurface) {
+  finish();
+  EXPECT_NEAR(value({{"signal", "extent"}, {"body", "block"}, {"along", "x"}}), 20e-3, 1e-6);
+  EXPECT_NEAR(value({{"signal", "extent"}, {"body", "block"}, {"along", "y"}}), 10e-3, 1e-6);
+  EXPECT_THROW(value({{"signal", "extent"}, {"body", "block"}, {"along", "t"}}), std::logic_error);
+  EXPECT_THROW(value({{"signal", "extent"}, {"body", "ghost"}, {"along", "x"}}), std::logic_error);
 }
 
 TEST_F(SignalTest, AsymmetryOfABlockBesideTheMirror) {

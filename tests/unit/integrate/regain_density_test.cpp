@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Water in motion goes back to the density of the room that it fills; what rests, what is at a free
+// surface and what is still in its nozzle does not.
+#include "integrate/regain_density.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/precision.hpp"
+#include "exec/exec.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr double lattice_filling = 1.01, dt = 1e-3;
+
+// Compression, after one step, of a particle that is 1% denser than the room says.
+double after_a_step(Phase phase, double filling, double stir, std::uint8_t flags = 0) {
+  Particles<2, Double> particles;
+  std::vector<Medium<double>> media(1);
+  media[0].phase = phase;
+  media[0].density = 1000.0;
+  to_device(media, particles.media);
+  particles.resize(1);
+  particles.source[0] = 0;
+  particles.flags[0] = flags;
+  particles.filling[0] = filling;
+  particles.stir[0] = stir;
+  particles.compression[0] = filling / lattice_filling - 1.0 + 0.01;
+  for_each_index(1, RegainDensity<2, Double>{particles.view(), dt, lattice_filling});
+  return particles.compression[0] - (filling / lattice_filling - 1.0);
+}
+
+TEST(RegainDensity, GoesAtTheRateOfTheStirring) {
+  const double stir = 25.0;
+  EXPECT_NEAR(after_a_step(Phase::water, 1.02, stir),
+              0.01 * (1.0 - RegainDensity<2, Double>::rate * stir * dt), 1e-12);
+}
+
+TEST(RegainDensity, NeverGoesPastTheRoom) {
+  EXPECT_NEAR(after_a_step(Phase::water, 0.97, 1e6), 0.0, 1e-12);
+}
+
+TEST(RegainDensity, LeavesTheRestAlone) {
+  EXPECT_NEAR(after_a_step(Phase::water, 1.02, 0.0), 0.01, 1e-12);
+  EXPECT_NEAR(after_a_step(Phase::water, 0.8, 25.0), 0.01, 1e-12);
+  EXPECT_NEAR(after_a_step(Phase::solid, 1.02, 25.0), 0.01, 1e-12);
+  EXPECT_NEAR(after_a_step(Phase::water, 1.02, 25.0, flag::upstream), 0.01, 1e-12);
+}
+
+}  // namespace
+}  // namespace kerf::test
