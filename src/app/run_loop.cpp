@@ -109,7 +109,7 @@ void RunLoop::resume(const Archive& state) {
   simulation_->restore(state);
   frame_.reset();
   saved_time_ = simulation_->time();
-  cut_->restore(before_.cut_history);
+  cut_->restore(before_.cut_history, frame());
   series_.cut_back(simulation_->step(), before_.rows);
   frames_.restore(before_.frame_times);
   pictures_.restore(before_.picture_times);

@@ -48,7 +48,7 @@ CutState CutMonitor::observe(const Frame& frame) {
   state.time = frame.time;
   if (!workpiece.empty()) {
     const auto rows = locate(workpiece, frame);
-    const Pieces pieces = find_pieces(workpiece, frame, rows);
+    Pieces pieces = find_pieces(workpiece, frame, rows);
     state.pieces = pieces.count;
     state.fractured_mass = fractured_mass(workpiece, frame, rows);
     state.fractured_fraction = state.fractured_mass / workpiece.total_mass;
@@ -62,6 +62,7 @@ CutState CutMonitor::observe(const Frame& frame) {
           state.front_depth >= bottom_depth(workpiece, frame, rows) - workpiece.spacing;
       state.cut_through = severed || holed;
     }
+    fragments_ = std::move(pieces.fragments);
   }
   if (!history_.empty() && history_.back().cut_through) state.cut_through = true;
   history_.push_back(state);
@@ -72,6 +73,7 @@ CutSummary CutMonitor::summary() const {
   CutSummary summary;
   if (history_.empty()) return summary;
   summary.last = history_.back();
+  summary.fragments = fragments_;
   const auto through = std::find_if(history_.begin(), history_.end(),
                                     [](const CutState& state) { return state.cut_through; });
   if (through != history_.end()) {
@@ -88,8 +90,10 @@ CutSummary CutMonitor::summary() const {
   return summary;
 }
 
-void CutMonitor::restore(std::vector<CutState> history) {
+void CutMonitor::restore(std::vector<CutState> history, const Frame& last) {
   history_ = std::move(history);
+  if (!workpiece_->empty())
+    fragments_ = find_pieces(*workpiece_, last, locate(*workpiece_, last)).fragments;
 }
 
 }  // namespace kerf

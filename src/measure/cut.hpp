@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "measure/pieces.hpp"
 #include "simulation/frame.hpp"
 
 namespace kerf {
@@ -32,6 +33,7 @@ struct CutSummary {
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s
   double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
   CutState last;
+  std::vector<Fragment> fragments;  // of the last frame, the heaviest first
 };
 
 class CutMonitor {
@@ -42,12 +44,13 @@ class CutMonitor {
   CutSummary summary() const;
   // The history, so that a resumed run measures as if never stopped.
   const std::vector<CutState>& history() const { return history_; }
-  void restore(std::vector<CutState> history);
+  void restore(std::vector<CutState> history, const Frame& last);
 
  private:
   std::shared_ptr<const Workpiece> workpiece_;  // as laid out
   double contact_depth_ = 0.0;                  // m, one spacing of the first jet
   std::vector<CutState> history_;
+  std::vector<Fragment> fragments_;  // of the last frame observed
 };
 
 }  // namespace kerf

@@ -26,6 +26,33 @@ TreePoint shifted(const std::array<double, 3>& x, double by) {
   return {x[0] + by, x[1] + by, x[2] + by};
 }
 
+// Of the slots that are intact, by the root of their piece.
+std::vector<Fragment> gather_fragments(const Workpiece& workpiece, const Frame& frame,
+                                       const std::vector<std::uint32_t>& rows,
+                                       const std::vector<std::size_t>& root) {
+  std::vector<Fragment> of_root(root.size());
+  for (std::size_t slot = 0; slot < root.size(); ++slot) {
+    if (!is_intact(frame, rows[slot])) continue;
+    Fragment& fragment = of_root[root[slot]];
+    const double mass = workpiece.mass[slot];
+    fragment.mass += mass;
+    ++fragment.particles;
+    for (std::size_t a = 0; a < 3; ++a) {
+      fragment.centre[a] += mass * frame.position[rows[slot]][a];
+      fragment.velocity[a] += mass * frame.velocity[rows[slot]][a];
+    }
+  }
+  std::erase_if(of_root, [](const Fragment& fragment) { return fragment.particles == 0; });
+  for (Fragment& fragment : of_root)
+    for (std::size_t a = 0; a < 3; ++a) {
+      fragment.centre[a] /= fragment.mass;
+      fragment.velocity[a] /= fragment.mass;
+    }
+  std::stable_sort(of_root.begin(), of_root.end(),
+                   [](const Fragment& a, const Fragment& b) { return a.mass > b.mass; });
+  return of_root;
+}
+
 }  // namespace
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> find_bonds(const Workpiece& workpiece) {
@@ -70,7 +97,10 @@ Pieces find_pieces(const Workpiece& workpiece, const Frame& frame,
   for (std::size_t slot = 0; slot < slots; ++slot)
     if (is_intact(frame, rows[slot])) mass[sets.find_set(slot)] += workpiece.mass[slot];
 
+  std::vector<std::size_t> root(slots);
+  for (std::size_t slot = 0; slot < slots; ++slot) root[slot] = sets.find_set(slot);
   Pieces pieces;
+  pieces.fragments = gather_fragments(workpiece, frame, rows, root);
   pieces.in_piece.resize(slots, 0);
   const double least = piece_mass_fraction * workpiece.total_mass;
   for (std::size_t slot = 0; slot < slots; ++slot) {

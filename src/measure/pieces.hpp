@@ -2,6 +2,8 @@
 // Connected pieces of intact solid.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -23,9 +25,18 @@ inline constexpr double piece_mass_fraction = 0.05;
 // Pairs of slots that are neighbours in the first layout and of one piece of material.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> find_bonds(const Workpiece& workpiece);
 
+// A connected piece of intact solid of any size.
+struct Fragment {
+  double mass = 0.0;  // kg (2D: kg/m)
+  std::size_t particles = 0;
+  std::array<double, 3> centre{};    // m, of mass
+  std::array<double, 3> velocity{};  // m/s, of the centre
+};
+
 struct Pieces {
   int count = 0;                       // heavier than piece_mass_fraction of the workpiece
   std::vector<std::uint8_t> in_piece;  // per slot: 1 = part of a counted piece
+  std::vector<Fragment> fragments;     // the heaviest first
 };
 
 Pieces find_pieces(const Workpiece& workpiece, const Frame& frame,

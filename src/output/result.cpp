@@ -34,6 +34,21 @@ void add_cut(Json& result, const CutSummary& cut) {
   result["kerf_width"] = cut.last.kerf_width;
 }
 
+// All of them in number and mass; each by itself down to the hundredth.
+void add_fragments(Json& result, const std::vector<Fragment>& fragments) {
+  constexpr std::size_t most = 100;
+  Json& list = result["fragments"];
+  list = Json::array();
+  for (const Fragment& fragment : fragments) {
+    if (list.size() == most) break;
+    list.push_back({{"mass", fragment.mass},
+                    {"particles", fragment.particles},
+                    {"centre", fragment.centre},
+                    {"velocity", fragment.velocity}});
+  }
+  result["fragment_count"] = fragments.size();
+}
+
 void add_derived(Json& result, const DerivedNumbers& derived) {
   result["V_over_cR"] = derived.speed_over_rayleigh;
   result["V_over_cp"] = derived.speed_over_longitudinal;
@@ -67,6 +82,7 @@ Json result_of(const RunOutcome& outcome) {
   Json result;
   result["verdict"] = verdict_of(outcome);
   add_cut(result, outcome.cut);
+  add_fragments(result, outcome.cut.fragments);
   add_derived(result, outcome.derived);
   result["mass_error"] = outcome.ledger.mass_error();
   result["momentum_error"] = outcome.ledger.momentum_error();

@@ -50,10 +50,12 @@ std::string cut_table(const Json& result) {
     return html::quantity(value_of(result.at(key)), "m");
   };
   return html::table(
-      "Cut", {{"front depth", metres("front_depth"), ""},
-              {"kerf width at half the front depth", metres("kerf_width"), ""},
-              {"fractured width there", metres("fractured_width"), ""},
-              {"pieces over 5% of the workpiece", html::count(value_of(result.at("pieces"))), ""}});
+      "Cut",
+      {{"front depth", metres("front_depth"), ""},
+       {"kerf width at half the front depth", metres("kerf_width"), ""},
+       {"fractured width there", metres("fractured_width"), ""},
+       {"pieces over 5% of the workpiece", html::count(value_of(result.at("pieces"))), ""},
+       {"connected pieces of any size", html::count(value_of(result.at("fragment_count"))), ""}});
 }
 
 std::string ledger_table(const Json& result, int dimension) {

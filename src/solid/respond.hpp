@@ -5,9 +5,9 @@
 // KeepFlow makes it the start of the next step.
 //
 // The hourglass control resists what a particle's gradient does not see, with a modulus mu =
-// zeta E. Where the material flows that is flow too, and resisted by the strength: mu falls like
-// the secant of a test in shear,  mu = zeta E / (1 + eps_p / eps_y),  eps_y = sigma_0 / (3 G), and
-// the energy that the control then holds too much of is dissipated.
+// zeta E. Where the material flows that is flow too, and as soft: mu falls like the secant of a
+// test in shear, and further,  mu = zeta E / (1 + 5 eps_p / eps_y),  eps_y = sigma_0 / (3 G). The
+// energy that the control then holds too much of is dissipated.
 #pragma once
 
 #include "materials/elastic_law.hpp"
@@ -21,7 +21,8 @@ KERF_FUNCTION T hourglass_modulus(const SolidMedium<T>& medium,
   const T elastic = medium.hourglass_modulus();
   if (!parameters.flows()) return elastic;
   const T first_strain = parameters.first_strength() / (T(3) * medium.shear_modulus);
-  return first_strain > T(0) ? elastic * (first_strain / (first_strain + plastic_strain)) : T(0);
+  return first_strain > T(0) ? elastic * (first_strain / (first_strain + T(5) * plastic_strain))
+                             : T(0);
 }
 
 // The answers that Deform asks for: the second Piola-Kirchhoff stress at the gradient H, Pa.

@@ -32,6 +32,32 @@ TEST_P(Pieces, AThroughCrackOneParticleWideMakesTwo) {
   EXPECT_EQ(pieces_of(description_, initial, block_), 2);
 }
 
+// Mass, place and speed of both halves, and of the crack nothing.
+TEST_P(Pieces, FragmentsAreTheHalves) {
+  Frame frame = block_;
+  change(frame, Category::fractured,
+         [](const Position& x) { return x[0] > 0.0 && x[0] < solid_spacing; });
+  double left = 0.0, right = 0.0;
+  for (std::size_t k = 0; k < frame.id.size(); ++k) {
+    if (frame.category[k] != Category::solid) continue;
+    const bool is_left = frame.position[k][0] < 0.0;
+    (is_left ? left : right) += static_cast<double>(frame.mass[k]);
+    frame.velocity[k] = {is_left ? -3.0 : 2.0, 1.0, 0.0};
+  }
+  CutMonitor monitor(description_, block_);
+  monitor.observe(frame);
+  const std::vector<Fragment> fragments = monitor.summary().fragments;
+  ASSERT_EQ(fragments.size(), 2u);
+  EXPECT_GT(left, right);
+  EXPECT_NEAR(fragments[0].mass, left, 1e-6 * left);
+  EXPECT_NEAR(fragments[1].mass, right, 1e-6 * right);
+  EXPECT_NEAR(fragments[0].velocity[0], -3.0, 1e-12);
+  EXPECT_NEAR(fragments[1].velocity[0], 2.0, 1e-12);
+  EXPECT_NEAR(fragments[1].velocity[1], 1.0, 1e-12);
+  EXPECT_LT(fragments[0].centre[0], 0.0);
+  EXPECT_GT(fragments[1].centre[0], solid_spacing);
+}
+
 TEST_P(Pieces, ACrackThatEndsOneParticleShortMakesNone) {
   Frame frame = block_;
   change(frame, Category::fractured, [](const Position& x) {
