@@ -21,10 +21,11 @@ struct Material {
   ElasticLaw elasticity = ElasticLaw::neo_hookean;
   PlasticLaw plasticity = PlasticLaw::none;
   BondCriterion criterion = BondCriterion::principal_strain;
-  double youngs_modulus = 0.0;   // Pa
-  double poisson_ratio = 0.0;    // 1
-  double failure_strain = 0.0;   // 1, of the criterion; 0 = never fractures
-  double fracture_energy = 0.0;  // J/m^2 of crack; where it is given there is no failure_strain
+  double youngs_modulus = 0.0;    // Pa
+  double poisson_ratio = 0.0;     // 1
+  double failure_strain = 0.0;    // 1, of the criterion; 0 = never fractures
+  double tensile_strength = 0.0;  // Pa, of the criterion principal_stress
+  double fracture_energy = 0.0;   // J/m^2 of crack; where it is given there is no failure_strain
 
   double friction = 0.0;  // 1, coefficient of dry friction
 
@@ -67,7 +68,8 @@ struct Material {
 
   // Whether by a strain, an energy or ductile damage.
   bool can_fracture() const {
-    return failure_strain > 0.0 || fracture_energy > 0.0 || least_plastic_failure > 0.0;
+    return failure_strain > 0.0 || fracture_energy > 0.0 || tensile_strength > 0.0 ||
+           least_plastic_failure > 0.0;
   }
   bool operator==(const Material&) const = default;
 };

@@ -13,6 +13,7 @@ constexpr MaterialField all_fields[] = {
     {"poisson_ratio", &Material::poisson_ratio},
     {"failure_strain", &Material::failure_strain},
     {"fracture_energy", &Material::fracture_energy},
+    {"tensile_strength", &Material::tensile_strength},
     {"friction", &Material::friction},
     {"yield_strength", &Material::yield_strength},
     {"hardening_modulus", &Material::hardening_modulus},
@@ -72,6 +73,8 @@ std::set<std::string> material_conditions(const Material& material, Formulation 
   std::set<std::string> conditions{kind_name(material.kind), formulation_name(formulation)};
   if (material.kind == MaterialKind::elastic)
     conditions.emplace(word_of(material.plasticity, plastic_law_words));
+  if (material.kind == MaterialKind::elastic)
+    conditions.emplace(word_of(material.criterion, bond_criterion_words));
   return conditions;
 }
 

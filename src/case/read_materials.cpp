@@ -66,6 +66,16 @@ void settle_fracture(Section& section, Formulation formulation, Material& materi
   material.failure_strain = 0.0;
 }
 
+// A strength leaves nothing to a strain or an energy.
+void settle_strength(Section& section, Material& material) {
+  if (material.criterion != BondCriterion::principal_stress) return;
+  for (const char* key : {"failure_strain", "fracture_energy"})
+    if (section.has(key))
+      section.refuse(key, "the criterion looks at the stress", "Remove the key, or the criterion",
+                     "nothing beside the criterion \"principal_stress\"");
+  material.failure_strain = material.fracture_energy = 0.0;
+}
+
 // The laws of a solid.
 void read_laws(Section& section, Formulation formulation, Material& material) {
   const std::string fallback(word_of(material.plasticity, plastic_law_words));
@@ -105,6 +115,7 @@ MaterialDraft read_material(Section& section, Formulation formulation, const std
   read_numbers(section, formulation, based ? &base : nullptr, draft.material);
   if (draft.material.kind == MaterialKind::water) read_sound_speed(section, draft);
   settle_fracture(section, formulation, draft.material);
+  settle_strength(section, draft.material);
   draft.material.source =
       section.text("source", based ? draft.material.source : std::string("the case file"));
   section.refuse_unknown();

@@ -4,6 +4,8 @@
 
 #include "fracture/equivalent_total_strain.hpp"
 #include "fracture/principal_strain.hpp"
+#include "fracture/principal_stress.hpp"
+#include "fracture/strain_energy.hpp"
 
 namespace kerf {
 
@@ -14,6 +16,10 @@ KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTe
       return PrincipalStrain::prepare(solid, green);
     case BondCriterion::equivalent_strain:
       return EquivalentTotalStrain::prepare(solid, green);
+    case BondCriterion::principal_stress:
+      return PrincipalStress::prepare(solid, green);
+    case BondCriterion::strain_energy:
+      return StrainEnergy::prepare(solid, green);
   }
   return T(0);
 }
@@ -25,6 +31,10 @@ KERF_FUNCTION bool place_passes(T prepared, const SolidMedium<T>& solid) {
       return PrincipalStrain::passes(prepared, solid);
     case BondCriterion::equivalent_strain:
       return EquivalentTotalStrain::passes(prepared, solid);
+    case BondCriterion::principal_stress:
+      return PrincipalStress::passes(prepared, solid);
+    case BondCriterion::strain_energy:
+      return StrainEnergy::passes(prepared, solid);
   }
   return false;
 }
@@ -36,6 +46,10 @@ KERF_FUNCTION bool bond_breaks(const BondStrain<T>& bond, const SolidMedium<T>& 
       return PrincipalStrain::breaks(bond, solid);
     case BondCriterion::equivalent_strain:
       return EquivalentTotalStrain::breaks(bond, solid);
+    case BondCriterion::principal_stress:
+      return PrincipalStress::breaks(bond, solid);
+    case BondCriterion::strain_energy:
+      return StrainEnergy::breaks(bond, solid);
   }
   return false;
 }

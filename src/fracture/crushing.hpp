@@ -18,7 +18,7 @@ inline constexpr T crushed = T(1e30);
 // `h`: F - 1. What can't break is not crushed.
 template <int D, class T>
 KERF_FUNCTION bool is_crushed(const SolidMedium<T>& solid, const Matrix<D, T>& h) {
-  return solid.failure_strain > T(0) && !(determinant(identity<D, T>() + h) >= T(least_volume));
+  return solid.can_break() && !(determinant(identity<D, T>() + h) >= T(least_volume));
 }
 
 }  // namespace kerf

@@ -17,9 +17,14 @@ enum class PlasticLaw : std::uint8_t { none, von_mises, johnson_cook, drucker_pr
 inline constexpr std::array<std::string_view, 4> plastic_law_words{
     "none", "von_mises", "johnson_cook", "drucker_prager"};
 
-enum class BondCriterion : std::uint8_t { principal_strain, equivalent_strain };
-inline constexpr std::array<std::string_view, 2> bond_criterion_words{"principal_strain",
-                                                                      "equivalent_strain"};
+enum class BondCriterion : std::uint8_t {
+  principal_strain,
+  equivalent_strain,
+  principal_stress,
+  strain_energy
+};
+inline constexpr std::array<std::string_view, 4> bond_criterion_words{
+    "principal_strain", "equivalent_strain", "principal_stress", "strain_energy"};
 
 template <class Law, std::size_t N>
 constexpr std::string_view word_of(Law law, const std::array<std::string_view, N>& words) {

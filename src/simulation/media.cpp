@@ -37,6 +37,7 @@ void set_material(Medium<double>& medium, const Material& material) {
   medium.bulk_modulus = e / (3.0 * (1.0 - 2.0 * nu));
   medium.shear_modulus = e / (2.0 * (1.0 + nu));
   medium.failure_strain = material.failure_strain;
+  medium.tensile_strength = material.tensile_strength;
   medium.friction = material.friction;
   medium.elasticity = material.elasticity;
   medium.criterion = material.criterion;

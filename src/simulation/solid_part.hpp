@@ -176,6 +176,7 @@ class SolidPart {
     solid.artificial_linear = medium.artificial_linear;
     solid.artificial_quadratic = medium.artificial_quadratic;
     solid.failure_strain = medium.failure_strain;
+    solid.tensile_strength = medium.tensile_strength;
     return solid;
   }
   template <class ChosenBonds>

@@ -6,7 +6,7 @@
 #include "exec/ordered_sum.hpp"
 #include "fracture/bond_criterion.hpp"
 #include "fracture/crushing.hpp"
-#include "solid/solid_fields.hpp"
+#include "solid/respond.hpp"
 
 namespace kerf {
 
@@ -23,10 +23,17 @@ struct PrepareCriterion {
     }
     solid.criterion[i] = has_failed(i) || is_crushed(medium, solid.gradient[i])
                              ? crushed<Real>
-                             : prepare_criterion(medium, green_strain(solid.gradient[i]));
+                             : prepared(i, medium);
   }
 
  private:
+  KERF_FUNCTION Real prepared(Index i, const SolidMedium<Real>& medium) const {
+    const auto green = green_strain(solid.gradient[i]);
+    if (medium.criterion == BondCriterion::principal_stress && solid.flows(i))
+      return std::sqrt(Real(1) + volume_square_less_one(green)) *
+             PrincipalStress::largest(cauchy_now(solid, i));
+    return prepare_criterion(medium, green);
+  }
   // By ductile damage.
   KERF_FUNCTION bool has_failed(Index i) const {
     return solid.flows(i) && !(solid.flow_now[i].damage < Real(1));

@@ -25,10 +25,15 @@ struct SolidMedium {
   T artificial_linear = 0;     // A of the bond viscosity
   T artificial_quadratic = 0;  // B of the bond viscosity
   T failure_strain = 0;        // 1, Hencky (logarithmic); 0 = never breaks
+  T tensile_strength = 0;      // Pa, of the criterion principal_stress; 0 = never breaks
 
   KERF_FUNCTION T volume() const { return mass / density; }  // m^3 (2D: m^2), reference
   KERF_FUNCTION T young_modulus() const {                    // Pa
     return T(9) * bulk_modulus * shear_modulus / (T(3) * bulk_modulus + shear_modulus);
+  }
+  KERF_FUNCTION bool can_break() const {
+    return criterion == BondCriterion::principal_stress ? tensile_strength > T(0)
+                                                        : failure_strain > T(0);
   }
   // Modulus of the hourglass control, Pa.
   KERF_FUNCTION T hourglass_modulus() const { return hourglass * young_modulus(); }
@@ -53,6 +58,7 @@ struct SolidMedium {
     medium.artificial_linear = static_cast<T>(other.artificial_linear);
     medium.artificial_quadratic = static_cast<T>(other.artificial_quadratic);
     medium.failure_strain = static_cast<T>(other.failure_strain);
+    medium.tensile_strength = static_cast<T>(other.tensile_strength);
     return medium;
   }
 };

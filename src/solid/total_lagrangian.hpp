@@ -172,7 +172,7 @@ class TotalLagrangian {
     for (const auto& medium : layout.media) {
       media.push_back(SolidMedium<Real>::from(medium));
       is_viscous_ |= medium.artificial_linear > 0.0 || medium.artificial_quadratic > 0.0;
-      can_break_ |= medium.failure_strain > 0.0;
+      can_break_ |= medium.can_break();
     }
     std::vector<PlasticParameters<Real>> plastic;
     for (const auto& parameters : layout.plastic) {

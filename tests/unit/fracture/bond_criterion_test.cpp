@@ -15,14 +15,17 @@ struct UniformStrain {
   double first, second;
   SolidMedium<double> solid;
 
+  SymmetricTensor<2, double> green() const {
+    auto strain = SymmetricTensor<2, double>::zero();
+    strain(0, 0) = 0.5 * std::expm1(2.0 * first);
+    strain(1, 1) = 0.5 * std::expm1(2.0 * second);
+    return strain;
+  }
   BondStrain<double> bond(double angle) const {
-    auto green = SymmetricTensor<2, double>::zero();
-    green(0, 0) = 0.5 * std::expm1(2.0 * first);
-    green(1, 1) = 0.5 * std::expm1(2.0 * second);
     const double c = std::cos(angle), s = std::sin(angle);
     BondStrain<double> bond;
-    bond.mean = bond.own = 2.0 * (c * c * green(0, 0) + s * s * green(1, 1));
-    bond.prepared = prepare_criterion(solid, green);
+    bond.mean = bond.own = 2.0 * (c * c * green()(0, 0) + s * s * green()(1, 1));
+    bond.prepared = prepare_criterion(solid, green());
     return bond;
   }
   int broken() const {  // of 180 directions, one a degree
@@ -63,9 +66,54 @@ TEST(BondCriterion, EquivalentStrain) {
   EXPECT_EQ((UniformStrain{0.0867, -0.0867, solid}.broken()), 94);
 }
 
+SolidMedium<double> strong(double strength) {
+  SolidMedium<double> solid;
+  solid.criterion = BondCriterion::principal_stress;
+  solid.law = ElasticLaw::st_venant_kirchhoff;
+  solid.bulk_modulus = 1e9;
+  solid.shear_modulus = 0.6e9;
+  solid.tensile_strength = strength;
+  return solid;
+}
+
+// Small strains: stress by Hooke, K + 4 G / 3 = 1.8 GPa and K - 2 G / 3 = 0.6 GPa, to a percent.
+TEST(BondCriterion, PrincipalStress) {
+  const auto solid = strong(1.8e6);
+  EXPECT_EQ((UniformStrain{0.99e-3, 0.0, solid}.broken()), 0);
+  const int in_tension = UniformStrain{1.01e-3, 0.0, solid}.broken();
+  EXPECT_GT(in_tension, 90);  // those across, not those along the crack
+  EXPECT_LT(in_tension, 150);
+  // With the other strain as large the stress is 2.4 GPa times it.
+  EXPECT_EQ((UniformStrain{0.74e-3, 0.74e-3, solid}.broken()), 0);
+  EXPECT_EQ((UniformStrain{0.76e-3, 0.76e-3, solid}.broken()), 180);
+  // Pure shear: 2 G times the strain.
+  EXPECT_EQ((UniformStrain{1.48e-3, -1.48e-3, solid}.broken()), 0);
+  EXPECT_GT((UniformStrain{1.52e-3, -1.52e-3, solid}.broken()), 45);
+  EXPECT_EQ((UniformStrain{-0.1, -0.1, solid}.broken()), 0);
+}
+
+TEST(BondCriterion, StrainEnergy) {
+  auto solid = brittle(BondCriterion::strain_energy, 0.1);
+  solid.bulk_modulus = 1e9;
+  solid.shear_modulus = 0.6e9;
+  // Uniaxial strain stores M e^2 / 2: the limit is that strain.
+  EXPECT_EQ((UniformStrain{0.0999, 0.0, solid}.broken()), 0);
+  EXPECT_GT((UniformStrain{0.1001, 0.0, solid}.broken()), 90);
+  // Both strains: (K + G / 3) e^2 per half; e = limit sqrt(1.8 / 4.8).
+  EXPECT_EQ((UniformStrain{0.0611, 0.0611, solid}.broken()), 0);
+  EXPECT_EQ((UniformStrain{0.0614, 0.0614, solid}.broken()), 180);
+  // What is squeezed stores nothing that opens a crack: G e^2.
+  const double sheared = 0.1 * std::sqrt(1.8 / 1.2);
+  EXPECT_EQ((UniformStrain{-0.3, -0.3, solid}.broken()), 0);
+  EXPECT_NEAR(prepare_criterion(solid, (UniformStrain{sheared, -sheared, solid}.green())), 0.1,
+              1e-12);
+}
+
 TEST(BondCriterion, NoLimitNeverBreaks) {
-  for (auto criterion : {BondCriterion::principal_strain, BondCriterion::equivalent_strain})
+  for (auto criterion : {BondCriterion::principal_strain, BondCriterion::equivalent_strain,
+                         BondCriterion::strain_energy})
     EXPECT_EQ((UniformStrain{2.0, 2.0, brittle(criterion, 0.0)}.broken()), 0);
+  EXPECT_EQ((UniformStrain{2.0, 2.0, strong(0.0)}.broken()), 0);
 }
 
 // The bond that spans a crack is longer than the smeared tensors say, that beside it is not.

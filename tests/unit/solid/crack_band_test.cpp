@@ -66,16 +66,23 @@ double tears_at(const SolidMedium<double>& medium, double jitter, double energy)
 TEST(CrackBand, WideStripTearsWhenItShould) {
   struct Strip {
     double spacing, jitter, poisson_ratio, energy;
+    BondCriterion criterion = BondCriterion::principal_strain;
   };
+  constexpr auto by_energy = BondCriterion::strain_energy;
   for (const Strip& strip :
        {Strip{1e-3, 0.0, 0.3, 1.4}, Strip{1e-3, 0.15, 0.3, 1.4}, Strip{1e-3, 0.0, 0.0, 1.4},
-        Strip{1e-3, 0.15, 0.0, 0.35}, Strip{0.5e-3, 0.0, 0.3, 1.4}}) {
+        Strip{1e-3, 0.15, 0.0, 0.35}, Strip{0.5e-3, 0.0, 0.3, 1.4},
+        Strip{1e-3, 0.0, 0.3, 1.4, by_energy}, Strip{1e-3, 0.15, 0.3, 1.4, by_energy},
+        Strip{0.5e-3, 0.0, 0.3, 1.4, by_energy}}) {
     auto medium = soft_solid(strip.spacing, 2);
     medium.bulk_modulus = 1e5 / (3.0 * (1.0 - 2.0 * strip.poisson_ratio));
     medium.shear_modulus = 1e5 / (2.0 * (1.0 + strip.poisson_ratio));
+    medium.criterion = strip.criterion;
     const double available = tears_at(medium, strip.jitter, strip.energy);
-    std::printf("wide strip, spacing %g mm, jitter %g, nu %g: tears at %.3f of Gc\n",
-                1e3 * strip.spacing, strip.jitter, strip.poisson_ratio, available / strip.energy);
+    std::printf("wide strip, spacing %g mm, jitter %g, nu %g, %s: tears at %.3f of Gc\n",
+                1e3 * strip.spacing, strip.jitter, strip.poisson_ratio,
+                std::string(word_of(strip.criterion, bond_criterion_words)).c_str(),
+                available / strip.energy);
     EXPECT_NEAR(available, strip.energy, 0.12 * strip.energy);
   }
 }
