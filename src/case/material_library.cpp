@@ -71,10 +71,10 @@ constexpr KnownQuantity all_known[] = {
 
 std::set<std::string> material_conditions(const Material& material, Formulation formulation) {
   std::set<std::string> conditions{kind_name(material.kind), formulation_name(formulation)};
-  if (material.kind == MaterialKind::elastic)
+  if (material.kind == MaterialKind::elastic) {
     conditions.emplace(word_of(material.plasticity, plastic_law_words));
-  if (material.kind == MaterialKind::elastic)
     conditions.emplace(word_of(material.criterion, bond_criterion_words));
+  }
   return conditions;
 }
 

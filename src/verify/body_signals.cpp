@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Signals over the particles of one body.
-#include <fmt/format.h>
-
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -17,12 +15,7 @@ constexpr std::size_t everything = static_cast<std::size_t>(-1);
 
 std::size_t body_index(const Parameters& parameters, const Beginning& beginning,
                        const std::string& key = "body") {
-  if (!parameters.has(key)) return everything;
-  const std::string name = parameters.text(key);
-  const auto& bodies = beginning.description.bodies;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    if (bodies[b].name == name) return b;
-  parameters.fail(fmt::format("there is no body \"{}\"", name));
+  return parameters.has(key) ? named_body(parameters, beginning, key) : everything;
 }
 
 // First place and weight of each particle by its id; 0 for those that do not count.

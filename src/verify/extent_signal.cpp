@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "verify/signal.hpp"
@@ -68,16 +67,12 @@ Signal extent_signal(const Parameters& parameters, const Beginning& beginning) {
     parameters.fail("along is x, y, z or radius");
   const Along along{word == "radius" ? 0 : static_cast<std::size_t>(word[0] - 'x'),
                     word == "radius"};
-  const auto& bodies = beginning.description.bodies;
-  const std::string name = parameters.text("body");
-  const auto body = std::find_if(bodies.begin(), bodies.end(),
-                                 [&](const Body& candidate) { return candidate.name == name; });
-  if (body == bodies.end()) parameters.fail("there is no body \"" + name + "\"");
+  const std::size_t body = named_body(parameters, beginning);
   std::vector<std::pair<std::uint32_t, Point>> places;
   for (std::size_t row = 0; row < beginning.frame.id.size(); ++row)
-    if (beginning.frame.source[row] == static_cast<std::size_t>(body - bodies.begin()))
+    if (beginning.frame.source[row] == body)
       places.emplace_back(beginning.frame.id[row], beginning.frame.position[row]);
-  const double spacing = body->spacing;
+  const double spacing = beginning.description.bodies[body].spacing;
   const auto upper = find_edges(places, along, spacing, -1.0);
   const auto lower = along.radial ? std::vector<Edge>{} : find_edges(places, along, spacing, 1.0);
   return [along, upper, lower](Moment& moment) {

@@ -35,6 +35,15 @@ std::function<double(const Of&)> field_of(const Fields<Of>& fields, const Parame
 
 }  // namespace
 
+std::size_t named_body(const Parameters& parameters, const Beginning& beginning,
+                       const std::string& key) {
+  const std::string name = parameters.text(key);
+  const auto& bodies = beginning.description.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (bodies[b].name == name) return b;
+  parameters.fail(fmt::format("there is no body \"{}\"", name));
+}
+
 Signal probe_signal(const Parameters& parameters, const Beginning& beginning) {
   static const std::map<std::string, std::size_t> of_point{{"pressure", 0}, {"x", 1}, {"y", 2}};
   static const std::map<std::string, std::size_t> of_plane{{"x", 0}, {"y", 1}, {"z", 2}};

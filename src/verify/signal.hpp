@@ -21,10 +21,13 @@ const std::map<std::string, SignalMaker>& signal_makers();
 // Throws std::logic_error for a name that is not there or parameters that do not fit.
 Signal make_signal(const Parameters& parameters, const Beginning& beginning);
 
+// Number of the body that a key names, which is also its source in a frame.
+std::size_t named_body(const Parameters& parameters, const Beginning& beginning,
+                       const std::string& key = "body");
+
 // From the run's own books.
 Signal probe_signal(const Parameters& parameters, const Beginning& beginning);
 Signal ledger_signal(const Parameters& parameters, const Beginning& beginning);
-// Energy of the hourglass control over the most elastic energy that there was so far.
 Signal cut_signal(const Parameters& parameters, const Beginning& beginning);
 
 // Over the particles of a body, weighted by a formula of their first places.

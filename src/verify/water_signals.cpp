@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Signals of water on other matter: how far a jet has come into another liquid, and whether water
 // leaks into a solid.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,14 +13,6 @@
 namespace kerf {
 
 namespace {
-
-std::uint16_t source_of(const Parameters& parameters, const Beginning& beginning) {
-  const std::string name = parameters.text("body");
-  const auto& bodies = beginning.description.bodies;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    if (bodies[b].name == name) return static_cast<std::uint16_t>(b);
-  parameters.fail(fmt::format("there is no body \"{}\"", name));
-}
 
 // Where particles are, by x.
 using Line = std::vector<std::array<double, 2>>;
@@ -43,8 +33,8 @@ double height_at(const Line& line, double x) {
 // liquid on the axis of the jet: the mean of the deepest water of the jet and the body's particle
 // nearest to the nozzle, within a quarter of the jet's width of the axis.
 Signal jet_tip_signal(const Parameters& parameters, const Beginning& beginning) {
-  const std::uint16_t body = source_of(parameters, beginning);
-  const auto jet = static_cast<std::uint16_t>(beginning.description.bodies.size());
+  const std::size_t body = named_body(parameters, beginning);
+  const std::size_t jet = beginning.description.bodies.size();
   const JetAxis axis(beginning.description.jets.at(0), beginning.description.dimension);
   return [body, jet, axis](Moment& moment) {
     const Frame& frame = moment.frame();
@@ -64,7 +54,7 @@ Signal jet_tip_signal(const Parameters& parameters, const Beginning& beginning) 
 // spacing above them. 2D only.
 Signal deepest_water_signal(const Parameters& parameters, const Beginning& beginning) {
   if (beginning.description.dimension != 2) parameters.fail("the signal is one of 2D");
-  const std::uint16_t body = source_of(parameters, beginning);
+  const std::size_t body = named_body(parameters, beginning);
   const double spacing = beginning.description.bodies[body].spacing;
   const Frame& first = beginning.frame;
   double top = -std::numeric_limits<double>::infinity();
