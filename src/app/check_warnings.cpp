@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "fracture/fracture_limits.hpp"
 #include "particles/fill.hpp"
 #include "particles/shapes.hpp"
 
@@ -34,10 +35,24 @@ void warn_of_misfits(const Case& description, std::vector<std::string>& warnings
   }
 }
 
+void warn_of_band(const Material& material, const Body& body, std::vector<std::string>& warnings) {
+  const SofteningBand limits = fracture_limits(material, body.spacing);
+  if (limits.softens()) return;
+  const double ratio = limits.end / material.failure_strain;
+  warnings.push_back(fmt::format(
+      "at the spacing of \"{}\" its material \"{}\" does not soften but breaks at {:.2g} of "
+      "its failure_strain: a spacing of {:.3g} m or less keeps both its limits",
+      body.name, material.name, ratio, body.spacing * ratio * ratio));
+}
+
 void warn_of_materials(const Case& description, std::vector<std::string>& warnings) {
   for (const Body& body : description.bodies) {
     if (body.role != Role::elastic) continue;
     const Material& material = description.materials[static_cast<std::size_t>(body.material)];
+    if (material.criterion == BondCriterion::crack_band) {
+      warn_of_band(material, body, warnings);
+      continue;
+    }
     if (material.failure_strain <= 0.0) continue;  // those with an energy have a length scale
     warnings.push_back(fmt::format(
         "\"{}\" fractures at a strain without a length scale: what it takes to cut it depends on "

@@ -54,8 +54,24 @@ void read_sound_speed(Section& section, MaterialDraft& draft) {
   draft.sound_speed_factor = section.number("sound_speed_factor");
 }
 
+// Softening begins at the strain and takes the energy.
+void settle_crack_band(Section& section, Material& material) {
+  if (material.criterion != BondCriterion::crack_band) return;
+  if (material.failure_strain == 0.0)
+    section.refuse("failure_strain", "the criterion \"crack_band\" softens from this strain on",
+                   "Give the strain at which a tensile test breaks", "greater than 0");
+  if (material.fracture_energy == 0.0)
+    section.refuse("fracture_energy", "the criterion \"crack_band\" spends this energy",
+                   "Give the energy of a crack per area", "greater than 0 J/m2");
+  if (material.plasticity != PlasticLaw::none)
+    section.refuse("criterion", "a material that flows does not soften as well",
+                   "Choose another criterion, or plasticity = \"none\"",
+                   "a criterion other than \"crack_band\"");
+}
+
 // In place of a strain, and where the criterion looks at bonds.
 void settle_fracture(Section& section, Formulation formulation, Material& material) {
+  if (material.criterion == BondCriterion::crack_band) return;
   if (!section.has("fracture_energy") || material.fracture_energy == 0.0) return;
   if (formulation != Formulation::standard)
     section.refuse("fracture_energy", "this formulation breaks particles at a strain",
@@ -116,6 +132,7 @@ MaterialDraft read_material(Section& section, Formulation formulation, const std
   if (draft.material.kind == MaterialKind::water) read_sound_speed(section, draft);
   settle_fracture(section, formulation, draft.material);
   settle_strength(section, draft.material);
+  settle_crack_band(section, draft.material);
   draft.material.source =
       section.text("source", based ? draft.material.source : std::string("the case file"));
   section.refuse_unknown();

@@ -2,6 +2,7 @@
 // The fracture criteria of bonds, chosen per medium while the program runs.
 #pragma once
 
+#include "fracture/crack_band_strain.hpp"
 #include "fracture/equivalent_total_strain.hpp"
 #include "fracture/principal_strain.hpp"
 #include "fracture/principal_stress.hpp"
@@ -20,6 +21,8 @@ KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTe
       return PrincipalStress::prepare(solid, green);
     case BondCriterion::strain_energy:
       return StrainEnergy::prepare(solid, green);
+    case BondCriterion::crack_band:  // by what the place remembers (break_bonds.hpp)
+      break;
   }
   return T(0);
 }
@@ -35,6 +38,8 @@ KERF_FUNCTION bool place_passes(T prepared, const SolidMedium<T>& solid) {
       return PrincipalStress::passes(prepared, solid);
     case BondCriterion::strain_energy:
       return StrainEnergy::passes(prepared, solid);
+    case BondCriterion::crack_band:
+      return CrackBandStrain::passes(prepared, solid);
   }
   return false;
 }
@@ -50,6 +55,8 @@ KERF_FUNCTION bool bond_breaks(const BondStrain<T>& bond, const SolidMedium<T>& 
       return PrincipalStress::breaks(bond, solid);
     case BondCriterion::strain_energy:
       return StrainEnergy::breaks(bond, solid);
+    case BondCriterion::crack_band:
+      return CrackBandStrain::breaks(bond, solid);
   }
   return false;
 }

@@ -20,6 +20,18 @@ KERF_FUNCTION T energy_density(const SolidMedium<T>& solid, const SymmetricTenso
   return T(0);
 }
 
+// Whether the part of the law that K scales is in tension.
+template <int D, class T>
+KERF_FUNCTION bool is_expanded(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green) {
+  switch (solid.law) {
+    case ElasticLaw::neo_hookean:
+      return volume_square_less_one(green) > T(0);
+    case ElasticLaw::st_venant_kirchhoff:
+      return trace(green) > T(0);
+  }
+  return false;
+}
+
 // Second Piola-Kirchhoff stress S = dpsi/dE, Pa.
 template <int D, class T>
 KERF_FUNCTION SymmetricTensor<D, T> second_piola(const SolidMedium<T>& solid,

@@ -15,7 +15,7 @@
 #include <numbers>
 
 #include "case/scales.hpp"
-#include "fracture/crack_band.hpp"
+#include "fracture/fracture_limits.hpp"
 #include "particles/fill.hpp"
 
 namespace kerf {
@@ -124,10 +124,7 @@ void derive_spacings(DerivedNumbers& numbers, const Case& description) {
         numbers.jet_resolution > 0.0 ? std::min(numbers.jet_resolution, resolution) : resolution;
   }
   if (const Material* solid = target_material(description))
-    numbers.failure_strain = solid->fracture_energy > 0.0
-                                 ? failure_strain_of(solid->fracture_energy, numbers.bulk_modulus,
-                                                     numbers.shear_modulus, coarsest_solid)
-                                 : solid->failure_strain;
+    numbers.failure_strain = fracture_limits(*solid, coarsest_solid).start;
   if (coarsest_solid > 0.0 && finest_water > 0.0)
     numbers.solid_to_water_spacing = coarsest_solid / finest_water;
 }

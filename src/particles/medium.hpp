@@ -27,6 +27,7 @@ enum class Phase : std::uint8_t { water, solid, rigid };
   NUMBER(excess_bulk_modulus)  /* Pa, the part of K that acts by the density, not by bonds */ \
   NUMBER(shear_modulus)        /* Pa */                                                       \
   NUMBER(failure_strain)       /* 1; 0 = never fractures */                                   \
+  NUMBER(softening_strain)     /* 1, where softening begins; 0 = brittle */                   \
   NUMBER(tensile_strength)     /* Pa; 0 = never fractures by stress */                        \
   NUMBER(artificial_linear)    /* A of eq. (38) */                                            \
   NUMBER(artificial_quadratic) /* B of eq. (38) */                                            \

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "fracture/crack_band.hpp"
+#include "fracture/fracture_limits.hpp"
 #include "materials/bond_bulk.hpp"
 #include "particles/fill.hpp"
 
@@ -36,7 +36,6 @@ void set_material(Medium<double>& medium, const Material& material) {
   const double e = material.youngs_modulus, nu = material.poisson_ratio;
   medium.bulk_modulus = e / (3.0 * (1.0 - 2.0 * nu));
   medium.shear_modulus = e / (2.0 * (1.0 + nu));
-  medium.failure_strain = material.failure_strain;
   medium.tensile_strength = material.tensile_strength;
   medium.friction = material.friction;
   medium.elasticity = material.elasticity;
@@ -78,9 +77,9 @@ std::vector<Medium<double>> make_media(const Case& description,
     } else {
       const auto& material = description.materials.at(static_cast<std::size_t>(body.material));
       set_material(medium, material);
-      if (material.fracture_energy > 0.0)
-        medium.failure_strain = failure_strain_of(material.fracture_energy, medium.bulk_modulus,
-                                                  medium.shear_modulus, body.spacing);
+      const SofteningBand limits = fracture_limits(material, body.spacing);
+      medium.failure_strain = limits.end;
+      medium.softening_strain = limits.softens() ? limits.start : 0.0;
     }
     medium.volume = particle_volume(body, description.dimension);
     medium.mass = medium.density * medium.volume;

@@ -114,6 +114,7 @@ class SolidPart {
     if (!solid_) return;
     losses_.viscous += dt * solid_->viscous_power();
     losses_.plastic += solid_->keep_flow();
+    losses_.released += solid_->keep_softening();
     wave_ = solid_->wave_time();
   }
   // What the waves of the solid allow for the next step, by its shape in the middle of the last
@@ -129,6 +130,7 @@ class SolidPart {
     ledger.dissipated_plastic += losses_.plastic;
     if (!solid_) return;
     ledger.dissipated_plastic += solid_->flow_work();
+    ledger.dissipated_fracture += solid_->softening_work();
     const SolidEnergy energy = solid_->energy();
     ledger.elastic_strain = energy.elastic;
     ledger.hourglass = energy.hourglass;
@@ -148,6 +150,7 @@ class SolidPart {
     archive.arrays["solid/wave"] = std::vector<double>{wave_.time, double(wave_.particle)};
     archive.arrays["solid/bonds"] = state.weight;
     archive.arrays["solid/flow"] = flat<Real>(state.flow);
+    archive.arrays["solid/softening"] = state.strain;
   }
   void restore(const Archive& archive) {
     const auto& losses = find_array<double>(archive, "solid/losses");
@@ -158,7 +161,8 @@ class SolidPart {
     // Accelerations are worked out before a step uses them.
     solid_->restore({find_array<Real>(archive, "solid/bonds"),
                      std::vector<Vector<D, Real>>(solid_->size(), Vector<D, Real>::zero()),
-                     unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow"))});
+                     unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow")),
+                     find_array<Real>(archive, "solid/softening")});
   }
 
  private:
@@ -176,6 +180,7 @@ class SolidPart {
     solid.artificial_linear = medium.artificial_linear;
     solid.artificial_quadratic = medium.artificial_quadratic;
     solid.failure_strain = medium.failure_strain;
+    solid.softening_strain = medium.softening_strain;
     solid.tensile_strength = medium.tensile_strength;
     return solid;
   }

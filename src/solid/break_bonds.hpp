@@ -29,6 +29,8 @@ struct PrepareCriterion {
  private:
   KERF_FUNCTION Real prepared(Index i, const SolidMedium<Real>& medium) const {
     const auto green = green_strain(solid.gradient[i]);
+    if (medium.criterion == BondCriterion::crack_band)
+      return solid.softens(i) ? solid.strain_now[i] : tensile_strain(medium, solid.gradient[i]);
     if (medium.criterion == BondCriterion::principal_stress && solid.flows(i))
       return std::sqrt(Real(1) + volume_square_less_one(green)) *
              PrincipalStress::largest(cauchy_now(solid, i));

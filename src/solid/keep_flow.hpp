@@ -30,6 +30,9 @@ struct SetHourglassModulus {
     solid.hourglass[i] = solid.flows(i) ? hourglass_modulus(medium, solid.plasticity(i),
                                                             solid.flow_start[i].plastic_strain)
                                         : medium.hourglass_modulus();
+    if (!solid.softens(i)) return;
+    const auto whole = whole_share(medium, solid.strain_start[i]);
+    solid.hourglass[i] *= whole * whole;
   }
 };
 

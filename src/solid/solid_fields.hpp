@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the total Lagrangian solid keeps per particle and per bond. State: the weights, `loose` and
-// `flow_start`; everything else follows from these and from where the particles are.
+// What the total Lagrangian solid keeps per particle and per bond. State: the weights, `loose`,
+// `strain_start` and `flow_start`; all else follows from these and from where the particles are.
 #pragma once
 
 #include "core/matrix.hpp"
@@ -25,6 +25,11 @@ namespace kerf {
   FIELD(Real, viscous_power)      /* W, dissipated by the bond viscosity */       \
   FIELD(double, elastic_energy)   /* J (2D: J/m) */                               \
   FIELD(double, hourglass_energy) /* J (2D: J/m) */
+// Those that only solids have of which some part softens (fracture/softening.hpp).
+#define KERF_SOLID_SOFTENING(FIELD)                                 \
+  FIELD(Real, strain_start)     /* k at the start of the step, 1 */ \
+  FIELD(Real, strain_now)       /* at the deformation in force */   \
+  FIELD(double, softening_loss) /* of hourglass control in the last step, J */
 // Those that only solids have of which some part flows.
 #define KERF_SOLID_FLOW(FIELD)                                                   \
   FIELD(State, flow_start)         /* at the start of the step */                \
@@ -48,7 +53,8 @@ struct SolidView {
   using State = PlasticState<D, Real>;
 
   Index count;
-  bool any_flows;  // whether there is a medium that flows
+  bool any_flows;    // whether there is a medium that flows
+  bool any_softens;  // or softens
   const SolidMedium<Real>* media;
   const PlasticParameters<Real>* plastic;  // per medium
   const std::uint16_t* medium_index;
@@ -58,6 +64,7 @@ struct SolidView {
   Real* weight;  // w_ij
 #define KERF_FIELD(type, name) type* name;
   KERF_SOLID_RESULTS(KERF_FIELD)
+  KERF_SOLID_SOFTENING(KERF_FIELD)
   KERF_SOLID_FLOW(KERF_FIELD)
 #undef KERF_FIELD
 
@@ -69,6 +76,9 @@ struct SolidView {
   }
   KERF_FUNCTION bool flows(Index i) const {
     return any_flows && plasticity(i).flows();
+  }
+  KERF_FUNCTION bool softens(Index i) const {
+    return any_softens && medium(i).softens();
   }
   // X_j - X_i, m.
   KERF_FUNCTION Vector<D, Real> reference_bond(Index i, Index j) const {
@@ -90,6 +100,7 @@ struct SolidFields {
   using State = typename View::State;
 
   bool any_flows = false;
+  bool any_softens = false;
   Array<SolidMedium<Real>> media;
   Array<PlasticParameters<Real>> plastic;
   Array<std::uint16_t> medium_index;
@@ -98,6 +109,7 @@ struct SolidFields {
   Array<Real> weight;
 #define KERF_FIELD(type, name) Array<type> name;
   KERF_SOLID_RESULTS(KERF_FIELD)
+  KERF_SOLID_SOFTENING(KERF_FIELD)
   KERF_SOLID_FLOW(KERF_FIELD)
 #undef KERF_FIELD
 
@@ -110,6 +122,9 @@ struct SolidFields {
     weight.resize(neighbour.size());
 #define KERF_FIELD(type, name) name.resize(reference.size());
     KERF_SOLID_RESULTS(KERF_FIELD)
+    if (any_softens) {
+      KERF_SOLID_SOFTENING(KERF_FIELD)
+    }
     if (any_flows) {
       KERF_SOLID_FLOW(KERF_FIELD)
     }
@@ -122,6 +137,7 @@ struct SolidFields {
                       bytes_of(weight);
 #define KERF_FIELD(type, name) sum += bytes_of(name);
     KERF_SOLID_RESULTS(KERF_FIELD)
+    KERF_SOLID_SOFTENING(KERF_FIELD)
     KERF_SOLID_FLOW(KERF_FIELD)
 #undef KERF_FIELD
     return sum;
@@ -131,6 +147,7 @@ struct SolidFields {
     View view;
     view.count = size();
     view.any_flows = any_flows;
+    view.any_softens = any_softens;
     view.media = pointer(media);
     view.plastic = pointer(plastic);
     view.medium_index = pointer(medium_index);
@@ -140,6 +157,7 @@ struct SolidFields {
     view.weight = pointer(weight);
 #define KERF_FIELD(type, name) view.name = pointer(name);
     KERF_SOLID_RESULTS(KERF_FIELD)
+    KERF_SOLID_SOFTENING(KERF_FIELD)
     KERF_SOLID_FLOW(KERF_FIELD)
 #undef KERF_FIELD
     return view;

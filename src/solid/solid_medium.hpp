@@ -25,6 +25,7 @@ struct SolidMedium {
   T artificial_linear = 0;     // A of the bond viscosity
   T artificial_quadratic = 0;  // B of the bond viscosity
   T failure_strain = 0;        // 1, Hencky (logarithmic); 0 = never breaks
+  T softening_strain = 0;      // 1, where softening begins (softening.hpp); 0 = brittle
   T tensile_strength = 0;      // Pa, of the criterion principal_stress; 0 = never breaks
 
   KERF_FUNCTION T volume() const { return mass / density; }  // m^3 (2D: m^2), reference
@@ -35,6 +36,7 @@ struct SolidMedium {
     return criterion == BondCriterion::principal_stress ? tensile_strength > T(0)
                                                         : failure_strain > T(0);
   }
+  KERF_FUNCTION bool softens() const { return softening_strain > T(0); }
   // Modulus of the hourglass control, Pa.
   KERF_FUNCTION T hourglass_modulus() const { return hourglass * young_modulus(); }
   // Fastest wave, m/s.
@@ -58,6 +60,7 @@ struct SolidMedium {
     medium.artificial_linear = static_cast<T>(other.artificial_linear);
     medium.artificial_quadratic = static_cast<T>(other.artificial_quadratic);
     medium.failure_strain = static_cast<T>(other.failure_strain);
+    medium.softening_strain = static_cast<T>(other.softening_strain);
     medium.tensile_strength = static_cast<T>(other.tensile_strength);
     return medium;
   }

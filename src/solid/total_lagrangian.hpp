@@ -4,7 +4,8 @@
 // Particles keep the order of set-up; neighbours in memory should be neighbours in space. After
 // set-up nothing allocates.
 //
-// A step:  deform(positions, dt);  fracture();  accelerate(velocities);  keep_flow().
+// A step:  deform(positions, dt);  fracture();  accelerate(velocities);  keep_flow();
+// keep_softening().
 #pragma once
 
 #include <utility>
@@ -15,6 +16,7 @@
 #include "solid/correct.hpp"
 #include "solid/deform.hpp"
 #include "solid/keep_flow.hpp"
+#include "solid/keep_softening.hpp"
 #include "solid/stored_energy.hpp"
 #include "solid/stretch_limit.hpp"
 
@@ -35,6 +37,7 @@ struct SolidState {
   std::vector<typename P::Real> weight;
   std::vector<Vector<D, typename P::Real>> acceleration;
   std::vector<PlasticState<D, typename P::Real>> flow;  // empty where nothing flows
+  std::vector<typename P::Real> strain;                 // empty where nothing softens
 };
 
 template <int D, class P>
@@ -55,6 +58,7 @@ class TotalLagrangian {
     to_device(bonds.neighbour, fields_.neighbour);
     fields_.make_room();
     for_each_index(size(), SetWholeWeights<D, P>{view()});
+    if (fields_.any_softens) for_each_index(size(), StartWhole<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartUnflown<D, P>{view()});
     correct_all();
     count();  // makes room for sums
@@ -75,6 +79,16 @@ class TotalLagrangian {
     if (!fields_.any_flows) return 0.0;
     for_each_index(size(), KeepFlow<D, P>{view()});
     return power_sum_(size(), FlowLossTerm<D, P>{view()}).value[0];
+  }
+  // Ends a step likewise of what softens. The energy dissipated by its hourglass control, J.
+  double keep_softening() {
+    if (!fields_.any_softens) return 0.0;
+    for_each_index(size(), KeepSoftening<D, P>{view()});
+    return power_sum_(size(), SofteningLossTerm<D, P>{view()}).value[0];
+  }
+  // What softening took since the start, J.
+  double softening_work() {
+    return fields_.any_softens ? power_sum_(size(), SofteningTerm<D, P>{view()}).value[0] : 0.0;
   }
   // Plastic work from the last keep_flow() to the deformation in force, J.
   double flow_work() {
@@ -152,7 +166,8 @@ class TotalLagrangian {
   std::size_t bytes() const { return fields_.bytes(); }
 
   SolidState<D, P> save() const {
-    return {to_host(fields_.weight), to_host(fields_.acceleration), to_host(fields_.flow_start)};
+    return {to_host(fields_.weight), to_host(fields_.acceleration), to_host(fields_.flow_start),
+            to_host(fields_.strain_start)};
   }
   // Goes on from a state saved by a solid of the same layout. deform() comes next.
   void restore(const SolidState<D, P>& state) {
@@ -163,6 +178,9 @@ class TotalLagrangian {
     require(state.flow.size() == fields_.flow_start.size(), "a saved solid flows as its layout");
     to_device(state.flow, fields_.flow_start);
     fields_.flow_now = fields_.flow_start;
+    require(state.strain.size() == fields_.strain_start.size(), "or softens as its layout");
+    to_device(state.strain, fields_.strain_start);
+    fields_.strain_now = fields_.strain_start;
     correct_all();
   }
 
@@ -173,6 +191,7 @@ class TotalLagrangian {
       media.push_back(SolidMedium<Real>::from(medium));
       is_viscous_ |= medium.artificial_linear > 0.0 || medium.artificial_quadratic > 0.0;
       can_break_ |= medium.can_break();
+      fields_.any_softens |= medium.softens();
     }
     std::vector<PlasticParameters<Real>> plastic;
     for (const auto& parameters : layout.plastic) {
@@ -203,7 +222,7 @@ class TotalLagrangian {
   // Breaks bonds by `breaker`, deforms what is left anew and says what that made of the solid.
   template <class Breaker>
   FractureBook book(const Breaker& breaker, const Velocities& velocity) {
-    const double held = energy().total() + flow_work(), power = elastic_power(velocity);
+    const double held = held_energy(), power = elastic_power(velocity);
     const auto [bonds, loose] = count();
     for_each_index(size(), breaker);
     do {
@@ -212,9 +231,12 @@ class TotalLagrangian {
       if (can_break_) for_each_index(size(), Crush<D, P>{view()});
     } while (any_changed());
     const auto [bonds_left, loose_now] = count();
-    return {bonds - bonds_left, loose_now - loose, held - energy().total() - flow_work(),
+    return {bonds - bonds_left, loose_now - loose, held - held_energy(),
             elastic_power(velocity) - power};
   }
+
+  // What is stored, and what the step in hand took from it.
+  double held_energy() { return energy().total() + flow_work() + softening_work(); }
 
   // Power of the bonds on particles that move like this, without viscosity, W.
   double elastic_power(const Velocities& velocity) {

@@ -87,6 +87,23 @@ TEST(Derived, Regimes) {
   EXPECT_EQ(derive(tough).regime, "elastic dimple");
 }
 
+// Softening: fails at its strain; where the spacing is too coarse for that, at the strain that
+// makes w d E strain^2 / 2 its energy (Bazant & Oh 1983). 2 Gc / (w E strain^2) is 0.75 mm for
+// 1 J/m2.
+TEST(Derived, StrengthOfAMaterialThatSoftens) {
+  Case soft = tofu_at(5.0);
+  soft.formulation = Formulation::standard;
+  for (double energy : {10.0, 1.0}) {
+    for (Material& material : soft.materials)
+      if (material.kind == MaterialKind::elastic) {
+        material.criterion = BondCriterion::crack_band;
+        material.fracture_energy = energy;
+      }
+    const double brittle = std::sqrt(2.0 * energy / (2.65 * 2e-3 * 1e5));
+    EXPECT_NEAR(derive(soft).failure_strain, std::min(0.1, brittle), 1e-12);
+  }
+}
+
 // Block 50 x 25, plate 61 x 2; 5 m/s x 10 mm x 30 ms = 1500 mm2 of water at 1 mm.
 TEST(Derived, ParticlesAndSteps) {
   const DerivedNumbers numbers = of("tofu-5ms");

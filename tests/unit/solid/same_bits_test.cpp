@@ -16,11 +16,15 @@ class SameBits : public testing::Test {
  protected:
   using Trial = SolidOnTrial<Chosen::D, typename Chosen::P>;
 
-  // A block that flies apart along x and breaks.
-  static Trial start() {
+  // A block that flies apart along x and breaks, by a strain or after it has softened.
+  static Trial start(bool softens = false) {
     constexpr int dimension = Chosen::D;
     auto medium = soft_solid(1e-3, dimension);
     medium.failure_strain = 0.1;
+    if (softens) {
+      medium.criterion = BondCriterion::crack_band;
+      medium.softening_strain = 0.04;
+    }
     medium.artificial_linear = 0.3;
     Trial trial(block<dimension>({.cells = {30, 9, 6}, .jitter = 0.2, .seed = 6}, medium));
     for (std::size_t i = 0; i < trial.size(); ++i)
@@ -38,6 +42,7 @@ class SameBits : public testing::Test {
         trial.position[i] += dt * Vector<Chosen::D, double>::from(trial.velocity[i]);
       trial.deform();
       released += trial.solid.fracture().released;
+      released += trial.solid.keep_softening();
       trial.evaluate();
       trial.kick(0.5 * dt);
     }
@@ -53,6 +58,7 @@ class SameBits : public testing::Test {
     EXPECT_TRUE(are_same(a.solid.save().weight, b.solid.save().weight));
     EXPECT_TRUE(are_same(a.solid.save().acceleration, b.solid.save().acceleration));
     EXPECT_TRUE(are_same(to_host(a.solid.fields().loose), to_host(b.solid.fields().loose)));
+    EXPECT_TRUE(are_same(a.solid.save().strain, b.solid.save().strain));
     EXPECT_EQ(a.solid.energy().total(), b.solid.energy().total());
   }
   // On that many threads even where there are fewer cores.
@@ -79,17 +85,20 @@ TYPED_TEST(SameBits, ForAnyNumberOfThreads) {
 }
 
 TYPED_TEST(SameBits, FromASavedState) {
-  auto whole = this->start();
-  this->take_steps(whole, steps);
-  const auto saved = whole.solid.save();
-  auto resumed = this->start();
-  resumed.position = whole.position;
-  resumed.velocity = whole.velocity;
-  resumed.solid.restore(saved);
-  resumed.deform();
-  const double released = this->take_steps(whole, 20);
-  EXPECT_EQ(this->take_steps(resumed, 20), released);
-  this->expect_same(whole, resumed);
+  for (bool softens : {false, true}) {
+    auto whole = this->start(softens);
+    this->take_steps(whole, steps);
+    const auto saved = whole.solid.save();
+    auto resumed = this->start(softens);
+    resumed.position = whole.position;
+    resumed.velocity = whole.velocity;
+    resumed.solid.restore(saved);
+    resumed.deform();
+    EXPECT_EQ(whole.solid.softening_work() > 0.0, softens);
+    const double released = this->take_steps(whole, 20);
+    EXPECT_EQ(this->take_steps(resumed, 20), released);
+    this->expect_same(whole, resumed);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The end of a step of what softens: the largest strain there was is where the next step starts.
+#pragma once
+
+#include "exec/ordered_sum.hpp"
+#include "solid/respond.hpp"
+#include "solid/stored_energy.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct StartWhole {
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    solid.strain_start[i] = solid.strain_now[i] = 0;
+    solid.softening_loss[i] = 0.0;
+  }
+};
+
+// The hourglass control of what is left; what it held too much of is lost with the rest.
+template <int D, class P>
+struct KeepSoftening {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    solid.softening_loss[i] = 0.0;
+    if (!solid.softens(i) || solid.loose[i]) return;
+    const auto& medium = solid.medium(i);
+    const Real before = whole_share(medium, solid.strain_start[i]);
+    const Real now = whole_share(medium, solid.strain_now[i]);
+    solid.strain_start[i] = solid.strain_now[i];
+    if (!(now < before)) return;
+    const Real modulus = now * now * medium.hourglass_modulus();
+    solid.softening_loss[i] = 0.5 * double(solid.hourglass[i] - modulus) * misfit(solid, i);
+    solid.hourglass[i] = modulus;
+  }
+};
+
+// By the hourglass control, in the last KeepSoftening, J.
+template <int D, class P>
+struct SofteningLossTerm {
+  SolidView<D, P> solid;
+  KERF_FUNCTION void add(Index i, Terms<1>& sum) const { sum.value[0] += solid.softening_loss[i]; }
+};
+
+// Taken by softening since the start of the run, up to the deformation in force, J.
+template <int D, class P>
+struct SofteningTerm {
+  SolidView<D, P> solid;
+  KERF_FUNCTION void add(Index i, Terms<1>& sum) const {
+    if (!solid.softens(i)) return;
+    const auto medium = SolidMedium<double>::from(solid.medium(i));
+    const auto strain = solid.loose[i] ? solid.strain_start[i] : solid.strain_now[i];
+    sum.value[0] += medium.volume() * softening_loss(medium, double(strain));
+  }
+};
+
+}  // namespace kerf
