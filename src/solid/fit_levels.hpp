@@ -66,8 +66,8 @@ class LevelFit {
   static constexpr double least_factor = 0.05;
   static constexpr double softness = 1e-3;      // e
   static constexpr double second_weight = 0.1;  // theta
-  static constexpr int rounds = 4;              // after which the factors change by less than 1e-3
-  static constexpr double accuracy = 1e-6;
+  static constexpr int rounds = 3;              // a fourth takes nothing more off the balance
+  static constexpr double accuracy = 1e-4;
 
   struct Entry {
     Index i, j;
