@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/check_resolution.hpp"
 #include "app/check_warnings.hpp"
 #include "app/commands.hpp"
 #include "case/read.hpp"
@@ -78,8 +79,9 @@ void print_loads(const DerivedNumbers& numbers) {
   row("regime", numbers.regime);
 }
 
-void print_cost(const DerivedNumbers& numbers) {
+void print_cost(const Case& description, const DerivedNumbers& numbers) {
   fmt::print("\nCost\n");
+  for (const auto& [name, particles] : particle_rows(description)) row(name, particles);
   row("particles at the start", fmt::format("{}", numbers.particles_initial));
   row("particles with all jet water", fmt::format("{}", numbers.particles_expected));
   row("time step", readable(numbers.time_step, "s"));
@@ -129,12 +131,14 @@ void check(const CheckOptions& options) {
              description.bodies.size(), description.jets.size());
   print_speeds(numbers);
   print_loads(numbers);
-  print_cost(numbers);
+  print_cost(description, numbers);
   if (!options.no_timing) {
     set_threads(options.threads);
     print_run_time(description, numbers);
   }
-  const auto warnings = check_warnings(description, numbers);
+  auto warnings = check_warnings(description, numbers);
+  for (const auto& warning : resolution_warnings(description))
+    warnings.push_back(fmt::format("{}: {}", options.file, warning));
   if (!warnings.empty()) fmt::print("\nWarnings\n");
   for (const auto& warning : warnings) fmt::print("  - {}\n", warning);
 }

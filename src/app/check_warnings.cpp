@@ -65,14 +65,10 @@ void warn_of_materials(const Case& description, std::vector<std::string>& warnin
 }  // namespace
 
 std::vector<std::string> check_warnings(const Case& description, const DerivedNumbers& numbers) {
-  constexpr double enough_across_jet = 8.0;  // particles
   constexpr double weakly_compressible = 0.11;
   std::vector<std::string> warnings;
-  if (numbers.jet_resolution > 0.0 && numbers.jet_resolution < enough_across_jet)
-    warnings.push_back(
-        fmt::format("the jet is {:.3g} particles wide: {} or more resolve its stagnation pressure",
-                    numbers.jet_resolution, enough_across_jet));
-  if (numbers.solid_to_water_spacing > 1.0)
+  // Beside jets: check_resolution.hpp.
+  if (numbers.solid_to_water_spacing > 1.0 && description.jets.empty())
     warnings.push_back(fmt::format(
         "the solid's spacing is {:.3g} x the water's: water can slip between solid particles",
         numbers.solid_to_water_spacing));

@@ -61,6 +61,22 @@ enum class Lattice { square, hexagonal };  // square is cubic in 3D
 // Which layer of a rigid body repels, eq. (43): the outermost one towards a side, or every side.
 enum class RepellingLayer { top, bottom, left, right, front, back, all };
 
+// A body that is coarser further away from where it matters: its spacing doubles at the distances
+// width, 2 width, ... from `around`, or from the water of the jets.
+struct Grading {
+  int levels = 0;               // how often the spacing doubles at most; 0 = the body is uniform
+  double width = 0.0;           // m
+  std::optional<Shape> around;  // distances are from its bounding box; none = from the jets
+  // What follows from the jets of the case where `around` is none.
+  struct Line {
+    Point place{}, direction{};  // m, unit vector
+    double radius = 0.0;         // m
+    bool operator==(const Line&) const = default;
+  };
+  std::vector<Line> lines;
+  bool operator==(const Grading&) const = default;
+};
+
 struct Body {
   std::string name;
   Role role = Role::elastic;
@@ -69,6 +85,7 @@ struct Body {
   double spacing = 0.0;  // m
   Lattice lattice = Lattice::square;
   Point offset{};                                      // m, shift of the lattice origin
+  Grading grading;                                     // `spacing` is the finest
   std::array<std::string, 3> velocity{"0", "0", "0"};  // m/s, expressions in x, y, z (m)
   bool fixed = false;
   // Prescribed displacement from the initial place, m, expressions in t (s); empty = free.

@@ -48,6 +48,25 @@ void resolve_materials(Draft& draft) {
   }
 }
 
+// Bodies that are graded around the jets know their axes.
+void find_axes(Draft& draft) {
+  for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
+    Grading& grading = draft.result.bodies[i].grading;
+    if (grading.levels == 0 || grading.around) continue;
+    for (const Jet& jet : draft.result.jets) {
+      const double level = std::sin(jet.angle);
+      grading.lines.push_back(
+          {jet.position,
+           {level * std::cos(jet.azimuth), -std::cos(jet.angle), level * std::sin(jet.azimuth)},
+           0.5 * jet.width});
+    }
+    if (grading.lines.empty())
+      draft.reading.problems.add({draft.bodies[i].path + ".grading.around",
+                                  "there is no jet around which the body could be finer", "a shape",
+                                  "Add it: the region in which the spacing is finest"});
+  }
+}
+
 // The box around everything, grown by half its longest edge.
 void find_domain(Draft& draft) {
   if (draft.has_domain) return;
@@ -123,6 +142,7 @@ void check_speed(Draft& draft, double speed) {
 void finish(Draft& draft) {
   resolve_materials(draft);
   check_names(draft);
+  find_axes(draft);
   check_counts(draft);
   draft.reading.problems.throw_if_any();
   find_domain(draft);

@@ -101,6 +101,29 @@ void read_rigid(Section& section, BodyDraft& entry) {
   entry.body.friction = section.number("friction");
 }
 
+void read_grading(Draft& draft, Section& section, Body& body) {
+  const toml::table* written = section.table("grading");
+  if (written == nullptr) return;
+  Section keys(draft.reading, *written, "grading", section.path("grading"));
+  Grading& grading = body.grading;
+  grading.levels = keys.integer("levels");
+  grading.width = keys.number("width");
+  if (const toml::table* around = keys.table("around"))
+    grading.around = read_shape(draft.reading, *around, keys.path("around"));
+  keys.refuse_unknown();
+  if (draft.reading.problems.any()) return;
+  const double coarsest = body.spacing * std::pow(2.0, grading.levels);
+  // Else two cells could meet of which one is four times as wide as the other.
+  if (grading.width < coarsest)
+    keys.refuse("width", "the width is less than the coarsest spacing",
+                "Choose a larger width or fewer levels",
+                fmt::format("at least {}", write_quantity(coarsest, "m")));
+  if (body.lattice != Lattice::square || body.offset != Point{})
+    section.refuse("grading", "the lattice of the body is hexagonal or shifted",
+                   "Remove the key lattice or offset, or the grading",
+                   "a square lattice without offset");
+}
+
 void read_body(Draft& draft, const toml::table& table, const std::string& path) {
   BodyDraft entry;
   entry.path = path;
@@ -118,6 +141,7 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
   body.spacing = section.number("spacing");
   body.lattice = section.text("lattice") == "hexagonal" ? Lattice::hexagonal : Lattice::square;
   read_offset(section, body);
+  if (body.role != Role::water) read_grading(draft, section, body);
   if (body.role != Role::rigid) read_velocity(section, body);
   if (body.role != Role::water) {
     body.fixed = section.flag("fixed");

@@ -103,6 +103,7 @@ constexpr Key table_of_keys[] = {
 {"body", "spacing", quantity, "m", "", positive, "", "", "Distance of its particles, their diameter d"},
 {"body", "lattice", word, "", "square", any, "square hexagonal", "", "How particles are laid out; square is cubic in 3D, hexagonal is close-packed in 3D"},
 {"body", "offset", vector, "m", "0 m", any, "", "", "Shift of the lattice, at most one spacing along each axis"},
+{"body", "grading", table, "", "(off: one spacing)", any, "", "elastic+standard rigid+standard", "Coarser particles further away from where it matters; `spacing` is the finest. For a square lattice without offset"},
 {"body", "velocity", vector, "m/s", "0 m/s", within(1e5), "", "elastic water", "Velocity at the start"},
 {"body", "velocity_expression", expressions, "", "(velocity)", any, "", "elastic water", "Velocity at the start in m/s as formulas of x, y, z in m"},
 {"body", "fixed", flag, "", "false", any, "", "elastic rigid", "The particles stay where they are; a rigid body without a displacement_expression does anyway"},
@@ -111,6 +112,10 @@ constexpr Key table_of_keys[] = {
 {"body", "repelling_layer", word, "", "top", any, "top bottom left right front back all", "rigid", "The outermost layer of particles that repels, eq. (43)"},
 {"body", "friction", number, "", "none", from_zero_to(10.0), "", "rigid+standard", "Coefficient of dry friction; none = that of what slides on it"},
 {"body", "repulsion", quantity, "m2/s2", "(the square of the fastest speed)", not_negative, "", "rigid", "Strength D of the repulsion, eq. (43)"},
+
+{"grading", "levels", integer, "", "", {1, 4}, "", "", "How often the spacing doubles at most"},
+{"grading", "width", quantity, "m", "", positive, "", "", "The spacing doubles beyond this distance, again beyond twice it, and so on"},
+{"grading", "around", table, "", "(the water of the jets, along their whole axes)", any, "", "", "A shape; distances are from the box around it, of a union from those around its parts"},
 
 {"shape", "type", word, "", "", any, "box disc ring polygon sphere union difference", "", "Kind of shape; in 3D a disc is a cylinder, a ring a tube, a polygon an extrusion"},
 {"shape", "minimum", vector, "m", "", within(1e6), "", "box", "Lowest corner"},
@@ -163,6 +168,7 @@ constexpr SectionText sections[] = {
 {"domain", "`[domain]`", "Particles that leave it are taken out and accounted for. Left out, it is the box around all bodies and nozzles, grown on every side by half its longest edge."},
 {"materials", "`[materials.NAME]`", "One table for each material that the library (`kerf materials`) lacks, or that differs from it."},
 {"body", "`[[body]]`", "One table for each body."},
+{"grading", "`grading = { ... }` of a body", "Off unless the table is there. See [graded resolution](theory/graded_resolution.md)."},
 {"shape", "`shape = { ... }` of a body", "Shapes nest: the `parts` of a union or difference are shapes."},
 {"jet", "`[[jet]]`", "A jet leaves its nozzle at `standoff` from `position` and flies towards it."},
 {"backflow_eraser", "`[backflow_eraser]`", "Off unless the table is there. Used for Fig. 7 of Shinohara et al. (2004); it takes mass away."},

@@ -167,6 +167,13 @@ void write_material(Writer& writer, Formulation formulation, const Material& mat
   writer.text("source", material.source);
 }
 
+std::string grading_text(const Grading& grading, int dimension) {
+  const std::string around =
+      grading.around ? ", around = " + ShapeText(dimension).of(*grading.around) : "";
+  return fmt::format("{{ levels = {}, width = {}{} }}", grading.levels,
+                     quoted(write_quantity(grading.width, "m")), around);
+}
+
 void write_body(Writer& writer, const Case& description, const Body& body) {
   static constexpr const char* roles[] = {"elastic", "water", "rigid"};
   static constexpr const char* layers[] = {"top",   "bottom", "left", "right",
@@ -180,6 +187,8 @@ void write_body(Writer& writer, const Case& description, const Body& body) {
   writer.number("spacing", body.spacing);
   writer.text("lattice", body.lattice == Lattice::square ? "square" : "hexagonal");
   writer.vector("offset", body.offset);
+  if (body.grading.levels > 0)
+    writer.raw("grading", grading_text(body.grading, description.dimension));
   if (body.role != Role::rigid) writer.expressions("velocity_expression", body.velocity);
   if (body.role != Role::water) writer.raw("fixed", body.fixed ? "true" : "false");
   if (!body.displacement[0].empty())

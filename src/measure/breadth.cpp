@@ -19,7 +19,7 @@ double share(double x, double size, double thickness) {
 double fractured_width(const Workpiece& workpiece, const Frame& frame,
                        const std::vector<std::uint32_t>& rows, double depth) {
   const JetAxis& jet = *workpiece.jet;
-  const double thickness = std::max(jet.width / 2.0, 2.0 * workpiece.spacing);
+  const double thickness = std::max(jet.width / 2.0, 2.0 * workpiece.axis_spacing);
   // The section across a round jet is a strip of that thickness through the axis.
   const bool flat = frame.dimension == 2;
   double area = 0.0;

@@ -59,7 +59,7 @@ CutState CutMonitor::observe(const Frame& frame) {
       state.kerf_width = kerf_width(workpiece, frame, rows, pieces.in_piece, half);
       const bool severed = pieces.count > std::max(1, workpiece.initial_pieces);
       const bool holed =
-          state.front_depth >= bottom_depth(workpiece, frame, rows) - workpiece.spacing;
+          state.front_depth >= bottom_depth(workpiece, frame, rows) - workpiece.axis_spacing;
       state.cut_through = severed || holed;
     }
     fragments_ = std::move(pieces.fragments);
@@ -83,7 +83,8 @@ CutSummary CutMonitor::summary() const {
   std::vector<CutState> cutting;
   for (const CutState& state : history_) {
     if (state.front_depth > 0.0 && state.front_depth >= contact_depth_) cutting.push_back(state);
-    if (state.front_depth > 0.0 && state.front_depth >= workpiece_->bottom - workpiece_->spacing)
+    if (state.front_depth > 0.0 &&
+        state.front_depth >= workpiece_->bottom - workpiece_->axis_spacing)
       break;
   }
   summary.front_speed = slope(cutting);

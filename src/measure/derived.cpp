@@ -16,7 +16,7 @@
 
 #include "case/scales.hpp"
 #include "fracture/fracture_limits.hpp"
-#include "particles/fill.hpp"
+#include "particles/graded_fill.hpp"
 
 namespace kerf {
 
@@ -130,15 +130,9 @@ void derive_spacings(DerivedNumbers& numbers, const Case& description) {
 }
 
 void derive_particles(DerivedNumbers& numbers, const Case& description) {
-  for (const Body& body : description.bodies) {
-    LatticeVisit count;
-    count.window = {{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};
-    count.visit = [&](const Point&) {
-      ++numbers.particles_initial;
-      return true;
-    };
-    visit_particles(body, description.dimension, count);
-  }
+  for (const Body& body : description.bodies)
+    for (const std::size_t count : count_levels(body, description.dimension))
+      numbers.particles_initial += count;
   double added = 0.0;
   for (const Jet& jet : description.jets) {
     const double area =

@@ -54,8 +54,19 @@ double find_bottom(const Workpiece& workpiece) {
   return bottom;
 }
 
+// A graded body is finer there; others have one spacing.
+double find_axis_spacing(const Workpiece& workpiece) {
+  double largest = 0.0;
+  for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
+    const double reach = std::max(workpiece.jet->width / 2.0, workpiece.size[slot]);
+    if (workpiece.jet->distance(workpiece.position[slot]) <= reach)
+      largest = std::max(largest, workpiece.size[slot]);
+  }
+  return largest > 0.0 ? largest : workpiece.spacing;
+}
+
 std::vector<std::uint32_t> find_exit_region(const Workpiece& workpiece) {
-  const double reach = std::max(2.0 * workpiece.jet->width, 4.0 * workpiece.spacing);
+  const double reach = std::max(2.0 * workpiece.jet->width, 4.0 * workpiece.axis_spacing);
   std::vector<std::uint32_t> region;
   for (std::uint32_t slot = 0; slot < workpiece.position.size(); ++slot) {
     const auto& x = workpiece.position[slot];
@@ -95,6 +106,7 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
   workpiece.jet.emplace(jet, description.dimension);
   workpiece.jet_source = static_cast<std::uint16_t>(bodies.size());
   workpiece.jet_density = description.materials.at(static_cast<std::size_t>(jet.material)).density;
+  workpiece.axis_spacing = find_axis_spacing(workpiece);
   workpiece.bottom = find_bottom(workpiece);
   workpiece.exit_region = find_exit_region(workpiece);
   return workpiece;

@@ -34,6 +34,7 @@ struct Workpiece {
   std::vector<std::uint32_t> exit_region;  // slots near the point where the axis leaves
   double total_mass = 0.0;                 // kg
   double spacing = 0.0;                    // m, the largest
+  double axis_spacing = 0.0;               // m, the largest beside the axis of the jet
   double bottom = 0.0;                     // m, depth at which the axis leaves
   int initial_pieces = 0;
 

@@ -4,7 +4,7 @@
 // in a fixed order, so sums over them do not depend on the number of threads.
 #pragma once
 
-#include "neighbours/grid.hpp"
+#include "neighbours/level_grids.hpp"
 #include "neighbours/pair_range.hpp"
 
 namespace kerf {
@@ -17,11 +17,11 @@ struct NeighbourView {
 template <int D, class P>
 struct CellNumber {
   ParticleView<D, P> particles;
-  Grid<D> grid;
+  LevelGrids<D> grids;
   Index* number;
 
   KERF_FUNCTION void operator()(Index i) const {
-    number[i] = grid.number(particles.build_position[i]);
+    number[i] = grids.number(particles.medium(i).level, particles.build_position[i]);
   }
 };
 
@@ -29,7 +29,7 @@ struct CellNumber {
 template <int D, class P, class Scheme>
 struct FindNeighbours {
   ParticleView<D, P> particles;
-  Grid<D> grid;
+  LevelGrids<D> grids;
   const Index* cell_begin;
   double skin;
   Index* count;  // out when neighbour is null
@@ -38,18 +38,28 @@ struct FindNeighbours {
 
   KERF_FUNCTION void operator()(Index i) const {
     Index found = 0;
+    for (int level = 0; level < grids.levels; ++level) found = walk(i, level, found);
+    if (neighbour == nullptr) count[i] = found;
+  }
+
+ private:
+  // The cells of a level that i can see into.
+  KERF_FUNCTION Index walk(Index i, int level, Index found) const {
+    const auto& grid = grids.grid[level];
+    const Index* const begin_of = cell_begin + grids.first[level];
+    const double limit = grids.limit[particles.medium(i).level][level];
     int low[D], high[D], row[D];
     for (int a = 0; a < D; ++a) {
-      const int c = grid.coordinate(particles.build_position[i][a], a);
-      low[a] = c > 0 ? c - 1 : 0;
-      high[a] = c + 1 < grid.cells[a] ? c + 1 : c;
+      const double x = particles.build_position[i][a];
+      low[a] = grid.coordinate(x - limit, a);
+      high[a] = grid.coordinate(x + limit, a);
       row[a] = low[a];
     }
     while (true) {
       row[0] = low[0];
       const Index first = grid.number(row);
       const Index last = first + static_cast<Index>(high[0] - low[0]);
-      found = scan(i, cell_begin[first], cell_begin[last + 1], found);
+      found = scan(i, begin_of[first], begin_of[last + 1], found);
       int a = 1;
       while (a < D && row[a] == high[a]) {
         row[a] = low[a];
@@ -58,10 +68,8 @@ struct FindNeighbours {
       if (a >= D) break;
       ++row[a];
     }
-    if (neighbour == nullptr) count[i] = found;
+    return found;
   }
-
- private:
   KERF_FUNCTION Index scan(Index i, Index from, Index to, Index found) const {
     for (Index j = from; j < to; ++j) {
       if (j == i) continue;
@@ -97,12 +105,15 @@ class NeighbourList {
   // `longest`: the longest pair reach there is; `skin` in m.
   NeighbourList(const Vector<D, double>& minimum, const Vector<D, double>& maximum, double longest,
                 double skin)
-      : grid_(Grid<D>::covering(minimum, maximum, longest + skin, 1.6e7)), skin_(skin) {}
+      : NeighbourList(minimum, maximum, LevelReach::one(longest), skin) {}
+  NeighbourList(const Vector<D, double>& minimum, const Vector<D, double>& maximum,
+                const LevelReach& reach, double skin)
+      : grids_(LevelGrids<D>::covering(minimum, maximum, reach, skin)), skin_(skin) {}
 
   // Cell numbers of the build positions, the sort key of the particles.
   const Array<Index>& cell_numbers(Particles<D, P>& particles) {
     key_.resize(particles.size());
-    for_each_index(particles.size(), CellNumber<D, P>{particles.view(), grid_, pointer(key_)});
+    for_each_index(particles.size(), CellNumber<D, P>{particles.view(), grids_, pointer(key_)});
     return key_;
   }
 
@@ -110,14 +121,14 @@ class NeighbourList {
   void build(Particles<D, P>& particles) {
     const Index n = particles.size();
     cell_numbers(particles);
-    const Index cells = grid_.count();
+    const Index cells = grids_.count();
     cell_begin_.resize(cells + 1);
     thrust::lower_bound(thrust::device, key_.begin(), key_.end(),
                         thrust::counting_iterator<Index>(0),
                         thrust::counting_iterator<Index>(cells + 1), cell_begin_.begin());
     begin_.resize(n + 1);
     FindNeighbours<D, P, Scheme> find{
-        particles.view(), grid_,  pointer(cell_begin_), skin_, pointer(begin_),
+        particles.view(), grids_, pointer(cell_begin_), skin_, pointer(begin_),
         pointer(begin_),  nullptr};
     for_each_index(n, find);
     thrust::fill_n(begin_.begin() + n, 1, Index(0));
@@ -143,7 +154,7 @@ class NeighbourList {
   }
 
  private:
-  Grid<D> grid_{};
+  LevelGrids<D> grids_{};
   double skin_ = 0.0;
   Index pairs_ = 0;
   Array<Index> key_, cell_begin_, begin_, neighbour_;

@@ -28,7 +28,7 @@ namespace kerf {
   FIELD(Real, pressure_work)     /* J/kg, done against pressure so far */            \
   FIELD(Real, inlet_speed)       /* m/s, of jet water while it is in its nozzle */   \
   FIELD(std::uint32_t, id)       /* unique, never reused */                          \
-  FIELD(std::uint16_t, source)   /* body, or number of bodies + jet */               \
+  FIELD(std::uint16_t, source)   /* medium, see simulation/levels.hpp */             \
   FIELD(std::uint8_t, fractured) /* 1 = carries compression only */                  \
   FIELD(std::uint8_t, flags)
 

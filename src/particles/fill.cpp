@@ -201,4 +201,15 @@ double lattice_nodes(const Body& body, int dimension) {
   return volume / particle_volume(body, dimension);
 }
 
+Box lattice_box(const Body& body, int dimension) {
+  const LatticeFrame frame = make_frame(body, dimension);
+  const std::array<const Axis*, 3> axes{&frame.x, &frame.y, &frame.z};
+  Box box;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+    box.minimum[a] = axes[a]->at(-0.5);
+    box.maximum[a] = axes[a]->at(static_cast<double>(axes[a]->count) - 0.5);
+  }
+  return box;
+}
+
 }  // namespace kerf

@@ -27,6 +27,9 @@ double particle_volume(const Body& body, int dimension);
 // Nodes of the lattice in the bounding box of the body: an upper bound of its particles.
 double lattice_nodes(const Body& body, int dimension);
 
+// What the cells of an unshifted square lattice fill, nodes outside the shape included.
+Box lattice_box(const Body& body, int dimension);
+
 // Calls `visit` for the particles inside `window`, in order, every `stride`-th node along each
 // axis, until it returns false.
 struct LatticeVisit {

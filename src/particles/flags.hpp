@@ -11,6 +11,7 @@ inline constexpr std::uint8_t repelling = 1;  // layer of a rigid body that repe
 inline constexpr std::uint8_t upstream = 2;   // jet water still inside its nozzle
 inline constexpr std::uint8_t outside = 4;    // has left the domain: to be removed
 inline constexpr std::uint8_t erased = 8;     // flows back towards its nozzle: to be removed
+inline constexpr std::uint8_t fitted = 16;    // beside a jump of the spacing of its body
 }  // namespace flag
 
 }  // namespace kerf

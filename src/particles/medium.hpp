@@ -42,6 +42,7 @@ struct Medium {
   bool cavitates = false;    // opens instead of being pulled once it holds on to nothing
   ElasticLaw elasticity = ElasticLaw::neo_hookean;
   BondCriterion criterion = BondCriterion::principal_strain;
+  std::uint8_t level = 0;   // of resolution; 0: the finest of its body
   std::uint16_t piece = 0;  // solids of one piece hold together; different pieces only touch
 #define KERF_NUMBER(name) T name = 0;
   KERF_MEDIUM_NUMBERS(KERF_NUMBER)
@@ -63,6 +64,7 @@ struct Medium {
     Medium medium;
     medium.phase = other.phase;
     medium.constrained = other.constrained;
+    medium.level = other.level;
     medium.cavitates = other.cavitates;
     medium.elasticity = other.elasticity;
     medium.criterion = other.criterion;

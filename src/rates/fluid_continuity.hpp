@@ -32,7 +32,8 @@ struct FluidContinuity {
     // (v_i - v*) . nabla W = - (U_i - U*) dW/dr.
     const Real slope = dot(pair.gradient, pair.separation) / pair.distance;
     const Real volume = volume_of(particles, pair.j, *pair.medium_j);
-    sum.strain_rate -= Real(2) * fluid_pair.steepening * volume * (u_i - star.speed) * slope;
+    sum.strain_rate -=
+        Real(2) * fluid_pair.steepness(particles, pair) * volume * (u_i - star.speed) * slope;
     if (kind == Meeting::wall_of_i) sum.wall -= volume * pair.gradient;
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {

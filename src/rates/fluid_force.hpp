@@ -23,7 +23,7 @@ struct FluidForce {
     const Meeting kind = meeting(particles, pair);
     if (kind == Meeting::nothing || !(pair.distance > Real(0))) return;
     const auto star = fluid_pair(particles, pair, kind);
-    const auto push = Real(-2) * fluid_pair.steepening *
+    const auto push = Real(-2) * fluid_pair.steepness(particles, pair) *
                       volume_of(particles, pair.i, *pair.medium_i) *
                       volume_of(particles, pair.j, *pair.medium_j) * pair.gradient;
     sum.pressing += star.mean_pressure * push;

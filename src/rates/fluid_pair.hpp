@@ -5,6 +5,7 @@
 // opposite.
 #pragma once
 
+#include "rates/pair_fit.hpp"
 #include "rates/riemann.hpp"
 
 namespace kerf {
@@ -26,6 +27,12 @@ struct FluidPair {
   using Real = typename P::Real;
   Vector<D, Real> gravity;    // m/s^2
   Real steepening = Real(1);  // of the kernel: 1 / its slope on the lattice (lattice_sums.hpp)
+  PairFit<D, P> fit;          // where the spacing of a solid jumps
+
+  // By which the gradient of the kernel counts.
+  KERF_FUNCTION Real steepness(const ParticleView<D, P>& particles, const Pair<D, P>& pair) const {
+    return steepening * fit(particles, pair);
+  }
 
   // As particle i sees it; U_i and U_j are along e from j to i.
   KERF_FUNCTION RiemannStar<Real> operator()(const ParticleView<D, P>& particles,

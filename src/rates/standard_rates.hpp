@@ -54,7 +54,7 @@ class StandardRates {
   StandardRates(const Vector<D, double>& gravity, const std::vector<Medium<double>>& media,
                 const LatticeSums& lattice = {})
       : gravity_{Vector<D, Real>::from(gravity)},
-        fluid_pair_{gravity_.gravity, Real(1.0 / lattice.slope)},
+        fluid_pair_{gravity_.gravity, Real(1.0 / lattice.slope), {}},
         media_(static_cast<Index>(media.size())) {
     std::vector<TouchOfMedia<Real>> touch;
     for (const auto& entry : touch_table<D, ContactPairs>(media))
@@ -63,6 +63,9 @@ class StandardRates {
     to_device(touch, touch_);
     for (const auto& medium : media) has_solids_ |= medium.phase == Phase::solid;
   }
+
+  // For bodies whose spacing jumps.
+  void fit_pairs(const PairFit<D, P>& fit) { fluid_pair_.fit = fit; }
 
   // Pressures and the accelerations by gravity and all pairs.
   template <class Bonds>

@@ -9,6 +9,8 @@
 #include "fracture/fracture_limits.hpp"
 #include "materials/bond_bulk.hpp"
 #include "particles/fill.hpp"
+#include "particles/graded_fill.hpp"
+#include "simulation/levels.hpp"
 
 namespace kerf {
 namespace {
@@ -61,6 +63,36 @@ std::vector<std::uint16_t> pieces_of(const std::vector<Body>& bodies) {
   return piece;
 }
 
+Medium<double> body_medium(const Case& description, const Body& body, std::uint16_t piece) {
+  Medium<double> medium;
+  if (body.role == Role::rigid) {
+    medium.phase = Phase::rigid;
+    medium.repulsion = body.repulsion;
+    medium.friction = body.friction;
+  } else {
+    const auto& material = description.materials.at(static_cast<std::size_t>(body.material));
+    set_material(medium, material);
+    const SofteningBand limits = fracture_limits(material, body.spacing);
+    medium.failure_strain = limits.end;
+    medium.softening_strain = limits.softens() ? limits.start : 0.0;
+  }
+  medium.volume = particle_volume(body, description.dimension);
+  medium.mass = medium.density * medium.volume;
+  medium.spacing = body.spacing;
+  medium.piece = piece;
+  medium.constrained = body.fixed || !body.displacement[0].empty() || body.role == Role::rigid;
+  return medium;
+}
+
+Medium<double> jet_medium(const Case& description, const Jet& jet, const Nozzle& nozzle) {
+  Medium<double> medium;
+  set_material(medium, description.materials.at(static_cast<std::size_t>(jet.material)));
+  medium.mass = nozzle.particle_mass();
+  medium.volume = medium.mass / medium.density;
+  medium.spacing = jet.spacing;
+  return medium;
+}
+
 }  // namespace
 
 std::vector<Medium<double>> make_media(const Case& description,
@@ -68,34 +100,16 @@ std::vector<Medium<double>> make_media(const Case& description,
   require(nozzles.size() == description.jets.size(), "one nozzle per jet");
   std::vector<Medium<double>> media;
   const auto pieces = pieces_of(description.bodies);
-  for (const Body& body : description.bodies) {
-    Medium<double> medium;
-    if (body.role == Role::rigid) {
-      medium.phase = Phase::rigid;
-      medium.repulsion = body.repulsion;
-      medium.friction = body.friction;
+  const std::size_t bodies = description.bodies.size();
+  for (const auto [source, level] : medium_origins(description)) {
+    if (source < bodies) {
+      media.push_back(
+          body_medium(description, at_level(description.bodies[source], level), pieces[source]));
+      media.back().level = static_cast<std::uint8_t>(level);
     } else {
-      const auto& material = description.materials.at(static_cast<std::size_t>(body.material));
-      set_material(medium, material);
-      const SofteningBand limits = fracture_limits(material, body.spacing);
-      medium.failure_strain = limits.end;
-      medium.softening_strain = limits.softens() ? limits.start : 0.0;
+      media.push_back(
+          jet_medium(description, description.jets[source - bodies], nozzles[source - bodies]));
     }
-    medium.volume = particle_volume(body, description.dimension);
-    medium.mass = medium.density * medium.volume;
-    medium.spacing = body.spacing;
-    medium.piece = pieces[media.size()];
-    medium.constrained = body.fixed || !body.displacement[0].empty() || body.role == Role::rigid;
-    media.push_back(medium);
-  }
-  for (std::size_t j = 0; j < description.jets.size(); ++j) {
-    const Jet& jet = description.jets[j];
-    Medium<double> medium;
-    set_material(medium, description.materials.at(static_cast<std::size_t>(jet.material)));
-    medium.mass = nozzles[j].particle_mass();
-    medium.volume = medium.mass / medium.density;
-    medium.spacing = jet.spacing;
-    media.push_back(medium);
   }
   for (Medium<double>& medium : media) {
     medium.smoothing_length = description.smoothing_ratio * medium.spacing;

@@ -4,7 +4,9 @@
 namespace kerf {
 
 Motion::Motion(const Case& description, const std::vector<Nozzle>& nozzles)
-    : bodies_(description.bodies.size()), nozzles_(&nozzles) {
+    : bodies_(description.bodies.size()),
+      origins_(medium_origins(description)),
+      nozzles_(&nozzles) {
   for (const Body& body : description.bodies) {
     std::vector<Expression> components;
     if (!body.displacement[0].empty())

@@ -8,6 +8,7 @@
 #include "case/expression.hpp"
 #include "integrate/drive.hpp"
 #include "particles/nozzle.hpp"
+#include "simulation/levels.hpp"
 
 namespace kerf {
 
@@ -15,17 +16,16 @@ class Motion {
  public:
   Motion(const Case& description, const std::vector<Nozzle>& nozzles);
 
-  // Prescribed motion from `start` to `now`, one entry per source; `now` >= `start`.
+  // Prescribed motion from `start` to `now`, one entry per medium; `now` >= `start`.
   template <int D>
   std::vector<Drive<D>> drives(double start, double now) const {
     std::vector<Drive<D>> result;
-    for (std::size_t source = 0; source < count(); ++source)
-      result.push_back(drive<D>(source, start, now));
+    for (const MediumOrigin& origin : origins_)
+      result.push_back(drive<D>(origin.source, start, now));
     return result;
   }
 
  private:
-  std::size_t count() const { return bodies_ + nozzles_->size(); }
   Point displacement(std::size_t body, double time) const;
 
   template <int D>
@@ -49,6 +49,7 @@ class Motion {
   }
 
   std::size_t bodies_;
+  std::vector<MediumOrigin> origins_;
   const std::vector<Nozzle>* nozzles_;
   std::vector<std::vector<Expression>> expressions_;  // per body; empty = does not move
   std::vector<double> erase_speed_;                   // m/s, per jet

@@ -33,11 +33,10 @@ ParticleRun<D, P, Scheme>::ParticleRun(const Case& description)
       maximum_(Place::from(description.domain.maximum)) {
   std::vector<Medium<Real>> media;
   std::vector<double> masses;
-  double longest = 0.0, finest = 1e300, shortest = 1e300;
+  double finest = 1e300, shortest = 1e300;
   for (const Medium<double>& medium : media_) {
     media.push_back(Medium<Real>::from(medium));
     masses.push_back(medium.mass);
-    longest = std::max(longest, medium.smoothing_length);
     finest = std::min(finest, medium.spacing);
     if (medium.phase != Phase::rigid)
       shortest = std::min(shortest, medium.smoothing_length / medium.longitudinal_speed);
@@ -47,8 +46,7 @@ ParticleRun<D, P, Scheme>::ParticleRun(const Case& description)
   book_.set_masses(masses);
   shortest_step_ = 1e-6 * case_.time.courant * shortest;
   const double skin = 0.5 * finest;
-  list_ = NeighbourList<D, P, Scheme>(minimum_, maximum_,
-                                      Scheme::template Kernel<D>::support * longest, skin);
+  list_ = NeighbourList<D, P, Scheme>(minimum_, maximum_, LevelReach::of<D, Scheme>(media_), skin);
   append(initial_particles(case_, nozzles_));
 }
 

@@ -18,7 +18,7 @@ void ParticleRun<D, P, Scheme>::refresh() const {
 template <int D, class P, class Scheme>
 Frame ParticleRun<D, P, Scheme>::frame() const {
   refresh();
-  Frame frame = make_frame(particles_, media_);
+  Frame frame = make_frame(particles_, media_, medium_origins(case_));
   frame.time = time_;
   frame.step = step_;
   return frame;

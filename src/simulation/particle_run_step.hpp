@@ -76,7 +76,7 @@ void ParticleRun<D, P, Scheme>::fail(const StepLimit& cause) const {
   breakdown.time = time_;
   breakdown.step = step_;
   breakdown.particle = particles_.id[cause.particle];
-  breakdown.source = std::uint16_t{particles_.source[cause.particle]};
+  breakdown.source = medium_origins(case_)[particles_.source[cause.particle]].source;
   const Place x = particles_.position[cause.particle];
   for (int a = 0; a < D; ++a) breakdown.position[static_cast<std::size_t>(a)] = x[a];
   breakdown.fault = cause.dt < 0.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/plastic_media.hpp"
 
+#include "simulation/levels.hpp"
+
 namespace kerf {
 
 namespace {
@@ -59,13 +61,14 @@ PlasticParameters<double> parameters_of(const Material& material, int dimension)
 
 std::vector<PlasticParameters<double>> make_plastic_media(const Case& description) {
   std::vector<PlasticParameters<double>> laws;
-  for (const Body& body : description.bodies)
-    laws.push_back(
-        body.role == Role::elastic
-            ? parameters_of(description.materials.at(static_cast<std::size_t>(body.material)),
-                            description.dimension)
-            : PlasticParameters<double>{});
-  laws.resize(description.bodies.size() + description.jets.size());
+  for (const auto [source, level] : medium_origins(description)) {
+    const bool elastic =
+        source < description.bodies.size() && description.bodies[source].role == Role::elastic;
+    laws.push_back(elastic ? parameters_of(description.materials.at(static_cast<std::size_t>(
+                                               description.bodies[source].material)),
+                                           description.dimension)
+                           : PlasticParameters<double>{});
+  }
   return laws;
 }
 

@@ -4,13 +4,18 @@
 #include "case/expression.hpp"
 #include "particles/fill.hpp"
 #include "particles/flags.hpp"
+#include "particles/graded_fill.hpp"
+#include "simulation/levels.hpp"
 
 namespace kerf {
 namespace {
 
-void add_body(const Body& body, std::uint16_t source, int dimension,
+// `levels`: the media of its levels.
+void add_body(const Body& body, const std::vector<std::uint16_t>& levels, int dimension,
               std::vector<NewParticle>& particles) {
-  const std::vector<Point> points = fill(body, dimension);
+  const std::vector<GradedParticle> laid = fill_levels(body, dimension);
+  std::vector<Point> points;
+  for (const GradedParticle& particle : laid) points.push_back(particle.position);
   std::vector<std::uint8_t> repelling(points.size(), 0);
   if (body.role == Role::rigid) repelling = repelling_flags(body, points, dimension);
   std::vector<Expression> velocity;
@@ -19,7 +24,7 @@ void add_body(const Body& body, std::uint16_t source, int dimension,
   for (std::size_t k = 0; k < points.size(); ++k) {
     NewParticle particle;
     particle.position = points[k];
-    particle.source = source;
+    particle.source = levels[static_cast<std::size_t>(laid[k].level)];
     particle.flags = repelling[k] ? flag::repelling : std::uint8_t{0};
     if (!body.fixed && body.displacement[0].empty() && body.role != Role::rigid)
       for (int a = 0; a < dimension; ++a)
@@ -50,9 +55,9 @@ std::vector<NewParticle> inlet_particles(const std::vector<InletParticle>& water
 std::vector<NewParticle> initial_particles(const Case& description,
                                            const std::vector<Nozzle>& nozzles) {
   std::vector<NewParticle> particles;
+  const auto levels = media_of_levels(description);
   for (std::size_t b = 0; b < description.bodies.size(); ++b)
-    add_body(description.bodies[b], static_cast<std::uint16_t>(b), description.dimension,
-             particles);
+    add_body(description.bodies[b], levels[b], description.dimension, particles);
   for (std::size_t j = 0; j < nozzles.size(); ++j) {
     const bool open = description.jets[j].start <= 0.0;
     for (const NewParticle& particle : inlet_particles(nozzles[j].standing_water(), nozzles[j],

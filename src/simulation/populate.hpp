@@ -14,7 +14,7 @@ struct NewParticle {
   Point position{};          // m
   Point velocity{};          // m/s
   double inlet_speed = 0.0;  // m/s
-  std::uint16_t source = 0;
+  std::uint16_t source = 0;  // its medium (simulation/levels.hpp)
   std::uint8_t flags = 0;
 };
 

@@ -5,6 +5,7 @@
 #include "fracture/equivalent_strain.hpp"
 #include "particles/fields.hpp"
 #include "simulation/frame.hpp"
+#include "simulation/levels.hpp"
 
 namespace kerf {
 
@@ -24,7 +25,8 @@ void append_tensor(const SymmetricTensor<D, T>& s, std::vector<float>& values) {
 }
 
 template <int D, class P>
-Frame make_frame(const Particles<D, P>& particles, const std::vector<Medium<double>>& media) {
+Frame make_frame(const Particles<D, P>& particles, const std::vector<Medium<double>>& media,
+                 const std::vector<MediumOrigin>& origins) {
   Frame frame;
   frame.dimension = D;
   const auto position = to_host(particles.position);
@@ -36,7 +38,7 @@ Frame make_frame(const Particles<D, P>& particles, const std::vector<Medium<doub
   const auto pressure = to_host(particles.pressure);
   const auto shear = to_host(particles.shear);
   frame.id = to_host(particles.id);
-  frame.source.assign(source.begin(), source.end());
+  for (const std::uint16_t medium : source) frame.source.push_back(origins[medium].source);
   Column stress{"deviatoric_stress", "Pa", 6, {}};
   Column strain{"equivalent_strain", "1", 1, {}};
   for (std::size_t i = 0; i < position.size(); ++i) {

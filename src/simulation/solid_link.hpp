@@ -5,6 +5,7 @@
 
 #include "materials/tait.hpp"
 #include "particles/fields.hpp"
+#include "solid/bond_between.hpp"
 #include "solid/respond.hpp"
 
 namespace kerf {
@@ -119,16 +120,8 @@ struct WholeBonds {
     if (particles.medium(i).piece != particles.medium(j).piece) return false;
     const Index a = link.number(particles.id[i]), b = link.number(particles.id[j]);
     if (a == no_index || b == no_index) return false;
-    Index low = solid.bond_begin[a], high = solid.bond_begin[a + 1];  // ascending
-    while (low < high) {
-      const Index middle = low + (high - low) / 2;
-      if (solid.neighbour[middle] < b)
-        low = middle + 1;
-      else
-        high = middle;
-    }
-    return low < solid.bond_begin[a + 1] && solid.neighbour[low] == b &&
-           solid.weight[low] > typename P::Real(0);
+    const Index bond = bond_between(solid.bond_begin, solid.neighbour, a, b);
+    return bond != no_bond && solid.weight[bond] > typename P::Real(0);
   }
 };
 

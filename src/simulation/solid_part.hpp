@@ -3,11 +3,14 @@
 // total Lagrangian solid and its forces back, and keeps its share of the ledger and the checkpoint.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "integrate/time_step.hpp"
+#include "rates/pair_fit.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/levels.hpp"
 #include "simulation/solid_link.hpp"
 #include "simulation/solid_show.hpp"
 #include "simulation/state_io.hpp"
@@ -29,8 +32,12 @@ class SolidPart {
 
   // The particles of the start, in the order of their ids.
   SolidPart(const std::vector<Medium<double>>& media,
-            std::vector<PlasticParameters<double>> plastic, const Particles<D, P>& particles) {
+            std::vector<PlasticParameters<double>> plastic,
+            const std::vector<MediumOrigin>& origins, Particles<D, P>& particles) {
     SolidLayout<D> layout;
+    const auto is_level = [](const MediumOrigin& origin) { return origin.level > 0; };
+    if (std::any_of(origins.begin(), origins.end(), is_level))
+      for (const MediumOrigin& origin : origins) layout.body.push_back(origin.source);
     layout.plastic = std::move(plastic);
     for (const Medium<double>& medium : media) layout.media.push_back(solid_medium(medium));
     const auto position = to_host(particles.position);
@@ -49,6 +56,7 @@ class SolidPart {
     to_device(layout.reference, position_);
     velocity_.resize(layout.reference.size());
     gone_.resize(layout.reference.size());
+    mark_fitted(number, particles);
   }
 
   // Finds the solid's particles in their new order.
@@ -110,6 +118,13 @@ class SolidPart {
     return {link(), solid_->view()};
   }
 
+  // Where the spacing of a nearly incompressible body jumps.
+  PairFit<D, P> pair_fit() {
+    if (!solid_ || solid_->fitted().empty()) return {};
+    const auto solid = solid_->view();
+    return {solid.pair_fit, pointer(number_of_id_), solid.bond_begin, solid.neighbour};
+  }
+
   void end_step(double dt) {
     if (!solid_) return;
     losses_.viscous += dt * solid_->viscous_power();
@@ -166,6 +181,14 @@ class SolidPart {
   }
 
  private:
+  void mark_fitted(const std::vector<Index>& number_of_id, Particles<D, P>& particles) {
+    if (solid_->fitted().empty()) return;
+    auto flags = to_host(particles.flags);
+    for (std::size_t id = 0; id < number_of_id.size(); ++id)
+      if (number_of_id[id] != no_index && solid_->fitted()[number_of_id[id]] != 0)
+        flags[id] |= flag::fitted;
+    to_device(flags, particles.flags);
+  }
   static SolidMedium<double> solid_medium(const Medium<double>& medium) {
     SolidMedium<double> solid;
     solid.law = medium.elasticity;

@@ -22,7 +22,9 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
       : Run(description),
         lattice_(lattice_sums<D, ContactPairs::Kernel<D>>(description.smoothing_ratio)),
         rates_(Vector<D, double>::from(description.gravity), Run::media_, lattice_),
-        solid_(Run::media_, make_plastic_media(description), Run::particles_) {
+        solid_(Run::media_, make_plastic_media(description), medium_origins(description),
+               Run::particles_) {
+    rates_.fit_pairs(solid_.pair_fit());
     Run::open([this] { rates_.fit_surfaces(particles_.view(), particles_.size(), list_.view()); });
     rates_.continuity(particles_.view(), particles_.size(), list_.view());
   }

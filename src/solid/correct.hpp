@@ -28,6 +28,7 @@ struct SetWholeWeights {
       const Index j = solid.neighbour[k];
       const Real distance = norm(solid.reference_bond(i, j));
       solid.weight[k] = whole_weight<D>(solid.medium(i), solid.medium(j), distance);
+      if (solid.bond_fit != nullptr) solid.weight[k] *= solid.bond_fit[k];
     }
   }
 };

@@ -19,6 +19,8 @@ struct SolidLayout {
   std::vector<PlasticParameters<double>> plastic;  // per medium; empty: none flows
   std::vector<Vector<D, double>> reference;        // X, m
   std::vector<std::uint16_t> medium_index;         // per particle
+  // Per medium, the body of which it is a level of resolution; empty: there are no levels.
+  std::vector<std::uint16_t> body;
 };
 
 // Lists in compressed rows: the bonds of i are neighbour[begin[i]] .. neighbour[begin[i + 1] - 1].

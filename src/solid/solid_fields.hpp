@@ -42,8 +42,9 @@ namespace kerf {
 // Every pair i, j of one piece that is closer than 2 h in the reference configuration is a bond. It
 // stands in the lists of both, with one weight,
 //   w_ij = f_ij V_i V_j |W'(R_ij)| / R_ij,   R_ij = |X_i - X_j|,   in m (2D: 1),
-// in which f_ij is the share of the bond that is whole: 1, or 0 where it broke. A weight is all
-// that the sums need, since V_i V_j grad_0 W_ij = w_ij (X_j - X_i): gradients cost no memory.
+// in which f_ij is the share of the bond that is whole: 1 (where the spacing jumps the s_ij of
+// fit_levels.hpp), or 0 where it broke. A weight is all that the sums need, since V_i V_j grad_0
+// W_ij = w_ij (X_j - X_i): gradients cost no memory.
 template <int D, class P>
 struct SolidView {
   using Real = typename P::Real;
@@ -62,6 +63,8 @@ struct SolidView {
   const Index* bond_begin;  // bonds of i: bond_begin[i] .. bond_begin[i + 1]
   const Index* neighbour;
   Real* weight;  // w_ij
+  // s of fit_levels.hpp, per bond; null: 1.
+  const Real *bond_fit, *pair_fit;
 #define KERF_FIELD(type, name) type* name;
   KERF_SOLID_RESULTS(KERF_FIELD)
   KERF_SOLID_SOFTENING(KERF_FIELD)
@@ -106,7 +109,7 @@ struct SolidFields {
   Array<std::uint16_t> medium_index;
   Array<Place> reference;
   Array<Index> bond_begin, neighbour;
-  Array<Real> weight;
+  Array<Real> weight, bond_fit, pair_fit;
 #define KERF_FIELD(type, name) Array<type> name;
   KERF_SOLID_RESULTS(KERF_FIELD)
   KERF_SOLID_SOFTENING(KERF_FIELD)
@@ -134,7 +137,7 @@ struct SolidFields {
   std::size_t bytes() const {
     std::size_t sum = bytes_of(media) + bytes_of(plastic) + bytes_of(medium_index) +
                       bytes_of(reference) + bytes_of(bond_begin) + bytes_of(neighbour) +
-                      bytes_of(weight);
+                      bytes_of(weight) + bytes_of(bond_fit) + bytes_of(pair_fit);
 #define KERF_FIELD(type, name) sum += bytes_of(name);
     KERF_SOLID_RESULTS(KERF_FIELD)
     KERF_SOLID_SOFTENING(KERF_FIELD)
@@ -155,6 +158,8 @@ struct SolidFields {
     view.bond_begin = pointer(bond_begin);
     view.neighbour = pointer(neighbour);
     view.weight = pointer(weight);
+    view.bond_fit = bond_fit.empty() ? nullptr : pointer(bond_fit);
+    view.pair_fit = pair_fit.empty() ? nullptr : pointer(pair_fit);
 #define KERF_FIELD(type, name) view.name = pointer(name);
     KERF_SOLID_RESULTS(KERF_FIELD)
     KERF_SOLID_SOFTENING(KERF_FIELD)

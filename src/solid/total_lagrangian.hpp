@@ -15,6 +15,7 @@
 #include "solid/break_bonds.hpp"
 #include "solid/correct.hpp"
 #include "solid/deform.hpp"
+#include "solid/fit_levels.hpp"
 #include "solid/keep_flow.hpp"
 #include "solid/keep_softening.hpp"
 #include "solid/stored_energy.hpp"
@@ -57,6 +58,7 @@ class TotalLagrangian {
     to_device(bonds.begin, fields_.bond_begin);
     to_device(bonds.neighbour, fields_.neighbour);
     fields_.make_room();
+    fit_levels(layout, bonds);
     for_each_index(size(), SetWholeWeights<D, P>{view()});
     if (fields_.any_softens) for_each_index(size(), StartWhole<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartUnflown<D, P>{view()});
@@ -164,6 +166,8 @@ class TotalLagrangian {
     return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1])};
   }
   std::size_t bytes() const { return fields_.bytes(); }
+  // Per particle: 1 where the factor of a pair may differ from 1; empty where all are 1.
+  const std::vector<std::uint8_t>& fitted() const { return fitted_; }
 
   SolidState<D, P> save() const {
     return {to_host(fields_.weight), to_host(fields_.acceleration), to_host(fields_.flow_start),
@@ -203,6 +207,13 @@ class TotalLagrangian {
     require(plastic.empty() || plastic.size() == media.size(), "laws of flow for every medium");
     to_device(media, fields_.media);
     to_device(plastic, fields_.plastic);
+  }
+
+  void fit_levels(const SolidLayout<D>& layout, const BondLists& bonds) {
+    const BondFit fit = LevelFit<D>(layout, bonds).solve();
+    to_device(std::vector<Real>(fit.of_bond.begin(), fit.of_bond.end()), fields_.bond_fit);
+    to_device(std::vector<Real>(fit.of_pair.begin(), fit.of_pair.end()), fields_.pair_fit);
+    fitted_ = fit.fitted;
   }
 
   void respond() {
@@ -265,6 +276,7 @@ class TotalLagrangian {
   }
 
   SolidFields<D, P> fields_;
+  std::vector<std::uint8_t> fitted_;
   OrderedSum<2> sum_;
   OrderedSum<1> power_sum_;
   double dt_ = 0.0;

@@ -41,20 +41,29 @@ double square_distance(const Point& a, const Point& b) {
   return sum;
 }
 
+struct Laid {
+  std::uint32_t id;
+  Point place;
+  double spacing;
+};
+
 // The particles laid out last along, `inwards` = -1 or +1, within a spacing of the outermost.
-std::vector<Edge> find_edges(const std::vector<std::pair<std::uint32_t, Point>>& places,
-                             const Along& along, double spacing, double inwards) {
+std::vector<Edge> find_edges(const std::vector<Laid>& particles, const Along& along,
+                             double inwards) {
+  const auto surface = [&](const Laid& particle) {
+    return -inwards * along.of(particle.place) + 0.5 * particle.spacing;
+  };
   double outermost = -std::numeric_limits<double>::infinity();
-  for (const auto& [id, x] : places) outermost = std::max(outermost, -inwards * along.of(x));
+  for (const Laid& particle : particles) outermost = std::max(outermost, surface(particle));
   std::vector<Edge> edges;
-  for (const auto& [id, x] : places) {
-    if (-inwards * along.of(x) < outermost - 0.999 * spacing) continue;
-    const Point target = along.moved(x, inwards * spacing);
+  for (const Laid& particle : particles) {
+    if (surface(particle) < outermost - 0.999 * particle.spacing) continue;
+    const Point target = along.moved(particle.place, inwards * particle.spacing);
     const auto nearest =
-        std::min_element(places.begin(), places.end(), [&](const auto& a, const auto& b) {
-          return square_distance(a.second, target) < square_distance(b.second, target);
+        std::min_element(particles.begin(), particles.end(), [&](const Laid& a, const Laid& b) {
+          return square_distance(a.place, target) < square_distance(b.place, target);
         });
-    if (nearest->first != id) edges.push_back({id, nearest->first});
+    if (nearest->id != particle.id) edges.push_back({particle.id, nearest->id});
   }
   return edges;
 }
@@ -68,18 +77,19 @@ Signal extent_signal(const Parameters& parameters, const Beginning& beginning) {
   const Along along{word == "radius" ? 0 : static_cast<std::size_t>(word[0] - 'x'),
                     word == "radius"};
   const std::size_t body = named_body(parameters, beginning);
-  std::vector<std::pair<std::uint32_t, Point>> places;
-  for (std::size_t row = 0; row < beginning.frame.id.size(); ++row)
-    if (beginning.frame.source[row] == body)
-      places.emplace_back(beginning.frame.id[row], beginning.frame.position[row]);
-  const double spacing = beginning.description.bodies[body].spacing;
-  const auto upper = find_edges(places, along, spacing, -1.0);
-  const auto lower = along.radial ? std::vector<Edge>{} : find_edges(places, along, spacing, 1.0);
+  const Frame& frame = beginning.frame;
+  std::vector<Laid> particles;
+  for (std::size_t row = 0; row < frame.id.size(); ++row)
+    if (frame.source[row] == body)
+      particles.push_back(
+          {frame.id[row], frame.position[row], static_cast<double>(frame.spacing[row])});
+  const auto upper = find_edges(particles, along, -1.0);
+  const auto lower = along.radial ? std::vector<Edge>{} : find_edges(particles, along, 1.0);
   return [along, upper, lower](Moment& moment) {
-    const Frame& frame = moment.frame();
-    std::vector<double> at(1 + *std::max_element(frame.id.begin(), frame.id.end()));
-    for (std::size_t row = 0; row < frame.id.size(); ++row)
-      at[frame.id[row]] = along.of(frame.position[row]);
+    const Frame& now = moment.frame();
+    std::vector<double> at(1 + *std::max_element(now.id.begin(), now.id.end()));
+    for (std::size_t row = 0; row < now.id.size(); ++row)
+      at[now.id[row]] = along.of(now.position[row]);
     const auto surface = [&](const Edge& e) { return 1.5 * at[e.outer] - 0.5 * at[e.inner]; };
     double most = -std::numeric_limits<double>::infinity(), least = along.radial ? 0.0 : -most;
     for (const Edge& edge : upper) most = std::max(most, surface(edge));

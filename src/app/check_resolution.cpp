@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/check_resolution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "measure/jet_axis.hpp"
+#include "particles/graded_fill.hpp"
+
+namespace kerf {
+
+namespace {
+
+using Warnings = std::vector<std::string>;
+
+constexpr double least_across_jet = 10.0;  // particles
+constexpr double near_jet = 2.0;           // jet widths from its axis, in which a cut forms
+constexpr double cut_reach = 1.5;          // jet widths: a slot's water flows back beside it
+constexpr double least_level_width = 2.0;  // smoothing lengths of the coarser level
+constexpr double rounding = 1.0 + 1e-6;
+
+std::string length(double metres) {
+  return fmt::format("{:.4g} m", metres);
+}
+
+std::string key_of(const Case& description, const Body& body, const std::string& key) {
+  const auto index = &body - description.bodies.data();
+  return fmt::format("body[{}].{} (\"{}\")", index + 1, key, body.name);
+}
+
+void warn_of_narrow_jets(const Case& description, Warnings& warnings) {
+  for (std::size_t j = 0; j < description.jets.size(); ++j) {
+    const Jet& jet = description.jets[j];
+    const double across = jet.width / jet.spacing;
+    if (across * rounding >= least_across_jet) continue;
+    warnings.push_back(
+        fmt::format("jet[{}].spacing (\"{}\") = {}: the jet is {:.3g} particles wide. Good: {:g} "
+                    "or more, which "
+                    "resolve its stagnation pressure. Choose {} or less",
+                    j + 1, jet.name, length(jet.spacing), across, least_across_jet,
+                    length(jet.width / least_across_jet)));
+  }
+}
+
+// The coarsest particle of a body no further from the axis of a jet than `reach`.
+double coarsest_near(const std::vector<GradedParticle>& particles, const Body& body,
+                     const JetAxis& axis, double reach) {
+  int level = -1;
+  for (const GradedParticle& particle : particles)
+    if (particle.level > level && axis.distance(particle.position) <= reach &&
+        axis.depth(particle.position) > -axis.standoff)
+      level = particle.level;
+  return level < 0 ? 0.0 : level_spacing(body, level);
+}
+
+void warn_of_coarse_solid(const Case& description, const Body& body, const Jet& jet,
+                          const std::vector<GradedParticle>& particles, Warnings& warnings) {
+  const JetAxis axis(jet, description.dimension);
+  const double near = coarsest_near(particles, body, axis, near_jet * jet.width);
+  if (near > jet.spacing * rounding)
+    warnings.push_back(fmt::format(
+        "{} = {}: within {} of the axis of \"{}\" the solid's spacing is {}, {:.3g} x that of the "
+        "water. Good: at most {}, else water can slip between its particles. Choose that, or a "
+        "wider "
+        "grading",
+        key_of(description, body, "spacing"), length(body.spacing), length(near_jet * jet.width),
+        jet.name, length(near), near / jet.spacing, length(jet.spacing)));
+  const double in_cut = coarsest_near(particles, body, axis, cut_reach * jet.width);
+  if (in_cut > body.spacing * rounding)
+    warnings.push_back(
+        fmt::format("{} = {}: the spacing doubles within {} of the axis of \"{}\", where the cut "
+                    "will be. Good: "
+                    "the finest spacing that far. Choose a width of {} or more",
+                    key_of(description, body, "grading.width"), length(body.grading.width),
+                    length(cut_reach * jet.width), jet.name,
+                    length(jet.width + std::sqrt(description.dimension) * 2.0 * body.spacing)));
+}
+
+void warn_of_thin_levels(const Case& description, const Body& body, Warnings& warnings) {
+  if (body.grading.levels == 0) return;
+  const double coarsest = level_spacing(body, body.grading.levels);
+  const double least = least_level_width * description.smoothing_ratio * coarsest;
+  if (body.grading.width * rounding >= least) return;
+  warnings.push_back(fmt::format(
+      "{} = {}: particles of {} would see across the level inside theirs. Good: {} or more, two "
+      "smoothing lengths of the coarsest level. Choose that, or fewer levels than {}",
+      key_of(description, body, "grading.width"), length(body.grading.width), length(coarsest),
+      length(least), body.grading.levels));
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> particle_rows(const Case& description) {
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const Body& body : description.bodies) {
+    const auto counts = count_levels(body, description.dimension);
+    std::vector<std::string> levels;
+    double total = 0.0, uniform = 0.0;
+    for (std::size_t level = 0; level < counts.size(); ++level) {
+      const auto count = static_cast<double>(counts[level]);
+      total += count;
+      uniform += std::ldexp(count, static_cast<int>(level) * description.dimension);
+      levels.push_back(fmt::format("{} of {}", counts[level],
+                                   length(level_spacing(body, static_cast<int>(level)))));
+    }
+    std::string text = fmt::format("{}", fmt::join(levels, ", "));
+    if (counts.size() > 1)
+      text += fmt::format(": {:.0f} instead of {:.0f} ({:.0f}%)", total, uniform,
+                          100.0 * total / uniform);
+    rows.emplace_back(fmt::format("particles of \"{}\"", body.name), text);
+  }
+  return rows;
+}
+
+std::vector<std::string> resolution_warnings(const Case& description) {
+  Warnings warnings;
+  warn_of_narrow_jets(description, warnings);
+  for (const Body& body : description.bodies) {
+    warn_of_thin_levels(description, body, warnings);
+    if (body.role != Role::elastic || description.jets.empty()) continue;
+    const auto particles = fill_levels(body, description.dimension);
+    for (const Jet& jet : description.jets)
+      warn_of_coarse_solid(description, body, jet, particles, warnings);
+  }
+  return warnings;
+}
+
+}  // namespace kerf
