@@ -103,6 +103,8 @@ constexpr Key table_of_keys[] = {
 {"body", "spacing", quantity, "m", "", positive, "", "", "Distance of its particles, their diameter d"},
 {"body", "lattice", word, "", "square", any, "square hexagonal", "", "How particles are laid out; square is cubic in 3D, hexagonal is close-packed in 3D"},
 {"body", "offset", vector, "m", "0 m", any, "", "", "Shift of the lattice, at most one spacing along each axis"},
+{"body", "jitter", number, "", "0", from_zero_to(0.3), "", "elastic+standard", "How far particles are taken off the lattice at random, in spacings, before the layout is relaxed: cracks then find no rows to run along"},
+{"body", "seed", integer, "", "1", {0, 2147483647}, "", "elastic+standard", "Seed of what is random in this body"},
 {"body", "velocity", vector, "m/s", "0 m/s", within(1e5), "", "elastic water", "Velocity at the start"},
 {"body", "velocity_expression", expressions, "", "(velocity)", any, "", "elastic water", "Velocity at the start in m/s as formulas of x, y, z in m"},
 {"body", "fixed", flag, "", "false", any, "", "elastic rigid", "The particles stay where they are; a rigid body without a displacement_expression does anyway"},
