@@ -130,6 +130,14 @@ struct WholeBonds {
     return low < solid.bond_begin[a + 1] && solid.neighbour[low] == b &&
            solid.weight[low] > typename P::Real(0);
   }
+
+  // m; that of particles which are not of the start is without bounds.
+  KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>& particles, Index i,
+                                                   Index j) const {
+    const Index a = link.number(particles.id[i]), b = link.number(particles.id[j]);
+    if (a == no_index || b == no_index) return typename P::Real(1e30);
+    return norm(solid.reference_bond(a, b));
+  }
 };
 
 // A choice among pairs of particles, such as those across a plane, as a choice among bonds.
