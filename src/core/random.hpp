@@ -6,10 +6,12 @@
 
 #include <cstdint>
 
+#include "exec/host_device.hpp"
+
 namespace kerf {
 
 // The n-th 64 random bits, n = 0, 1, ...
-inline std::uint64_t random_bits(std::uint64_t seed, std::uint64_t n) {
+KERF_FUNCTION std::uint64_t random_bits(std::uint64_t seed, std::uint64_t n) {
   std::uint64_t z = seed + (n + 1) * 0x9e3779b97f4a7c15u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
@@ -17,7 +19,7 @@ inline std::uint64_t random_bits(std::uint64_t seed, std::uint64_t n) {
 }
 
 // The n-th number between 0 and 1, neither included.
-inline double random_number(std::uint64_t seed, std::uint64_t n) {
+KERF_FUNCTION double random_number(std::uint64_t seed, std::uint64_t n) {
   constexpr double step = 1.0 / 4503599627370496.0;  // 2^-52
   return (static_cast<double>(random_bits(seed, n) >> 12) + 0.5) * step;
 }

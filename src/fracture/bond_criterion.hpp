@@ -2,6 +2,7 @@
 // The fracture criteria of bonds, chosen per medium while the program runs.
 #pragma once
 
+#include "fracture/damaged_bond.hpp"
 #include "fracture/equivalent_total_strain.hpp"
 #include "fracture/principal_strain.hpp"
 #include "fracture/principal_stress.hpp"
@@ -9,8 +10,10 @@
 
 namespace kerf {
 
+// `damage`: of the criterion grady_kipp.
 template <int D, class T>
-KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green) {
+KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green,
+                                  T damage = T(0)) {
   switch (solid.criterion) {
     case BondCriterion::principal_strain:
       return PrincipalStrain::prepare(solid, green);
@@ -20,6 +23,8 @@ KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTe
       return PrincipalStress::prepare(solid, green);
     case BondCriterion::strain_energy:
       return StrainEnergy::prepare(solid, green);
+    case BondCriterion::grady_kipp:
+      return DamagedBond::prepare(damage);
   }
   return T(0);
 }
@@ -35,6 +40,8 @@ KERF_FUNCTION bool place_passes(T prepared, const SolidMedium<T>& solid) {
       return PrincipalStress::passes(prepared, solid);
     case BondCriterion::strain_energy:
       return StrainEnergy::passes(prepared, solid);
+    case BondCriterion::grady_kipp:
+      return DamagedBond::passes(prepared);
   }
   return false;
 }
@@ -50,6 +57,8 @@ KERF_FUNCTION bool bond_breaks(const BondStrain<T>& bond, const SolidMedium<T>& 
       return PrincipalStress::breaks(bond, solid);
     case BondCriterion::strain_energy:
       return StrainEnergy::breaks(bond, solid);
+    case BondCriterion::grady_kipp:
+      return DamagedBond::breaks(bond);
   }
   return false;
 }

@@ -21,10 +21,11 @@ enum class BondCriterion : std::uint8_t {
   principal_strain,
   equivalent_strain,
   principal_stress,
-  strain_energy
+  strain_energy,
+  grady_kipp
 };
-inline constexpr std::array<std::string_view, 4> bond_criterion_words{
-    "principal_strain", "equivalent_strain", "principal_stress", "strain_energy"};
+inline constexpr std::array<std::string_view, 5> bond_criterion_words{
+    "principal_strain", "equivalent_strain", "principal_stress", "strain_energy", "grady_kipp"};
 
 template <class Law, std::size_t N>
 constexpr std::string_view word_of(Law law, const std::array<std::string_view, N>& words) {

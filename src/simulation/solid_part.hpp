@@ -18,7 +18,7 @@ namespace kerf {
 // What the solids gave up so far, J (2D: J/m).
 struct SolidLosses {
   double viscous = 0.0;   // by the viscosity of bonds
-  double released = 0.0;  // by bonds that broke
+  double released = 0.0;  // by bonds that broke, and by damage
   double plastic = 0.0;   // by plastic flow
 };
 
@@ -29,9 +29,11 @@ class SolidPart {
 
   // The particles of the start, in the order of their ids.
   SolidPart(const std::vector<Medium<double>>& media,
-            std::vector<PlasticParameters<double>> plastic, const Particles<D, P>& particles) {
+            std::vector<PlasticParameters<double>> plastic, std::vector<GradyKipp<double>> flaws,
+            const Particles<D, P>& particles) {
     SolidLayout<D> layout;
     layout.plastic = std::move(plastic);
+    layout.flaws = std::move(flaws);
     for (const Medium<double>& medium : media) layout.media.push_back(solid_medium(medium));
     const auto position = to_host(particles.position);
     const auto source = to_host(particles.source);
@@ -114,6 +116,7 @@ class SolidPart {
     if (!solid_) return;
     losses_.viscous += dt * solid_->viscous_power();
     losses_.plastic += solid_->keep_flow();
+    losses_.released += solid_->keep_damage(dt);
     wave_ = solid_->wave_time();
   }
   // What the waves of the solid allow for the next step, by its shape in the middle of the last
@@ -148,6 +151,7 @@ class SolidPart {
     archive.arrays["solid/wave"] = std::vector<double>{wave_.time, double(wave_.particle)};
     archive.arrays["solid/bonds"] = state.weight;
     archive.arrays["solid/flow"] = flat<Real>(state.flow);
+    archive.arrays["solid/flaws"] = flat<Real>(state.flaws);
   }
   void restore(const Archive& archive) {
     const auto& losses = find_array<double>(archive, "solid/losses");
@@ -158,7 +162,8 @@ class SolidPart {
     // Accelerations are worked out before a step uses them.
     solid_->restore({find_array<Real>(archive, "solid/bonds"),
                      std::vector<Vector<D, Real>>(solid_->size(), Vector<D, Real>::zero()),
-                     unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow"))});
+                     unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow")),
+                     unflat<FlawState<Real>>(find_array<Real>(archive, "solid/flaws"))});
   }
 
  private:

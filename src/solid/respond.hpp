@@ -10,7 +10,7 @@
 // energy that the control then holds too much of is dissipated.
 #pragma once
 
-#include "materials/elastic_law.hpp"
+#include "materials/damaged.hpp"
 #include "solid/solid_fields.hpp"
 
 namespace kerf {
@@ -25,13 +25,19 @@ KERF_FUNCTION T hourglass_modulus(const SolidMedium<T>& medium,
                              : T(0);
 }
 
+// Where cracks grow from flaws it falls with damage; a tenth is left for what is pressed together.
+template <class T>
+KERF_FUNCTION T damaged_hourglass(const SolidMedium<T>& medium, T damage) {
+  return medium.hourglass_modulus() * (T(1) - T(0.9) * damage);
+}
+
 // The answers that Deform asks for: the second Piola-Kirchhoff stress at the gradient H, Pa.
 template <int D, class P>
 struct ElasticResponse {
   using Real = typename P::Real;
   KERF_FUNCTION SymmetricTensor<D, Real> stress(const SolidView<D, P>& solid, Index i,
                                                 const Matrix<D, Real>& h) const {
-    return second_piola(solid.medium(i), green_strain(h));
+    return second_piola(solid.medium(i), green_strain(h), solid.damage(i));
   }
 };
 template <int D, class P>
@@ -41,7 +47,7 @@ struct FlowingResponse {
   KERF_FUNCTION SymmetricTensor<D, Real> stress(const SolidView<D, P>& solid, Index i,
                                                 const Matrix<D, Real>& h) const {
     const auto& medium = solid.medium(i);
-    if (!solid.flows(i)) return second_piola(medium, green_strain(h));
+    if (!solid.flows(i)) return second_piola(medium, green_strain(h), solid.damage(i));
     const auto result = advance(medium, solid.plasticity(i), h, dt, solid.flow_start[i]);
     solid.flow_now[i] = result.state;
     solid.flow_work[i] = result.plastic_work;
@@ -55,7 +61,7 @@ KERF_FUNCTION SymmetricTensor<D, typename P::Real> cauchy_now(const SolidView<D,
                                                               Index i) {
   const auto& medium = solid.medium(i);
   const auto& h = solid.gradient[i];
-  if (!solid.flows(i)) return cauchy(medium, h);
+  if (!solid.flows(i)) return cauchy(second_piola(medium, green_strain(h), solid.damage(i)), h);
   return cauchy(second_piola(medium, solid.plasticity(i), h, solid.flow_now[i].metric), h);
 }
 
@@ -64,7 +70,7 @@ template <int D, class P>
 KERF_FUNCTION double energy_density_now(const SolidView<D, P>& solid, Index i) {
   const auto medium = SolidMedium<double>::from(solid.medium(i));
   const auto h = Matrix<D, double>::from(solid.gradient[i]);
-  if (!solid.flows(i)) return energy_density(medium, green_strain(h));
+  if (!solid.flows(i)) return energy_density(medium, green_strain(h), double(solid.damage(i)));
   const auto parameters = PlasticParameters<double>::from(solid.plasticity(i));
   return energy_density(medium, parameters, h,
                         SymmetricTensor<D, double>::from(solid.flow_now[i].metric));

@@ -14,6 +14,7 @@
 #include "solid/break_bonds.hpp"
 #include "solid/correct.hpp"
 #include "solid/deform.hpp"
+#include "solid/keep_damage.hpp"
 #include "solid/keep_flow.hpp"
 #include "solid/stored_energy.hpp"
 #include "solid/stretch_limit.hpp"
@@ -35,6 +36,7 @@ struct SolidState {
   std::vector<typename P::Real> weight;
   std::vector<Vector<D, typename P::Real>> acceleration;
   std::vector<PlasticState<D, typename P::Real>> flow;  // empty where nothing flows
+  std::vector<FlawState<typename P::Real>> flaws;       // empty where nothing has flaws
 };
 
 template <int D, class P>
@@ -56,6 +58,7 @@ class TotalLagrangian {
     fields_.make_room();
     for_each_index(size(), SetWholeWeights<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartUnflown<D, P>{view()});
+    if (fields_.any_flaws) for_each_index(size(), StartFlaws<D, P>{view()});
     correct_all();
     count();  // makes room for sums
   }
@@ -75,6 +78,12 @@ class TotalLagrangian {
     if (!fields_.any_flows) return 0.0;
     for_each_index(size(), KeepFlow<D, P>{view()});
     return power_sum_(size(), FlowLossTerm<D, P>{view()}).value[0];
+  }
+  // Ends a step: flaws grow for its time at the deformation in force. What that sets free, J.
+  double keep_damage(double dt) {
+    if (!fields_.any_flaws) return 0.0;
+    for_each_index(size(), KeepDamage<D, P>{view(), static_cast<Real>(dt)});
+    return power_sum_(size(), DamageLossTerm<D, P>{view()}).value[0];
   }
   // Plastic work from the last keep_flow() to the deformation in force, J.
   double flow_work() {
@@ -152,7 +161,8 @@ class TotalLagrangian {
   std::size_t bytes() const { return fields_.bytes(); }
 
   SolidState<D, P> save() const {
-    return {to_host(fields_.weight), to_host(fields_.acceleration), to_host(fields_.flow_start)};
+    return {to_host(fields_.weight), to_host(fields_.acceleration), to_host(fields_.flow_start),
+            to_host(fields_.flaws)};
   }
   // Goes on from a state saved by a solid of the same layout. deform() comes next.
   void restore(const SolidState<D, P>& state) {
@@ -163,6 +173,8 @@ class TotalLagrangian {
     require(state.flow.size() == fields_.flow_start.size(), "a saved solid flows as its layout");
     to_device(state.flow, fields_.flow_start);
     fields_.flow_now = fields_.flow_start;
+    require(state.flaws.size() == fields_.flaws.size(), "a saved solid has flaws as its layout");
+    to_device(state.flaws, fields_.flaws);
     correct_all();
   }
 
@@ -181,6 +193,13 @@ class TotalLagrangian {
       is_viscous_ |= parameters.flows();
       can_break_ |= parameters.flows() && parameters.damage.is_on();
     }
+    std::vector<GradyKipp<Real>> flaw_law;
+    for (const auto& law : layout.flaws) {
+      flaw_law.push_back(GradyKipp<Real>::from(law));
+      fields_.any_flaws |= law.is_on();
+    }
+    require(flaw_law.empty() || flaw_law.size() == media.size(), "laws of flaws for every medium");
+    to_device(flaw_law, fields_.flaw_law);
     require(plastic.empty() || plastic.size() == media.size(), "laws of flow for every medium");
     to_device(media, fields_.media);
     to_device(plastic, fields_.plastic);
