@@ -84,8 +84,10 @@ struct Body {
   Shape shape;
   double spacing = 0.0;  // m
   Lattice lattice = Lattice::square;
-  Point offset{};                                      // m, shift of the lattice origin
-  Grading grading;                                     // `spacing` is the finest
+  Point offset{};          // m, shift of the lattice origin
+  Grading grading;         // `spacing` is the finest
+  double jitter = 0.0;     // of the spacing, how far particles are taken off the lattice
+  std::uint64_t seed = 1;  // of what is random in this body
   std::array<std::string, 3> velocity{"0", "0", "0"};  // m/s, expressions in x, y, z (m)
   bool fixed = false;
   // Prescribed displacement from the initial place, m, expressions in t (s); empty = free.

@@ -26,6 +26,11 @@ struct Material {
   double failure_strain = 0.0;    // 1, of the criterion; 0 = never fractures
   double tensile_strength = 0.0;  // Pa, of the criterion principal_stress
   double fracture_energy = 0.0;   // J/m^2 of crack; where it is given there is no failure_strain
+  // Of the criterion grady_kipp: weibull_k strain^weibull_m flaws per volume.
+  double weibull_k = 0.0;          // 1/m^3
+  double weibull_m = 0.0;          // 1
+  double crack_speed_share = 0.4;  // 1, of the longitudinal wave's speed
+  double flaw_depth = 1.0;         // m, of a 2D slice
 
   double friction = 0.0;  // 1, coefficient of dry friction
 
@@ -68,8 +73,8 @@ struct Material {
 
   // Whether by a strain, an energy or ductile damage.
   bool can_fracture() const {
-    return failure_strain > 0.0 || fracture_energy > 0.0 || tensile_strength > 0.0 ||
-           least_plastic_failure > 0.0;
+    return criterion == BondCriterion::grady_kipp || failure_strain > 0.0 ||
+           fracture_energy > 0.0 || tensile_strength > 0.0 || least_plastic_failure > 0.0;
   }
   bool operator==(const Material&) const = default;
 };

@@ -88,6 +88,14 @@ void read_displacement(Section& section, Body& body) {
                    "false, where the body moves");
 }
 
+void read_chance(Section& section, Body& body) {
+  body.jitter = section.number("jitter");
+  body.seed = static_cast<std::uint64_t>(section.integer("seed"));
+  if (body.jitter > 0.0 && body.grading.levels > 0)
+    section.refuse("jitter", "the body is graded", "Remove the key, or the grading",
+                   "0 where the body has a grading");
+}
+
 void read_rigid(Section& section, BodyDraft& entry) {
   static constexpr const char* words[] = {"top", "bottom", "left", "right", "front", "back", "all"};
   const std::string layer = section.text("repelling_layer");
@@ -147,7 +155,10 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
     body.fixed = section.flag("fixed");
     read_displacement(section, body);
   }
-  if (body.role == Role::elastic) body.joined_to = section.text("joined_to", "");
+  if (body.role == Role::elastic) {
+    body.joined_to = section.text("joined_to", "");
+    if (draft.result.formulation == Formulation::standard) read_chance(section, body);
+  }
   if (body.role == Role::rigid) read_rigid(section, entry);
   section.refuse_unknown();
   draft.bodies.push_back(std::move(entry));

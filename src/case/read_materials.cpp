@@ -92,6 +92,20 @@ void settle_strength(Section& section, Material& material) {
   material.failure_strain = material.fracture_energy = 0.0;
 }
 
+// Flaws are those of brittle rock, and leave nothing to a strain or an energy.
+void settle_flaws(Section& section, Material& material) {
+  if (material.criterion != BondCriterion::grady_kipp) return;
+  for (const char* key : {"failure_strain", "fracture_energy"})
+    if (section.has(key))
+      section.refuse(key, "the criterion looks at flaws", "Remove the key, or the criterion",
+                     "nothing beside the criterion \"grady_kipp\"");
+  if (material.plasticity != PlasticLaw::none)
+    section.refuse("criterion", "the material flows",
+                   "Choose another criterion, or plasticity = \"none\"",
+                   "\"grady_kipp\" where plasticity is \"none\"");
+  material.failure_strain = material.fracture_energy = 0.0;
+}
+
 // The laws of a solid.
 void read_laws(Section& section, Formulation formulation, Material& material) {
   const std::string fallback(word_of(material.plasticity, plastic_law_words));
@@ -133,6 +147,7 @@ MaterialDraft read_material(Section& section, Formulation formulation, const std
   settle_fracture(section, formulation, draft.material);
   settle_strength(section, draft.material);
   settle_crack_band(section, draft.material);
+  settle_flaws(section, draft.material);
   draft.material.source =
       section.text("source", based ? draft.material.source : std::string("the case file"));
   section.refuse_unknown();

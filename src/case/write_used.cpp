@@ -194,6 +194,10 @@ void write_body(Writer& writer, const Case& description, const Body& body) {
   if (!body.displacement[0].empty())
     writer.expressions("displacement_expression", body.displacement);
   if (!body.joined_to.empty()) writer.text("joined_to", body.joined_to);
+  if (body.role == Role::elastic && description.formulation == Formulation::standard) {
+    writer.number("jitter", body.jitter);
+    writer.raw("seed", std::to_string(body.seed));
+  }
   if (body.role != Role::rigid) return;
   writer.text("repelling_layer", layers[static_cast<std::size_t>(body.repelling_layer)]);
   writer.number("repulsion", body.repulsion);

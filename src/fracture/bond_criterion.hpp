@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fracture/crack_band_strain.hpp"
+#include "fracture/damaged_bond.hpp"
 #include "fracture/equivalent_total_strain.hpp"
 #include "fracture/principal_strain.hpp"
 #include "fracture/principal_stress.hpp"
@@ -10,8 +11,10 @@
 
 namespace kerf {
 
+// `damage`: of the criterion grady_kipp.
 template <int D, class T>
-KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green) {
+KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green,
+                                  T damage = T(0)) {
   switch (solid.criterion) {
     case BondCriterion::principal_strain:
       return PrincipalStrain::prepare(solid, green);
@@ -23,6 +26,8 @@ KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTe
       return StrainEnergy::prepare(solid, green);
     case BondCriterion::crack_band:  // by what the place remembers (break_bonds.hpp)
       break;
+    case BondCriterion::grady_kipp:
+      return DamagedBond::prepare(damage);
   }
   return T(0);
 }
@@ -40,6 +45,8 @@ KERF_FUNCTION bool place_passes(T prepared, const SolidMedium<T>& solid) {
       return StrainEnergy::passes(prepared, solid);
     case BondCriterion::crack_band:
       return CrackBandStrain::passes(prepared, solid);
+    case BondCriterion::grady_kipp:
+      return DamagedBond::passes(prepared);
   }
   return false;
 }
@@ -57,6 +64,8 @@ KERF_FUNCTION bool bond_breaks(const BondStrain<T>& bond, const SolidMedium<T>& 
       return StrainEnergy::breaks(bond, solid);
     case BondCriterion::crack_band:
       return CrackBandStrain::breaks(bond, solid);
+    case BondCriterion::grady_kipp:
+      return DamagedBond::breaks(bond);
   }
   return false;
 }

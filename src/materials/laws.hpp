@@ -22,10 +22,12 @@ enum class BondCriterion : std::uint8_t {
   equivalent_strain,
   principal_stress,
   strain_energy,
-  crack_band
+  crack_band,
+  grady_kipp
 };
-inline constexpr std::array<std::string_view, 5> bond_criterion_words{
-    "principal_strain", "equivalent_strain", "principal_stress", "strain_energy", "crack_band"};
+inline constexpr std::array<std::string_view, 6> bond_criterion_words{
+    "principal_strain", "equivalent_strain", "principal_stress",
+    "strain_energy",    "crack_band",        "grady_kipp"};
 
 template <class Law, std::size_t N>
 constexpr std::string_view word_of(Law law, const std::array<std::string_view, N>& words) {

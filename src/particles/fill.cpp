@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "particles/jitter.hpp"
 #include "particles/shapes.hpp"
 
 namespace kerf {
@@ -184,6 +185,7 @@ std::vector<Point> fill(const Body& body, int dimension) {
     return true;
   };
   visit_particles(body, dimension, request);
+  jitter(body, dimension, particles);
   return particles;
 }
 

@@ -18,7 +18,8 @@
 
 namespace kerf {
 
-// The particles, in order of z, then y, then x.
+// The particles, in order of z, then y, then x of their nodes: those of visit_particles(), jittered
+// (particles/jitter.hpp).
 std::vector<Point> fill(const Body& body, int dimension);
 
 // Volume of one particle, m^3 (m^2 in 2D): the cell of the lattice.
@@ -30,8 +31,8 @@ double lattice_nodes(const Body& body, int dimension);
 // What the cells of an unshifted square lattice fill, nodes outside the shape included.
 Box lattice_box(const Body& body, int dimension);
 
-// Calls `visit` for the particles inside `window`, in order, every `stride`-th node along each
-// axis, until it returns false.
+// Calls `visit` for the nodes of particles inside `window`, in order, every `stride`-th node along
+// each axis, until it returns false.
 struct LatticeVisit {
   Box window;
   long stride = 1;

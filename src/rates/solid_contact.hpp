@@ -2,16 +2,19 @@
 // Contact within one solid across broken bonds; that of bodies is in surface_contact.hpp.
 // Particles closer than the mean of their spacings push one another apart,
 //   f = k (d_0 - r) e,   k = M d_0^(D-2),
-// with M the mean of their P-wave moduli (K + 4 G / 3): the contact of two faces is as stiff as a
-// layer of particles of the solid, so that a wave passes it. The force has a potential,
-// k (d_0 - r)^2 / 2, which the ledger books half on each side.
+// with d_0 no more than the distance at which they were laid out, so that a bond that breaks
+// between two that are close from the start leaves no push behind, and M the mean of their P-wave
+// moduli (K + 4 G / 3): the contact of two faces is as stiff as a layer of particles of the solid,
+// so that a wave passes it. The force has a potential, k (d_0 - r)^2 / 2, which the ledger books
+// half on each side.
 #pragma once
 
 #include "rates/pair.hpp"
 
 namespace kerf {
 
-// `Bonds`: bool whole(particles, i, j), whether an unbroken bond holds the two together.
+// `Bonds`: bool whole(particles, i, j), whether an unbroken bond holds the two together;
+// Real laid_out_distance(particles, i, j), m, of two of one piece.
 template <int D, class P, class Bonds>
 struct SolidContact {
   using Real = typename P::Real;
@@ -31,7 +34,9 @@ struct SolidContact {
     const Real rest = Real(0.5) * (a.spacing + b.spacing);
     if (pair.distance >= rest || !(pair.distance > Real(0))) return;
     if (bonds.whole(particles, pair.i, pair.j)) return;
-    const Real overlap = rest - pair.distance;
+    const Real laid_out = bonds.laid_out_distance(particles, pair.i, pair.j);
+    const Real overlap = (laid_out < rest ? laid_out : rest) - pair.distance;
+    if (!(overlap > Real(0))) return;
     const Real stiffness = stiffness_of(a, b) * (D == 3 ? rest : Real(1));
     const auto push = (stiffness * overlap / pair.distance) * pair.separation;
     sum.contact += push;

@@ -123,6 +123,14 @@ struct WholeBonds {
     const Index bond = bond_between(solid.bond_begin, solid.neighbour, a, b);
     return bond != no_bond && solid.weight[bond] > typename P::Real(0);
   }
+
+  // m; that of particles which are not of the start is without bounds.
+  KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>& particles, Index i,
+                                                   Index j) const {
+    const Index a = link.number(particles.id[i]), b = link.number(particles.id[j]);
+    if (a == no_index || b == no_index) return typename P::Real(1e30);
+    return norm(solid.reference_bond(a, b));
+  }
 };
 
 // A choice among pairs of particles, such as those across a plane, as a choice among bonds.

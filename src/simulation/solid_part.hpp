@@ -21,7 +21,7 @@ namespace kerf {
 // What the solids gave up so far, J (2D: J/m).
 struct SolidLosses {
   double viscous = 0.0;   // by the viscosity of bonds
-  double released = 0.0;  // by bonds that broke
+  double released = 0.0;  // by bonds that broke, and by damage
   double plastic = 0.0;   // by plastic flow
 };
 
@@ -32,13 +32,14 @@ class SolidPart {
 
   // The particles of the start, in the order of their ids.
   SolidPart(const std::vector<Medium<double>>& media,
-            std::vector<PlasticParameters<double>> plastic,
+            std::vector<PlasticParameters<double>> plastic, std::vector<GradyKipp<double>> flaws,
             const std::vector<MediumOrigin>& origins, Particles<D, P>& particles) {
     SolidLayout<D> layout;
     const auto is_level = [](const MediumOrigin& origin) { return origin.level > 0; };
     if (std::any_of(origins.begin(), origins.end(), is_level))
       for (const MediumOrigin& origin : origins) layout.body.push_back(origin.source);
     layout.plastic = std::move(plastic);
+    layout.flaws = std::move(flaws);
     for (const Medium<double>& medium : media) layout.media.push_back(solid_medium(medium));
     const auto position = to_host(particles.position);
     const auto source = to_host(particles.source);
@@ -130,6 +131,7 @@ class SolidPart {
     losses_.viscous += dt * solid_->viscous_power();
     losses_.plastic += solid_->keep_flow();
     losses_.released += solid_->keep_softening();
+    losses_.released += solid_->keep_damage(dt);
     wave_ = solid_->wave_time();
   }
   // What the waves of the solid allow for the next step, by its shape in the middle of the last
@@ -166,6 +168,7 @@ class SolidPart {
     archive.arrays["solid/bonds"] = state.weight;
     archive.arrays["solid/flow"] = flat<Real>(state.flow);
     archive.arrays["solid/softening"] = state.strain;
+    archive.arrays["solid/flaws"] = flat<Real>(state.flaws);
   }
   void restore(const Archive& archive) {
     const auto& losses = find_array<double>(archive, "solid/losses");
@@ -177,7 +180,8 @@ class SolidPart {
     solid_->restore({find_array<Real>(archive, "solid/bonds"),
                      std::vector<Vector<D, Real>>(solid_->size(), Vector<D, Real>::zero()),
                      unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow")),
-                     find_array<Real>(archive, "solid/softening")});
+                     find_array<Real>(archive, "solid/softening"),
+                     unflat<FlawState<Real>>(find_array<Real>(archive, "solid/flaws"))});
   }
 
  private:

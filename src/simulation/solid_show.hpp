@@ -22,12 +22,15 @@ class SolidOnHost {
         gradient_(to_host(fields.gradient)),
         loose_(to_host(fields.loose)),
         plastic_(to_host(fields.plastic)),
-        flow_(to_host(fields.flow_now)) {
+        flow_(to_host(fields.flow_now)),
+        flaws_(to_host(fields.flaws)) {
     // What came loose has not flown since.
     const std::vector<PlasticState<D, Real>> start = to_host(fields.flow_start);
     for (std::size_t s = 0; s < flow_.size(); ++s)
       if (loose_[s]) flow_[s] = start[s];
     view_.any_flows = fields.any_flows;
+    view_.any_flaws = fields.any_flaws;
+    view_.flaws = flaws_.data();
     view_.media = media_.data();
     view_.medium_index = medium_index_.data();
     view_.plastic = plastic_.data();
@@ -41,6 +44,8 @@ class SolidOnHost {
     return cauchy_now(view_, s);
   }
   bool any_flows() const { return view_.any_flows; }
+  bool any_flaws() const { return view_.any_flaws; }
+  float flaw_damage(Index s) const { return static_cast<float>(view_.damage(s)); }
   float plastic_strain(Index s) const { return static_cast<float>(flow_[s].plastic_strain); }
   float temperature_rise(Index s) const { return static_cast<float>(flow_[s].temperature_rise); }
   float damage(Index s) const {
@@ -59,6 +64,7 @@ class SolidOnHost {
   std::vector<std::uint8_t> loose_;
   std::vector<PlasticParameters<Real>> plastic_;
   std::vector<PlasticState<D, Real>> flow_;
+  std::vector<FlawState<Real>> flaws_;
   SolidView<D, P> view_{};
 };
 
@@ -71,6 +77,7 @@ void show_solid(const SolidFields<D, P>& fields, const Array<Index>& number_of_i
   Column damage{"damage", "1", 1, zeros};
   Column plastic_strain{"plastic_strain", "1", 1, zeros};
   Column temperature_rise{"temperature_rise", "K", 1, zeros};
+  Column flaw_damage{"flaw_damage", "1", 1, zeros};
   Column* stress = nullptr;
   for (Column& column : frame.columns)
     if (column.name == "deviatoric_stress") stress = &column;
@@ -81,6 +88,7 @@ void show_solid(const SolidFields<D, P>& fields, const Array<Index>& number_of_i
     const auto mean = trace(sigma) / 3;
     for (int a = 0; a < 3; ++a) sigma(a, a) -= mean;
     damage.values[i] = solid.damage(s);
+    if (solid.any_flaws()) flaw_damage.values[i] = solid.flaw_damage(s);
     if (solid.any_flows()) {
       plastic_strain.values[i] = solid.plastic_strain(s);
       temperature_rise.values[i] = solid.temperature_rise(s);
@@ -91,6 +99,7 @@ void show_solid(const SolidFields<D, P>& fields, const Array<Index>& number_of_i
     std::copy(rows.begin(), rows.end(), stress->values.begin() + static_cast<long>(6 * i));
   }
   frame.columns.push_back(std::move(damage));
+  if (solid.any_flaws()) frame.columns.push_back(std::move(flaw_damage));
   if (!solid.any_flows()) return;
   frame.columns.push_back(std::move(plastic_strain));
   frame.columns.push_back(std::move(temperature_rise));

@@ -7,6 +7,7 @@
 #include "integrate/regain_density.hpp"
 #include "integrate/verlet.hpp"
 #include "rates/standard_rates.hpp"
+#include "simulation/flaw_media.hpp"
 #include "simulation/particle_run.hpp"
 #include "simulation/plastic_media.hpp"
 #include "simulation/solid_part.hpp"
@@ -22,7 +23,8 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
       : Run(description),
         lattice_(lattice_sums<D, ContactPairs::Kernel<D>>(description.smoothing_ratio)),
         rates_(Vector<D, double>::from(description.gravity), Run::media_, lattice_),
-        solid_(Run::media_, make_plastic_media(description), medium_origins(description),
+        solid_(Run::media_, make_plastic_media(description),
+               make_flaw_media(description, Run::media_), medium_origins(description),
                Run::particles_) {
     rates_.fit_pairs(solid_.pair_fit());
     Run::open([this] { rates_.fit_surfaces(particles_.view(), particles_.size(), list_.view()); });

@@ -34,7 +34,7 @@ struct PrepareCriterion {
     if (medium.criterion == BondCriterion::principal_stress && solid.flows(i))
       return std::sqrt(Real(1) + volume_square_less_one(green)) *
              PrincipalStress::largest(cauchy_now(solid, i));
-    return prepare_criterion(medium, green);
+    return prepare_criterion(medium, green, solid.damage(i));
   }
   // By ductile damage.
   KERF_FUNCTION bool has_failed(Index i) const {

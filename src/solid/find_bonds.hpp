@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "fracture/grady_kipp.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "materials/plastic_law.hpp"
 #include "neighbours/grid.hpp"
@@ -17,6 +18,7 @@ template <int D>
 struct SolidLayout {
   std::vector<SolidMedium<double>> media;
   std::vector<PlasticParameters<double>> plastic;  // per medium; empty: none flows
+  std::vector<GradyKipp<double>> flaws;            // per medium; empty: none has flaws
   std::vector<Vector<D, double>> reference;        // X, m
   std::vector<std::uint16_t> medium_index;         // per particle
   // Per medium, the body of which it is a level of resolution; empty: there are no levels.

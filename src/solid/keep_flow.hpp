@@ -20,7 +20,7 @@ struct StartUnflown {
   }
 };
 
-// What the state at the start of the step makes of the hourglass control.
+// What flow and damage at the start of the step make of the hourglass control.
 template <int D, class P>
 struct SetHourglassModulus {
   SolidView<D, P> solid;
@@ -29,7 +29,7 @@ struct SetHourglassModulus {
     const auto& medium = solid.medium(i);
     solid.hourglass[i] = solid.flows(i) ? hourglass_modulus(medium, solid.plasticity(i),
                                                             solid.flow_start[i].plastic_strain)
-                                        : medium.hourglass_modulus();
+                                        : damaged_hourglass(medium, solid.damage(i));
     if (!solid.softens(i)) return;
     const auto whole = whole_share(medium, solid.strain_start[i]);
     solid.hourglass[i] *= whole * whole;

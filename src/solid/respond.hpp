@@ -12,6 +12,7 @@
 #pragma once
 
 #include "fracture/softening.hpp"
+#include "materials/damaged.hpp"
 #include "solid/solid_fields.hpp"
 
 namespace kerf {
@@ -41,6 +42,11 @@ KERF_FUNCTION SymmetricTensor<D, typename P::Real> softened_stress(
   const auto green = green_strain(h);
   return second_piola(softened(medium, green, whole_share(medium, solid.strain_now[i])), green);
 }
+// Where cracks grow from flaws it falls with damage; a tenth is left for what is pressed together.
+template <class T>
+KERF_FUNCTION T damaged_hourglass(const SolidMedium<T>& medium, T damage) {
+  return medium.hourglass_modulus() * (T(1) - T(0.9) * damage);
+}
 
 // The answers that Deform asks for: the second Piola-Kirchhoff stress at the gradient H, Pa.
 template <int D, class P>
@@ -48,7 +54,7 @@ struct ElasticResponse {
   using Real = typename P::Real;
   KERF_FUNCTION SymmetricTensor<D, Real> stress(const SolidView<D, P>& solid, Index i,
                                                 const Matrix<D, Real>& h) const {
-    if (!solid.softens(i)) return second_piola(solid.medium(i), green_strain(h));
+    if (!solid.softens(i)) return second_piola(solid.medium(i), green_strain(h), solid.damage(i));
     solid.strain_now[i] = largest_strain(solid, i, h);
     return softened_stress(solid, i, h);
   }
@@ -75,7 +81,7 @@ KERF_FUNCTION SymmetricTensor<D, typename P::Real> cauchy_now(const SolidView<D,
   const auto& medium = solid.medium(i);
   const auto& h = solid.gradient[i];
   if (solid.softens(i)) return cauchy(softened_stress(solid, i, h), h);
-  if (!solid.flows(i)) return cauchy(medium, h);
+  if (!solid.flows(i)) return cauchy(second_piola(medium, green_strain(h), solid.damage(i)), h);
   return cauchy(second_piola(medium, solid.plasticity(i), h, solid.flow_now[i].metric), h);
 }
 
@@ -88,7 +94,7 @@ KERF_FUNCTION double energy_density_now(const SolidView<D, P>& solid, Index i) {
     const double whole = whole_share(medium, double(solid.strain_now[i]));
     return energy_density(softened(medium, green_strain(h), whole), green_strain(h));
   }
-  if (!solid.flows(i)) return energy_density(medium, green_strain(h));
+  if (!solid.flows(i)) return energy_density(medium, green_strain(h), double(solid.damage(i)));
   const auto parameters = PlasticParameters<double>::from(solid.plasticity(i));
   return energy_density(medium, parameters, h,
                         SymmetricTensor<D, double>::from(solid.flow_now[i].metric));

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the total Lagrangian solid keeps per particle and per bond. State: the weights, `loose`,
-// `strain_start` and `flow_start`; all else follows from these and from where the particles are.
+// `strain_start`, `flow_start` and `flaws`; all else follows from these and from where the
+// particles are.
 #pragma once
 
 #include "core/matrix.hpp"
 #include "core/precision.hpp"
 #include "exec/exec.hpp"
+#include "fracture/grady_kipp.hpp"
 #include "materials/plastic_law.hpp"
 #include "solid/solid_medium.hpp"
 
@@ -39,6 +41,11 @@ namespace kerf {
   FIELD(Real, flow_work)           /* plastic work of the step in hand, J/m^3 */ \
   FIELD(double, flow_loss)         /* dissipated in the last step, J (2D: J/m) */
 
+// Those that only solids have of which some part has flaws.
+#define KERF_SOLID_FLAWS(FIELD)                                \
+  FIELD(Flaws, flaws)        /* cracks that grow from flaws */ \
+  FIELD(double, damage_loss) /* set free in the last step, J (2D: J/m) */
+
 // Every pair i, j of one piece that is closer than 2 h in the reference configuration is a bond. It
 // stands in the lists of both, with one weight,
 //   w_ij = f_ij V_i V_j |W'(R_ij)| / R_ij,   R_ij = |X_i - X_j|,   in m (2D: 1),
@@ -52,12 +59,15 @@ struct SolidView {
   using Speed = Vector<D, Real>;
   using Tensor = Matrix<D, Real>;
   using State = PlasticState<D, Real>;
+  using Flaws = FlawState<Real>;
 
   Index count;
   bool any_flows;    // whether there is a medium that flows
   bool any_softens;  // or softens
+  bool any_flaws;    // or has flaws
   const SolidMedium<Real>* media;
   const PlasticParameters<Real>* plastic;  // per medium
+  const GradyKipp<Real>* flaw_law;         // per medium
   const std::uint16_t* medium_index;
   const Place* reference;   // X, m
   const Index* bond_begin;  // bonds of i: bond_begin[i] .. bond_begin[i + 1]
@@ -69,6 +79,7 @@ struct SolidView {
   KERF_SOLID_RESULTS(KERF_FIELD)
   KERF_SOLID_SOFTENING(KERF_FIELD)
   KERF_SOLID_FLOW(KERF_FIELD)
+  KERF_SOLID_FLAWS(KERF_FIELD)
 #undef KERF_FIELD
 
   KERF_FUNCTION const SolidMedium<Real>& medium(Index i) const {
@@ -82,6 +93,13 @@ struct SolidView {
   }
   KERF_FUNCTION bool softens(Index i) const {
     return any_softens && medium(i).softens();
+  }
+  KERF_FUNCTION bool has_flaws(Index i) const {
+    return any_flaws && flaw_law[medium_index[i]].is_on();
+  }
+  // Damage of a particle, by which its tension is less.
+  KERF_FUNCTION Real damage(Index i) const {
+    return any_flaws ? flaws[i].damage : Real(0);
   }
   // X_j - X_i, m.
   KERF_FUNCTION Vector<D, Real> reference_bond(Index i, Index j) const {
@@ -101,11 +119,12 @@ struct SolidFields {
   using Speed = typename View::Speed;
   using Tensor = typename View::Tensor;
   using State = typename View::State;
+  using Flaws = typename View::Flaws;
 
-  bool any_flows = false;
-  bool any_softens = false;
+  bool any_flows = false, any_softens = false, any_flaws = false;
   Array<SolidMedium<Real>> media;
   Array<PlasticParameters<Real>> plastic;
+  Array<GradyKipp<Real>> flaw_law;
   Array<std::uint16_t> medium_index;
   Array<Place> reference;
   Array<Index> bond_begin, neighbour;
@@ -114,6 +133,7 @@ struct SolidFields {
   KERF_SOLID_RESULTS(KERF_FIELD)
   KERF_SOLID_SOFTENING(KERF_FIELD)
   KERF_SOLID_FLOW(KERF_FIELD)
+  KERF_SOLID_FLAWS(KERF_FIELD)
 #undef KERF_FIELD
 
   Index size() const {
@@ -131,17 +151,22 @@ struct SolidFields {
     if (any_flows) {
       KERF_SOLID_FLOW(KERF_FIELD)
     }
+    if (any_flaws) {
+      KERF_SOLID_FLAWS(KERF_FIELD)
+    }
 #undef KERF_FIELD
   }
 
   std::size_t bytes() const {
-    std::size_t sum = bytes_of(media) + bytes_of(plastic) + bytes_of(medium_index) +
-                      bytes_of(reference) + bytes_of(bond_begin) + bytes_of(neighbour) +
-                      bytes_of(weight) + bytes_of(bond_fit) + bytes_of(pair_fit);
+    std::size_t sum = bytes_of(media) + bytes_of(plastic) + bytes_of(flaw_law) +
+                      bytes_of(medium_index) + bytes_of(reference) + bytes_of(bond_begin) +
+                      bytes_of(neighbour) + bytes_of(weight) + bytes_of(bond_fit) +
+                      bytes_of(pair_fit);
 #define KERF_FIELD(type, name) sum += bytes_of(name);
     KERF_SOLID_RESULTS(KERF_FIELD)
     KERF_SOLID_SOFTENING(KERF_FIELD)
     KERF_SOLID_FLOW(KERF_FIELD)
+    KERF_SOLID_FLAWS(KERF_FIELD)
 #undef KERF_FIELD
     return sum;
   }
@@ -151,8 +176,10 @@ struct SolidFields {
     view.count = size();
     view.any_flows = any_flows;
     view.any_softens = any_softens;
+    view.any_flaws = any_flaws;
     view.media = pointer(media);
     view.plastic = pointer(plastic);
+    view.flaw_law = pointer(flaw_law);
     view.medium_index = pointer(medium_index);
     view.reference = pointer(reference);
     view.bond_begin = pointer(bond_begin);
@@ -164,6 +191,7 @@ struct SolidFields {
     KERF_SOLID_RESULTS(KERF_FIELD)
     KERF_SOLID_SOFTENING(KERF_FIELD)
     KERF_SOLID_FLOW(KERF_FIELD)
+    KERF_SOLID_FLAWS(KERF_FIELD)
 #undef KERF_FIELD
     return view;
   }

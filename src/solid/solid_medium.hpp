@@ -33,6 +33,7 @@ struct SolidMedium {
     return T(9) * bulk_modulus * shear_modulus / (T(3) * bulk_modulus + shear_modulus);
   }
   KERF_FUNCTION bool can_break() const {
+    if (criterion == BondCriterion::grady_kipp) return true;
     return criterion == BondCriterion::principal_stress ? tensile_strength > T(0)
                                                         : failure_strain > T(0);
   }

@@ -16,30 +16,14 @@
 #include "solid/correct.hpp"
 #include "solid/deform.hpp"
 #include "solid/fit_levels.hpp"
+#include "solid/keep_damage.hpp"
 #include "solid/keep_flow.hpp"
 #include "solid/keep_softening.hpp"
+#include "solid/solid_state.hpp"
 #include "solid/stored_energy.hpp"
 #include "solid/stretch_limit.hpp"
 
 namespace kerf {
-
-struct FractureBook {
-  std::uint64_t bonds = 0;  // broken, each counted once
-  Index loosened = 0;       // particles that came loose
-  double released = 0.0;    // J (2D: J/m): stored energy before less after, hourglass part included
-  double power_gain = 0.0;  // W (2D: W/m): power of the bonds on the moving particles, after less
-                            // before
-};
-
-// What a solid remembers beside positions and velocities, which are the caller's: its bonds, and
-// the acceleration, because the kick of a step may come before accelerate().
-template <int D, class P>
-struct SolidState {
-  std::vector<typename P::Real> weight;
-  std::vector<Vector<D, typename P::Real>> acceleration;
-  std::vector<PlasticState<D, typename P::Real>> flow;  // empty where nothing flows
-  std::vector<typename P::Real> strain;                 // empty where nothing softens
-};
 
 template <int D, class P>
 class TotalLagrangian {
@@ -62,6 +46,7 @@ class TotalLagrangian {
     for_each_index(size(), SetWholeWeights<D, P>{view()});
     if (fields_.any_softens) for_each_index(size(), StartWhole<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartUnflown<D, P>{view()});
+    if (fields_.any_flaws) for_each_index(size(), StartFlaws<D, P>{view()});
     correct_all();
     count();  // makes room for sums
   }
@@ -91,6 +76,12 @@ class TotalLagrangian {
   // What softening took since the start, J.
   double softening_work() {
     return fields_.any_softens ? power_sum_(size(), SofteningTerm<D, P>{view()}).value[0] : 0.0;
+  }
+  // Ends a step: flaws grow for its time at the deformation in force. What that sets free, J.
+  double keep_damage(double dt) {
+    if (!fields_.any_flaws) return 0.0;
+    for_each_index(size(), KeepDamage<D, P>{view(), static_cast<Real>(dt)});
+    return power_sum_(size(), DamageLossTerm<D, P>{view()}).value[0];
   }
   // Plastic work from the last keep_flow() to the deformation in force, J.
   double flow_work() {
@@ -171,7 +162,7 @@ class TotalLagrangian {
 
   SolidState<D, P> save() const {
     return {to_host(fields_.weight), to_host(fields_.acceleration), to_host(fields_.flow_start),
-            to_host(fields_.strain_start)};
+            to_host(fields_.strain_start), to_host(fields_.flaws)};
   }
   // Goes on from a state saved by a solid of the same layout. deform() comes next.
   void restore(const SolidState<D, P>& state) {
@@ -185,6 +176,8 @@ class TotalLagrangian {
     require(state.strain.size() == fields_.strain_start.size(), "or softens as its layout");
     to_device(state.strain, fields_.strain_start);
     fields_.strain_now = fields_.strain_start;
+    require(state.flaws.size() == fields_.flaws.size(), "a saved solid has flaws as its layout");
+    to_device(state.flaws, fields_.flaws);
     correct_all();
   }
 
@@ -204,6 +197,13 @@ class TotalLagrangian {
       is_viscous_ |= parameters.flows();
       can_break_ |= parameters.flows() && parameters.damage.is_on();
     }
+    std::vector<GradyKipp<Real>> flaw_law;
+    for (const auto& law : layout.flaws) {
+      flaw_law.push_back(GradyKipp<Real>::from(law));
+      fields_.any_flaws |= law.is_on();
+    }
+    require(flaw_law.empty() || flaw_law.size() == media.size(), "laws of flaws for every medium");
+    to_device(flaw_law, fields_.flaw_law);
     require(plastic.empty() || plastic.size() == media.size(), "laws of flow for every medium");
     to_device(media, fields_.media);
     to_device(plastic, fields_.plastic);

@@ -69,6 +69,32 @@ TEST(StandardLedger, OfEverythingDouble3D) {
   run_everything(3, PrecisionKind::double_precision, 500);
 }
 
+// Two jittered blocks that are joined, a third on top and one beside them, on a plate: as laid out
+// no body pushes another, and no bond is strained. Nothing moves, to the last bit.
+TEST(StandardLedger, JitteredBodiesAsLaidOutAreAtRest) {
+  for (const int dimension : {2, 3}) {
+    Case c = empty_case(dimension, PrecisionKind::mixed);
+    c.formulation = Formulation::standard;
+    c.smoothing_ratio = 1.3;
+    const double z = dimension == 3 ? 0.005 : 0.0;
+    c.bodies = {body("left", Role::elastic, box({-0.01, 0.0, -z}, {0.0, 0.01, z}), 1e-3),
+                body("right", Role::elastic, box({0.0, 0.0, -z}, {0.01, 0.01, z}), 1e-3),
+                body("top", Role::elastic, box({-0.01, 0.01, -z}, {0.01, 0.015, z}), 1e-3),
+                body("beside", Role::elastic, box({0.01, 0.0, -z}, {0.015, 0.01, z}), 1e-3),
+                body("plate", Role::rigid, box({-0.02, -0.004, -z}, {0.02, 0.0, z}), 1e-3)};
+    c.bodies[1].joined_to = "left";
+    for (std::size_t b = 0; b < 4; ++b) {
+      c.bodies[b].jitter = 0.3;
+      c.bodies[b].seed = b;
+    }
+    const auto simulation = make_simulation(c);
+    take_steps(*simulation, 20);
+    const Ledger now = simulation->ledger();
+    EXPECT_EQ(now.kinetic, 0.0) << dimension;
+    EXPECT_EQ(now.elastic_strain, 0.0) << dimension;
+  }
+}
+
 // Momentum, mass and kinetic energy by sums over a frame, which the ledger has no part in.
 TEST(StandardLedger, AgreesWithTheFrame) {
   const auto simulation =

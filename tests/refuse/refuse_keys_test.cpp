@@ -59,6 +59,12 @@ TEST(Refuse, UnknownKeys) {
        "repulsion",
        "body[1].repulsion = \"1 m2/s2\": the key has no meaning here.",
        {"only where this holds: rigid", "Remove it."}},
+      {"jitter in the paper's formulation",
+       block_material,
+       block_material + "\njitter = 0.2",
+       "jitter",
+       "body[1].jitter = 0.2: the key has no meaning here.",
+       {"Remove it"}},
       {"viscosity of a solid",
        "poisson_ratio = 0.4",
        "poisson_ratio = 0.4\nviscosity = \"1 Pa s\"",
@@ -238,33 +244,6 @@ TEST(Refuse, Contradictions) {
        "fixed",
        "body[1].fixed = true: the body also has a displacement_expression.",
        {}},
-  });
-}
-
-TEST(Refuse, SofteningThatLacksSomething) {
-  expect_refused({
-      {"softening without an energy",
-       "dimension = 2",
-       "dimension = 2\nformulation = \"standard\"\n[materials.curd]\nbase = \"tofu\"\n"
-       "criterion = \"crack_band\"",
-       "criterion",
-       "materials.curd.fracture_energy: the criterion \"crack_band\" spends this energy.",
-       {"greater than 0 J/m2"}},
-      {"softening without a strain",
-       "dimension = 2",
-       "dimension = 2\nformulation = \"standard\"\n[materials.curd]\nbase = \"tofu\"\n"
-       "criterion = \"crack_band\"\nfailure_strain = 0\nfracture_energy = \"2 J/m2\"",
-       "failure_strain",
-       "materials.curd.failure_strain = 0: the criterion \"crack_band\" softens from this strain "
-       "on.",
-       {"greater than 0"}},
-      {"softening and flow",
-       "dimension = 2",
-       "dimension = 2\nformulation = \"standard\"\n[materials.curd]\nbase = \"copper\"\n"
-       "criterion = \"crack_band\"\nfailure_strain = 0.1\nfracture_energy = \"2 J/m2\"",
-       "criterion",
-       "materials.curd.criterion = \"crack_band\": a material that flows does not soften as well.",
-       {"plasticity = \"none\""}},
   });
 }
 

@@ -147,6 +147,15 @@ TEST(Refuse, Ranges) {
        "200 deg",
        "jet[1].angle = \"200 deg\": the value is out of range.",
        {"\"60 deg\""}},
+      {"jitter",
+       "[\"0 m/s2\", \"-9.81 m/s2\"]",
+       "[\"0 m/s2\", \"-9.81 m/s2\"]\nformulation = \"standard\"\n[[body]]\nname = \"a\"\nmaterial "
+       "= \"tofu\"\n"
+       "spacing = \"2 mm\"\njitter = 0.4\nshape = { type = \"box\", minimum = [\"50 mm\", "
+       "\"0 mm\"], maximum = [\"70 mm\", \"20 mm\"] }",
+       "jitter",
+       "body[1].jitter = 0.4: the value is out of range.",
+       {"from 0 to 0.3"}},
       {"offset",
        "spacing = \"2 mm\"",
        "spacing = \"2 mm\"\noffset = [\"3 mm\", \"0 mm\"]",

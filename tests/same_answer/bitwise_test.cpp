@@ -30,6 +30,12 @@ class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind, 
       c.materials[0].plasticity = PlasticLaw::von_mises;
       c.materials[0].yield_strength = 2e3;
       c.materials[0].friction = 0.3;
+    } else if (c.formulation == Formulation::standard) {
+      c.materials[0].criterion = BondCriterion::grady_kipp;
+      c.materials[0].weibull_k = 1e18;
+      c.materials[0].weibull_m = 6.0;
+      c.materials[0].flaw_depth = 1e-3;
+      c.bodies[0].jitter = 0.2;
     }
     if (c.formulation == Formulation::standard && c.precision == PrecisionKind::double_precision) {
       c.materials[0].poisson_ratio = 0.49;

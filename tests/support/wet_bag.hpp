@@ -63,6 +63,10 @@ struct BagBonds {
            particles.medium(j).phase == Phase::solid &&
            bag_bonded(particles.id[i], particles.id[j]);
   }
+  // Laid out farther apart than their spacings.
+  KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>&, Index, Index) const {
+    return typename P::Real(1);
+  }
 };
 
 inline ReferenceStandard::Bonded bonds_of(const ReferenceState& state) {

@@ -195,6 +195,15 @@ checkpoint_interval = "1 h"
   EXPECT_EQ(read.materials[0].sound_speed, 13.0 * 7.0);
 }
 
+TEST(Read, JitterComesBack) {
+  std::string text = with("material = \"tofu\"", "material = \"tofu\"\njitter = 0.2\nseed = 77");
+  text.insert(text.find("[time]"), "formulation = \"standard\"\n");
+  const Case read = parse_case(text, "jittered.toml");
+  EXPECT_EQ(read.bodies[0].jitter, 0.2);
+  EXPECT_EQ(read.bodies[0].seed, 77u);
+  EXPECT_EQ(parse_case(write_used(read), "case.used.toml"), read);
+}
+
 TEST(Schema, KeysPageIsUpToDate) {
   std::ifstream stream(KERF_SOURCE_DIR "/docs/keys.md");
   const std::string page{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};

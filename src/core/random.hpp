@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random numbers by their number: the n-th of a seed is the same on every machine, whoever asks and
+// in whichever order. Steele, Lea & Flood, "Fast splittable pseudorandom number generators", OOPSLA
+// 2014, 453: SplitMix64, whose n-th state is seed + n gamma.
+#pragma once
+
+#include <cstdint>
+
+#include "exec/host_device.hpp"
+
+namespace kerf {
+
+// The n-th 64 random bits, n = 0, 1, ...
+KERF_FUNCTION std::uint64_t random_bits(std::uint64_t seed, std::uint64_t n) {
+  std::uint64_t z = seed + (n + 1) * 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+// The n-th number between 0 and 1, neither included.
+KERF_FUNCTION double random_number(std::uint64_t seed, std::uint64_t n) {
+  constexpr double step = 1.0 / 4503599627370496.0;  // 2^-52
+  return (static_cast<double>(random_bits(seed, n) >> 12) + 0.5) * step;
+}
+
+}  // namespace kerf
