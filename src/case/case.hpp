@@ -31,6 +31,14 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
+// Sides of a box, such as those of the domain that are symmetry planes.
+struct Faces {
+  std::array<bool, 3> minimum{};  // x-, y-, z-
+  std::array<bool, 3> maximum{};  // x+, y+, z+
+  bool any() const { return *this != Faces{}; }
+  bool operator==(const Faces&) const = default;
+};
+
 // A region of space. `kind` selects which members hold.
 //   box       minimum, maximum
 //   disc      centre, radius; in 3D a cylinder along `axis` from `centre` with `length`
@@ -147,6 +155,7 @@ struct Case {
   TimeControl time;
   Point gravity{};               // m/s^2
   Box domain;                    // m; particles that leave it are removed and accounted for
+  Faces symmetry;                // those of the domain that are symmetry planes
   double smoothing_ratio = 1.5;  // h / spacing
   ArtificialStress artificial_stress;
   std::vector<Material> materials;

@@ -48,6 +48,8 @@ constexpr Key table_of_keys[] = {
 
 {"domain", "minimum", vector, "m", "", within(1e8), "", "", "Lowest corner"},
 {"domain", "maximum", vector, "m", "", within(1e8), "", "", "Highest corner"},
+{"domain", "symmetry", faces, "", "(none)", any, "x- x+ y- y+", "2D+standard", "Faces of the domain that are symmetry planes: everything goes on beyond them as its mirror image"},
+{"domain", "symmetry", faces, "", "(none)", any, "x- x+ y- y+ z- z+", "3D+standard", "Faces of the domain that are symmetry planes: everything goes on beyond them as its mirror image"},
 
 {"materials", "base", name, "", "(none)", any, "", "", "Material of the library whose values stand where this one gives none"},
 {"materials", "kind", word, "", "(that of the base)", any, "elastic water", "", "What the material is; needed where there is no base"},

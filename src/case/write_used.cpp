@@ -54,6 +54,15 @@ class Writer {
     for (std::size_t a = 0; a < dimension_; ++a) entries.push_back(quoted(formulas[a]));
     raw(name, fmt::format("[{}]", fmt::join(entries, ", ")));
   }
+  void faces(std::string_view name, const Faces& faces) {
+    static constexpr const char* axes[] = {"x", "y", "z"};
+    std::vector<std::string> entries;
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (faces.minimum[a]) entries.push_back(fmt::format("\"{}-\"", axes[a]));
+      if (faces.maximum[a]) entries.push_back(fmt::format("\"{}+\"", axes[a]));
+    }
+    raw(name, fmt::format("[{}]", fmt::join(entries, ", ")));
+  }
   // A number as the key of that name wants it: plain, or a text with its unit.
   std::string number_text(std::string_view name, double value) const {
     const std::string unit(find_key(section_, name, {})->unit);
@@ -151,6 +160,7 @@ void write_top(Writer& writer, const Case& description) {
   writer.open("[domain]", "domain");
   writer.vector("minimum", description.domain.minimum);
   writer.vector("maximum", description.domain.maximum);
+  if (description.symmetry.any()) writer.faces("symmetry", description.symmetry);
 }
 
 void write_material(Writer& writer, Formulation formulation, const Material& material) {

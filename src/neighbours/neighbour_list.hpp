@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Verlet list with a skin: for each particle the others within reach + skin of where the list was
 // built. It holds until a particle has moved half the skin. Each particle lists its own neighbours
-// in a fixed order, so sums over them do not depend on the number of threads.
+// in a fixed order, so sums over them do not depend on the number of threads. Mirror images
+// (core/mirror_planes.hpp) come after all particles.
 #pragma once
 
+#include "core/error.hpp"
 #include "neighbours/grid.hpp"
 #include "neighbours/pair_range.hpp"
 
 namespace kerf {
 
 struct NeighbourView {
-  const Index* begin;  // begin[i] .. begin[i + 1] of `neighbour` are particle i's
-  const Index* neighbour;
+  const Index* begin;      // begin[i] .. begin[i + 1] of `neighbour` are particle i's
+  const Index* neighbour;  // places, with a mirror code in the highest bits
 };
 
 template <int D, class P>
@@ -37,10 +39,34 @@ struct FindNeighbours {
   Index* neighbour;
 
   KERF_FUNCTION void operator()(Index i) const {
-    Index found = 0;
+    Index found = walk(i, 0, particles.build_position[i], 0);
+    if (particles.mirrors.faces != 0) found = walk_images(i, found);
+    if (neighbour == nullptr) count[i] = found;
+  }
+
+ private:
+  struct Run {
+    Index begin, end;
+  };
+
+  // An image of j is as far from i as j from that image of i.
+  KERF_FUNCTION Index walk_images(Index i, Index found) const {
+    const auto& mirrors = particles.mirrors;
+    const auto& x = particles.build_position[i];
+    for (int image = 1; image < MirrorPlanes<D>::images; ++image) {
+      MirrorCode code;
+      if (mirrors.find_image(image, code) && mirrors.is_near(code, x, grid.cell))
+        found = walk(i, code, mirrors.image_place(code, x), found);
+    }
+    return found;
+  }
+
+  // The cells around x, where i is, or its image.
+  KERF_FUNCTION Index walk(Index i, MirrorCode code, const Vector<D, double>& x,
+                           Index found) const {
     int low[D], high[D], row[D];
     for (int a = 0; a < D; ++a) {
-      const int c = grid.coordinate(particles.build_position[i][a], a);
+      const int c = grid.coordinate(x[a], a);
       low[a] = c > 0 ? c - 1 : 0;
       high[a] = c + 1 < grid.cells[a] ? c + 1 : c;
       row[a] = low[a];
@@ -49,7 +75,7 @@ struct FindNeighbours {
       row[0] = low[0];
       const Index first = grid.number(row);
       const Index last = first + static_cast<Index>(high[0] - low[0]);
-      found = scan(i, cell_begin[first], cell_begin[last + 1], found);
+      found = scan(i, code, x, {cell_begin[first], cell_begin[last + 1]}, found);
       int a = 1;
       while (a < D && row[a] == high[a]) {
         row[a] = low[a];
@@ -58,19 +84,20 @@ struct FindNeighbours {
       if (a >= D) break;
       ++row[a];
     }
-    if (neighbour == nullptr) count[i] = found;
+    return found;
   }
 
- private:
-  KERF_FUNCTION Index scan(Index i, Index from, Index to, Index found) const {
-    for (Index j = from; j < to; ++j) {
-      if (j == i) continue;
-      const double reach = Scheme::reach(particles, i, j);
+  // Those of `run`, places in the order of cells.
+  KERF_FUNCTION Index scan(Index i, MirrorCode code, const Vector<D, double>& x, const Run& run,
+                           Index found) const {
+    for (Index j = run.begin; j < run.end; ++j) {
+      if (j == i && code == 0) continue;
+      const double reach = Scheme::reach(particles, i, j, code);
       if (reach == 0.0) continue;
-      const auto r = particles.build_position[i] - particles.build_position[j];
+      const auto r = x - particles.build_position[j];
       const double limit = reach + skin;
       if (dot(r, r) >= limit * limit) continue;
-      if (neighbour != nullptr) neighbour[begin[i] + found] = j;
+      if (neighbour != nullptr) neighbour[begin[i] + found] = j | code;
       ++found;
     }
     return found;
@@ -109,6 +136,8 @@ class NeighbourList {
   // Particles must already be in the order of their cell numbers.
   void build(Particles<D, P>& particles) {
     const Index n = particles.size();
+    require(particles.mirrors.faces == 0 || n <= MirrorPlanes<D>::most_particles,
+            "as many particles as have places beside the codes of mirrors");
     cell_numbers(particles);
     const Index cells = grid_.count();
     cell_begin_.resize(cells + 1);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "core/mirror_planes.hpp"
 #include "exec/host_device.hpp"
 #include "materials/laws.hpp"
 
@@ -42,6 +43,9 @@ struct Medium {
   ElasticLaw elasticity = ElasticLaw::neo_hookean;
   BondCriterion criterion = BondCriterion::principal_strain;
   std::uint16_t piece = 0;  // solids of one piece hold together; different pieces only touch
+  // The symmetry planes that the piece is laid out at: its mirror image is part of it there, beyond
+  // other planes it is another piece.
+  MirrorCode joined_mirrors = 0;
 #define KERF_NUMBER(name) T name = 0;
   KERF_MEDIUM_NUMBERS(KERF_NUMBER)
 #undef KERF_NUMBER
@@ -57,6 +61,12 @@ struct Medium {
     return is_loose ? Real(1) : Real(excess_bulk_modulus) / Real(bulk_modulus);
   }
 
+  // Whether particles of this medium and of `other`, the latter seen in a mirror or not (code 0),
+  // belong to one piece.
+  KERF_FUNCTION bool is_one_piece_with(const Medium& other, MirrorCode mirror) const {
+    return piece == other.piece && (mirror & ~joined_mirrors) == 0;
+  }
+
   template <class Other>
   static Medium from(const Medium<Other>& other) {
     Medium medium;
@@ -66,6 +76,7 @@ struct Medium {
     medium.elasticity = other.elasticity;
     medium.criterion = other.criterion;
     medium.piece = other.piece;
+    medium.joined_mirrors = other.joined_mirrors;
 #define KERF_NUMBER(name) medium.name = static_cast<T>(other.name);
     KERF_MEDIUM_NUMBERS(KERF_NUMBER)
 #undef KERF_NUMBER

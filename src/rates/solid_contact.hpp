@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// `Bonds`: bool whole(particles, i, j), whether an unbroken bond holds the two together.
+// `Bonds`: bool whole(particles, pair), whether an unbroken bond holds the two together.
 template <int D, class P, class Bonds>
 struct SolidContact {
   using Real = typename P::Real;
@@ -25,18 +25,19 @@ struct SolidContact {
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     const auto &a = *pair.medium_i, &b = *pair.medium_j;
-    if (a.phase != Phase::solid || a.piece != b.piece) return;
+    if (a.phase != Phase::solid || !pair.is_one_piece()) return;
     if (particles.is_fluid(pair.i) || particles.is_fluid(pair.j)) return;
     if (is_one_volume(particles, pair)) return;
     const Real rest = Real(0.5) * (a.spacing + b.spacing);
     if (pair.distance >= rest || !(pair.distance > Real(0))) return;
-    if (bonds.whole(particles, pair.i, pair.j)) return;
+    if (bonds.whole(particles, pair)) return;
     const Real overlap = rest - pair.distance;
     const Real stiffness = stiffness_of(a, b) * (D == 3 ? rest : Real(1));
     const auto push = (stiffness * overlap / pair.distance) * pair.separation;
     sum.contact += push;
     sum.contact_energy += Real(0.25) * stiffness * overlap * overlap;
   }
+  KERF_FUNCTION static Vector<D, Real> force(const Sum& sum) { return sum.contact; }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     const auto& medium = particles.medium(i);
     if (medium.phase == Phase::rigid) return;

@@ -28,6 +28,9 @@ struct WaterViscosity {
     sum.friction += drag;
     if (pair.medium_j->phase == Phase::rigid) sum.wall_friction += drag;
   }
+  KERF_FUNCTION static Vector<D, Real> force(const Sum& sum) {
+    return sum.friction - sum.wall_friction;
+  }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     const auto& medium = particles.medium(i);
     if (medium.phase == Phase::rigid) return;

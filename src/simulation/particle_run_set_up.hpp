@@ -4,21 +4,25 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #include "simulation/media.hpp"
 #include "simulation/particle_run.hpp"
 #include "simulation/populate.hpp"
 #include "simulation/state_io.hpp"
+#include "simulation/symmetry.hpp"
 
 namespace kerf {
 
 inline std::vector<Nozzle> make_nozzles(const Case& description) {
   std::vector<Nozzle> nozzles;
-  for (const Jet& jet : description.jets)
+  for (const Jet& jet : description.jets) {
     nozzles.emplace_back(jet,
                          description.materials.at(static_cast<std::size_t>(jet.material)).density,
                          description.dimension);
+    nozzles.back().cut_at(description.symmetry, description.domain);
+  }
   return nozzles;
 }
 
@@ -31,6 +35,9 @@ ParticleRun<D, P, Scheme>::ParticleRun(const Case& description)
       gravity_(Place::from(description.gravity)),
       minimum_(Place::from(description.domain.minimum)),
       maximum_(Place::from(description.domain.maximum)) {
+  particles_.mirrors = mirror_planes<D>(description);
+  const std::vector<NewParticle> laid_out = initial_particles(case_, nozzles_);
+  join_mirrors(particles_.mirrors, laid_out, media_);
   std::vector<Medium<Real>> media;
   std::vector<double> masses;
   double longest = 0.0, finest = 1e300, shortest = 1e300;
@@ -49,7 +56,8 @@ ParticleRun<D, P, Scheme>::ParticleRun(const Case& description)
   const double skin = 0.5 * finest;
   list_ = NeighbourList<D, P, Scheme>(minimum_, maximum_,
                                       Scheme::template Kernel<D>::support * longest, skin);
-  append(initial_particles(case_, nozzles_));
+  append(laid_out);
+  close_planes();
 }
 
 template <int D, class P, class Scheme>
@@ -96,6 +104,17 @@ void ParticleRun<D, P, Scheme>::append(const std::vector<NewParticle>& newcomers
   thrust::fill_n(particles_.pressure_work.begin() + before, count, Real(0));
   thrust::fill_n(particles_.shear.begin() + before, count, SymmetricTensor<D, Real>::zero());
   thrust::fill_n(particles_.fractured.begin() + before, count, std::uint8_t(0));
+}
+
+// Nothing leaves by a symmetry plane.
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::close_planes() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto& mirrors = particles_.mirrors;
+  for (int a = 0; a < D; ++a) {
+    if ((mirrors.faces & mirrors.low_face(a)) != 0) minimum_[a] = -infinity;
+    if ((mirrors.faces & mirrors.high_face(a)) != 0) maximum_[a] = infinity;
+  }
 }
 
 template <int D, class P, class Scheme>

@@ -4,12 +4,14 @@
 #include "case/expression.hpp"
 #include "particles/fill.hpp"
 #include "particles/flags.hpp"
+#include "particles/shapes.hpp"
 
 namespace kerf {
 namespace {
 
-void add_body(const Body& body, std::uint16_t source, int dimension,
-              std::vector<NewParticle>& particles) {
+void add_body(const Case& description, std::size_t number, std::vector<NewParticle>& particles) {
+  const Body& body = description.bodies[number];
+  const int dimension = description.dimension;
   const std::vector<Point> points = fill(body, dimension);
   std::vector<std::uint8_t> repelling(points.size(), 0);
   if (body.role == Role::rigid) repelling = repelling_flags(body, points, dimension);
@@ -17,9 +19,10 @@ void add_body(const Body& body, std::uint16_t source, int dimension,
   for (const std::string& component : body.velocity)
     velocity.emplace_back(component, std::vector<std::string>{"x", "y", "z"});
   for (std::size_t k = 0; k < points.size(); ++k) {
+    if (is_beyond(description.symmetry, description.domain, points[k])) continue;
     NewParticle particle;
     particle.position = points[k];
-    particle.source = source;
+    particle.source = static_cast<std::uint16_t>(number);
     particle.flags = repelling[k] ? flag::repelling : std::uint8_t{0};
     if (!body.fixed && body.displacement[0].empty() && body.role != Role::rigid)
       for (int a = 0; a < dimension; ++a)
@@ -50,9 +53,7 @@ std::vector<NewParticle> inlet_particles(const std::vector<InletParticle>& water
 std::vector<NewParticle> initial_particles(const Case& description,
                                            const std::vector<Nozzle>& nozzles) {
   std::vector<NewParticle> particles;
-  for (std::size_t b = 0; b < description.bodies.size(); ++b)
-    add_body(description.bodies[b], static_cast<std::uint16_t>(b), description.dimension,
-             particles);
+  for (std::size_t b = 0; b < description.bodies.size(); ++b) add_body(description, b, particles);
   for (std::size_t j = 0; j < nozzles.size(); ++j) {
     const bool open = description.jets[j].start <= 0.0;
     for (const NewParticle& particle : inlet_particles(nozzles[j].standing_water(), nozzles[j],

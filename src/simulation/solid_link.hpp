@@ -5,6 +5,7 @@
 
 #include "materials/tait.hpp"
 #include "particles/fields.hpp"
+#include "rates/pair.hpp"
 #include "solid/respond.hpp"
 
 namespace kerf {
@@ -53,11 +54,13 @@ template <int D, class P>
 struct AddSolidAcceleration {
   ParticleView<D, P> particles;
   SolidIndexView link;
-  const Vector<D, typename P::Real>* acceleration;
+  SolidView<D, P> solid;
 
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
-    if (i != no_index) particles.acceleration[i] += acceleration[s];
+    if (i == no_index) return;
+    particles.acceleration[i] += solid.acceleration[s];
+    if (solid.mirrors.faces != 0) particles.mirror_acceleration[i] += solid.mirror_acceleration[s];
   }
 };
 
@@ -115,10 +118,11 @@ struct WholeBonds {
   SolidIndexView link;
   SolidView<D, P> solid;
 
-  KERF_FUNCTION bool whole(const ParticleView<D, P>& particles, Index i, Index j) const {
-    if (particles.medium(i).piece != particles.medium(j).piece) return false;
-    const Index a = link.number(particles.id[i]), b = link.number(particles.id[j]);
-    if (a == no_index || b == no_index) return false;
+  KERF_FUNCTION bool whole(const ParticleView<D, P>& particles, const Pair<D, P>& pair) const {
+    if (!pair.is_one_piece()) return false;
+    const Index a = link.number(particles.id[pair.i]), number = link.number(particles.id[pair.j]);
+    if (a == no_index || number == no_index) return false;
+    const Index b = number | pair.mirror;
     Index low = solid.bond_begin[a], high = solid.bond_begin[a + 1];  // ascending
     while (low < high) {
       const Index middle = low + (high - low) / 2;
@@ -139,9 +143,9 @@ struct BondFilter {
   SolidIndexView link;
   Filter filter;
 
-  KERF_FUNCTION bool operator()(Index a, Index b) const {
-    const Index i = link.particle_of[a], j = link.particle_of[b];
-    return i != no_index && j != no_index && filter(particles, i, j);
+  KERF_FUNCTION bool operator()(Index a, const BondEnd& b) const {
+    const Index i = link.particle_of[a], j = link.particle_of[b.particle];
+    return i != no_index && j != no_index && filter(particles, i, j, b.mirror);
   }
 };
 

@@ -33,6 +33,7 @@ class SolidPart {
     SolidLayout<D> layout;
     layout.plastic = std::move(plastic);
     for (const Medium<double>& medium : media) layout.media.push_back(solid_medium(medium));
+    layout.mirrors = particles.mirrors;
     const auto position = to_host(particles.position);
     const auto source = to_host(particles.source);
     std::vector<Index> number(source.size(), no_index);
@@ -167,6 +168,7 @@ class SolidPart {
     solid.law = medium.elasticity;
     solid.criterion = medium.criterion;
     solid.piece = medium.piece;
+    solid.joined_mirrors = medium.joined_mirrors;
     solid.density = medium.density;
     solid.spacing = medium.spacing;
     solid.smoothing_length = medium.smoothing_length;
@@ -183,8 +185,7 @@ class SolidPart {
   void accelerate_by(Particles<D, P>& particles, const ChosenBonds& chosen) {
     solid_->accelerate(velocity_, chosen);
     for_each_index(solid_->size(),
-                   AddSolidAcceleration<D, P>{particles.view(), link(),
-                                              pointer(solid_->fields().acceleration)});
+                   AddSolidAcceleration<D, P>{particles.view(), link(), solid_->view()});
   }
   void take(const FractureBook& book, Particles<D, P>& particles) {
     losses_.released += book.released;

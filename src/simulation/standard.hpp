@@ -5,6 +5,7 @@
 
 #include "integrate/midpoint.hpp"
 #include "integrate/regain_density.hpp"
+#include "integrate/trade_places.hpp"
 #include "integrate/verlet.hpp"
 #include "rates/standard_rates.hpp"
 #include "simulation/particle_run.hpp"
@@ -120,6 +121,8 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     const auto timer = timers_.stage("integrate");
     Run::load_drives(time_ + dt);
     for_each_index(particles_.size(), KickAndDrift<D, P>{particles_.view(), pointer(drives_), dt});
+    if (particles_.mirrors.faces != 0)
+      for_each_index(particles_.size(), TradePlaces<D, P>{particles_.view(), dt});
     solid_.end_step(dt);
   }
 

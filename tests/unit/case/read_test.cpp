@@ -195,6 +195,33 @@ checkpoint_interval = "1 h"
   EXPECT_EQ(read.materials[0].sound_speed, 13.0 * 7.0);
 }
 
+TEST(Read, BoundariesOfTheStandardFormulationComeBack) {
+  const std::string text = R"toml(title = "quarter"
+dimension = 3
+formulation = "standard"
+[time]
+end = "10 ms"
+[domain]
+minimum = ["0 mm", "-10 mm", "-50 mm"]
+maximum = ["50 mm", "50 mm", "0 mm"]
+symmetry = ["z+", "x-"]
+[[body]]
+name = "pool"
+material = "water"
+spacing = "2 mm"
+velocity = ["1 m/s", "0 m/s", "0 m/s"]
+shape = { type = "box", minimum = ["-20 mm", "20 mm", "-20 mm"], maximum = ["20 mm", "40 mm", "20 mm"] }
+[[body]]
+name = "block"
+material = "rubber"
+spacing = "2 mm"
+shape = { type = "box", minimum = ["-20 mm", "0 mm", "-20 mm"], maximum = ["20 mm", "20 mm", "20 mm"] }
+)toml";
+  const Case read = parse_case(text, "quarter.toml");
+  EXPECT_EQ(parse_case(write_used(read), "case.used.toml"), read) << write_used(read);
+  EXPECT_EQ(read.symmetry, (Faces{{true, false, false}, {false, false, true}}));
+}
+
 TEST(Schema, KeysPageIsUpToDate) {
   std::ifstream stream(KERF_SOURCE_DIR "/docs/keys.md");
   const std::string page{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
@@ -208,7 +235,8 @@ TEST(Schema, IsConsistent) {
     for (const SectionText& section : schema_sections()) headed |= section.section == key.section;
     EXPECT_TRUE(headed) << key.name;
     EXPECT_FALSE(key.sentence.empty() || key.sentence.back() == '.') << key.name;
-    EXPECT_EQ(key.kind == ValueKind::word, !key.choices.empty()) << key.name;
+    EXPECT_EQ(key.kind == ValueKind::word || key.kind == ValueKind::faces, !key.choices.empty())
+        << key.name;
     if (key.kind == ValueKind::number && !key.computed() && !key.required() &&
         key.standard != "none") {
       EXPECT_TRUE(in_range(key, std::stod(std::string(key.standard)))) << key.name;
