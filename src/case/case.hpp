@@ -81,6 +81,7 @@ struct Body {
   bool fixed = false;
   // Prescribed displacement from the initial place, m, expressions in t (s); empty = free.
   std::array<std::string, 3> displacement;
+  Faces absorbing;        // those that let waves out (elastic only)
   std::string joined_to;  // name of a body this one is bonded to; empty = its own piece
   // Rigid bodies only, eq. (43).
   RepellingLayer repelling_layer = RepellingLayer::top;

@@ -72,6 +72,13 @@ void check_body(Draft& draft, const Plane& plane, std::size_t number) {
   LatticeVisit request;
   request.window = bounding_box(body.shape, draft.result.dimension);
   Box& window = request.window;
+  const auto& absorbing = plane.inward > 0.0 ? body.absorbing.minimum : body.absorbing.maximum;
+  if (absorbing[plane.axis] && (plane.inward > 0.0 ? window.minimum[plane.axis] <= plane.at
+                                                   : window.maximum[plane.axis] >= plane.at))
+    draft.reading.problems.add(
+        {indexed("body", number) + ".absorbing",
+         fmt::format("that side of the body lies in the symmetry plane \"{}\"", plane.name),
+         "sides that are not mirrored", "Take it out of one of the two lists"});
   const double reach = nearest * body.spacing;
   window.minimum[plane.axis] = std::max(window.minimum[plane.axis], plane.at - reach);
   window.maximum[plane.axis] = std::min(window.maximum[plane.axis], plane.at + reach);

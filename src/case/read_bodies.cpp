@@ -88,6 +88,16 @@ void read_displacement(Section& section, Body& body) {
                    "false, where the body moves");
 }
 
+void read_absorbing(Section& section, Body& body) {
+  body.absorbing = section.faces("absorbing");
+  const Shape& shape = body.shape;
+  const bool cut_box = shape.kind == Shape::Kind::difference && !shape.parts.empty() &&
+                       shape.parts.front().kind == Shape::Kind::box;
+  if (shape.kind == Shape::Kind::box || cut_box) return;
+  section.refuse("absorbing", "the shape of the body has no such faces",
+                 "Use a box, and absorb on its sides", "boxes, or what a difference leaves of one");
+}
+
 void read_rigid(Section& section, BodyDraft& entry) {
   static constexpr const char* words[] = {"top", "bottom", "left", "right", "front", "back", "all"};
   const std::string layer = section.text("repelling_layer");
@@ -123,7 +133,10 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
     body.fixed = section.flag("fixed");
     read_displacement(section, body);
   }
-  if (body.role == Role::elastic) body.joined_to = section.text("joined_to", "");
+  if (body.role == Role::elastic) {
+    body.joined_to = section.text("joined_to", "");
+    if (section.has("absorbing")) read_absorbing(section, body);
+  }
   if (body.role == Role::rigid) read_rigid(section, entry);
   section.refuse_unknown();
   draft.bodies.push_back(std::move(entry));

@@ -109,6 +109,8 @@ constexpr Key table_of_keys[] = {
 {"body", "velocity_expression", expressions, "", "(velocity)", any, "", "elastic water", "Velocity at the start in m/s as formulas of x, y, z in m"},
 {"body", "fixed", flag, "", "false", any, "", "elastic rigid", "The particles stay where they are; a rigid body without a displacement_expression does anyway"},
 {"body", "displacement_expression", expressions, "", "(free)", any, "", "elastic rigid", "Prescribed displacement in m as formulas of t in s, 0 at t = 0"},
+{"body", "absorbing", faces, "", "(none)", any, "x- x+ y- y+", "2D+elastic+standard", "Faces of the body, a box, that let waves out, as if it went on without end"},
+{"body", "absorbing", faces, "", "(none)", any, "x- x+ y- y+ z- z+", "3D+elastic+standard", "Faces of the body, a box, that let waves out, as if it went on without end"},
 {"body", "joined_to", name, "", "(nothing)", any, "", "elastic", "Name of an elastic body that this one is bonded to, as one piece"},
 {"body", "repelling_layer", word, "", "top", any, "top bottom left right front back all", "rigid", "The outermost layer of particles that repels, eq. (43)"},
 {"body", "friction", number, "", "none", from_zero_to(10.0), "", "rigid+standard", "Coefficient of dry friction; none = that of what slides on it"},

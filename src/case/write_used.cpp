@@ -194,6 +194,7 @@ void write_body(Writer& writer, const Case& description, const Body& body) {
   if (body.role != Role::water) writer.raw("fixed", body.fixed ? "true" : "false");
   if (!body.displacement[0].empty())
     writer.expressions("displacement_expression", body.displacement);
+  if (body.absorbing.any()) writer.faces("absorbing", body.absorbing);
   if (!body.joined_to.empty()) writer.text("joined_to", body.joined_to);
   if (body.role != Role::rigid) return;
   writer.text("repelling_layer", layers[static_cast<std::size_t>(body.repelling_layer)]);

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "integrate/time_step.hpp"
+#include "simulation/absorbing_sites.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/plastic_media.hpp"
 #include "simulation/solid_link.hpp"
 #include "simulation/solid_show.hpp"
 #include "simulation/state_io.hpp"
@@ -17,9 +19,10 @@ namespace kerf {
 
 // What the solids gave up so far, J (2D: J/m).
 struct SolidLosses {
-  double viscous = 0.0;   // by the viscosity of bonds
-  double released = 0.0;  // by bonds that broke
-  double plastic = 0.0;   // by plastic flow
+  double viscous = 0.0;              // by the viscosity of bonds
+  double released = 0.0;             // by bonds that broke
+  double plastic = 0.0;              // by plastic flow
+  std::array<double, 3> absorbed{};  // N s, impulse of absorbing faces on them
 };
 
 template <int D, class P>
@@ -28,10 +31,10 @@ class SolidPart {
   using Real = typename P::Real;
 
   // The particles of the start, in the order of their ids.
-  SolidPart(const std::vector<Medium<double>>& media,
-            std::vector<PlasticParameters<double>> plastic, const Particles<D, P>& particles) {
+  SolidPart(const Case& description, const std::vector<Medium<double>>& media,
+            const Particles<D, P>& particles) {
     SolidLayout<D> layout;
-    layout.plastic = std::move(plastic);
+    layout.plastic = make_plastic_media(description);
     for (const Medium<double>& medium : media) layout.media.push_back(solid_medium(medium));
     layout.mirrors = particles.mirrors;
     const auto position = to_host(particles.position);
@@ -50,6 +53,7 @@ class SolidPart {
     to_device(layout.reference, position_);
     velocity_.resize(layout.reference.size());
     gone_.resize(layout.reference.size());
+    to_device(absorbing_sites<D>(description, media, position, source, number), sites_);
   }
 
   // Finds the solid's particles in their new order.
@@ -78,9 +82,12 @@ class SolidPart {
     take(book, particles);
   }
 
-  // Adds the accelerations by all bonds.
+  // Adds the accelerations by all bonds and by absorbing faces.
   void accelerate(Particles<D, P>& particles) {
-    if (solid_) accelerate_by(particles, EveryBond{});
+    if (!solid_) return;
+    accelerate_by(particles, EveryBond{});
+    for_each_index(sites(), Absorb<D, P>{particles.view(), pointer(particle_of_), no_index,
+                                         pointer(solid_->fields().loose), pointer(sites_)});
   }
   // Those by the bonds that `filter` chooses by their particles.
   template <class Filter>
@@ -115,6 +122,9 @@ class SolidPart {
     if (!solid_) return;
     losses_.viscous += dt * solid_->viscous_power();
     losses_.plastic += solid_->keep_flow();
+    const Terms<D> force = force_sum_(sites(), AbsorbingForce<D>{pointer(sites_)});
+    for (int a = 0; a < D; ++a)
+      losses_.absorbed[static_cast<std::size_t>(a)] += dt * force.value[a];
     wave_ = solid_->wave_time();
   }
   // What the waves of the solid allow for the next step, by its shape in the middle of the last
@@ -128,6 +138,7 @@ class SolidPart {
     ledger.dissipated_artificial += losses_.viscous;
     ledger.dissipated_fracture += losses_.released;
     ledger.dissipated_plastic += losses_.plastic;
+    for (std::size_t a = 0; a < 3; ++a) ledger.impulse_constraint[a] += losses_.absorbed[a];
     if (!solid_) return;
     ledger.dissipated_plastic += solid_->flow_work();
     const SolidEnergy energy = solid_->energy();
@@ -144,6 +155,8 @@ class SolidPart {
   void save(Archive& archive) const {
     archive.arrays["solid/losses"] =
         std::vector<double>{losses_.viscous, losses_.released, losses_.plastic};
+    archive.arrays["solid/absorbed"] =
+        std::vector<double>(losses_.absorbed.begin(), losses_.absorbed.end());
     if (!solid_) return;
     const SolidState<D, P> state = solid_->save();
     archive.arrays["solid/wave"] = std::vector<double>{wave_.time, double(wave_.particle)};
@@ -152,7 +165,9 @@ class SolidPart {
   }
   void restore(const Archive& archive) {
     const auto& losses = find_array<double>(archive, "solid/losses");
-    losses_ = {losses.at(0), losses.at(1), losses.at(2)};
+    losses_ = {losses.at(0), losses.at(1), losses.at(2), {}};
+    const auto& absorbed = find_array<double>(archive, "solid/absorbed");
+    for (std::size_t a = 0; a < 3; ++a) losses_.absorbed[a] = absorbed.at(a);
     if (!solid_) return;
     const auto& wave = find_array<double>(archive, "solid/wave");
     wave_ = {wave.at(0), static_cast<Index>(wave.at(1))};
@@ -193,6 +208,7 @@ class SolidPart {
     loosened_ = true;
     show_loose(particles);
   }
+  Index sites() const { return static_cast<Index>(sites_.size()); }
   SolidIndexView link() const {
     return {pointer(number_of_id_), static_cast<Index>(number_of_id_.size()),
             const_cast<Index*>(pointer(particle_of_))};
@@ -206,6 +222,8 @@ class SolidPart {
   Array<Vector<D, double>> position_;
   Array<Vector<D, Real>> velocity_;
   Array<std::uint8_t> gone_;
+  Array<AbsorbingSite<D>> sites_;
+  OrderedSum<D> force_sum_;
   SolidLosses losses_;
   WaveTime wave_{1e300, 0};
   bool loosened_ = false;

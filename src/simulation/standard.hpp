@@ -9,7 +9,6 @@
 #include "integrate/verlet.hpp"
 #include "rates/standard_rates.hpp"
 #include "simulation/particle_run.hpp"
-#include "simulation/plastic_media.hpp"
 #include "simulation/solid_part.hpp"
 
 namespace kerf {
@@ -23,7 +22,7 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
       : Run(description),
         lattice_(lattice_sums<D, ContactPairs::Kernel<D>>(description.smoothing_ratio)),
         rates_(Vector<D, double>::from(description.gravity), Run::media_, lattice_),
-        solid_(Run::media_, make_plastic_media(description), Run::particles_) {
+        solid_(description, Run::media_, Run::particles_) {
     Run::open([this] { rates_.fit_surfaces(particles_.view(), particles_.size(), list_.view()); });
     rates_.continuity(particles_.view(), particles_.size(), list_.view());
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What symmetry planes cannot be.
+// What symmetry planes and absorbing faces cannot be.
 #include "refuse/bad_case.hpp"
 
 namespace kerf {
@@ -24,6 +24,7 @@ name = "block"
 material = "tofu"
 shape = { type = "box", minimum = ["-20 mm", "0 mm"], maximum = ["20 mm", "20 mm"] }
 spacing = "1 mm"
+absorbing = ["x+"]
 
 [[body]]
 name = "plate"
@@ -68,8 +69,8 @@ TEST(RefuseSymmetry, WhatNoMirrorCanShow) {
       {"maximum = [\"100 mm\", \"100 mm\"]\nsymmetry = [\"x-\"]",
        "maximum = [\"2 mm\", \"100 mm\"]\nsymmetry = [\"x-\", \"x+\"]",
        {"domain.symmetry", "images of images", "at least 0.0031 m apart"}},
-      {"material = \"tofu\"",
-       "material = \"tofu\"\noffset = [\"0.4 mm\", \"0 mm\"]",
+      {"spacing = \"1 mm\"\nabsorbing",
+       "spacing = \"1 mm\"\noffset = [\"0.4 mm\", \"0 mm\"]\nabsorbing",
        {"body[1].spacing", "lie on the symmetry plane \"x-\"", "offset"}},
       {"width = \"10 mm\"",
        "width = \"9 mm\"",
@@ -80,6 +81,27 @@ TEST(RefuseSymmetry, WhatNoMirrorCanShow) {
       {"standoff = \"20 mm\"",
        "standoff = \"20 mm\"\nangle = \"10 deg\"",
        {"jet[1].position", "beside its axis"}},
+  };
+  for (const Change& change : changes) {
+    const std::string message = message_of(changed(change));
+    for (const std::string& part : change.contains)
+      EXPECT_NE(message.find(part), std::string::npos)
+          << change.to << "\n  wanted " << part << "\n  got    " << message;
+  }
+}
+
+TEST(RefuseAbsorbing, SidesThatThereAreNot) {
+  const std::string faces = "absorbing = [\"x+\"]",
+                    box =
+                        "shape = { type = \"box\", minimum = "
+                        "[\"-20 mm\", \"0 mm\"], maximum = [\"20 mm\", \"20 mm\"] }";
+  const Change changes[] = {
+      {faces, "absorbing = [\"x-\"]", {"body[1].absorbing", "lies in the symmetry plane"}},
+      {faces, "absorbing = [\"z+\"]", {"body[1].absorbing", "entry 1"}},
+      {box,
+       "shape = { type = \"disc\", centre = [\"30 mm\", \"10 mm\"], radius = \"8 mm\" }",
+       {"body[1].absorbing", "has no such faces"}},
+      {"role = \"rigid\"", "role = \"rigid\"\nabsorbing = [\"x+\"]", {"body[2].absorbing"}},
   };
   for (const Change& change : changes) {
     const std::string message = message_of(changed(change));

@@ -215,11 +215,14 @@ shape = { type = "box", minimum = ["-20 mm", "20 mm", "-20 mm"], maximum = ["20 
 name = "block"
 material = "rubber"
 spacing = "2 mm"
+absorbing = ["y-", "x+"]
 shape = { type = "box", minimum = ["-20 mm", "0 mm", "-20 mm"], maximum = ["20 mm", "20 mm", "20 mm"] }
 )toml";
   const Case read = parse_case(text, "quarter.toml");
   EXPECT_EQ(parse_case(write_used(read), "case.used.toml"), read) << write_used(read);
   EXPECT_EQ(read.symmetry, (Faces{{true, false, false}, {false, false, true}}));
+  EXPECT_EQ(read.bodies[1].absorbing, (Faces{{false, true, false}, {true, false, false}}));
+  EXPECT_EQ(read.bodies[0].absorbing, Faces{});
 }
 
 TEST(Schema, KeysPageIsUpToDate) {
