@@ -78,6 +78,7 @@ struct Body {
   Lattice lattice = Lattice::square;
   Point offset{};                                      // m, shift of the lattice origin
   std::array<std::string, 3> velocity{"0", "0", "0"};  // m/s, expressions in x, y, z (m)
+  double pressure = 0.0;                               // Pa, of water as laid out
   bool fixed = false;
   // Prescribed displacement from the initial place, m, expressions in t (s); empty = free.
   std::array<std::string, 3> displacement;

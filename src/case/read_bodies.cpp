@@ -129,6 +129,8 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
   body.lattice = section.text("lattice") == "hexagonal" ? Lattice::hexagonal : Lattice::square;
   read_offset(section, body);
   if (body.role != Role::rigid) read_velocity(section, body);
+  if (body.role == Role::water && draft.result.formulation == Formulation::standard)
+    body.pressure = section.number("pressure");
   if (body.role != Role::water) {
     body.fixed = section.flag("fixed");
     read_displacement(section, body);

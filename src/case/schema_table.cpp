@@ -107,6 +107,7 @@ constexpr Key table_of_keys[] = {
 {"body", "offset", vector, "m", "0 m", any, "", "", "Shift of the lattice, at most one spacing along each axis"},
 {"body", "velocity", vector, "m/s", "0 m/s", within(1e5), "", "elastic water", "Velocity at the start"},
 {"body", "velocity_expression", expressions, "", "(velocity)", any, "", "elastic water", "Velocity at the start in m/s as formulas of x, y, z in m"},
+{"body", "pressure", quantity, "Pa", "0 Pa", not_negative, "", "water+standard", "Pressure at the start: the water is laid out compressed"},
 {"body", "fixed", flag, "", "false", any, "", "elastic rigid", "The particles stay where they are; a rigid body without a displacement_expression does anyway"},
 {"body", "displacement_expression", expressions, "", "(free)", any, "", "elastic rigid", "Prescribed displacement in m as formulas of t in s, 0 at t = 0"},
 {"body", "absorbing", faces, "", "(none)", any, "x- x+ y- y+", "2D+elastic+standard", "Faces of the body, a box, that let waves out, as if it went on without end"},

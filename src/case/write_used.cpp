@@ -191,6 +191,8 @@ void write_body(Writer& writer, const Case& description, const Body& body) {
   writer.text("lattice", body.lattice == Lattice::square ? "square" : "hexagonal");
   writer.vector("offset", body.offset);
   if (body.role != Role::rigid) writer.expressions("velocity_expression", body.velocity);
+  if (body.role == Role::water && description.formulation == Formulation::standard)
+    writer.number("pressure", body.pressure);
   if (body.role != Role::water) writer.raw("fixed", body.fixed ? "true" : "false");
   if (!body.displacement[0].empty())
     writer.expressions("displacement_expression", body.displacement);

@@ -17,12 +17,13 @@ enum class Phase : std::uint8_t { water, solid, rigid };
   NUMBER(spacing)              /* m */                                                        \
   NUMBER(smoothing_length)     /* m */                                                        \
   NUMBER(mass)                 /* kg per particle (2D: kg/m) */                               \
-  NUMBER(volume)               /* m^3 per particle as laid out (2D: m^2) */                   \
+  NUMBER(volume)               /* m^3 per particle without pressure (2D: m^2) */              \
   NUMBER(density)              /* kg/m^3, reference */                                        \
   NUMBER(sound_speed)          /* m/s, the c of eqs. (18) and (32) */                         \
   NUMBER(longitudinal_speed)   /* m/s, fastest wave: c_p in a solid, c in water */            \
   NUMBER(tait_coefficient)     /* Pa, B of eq. (15) */                                        \
   NUMBER(tait_exponent)        /* 1, n */                                                     \
+  NUMBER(initial_compression)  /* 1, as laid out */                                           \
   NUMBER(viscosity)            /* Pa s */                                                     \
   NUMBER(bulk_modulus)         /* Pa, K */                                                    \
   NUMBER(excess_bulk_modulus)  /* Pa, the part of K that acts by the density, not by bonds */ \

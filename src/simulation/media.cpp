@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "fracture/crack_band.hpp"
 #include "materials/bond_bulk.hpp"
+#include "materials/tait.hpp"
 #include "particles/fill.hpp"
 
 namespace kerf {
@@ -83,6 +84,10 @@ std::vector<Medium<double>> make_media(const Case& description,
                                                   medium.shear_modulus, body.spacing);
     }
     medium.volume = particle_volume(body, description.dimension);
+    if (body.pressure > 0.0) {
+      medium.initial_compression = Tait::compression(medium, body.pressure);
+      medium.volume *= 1.0 + medium.initial_compression;
+    }
     medium.mass = medium.density * medium.volume;
     medium.spacing = body.spacing;
     medium.piece = pieces[media.size()];

@@ -77,7 +77,7 @@ void ParticleRun<D, P, Scheme>::append(const std::vector<NewParticle>& newcomers
   particles_.resize(before + count);
   std::vector<Place> position;
   std::vector<Vector<D, Real>> velocity;
-  std::vector<Real> inlet_speed;
+  std::vector<Real> inlet_speed, compression, pressure_work;
   std::vector<std::uint32_t> id;
   std::vector<std::uint16_t> source;
   std::vector<std::uint8_t> flags;
@@ -85,6 +85,9 @@ void ParticleRun<D, P, Scheme>::append(const std::vector<NewParticle>& newcomers
     position.push_back(Place::from(particle.position));
     velocity.push_back(Vector<D, Real>::from(particle.velocity));
     inlet_speed.push_back(static_cast<Real>(particle.inlet_speed));
+    const Medium<double>& medium = media_[particle.source];
+    compression.push_back(static_cast<Real>(medium.initial_compression));
+    pressure_work.push_back(static_cast<Real>(Tait::energy(medium, medium.initial_compression)));
     id.push_back(next_id_++);
     source.push_back(particle.source);
     flags.push_back(particle.flags);
@@ -93,15 +96,16 @@ void ParticleRun<D, P, Scheme>::append(const std::vector<NewParticle>& newcomers
   thrust::copy(position.begin(), position.end(), particles_.build_position.begin() + before);
   thrust::copy(velocity.begin(), velocity.end(), particles_.velocity.begin() + before);
   thrust::copy(inlet_speed.begin(), inlet_speed.end(), particles_.inlet_speed.begin() + before);
+  thrust::copy(compression.begin(), compression.end(), particles_.compression.begin() + before);
+  thrust::copy(pressure_work.begin(), pressure_work.end(),
+               particles_.pressure_work.begin() + before);
   thrust::copy(id.begin(), id.end(), particles_.id.begin() + before);
   thrust::copy(source.begin(), source.end(), particles_.source.begin() + before);
   thrust::copy(flags.begin(), flags.end(), particles_.flags.begin() + before);
-  thrust::fill_n(particles_.compression.begin() + before, count, Real(0));
   thrust::fill_n(particles_.compression_rate.begin() + before, count, Real(0));
   thrust::fill_n(particles_.wall_normal.begin() + before, count, Vector<D, Real>::zero());
   thrust::fill_n(particles_.solid_fit.begin() + before, count, Real(1));
   thrust::fill_n(particles_.rigid_fit.begin() + before, count, Real(1));
-  thrust::fill_n(particles_.pressure_work.begin() + before, count, Real(0));
   thrust::fill_n(particles_.shear.begin() + before, count, SymmetricTensor<D, Real>::zero());
   thrust::fill_n(particles_.fractured.begin() + before, count, std::uint8_t(0));
 }

@@ -209,6 +209,7 @@ symmetry = ["z+", "x-"]
 name = "pool"
 material = "water"
 spacing = "2 mm"
+pressure = "3 bar"
 velocity = ["1 m/s", "0 m/s", "0 m/s"]
 shape = { type = "box", minimum = ["-20 mm", "20 mm", "-20 mm"], maximum = ["20 mm", "40 mm", "20 mm"] }
 [[body]]
@@ -223,6 +224,7 @@ shape = { type = "box", minimum = ["-20 mm", "0 mm", "-20 mm"], maximum = ["20 m
   EXPECT_EQ(read.symmetry, (Faces{{true, false, false}, {false, false, true}}));
   EXPECT_EQ(read.bodies[1].absorbing, (Faces{{false, true, false}, {true, false, false}}));
   EXPECT_EQ(read.bodies[0].absorbing, Faces{});
+  EXPECT_EQ(read.bodies[0].pressure, 3e5);
 }
 
 TEST(Schema, KeysPageIsUpToDate) {
