@@ -31,6 +31,14 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
+// Sides of a box, such as those of the domain that are symmetry planes.
+struct Faces {
+  std::array<bool, 3> minimum{};  // x-, y-, z-
+  std::array<bool, 3> maximum{};  // x+, y+, z+
+  bool any() const { return *this != Faces{}; }
+  bool operator==(const Faces&) const = default;
+};
+
 // A region of space. `kind` selects which members hold.
 //   box       minimum, maximum
 //   disc      centre, radius; in 3D a cylinder along `axis` from `centre` with `length`
@@ -89,9 +97,11 @@ struct Body {
   double jitter = 0.0;     // of the spacing, how far particles are taken off the lattice
   std::uint64_t seed = 1;  // of what is random in this body
   std::array<std::string, 3> velocity{"0", "0", "0"};  // m/s, expressions in x, y, z (m)
+  double pressure = 0.0;                               // Pa, of water as laid out
   bool fixed = false;
   // Prescribed displacement from the initial place, m, expressions in t (s); empty = free.
   std::array<std::string, 3> displacement;
+  Faces absorbing;        // those that let waves out (elastic only)
   std::string joined_to;  // name of a body this one is bonded to; empty = its own piece
   // Rigid bodies only, eq. (43).
   RepellingLayer repelling_layer = RepellingLayer::top;
@@ -166,6 +176,7 @@ struct Case {
   TimeControl time;
   Point gravity{};               // m/s^2
   Box domain;                    // m; particles that leave it are removed and accounted for
+  Faces symmetry;                // those of the domain that are symmetry planes
   double smoothing_ratio = 1.5;  // h / spacing
   ArtificialStress artificial_stress;
   std::vector<Material> materials;

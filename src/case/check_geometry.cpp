@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "case/draft.hpp"
@@ -31,6 +32,17 @@ bool box_within(const Box& inner, const Box& outer, int dimension) {
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
     if (inner.minimum[a] < outer.minimum[a] || inner.maximum[a] > outer.maximum[a]) return false;
   return true;
+}
+
+// The domain, without end at symmetry planes: what lies beyond them is left to the mirror.
+Box domain_of_bodies(const Case& description) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box box = description.domain;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (description.symmetry.minimum[a]) box.minimum[a] = -infinity;
+    if (description.symmetry.maximum[a]) box.maximum[a] = infinity;
+  }
+  return box;
 }
 
 bool box_is_empty(const Box& box, int dimension) {
@@ -140,11 +152,12 @@ void check_counts(Draft& draft) {
 void check_bodies(Draft& draft) {
   const Case& result = draft.result;
   const int dimension = result.dimension;
+  const Box domain = domain_of_bodies(result);
   for (std::size_t i = 0; i < result.bodies.size(); ++i) {
     const Body& body = result.bodies[i];
     const std::string path = indexed("body", i) + ".shape";
     const Box around = bounding_box(body.shape, dimension);
-    if (!box_within(around, result.domain, dimension))
+    if (!box_within(around, domain, dimension))
       draft.reading.problems.add({path,
                                   fmt::format("the body \"{}\" reaches {} and leaves the domain",
                                               body.name, box_text(around, dimension)),

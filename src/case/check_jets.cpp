@@ -88,7 +88,8 @@ void check_jets(Draft& draft) {
   for (std::size_t i = 0; i < result.jets.size(); ++i) {
     const Jet& jet = result.jets[i];
     const auto& water = result.materials[static_cast<std::size_t>(jet.material)];
-    const Nozzle nozzle(jet, water.density, result.dimension);
+    Nozzle nozzle(jet, water.density, result.dimension);
+    nozzle.cut_at(result.symmetry, result.domain);
     const std::vector<InletParticle> standing = nozzle.standing_water();
     const std::size_t before = draft.reading.problems.count();
     check_start(draft, indexed("jet", i), standing);

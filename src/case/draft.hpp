@@ -60,6 +60,8 @@ void check_counts(Draft& draft);
 // Note what is wrong between the parts of a case: bodies that are empty, outside or overlap; jets
 // that start outside or in a body or miss everything; probes outside.
 void check_bodies(Draft& draft);
+// Notes what a symmetry plane cannot mirror.
+void check_symmetry(Draft& draft);
 void check_jets(Draft& draft);
 void check_probes(Draft& draft);
 

@@ -43,6 +43,8 @@ void read_domain(Draft& draft, Section& top) {
   Box& domain = draft.result.domain;
   domain.minimum = section.vector("minimum");
   domain.maximum = section.vector("maximum");
+  section.assume(formulation_name(draft.result.formulation));
+  if (section.has("symmetry")) draft.result.symmetry = section.faces("symmetry");
   for (int a = 0; a < draft.reading.dimension; ++a) {
     const auto axis = static_cast<std::size_t>(a);
     if (domain.minimum[axis] < domain.maximum[axis]) continue;
@@ -111,6 +113,7 @@ Case parse_case(std::string_view text, std::string_view file_name) {
   read_top(draft, table);
   finish(draft);
   draft.reading.problems.throw_if_any();
+  check_symmetry(draft);
   check_bodies(draft);
   check_jets(draft);
   check_probes(draft);

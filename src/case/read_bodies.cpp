@@ -96,6 +96,16 @@ void read_chance(Section& section, Body& body) {
                    "0 where the body has a grading");
 }
 
+void read_absorbing(Section& section, Body& body) {
+  body.absorbing = section.faces("absorbing");
+  const Shape& shape = body.shape;
+  const bool cut_box = shape.kind == Shape::Kind::difference && !shape.parts.empty() &&
+                       shape.parts.front().kind == Shape::Kind::box;
+  if (shape.kind == Shape::Kind::box || cut_box) return;
+  section.refuse("absorbing", "the shape of the body has no such faces",
+                 "Use a box, and absorb on its sides", "boxes, or what a difference leaves of one");
+}
+
 void read_rigid(Section& section, BodyDraft& entry) {
   static constexpr const char* words[] = {"top", "bottom", "left", "right", "front", "back", "all"};
   const std::string layer = section.text("repelling_layer");
@@ -151,6 +161,8 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
   read_offset(section, body);
   if (body.role != Role::water) read_grading(draft, section, body);
   if (body.role != Role::rigid) read_velocity(section, body);
+  if (body.role == Role::water && draft.result.formulation == Formulation::standard)
+    body.pressure = section.number("pressure");
   if (body.role != Role::water) {
     body.fixed = section.flag("fixed");
     read_displacement(section, body);
@@ -158,6 +170,7 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
   if (body.role == Role::elastic) {
     body.joined_to = section.text("joined_to", "");
     if (draft.result.formulation == Formulation::standard) read_chance(section, body);
+    if (section.has("absorbing")) read_absorbing(section, body);
   }
   if (body.role == Role::rigid) read_rigid(section, entry);
   section.refuse_unknown();

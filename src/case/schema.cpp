@@ -112,6 +112,8 @@ std::string allowed_text(const Key& key) {
       return "a formula, as a text";
     case ValueKind::expressions:
       return "a list of one formula, as a text, for each dimension";
+    case ValueKind::faces:
+      return "a list of sides: " + listed(split_words(key.choices));
     case ValueKind::table:
       return "a table";
     case ValueKind::tables:

@@ -24,6 +24,7 @@ enum class ValueKind {
   vertices,     // list of [x, y] quantities
   expression,   // formula
   expressions,  // one formula per dimension
+  faces,        // list of some of `choices`: sides of a box
   table,
   tables
 };

@@ -48,6 +48,8 @@ constexpr Key table_of_keys[] = {
 
 {"domain", "minimum", vector, "m", "", within(1e8), "", "", "Lowest corner"},
 {"domain", "maximum", vector, "m", "", within(1e8), "", "", "Highest corner"},
+{"domain", "symmetry", faces, "", "(none)", any, "x- x+ y- y+", "2D+standard", "Faces of the domain that are symmetry planes: everything goes on beyond them as its mirror image"},
+{"domain", "symmetry", faces, "", "(none)", any, "x- x+ y- y+ z- z+", "3D+standard", "Faces of the domain that are symmetry planes: everything goes on beyond them as its mirror image"},
 
 {"materials", "base", name, "", "(none)", any, "", "", "Material of the library whose values stand where this one gives none"},
 {"materials", "kind", word, "", "(that of the base)", any, "elastic water", "", "What the material is; needed where there is no base"},
@@ -112,8 +114,11 @@ constexpr Key table_of_keys[] = {
 {"body", "seed", integer, "", "1", {0, 2147483647}, "", "elastic+standard", "Seed of what is random in this body"},
 {"body", "velocity", vector, "m/s", "0 m/s", within(1e5), "", "elastic water", "Velocity at the start"},
 {"body", "velocity_expression", expressions, "", "(velocity)", any, "", "elastic water", "Velocity at the start in m/s as formulas of x, y, z in m"},
+{"body", "pressure", quantity, "Pa", "0 Pa", not_negative, "", "water+standard", "Pressure at the start: the water is laid out compressed"},
 {"body", "fixed", flag, "", "false", any, "", "elastic rigid", "The particles stay where they are; a rigid body without a displacement_expression does anyway"},
 {"body", "displacement_expression", expressions, "", "(free)", any, "", "elastic rigid", "Prescribed displacement in m as formulas of t in s, 0 at t = 0"},
+{"body", "absorbing", faces, "", "(none)", any, "x- x+ y- y+", "2D+elastic+standard", "Faces of the body, a box, that let waves out, as if it went on without end"},
+{"body", "absorbing", faces, "", "(none)", any, "x- x+ y- y+ z- z+", "3D+elastic+standard", "Faces of the body, a box, that let waves out, as if it went on without end"},
 {"body", "joined_to", name, "", "(nothing)", any, "", "elastic", "Name of an elastic body that this one is bonded to, as one piece"},
 {"body", "repelling_layer", word, "", "top", any, "top bottom left right front back all", "rigid", "The outermost layer of particles that repels, eq. (43)"},
 {"body", "friction", number, "", "none", from_zero_to(10.0), "", "rigid+standard", "Coefficient of dry friction; none = that of what slides on it"},

@@ -51,6 +51,7 @@ class Section {
   std::array<std::string, 3> expressions(std::string_view name,
                                          const std::vector<std::string>& variables);
   std::string expression(std::string_view name, const std::vector<std::string>& variables);
+  Faces faces(std::string_view name);
   // A table inside this one, or null.
   const toml::table* table(std::string_view name);
   // The tables of a list, with the problem noted when the list or an entry is something else.

@@ -2,6 +2,7 @@
 // The values of a section that are lists, formulas or tables.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -101,6 +102,27 @@ std::string Section::expression(std::string_view name, const std::vector<std::st
   const Key& wanted = key(name);
   const toml::node* value = node(wanted);
   return value ? checked_expression(wanted, *value, variables) : std::string("1");
+}
+
+Faces Section::faces(std::string_view name) {
+  const Key& wanted = key(name);
+  const toml::node* value = node(wanted);
+  Faces result;
+  if (!value) return result;
+  const toml::array* list = value->as_array();
+  if (!list) return wrong_type(wanted, {}), result;
+  const auto words = split_words(wanted.choices);  // x- x+ y- ...
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const auto word = (*list)[i].value_exact<std::string>();
+    const auto found = std::find(words.begin(), words.end(), word.value_or(""));
+    if (found == words.end()) {
+      refuse(name, fmt::format("entry {} is not such a side", i + 1), "Correct the entry");
+      return result;
+    }
+    const auto side = static_cast<std::size_t>(found - words.begin());
+    (side % 2 == 0 ? result.minimum : result.maximum)[side / 2] = true;
+  }
+  return result;
 }
 
 const toml::table* Section::table(std::string_view name) {

@@ -54,6 +54,15 @@ class Writer {
     for (std::size_t a = 0; a < dimension_; ++a) entries.push_back(quoted(formulas[a]));
     raw(name, fmt::format("[{}]", fmt::join(entries, ", ")));
   }
+  void faces(std::string_view name, const Faces& faces) {
+    static constexpr const char* axes[] = {"x", "y", "z"};
+    std::vector<std::string> entries;
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (faces.minimum[a]) entries.push_back(fmt::format("\"{}-\"", axes[a]));
+      if (faces.maximum[a]) entries.push_back(fmt::format("\"{}+\"", axes[a]));
+    }
+    raw(name, fmt::format("[{}]", fmt::join(entries, ", ")));
+  }
   // A number as the key of that name wants it: plain, or a text with its unit.
   std::string number_text(std::string_view name, double value) const {
     const std::string unit(find_key(section_, name, {})->unit);
@@ -151,6 +160,7 @@ void write_top(Writer& writer, const Case& description) {
   writer.open("[domain]", "domain");
   writer.vector("minimum", description.domain.minimum);
   writer.vector("maximum", description.domain.maximum);
+  if (description.symmetry.any()) writer.faces("symmetry", description.symmetry);
 }
 
 void write_material(Writer& writer, Formulation formulation, const Material& material) {
@@ -190,9 +200,12 @@ void write_body(Writer& writer, const Case& description, const Body& body) {
   if (body.grading.levels > 0)
     writer.raw("grading", grading_text(body.grading, description.dimension));
   if (body.role != Role::rigid) writer.expressions("velocity_expression", body.velocity);
+  if (body.role == Role::water && description.formulation == Formulation::standard)
+    writer.number("pressure", body.pressure);
   if (body.role != Role::water) writer.raw("fixed", body.fixed ? "true" : "false");
   if (!body.displacement[0].empty())
     writer.expressions("displacement_expression", body.displacement);
+  if (body.absorbing.any()) writer.faces("absorbing", body.absorbing);
   if (!body.joined_to.empty()) writer.text("joined_to", body.joined_to);
   if (body.role == Role::elastic && description.formulation == Formulation::standard) {
     writer.number("jitter", body.jitter);

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Verlet list with a skin: for each particle the others within reach + skin of where the list was
 // built. It holds until a particle has moved half the skin. Each particle lists its own neighbours
-// in a fixed order, so sums over them do not depend on the number of threads.
+// in a fixed order, so sums over them do not depend on the number of threads. Mirror images
+// (core/mirror_planes.hpp) come after all particles.
 #pragma once
 
+#include "core/error.hpp"
 #include "neighbours/level_grids.hpp"
 #include "neighbours/pair_range.hpp"
 
 namespace kerf {
 
 struct NeighbourView {
-  const Index* begin;  // begin[i] .. begin[i + 1] of `neighbour` are particle i's
-  const Index* neighbour;
+  const Index* begin;      // begin[i] .. begin[i + 1] of `neighbour` are particle i's
+  const Index* neighbour;  // places, with a mirror code in the highest bits
 };
 
 template <int D, class P>
@@ -37,29 +39,54 @@ struct FindNeighbours {
   Index* neighbour;
 
   KERF_FUNCTION void operator()(Index i) const {
+    const auto& x = particles.build_position[i];
     Index found = 0;
-    for (int level = 0; level < grids.levels; ++level) found = walk(i, level, found);
+    for (int level = 0; level < grids.levels; ++level) found = walk({i, 0, x}, level, found);
+    if (particles.mirrors.faces != 0) found = walk_images(i, found);
     if (neighbour == nullptr) count[i] = found;
   }
 
  private:
-  // The cells of a level that i can see into.
-  KERF_FUNCTION Index walk(Index i, int level, Index found) const {
+  // Particle i seen from where it is, or from its image x.
+  struct Seen {
+    Index i;
+    MirrorCode code;
+    Vector<D, double> x;
+  };
+
+  // An image of j is as far from i as j from that image of i.
+  KERF_FUNCTION Index walk_images(Index i, Index found) const {
+    const auto& mirrors = particles.mirrors;
+    const auto& x = particles.build_position[i];
+    for (int image = 1; image < MirrorPlanes<D>::images; ++image) {
+      MirrorCode code;
+      if (!mirrors.find_image(image, code)) continue;
+      for (int level = 0; level < grids.levels; ++level)
+        if (mirrors.is_near(code, x, limit_of(i, level)))
+          found = walk({i, code, mirrors.image_place(code, x)}, level, found);
+    }
+    return found;
+  }
+  KERF_FUNCTION double limit_of(Index i, int level) const {
+    return grids.limit[particles.medium(i).level][level];
+  }
+
+  // The cells of a level that can be seen into.
+  KERF_FUNCTION Index walk(const Seen& from, int level, Index found) const {
     const auto& grid = grids.grid[level];
     const Index* const begin_of = cell_begin + grids.first[level];
-    const double limit = grids.limit[particles.medium(i).level][level];
+    const double limit = limit_of(from.i, level);
     int low[D], high[D], row[D];
     for (int a = 0; a < D; ++a) {
-      const double x = particles.build_position[i][a];
-      low[a] = grid.coordinate(x - limit, a);
-      high[a] = grid.coordinate(x + limit, a);
+      low[a] = grid.coordinate(from.x[a] - limit, a);
+      high[a] = grid.coordinate(from.x[a] + limit, a);
       row[a] = low[a];
     }
     while (true) {
       row[0] = low[0];
       const Index first = grid.number(row);
       const Index last = first + static_cast<Index>(high[0] - low[0]);
-      found = scan(i, begin_of[first], begin_of[last + 1], found);
+      found = scan(from, begin_of[first], begin_of[last + 1], found);
       int a = 1;
       while (a < D && row[a] == high[a]) {
         row[a] = low[a];
@@ -70,15 +97,18 @@ struct FindNeighbours {
     }
     return found;
   }
-  KERF_FUNCTION Index scan(Index i, Index from, Index to, Index found) const {
-    for (Index j = from; j < to; ++j) {
-      if (j == i) continue;
-      const double reach = Scheme::reach(particles, i, j);
+
+  // Places `begin_at` to `end`, in the order of cells.
+  KERF_FUNCTION Index scan(const Seen& from, Index begin_at, Index end, Index found) const {
+    const Index i = from.i;
+    for (Index j = begin_at; j < end; ++j) {
+      if (j == i && from.code == 0) continue;
+      const double reach = Scheme::reach(particles, i, j, from.code);
       if (reach == 0.0) continue;
-      const auto r = particles.build_position[i] - particles.build_position[j];
+      const auto r = from.x - particles.build_position[j];
       const double limit = reach + skin;
       if (dot(r, r) >= limit * limit) continue;
-      if (neighbour != nullptr) neighbour[begin[i] + found] = j;
+      if (neighbour != nullptr) neighbour[begin[i] + found] = j | from.code;
       ++found;
     }
     return found;
@@ -120,6 +150,8 @@ class NeighbourList {
   // Particles must already be in the order of their cell numbers.
   void build(Particles<D, P>& particles) {
     const Index n = particles.size();
+    require(particles.mirrors.faces == 0 || n <= MirrorPlanes<D>::most_particles,
+            "as many particles as have places beside the codes of mirrors");
     cell_numbers(particles);
     const Index cells = grids_.count();
     cell_begin_.resize(cells + 1);

@@ -10,8 +10,8 @@
 namespace kerf {
 
 // A scheme says how a formulation sees a pair: its kernel, the smoothing length of two media, and
-// the reach of the pair (i, j) in m as i sees j; 0 when j does not act on i. Rigid bodies see
-// nothing.
+// the reach of the pair (i, j) in m as i sees j, or its image in a mirror; 0 when j does not act on
+// i. Rigid bodies see nothing.
 
 // Shinohara et al. (2004): one kernel over the mean smoothing length for all; rigid bodies act by
 // their repelling layer only, within the mean spacing d_0 of eq. (43).
@@ -25,7 +25,8 @@ struct JointPairs {
     return Real(0.5) * (Real(a.smoothing_length) + Real(b.smoothing_length));
   }
   template <int D, class P>
-  KERF_FUNCTION static double reach(const ParticleView<D, P>& particles, Index i, Index j) {
+  KERF_FUNCTION static double reach(const ParticleView<D, P>& particles, Index i, Index j,
+                                    MirrorCode = 0) {
     const auto& a = particles.medium(i);
     const auto& b = particles.medium(j);
     if (a.phase == Phase::rigid) return 0.0;
@@ -52,13 +53,14 @@ struct ContactPairs {
     return h_a > h_b ? h_a : h_b;
   }
   template <int D, class P>
-  KERF_FUNCTION static double reach(const ParticleView<D, P>& particles, Index i, Index j) {
+  KERF_FUNCTION static double reach(const ParticleView<D, P>& particles, Index i, Index j,
+                                    MirrorCode mirror = 0) {
     const auto& a = particles.medium(i);
     const auto& b = particles.medium(j);
     if (a.phase == Phase::rigid) return 0.0;
-    const bool one_volume = a.excess_bulk_modulus > 0 && a.piece == b.piece;
-    const bool one_piece = a.piece == b.piece && !one_volume;
-    if (one_piece && !particles.is_fluid(i) && !particles.is_fluid(j))
+    const bool one_piece = a.is_one_piece_with(b, mirror);
+    const bool one_volume = a.excess_bulk_modulus > 0 && one_piece;
+    if (one_piece && !one_volume && !particles.is_fluid(i) && !particles.is_fluid(j))
       return 0.5 * (double(a.spacing) + double(b.spacing));
     return Kernel<D>::support * smoothing_length<double>(a, b);
   }

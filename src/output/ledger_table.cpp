@@ -35,7 +35,7 @@ std::vector<LedgerTerm> momentum_terms() {
       vector("impulse_gravity", "N s", &Ledger::impulse_gravity, "of gravity"),
       vector("impulse_plate", "N s", &Ledger::impulse_plate, "of rigid bodies on the particles"),
       vector("impulse_constraint", "N s", &Ledger::impulse_constraint,
-             "of nozzles, clamps and prescribed motion"),
+             "of nozzles, clamps, prescribed motion and symmetry planes"),
       vector("force_plate", "N", &Ledger::force_plate, "of the particles on rigid bodies"),
       number("momentum_scale", "N s", &Ledger::momentum_scale, "sum of m |v| now"),
   };

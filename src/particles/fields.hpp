@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "core/mirror_planes.hpp"
 #include "core/tensor.hpp"
 #include "exec/exec.hpp"
 #include "particles/flags.hpp"
@@ -45,6 +46,7 @@ namespace kerf {
   FIELD(Spin, spin)                        /* 1/s, skew part of it, of solid */        \
   FIELD(RealVector, acceleration)          /* m/s^2 */                                 \
   FIELD(RealVector, repulsion)             /* m/s^2, the part due to rigid bodies */   \
+  FIELD(RealVector, mirror_acceleration)   /* m/s^2, the part due to mirror images */  \
   FIELD(RealVector, pressure_acceleration) /* m/s^2, part by water's pressure */       \
   FIELD(RealVector, damping_acceleration)  /* m/s^2, the part that dissipates */       \
   FIELD(Real, repulsion_potential)         /* J/kg */                                  \
@@ -81,6 +83,7 @@ struct ParticleView : FieldTypes<D, P> {
   KERF_SCRATCH_FIELDS(KERF_FIELD)
 #undef KERF_FIELD
   const Medium<Real>* media;
+  MirrorPlanes<D> mirrors;
 
   KERF_FUNCTION const Medium<Real>& medium(Index i) const {
     return media[source[i]];
@@ -122,6 +125,7 @@ class Particles : FieldTypes<D, P> {
   KERF_SCRATCH_FIELDS(KERF_FIELD)
 #undef KERF_FIELD
   Array<Medium<Real>> media;
+  MirrorPlanes<D> mirrors{};
 
   Index size() const {
     return static_cast<Index>(id.size());
@@ -155,6 +159,7 @@ class Particles : FieldTypes<D, P> {
     KERF_SCRATCH_FIELDS(KERF_FIELD)
 #undef KERF_FIELD
     v.media = pointer(media);
+    v.mirrors = mirrors;
     return v;
   }
 

@@ -25,6 +25,9 @@ std::vector<Point> fill(const Body& body, int dimension);
 // Volume of one particle, m^3 (m^2 in 2D): the cell of the lattice.
 double particle_volume(const Body& body, int dimension);
 
+// Distance of neighbouring layers of the body's lattice along an axis, m.
+double layer_distance(const Body& body, int axis, int dimension);
+
 // Nodes of the lattice in the bounding box of the body: an upper bound of its particles.
 double lattice_nodes(const Body& body, int dimension);
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "core/mirror_planes.hpp"
 #include "exec/host_device.hpp"
 #include "materials/laws.hpp"
 
@@ -16,12 +17,13 @@ enum class Phase : std::uint8_t { water, solid, rigid };
   NUMBER(spacing)              /* m */                                                        \
   NUMBER(smoothing_length)     /* m */                                                        \
   NUMBER(mass)                 /* kg per particle (2D: kg/m) */                               \
-  NUMBER(volume)               /* m^3 per particle as laid out (2D: m^2) */                   \
+  NUMBER(volume)               /* m^3 per particle without pressure (2D: m^2) */              \
   NUMBER(density)              /* kg/m^3, reference */                                        \
   NUMBER(sound_speed)          /* m/s, the c of eqs. (18) and (32) */                         \
   NUMBER(longitudinal_speed)   /* m/s, fastest wave: c_p in a solid, c in water */            \
   NUMBER(tait_coefficient)     /* Pa, B of eq. (15) */                                        \
   NUMBER(tait_exponent)        /* 1, n */                                                     \
+  NUMBER(initial_compression)  /* 1, as laid out */                                           \
   NUMBER(viscosity)            /* Pa s */                                                     \
   NUMBER(bulk_modulus)         /* Pa, K */                                                    \
   NUMBER(excess_bulk_modulus)  /* Pa, the part of K that acts by the density, not by bonds */ \
@@ -44,6 +46,9 @@ struct Medium {
   BondCriterion criterion = BondCriterion::principal_strain;
   std::uint8_t level = 0;   // of resolution; 0: the finest of its body
   std::uint16_t piece = 0;  // solids of one piece hold together; different pieces only touch
+  // The symmetry planes that the piece is laid out at: its mirror image is part of it there, beyond
+  // other planes it is another piece.
+  MirrorCode joined_mirrors = 0;
 #define KERF_NUMBER(name) T name = 0;
   KERF_MEDIUM_NUMBERS(KERF_NUMBER)
 #undef KERF_NUMBER
@@ -59,6 +64,12 @@ struct Medium {
     return is_loose ? Real(1) : Real(excess_bulk_modulus) / Real(bulk_modulus);
   }
 
+  // Whether particles of this medium and of `other`, the latter seen in a mirror or not (code 0),
+  // belong to one piece.
+  KERF_FUNCTION bool is_one_piece_with(const Medium& other, MirrorCode mirror) const {
+    return piece == other.piece && (mirror & ~joined_mirrors) == 0;
+  }
+
   template <class Other>
   static Medium from(const Medium<Other>& other) {
     Medium medium;
@@ -69,6 +80,7 @@ struct Medium {
     medium.elasticity = other.elasticity;
     medium.criterion = other.criterion;
     medium.piece = other.piece;
+    medium.joined_mirrors = other.joined_mirrors;
 #define KERF_NUMBER(name) medium.name = static_cast<T>(other.name);
     KERF_MEDIUM_NUMBERS(KERF_NUMBER)
 #undef KERF_NUMBER

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "case/expression.hpp"
+#include "particles/shapes.hpp"
 
 namespace kerf {
 namespace {
@@ -53,6 +54,13 @@ Nozzle::Nozzle(const Jet& jet, double water_density, int dimension)
   lay_out_columns(jet, dimension);
   const double area = dimension == 2 ? jet.width : std::numbers::pi * jet.width * jet.width / 4.0;
   particle_mass_ = water_density * area / static_cast<double>(columns_.size()) * spacing_;
+  emitted_.assign(columns_.size(), 0);
+}
+
+void Nozzle::cut_at(const Faces& planes, const Box& domain) {
+  std::erase_if(columns_, [&](const Column& column) {
+    return is_beyond(planes, domain, place(column, 0.0));
+  });
   emitted_.assign(columns_.size(), 0);
 }
 

@@ -20,6 +20,8 @@ struct InletParticle {
 class Nozzle {
  public:
   Nozzle(const Jet& jet, double water_density, int dimension);
+  // Gives up the columns beyond symmetry planes of the domain, which are mirror images of others.
+  void cut_at(const Faces& planes, const Box& domain);
 
   const Point& direction() const { return direction_; }
   const Point& exit() const { return exit_; }

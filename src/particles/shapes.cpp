@@ -189,6 +189,14 @@ Box bounding_box(const Shape& shape, int dimension) {
   return {};
 }
 
+bool is_beyond(const Faces& faces, const Box& box, const Point& point) {
+  for (std::size_t a = 0; a < 3; ++a)
+    if ((faces.minimum[a] && point[a] < box.minimum[a]) ||
+        (faces.maximum[a] && point[a] > box.maximum[a]))
+      return true;
+  return false;
+}
+
 double volume_estimate(const Shape& shape, int dimension) {
   const double pi = std::numbers::pi;
   const double length = dimension == 2 ? 1.0 : shape.length;

@@ -14,6 +14,9 @@ bool contains(const Shape& shape, const Point& point, int dimension);
 // are 0.
 Box bounding_box(const Shape& shape, int dimension);
 
+// Whether the point lies beyond one of these faces of the box.
+bool is_beyond(const Faces& faces, const Box& box, const Point& point);
+
 // m^3 (m^2 in 2D): closed forms, and for unions and differences the share of a fine grid of points
 // in the bounding box, good to about 1%.
 double volume_estimate(const Shape& shape, int dimension);

@@ -31,6 +31,9 @@ struct FluidForce {
     if (pair.medium_j->phase == Phase::rigid)
       sum.wall += (star.mean_pressure + star.dissipation) * push;
   }
+  KERF_FUNCTION static Vector<D, Real> force(const Sum& sum) {
+    return sum.pressing + sum.dissipation - sum.wall;
+  }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     const auto& medium = particles.medium(i);
     if (medium.phase == Phase::rigid) return;

@@ -39,22 +39,23 @@ struct FluidPair {
                                              const Pair<D, P>& pair, Meeting kind) const {
     const Real inverse = Real(1) / pair.distance;
     const Real u_i = -inverse * dot(particles.velocity[pair.i], pair.separation);
-    const Real u_j = -inverse * dot(particles.velocity[pair.j], pair.separation);
+    const Real u_j = -inverse * dot(pair.of_j(particles.velocity[pair.j]), pair.separation);
     if (kind == Meeting::alike)
       return solve_riemann(side(particles, pair.i, *pair.medium_i, u_i),
                            side(particles, pair.j, *pair.medium_j, u_j));
     const Real fall = dot(gravity, pair.separation);
     // Seen from the fluid, e and with it both speeds change sign where j is the fluid.
     const bool fluid_i = kind == Meeting::wall_of_i;
-    const Index fluid = fluid_i ? pair.i : pair.j, wall = fluid_i ? pair.j : pair.i;
+    const Index fluid = fluid_i ? pair.i : pair.j;
     const auto& medium = fluid_i ? *pair.medium_i : *pair.medium_j;
     const Real rise = (fluid_i ? Real(-1) : Real(1)) * particles.density(fluid) * fall;
     auto star = solve_riemann_at_wall(side(particles, fluid, medium, fluid_i ? u_i : -u_j),
                                       fluid_i ? u_j : -u_i, rise);
-    const auto& normal = particles.wall_normal[fluid];
+    const auto normal =
+        fluid_i ? particles.wall_normal[fluid] : pair.of_j(particles.wall_normal[fluid]);
     if (!(dot(normal, normal) > Real(0))) return star;
     // Towards the wall, not towards each of its particles: sliding along it dissipates nothing.
-    const Real into = dot(normal, particles.velocity[wall] - particles.velocity[fluid]);
+    const Real into = (fluid_i ? Real(-1) : Real(1)) * dot(normal, pair.velocity);
     star.dissipation =
         solve_riemann_at_wall(side(particles, fluid, medium, into), Real(0), Real(0)).dissipation;
     return star;

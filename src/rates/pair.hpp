@@ -12,6 +12,7 @@ struct Pair {
   using Real = typename P::Real;
 
   Index i, j;
+  MirrorCode mirror;  // 0: j itself, else its image in these planes; what follows is the image's
   const Medium<Real>*medium_i, *medium_j;
   Vector<D, Real> separation;  // d_ij = r_i - r_j, m
   Vector<D, Real> velocity;    // v_ij = v_i - v_j, m/s
@@ -22,6 +23,13 @@ struct Pair {
   // different pieces only press on one another.
   bool cohesive;
   bool same_phase;
+
+  // A vector of particle j as i sees it: of its image, where it is one.
+  template <class T>
+  KERF_FUNCTION Vector<D, T> of_j(const Vector<D, T>& v) const {
+    return MirrorPlanes<D>::image(mirror, v);
+  }
+  KERF_FUNCTION bool is_one_piece() const { return medium_i->is_one_piece_with(*medium_j, mirror); }
 };
 
 // Volume a particle stands for, m^3 (m^2 in 2D): by its density where it has one, else as laid out.
@@ -35,8 +43,7 @@ KERF_FUNCTION typename P::Real volume_of(const ParticleView<D, P>& particles, In
 template <int D, class P>
 KERF_FUNCTION bool is_one_volume(const ParticleView<D, P>& particles, const Pair<D, P>& pair) {
   return pair.medium_i->excess_bulk_modulus > 0 && pair.medium_j->excess_bulk_modulus > 0 &&
-         pair.medium_i->piece == pair.medium_j->piece && !particles.fractured[pair.i] &&
-         !particles.fractured[pair.j];
+         pair.is_one_piece() && !particles.fractured[pair.i] && !particles.fractured[pair.j];
 }
 
 template <int D, class P>

@@ -2,7 +2,9 @@
 // Walks the neighbours of a particle once and folds the chosen terms over them. A term is a struct
 // with a nested Sum and
 //   void add(const View&, const Pair&, Sum&) const    for each pair,
-//   void finish(const View&, Index i, const Sum&) const   once per particle;
+//   void finish(const View&, Index i, const Sum&) const   once per particle,
+//   static Vector force(const Sum&)   where it adds a force that is to be booked when mirror images
+//     exert it: N so far, without that of rigid bodies, which has a book of its own;
 // each particle sums its own neighbours in the order of the list.
 #pragma once
 
@@ -16,7 +18,7 @@ struct TermSums : Terms::Sum... {};
 
 struct EveryPair {
   template <int D, class P>
-  KERF_FUNCTION bool operator()(const ParticleView<D, P>&, Index, Index) const {
+  KERF_FUNCTION bool operator()(const ParticleView<D, P>&, Index, Index, MirrorCode) const {
     return true;
   }
 };
@@ -34,6 +36,13 @@ struct FilteredPairLoop : Terms... {
   NeighbourView list;
   Filter filter;
 
+  // Of terms that add forces between particles that move: N so far.
+  template <class Term>
+  static constexpr bool adds_force = requires(const typename Term::Sum& sum) {
+    Term::force(sum);
+  };
+  static constexpr bool adds_forces = (adds_force<Terms> || ...);
+
   FilteredPairLoop(const ParticleView<D, P>& view, const NeighbourView& neighbours,
                    const Filter& chosen, const Terms&... terms)
       : Terms(terms)..., particles(view), list(neighbours), filter(chosen) {}
@@ -41,14 +50,22 @@ struct FilteredPairLoop : Terms... {
   KERF_FUNCTION void operator()(Index i) const {
     Sums sums{};
     const auto& medium_i = particles.medium(i);
+    auto by_particles = Vector<D, Real>::zero();
+    bool is_mirrored = false;
     for (Index k = list.begin[i]; k < list.begin[i + 1]; ++k) {
       Pair<D, P> pair;
       pair.i = i;
-      pair.j = list.neighbour[k];
-      if (!filter(particles, i, pair.j)) continue;
+      pair.j = particles.mirrors.place(list.neighbour[k]);
+      pair.mirror = particles.mirrors.code(list.neighbour[k]);
+      if (pair.mirror != 0 && !is_mirrored) {  // images come after all particles
+        is_mirrored = true;
+        by_particles = force(sums);
+      }
+      if (!filter(particles, i, pair.j, pair.mirror)) continue;
       pair.medium_i = &medium_i;
       pair.medium_j = &particles.medium(pair.j);
-      pair.separation = Vector<D, Real>::from(particles.position[i] - particles.position[pair.j]);
+      pair.separation = Vector<D, Real>::from(particles.mirrors.separation(
+          pair.mirror, particles.position[i], particles.position[pair.j]));
       pair.distance = norm(pair.separation);
       if (Scheme::rigid_repels && pair.medium_j->phase == Phase::rigid) {
         if constexpr (feels_rigid) add_rigid(pair, sums);
@@ -61,14 +78,29 @@ struct FilteredPairLoop : Terms... {
     (static_cast<const Terms&>(*this).finish(particles, i,
                                              static_cast<const typename Terms::Sum&>(sums)),
      ...);
+    if constexpr (adds_forces)
+      if (particles.mirrors.faces != 0)
+        particles.mirror_acceleration[i] =
+            is_mirrored ? (Real(1) / medium_i.mass) * (force(sums) - by_particles)
+                        : Vector<D, Real>::zero();
   }
 
  private:
+  KERF_FUNCTION static Vector<D, Real> force(const Sums& sums) {
+    auto sum = Vector<D, Real>::zero();
+    (add_force<Terms>(sums, sum), ...);
+    return sum;
+  }
+  template <class Term>
+  KERF_FUNCTION static void add_force(const typename Term::Sum& terms, Vector<D, Real>& sum) {
+    if constexpr (adds_force<Term>) sum += Term::force(terms);
+  }
+
   KERF_FUNCTION void add_pair(Pair<D, P>& pair, Sums& sums) const {
     // Two particles at one point have no direction; the gradient of the kernel is zero there.
     const Real slope = Kernel::derivative(pair.distance, pair.smoothing_length);
     pair.gradient = (pair.distance > Real(0) ? slope / pair.distance : Real(0)) * pair.separation;
-    pair.velocity = particles.velocity[pair.i] - particles.velocity[pair.j];
+    pair.velocity = particles.velocity[pair.i] - pair.of_j(particles.velocity[pair.j]);
     pair.same_phase = pair.medium_i->phase == pair.medium_j->phase;
     pair.cohesive = is_cohesive(particles, pair.i, pair.j);
     (static_cast<const Terms&>(*this).add(particles, pair, static_cast<typename Terms::Sum&>(sums)),

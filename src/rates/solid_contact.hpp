@@ -13,8 +13,8 @@
 
 namespace kerf {
 
-// `Bonds`: bool whole(particles, i, j), whether an unbroken bond holds the two together;
-// Real laid_out_distance(particles, i, j), m, of two of one piece.
+// `Bonds`: bool whole(particles, pair), whether an unbroken bond holds the two together;
+// Real laid_out_distance(particles, pair), m, of two of one piece.
 template <int D, class P, class Bonds>
 struct SolidContact {
   using Real = typename P::Real;
@@ -28,13 +28,13 @@ struct SolidContact {
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     const auto &a = *pair.medium_i, &b = *pair.medium_j;
-    if (a.phase != Phase::solid || a.piece != b.piece) return;
+    if (a.phase != Phase::solid || !pair.is_one_piece()) return;
     if (particles.is_fluid(pair.i) || particles.is_fluid(pair.j)) return;
     if (is_one_volume(particles, pair)) return;
     const Real rest = Real(0.5) * (a.spacing + b.spacing);
     if (pair.distance >= rest || !(pair.distance > Real(0))) return;
-    if (bonds.whole(particles, pair.i, pair.j)) return;
-    const Real laid_out = bonds.laid_out_distance(particles, pair.i, pair.j);
+    if (bonds.whole(particles, pair)) return;
+    const Real laid_out = bonds.laid_out_distance(particles, pair);
     const Real overlap = (laid_out < rest ? laid_out : rest) - pair.distance;
     if (!(overlap > Real(0))) return;
     const Real stiffness = stiffness_of(a, b) * (D == 3 ? rest : Real(1));
@@ -42,6 +42,7 @@ struct SolidContact {
     sum.contact += push;
     sum.contact_energy += Real(0.25) * stiffness * overlap * overlap;
   }
+  KERF_FUNCTION static Vector<D, Real> force(const Sum& sum) { return sum.contact; }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     const auto& medium = particles.medium(i);
     if (medium.phase == Phase::rigid) return;

@@ -84,8 +84,9 @@ class StandardRates {
         count,
         FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, FluidForce<D, P>,
                          WaterViscosity<D, P>, SolidContact<D, P, Bonds>, SurfaceContact<D, P>>(
-            view, list, filter, body_force, FluidForce<D, P>{fluid_pair_}, {},
-            SolidContact<D, P, Bonds>{bonds}, SurfaceContact<D, P>{touch()}));
+            view, list, filter, body_force, FluidForce<D, P>{fluid_pair_},
+            WaterViscosity<D, P>{fluid_pair_.steepening}, SolidContact<D, P, Bonds>{bonds},
+            SurfaceContact<D, P>{touch()}));
   }
 
   // Bodies as they are laid out do not push. Once, at the start of a run.

@@ -60,7 +60,7 @@ std::vector<TouchOfMedia<double>> touch_table(const std::vector<Medium<double>>&
 template <int D, class P>
 KERF_FUNCTION bool touches_surface(const ParticleView<D, P>& particles, const Pair<D, P>& pair) {
   const auto &a = *pair.medium_i, &b = *pair.medium_j;
-  return a.phase != Phase::water && b.phase != Phase::water && a.piece != b.piece &&
+  return a.phase != Phase::water && b.phase != Phase::water && !pair.is_one_piece() &&
          !particles.is_fluid(pair.i) && !particles.is_fluid(pair.j);
 }
 
@@ -130,9 +130,13 @@ struct SurfaceContact {
     const Real seen = own.push * table.inverse_filling(a, b) * pair.medium_j->volume;
     add_side(pair, own, *pair.medium_i, seen, sum);
     if (rigid) return;
-    const auto& other = particles.solid_touch[pair.j];
+    auto other = particles.solid_touch[pair.j];
+    other.normal = pair.of_j(other.normal);
     add_side(pair, other, *pair.medium_j,
              other.push * table.inverse_filling(b, a) * pair.medium_i->volume, sum);
+  }
+  KERF_FUNCTION static Vector<D, Real> force(const Sum& sum) {
+    return sum.pressing + sum.friction - sum.by_rigid;
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     const auto& medium = particles.medium(i);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Viscosity of water (Morris, Fox & Zhu, J. Comput. Phys. 136 (1997) 214), for constant mu:
-//   m_i dv_i/dt = sum_j V_i V_j 2 mu v_ij / r_ij dW/dr,   mu: that of the water of the pair.
+//   m_i dv_i/dt = sum_j V_i V_j 2 mu v_ij / r_ij dW/dr,   mu: that of the water of the pair,
+// with the kernel as steep as for pressures: on a lattice the sum is short by the same slope.
 // Walls and solids hold the water at their speed (no slip).
 #pragma once
 
@@ -15,6 +16,7 @@ struct WaterViscosity {
   struct Sum {
     Vector<D, Real> friction{}, wall_friction{};
   };
+  Real steepening = Real(1);  // 1 / its slope on the lattice (lattice_sums.hpp)
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
@@ -22,11 +24,14 @@ struct WaterViscosity {
     if (!(mu > Real(0)) || !(pair.distance > Real(0))) return;
     // dW/dr / r, from nabla W = (dW/dr / r) r_ij.
     const Real slope = dot(pair.gradient, pair.separation) / (pair.distance * pair.distance);
-    const auto drag = (Real(2) * mu * volume_of(particles, pair.i, *pair.medium_i) *
+    const auto drag = (Real(2) * steepening * mu * volume_of(particles, pair.i, *pair.medium_i) *
                        volume_of(particles, pair.j, *pair.medium_j) * slope) *
                       pair.velocity;
     sum.friction += drag;
     if (pair.medium_j->phase == Phase::rigid) sum.wall_friction += drag;
+  }
+  KERF_FUNCTION static Vector<D, Real> force(const Sum& sum) {
+    return sum.friction - sum.wall_friction;
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     const auto& medium = particles.medium(i);

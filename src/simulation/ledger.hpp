@@ -25,7 +25,7 @@ struct Ledger {
   std::array<double, 3> momentum_out{};  // with leavers and erased water
   std::array<double, 3> impulse_gravity{};
   std::array<double, 3> impulse_plate{};       // of rigid bodies on the particles
-  std::array<double, 3> impulse_constraint{};  // of nozzles, clamps and prescribed motion
+  std::array<double, 3> impulse_constraint{};  // of nozzles, clamps, motion and symmetry planes
   std::array<double, 3> force_plate{};         // N, of the particles on the rigid bodies, last step
   double momentum_scale = 0.0;  // kg m/s, sum of m |v| now: a scale where momenta cancel
 

@@ -62,6 +62,9 @@ struct StepChange {
     const auto moved = particles.position[i] - particles.start_position[i];
     const auto acceleration = Vector<D, double>::from(particles.acceleration[i]);
     for (int a = 0; a < D; ++a) sum.value[plate + a] += m * dt * double(particles.repulsion[i][a]);
+    if (particles.mirrors.faces != 0)
+      for (int a = 0; a < D; ++a)
+        sum.value[constraint + a] += m * dt * double(particles.mirror_acceleration[i][a]);
     sum.value[mass] += m;
     sum.value[gravity_work] += m * dot(gravity, moved);
     sum.value[artificial] += m * dt * double(particles.artificial_power[i]);

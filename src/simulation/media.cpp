@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "fracture/fracture_limits.hpp"
 #include "materials/bond_bulk.hpp"
+#include "materials/tait.hpp"
 #include "particles/fill.hpp"
 #include "particles/graded_fill.hpp"
 #include "simulation/levels.hpp"
@@ -77,6 +78,10 @@ Medium<double> body_medium(const Case& description, const Body& body, std::uint1
     medium.softening_strain = limits.softens() ? limits.start : 0.0;
   }
   medium.volume = particle_volume(body, description.dimension);
+  if (body.pressure > 0.0) {
+    medium.initial_compression = Tait::compression(medium, body.pressure);
+    medium.volume *= 1.0 + medium.initial_compression;
+  }
   medium.mass = medium.density * medium.volume;
   medium.spacing = body.spacing;
   medium.piece = piece;

@@ -79,6 +79,7 @@ class ParticleRun : public Simulation {
 
  private:
   void remove_marked();
+  void close_planes();
   void let_water_in();
   void append(const std::vector<NewParticle>& newcomers);
   [[noreturn]] void fail(const StepLimit& cause) const;

@@ -4,21 +4,25 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #include "simulation/media.hpp"
 #include "simulation/particle_run.hpp"
 #include "simulation/populate.hpp"
 #include "simulation/state_io.hpp"
+#include "simulation/symmetry.hpp"
 
 namespace kerf {
 
 inline std::vector<Nozzle> make_nozzles(const Case& description) {
   std::vector<Nozzle> nozzles;
-  for (const Jet& jet : description.jets)
+  for (const Jet& jet : description.jets) {
     nozzles.emplace_back(jet,
                          description.materials.at(static_cast<std::size_t>(jet.material)).density,
                          description.dimension);
+    nozzles.back().cut_at(description.symmetry, description.domain);
+  }
   return nozzles;
 }
 
@@ -31,6 +35,9 @@ ParticleRun<D, P, Scheme>::ParticleRun(const Case& description)
       gravity_(Place::from(description.gravity)),
       minimum_(Place::from(description.domain.minimum)),
       maximum_(Place::from(description.domain.maximum)) {
+  particles_.mirrors = mirror_planes<D>(description);
+  const std::vector<NewParticle> laid_out = initial_particles(case_, nozzles_);
+  join_mirrors(particles_.mirrors, laid_out, media_);
   std::vector<Medium<Real>> media;
   std::vector<double> masses;
   double finest = 1e300, shortest = 1e300;
@@ -47,7 +54,8 @@ ParticleRun<D, P, Scheme>::ParticleRun(const Case& description)
   shortest_step_ = 1e-6 * case_.time.courant * shortest;
   const double skin = 0.5 * finest;
   list_ = NeighbourList<D, P, Scheme>(minimum_, maximum_, LevelReach::of<D, Scheme>(media_), skin);
-  append(initial_particles(case_, nozzles_));
+  append(laid_out);
+  close_planes();
 }
 
 template <int D, class P, class Scheme>
@@ -67,7 +75,7 @@ void ParticleRun<D, P, Scheme>::append(const std::vector<NewParticle>& newcomers
   particles_.resize(before + count);
   std::vector<Place> position;
   std::vector<Vector<D, Real>> velocity;
-  std::vector<Real> inlet_speed;
+  std::vector<Real> inlet_speed, compression, pressure_work;
   std::vector<std::uint32_t> id;
   std::vector<std::uint16_t> source;
   std::vector<std::uint8_t> flags;
@@ -75,6 +83,9 @@ void ParticleRun<D, P, Scheme>::append(const std::vector<NewParticle>& newcomers
     position.push_back(Place::from(particle.position));
     velocity.push_back(Vector<D, Real>::from(particle.velocity));
     inlet_speed.push_back(static_cast<Real>(particle.inlet_speed));
+    const Medium<double>& medium = media_[particle.source];
+    compression.push_back(static_cast<Real>(medium.initial_compression));
+    pressure_work.push_back(static_cast<Real>(Tait::energy(medium, medium.initial_compression)));
     id.push_back(next_id_++);
     source.push_back(particle.source);
     flags.push_back(particle.flags);
@@ -83,17 +94,29 @@ void ParticleRun<D, P, Scheme>::append(const std::vector<NewParticle>& newcomers
   thrust::copy(position.begin(), position.end(), particles_.build_position.begin() + before);
   thrust::copy(velocity.begin(), velocity.end(), particles_.velocity.begin() + before);
   thrust::copy(inlet_speed.begin(), inlet_speed.end(), particles_.inlet_speed.begin() + before);
+  thrust::copy(compression.begin(), compression.end(), particles_.compression.begin() + before);
+  thrust::copy(pressure_work.begin(), pressure_work.end(),
+               particles_.pressure_work.begin() + before);
   thrust::copy(id.begin(), id.end(), particles_.id.begin() + before);
   thrust::copy(source.begin(), source.end(), particles_.source.begin() + before);
   thrust::copy(flags.begin(), flags.end(), particles_.flags.begin() + before);
-  thrust::fill_n(particles_.compression.begin() + before, count, Real(0));
   thrust::fill_n(particles_.compression_rate.begin() + before, count, Real(0));
   thrust::fill_n(particles_.wall_normal.begin() + before, count, Vector<D, Real>::zero());
   thrust::fill_n(particles_.solid_fit.begin() + before, count, Real(1));
   thrust::fill_n(particles_.rigid_fit.begin() + before, count, Real(1));
-  thrust::fill_n(particles_.pressure_work.begin() + before, count, Real(0));
   thrust::fill_n(particles_.shear.begin() + before, count, SymmetricTensor<D, Real>::zero());
   thrust::fill_n(particles_.fractured.begin() + before, count, std::uint8_t(0));
+}
+
+// Nothing leaves by a symmetry plane.
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::close_planes() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto& mirrors = particles_.mirrors;
+  for (int a = 0; a < D; ++a) {
+    if ((mirrors.faces & mirrors.low_face(a)) != 0) minimum_[a] = -infinity;
+    if ((mirrors.faces & mirrors.high_face(a)) != 0) maximum_[a] = infinity;
+  }
 }
 
 template <int D, class P, class Scheme>

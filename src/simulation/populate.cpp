@@ -5,14 +5,17 @@
 #include "particles/fill.hpp"
 #include "particles/flags.hpp"
 #include "particles/graded_fill.hpp"
+#include "particles/shapes.hpp"
 #include "simulation/levels.hpp"
 
 namespace kerf {
 namespace {
 
 // `levels`: the media of its levels.
-void add_body(const Body& body, const std::vector<std::uint16_t>& levels, int dimension,
-              std::vector<NewParticle>& particles) {
+void add_body(const Case& description, std::size_t number,
+              const std::vector<std::uint16_t>& levels, std::vector<NewParticle>& particles) {
+  const Body& body = description.bodies[number];
+  const int dimension = description.dimension;
   const std::vector<GradedParticle> laid = fill_levels(body, dimension);
   std::vector<Point> points;
   for (const GradedParticle& particle : laid) points.push_back(particle.position);
@@ -22,6 +25,7 @@ void add_body(const Body& body, const std::vector<std::uint16_t>& levels, int di
   for (const std::string& component : body.velocity)
     velocity.emplace_back(component, std::vector<std::string>{"x", "y", "z"});
   for (std::size_t k = 0; k < points.size(); ++k) {
+    if (is_beyond(description.symmetry, description.domain, points[k])) continue;
     NewParticle particle;
     particle.position = points[k];
     particle.source = levels[static_cast<std::size_t>(laid[k].level)];
@@ -57,7 +61,7 @@ std::vector<NewParticle> initial_particles(const Case& description,
   std::vector<NewParticle> particles;
   const auto levels = media_of_levels(description);
   for (std::size_t b = 0; b < description.bodies.size(); ++b)
-    add_body(description.bodies[b], levels[b], description.dimension, particles);
+    add_body(description, b, levels[b], particles);
   for (std::size_t j = 0; j < nozzles.size(); ++j) {
     const bool open = description.jets[j].start <= 0.0;
     for (const NewParticle& particle : inlet_particles(nozzles[j].standing_water(), nozzles[j],

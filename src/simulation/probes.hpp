@@ -18,14 +18,25 @@ struct PointSum {
   Vector<D, double> point;
 
   KERF_FUNCTION void add(Index i, Terms<slots>& sum) const {
+    if (particles.medium(i).phase == Phase::rigid) return;
+    add_image(i, 0, sum);
+    if (particles.mirrors.faces == 0) return;
+    for (int image = 1; image < MirrorPlanes<D>::images; ++image) {
+      MirrorCode code;
+      if (particles.mirrors.find_image(image, code)) add_image(i, code, sum);
+    }
+  }
+
+ private:
+  KERF_FUNCTION void add_image(Index i, MirrorCode code, Terms<slots>& sum) const {
     const auto& medium = particles.medium(i);
-    if (medium.phase == Phase::rigid) return;
-    const auto r = particles.position[i] - point;
+    const auto r = particles.mirrors.image_place(code, particles.position[i]) - point;
     const double w = CubicSpline<D>::value(norm(r), double(medium.smoothing_length)) *
                      (double(medium.mass) / double(particles.density(i)));
     sum.value[weight] += w;
     sum.value[pressure] += w * double(particles.pressure[i]);
-    for (int a = 0; a < D; ++a) sum.value[velocity + a] += w * double(particles.velocity[i][a]);
+    const auto v = MirrorPlanes<D>::image(code, particles.velocity[i]);
+    for (int a = 0; a < D; ++a) sum.value[velocity + a] += w * double(v[a]);
   }
 };
 
@@ -34,13 +45,14 @@ template <int D>
 struct AcrossPlane {
   Vector<D, double> point, normal;
 
-  template <class P>
-  KERF_FUNCTION bool above(const ParticleView<D, P>& particles, Index i) const {
-    return dot(particles.position[i] - point, normal) > 0.0;
+  KERF_FUNCTION bool above(const Vector<D, double>& x) const {
+    return dot(x - point, normal) > 0.0;
   }
   template <class P>
-  KERF_FUNCTION bool operator()(const ParticleView<D, P>& particles, Index i, Index j) const {
-    return !above(particles, i) && above(particles, j);
+  KERF_FUNCTION bool operator()(const ParticleView<D, P>& particles, Index i, Index j,
+                                MirrorCode mirror) const {
+    return !above(particles.position[i]) &&
+           above(particles.mirrors.image_place(mirror, particles.position[j]));
   }
 };
 

@@ -5,6 +5,7 @@
 
 #include "materials/tait.hpp"
 #include "particles/fields.hpp"
+#include "rates/pair.hpp"
 #include "solid/bond_between.hpp"
 #include "solid/respond.hpp"
 
@@ -54,11 +55,13 @@ template <int D, class P>
 struct AddSolidAcceleration {
   ParticleView<D, P> particles;
   SolidIndexView link;
-  const Vector<D, typename P::Real>* acceleration;
+  SolidView<D, P> solid;
 
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
-    if (i != no_index) particles.acceleration[i] += acceleration[s];
+    if (i == no_index) return;
+    particles.acceleration[i] += solid.acceleration[s];
+    if (solid.mirrors.faces != 0) particles.mirror_acceleration[i] += solid.mirror_acceleration[s];
   }
 };
 
@@ -116,20 +119,20 @@ struct WholeBonds {
   SolidIndexView link;
   SolidView<D, P> solid;
 
-  KERF_FUNCTION bool whole(const ParticleView<D, P>& particles, Index i, Index j) const {
-    if (particles.medium(i).piece != particles.medium(j).piece) return false;
-    const Index a = link.number(particles.id[i]), b = link.number(particles.id[j]);
+  KERF_FUNCTION bool whole(const ParticleView<D, P>& particles, const Pair<D, P>& pair) const {
+    if (!pair.is_one_piece()) return false;
+    const Index a = link.number(particles.id[pair.i]), b = link.number(particles.id[pair.j]);
     if (a == no_index || b == no_index) return false;
-    const Index bond = bond_between(solid.bond_begin, solid.neighbour, a, b);
+    const Index bond = bond_between(solid.bond_begin, solid.neighbour, a, b | pair.mirror);
     return bond != no_bond && solid.weight[bond] > typename P::Real(0);
   }
 
   // m; that of particles which are not of the start is without bounds.
-  KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>& particles, Index i,
-                                                   Index j) const {
-    const Index a = link.number(particles.id[i]), b = link.number(particles.id[j]);
+  KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>& particles,
+                                                   const Pair<D, P>& pair) const {
+    const Index a = link.number(particles.id[pair.i]), b = link.number(particles.id[pair.j]);
     if (a == no_index || b == no_index) return typename P::Real(1e30);
-    return norm(solid.reference_bond(a, b));
+    return norm(solid.reference_bond(a, BondEnd{b, pair.mirror}));
   }
 };
 
@@ -140,9 +143,9 @@ struct BondFilter {
   SolidIndexView link;
   Filter filter;
 
-  KERF_FUNCTION bool operator()(Index a, Index b) const {
-    const Index i = link.particle_of[a], j = link.particle_of[b];
-    return i != no_index && j != no_index && filter(particles, i, j);
+  KERF_FUNCTION bool operator()(Index a, const BondEnd& b) const {
+    const Index i = link.particle_of[a], j = link.particle_of[b.particle];
+    return i != no_index && j != no_index && filter(particles, i, j, b.mirror);
   }
 };
 

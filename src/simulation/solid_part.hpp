@@ -9,8 +9,11 @@
 
 #include "integrate/time_step.hpp"
 #include "rates/pair_fit.hpp"
+#include "simulation/absorbing_sites.hpp"
+#include "simulation/flaw_media.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/levels.hpp"
+#include "simulation/plastic_media.hpp"
 #include "simulation/solid_link.hpp"
 #include "simulation/solid_show.hpp"
 #include "simulation/state_io.hpp"
@@ -20,9 +23,10 @@ namespace kerf {
 
 // What the solids gave up so far, J (2D: J/m).
 struct SolidLosses {
-  double viscous = 0.0;   // by the viscosity of bonds
-  double released = 0.0;  // by bonds that broke, and by damage
-  double plastic = 0.0;   // by plastic flow
+  double viscous = 0.0;              // by the viscosity of bonds
+  double released = 0.0;             // by bonds that broke, and by damage
+  double plastic = 0.0;              // by plastic flow
+  std::array<double, 3> absorbed{};  // N s, impulse of absorbing faces on them
 };
 
 template <int D, class P>
@@ -31,16 +35,17 @@ class SolidPart {
   using Real = typename P::Real;
 
   // The particles of the start, in the order of their ids.
-  SolidPart(const std::vector<Medium<double>>& media,
-            std::vector<PlasticParameters<double>> plastic, std::vector<GradyKipp<double>> flaws,
-            const std::vector<MediumOrigin>& origins, Particles<D, P>& particles) {
+  SolidPart(const Case& description, const std::vector<Medium<double>>& media,
+            Particles<D, P>& particles) {
     SolidLayout<D> layout;
+    const auto origins = medium_origins(description);
     const auto is_level = [](const MediumOrigin& origin) { return origin.level > 0; };
     if (std::any_of(origins.begin(), origins.end(), is_level))
       for (const MediumOrigin& origin : origins) layout.body.push_back(origin.source);
-    layout.plastic = std::move(plastic);
-    layout.flaws = std::move(flaws);
+    layout.plastic = make_plastic_media(description);
+    layout.flaws = make_flaw_media(description, media);
     for (const Medium<double>& medium : media) layout.media.push_back(solid_medium(medium));
+    layout.mirrors = particles.mirrors;
     const auto position = to_host(particles.position);
     const auto source = to_host(particles.source);
     std::vector<Index> number(source.size(), no_index);
@@ -58,6 +63,7 @@ class SolidPart {
     velocity_.resize(layout.reference.size());
     gone_.resize(layout.reference.size());
     mark_fitted(number, particles);
+    to_device(absorbing_sites<D>(description, media, position, source, number), sites_);
   }
 
   // Finds the solid's particles in their new order.
@@ -86,9 +92,12 @@ class SolidPart {
     take(book, particles);
   }
 
-  // Adds the accelerations by all bonds.
+  // Adds the accelerations by all bonds and by absorbing faces.
   void accelerate(Particles<D, P>& particles) {
-    if (solid_) accelerate_by(particles, EveryBond{});
+    if (!solid_) return;
+    accelerate_by(particles, EveryBond{});
+    for_each_index(sites(), Absorb<D, P>{particles.view(), pointer(particle_of_), no_index,
+                                         pointer(solid_->fields().loose), pointer(sites_)});
   }
   // Those by the bonds that `filter` chooses by their particles.
   template <class Filter>
@@ -132,6 +141,9 @@ class SolidPart {
     losses_.plastic += solid_->keep_flow();
     losses_.released += solid_->keep_softening();
     losses_.released += solid_->keep_damage(dt);
+    const Terms<D> force = force_sum_(sites(), AbsorbingForce<D>{pointer(sites_)});
+    for (int a = 0; a < D; ++a)
+      losses_.absorbed[static_cast<std::size_t>(a)] += dt * force.value[a];
     wave_ = solid_->wave_time();
   }
   // What the waves of the solid allow for the next step, by its shape in the middle of the last
@@ -145,6 +157,7 @@ class SolidPart {
     ledger.dissipated_artificial += losses_.viscous;
     ledger.dissipated_fracture += losses_.released;
     ledger.dissipated_plastic += losses_.plastic;
+    for (std::size_t a = 0; a < 3; ++a) ledger.impulse_constraint[a] += losses_.absorbed[a];
     if (!solid_) return;
     ledger.dissipated_plastic += solid_->flow_work();
     ledger.dissipated_fracture += solid_->softening_work();
@@ -162,6 +175,8 @@ class SolidPart {
   void save(Archive& archive) const {
     archive.arrays["solid/losses"] =
         std::vector<double>{losses_.viscous, losses_.released, losses_.plastic};
+    archive.arrays["solid/absorbed"] =
+        std::vector<double>(losses_.absorbed.begin(), losses_.absorbed.end());
     if (!solid_) return;
     const SolidState<D, P> state = solid_->save();
     archive.arrays["solid/wave"] = std::vector<double>{wave_.time, double(wave_.particle)};
@@ -172,7 +187,9 @@ class SolidPart {
   }
   void restore(const Archive& archive) {
     const auto& losses = find_array<double>(archive, "solid/losses");
-    losses_ = {losses.at(0), losses.at(1), losses.at(2)};
+    losses_ = {losses.at(0), losses.at(1), losses.at(2), {}};
+    const auto& absorbed = find_array<double>(archive, "solid/absorbed");
+    for (std::size_t a = 0; a < 3; ++a) losses_.absorbed[a] = absorbed.at(a);
     if (!solid_) return;
     const auto& wave = find_array<double>(archive, "solid/wave");
     wave_ = {wave.at(0), static_cast<Index>(wave.at(1))};
@@ -198,6 +215,7 @@ class SolidPart {
     solid.law = medium.elasticity;
     solid.criterion = medium.criterion;
     solid.piece = medium.piece;
+    solid.joined_mirrors = medium.joined_mirrors;
     solid.density = medium.density;
     solid.spacing = medium.spacing;
     solid.smoothing_length = medium.smoothing_length;
@@ -215,8 +233,7 @@ class SolidPart {
   void accelerate_by(Particles<D, P>& particles, const ChosenBonds& chosen) {
     solid_->accelerate(velocity_, chosen);
     for_each_index(solid_->size(),
-                   AddSolidAcceleration<D, P>{particles.view(), link(),
-                                              pointer(solid_->fields().acceleration)});
+                   AddSolidAcceleration<D, P>{particles.view(), link(), solid_->view()});
   }
   void take(const FractureBook& book, Particles<D, P>& particles) {
     losses_.released += book.released;
@@ -224,6 +241,7 @@ class SolidPart {
     loosened_ = true;
     show_loose(particles);
   }
+  Index sites() const { return static_cast<Index>(sites_.size()); }
   SolidIndexView link() const {
     return {pointer(number_of_id_), static_cast<Index>(number_of_id_.size()),
             const_cast<Index*>(pointer(particle_of_))};
@@ -237,6 +255,8 @@ class SolidPart {
   Array<Vector<D, double>> position_;
   Array<Vector<D, Real>> velocity_;
   Array<std::uint8_t> gone_;
+  Array<AbsorbingSite<D>> sites_;
+  OrderedSum<D> force_sum_;
   SolidLosses losses_;
   WaveTime wave_{1e300, 0};
   bool loosened_ = false;

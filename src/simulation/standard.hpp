@@ -5,11 +5,11 @@
 
 #include "integrate/midpoint.hpp"
 #include "integrate/regain_density.hpp"
+#include "integrate/trade_places.hpp"
 #include "integrate/verlet.hpp"
 #include "rates/standard_rates.hpp"
 #include "simulation/flaw_media.hpp"
 #include "simulation/particle_run.hpp"
-#include "simulation/plastic_media.hpp"
 #include "simulation/solid_part.hpp"
 
 namespace kerf {
@@ -23,9 +23,7 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
       : Run(description),
         lattice_(lattice_sums<D, ContactPairs::Kernel<D>>(description.smoothing_ratio)),
         rates_(Vector<D, double>::from(description.gravity), Run::media_, lattice_),
-        solid_(Run::media_, make_plastic_media(description),
-               make_flaw_media(description, Run::media_), medium_origins(description),
-               Run::particles_) {
+        solid_(description, Run::media_, Run::particles_) {
     rates_.fit_pairs(solid_.pair_fit());
     Run::open([this] { rates_.fit_surfaces(particles_.view(), particles_.size(), list_.view()); });
     rates_.continuity(particles_.view(), particles_.size(), list_.view());
@@ -124,6 +122,8 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     const auto timer = timers_.stage("integrate");
     Run::load_drives(time_ + dt);
     for_each_index(particles_.size(), KickAndDrift<D, P>{particles_.view(), pointer(drives_), dt});
+    if (particles_.mirrors.faces != 0)
+      for_each_index(particles_.size(), TradePlaces<D, P>{particles_.view(), dt});
     solid_.end_step(dt);
   }
 

@@ -26,13 +26,13 @@ struct BondViscosity {
   // Adds the force on i and half of the power that the pair dissipates.
   KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, Vector<D, Real>& force,
                          Real& power) const {
-    const Index j = solid.neighbour[k];
+    const BondEnd j = solid.bond_end(k);
     const auto& a = solid.medium(i);
-    const auto& b = solid.medium(j);
+    const auto& b = solid.medium(j.particle);
     const Vector<D, Real> bond = solid.reference_bond(i, j);
     const Vector<D, Real> line = bond + solid.displacement_bond(i, j);
     const Real reference_length = norm(bond), length = norm(line);
-    const Real approach = -dot(velocity[j] - velocity[i], line);  // m^2/s
+    const Real approach = -dot(solid.of(j, velocity) - velocity[i], line);  // m^2/s
     if (!(approach > Real(0)) || !(length > Real(0))) return;
     const Real speed = approach / length;
     const Real theta =
@@ -70,7 +70,7 @@ struct FlowViscosity {
 };
 
 struct EveryBond {
-  KERF_FUNCTION bool operator()(Index, Index) const { return true; }
+  KERF_FUNCTION bool operator()(Index, const BondEnd&) const { return true; }
 };
 
 // `Filter` chooses bonds, e.g. those across a plane.
@@ -83,6 +83,8 @@ struct BondForce {
 
   KERF_FUNCTION void operator()(Index i) const {
     auto force = Vector<D, Real>::zero();
+    auto by_particles = Vector<D, Real>::zero();  // not by their images, which come last
+    bool is_mirrored = false;
     Real power = Real(0);
     const auto& medium = solid.medium(i);
     const Real modulus = solid.hourglass[i];
@@ -90,14 +92,21 @@ struct BondForce {
     for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
       const Real weight = solid.weight[k];
       if (!(weight > Real(0))) continue;
-      const Index j = solid.neighbour[k];
+      const BondEnd j = solid.bond_end(k);
       if (!filter(i, j)) continue;
-      const Real stiffness = modulus + solid.hourglass[j];
-      force += weight * ((traction + solid.traction[j]) * solid.reference_bond(i, j) +
+      if (j.mirror != 0 && !is_mirrored) {
+        is_mirrored = true;
+        by_particles = force;
+      }
+      const Real stiffness = modulus + solid.hourglass[j.particle];
+      force += weight * ((traction + solid.of(j, solid.traction)) * solid.reference_bond(i, j) +
                          stiffness * solid.displacement_bond(i, j));
       if constexpr (Viscosity::acts) viscosity.add(solid, i, k, force, power);
     }
     solid.acceleration[i] = (Real(1) / medium.mass) * force;
+    if (solid.mirrors.faces != 0)
+      solid.mirror_acceleration[i] =
+          is_mirrored ? (Real(1) / medium.mass) * (force - by_particles) : Vector<D, Real>::zero();
     solid.viscous_power[i] = power;
   }
 };

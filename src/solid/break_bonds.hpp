@@ -49,7 +49,7 @@ struct BondTest {
 
   KERF_FUNCTION bool breaks(Index i, Index k, const SymmetricTensor<D, Real>& green) const {
     if (!(solid.weight[k] > Real(0))) return false;
-    const Index j = solid.neighbour[k];
+    const BondEnd j = solid.bond_end(k);
     const auto bond = solid.reference_bond(i, j);
     const auto change = solid.displacement_bond(i, j);
     const Real square = dot(bond, bond);
@@ -58,11 +58,11 @@ struct BondTest {
     strain.own = dot(Real(2) * bond + change, change) / square;
     if (!(strain.own > Real(0))) return false;  // no bond breaks that is not stretched
     const auto& a = solid.medium(i);
-    const auto& b = solid.medium(j);
-    const bool same = solid.medium_index[i] == solid.medium_index[j];
-    strain.prepared = Real(0.5) * (solid.criterion[i] + solid.criterion[j]);
+    const auto& b = solid.medium(j.particle);
+    const bool same = solid.medium_index[i] == solid.medium_index[j.particle];
+    strain.prepared = Real(0.5) * (solid.criterion[i] + solid.criterion[j.particle]);
     if (place_passes(strain.prepared, a) || (!same && place_passes(strain.prepared, b)))
-      strain.mean = dot(bond, (green + green_strain(solid.gradient[j])) * bond) / square;
+      strain.mean = dot(bond, (green + green_strain(solid.of(j, solid.gradient))) * bond) / square;
     return bond_breaks(strain, a) || (!same && bond_breaks(strain, b));
   }
 };
@@ -121,7 +121,9 @@ struct CutBonds {
 
   KERF_FUNCTION void operator()(Index i) const {
     for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-      if (!separates(solid.reference[i], solid.reference[solid.neighbour[k]])) continue;
+      const BondEnd j = solid.bond_end(k);
+      const auto place = solid.mirrors.image_place(j.mirror, solid.reference[j.particle]);
+      if (!separates(solid.reference[i], place)) continue;
       solid.weight[k] = Real(0);
       solid.changed[i] = 1;
     }

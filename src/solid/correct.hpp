@@ -25,9 +25,9 @@ struct SetWholeWeights {
 
   KERF_FUNCTION void operator()(Index i) const {
     for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-      const Index j = solid.neighbour[k];
+      const BondEnd j = solid.bond_end(k);
       const Real distance = norm(solid.reference_bond(i, j));
-      solid.weight[k] = whole_weight<D>(solid.medium(i), solid.medium(j), distance);
+      solid.weight[k] = whole_weight<D>(solid.medium(i), solid.medium(j.particle), distance);
       if (solid.bond_fit != nullptr) solid.weight[k] *= solid.bond_fit[k];
     }
   }
@@ -51,7 +51,7 @@ struct Correct {
     for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
       const Real weight = solid.weight[k];
       if (!(weight > Real(0))) continue;
-      const auto bond = solid.reference_bond(i, solid.neighbour[k]);
+      const auto bond = solid.reference_bond(i, solid.bond_end(k));
       add_outer(moment, (weight / volume) * bond, bond);
       ++whole;
     }
@@ -75,7 +75,7 @@ struct DropBonds {
   KERF_FUNCTION void operator()(Index i) const {
     for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
       if (!(solid.weight[k] > Real(0))) continue;
-      if (!dropped[i] && !dropped[solid.neighbour[k]]) continue;
+      if (!dropped[i] && !dropped[solid.bond_end(k).particle]) continue;
       solid.weight[k] = Real(0);
       solid.changed[i] = 1;
     }

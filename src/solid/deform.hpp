@@ -32,7 +32,7 @@ struct Deform {
     }
     auto sum = Matrix<D, Real>::zero();
     for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-      const Index j = solid.neighbour[k];
+      const BondEnd j = solid.bond_end(k);
       const Vector<D, Real> bond = solid.weight[k] * solid.reference_bond(i, j);
       add_outer(sum, solid.displacement_bond(i, j), bond);
     }

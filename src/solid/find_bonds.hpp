@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bonds of the reference configuration, found once, on the host: a cell grid, then each
-// particle's list in ascending order, so that every sum has one order for good.
+// particle's list in ascending order, so that every sum has one order for good; mirror images,
+// whose entries have higher bits set, come last.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
+#include "core/mirror_planes.hpp"
 #include "fracture/grady_kipp.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "materials/plastic_law.hpp"
@@ -23,6 +25,7 @@ struct SolidLayout {
   std::vector<std::uint16_t> medium_index;         // per particle
   // Per medium, the body of which it is a level of resolution; empty: there are no levels.
   std::vector<std::uint16_t> body;
+  MirrorPlanes<D> mirrors{};
 };
 
 // Lists in compressed rows: the bonds of i are neighbour[begin[i]] .. neighbour[begin[i + 1] - 1].
@@ -44,16 +47,15 @@ class BondFinder {
  public:
   explicit BondFinder(const SolidLayout<D>& layout) : layout_(layout) {
     const auto n = static_cast<Index>(layout.reference.size());
-    double reach = 0.0;
     for (const auto& medium : layout.media)
-      reach = std::max(reach, WendlandC2<D>::support * medium.smoothing_length);
+      reach_ = std::max(reach_, WendlandC2<D>::support * medium.smoothing_length);
     auto low = layout.reference.front(), high = low;
     for (const auto& x : layout.reference)
       for (int a = 0; a < D; ++a) {
         low[a] = std::min(low[a], x[a]);
         high[a] = std::max(high[a], x[a]);
       }
-    grid_ = Grid<D>::covering(low, high, reach, 4.0 * n + 64.0);
+    grid_ = Grid<D>::covering(low, high, reach_, 4.0 * n + 64.0);
     cell_begin_.assign(grid_.count() + 1, 0);
     for (const auto& x : layout.reference) ++cell_begin_[grid_.number(x) + 1];
     for (Index c = 0; c < grid_.count(); ++c) cell_begin_[c + 1] += cell_begin_[c];
@@ -66,7 +68,7 @@ class BondFinder {
     BondLists lists;
     lists.begin.push_back(0);
     for (Index i = 0; i < static_cast<Index>(layout_.reference.size()); ++i) {
-      append_bonds(i, lists.neighbour);
+      append_images(i, lists.neighbour);
       std::sort(lists.neighbour.begin() + lists.begin.back(), lists.neighbour.end());
       lists.begin.push_back(static_cast<Index>(lists.neighbour.size()));
     }
@@ -74,10 +76,24 @@ class BondFinder {
   }
 
  private:
-  void append_bonds(Index i, std::vector<Index>& neighbours) const {
+  // Bonds to particles, and to images of those of a piece that its mirror image is part of.
+  void append_images(Index i, std::vector<Index>& neighbours) const {
+    const auto& x = layout_.reference[i];
+    const MirrorCode joined = layout_.media[layout_.medium_index[i]].joined_mirrors;
+    for (int image = 0; image < MirrorPlanes<D>::images; ++image) {
+      MirrorCode code;
+      if (!layout_.mirrors.find_image(image, code) || (code & ~joined) != 0) continue;
+      if (layout_.mirrors.is_near(code, x, reach_))
+        append_bonds(i, code, layout_.mirrors.image_place(code, x), neighbours);
+    }
+  }
+
+  // Those in the cells around x, where i is, or its image.
+  void append_bonds(Index i, MirrorCode code, const Vector<D, double>& x,
+                    std::vector<Index>& neighbours) const {
     int low[D], cells = 1;
     for (int a = 0; a < D; ++a) {
-      low[a] = grid_.coordinate(layout_.reference[i][a], a) - 1;
+      low[a] = grid_.coordinate(x[a], a) - 1;
       cells *= 3;
     }
     for (int k = 0; k < cells; ++k) {
@@ -90,13 +106,14 @@ class BondFinder {
       if (!inside) continue;
       const Index c = grid_.number(cell);
       for (Index m = cell_begin_[c]; m < cell_begin_[c + 1]; ++m)
-        if (is_bond(i, member_[m])) neighbours.push_back(member_[m]);
+        if (is_bond(i, member_[m], code)) neighbours.push_back(member_[m] | code);
     }
   }
 
-  bool is_bond(Index i, Index j) const {
-    if (i == j) return false;
-    const double distance = norm(layout_.reference[i] - layout_.reference[j]);
+  bool is_bond(Index i, Index j, MirrorCode code) const {
+    if (i == j && code == 0) return false;
+    const double distance =
+        norm(layout_.mirrors.separation(code, layout_.reference[i], layout_.reference[j]));
     const auto& a = layout_.media[layout_.medium_index[i]];
     const auto& b = layout_.media[layout_.medium_index[j]];
     return whole_weight<D>(a, b, distance) > 0.0;
@@ -104,6 +121,7 @@ class BondFinder {
 
   const SolidLayout<D>& layout_;
   Grid<D> grid_{};
+  double reach_ = 0.0;                      // m, of the longest bond
   std::vector<Index> cell_begin_, member_;  // particles of cell c: member_[cell_begin_[c]] ..
 };
 

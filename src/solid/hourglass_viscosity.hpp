@@ -37,8 +37,9 @@ struct RateTraction {
     auto sum = Matrix<D, Real>::zero();
     if (viscosity > Real(0))
       for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-        const Index j = solid.neighbour[k];
-        add_outer(sum, velocity[j] - velocity[i], solid.weight[k] * solid.reference_bond(i, j));
+        const BondEnd j = solid.bond_end(k);
+        add_outer(sum, solid.of(j, velocity) - velocity[i],
+                  solid.weight[k] * solid.reference_bond(i, j));
       }
     solid.rate_traction[i] = viscosity * (sum * solid.correction[i]);
   }
@@ -52,13 +53,15 @@ struct HourglassViscosity {
   // Adds the force on i and the power of its own share.
   KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, Vector<D, Real>& force,
                          Real& power) const {
-    const Index j = solid.neighbour[k];
-    const Real own = solid.hourglass_viscosity[i], both = own + solid.hourglass_viscosity[j];
+    const BondEnd j = solid.bond_end(k);
+    const Real own = solid.hourglass_viscosity[i];
+    const Real both = own + solid.hourglass_viscosity[j.particle];
     if (!(both > Real(0))) return;
     const Real weight = solid.weight[k];
-    const Vector<D, Real> bond = solid.reference_bond(i, j), speed = velocity[j] - velocity[i];
+    const Vector<D, Real> bond = solid.reference_bond(i, j);
+    const Vector<D, Real> speed = solid.of(j, velocity) - velocity[i];
     const Vector<D, Real> seen = solid.rate_traction[i] * bond;
-    force += weight * (both * speed - seen - solid.rate_traction[j] * bond);
+    force += weight * (both * speed - seen - solid.of(j, solid.rate_traction) * bond);
     if (!(own > Real(0))) return;
     const Vector<D, Real> unseen = seen - own * speed;
     power += weight / own * dot(unseen, unseen);

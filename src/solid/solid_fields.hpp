@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/matrix.hpp"
+#include "core/mirror_planes.hpp"
 #include "core/precision.hpp"
 #include "exec/exec.hpp"
 #include "fracture/grady_kipp.hpp"
@@ -14,19 +15,20 @@
 namespace kerf {
 
 // Fields with one entry per particle that are not given at set-up. FIELD(type, name): meaning.
-#define KERF_SOLID_RESULTS(FIELD)                                                 \
-  FIELD(std::uint8_t, loose)      /* 1: holds on to nothing, carries no stress */ \
-  FIELD(std::uint8_t, changed)    /* 1: its correction is outdated */             \
-  FIELD(Place, displacement)      /* u = x - X, m */                              \
-  FIELD(Tensor, correction)       /* B_i / V_i, 1/m^D */                          \
-  FIELD(Tensor, gradient)         /* H = F - 1 */                                 \
-  FIELD(Tensor, traction)         /* A = (P B) - mu H, Pa; see deform.hpp */      \
-  FIELD(Real, hourglass)          /* mu, Pa; see respond.hpp */                   \
-  FIELD(Real, criterion)          /* of the fracture criterion */                 \
-  FIELD(Speed, acceleration)      /* m/s^2 */                                     \
-  FIELD(Real, viscous_power)      /* W, dissipated by the bond viscosity */       \
-  FIELD(double, elastic_energy)   /* J (2D: J/m) */                               \
-  FIELD(double, hourglass_energy) /* J (2D: J/m) */
+#define KERF_SOLID_RESULTS(FIELD)                                                   \
+  FIELD(std::uint8_t, loose)        /* 1: holds on to nothing, carries no stress */ \
+  FIELD(std::uint8_t, changed)      /* 1: its correction is outdated */             \
+  FIELD(Place, displacement)        /* u = x - X, m */                              \
+  FIELD(Tensor, correction)         /* B_i / V_i, 1/m^D */                          \
+  FIELD(Tensor, gradient)           /* H = F - 1 */                                 \
+  FIELD(Tensor, traction)           /* A = (P B) - mu H, Pa; see deform.hpp */      \
+  FIELD(Real, hourglass)            /* mu, Pa; see respond.hpp */                   \
+  FIELD(Real, criterion)            /* of the fracture criterion */                 \
+  FIELD(Speed, acceleration)        /* m/s^2 */                                     \
+  FIELD(Speed, mirror_acceleration) /* m/s^2, the part due to mirror images */      \
+  FIELD(Real, viscous_power)        /* W, dissipated by the bond viscosity */       \
+  FIELD(double, elastic_energy)     /* J (2D: J/m) */                               \
+  FIELD(double, hourglass_energy)   /* J (2D: J/m) */
 // Those that only solids have of which some part softens (fracture/softening.hpp).
 #define KERF_SOLID_SOFTENING(FIELD)                                 \
   FIELD(Real, strain_start)     /* k at the start of the step, 1 */ \
@@ -51,7 +53,14 @@ namespace kerf {
 //   w_ij = f_ij V_i V_j |W'(R_ij)| / R_ij,   R_ij = |X_i - X_j|,   in m (2D: 1),
 // in which f_ij is the share of the bond that is whole: 1 (where the spacing jumps the s_ij of
 // fit_levels.hpp), or 0 where it broke. A weight is all that the sums need, since V_i V_j grad_0
-// W_ij = w_ij (X_j - X_i): gradients cost no memory.
+// W_ij = w_ij (X_j - X_i): gradients cost no memory. A bond to a mirror image
+// (core/mirror_planes.hpp) stands in the lists of both particles too, or once in that of a particle
+// that is bound to its own image.
+struct BondEnd {
+  Index particle;     // j
+  MirrorCode mirror;  // 0: j itself, else its image
+};
+
 template <int D, class P>
 struct SolidView {
   using Real = typename P::Real;
@@ -71,10 +80,11 @@ struct SolidView {
   const std::uint16_t* medium_index;
   const Place* reference;   // X, m
   const Index* bond_begin;  // bonds of i: bond_begin[i] .. bond_begin[i + 1]
-  const Index* neighbour;
-  Real* weight;  // w_ij
+  const Index* neighbour;   // with a mirror code in the highest bits
+  Real* weight;             // w_ij
   // s of fit_levels.hpp, per bond; null: 1.
   const Real *bond_fit, *pair_fit;
+  MirrorPlanes<D> mirrors;
 #define KERF_FIELD(type, name) type* name;
   KERF_SOLID_RESULTS(KERF_FIELD)
   KERF_SOLID_SOFTENING(KERF_FIELD)
@@ -101,13 +111,26 @@ struct SolidView {
   KERF_FUNCTION Real damage(Index i) const {
     return any_flaws ? flaws[i].damage : Real(0);
   }
+  KERF_FUNCTION BondEnd bond_end(Index k) const {
+    return {mirrors.place(neighbour[k]), mirrors.code(neighbour[k])};
+  }
   // X_j - X_i, m.
-  KERF_FUNCTION Vector<D, Real> reference_bond(Index i, Index j) const {
-    return Vector<D, Real>::from(reference[j] - reference[i]);
+  template <class T = Real>
+  KERF_FUNCTION Vector<D, T> reference_bond(Index i, const BondEnd& j) const {
+    const auto& x = reference[i];
+    const auto& y = reference[j.particle];
+    if (j.mirror == 0) return Vector<D, T>::from(y - x);
+    return T(-1) * Vector<D, T>::from(mirrors.separation(j.mirror, x, y));
   }
   // u_j - u_i, m: differences in double, so that a body far from home loses no digits.
-  KERF_FUNCTION Vector<D, Real> displacement_bond(Index i, Index j) const {
-    return Vector<D, Real>::from(displacement[j] - displacement[i]);
+  template <class T = Real>
+  KERF_FUNCTION Vector<D, T> displacement_bond(Index i, const BondEnd& j) const {
+    return Vector<D, T>::from(of(j, displacement) - displacement[i]);
+  }
+  // A vector or tensor of particle j as particle i sees it: of its image, where it is one.
+  template <class T>
+  KERF_FUNCTION T of(const BondEnd& j, const T* values) const {
+    return MirrorPlanes<D>::image(j.mirror, values[j.particle]);
   }
 };
 
@@ -128,6 +151,7 @@ struct SolidFields {
   Array<std::uint16_t> medium_index;
   Array<Place> reference;
   Array<Index> bond_begin, neighbour;
+  MirrorPlanes<D> mirrors{};
   Array<Real> weight, bond_fit, pair_fit;
 #define KERF_FIELD(type, name) Array<type> name;
   KERF_SOLID_RESULTS(KERF_FIELD)
@@ -187,6 +211,7 @@ struct SolidFields {
     view.weight = pointer(weight);
     view.bond_fit = bond_fit.empty() ? nullptr : pointer(bond_fit);
     view.pair_fit = pair_fit.empty() ? nullptr : pointer(pair_fit);
+    view.mirrors = mirrors;
 #define KERF_FIELD(type, name) view.name = pointer(name);
     KERF_SOLID_RESULTS(KERF_FIELD)
     KERF_SOLID_SOFTENING(KERF_FIELD)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/mirror_planes.hpp"
 #include "exec/host_device.hpp"
 #include "materials/laws.hpp"
 
@@ -14,19 +15,20 @@ template <class T>
 struct SolidMedium {
   ElasticLaw law = ElasticLaw::neo_hookean;
   BondCriterion criterion = BondCriterion::principal_strain;
-  std::uint16_t piece = 0;     // particles of one piece hold together
-  T density = 0;               // kg/m^3, reference
-  T spacing = 0;               // m
-  T smoothing_length = 0;      // m
-  T mass = 0;                  // kg per particle (2D: kg/m)
-  T bulk_modulus = 0;          // Pa
-  T shear_modulus = 0;         // Pa
-  T hourglass = T(0.5);        // zeta; 0 = no control. The reason for 0.5: docs/theory
-  T artificial_linear = 0;     // A of the bond viscosity
-  T artificial_quadratic = 0;  // B of the bond viscosity
-  T failure_strain = 0;        // 1, Hencky (logarithmic); 0 = never breaks
-  T softening_strain = 0;      // 1, where softening begins (softening.hpp); 0 = brittle
-  T tensile_strength = 0;      // Pa, of the criterion principal_stress; 0 = never breaks
+  std::uint16_t piece = 0;        // particles of one piece hold together
+  MirrorCode joined_mirrors = 0;  // planes beyond which the mirror image is of the same piece
+  T density = 0;                  // kg/m^3, reference
+  T spacing = 0;                  // m
+  T smoothing_length = 0;         // m
+  T mass = 0;                     // kg per particle (2D: kg/m)
+  T bulk_modulus = 0;             // Pa
+  T shear_modulus = 0;            // Pa
+  T hourglass = T(0.5);           // zeta; 0 = no control. The reason for 0.5: docs/theory
+  T artificial_linear = 0;        // A of the bond viscosity
+  T artificial_quadratic = 0;     // B of the bond viscosity
+  T failure_strain = 0;           // 1, Hencky (logarithmic); 0 = never breaks
+  T softening_strain = 0;         // 1, where softening begins (softening.hpp); 0 = brittle
+  T tensile_strength = 0;         // Pa, of the criterion principal_stress; 0 = never breaks
 
   KERF_FUNCTION T volume() const { return mass / density; }  // m^3 (2D: m^2), reference
   KERF_FUNCTION T young_modulus() const {                    // Pa
@@ -51,6 +53,7 @@ struct SolidMedium {
     medium.law = other.law;
     medium.criterion = other.criterion;
     medium.piece = other.piece;
+    medium.joined_mirrors = other.joined_mirrors;
     medium.density = static_cast<T>(other.density);
     medium.spacing = static_cast<T>(other.spacing);
     medium.smoothing_length = static_cast<T>(other.smoothing_length);

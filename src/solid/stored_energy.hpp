@@ -15,9 +15,9 @@ KERF_FUNCTION double misfit(const SolidView<D, P>& solid, Index i) {
   const auto h = Matrix<D, double>::from(solid.gradient[i]);
   double sum = 0.0;
   for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-    const Index j = solid.neighbour[k];
-    auto gamma = h * Vector<D, double>::from(solid.reference[j] - solid.reference[i]);  // H R - u
-    gamma -= solid.displacement[j] - solid.displacement[i];
+    const BondEnd j = solid.bond_end(k);
+    auto gamma = h * solid.template reference_bond<double>(i, j);  // H R - u
+    gamma -= solid.template displacement_bond<double>(i, j);
     sum += double(solid.weight[k]) * dot(gamma, gamma);
   }
   return sum;

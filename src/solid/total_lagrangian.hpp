@@ -37,6 +37,7 @@ class TotalLagrangian {
     require(n > 0 && layout.medium_index.size() == n, "a solid has one medium per particle");
     take_media(layout);
     const BondLists bonds = BondFinder<D>(layout).find();
+    fields_.mirrors = layout.mirrors;
     to_device(layout.medium_index, fields_.medium_index);
     to_device(layout.reference, fields_.reference);
     to_device(bonds.begin, fields_.bond_begin);

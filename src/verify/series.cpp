@@ -50,6 +50,12 @@ double slope(const TimeSeries& s) {
   return square > 0.0 ? product / square : none;
 }
 
+// Of an exponential decay: the fall of the logarithm with time.
+double decay_rate(TimeSeries s) {
+  for (double& value : s.value) value = std::log(value);
+  return -slope(s);
+}
+
 // Between the first and the last crossing, linear between samples.
 double period(const TimeSeries& s) {
   std::vector<double> crossings;
@@ -101,18 +107,20 @@ double time_above(const TimeSeries& s, const Parameters& parameters) {
 
 double reduce(const TimeSeries& series, const Parameters& parameters) {
   static const std::map<std::string, std::function<double(const TimeSeries&, const Parameters&)>>
-      reductions{{"last", [](const TimeSeries& s, const Parameters&) { return s.value.back(); }},
-                 {"mean", [](const TimeSeries& s, const Parameters&) { return mean(s); }},
-                 {"peak",
-                  [](const TimeSeries& s, const Parameters&) {
-                    return *std::max_element(s.value.begin(), s.value.end());
-                  }},
-                 {"peak_of_mean", peak_of_mean},
-                 {"largest", [](const TimeSeries& s, const Parameters&) { return largest(s); }},
-                 {"slope", [](const TimeSeries& s, const Parameters&) { return slope(s); }},
-                 {"period", [](const TimeSeries& s, const Parameters&) { return period(s); }},
-                 {"first_above", time_above},
-                 {"last_above", time_above}};
+      reductions{
+          {"last", [](const TimeSeries& s, const Parameters&) { return s.value.back(); }},
+          {"mean", [](const TimeSeries& s, const Parameters&) { return mean(s); }},
+          {"peak",
+           [](const TimeSeries& s, const Parameters&) {
+             return *std::max_element(s.value.begin(), s.value.end());
+           }},
+          {"peak_of_mean", peak_of_mean},
+          {"largest", [](const TimeSeries& s, const Parameters&) { return largest(s); }},
+          {"slope", [](const TimeSeries& s, const Parameters&) { return slope(s); }},
+          {"decay_rate", [](const TimeSeries& s, const Parameters&) { return decay_rate(s); }},
+          {"period", [](const TimeSeries& s, const Parameters&) { return period(s); }},
+          {"first_above", time_above},
+          {"last_above", time_above}};
   const auto found = reductions.find(parameters.text("reduce"));
   if (found == reductions.end())
     parameters.fail(fmt::format("there is no reduction \"{}\"", parameters.text("reduce")));

@@ -61,6 +61,7 @@ Signal ledger_signal(const Parameters& parameters, const Beginning&) {
       {"mass_error", [](const Ledger& l) { return l.mass_error(); }},
       {"momentum_error", [](const Ledger& l) { return l.momentum_error(); }},
       {"energy_drift", [](const Ledger& l) { return l.energy_drift(); }},
+      {"mass_out", [](const Ledger& l) { return l.mass_out; }},
       {"kinetic", [](const Ledger& l) { return l.kinetic; }},
       {"elastic",
        [](const Ledger& l) { return l.elastic_deviatoric + l.stored_solid + l.elastic_strain; }},

@@ -22,11 +22,11 @@ using BagDimensions =
     testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 
 // Two waters of different viscosity and speed of sound; walls that have a volume.
-inline ReferenceState wet_bag(int dimension, unsigned seed) {
+inline ReferenceState wet_bag(int dimension, unsigned seed, int per_side = 0) {
   BagChoice choice;
   choice.dimension = dimension;
   choice.seed = seed;
-  choice.per_side = dimension == 2 ? 14 : 7;
+  choice.per_side = per_side > 0 ? per_side : dimension == 2 ? 14 : 7;
   ReferenceState state = random_bag(choice);
   for (auto& medium : state.media) {
     medium.smoothing_length = 1.3 * medium.spacing;
@@ -58,10 +58,9 @@ inline bool bag_bonded(std::size_t i, std::size_t j) {
 }
 template <int D, class P>
 struct BagBonds {
-  KERF_FUNCTION bool whole(const ParticleView<D, P>& particles, Index i, Index j) const {
-    return particles.medium(i).piece == particles.medium(j).piece &&
-           particles.medium(j).phase == Phase::solid &&
-           bag_bonded(particles.id[i], particles.id[j]);
+  KERF_FUNCTION bool whole(const ParticleView<D, P>& particles, const Pair<D, P>& pair) const {
+    return pair.is_one_piece() && pair.medium_j->phase == Phase::solid &&
+           bag_bonded(particles.id[pair.i], particles.id[pair.j]);
   }
   // Laid out farther apart than their spacings.
   KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>&, Index, Index) const {

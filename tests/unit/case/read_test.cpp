@@ -204,6 +204,38 @@ TEST(Read, JitterComesBack) {
   EXPECT_EQ(parse_case(write_used(read), "case.used.toml"), read);
 }
 
+TEST(Read, BoundariesOfTheStandardFormulationComeBack) {
+  const std::string text = R"toml(title = "quarter"
+dimension = 3
+formulation = "standard"
+[time]
+end = "10 ms"
+[domain]
+minimum = ["0 mm", "-10 mm", "-50 mm"]
+maximum = ["50 mm", "50 mm", "0 mm"]
+symmetry = ["z+", "x-"]
+[[body]]
+name = "pool"
+material = "water"
+spacing = "2 mm"
+pressure = "3 bar"
+velocity = ["1 m/s", "0 m/s", "0 m/s"]
+shape = { type = "box", minimum = ["-20 mm", "20 mm", "-20 mm"], maximum = ["20 mm", "40 mm", "20 mm"] }
+[[body]]
+name = "block"
+material = "rubber"
+spacing = "2 mm"
+absorbing = ["y-", "x+"]
+shape = { type = "box", minimum = ["-20 mm", "0 mm", "-20 mm"], maximum = ["20 mm", "20 mm", "20 mm"] }
+)toml";
+  const Case read = parse_case(text, "quarter.toml");
+  EXPECT_EQ(parse_case(write_used(read), "case.used.toml"), read) << write_used(read);
+  EXPECT_EQ(read.symmetry, (Faces{{true, false, false}, {false, false, true}}));
+  EXPECT_EQ(read.bodies[1].absorbing, (Faces{{false, true, false}, {true, false, false}}));
+  EXPECT_EQ(read.bodies[0].absorbing, Faces{});
+  EXPECT_EQ(read.bodies[0].pressure, 3e5);
+}
+
 TEST(Schema, KeysPageIsUpToDate) {
   std::ifstream stream(KERF_SOURCE_DIR "/docs/keys.md");
   const std::string page{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
@@ -217,7 +249,8 @@ TEST(Schema, IsConsistent) {
     for (const SectionText& section : schema_sections()) headed |= section.section == key.section;
     EXPECT_TRUE(headed) << key.name;
     EXPECT_FALSE(key.sentence.empty() || key.sentence.back() == '.') << key.name;
-    EXPECT_EQ(key.kind == ValueKind::word, !key.choices.empty()) << key.name;
+    EXPECT_EQ(key.kind == ValueKind::word || key.kind == ValueKind::faces, !key.choices.empty())
+        << key.name;
     if (key.kind == ValueKind::number && !key.computed() && !key.required() &&
         key.standard != "none") {
       EXPECT_TRUE(in_range(key, std::stod(std::string(key.standard)))) << key.name;

@@ -94,6 +94,27 @@ TEST(Nozzle, ParticlesHaveTheMassOfTheirCell) {
   EXPECT_NEAR(round.particle_mass(), density * 1e-9, 0.05 * density * 1e-9);
 }
 
+// At a plane through the axis the columns of one side are left, as they were: half the flow. Two
+// planes leave a quarter.
+TEST(Nozzle, IsCutAtSymmetryPlanes) {
+  const Box domain{{0.0, -1.0, 0.0}, {1.0, 1.0, 1.0}};
+  const Faces one{{true, false, false}, {}}, two{{true, false, true}, {}};
+  for (int dimension : {2, 3}) {
+    const Jet description = jet(10e-3, 1e-3, {}, 0.02);
+    const Nozzle whole(description, density, dimension);
+    Nozzle half(description, density, dimension), quarter = half;
+    half.cut_at(one, domain);
+    quarter.cut_at(dimension == 3 ? two : one, domain);
+    EXPECT_EQ(2 * half.columns(), whole.columns());
+    EXPECT_EQ((dimension == 3 ? 4 : 2) * quarter.columns(), whole.columns());
+    EXPECT_EQ(half.particle_mass(), whole.particle_mass());
+    EXPECT_NEAR(2.0 * half.mass_due(0.01), whole.mass_due(0.01), 1e-12 * whole.mass_due(0.01));
+    for (const InletParticle& particle : half.emit(0.01)) EXPECT_GT(particle.position[0], 0.0);
+    EXPECT_LT(half.mass_due(0.01) - half.mass_emitted(),
+              static_cast<double>(half.columns()) * half.particle_mass());
+  }
+}
+
 // Columns stand evenly about the axis, within the section, on the side the paper's slot has.
 TEST(Nozzle, ColumnsFillTheSection) {
   for (const auto& [name, dimension, description] : jets()) {

@@ -46,6 +46,15 @@ TEST(Series, SlopeOfALine) {
   EXPECT_NEAR(reduce(series, reduction({{"reduce", "slope"}})), -7.0, 1e-12);
 }
 
+TEST(Series, DecayRateOfAnExponential) {
+  TimeSeries series;
+  for (const double t : {0.0, 0.1, 0.35, 0.5}) {
+    series.time.push_back(t);
+    series.value.push_back(12.0 * std::exp(-3.0 * t));
+  }
+  EXPECT_NEAR(reduce(series, reduction({{"reduce", "decay_rate"}})), 3.0, 1e-12);
+}
+
 TEST(Series, PeriodOfADampedSine) {
   constexpr double period = 0.254;
   const auto series =

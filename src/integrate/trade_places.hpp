@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fluid that has passed through a symmetry plane has met its mirror image there. The two are alike:
+// each goes on as the other, so that nothing is seen to pass. What a solid holds back is left where
+// it is, and pushed back.
+#pragma once
+
+#include "particles/fields.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct TradePlaces {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  double dt;  // s, of the step
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (!particles.is_fluid(i) || particles.is_constrained(i)) return;
+    const auto& mirrors = particles.mirrors;
+    const auto& x = particles.position[i];
+    MirrorCode passed = 0;
+    for (int a = 0; a < D; ++a) {
+      if (x[a] < mirrors.low[a]) passed |= mirrors.low_face(a);
+      if (x[a] > mirrors.high[a]) passed |= mirrors.high_face(a);
+    }
+    passed &= mirrors.faces;
+    if (passed == 0) return;
+    const auto velocity = mirrors.image(passed, particles.velocity[i]);
+    particles.mirror_acceleration[i] +=
+        Real(1.0 / dt) * (velocity - particles.velocity[i]);  // for the book of impulses
+    particles.velocity[i] = velocity;
+    particles.position[i] = mirrors.image_place(passed, x);
+  }
+};
+
+}  // namespace kerf

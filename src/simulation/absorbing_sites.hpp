@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// The particles at the absorbing faces of bodies, and how fast each of them is damped there. The
+// area that a particle has of a face is its volume over the distance of layers along the normal,
+// which is right for rows that are staggered too.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "particles/fill.hpp"
+#include "particles/medium.hpp"
+#include "simulation/populate.hpp"
+#include "solid/absorb.hpp"
+
+namespace kerf {
+
+// One side of one body: the particles within 3/4 of a layer of its outermost ones.
+template <int D>
+struct AbsorbingFace {
+  std::size_t source = 0;
+  int axis = 0;
+  double sign = 1.0;   // of the outward normal
+  double layer = 0.0;  // m, distance of layers along the normal
+  double outermost = -std::numeric_limits<double>::infinity();  // m, along the normal
+
+  double depth(const Vector<D, double>& x) const { return outermost - sign * x[axis]; }
+  bool holds(const Vector<D, double>& x) const { return depth(x) < 0.75 * layer; }
+};
+
+template <int D>
+std::vector<AbsorbingFace<D>> absorbing_faces(const Case& description) {
+  std::vector<AbsorbingFace<D>> faces;
+  for (std::size_t b = 0; b < description.bodies.size(); ++b) {
+    const Body& body = description.bodies[b];
+    for (int a = 0; a < D; ++a) {
+      const auto axis = static_cast<std::size_t>(a);
+      const double layer = layer_distance(body, a, D);
+      if (body.absorbing.minimum[axis]) faces.push_back({b, a, -1.0, layer});
+      if (body.absorbing.maximum[axis]) faces.push_back({b, a, 1.0, layer});
+    }
+  }
+  return faces;
+}
+
+// `position` and `source` of the particles of the start; `number` of each in the solid. Damping of
+// t = - rho c_p v_n n - rho c_s v_t on the area V / layer of a particle of mass rho V: the rate
+// c / layer along each axis, of every face that the particle is at.
+template <int D>
+std::vector<AbsorbingSite<D>> absorbing_sites(const Case& description,
+                                              const std::vector<Medium<double>>& media,
+                                              const std::vector<Vector<D, double>>& position,
+                                              const std::vector<std::uint16_t>& source,
+                                              const std::vector<std::uint32_t>& number) {
+  auto faces = absorbing_faces<D>(description);
+  std::vector<AbsorbingSite<D>> sites;
+  if (faces.empty()) return sites;
+  for (auto& face : faces)
+    for (std::size_t i = 0; i < position.size(); ++i)
+      if (source[i] == face.source)
+        face.outermost = std::max(face.outermost, face.sign * position[i][face.axis]);
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    const Medium<double>& medium = media[source[i]];
+    AbsorbingSite<D> site{number[i], medium.mass, Vector<D, double>::zero(),
+                          Vector<D, double>::zero()};
+    for (const auto& face : faces) {
+      if (source[i] != face.source || !face.holds(position[i])) continue;
+      const double shear_speed = std::sqrt(medium.shear_modulus / medium.density);
+      for (int a = 0; a < D; ++a)
+        site.rate[a] += (a == face.axis ? medium.longitudinal_speed : shear_speed) / face.layer;
+    }
+    if (dot(site.rate, site.rate) > 0.0) sites.push_back(site);
+  }
+  return sites;
+}
+
+}  // namespace kerf

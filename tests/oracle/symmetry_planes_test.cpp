@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pair sums of a part between symmetry planes against plain double loops over the part and its
+// mirror images together, without any plane.
+#include <gtest/gtest.h>
+
+#include "support/mirrored.hpp"
+#include "support/wet_bag.hpp"
+
+namespace kerf::test {
+namespace {
+
+// The largest error of a field over the largest value of that field.
+struct Gap {
+  double error = 0.0, scale = 0.0;
+  void add(double value, double due) {
+    error = std::max(error, std::abs(value - due));
+    scale = std::max(scale, std::abs(due));
+  }
+  void add(const Vector3& value, const Vector3& due) {
+    error = std::max(error, (value - due).norm());
+    scale = std::max(scale, due.norm());
+  }
+};
+
+template <class K>
+class SymmetryPlanes : public testing::Test {
+ protected:
+  static constexpr int D = K::D;
+  using P = typename K::P;
+  using Real = typename P::Real;
+  // As in standard_rates_test.cpp: rounding of sums in another order, or of single precision.
+  static constexpr double tolerance = std::is_same_v<P, Double> ? 1e-12 : 1e-4;
+
+  static LoadedStandard<D, P> evaluated(const ReferenceState& part, const MirrorPlanes<D>& planes) {
+    LoadedStandard<D, P> loaded(part, {0.0, 0.03});
+    loaded.particles.mirrors = planes;
+    loaded.rebuild();
+    evaluate_standard(part, loaded);
+    evaluate_standard(part, loaded);  // with normals of walls
+    return loaded;
+  }
+
+  // Between planes in some faces of [0, per_side mm]^D. The first of the solids is one with its
+  // images, the other is not.
+  static void compare(const std::string& faces, int per_side, unsigned seed) {
+    auto part = wet_bag(D, seed, per_side);
+    const auto planes = planes_of<D>(faces, per_side * bag_spacing);
+    stiffen_volume(part);
+    part.media[2].joined_mirrors = part.media[3].joined_mirrors = planes.faces;
+    if (faces == "x-") part.gravity = {0.0, -9810.0, D == 3 ? 700.0 : 0.0};
+    const auto whole = whole_of(part, planes);
+    const std::size_t n = part.particles.size();
+    const ReferenceStandard oracle(
+        whole,
+        [&](std::size_t i, std::size_t j) {
+          return whole.medium(i).piece == whole.medium(j).piece && bag_bonded(i % n, j % n);
+        },
+        ReferenceStandard::Normals::known);
+    compare(part, evaluated(part, planes), oracle);
+  }
+
+  static void compare(const ReferenceState& part, const LoadedStandard<D, P>& loaded,
+                      const ReferenceStandard& oracle) {
+    const auto place = loaded.places();
+    const auto& p = loaded.particles;
+    Gap pressure, continuity, energy, pressing, damping, total, from_rigid;
+    Vector3 sum = Vector3::Zero(), booked = Vector3::Zero();
+    double scale = 0.0;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      if (part.medium(i).phase == Phase::rigid) continue;
+      const StandardRate& due = oracle.rates()[i];
+      const std::size_t k = place[i];
+      const double m = part.medium(i).mass;
+      pressure.add(p.pressure[k], due.pressure);
+      continuity.add(p.compression_rate[k], due.compression_rate);
+      energy.add(p.repulsion_potential[k], due.contact_energy / m);
+      pressing.add(of(p.pressure_acceleration[k]), due.pressing / m);
+      damping.add(of(p.damping_acceleration[k]), due.damping / m);
+      from_rigid.add(of(p.repulsion[k]), due.from_rigid / m);
+      total.add(of(p.acceleration[k]), oracle.force(i) / m + part.gravity);
+      sum += m * (of(p.acceleration[k]) - part.gravity);
+      booked += m * (of(p.repulsion[k]) + of(p.mirror_acceleration[k]));
+      scale += m * of(p.mirror_acceleration[k]).norm();
+    }
+    for (const Gap& gap : {pressure, continuity, energy, pressing, damping, total, from_rigid}) {
+      EXPECT_GT(gap.scale, 0.0);
+      EXPECT_LE(gap.error, tolerance * gap.scale);
+    }
+    // All that pushes the part together is booked: rigid bodies and images.
+    EXPECT_GT(scale, 0.0);
+    EXPECT_LE((sum - booked).norm(), tolerance * (scale + sum.norm()));
+  }
+
+ private:
+  static Vector3 of(const Vector<D, Real>& v) { return as_eigen(v); }
+};
+TYPED_TEST_SUITE(SymmetryPlanes, BagKinds);
+
+TYPED_TEST(SymmetryPlanes, One) {
+  for (unsigned seed : {1u, 2u}) TestFixture::compare("x-", TypeParam::D == 2 ? 14 : 7, seed);
+  TestFixture::compare("y+", TypeParam::D == 2 ? 14 : 7, 3);
+}
+
+TYPED_TEST(SymmetryPlanes, TwoThatCross) {
+  TestFixture::compare("x- y+", TypeParam::D == 2 ? 14 : 7, 4);
+}
+
+TYPED_TEST(SymmetryPlanes, ThreeThatCross) {
+  if (TypeParam::D == 3) TestFixture::compare("x+ y- z-", 6, 5);
+}
+
+// So far apart that no image of an image is seen, by way of the touch of images neither.
+TYPED_TEST(SymmetryPlanes, TwoAcross) {
+  if (TypeParam::D == 2) TestFixture::compare("y- y+", 22, 6);
+}
+
+}  // namespace
+}  // namespace kerf::test
