@@ -12,8 +12,8 @@ namespace kerf {
 namespace {
 
 // `levels`: the media of its levels.
-void add_body(const Case& description, std::size_t number,
-              const std::vector<std::uint16_t>& levels, std::vector<NewParticle>& particles) {
+void add_body(const Case& description, std::size_t number, const std::vector<std::uint16_t>& levels,
+              std::vector<NewParticle>& particles) {
   const Body& body = description.bodies[number];
   const int dimension = description.dimension;
   const std::vector<GradedParticle> laid = fill_levels(body, dimension);

@@ -9,8 +9,9 @@ namespace {
 
 void merge(toml::table& base, const toml::table& changes);
 
-bool has_tables(const toml::array& list) {
-  return !list.empty() && list[0].is_table();
+// Others, such as the parts of a shape, have nothing to be matched by.
+bool has_named_tables(const toml::array& list) {
+  return !list.empty() && list[0].is_table() && list[0].as_table()->contains("name");
 }
 
 toml::table* entry_named(toml::array& list, const std::string& name) {
@@ -37,7 +38,7 @@ void merge(toml::table& base, const toml::table& changes) {
     toml::node* old = base.get(key);
     if (old && old->is_table() && change.is_table())
       merge(*old->as_table(), *change.as_table());
-    else if (old && old->is_array() && change.is_array() && has_tables(*change.as_array()))
+    else if (old && old->is_array() && change.is_array() && has_named_tables(*change.as_array()))
       merge_lists(*old->as_array(), *change.as_array());
     else
       change.visit([&, &name = key](const auto& value) { base.insert_or_assign(name, value); });

@@ -10,7 +10,8 @@
 namespace kerf {
 
 // The case as TOML text with `changes` put over it: tables are merged key by key; lists of tables
-// (body, jet, probe) entry by entry, matched by their "name"; everything else is replaced.
+// (body, jet, probe) entry by entry, matched by their "name"; everything else, such as the parts of
+// a shape, is replaced.
 std::string overlay(std::string_view case_text, const toml::table& changes);
 
 }  // namespace kerf

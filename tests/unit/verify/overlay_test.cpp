@@ -51,6 +51,16 @@ TEST(Overlay, ReplacesOtherLists) {
   EXPECT_EQ(body["velocity"].as_array()->size(), 1u);
 }
 
+// Parts of a shape have no names.
+TEST(Overlay, ReplacesListsOfNamelessTables) {
+  const std::string notched = "[shape]\ntype = \"difference\"\nparts = [{ x = 1 }, { x = 2 }]";
+  const auto result =
+      toml::parse(overlay(notched, toml::parse("[shape]\nparts = [{ x = 1 }, { x = 3 }]")));
+  const toml::array& parts = *result["shape"]["parts"].as_array();
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ((*parts[1].as_table())["x"].value_or(0), 3);
+}
+
 TEST(Overlay, AddsTables) {
   const auto result = overlaid("[artificial_stress]\nepsilon = 0.3");
   EXPECT_EQ(result["artificial_stress"]["epsilon"].value_or(0.0), 0.3);
