@@ -14,13 +14,13 @@
 
 namespace kerf {
 
-inline constexpr double crack_band = 3.2;  // w, spacings
+inline constexpr double crack_band_width = 3.2;  // w, spacings
 
 // K and G of the material in Pa, energy in J/m^2, spacing in m.
 inline double failure_strain_of(double fracture_energy, double bulk_modulus, double shear_modulus,
                                 double spacing) {
   const double modulus = bond_bulk_modulus(bulk_modulus, shear_modulus) + 4.0 / 3.0 * shear_modulus;
-  return std::sqrt(2.0 * fracture_energy / (crack_band * spacing * modulus));
+  return std::sqrt(2.0 * fracture_energy / (crack_band_width * spacing * modulus));
 }
 
 }  // namespace kerf

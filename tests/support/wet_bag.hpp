@@ -63,7 +63,8 @@ struct BagBonds {
            bag_bonded(particles.id[pair.i], particles.id[pair.j]);
   }
   // Laid out farther apart than their spacings.
-  KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>&, Index, Index) const {
+  KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>&,
+                                                   const Pair<D, P>&) const {
     return typename P::Real(1);
   }
 };
