@@ -10,7 +10,7 @@ namespace kerf::test {
 namespace {
 
 // The largest error of a field over the largest value of that field.
-struct Gap {
+struct GapToWhole {
   double error = 0.0, scale = 0.0;
   void add(double value, double due) {
     error = std::max(error, std::abs(value - due));
@@ -63,7 +63,7 @@ class SymmetryPlanes : public testing::Test {
                       const ReferenceStandard& oracle) {
     const auto place = loaded.places();
     const auto& p = loaded.particles;
-    Gap pressure, continuity, energy, pressing, damping, total, from_rigid;
+    GapToWhole pressure, continuity, energy, pressing, damping, total, from_rigid;
     Vector3 sum = Vector3::Zero(), booked = Vector3::Zero();
     double scale = 0.0;
     for (std::size_t i = 0; i < place.size(); ++i) {
@@ -82,7 +82,8 @@ class SymmetryPlanes : public testing::Test {
       booked += m * (of(p.repulsion[k]) + of(p.mirror_acceleration[k]));
       scale += m * of(p.mirror_acceleration[k]).norm();
     }
-    for (const Gap& gap : {pressure, continuity, energy, pressing, damping, total, from_rigid}) {
+    for (const GapToWhole& gap :
+         {pressure, continuity, energy, pressing, damping, total, from_rigid}) {
       EXPECT_GT(gap.scale, 0.0);
       EXPECT_LE(gap.error, tolerance * gap.scale);
     }

@@ -11,7 +11,7 @@ TEST(Refuse, SofteningThatLacksSomething) {
        "dimension = 2",
        "dimension = 2\nformulation = \"standard\"\n[materials.curd]\nbase = \"tofu\"\n"
        "criterion = \"crack_band\"",
-       "criterion",
+       "[materials.curd]",
        "materials.curd.fracture_energy: the criterion \"crack_band\" spends this energy.",
        {"greater than 0 J/m2"}},
       {"softening without a strain",

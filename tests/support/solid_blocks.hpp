@@ -72,7 +72,7 @@ template <int D>
 using Square = Eigen::Matrix<double, D, D>;
 
 template <int D, class T>
-Square<D> as_eigen(const Matrix<D, T>& m) {
+Square<D> as_square(const Matrix<D, T>& m) {
   Square<D> e;
   for (int a = 0; a < D; ++a)
     for (int b = 0; b < D; ++b) e(a, b) = m(a, b);

@@ -20,7 +20,7 @@ class Deformation : public testing::Test {
     trial.deform();
     double worst = 0.0;
     for (std::size_t i = 0; i < trial.size(); ++i) {
-      const Tensor f = as_eigen(trial.gradient(i)) + Tensor::Identity();
+      const Tensor f = as_square(trial.gradient(i)) + Tensor::Identity();
       worst = std::max(worst, (f - map).cwiseAbs().maxCoeff());
     }
     return worst;

@@ -32,7 +32,7 @@ TYPED_TEST(GradedSolid, LinearMapsAreExact) {
   double worst = 0.0;
   for (std::size_t i = 0; i < trial.size(); ++i)
     worst = std::max(
-        worst, (as_eigen(trial.gradient(i)) + Square<D>::Identity() - map).cwiseAbs().maxCoeff());
+        worst, (as_square(trial.gradient(i)) + Square<D>::Identity() - map).cwiseAbs().maxCoeff());
   EXPECT_LE(worst, 30.0 * TypeParam::rounding);
 }
 

@@ -13,14 +13,14 @@ template <class Chosen>
 class Hourglass : public testing::Test {};
 TYPED_TEST_SUITE(Hourglass, BothPrecisions);
 
-constexpr int cells = 11;
+constexpr int block_cells = 11;
 
 // The particle in the middle, more than two supports from every face.
 template <int D>
 bool is_inside(std::size_t k) {
   std::size_t rest = k;
-  for (int a = 0; a < D; ++a, rest /= cells)
-    if (rest % cells < 5 || rest % cells > cells - 6) return false;
+  for (int a = 0; a < D; ++a, rest /= block_cells)
+    if (rest % block_cells < 5 || rest % block_cells > block_cells - 6) return false;
   return true;
 }
 
@@ -29,9 +29,10 @@ template <int D, class P>
 SolidOnTrial<D, P> checkerboard(double amplitude, double hourglass) {
   auto medium = soft_solid(1e-3, D);
   medium.hourglass = hourglass;
-  SolidOnTrial<D, P> trial(block<D>({.cells = {cells, cells, cells}}, medium));
+  SolidOnTrial<D, P> trial(block<D>({.cells = {block_cells, block_cells, block_cells}}, medium));
   for (std::size_t k = 0; k < trial.size(); ++k) {
-    const std::size_t sum = k % cells + k / cells % cells + k / (cells * cells);
+    const std::size_t sum =
+        k % block_cells + k / block_cells % block_cells + k / (block_cells * block_cells);
     trial.position[k][0] += sum % 2 == 0 ? amplitude : -amplitude;
   }
   trial.evaluate();
@@ -107,7 +108,7 @@ TYPED_TEST(Hourglass, ShearWavesAreExactToThirdOrder) {
     auto medium = soft_solid(1e-3, D);
     medium.hourglass = control ? 4.0 * medium.shear_modulus / (3.0 * medium.young_modulus()) : 0.0;
     SolidOnTrial<D, typename TypeParam::P> trial(
-        block<D>({.cells = {cells, cells, cells}}, medium));
+        block<D>({.cells = {block_cells, block_cells, block_cells}}, medium));
     const std::size_t middle = trial.size() / 2;
     const double start = trial.layout.reference[middle][0] - 0.5 * std::numbers::pi / k;
     for (auto& x : trial.position) x[1] += amplitude * std::sin(k * (x[0] - start));

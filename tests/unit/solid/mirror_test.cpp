@@ -21,8 +21,8 @@ Vector3 as_point(const Vector<D, double>& x) {
   return p;
 }
 
-constexpr double spacing = 1e-3;  // m
-constexpr int cells = 6;          // along each axis of the part, [0, 6 mm]^D
+constexpr double part_spacing = 1e-3;  // m
+constexpr int part_cells = 6;          // along each axis of the part, [0, 6 mm]^D
 
 template <class K>
 class MirroredSolid : public testing::Test {
@@ -42,7 +42,8 @@ class MirroredSolid : public testing::Test {
 
   // Two media of one piece, at the planes; a third that lies at none of them.
   static SolidLayout<D> layout_of_part(const MirrorPlanes<D>& planes, bool viscous, bool flows) {
-    auto layout = block<D>({.cells = {cells, cells, cells}, .jitter = 0.2, .seed = 5});
+    auto layout =
+        block<D>({.cells = {part_cells, part_cells, part_cells}, .jitter = 0.2, .seed = 5});
     layout.mirrors = planes;
     layout.media[0].joined_mirrors = planes.faces;
     if (viscous) layout.media[0].artificial_linear = layout.media[0].artificial_quadratic = 0.8;
@@ -88,7 +89,7 @@ class MirroredSolid : public testing::Test {
   }
 
   static Pair pair(const std::string& faces, bool viscous = false, bool flows = false) {
-    const auto planes = planes_of<D>(faces, cells * spacing);
+    const auto planes = planes_of<D>(faces, part_cells * part_spacing);
     const auto layout = layout_of_part(planes, viscous, flows);
     const auto codes = images_of(planes);
     return {planes, codes, Trial(layout), Trial(layout_of_whole(layout, codes))};
@@ -102,8 +103,8 @@ class MirroredSolid : public testing::Test {
     const std::size_t n = both.part.size();
     for (std::size_t i = 0; i < n; ++i) {
       for (int a = 0; a < D; ++a) {
-        both.part.position[i][a] =
-            both.part.layout.reference[i][a] * (1.0 + stretch) + 0.08 * spacing * uniform(engine);
+        both.part.position[i][a] = both.part.layout.reference[i][a] * (1.0 + stretch) +
+                                   0.08 * part_spacing * uniform(engine);
         both.part.velocity[i][a] = static_cast<Real>(2.0 * uniform(engine));
       }
       for (std::size_t c = 0; c < both.codes.size(); ++c) {
@@ -131,8 +132,8 @@ class MirroredSolid : public testing::Test {
     for (std::size_t i = 0; i < both.part.size(); ++i) {
       force_scale = std::max(force_scale, norm(both.whole.force(i)));
       force_error = std::max(force_error, norm(both.part.force(i) - both.whole.force(i)));
-      const auto own = as_eigen<D>(both.part.gradient(i));
-      const auto due = as_eigen<D>(both.whole.gradient(i));
+      const auto own = as_square<D>(both.part.gradient(i));
+      const auto due = as_square<D>(both.whole.gradient(i));
       gradient_error = std::max(gradient_error, (own - due).cwiseAbs().maxCoeff());
       mirrored += norm(Vector<D, Real>(both.part.solid.fields().mirror_acceleration[i]));
       EXPECT_EQ(both.part.solid.fields().loose[i], both.whole.solid.fields().loose[i]);

@@ -146,8 +146,8 @@ TEST(Softening, CrackTakesItsEnergy) {
   };
   for (const Strip& strip :
        {Strip{1e-3, 0.0, 0.3, 10.0}, Strip{1e-3, 0.15, 0.3, 10.0}, Strip{1e-3, 0.0, 0.0, 10.0},
-        Strip{0.5e-3, 0.0, 0.3, 10.0}, Strip{1e-3, 0.0, 0.3, 5.0}, Strip{0.5e-3, 0.0, 0.3, 5.0},
-        Strip{0.5e-3, 0.0, 0.3, 3.0}, Strip{1e-3, 0.0, 0.3, 2.0}, Strip{1e-3, 0.0, 0.3, 1.4}}) {
+        Strip{0.5e-3, 0.0, 0.3, 5.0}, Strip{1e-3, 0.0, 0.3, 5.0}, Strip{1e-3, 0.0, 0.3, 2.0},
+        Strip{1e-3, 0.0, 0.3, 1.4}}) {
     const auto band = softening_of(strip.energy, 1e5, 0.1, strip.spacing);
     const auto medium = softening_solid(strip.spacing, 2, band.end, strip.poisson_ratio);
     const double energy = takes(medium, strip.jitter);
