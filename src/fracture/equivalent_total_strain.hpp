@@ -32,7 +32,7 @@ struct EquivalentTotalStrain {
 
   template <class T>
   KERF_FUNCTION static bool passes(T prepared, const SolidMedium<T>& solid) {
-    return solid.failure_strain > T(0) && prepared > solid.failure_strain;
+    return solid.fails_at(prepared);
   }
 
   template <class T>

@@ -11,8 +11,7 @@
 #include <cmath>
 
 #include "fracture/bond_strain.hpp"
-#include "materials/finite_strain.hpp"
-#include "solid/solid_medium.hpp"
+#include "materials/damaged.hpp"
 
 namespace kerf {
 
@@ -21,21 +20,14 @@ struct StrainEnergy {
   template <int D, class T>
   KERF_FUNCTION static T prepare(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green) {
     if (!(solid.failure_strain > T(0))) return T(0);
-    const Vector<3, T> values = principal_values(green);
-    T sum = T(0), square = T(0);
-    for (int a = 0; a < 3; ++a) {
-      const T strain = T(0.5) * std::log1p(T(2) * values[a]);
-      sum += strain;
-      if (strain > T(0)) square += strain * strain;
-    }
-    const T g = solid.shear_modulus, lame = solid.bulk_modulus - T(2) / T(3) * g;
-    const T twice = (sum > T(0) ? lame * sum * sum : T(0)) + T(2) * g * square;
-    return twice > T(0) ? std::sqrt(twice / (lame + T(2) * g)) : T(0);
+    const auto law = TensionLaw<T>::of(solid);
+    const T twice = T(2) * law.energy(principal_values(green));
+    return twice > T(0) ? std::sqrt(twice / (law.lame + T(2) * law.shear)) : T(0);
   }
 
   template <class T>
   KERF_FUNCTION static bool passes(T prepared, const SolidMedium<T>& solid) {
-    return solid.failure_strain > T(0) && prepared > solid.failure_strain;
+    return solid.fails_at(prepared);
   }
 
   template <class T>

@@ -2,7 +2,7 @@
 // From positions to deformation and stress. With R = X_j - X_i and w_ij of solid_fields.hpp,
 //   H_i = F_i - 1 = (sum_j w_ij (u_j - u_i) (x) R) B_i / V_i.
 // The force needs of a particle one tensor only, which joins stress and hourglass control,
-//   A_i = P_i B_i - mu_i H_i,   mu of respond.hpp,   see bond_force.hpp.
+//   A_i = P_i B_i - mu_i H_i,   mu of hourglass_modulus.hpp,   see bond_force.hpp.
 #pragma once
 
 #include "solid/respond.hpp"

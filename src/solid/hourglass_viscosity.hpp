@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a solid has flown its hourglass control has gone soft (respond.hpp), and the motion that a
-// particle's gradient does not see would be free. It is damped instead, as finite elements with one
-// point of integration do (Flanagan & Belytschko, Int. J. Numer. Methods Eng. 17 (1981) 679). The
-// power  sum_i eta_i sum_j w_ij |gamma_ij|^2,  gamma_ij = Fdot_i R - v_ij,  is Rayleigh's function,
-// so that the force is its slope, as that of the elastic control is the slope of an energy:
+// Where a solid has flown its hourglass control has gone soft (hourglass_modulus.hpp), and the
+// motion that a particle's gradient does not see would be free. It is damped instead, as finite
+// elements with one point of integration do (Flanagan & Belytschko, Int. J. Numer. Methods Eng. 17
+// (1981) 679). The power  sum_i eta_i sum_j w_ij |gamma_ij|^2,  gamma_ij = Fdot_i R - v_ij,  is
+// Rayleigh's function, so that the force is its slope, as that of the elastic control is the slope
+// of an energy:
 //   m_i a_i = sum_j w_ij [(eta_i + eta_j) v_ij - (eta_i Fdot_i + eta_j Fdot_j) R].
 #pragma once
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "exec/ordered_sum.hpp"
-#include "solid/stored_energy.hpp"
+#include "solid/hourglass_modulus.hpp"
 
 namespace kerf {
 
@@ -40,10 +40,8 @@ struct KeepDamage {
     if (!(more > Real(0))) return;
     const auto h = Matrix<D, double>::from(solid.gradient[i]);
     const auto stored = TensionLaw<double>::of(medium).energy(principal_values(green_strain(h)));
-    const Real modulus = damaged_hourglass(medium, solid.flaws[i].damage);
-    solid.damage_loss[i] = double(medium.volume()) * double(more) * stored +
-                           0.5 * double(solid.hourglass[i] - modulus) * misfit(solid, i);
-    solid.hourglass[i] = modulus;
+    solid.damage_loss[i] =
+        double(medium.volume()) * double(more) * stored + lower_hourglass(solid, i);
   }
 };
 

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "exec/ordered_sum.hpp"
-#include "solid/respond.hpp"
-#include "solid/stored_energy.hpp"
+#include "solid/hourglass_modulus.hpp"
 
 namespace kerf {
 
@@ -20,22 +19,6 @@ struct StartUnflown {
   }
 };
 
-// What flow and damage at the start of the step make of the hourglass control.
-template <int D, class P>
-struct SetHourglassModulus {
-  SolidView<D, P> solid;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    const auto& medium = solid.medium(i);
-    solid.hourglass[i] = solid.flows(i) ? hourglass_modulus(medium, solid.plasticity(i),
-                                                            solid.flow_start[i].plastic_strain)
-                                        : damaged_hourglass(medium, solid.damage(i));
-    if (!solid.softens(i)) return;
-    const auto whole = whole_share(medium, solid.strain_start[i]);
-    solid.hourglass[i] *= whole * whole;
-  }
-};
-
 template <int D, class P>
 struct KeepFlow {
   using Real = typename P::Real;
@@ -48,11 +31,7 @@ struct KeepFlow {
     solid.flow_loss[i] = double(medium.volume()) * double(solid.flow_work[i]);
     solid.flow_work[i] = Real(0);
     solid.flow_start[i] = solid.flow_now[i];
-    const Real modulus =
-        hourglass_modulus(medium, solid.plasticity(i), solid.flow_start[i].plastic_strain);
-    if (!(modulus < solid.hourglass[i])) return;
-    solid.flow_loss[i] += 0.5 * double(solid.hourglass[i] - modulus) * misfit(solid, i);
-    solid.hourglass[i] = modulus;
+    solid.flow_loss[i] += lower_hourglass(solid, i);
   }
 };
 

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "exec/ordered_sum.hpp"
-#include "solid/respond.hpp"
-#include "solid/stored_energy.hpp"
+#include "solid/hourglass_modulus.hpp"
 
 namespace kerf {
 
@@ -21,20 +20,13 @@ struct StartWhole {
 // The hourglass control of what is left; what it held too much of is lost with the rest.
 template <int D, class P>
 struct KeepSoftening {
-  using Real = typename P::Real;
   SolidView<D, P> solid;
 
   KERF_FUNCTION void operator()(Index i) const {
     solid.softening_loss[i] = 0.0;
     if (!solid.softens(i) || solid.loose[i]) return;
-    const auto& medium = solid.medium(i);
-    const Real before = whole_share(medium, solid.strain_start[i]);
-    const Real now = whole_share(medium, solid.strain_now[i]);
     solid.strain_start[i] = solid.strain_now[i];
-    if (!(now < before)) return;
-    const Real modulus = now * now * medium.hourglass_modulus();
-    solid.softening_loss[i] = 0.5 * double(solid.hourglass[i] - modulus) * misfit(solid, i);
-    solid.hourglass[i] = modulus;
+    solid.softening_loss[i] = lower_hourglass(solid, i);
   }
 };
 

@@ -22,7 +22,7 @@ namespace kerf {
   FIELD(Tensor, correction)         /* B_i / V_i, 1/m^D */                          \
   FIELD(Tensor, gradient)           /* H = F - 1 */                                 \
   FIELD(Tensor, traction)           /* A = (P B) - mu H, Pa; see deform.hpp */      \
-  FIELD(Real, hourglass)            /* mu, Pa; see respond.hpp */                   \
+  FIELD(Real, hourglass)            /* mu, Pa; see hourglass_modulus.hpp */         \
   FIELD(Real, criterion)            /* of the fracture criterion */                 \
   FIELD(Speed, acceleration)        /* m/s^2 */                                     \
   FIELD(Speed, mirror_acceleration) /* m/s^2, the part due to mirror images */      \

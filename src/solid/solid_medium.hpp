@@ -39,6 +39,10 @@ struct SolidMedium {
     return criterion == BondCriterion::principal_stress ? tensile_strength > T(0)
                                                         : failure_strain > T(0);
   }
+  // Whether this strain of a place passes the limit, if there is one.
+  KERF_FUNCTION bool fails_at(T strain) const {
+    return failure_strain > T(0) && strain > failure_strain;
+  }
   KERF_FUNCTION bool softens() const { return softening_strain > T(0); }
   // Modulus of the hourglass control, Pa.
   KERF_FUNCTION T hourglass_modulus() const { return hourglass * young_modulus(); }
