@@ -161,6 +161,8 @@ void write_material(Writer& writer, Formulation formulation, const Material& mat
     writer.text("plasticity", word_of(material.plasticity, plastic_law_words));
     writer.text("criterion", word_of(material.criterion, bond_criterion_words));
   }
+  if (material.kind == MaterialKind::water && formulation == Formulation::standard)
+    writer.text("equation_of_state", word_of(material.equation_of_state, equation_of_state_words));
   for (const MaterialField& field : material_fields(material_conditions(material, formulation)))
     writer.number(field.key, material.*field.member);
   if (material.kind == MaterialKind::water) writer.number("sound_speed", material.sound_speed);

@@ -22,6 +22,7 @@ enum class Phase : std::uint8_t { water, solid, rigid };
   NUMBER(longitudinal_speed)   /* m/s, fastest wave: c_p in a solid, c in water */            \
   NUMBER(tait_coefficient)     /* Pa, B of eq. (15) */                                        \
   NUMBER(tait_exponent)        /* 1, n */                                                     \
+  NUMBER(hugoniot_slope)       /* 1, s of the shock speed c + s u */                          \
   NUMBER(viscosity)            /* Pa s */                                                     \
   NUMBER(bulk_modulus)         /* Pa, K */                                                    \
   NUMBER(excess_bulk_modulus)  /* Pa, the part of K that acts by the density, not by bonds */ \
@@ -39,6 +40,7 @@ struct Medium {
   Phase phase = Phase::water;
   bool constrained = false;  // fixed, or moved by prescription
   bool cavitates = false;    // opens instead of being pulled once it holds on to nothing
+  EquationOfState equation_of_state = EquationOfState::tait;  // of what has a density
   ElasticLaw elasticity = ElasticLaw::neo_hookean;
   BondCriterion criterion = BondCriterion::principal_strain;
   std::uint16_t piece = 0;  // solids of one piece hold together; different pieces only touch
@@ -63,6 +65,7 @@ struct Medium {
     medium.phase = other.phase;
     medium.constrained = other.constrained;
     medium.cavitates = other.cavitates;
+    medium.equation_of_state = other.equation_of_state;
     medium.elasticity = other.elasticity;
     medium.criterion = other.criterion;
     medium.piece = other.piece;

@@ -5,6 +5,7 @@
 // opposite.
 #pragma once
 
+#include "materials/equation_of_state.hpp"
 #include "rates/riemann.hpp"
 
 namespace kerf {
@@ -35,7 +36,7 @@ struct FluidPair {
     const Real u_j = -inverse * dot(particles.velocity[pair.j], pair.separation);
     if (kind == Meeting::alike)
       return solve_riemann(side(particles, pair.i, *pair.medium_i, u_i),
-                           side(particles, pair.j, *pair.medium_j, u_j));
+                           side(particles, pair.j, *pair.medium_j, u_j), sharpness(pair));
     const Real fall = dot(gravity, pair.separation);
     // Seen from the fluid, e and with it both speeds change sign where j is the fluid.
     const bool fluid_i = kind == Meeting::wall_of_i;
@@ -54,9 +55,16 @@ struct FluidPair {
   }
 
  private:
+  // Without the difference in pressure where two approach by a twentieth of the speed of sound.
+  KERF_FUNCTION static Real sharpness(const Pair<D, P>& pair) {
+    const bool weak = pair.medium_i->equation_of_state == EquationOfState::tait ||
+                      pair.medium_j->equation_of_state == EquationOfState::tait;
+    return weak ? Real(0) : Real(20);
+  }
   KERF_FUNCTION static RiemannSide<Real> side(const ParticleView<D, P>& particles, Index i,
                                               const Medium<Real>& medium, Real speed) {
-    return {particles.density(i), particles.pressure[i], speed, medium.sound_speed};
+    return {particles.density(i), particles.pressure[i], speed,
+            impedance_speed_at(medium, particles.compression[i])};
   }
 };
 

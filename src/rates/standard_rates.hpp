@@ -5,7 +5,7 @@
 #pragma once
 
 #include "kernels/wendland_c2.hpp"
-#include "materials/tait.hpp"
+#include "materials/equation_of_state.hpp"
 #include "rates/body_force.hpp"
 #include "rates/filling.hpp"
 #include "rates/fluid_continuity.hpp"
@@ -30,7 +30,7 @@ struct FluidPressure {
     const bool fluid = particles.is_fluid(i);
     particles.pressure[i] = particles.has_density(i)
                                 ? medium.template share_by_density<Real>(fluid) *
-                                      Tait::pressure(medium, particles.compression[i])
+                                      pressure_at(medium, particles.compression[i])
                                 : Real(0);
   }
 };
