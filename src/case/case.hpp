@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "case/material.hpp"
+#include "rates/water_scheme.hpp"
 
 namespace kerf {
 
@@ -124,6 +125,12 @@ struct ArtificialStress {  // Gray, Monaghan & Swift (2001)
   bool operator==(const ArtificialStress&) const = default;
 };
 
+struct Numerics {  // of the `standard` formulation
+  WaterScheme water = WaterScheme::riemann;
+  bool shifting = false;  // of water's particles, away from its surfaces
+  bool operator==(const Numerics&) const = default;
+};
+
 struct TimeControl {
   double end = 0.0;           // s
   double courant = 0.25;      // 1, factor of the acoustic limit
@@ -149,6 +156,7 @@ struct Case {
   Box domain;                    // m; particles that leave it are removed and accounted for
   double smoothing_ratio = 1.5;  // h / spacing
   ArtificialStress artificial_stress;
+  Numerics numerics;
   std::vector<Material> materials;
   std::vector<Body> bodies;
   std::vector<Jet> jets;

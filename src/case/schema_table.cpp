@@ -40,6 +40,7 @@ constexpr Key table_of_keys[] = {
 {"", "backflow_eraser", table, "", "(off)", any, "", "", "Erases jet water that flows back"},
 {"", "probe", tables, "", "(none)", any, "", "", "Places where the run is measured"},
 {"", "artificial_stress", table, "", "(off)", any, "", "shinohara2004", "Cure of the tensile instability"},
+{"", "numerics", table, "", "(all defaults)", any, "", "standard", "How the equations of water are summed"},
 {"", "output", table, "", "(all defaults)", any, "", "", "What is written, and when"},
 
 {"time", "end", quantity, "s", "", up_to(1e6), "", "", "When the run ends"},
@@ -152,6 +153,9 @@ constexpr Key table_of_keys[] = {
 {"artificial_stress", "epsilon", number, "", "0.3", from_zero_to(1.0), "", "", "Strength; 0 = off"},
 {"artificial_stress", "exponent", number, "", "4", {0.0, 20.0, true}, "", "", "Exponent of the kernel ratio"},
 
+{"numerics", "water", word, "", "riemann", any, "riemann delta_sph", "", "What acts between particles of water: Riemann solutions, or mean pressures with a diffusion of density and an artificial viscosity"},
+{"numerics", "shifting", flag, "", "false", any, "", "", "Particles of water in motion are moved to where their neighbours are as dense on every side, but for three rows at its surfaces"},
+
 {"output", "frame_interval", quantity, "s", "(end / 20)", positive, "", "", "Time between frames"},
 {"output", "frame_times", quantities, "s", "(every frame_interval)", not_negative, "", "", "Times of the frames, instead of an interval"},
 {"output", "picture_times", quantities, "s", "(0 and quarters of the run)", not_negative, "", "", "Times of the pictures"},
@@ -170,6 +174,7 @@ constexpr SectionText sections[] = {
 {"backflow_eraser", "`[backflow_eraser]`", "Off unless the table is there. Used for Fig. 7 of Shinohara et al. (2004); it takes mass away."},
 {"probe", "`[[probe]]`", "One table for each probe."},
 {"artificial_stress", "`[artificial_stress]`", "Off unless the table is there. After Gray, Monaghan & Swift (2001)."},
+{"numerics", "`[numerics]`", "Of the standard formulation. Everything has a default."},
 {"output", "`[output]`", "Everything has a default."},
 };
 // clang-format on

@@ -227,6 +227,11 @@ void write_control(Writer& writer, const Case& description) {
     writer.number("epsilon", description.artificial_stress.epsilon);
     writer.number("exponent", description.artificial_stress.exponent);
   }
+  if (description.formulation == Formulation::standard) {
+    writer.open("[numerics]", "numerics");
+    writer.text("water", word_of(description.numerics.water, water_scheme_words));
+    writer.raw("shifting", description.numerics.shifting ? "true" : "false");
+  }
   writer.open("[output]", "output");
   writer.numbers("frame_times", description.output.frame_times);
   writer.numbers("picture_times", description.output.picture_times);

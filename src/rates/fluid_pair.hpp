@@ -6,7 +6,9 @@
 #pragma once
 
 #include "materials/equation_of_state.hpp"
+#include "rates/central_water.hpp"
 #include "rates/riemann.hpp"
+#include "rates/water_scheme.hpp"
 
 namespace kerf {
 
@@ -27,6 +29,7 @@ struct FluidPair {
   using Real = typename P::Real;
   Vector<D, Real> gravity;    // m/s^2
   Real steepening = Real(1);  // of the kernel: 1 / its slope on the lattice (lattice_sums.hpp)
+  WaterScheme scheme = WaterScheme::riemann;
 
   // As particle i sees it; U_i and U_j are along e from j to i.
   KERF_FUNCTION RiemannStar<Real> operator()(const ParticleView<D, P>& particles,
@@ -34,9 +37,13 @@ struct FluidPair {
     const Real inverse = Real(1) / pair.distance;
     const Real u_i = -inverse * dot(particles.velocity[pair.i], pair.separation);
     const Real u_j = -inverse * dot(particles.velocity[pair.j], pair.separation);
-    if (kind == Meeting::alike)
-      return solve_riemann(side(particles, pair.i, *pair.medium_i, u_i),
-                           side(particles, pair.j, *pair.medium_j, u_j), sharpness(pair));
+    if (kind == Meeting::alike) {
+      const auto left = side(particles, pair.i, *pair.medium_i, u_i);
+      const auto right = side(particles, pair.j, *pair.medium_j, u_j);
+      return scheme == WaterScheme::delta_sph && are_water(pair)
+                 ? CentralWater::solve(left, right, inverse * pair.smoothing_length)
+                 : solve_riemann(left, right, sharpness(pair));
+    }
     const Real fall = dot(gravity, pair.separation);
     // Seen from the fluid, e and with it both speeds change sign where j is the fluid.
     const bool fluid_i = kind == Meeting::wall_of_i;
@@ -55,6 +62,9 @@ struct FluidPair {
   }
 
  private:
+  KERF_FUNCTION static bool are_water(const Pair<D, P>& pair) {
+    return pair.medium_i->phase == Phase::water && pair.medium_j->phase == Phase::water;
+  }
   // Without the difference in pressure where two approach by a twentieth of the speed of sound.
   KERF_FUNCTION static Real sharpness(const Pair<D, P>& pair) {
     const bool weak = pair.medium_i->equation_of_state == EquationOfState::tait ||

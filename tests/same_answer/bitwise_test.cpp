@@ -31,6 +31,7 @@ class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind, 
       c.materials[0].yield_strength = 2e3;
       c.materials[0].friction = 0.3;
     }
+    if (c.precision == PrecisionKind::double_precision) c.numerics = {WaterScheme::delta_sph, true};
     c.eraser = Eraser{};
     return c;
   }
