@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "case/scales.hpp"
 #include "fracture/fracture_limits.hpp"
 #include "particles/fill.hpp"
 #include "particles/shapes.hpp"
@@ -45,6 +46,23 @@ void warn_of_band(const Material& material, const Body& body, std::vector<std::s
       body.name, material.name, ratio, body.spacing * ratio * ratio));
 }
 
+// At ten times a high speed sound would be faster than in real water, and so is every impact
+// harder.
+void warn_of_fast_water(const Case& description, const DerivedNumbers& numbers,
+                        std::vector<std::string>& warnings) {
+  constexpr double same = 0.05;
+  const double c = numbers.water_sound_speed;
+  if (c == 0.0 || numbers.jet_speed <= fast_water || !numbers.water_is_weakly_compressible) return;
+  if (std::abs(c / real_water_sound_speed - 1.0) < same) return;
+  const bool standard = description.formulation == Formulation::standard;
+  warnings.push_back(fmt::format(
+      "the speed of sound of the water, {:.4g} m/s, is artificial at {:.4g} m/s: above {:g} m/s "
+      "give it that of real water, {}",
+      c, numbers.jet_speed, fast_water,
+      standard ? "equation_of_state = \"shock_hugoniot\""
+               : fmt::format("sound_speed = \"{:g} m/s\"", real_water_sound_speed)));
+}
+
 void warn_of_materials(const Case& description, std::vector<std::string>& warnings) {
   for (const Body& body : description.bodies) {
     if (body.role != Role::elastic) continue;
@@ -72,11 +90,13 @@ std::vector<std::string> check_warnings(const Case& description, const DerivedNu
     warnings.push_back(fmt::format(
         "the solid's spacing is {:.3g} x the water's: water can slip between solid particles",
         numbers.solid_to_water_spacing));
-  if (numbers.mach > weakly_compressible)
+  const bool may_be_stiffer = numbers.jet_speed <= fast_water;  // else it has the real speed
+  if (may_be_stiffer && numbers.water_is_weakly_compressible && numbers.mach > weakly_compressible)
     warnings.push_back(
         fmt::format("the Mach number is {:.3g}: above 0.1 the water is compressed noticeably, "
                     "give it a higher speed of sound",
                     numbers.mach));
+  warn_of_fast_water(description, numbers, warnings);
   if (description.eraser) warnings.push_back("the back-flow eraser takes mass and momentum away");
   warn_of_materials(description, warnings);
   warn_of_misfits(description, warnings);

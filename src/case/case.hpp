@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "case/material.hpp"
+#include "rates/water_scheme.hpp"
 
 namespace kerf {
 
@@ -153,6 +154,12 @@ struct ArtificialStress {  // Gray, Monaghan & Swift (2001)
   bool operator==(const ArtificialStress&) const = default;
 };
 
+struct Numerics {  // of the `standard` formulation
+  WaterScheme water = WaterScheme::riemann;
+  bool shifting = false;  // of water's particles, away from its surfaces
+  bool operator==(const Numerics&) const = default;
+};
+
 struct TimeControl {
   double end = 0.0;           // s
   double courant = 0.25;      // 1, factor of the acoustic limit
@@ -179,6 +186,7 @@ struct Case {
   Faces symmetry;                // those of the domain that are symmetry planes
   double smoothing_ratio = 1.5;  // h / spacing
   ArtificialStress artificial_stress;
+  Numerics numerics;
   std::vector<Material> materials;
   std::vector<Body> bodies;
   std::vector<Jet> jets;

@@ -14,6 +14,7 @@ namespace kerf {
 struct MaterialDraft {
   Material material;
   double sound_speed_factor = 0.0;  // 1; used while the speed of sound is 0
+  bool equation_is_open = false;    // of state: it follows from the fastest speed
 };
 
 struct BodyDraft {

@@ -99,9 +99,22 @@ void find_domain(Draft& draft) {
   }
 }
 
+// Above 150 m/s the water of real shocks stands in for one with a speed of sound of 10 V.
+void find_equations_of_state(Draft& draft, double speed) {
+  for (Material& material : draft.result.materials) {
+    if (speed <= fast_water || !draft.materials.at(material.name).equation_is_open) continue;
+    material.equation_of_state = EquationOfState::shock_hugoniot;
+    material.hugoniot_slope = standard_number(*find_key("materials", "hugoniot_slope", {}));
+  }
+}
+
 void find_sound_speeds(Draft& draft, double speed) {
   for (Material& material : draft.result.materials) {
     if (material.kind != MaterialKind::water || material.sound_speed > 0.0) continue;
+    if (material.equation_of_state == EquationOfState::shock_hugoniot) {
+      material.sound_speed = real_water_sound_speed;
+      continue;
+    }
     material.sound_speed = draft.materials.at(material.name).sound_speed_factor * speed;
     if (material.sound_speed > 0.0) continue;
     draft.reading.problems.add(
@@ -148,6 +161,7 @@ void finish(Draft& draft) {
   find_domain(draft);
   const double speed = characteristic_speed(draft.result);
   check_speed(draft, speed);
+  find_equations_of_state(draft, speed);
   find_sound_speeds(draft, speed);
   find_repulsions(draft, speed);
 }

@@ -63,9 +63,11 @@ struct Material {
   double tension_cut_off = 0.0;  // Pa; infinity = the apex of the cone
 
   // Water.
-  double viscosity = 0.0;      // Pa s
-  double sound_speed = 0.0;    // m/s; resolved by the reader (10 V unless given)
-  double tait_exponent = 7.0;  // 1
+  EquationOfState equation_of_state = EquationOfState::tait;
+  double viscosity = 0.0;       // Pa s
+  double sound_speed = 0.0;     // m/s; resolved by the reader where it is not given
+  double tait_exponent = 7.0;   // 1
+  double hugoniot_slope = 0.0;  // 1, s of the shock speed c + s u
 
   double artificial_linear = 0.0;     // A of eq. (38)
   double artificial_quadratic = 0.0;  // B of eq. (38)

@@ -45,6 +45,7 @@ constexpr MaterialField all_fields[] = {
     {"tension_cut_off", &Material::tension_cut_off},
     {"viscosity", &Material::viscosity},
     {"tait_exponent", &Material::tait_exponent},
+    {"hugoniot_slope", &Material::hugoniot_slope},
     {"artificial_linear", &Material::artificial_linear},
     {"artificial_quadratic", &Material::artificial_quadratic},
     {"artificial_softening", &Material::artificial_softening},
@@ -79,6 +80,8 @@ std::set<std::string> material_conditions(const Material& material, Formulation 
     conditions.emplace(word_of(material.plasticity, plastic_law_words));
     conditions.emplace(word_of(material.criterion, bond_criterion_words));
   }
+  if (material.kind == MaterialKind::water)
+    conditions.emplace(word_of(material.equation_of_state, equation_of_state_words));
   return conditions;
 }
 

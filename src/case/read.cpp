@@ -69,6 +69,16 @@ void read_extras(Draft& draft, Section& top) {
   }
 }
 
+void read_numerics(Draft& draft, Section& top) {
+  const toml::table* written = top.table("numerics");
+  if (!written) return;
+  Section section(draft.reading, *written, "numerics", "numerics");
+  Numerics& numerics = draft.result.numerics;
+  numerics.water = law_of<WaterScheme>(section.text("water"), water_scheme_words);
+  numerics.shifting = section.flag("shifting");
+  section.refuse_unknown();
+}
+
 // The dimension decides how everything else is read.
 int read_dimension(Reading& reading, const toml::table& table) {
   Section section(reading, table, "", "");
@@ -96,6 +106,7 @@ void read_top(Draft& draft, const toml::table& table) {
   read_jets(draft, top);
   read_probes(draft, top);
   read_extras(draft, top);
+  read_numerics(draft, top);
   read_output(draft, top);
   if (!top.has("body") && !top.has("jet"))
     top.refuse("body", "the case holds no body and no jet", "Add a [[body]] or a [[jet]]",

@@ -106,6 +106,19 @@ void settle_flaws(Section& section, Material& material) {
   material.failure_strain = material.fracture_energy = 0.0;
 }
 
+// That of water. Where it may follow from the fastest speed it is settled when all is read.
+void read_equation_of_state(Section& section, Formulation formulation, MaterialDraft& draft) {
+  if (formulation == Formulation::standard) {
+    const std::string word = section.text("equation_of_state", "tait");
+    draft.material.equation_of_state = law_of<EquationOfState>(word, equation_of_state_words);
+    draft.equation_is_open = true;
+    for (const char* key :
+         {"equation_of_state", "sound_speed", "sound_speed_factor", "tait_exponent"})
+      if (section.has(key)) draft.equation_is_open = false;
+  }
+  section.assume(std::string(word_of(draft.material.equation_of_state, equation_of_state_words)));
+}
+
 // The laws of a solid.
 void read_laws(Section& section, Formulation formulation, Material& material) {
   const std::string fallback(word_of(material.plasticity, plastic_law_words));
@@ -141,6 +154,8 @@ MaterialDraft read_material(Section& section, Formulation formulation, const std
   section.assume(formulation_name(formulation));
   const bool based = entry && entry->kind == draft.material.kind;
   const Material base = draft.material;
+  if (draft.material.kind == MaterialKind::water)
+    read_equation_of_state(section, formulation, draft);
   read_laws(section, formulation, draft.material);
   read_numbers(section, formulation, based ? &base : nullptr, draft.material);
   if (draft.material.kind == MaterialKind::water) read_sound_speed(section, draft);
@@ -182,7 +197,10 @@ const MaterialDraft* use_material(Draft& draft, Section& section, const std::str
   if (found != draft.materials.end()) return &found->second;
   if (const LibraryMaterial* entry = find_library_material(name)) {
     constexpr double standard_factor = 10.0;  // c = 10 V, eq. (18)
-    return &(draft.materials[name] = {entry->material(draft.result.formulation), standard_factor});
+    const bool open =
+        entry->kind == MaterialKind::water && draft.result.formulation == Formulation::standard;
+    return &(
+        draft.materials[name] = {entry->material(draft.result.formulation), standard_factor, open});
   }
   std::vector<std::string> known = library_names();
   for (const auto& [other, material] : draft.materials)

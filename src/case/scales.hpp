@@ -6,6 +6,11 @@
 
 namespace kerf {
 
+// Of water at 20 C and 0.1 MPa (Wagner & Pruss, J. Phys. Chem. Ref. Data 31 (2002) 387: 1482).
+inline constexpr double real_water_sound_speed = 1481.0;
+// Above this ten times the speed is no longer slower than sound in real water.
+inline constexpr double fast_water = 150.0;
+
 double fastest_jet(const Case& description);  // 0 without a jet
 // Initial velocities and prescribed motions, sampled at particles and times; 0 when all rest.
 double fastest_body(const Case& description);

@@ -40,6 +40,7 @@ constexpr Key table_of_keys[] = {
 {"", "backflow_eraser", table, "", "(off)", any, "", "", "Erases jet water that flows back"},
 {"", "probe", tables, "", "(none)", any, "", "", "Places where the run is measured"},
 {"", "artificial_stress", table, "", "(off)", any, "", "shinohara2004", "Cure of the tensile instability"},
+{"", "numerics", table, "", "(all defaults)", any, "", "standard", "How the equations of water are summed"},
 {"", "output", table, "", "(all defaults)", any, "", "", "What is written, and when"},
 
 {"time", "end", quantity, "s", "", up_to(1e6), "", "", "When the run ends"},
@@ -92,9 +93,11 @@ constexpr Key table_of_keys[] = {
 {"materials", "dilation_angle", quantity, "rad", "0 deg", {0.0, 1.5, false, true}, "", "drucker_prager", "Angle of dilation"},
 {"materials", "tension_cut_off", quantity, "Pa", "none", not_negative, "", "drucker_prager", "Mean tension that it bears; none = the apex of the cone"},
 {"materials", "viscosity", quantity, "Pa s", "0 Pa s", from_zero_to(1e6), "", "water", "Dynamic viscosity"},
-{"materials", "sound_speed", quantity, "m/s", "(sound_speed_factor times the fastest speed)", up_to(1e8), "", "water", "Speed of sound of the equation of state"},
-{"materials", "sound_speed_factor", number, "", "10", {1.0, 1000.0}, "", "water", "Speed of sound over the fastest speed V of jets and bodies or, for water that falls, V = sqrt(2 g H), H = height of the water; eq. (18)"},
-{"materials", "tait_exponent", number, "", "7", {1.0, 15.0, true}, "", "water", "Exponent n of the equation of state, eq. (15)"},
+{"materials", "equation_of_state", word, "", "(tait; shock_hugoniot where something moves faster than 150 m/s and neither a speed of sound nor an exponent is given)", any, "tait shock_hugoniot", "water+standard", "Pressure by the density: weakly compressible water, or one whose shocks run as in real water"},
+{"materials", "sound_speed", quantity, "m/s", "(sound_speed_factor times the fastest speed; 1481 m/s with shock_hugoniot)", up_to(1e8), "", "water", "Speed of sound of the equation of state at rest"},
+{"materials", "sound_speed_factor", number, "", "10", {1.0, 1000.0}, "", "tait", "Speed of sound over the fastest speed V of jets and bodies or, for water that falls, V = sqrt(2 g H), H = height of the water; eq. (18)"},
+{"materials", "tait_exponent", number, "", "7", {1.0, 15.0, true}, "", "tait", "Exponent n of the equation of state, eq. (15)"},
+{"materials", "hugoniot_slope", number, "", "1.975", {0.0, 10.0, true}, "", "shock_hugoniot", "s of the speed c + s u of a shock that leaves matter at the speed u behind"},
 {"materials", "artificial_linear", number, "", "0.01", from_zero_to(10.0), "", "water", "A of the artificial viscosity, eq. (38)"},
 {"materials", "artificial_linear", number, "", "2.5", from_zero_to(10.0), "", "elastic", "A of the artificial viscosity, eq. (38)"},
 {"materials", "artificial_quadratic", number, "", "0", from_zero_to(10.0), "", "water", "B of the artificial viscosity, eq. (38)"},
@@ -166,6 +169,9 @@ constexpr Key table_of_keys[] = {
 {"artificial_stress", "epsilon", number, "", "0.3", from_zero_to(1.0), "", "", "Strength; 0 = off"},
 {"artificial_stress", "exponent", number, "", "4", {0.0, 20.0, true}, "", "", "Exponent of the kernel ratio"},
 
+{"numerics", "water", word, "", "riemann", any, "riemann delta_sph", "", "What acts between particles of water: Riemann solutions, or mean pressures with a diffusion of density and an artificial viscosity"},
+{"numerics", "shifting", flag, "", "false", any, "", "", "Particles of water in motion are moved to where their neighbours are as dense on every side, but for three rows at its surfaces"},
+
 {"output", "frame_interval", quantity, "s", "(end / 20)", positive, "", "", "Time between frames"},
 {"output", "frame_times", quantities, "s", "(every frame_interval)", not_negative, "", "", "Times of the frames, instead of an interval"},
 {"output", "picture_times", quantities, "s", "(0 and quarters of the run)", not_negative, "", "", "Times of the pictures"},
@@ -185,6 +191,7 @@ constexpr SectionText sections[] = {
 {"backflow_eraser", "`[backflow_eraser]`", "Off unless the table is there. Used for Fig. 7 of Shinohara et al. (2004); it takes mass away."},
 {"probe", "`[[probe]]`", "One table for each probe."},
 {"artificial_stress", "`[artificial_stress]`", "Off unless the table is there. After Gray, Monaghan & Swift (2001)."},
+{"numerics", "`[numerics]`", "Of the standard formulation. Everything has a default."},
 {"output", "`[output]`", "Everything has a default."},
 };
 // clang-format on

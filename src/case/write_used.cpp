@@ -171,6 +171,8 @@ void write_material(Writer& writer, Formulation formulation, const Material& mat
     writer.text("plasticity", word_of(material.plasticity, plastic_law_words));
     writer.text("criterion", word_of(material.criterion, bond_criterion_words));
   }
+  if (material.kind == MaterialKind::water && formulation == Formulation::standard)
+    writer.text("equation_of_state", word_of(material.equation_of_state, equation_of_state_words));
   for (const MaterialField& field : material_fields(material_conditions(material, formulation)))
     writer.number(field.key, material.*field.member);
   if (material.kind == MaterialKind::water) writer.number("sound_speed", material.sound_speed);
@@ -250,6 +252,11 @@ void write_control(Writer& writer, const Case& description) {
     writer.open("[artificial_stress]", "artificial_stress");
     writer.number("epsilon", description.artificial_stress.epsilon);
     writer.number("exponent", description.artificial_stress.exponent);
+  }
+  if (description.formulation == Formulation::standard) {
+    writer.open("[numerics]", "numerics");
+    writer.text("water", word_of(description.numerics.water, water_scheme_words));
+    writer.raw("shifting", description.numerics.shifting ? "true" : "false");
   }
   writer.open("[output]", "output");
   writer.numbers("frame_times", description.output.frame_times);

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "materials/tait.hpp"
+#include "materials/equation_of_state.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -22,6 +22,7 @@ enum class Limit : int {
   not_a_number,  // from here on: faults
   runaway,
   negative_density,
+  too_dense,
 };
 
 inline const char* limit_name(Limit limit) {
@@ -44,6 +45,8 @@ inline const char* limit_name(Limit limit) {
       return "a speed over ten times the fastest speed of sound";
     case Limit::negative_density:
       return "a density of zero or less";
+    case Limit::too_dense:
+      return "a density beyond all pressures of its equation of state";
   }
   return "unknown";
 }
@@ -104,7 +107,7 @@ struct ParticleStepLimit {
   KERF_FUNCTION double sound_speed(const Medium<Real>& medium, Index i) const {
     if (medium.phase != Phase::water && !medium.cavitates) return medium.longitudinal_speed;
     const bool solid = medium.phase == Phase::solid && !particles.fractured[i];
-    return Tait::sound_speed(medium, particles.compression[i]) *
+    return sound_speed_at(medium, particles.compression[i]) *
            (solid ? medium.longitudinal_speed / medium.sound_speed : Real(1));
   }
 
@@ -122,6 +125,7 @@ struct ParticleStepLimit {
       sum += double(contract(particles.shear[i], particles.shear[i]));
     if (particles.compression[i] <= Real(-1)) return Limit::negative_density;
     if (!is_number(sum)) return Limit::not_a_number;
+    if (is_too_dense(particles.medium(i), particles.compression[i])) return Limit::too_dense;
     return speed > runaway_speed ? Limit::runaway : Limit::maximum_step;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The laws of solids that a case chooses among, and the words it chooses them by.
+// The laws of materials that a case chooses among, and the words it chooses them by.
 #pragma once
 
 #include <array>
@@ -12,6 +12,9 @@ namespace kerf {
 enum class ElasticLaw : std::uint8_t { neo_hookean, st_venant_kirchhoff };
 inline constexpr std::array<std::string_view, 2> elastic_law_words{"neo_hookean",
                                                                    "st_venant_kirchhoff"};
+
+enum class EquationOfState : std::uint8_t { tait, shock_hugoniot };
+inline constexpr std::array<std::string_view, 2> equation_of_state_words{"tait", "shock_hugoniot"};
 
 enum class PlasticLaw : std::uint8_t { none, von_mises, johnson_cook, drucker_prager };
 inline constexpr std::array<std::string_view, 4> plastic_law_words{

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nearly incompressible water, eq. (15) of Shinohara et al. (2004):
 //   p = B [(rho/rho_0)^n - 1],  B = c^2 rho_0 / n,  eqs. (17) to (19).
-// Matter that cavitates opens where that would be negative: p = 0, and no energy is stored. As the
-// equation of Murnaghan (Proc. Natl. Acad. Sci. 30 (1944) 244), with B = K / n, it also serves
-// solid that has come loose.
+// It is also the isentrope of a stiffened gas, n its adiabatic exponent and B its pressure at
+// infinity, and the equation of Murnaghan (Proc. Natl. Acad. Sci. 30 (1944) 244), with B = K / n,
+// for solid that has come loose.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,6 @@ struct Tait {
   template <class T>
   KERF_FUNCTION static T pressure(const Medium<T>& water, T compression) {  // Pa
     // expm1 and log1p keep the digits of a compression of 1e-5 in single precision.
-    if (water.cavitates && compression < T(0)) return T(0);
     return water.tait_coefficient * std::expm1(water.tait_exponent * std::log1p(compression));
   }
 
@@ -38,7 +37,6 @@ struct Tait {
   // Stored energy per mass, J/kg: the integral of p / rho^2 d rho from rho_0.
   template <class T>
   KERF_FUNCTION static double energy(const Medium<T>& water, double compression) {
-    if (water.cavitates && compression < 0.0) return 0.0;
     const double n = water.tait_exponent;
     const double ratio = 1.0 + compression;
     return water.tait_coefficient / water.density *

@@ -22,8 +22,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double real_water_sound_speed = 1481.0;  // m/s, at 20 C
-
 const Material& material_of(const Case& description, int index) {
   return description.materials[static_cast<std::size_t>(index)];
 }
@@ -81,7 +79,10 @@ void derive_water(DerivedNumbers& numbers, const Material& water) {
   numbers.water_sound_speed = water.sound_speed;
   numbers.mach = speed / water.sound_speed;
   numbers.stagnation_pressure = 0.5 * water.density * speed * speed;
-  numbers.hammer_pressure_numerical = water.density * water.sound_speed * speed;
+  // U = c + s V, the speed of the shock; s is 0 in weakly compressible water.
+  const double shock = water.sound_speed + water.hugoniot_slope * speed;
+  numbers.hammer_pressure_numerical = water.density * shock * speed;
+  numbers.water_is_weakly_compressible = water.equation_of_state == EquationOfState::tait;
   numbers.hammer_pressure_real = water.density * real_water_sound_speed * speed;
 }
 

@@ -32,7 +32,13 @@ std::string resolution_sentence(double resolution) {
       resolution, enough_resolution);
 }
 
-std::string mach_sentence(double mach) {
+std::string mach_sentence(const DerivedNumbers& derived) {
+  const double mach = derived.mach;
+  if (!derived.water_is_weakly_compressible)
+    return fmt::format(
+        "The jet's Mach number is {:.2g} in water that is as stiff as its equation of state says: "
+        "the first impact peak is that of a shock.",
+        mach);
   if (mach <= weak_compression * 1.001)
     return fmt::format(
         "The jet's Mach number is {:.2g} in water made softer than real water: the steady "
@@ -70,7 +76,7 @@ std::vector<std::string> validity_of(const RunOutcome& outcome) {
     sentences.push_back("The run ended while the jet was still cutting: let it run longer.");
   if (!description.jets.empty()) {
     sentences.push_back(resolution_sentence(derived.jet_resolution));
-    sentences.push_back(mach_sentence(derived.mach));
+    sentences.push_back(mach_sentence(derived));
   }
   if (derived.solid_to_water_spacing > 1.0)
     sentences.push_back(

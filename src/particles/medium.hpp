@@ -24,6 +24,7 @@ enum class Phase : std::uint8_t { water, solid, rigid };
   NUMBER(tait_coefficient)     /* Pa, B of eq. (15) */                                        \
   NUMBER(tait_exponent)        /* 1, n */                                                     \
   NUMBER(initial_compression)  /* 1, as laid out */                                           \
+  NUMBER(hugoniot_slope)       /* 1, s of the shock speed c + s u */                          \
   NUMBER(viscosity)            /* Pa s */                                                     \
   NUMBER(bulk_modulus)         /* Pa, K */                                                    \
   NUMBER(excess_bulk_modulus)  /* Pa, the part of K that acts by the density, not by bonds */ \
@@ -42,6 +43,7 @@ struct Medium {
   Phase phase = Phase::water;
   bool constrained = false;  // fixed, or moved by prescription
   bool cavitates = false;    // opens instead of being pulled once it holds on to nothing
+  EquationOfState equation_of_state = EquationOfState::tait;  // of what has a density
   ElasticLaw elasticity = ElasticLaw::neo_hookean;
   BondCriterion criterion = BondCriterion::principal_strain;
   std::uint8_t level = 0;   // of resolution; 0: the finest of its body
@@ -77,6 +79,7 @@ struct Medium {
     medium.constrained = other.constrained;
     medium.level = other.level;
     medium.cavitates = other.cavitates;
+    medium.equation_of_state = other.equation_of_state;
     medium.elasticity = other.elasticity;
     medium.criterion = other.criterion;
     medium.piece = other.piece;

@@ -5,8 +5,11 @@
 // opposite.
 #pragma once
 
+#include "materials/equation_of_state.hpp"
+#include "rates/central_water.hpp"
 #include "rates/pair_fit.hpp"
 #include "rates/riemann.hpp"
+#include "rates/water_scheme.hpp"
 
 namespace kerf {
 
@@ -28,6 +31,7 @@ struct FluidPair {
   Vector<D, Real> gravity;    // m/s^2
   Real steepening = Real(1);  // of the kernel: 1 / its slope on the lattice (lattice_sums.hpp)
   PairFit<D, P> fit;          // where the spacing of a solid jumps
+  WaterScheme scheme = WaterScheme::riemann;
 
   // By which the gradient of the kernel counts.
   KERF_FUNCTION Real steepness(const ParticleView<D, P>& particles, const Pair<D, P>& pair) const {
@@ -40,9 +44,13 @@ struct FluidPair {
     const Real inverse = Real(1) / pair.distance;
     const Real u_i = -inverse * dot(particles.velocity[pair.i], pair.separation);
     const Real u_j = -inverse * dot(pair.of_j(particles.velocity[pair.j]), pair.separation);
-    if (kind == Meeting::alike)
-      return solve_riemann(side(particles, pair.i, *pair.medium_i, u_i),
-                           side(particles, pair.j, *pair.medium_j, u_j));
+    if (kind == Meeting::alike) {
+      const auto left = side(particles, pair.i, *pair.medium_i, u_i);
+      const auto right = side(particles, pair.j, *pair.medium_j, u_j);
+      return scheme == WaterScheme::delta_sph && are_water(pair)
+                 ? CentralWater::solve(left, right, inverse * pair.smoothing_length)
+                 : solve_riemann(left, right, sharpness(pair));
+    }
     const Real fall = dot(gravity, pair.separation);
     // Seen from the fluid, e and with it both speeds change sign where j is the fluid.
     const bool fluid_i = kind == Meeting::wall_of_i;
@@ -62,9 +70,19 @@ struct FluidPair {
   }
 
  private:
+  KERF_FUNCTION static bool are_water(const Pair<D, P>& pair) {
+    return pair.medium_i->phase == Phase::water && pair.medium_j->phase == Phase::water;
+  }
+  // Without the difference in pressure where two approach by a twentieth of the speed of sound.
+  KERF_FUNCTION static Real sharpness(const Pair<D, P>& pair) {
+    const bool weak = pair.medium_i->equation_of_state == EquationOfState::tait ||
+                      pair.medium_j->equation_of_state == EquationOfState::tait;
+    return weak ? Real(0) : Real(20);
+  }
   KERF_FUNCTION static RiemannSide<Real> side(const ParticleView<D, P>& particles, Index i,
                                               const Medium<Real>& medium, Real speed) {
-    return {particles.density(i), particles.pressure[i], speed, medium.sound_speed};
+    return {particles.density(i), particles.pressure[i], speed,
+            impedance_speed_at(medium, particles.compression[i])};
   }
 };
 

@@ -29,9 +29,12 @@ struct RiemannStar {
   T speed;          // m/s, U*
 };
 
+// `sharpness`: U* takes the share 1 - sharpness (U_l - U_r) / c of the difference in pressure. In a
+// strong shock that difference is the shock's own, not noise: density that it puts ahead of the
+// front is squeezed once more there and is missing behind. 0 for weakly compressible matter.
 template <class T>
-KERF_FUNCTION RiemannStar<T> solve_riemann(const RiemannSide<T>& left,
-                                           const RiemannSide<T>& right) {
+KERF_FUNCTION RiemannStar<T> solve_riemann(const RiemannSide<T>& left, const RiemannSide<T>& right,
+                                           T sharpness = T(0)) {
   const T z_left = left.density * left.sound_speed;
   const T z_right = right.density * right.sound_speed;
   const T inverse = T(1) / (z_left + z_right);
@@ -40,10 +43,12 @@ KERF_FUNCTION RiemannStar<T> solve_riemann(const RiemannSide<T>& left,
   const T slower = left.sound_speed < right.sound_speed ? left.sound_speed : right.sound_speed;
   const T strength = T(3) * approach / slower;
   const T beta = strength > T(1) ? T(1) : strength;
+  T smoothing = T(1);
+  if (approach > T(0)) smoothing -= sharpness * approach / slower;
   return {share_right * left.pressure + share_left * right.pressure,
           approach > T(0) ? beta * share_left * z_right * approach : T(0),
           share_left * left.speed + share_right * right.speed +
-              (left.pressure - right.pressure) * inverse};
+              (smoothing > T(0) ? smoothing : T(0)) * (left.pressure - right.pressure) * inverse};
 }
 
 // Fluid beside a wall, which may be rigid, or a solid that moves. The wall is the mirror of the

@@ -5,8 +5,11 @@
 #pragma once
 
 #include "kernels/wendland_c2.hpp"
-#include "materials/tait.hpp"
+#include "materials/equation_of_state.hpp"
 #include "rates/body_force.hpp"
+#include "rates/crowding.hpp"
+#include "rates/density_diffusion.hpp"
+#include "rates/density_gradient.hpp"
 #include "rates/filling.hpp"
 #include "rates/fluid_continuity.hpp"
 #include "rates/fluid_force.hpp"
@@ -30,7 +33,7 @@ struct FluidPressure {
     const bool fluid = particles.is_fluid(i);
     particles.pressure[i] = particles.has_density(i)
                                 ? medium.template share_by_density<Real>(fluid) *
-                                      Tait::pressure(medium, particles.compression[i])
+                                      pressure_at(medium, particles.compression[i])
                                 : Real(0);
   }
 };
@@ -52,9 +55,9 @@ class StandardRates {
   using Real = typename P::Real;
 
   StandardRates(const Vector<D, double>& gravity, const std::vector<Medium<double>>& media,
-                const LatticeSums& lattice = {})
+                const LatticeSums& lattice = {}, WaterScheme scheme = WaterScheme::riemann)
       : gravity_{Vector<D, Real>::from(gravity)},
-        fluid_pair_{gravity_.gravity, Real(1.0 / lattice.slope), {}},
+        fluid_pair_{gravity_.gravity, Real(1.0 / lattice.slope), {}, scheme},
         media_(static_cast<Index>(media.size())) {
     std::vector<TouchOfMedia<Real>> touch;
     for (const auto& entry : touch_table<D, ContactPairs>(media))
@@ -95,14 +98,30 @@ class StandardRates {
   }
 
   void continuity(const ParticleView<D, P>& view, Index count, const NeighbourView& list) const {
-    using Full = Filling<D, P, ContactPairs::Kernel<D>>;
-    for_each_index(count, PairLoop<D, P, ContactPairs, FluidContinuity<D, P>, Full>(
-                              view, list, {}, FluidContinuity<D, P>{fluid_pair_}, Full{}));
+    const FluidContinuity<D, P> compress{fluid_pair_};
+    if (fluid_pair_.scheme == WaterScheme::riemann) {
+      for_each_index(count, PairLoop<D, P, ContactPairs, FluidContinuity<D, P>, Full>(
+                                view, list, {}, compress, Full{}));
+      return;
+    }
+    density_gradient_.resize(count);
+    for_each_index(count, PairLoop<D, P, ContactPairs, DensityGradient<D, P>>(
+                              view, list, {}, {pointer(density_gradient_)}));
+    using Loop = PairLoop<D, P, ContactPairs, FluidContinuity<D, P>, Full, DensityDiffusion<D, P>>;
+    for_each_index(count, Loop(view, list, {}, compress, Full{}, {pointer(density_gradient_)}));
+  }
+
+  // Where particles of water crowd, and where their surface is; `filling` must be that of now.
+  void crowding(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
+                Crowd<D, Real>* result) const {
+    for_each_index(count, PairLoop<D, P, ContactPairs, Crowding<D, P>>(view, list, {}, {result}));
   }
 
   static constexpr int pair_passes = 2;  // per step
 
  private:
+  using Full = Filling<D, P, ContactPairs::Kernel<D>>;
+
   void look_at_surfaces(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                         const SurfaceOverlap<D, P>& term) const {
     using Loop = PairLoop<D, P, ContactPairs, SurfaceOverlap<D, P>>;
@@ -114,6 +133,7 @@ class StandardRates {
   FluidPair<D, P> fluid_pair_{};
   Index media_ = 0;
   Array<TouchOfMedia<Real>> touch_;
+  mutable Array<Vector<D, Real>> density_gradient_;  // 1/m, scratch of delta-SPH alone
   bool has_solids_ = false;
 };
 

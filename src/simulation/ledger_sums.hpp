@@ -3,8 +3,8 @@
 #pragma once
 
 #include "exec/ordered_sum.hpp"
+#include "materials/equation_of_state.hpp"
 #include "materials/hooke_solid.hpp"
-#include "materials/tait.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -23,10 +23,10 @@ struct ParticleEnergy {
     ParticleEnergy e{0.5 * mass * dot(v, v), mass * double(particles.pressure_work[i]), 0.0, 0.0,
                      0.0};
     if (medium.phase == Phase::water) {
-      e.stored_water = mass * Tait::energy(medium, compression);
+      e.stored_water = mass * energy_at(medium, compression);
     } else if (medium.cavitates) {  // of the `standard` formulation: what the density stores
       const auto share = medium.template share_by_density<double>(particles.fractured[i] != 0);
-      e.stored_solid = mass * share * Tait::energy(medium, compression);
+      e.stored_solid = mass * share * energy_at(medium, compression);
     } else {
       const bool fractured = particles.fractured[i] != 0;
       e.stored_solid = mass * HookeSolid::volumetric_energy(medium, compression, fractured);

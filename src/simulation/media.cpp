@@ -30,6 +30,8 @@ void set_material(Medium<double>& medium, const Material& material) {
     medium.viscosity = material.viscosity;
     medium.sound_speed = material.sound_speed;
     medium.longitudinal_speed = material.sound_speed;
+    medium.equation_of_state = material.equation_of_state;
+    medium.hugoniot_slope = material.hugoniot_slope;
     medium.tait_exponent = material.tait_exponent;
     medium.tait_coefficient =
         material.sound_speed * material.sound_speed * material.density / material.tait_exponent;

@@ -3,7 +3,7 @@
 // the numbers they were laid out with.
 #pragma once
 
-#include "materials/tait.hpp"
+#include "materials/equation_of_state.hpp"
 #include "particles/fields.hpp"
 #include "rates/pair.hpp"
 #include "solid/bond_between.hpp"
@@ -95,7 +95,7 @@ struct MarkLoose {
     particles.fractured[i] = 1;
     const auto& medium = particles.medium(i);
     const Real by_density = medium.template share_by_density<Real>(false) *
-                            Tait::pressure(medium, particles.compression[i]);
+                            pressure_at(medium, particles.compression[i]);
     const Real by_bonds = -trace(cauchy_now(solid, s)) / Real(3);
     particles.compression[i] = Tait::compression(medium, by_density + by_bonds);
   }

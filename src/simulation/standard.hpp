@@ -5,6 +5,7 @@
 
 #include "integrate/midpoint.hpp"
 #include "integrate/regain_density.hpp"
+#include "integrate/shift_particles.hpp"
 #include "integrate/trade_places.hpp"
 #include "integrate/verlet.hpp"
 #include "rates/standard_rates.hpp"
@@ -22,7 +23,8 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
   explicit Standard(const Case& description)
       : Run(description),
         lattice_(lattice_sums<D, ContactPairs::Kernel<D>>(description.smoothing_ratio)),
-        rates_(Vector<D, double>::from(description.gravity), Run::media_, lattice_),
+        rates_(Vector<D, double>::from(description.gravity), Run::media_, lattice_,
+               description.numerics.water),
         solid_(description, Run::media_, Run::particles_) {
     rates_.fit_pairs(solid_.pair_fit());
     Run::open([this] { rates_.fit_surfaces(particles_.view(), particles_.size(), list_.view()); });
@@ -38,6 +40,7 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     kick_and_drift(dt);
     close_density(dt);
     Run::book_step(dt);
+    if (case_.numerics.shifting) shift_water(dt);
     Run::mark_leavers();
     solid_.let_go_of_leavers(particles_);
     if (solid_.take_loosened()) Run::rebuild_list();  // what is loose sees further
@@ -135,9 +138,18 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     pair_interactions_ += static_cast<double>(list_.pairs());
   }
 
+  void shift_water(double dt) {
+    const auto timer = timers_.stage("shifting");
+    crowd_.resize(particles_.size());
+    rates_.crowding(particles_.view(), particles_.size(), list_.view(), pointer(crowd_));
+    for_each_index(particles_.size(), ShiftParticles<D, P>{particles_.view(), pointer(crowd_), dt});
+    pair_interactions_ += static_cast<double>(list_.pairs());
+  }
+
   LatticeSums lattice_;
   StandardRates<D, P> rates_;
   mutable SolidPart<D, P> solid_;
+  Array<Crowd<D, typename P::Real>> crowd_;  // of the shifting alone
 };
 
 }  // namespace kerf

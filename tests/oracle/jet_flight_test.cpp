@@ -28,9 +28,12 @@ double along(const Nozzle& nozzle, const std::array<double, 3>& p) {
   return sum;
 }
 
-void expect_free_flight(int dimension, Formulation formulation) {
+void expect_free_flight(int dimension, Formulation formulation, double width = 4.3e-3,
+                        const Numerics& numerics = {}) {
   Case c = free_jet(dimension, std::numeric_limits<double>::infinity());
   c.formulation = formulation;
+  c.numerics = numerics;
+  c.jets[0].width = width;
   const Nozzle nozzle(c.jets[0], 1000.0, dimension);
   const auto simulation = make_simulation(c);
   std::set<std::uint32_t> ever;
@@ -71,6 +74,14 @@ TEST(FreeJet, FliesAsALatticeInTheStandardFormulation2D) {
 }
 TEST(FreeJet, FliesAsALatticeInTheStandardFormulation3D) {
   expect_free_flight(3, Formulation::standard);
+}
+
+// Wide enough to have an inside.
+TEST(FreeJet, IsNotShifted2D) {
+  expect_free_flight(2, Formulation::standard, 10e-3, {WaterScheme::riemann, true});
+}
+TEST(FreeJet, IsNotShifted3D) {
+  expect_free_flight(3, Formulation::standard, 9e-3, {WaterScheme::delta_sph, true});
 }
 
 // A nozzle that is shut in mid-run: the water behind the exit stands; what came is rho V A times

@@ -41,6 +41,7 @@ class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind, 
       c.materials[0].poisson_ratio = 0.49;
       c.bodies[0].grading = {1, 2e-3, box({-3e-3, 0.0, -3e-3}, {3e-3, 9e-3, 3e-3}), {}};
     }
+    if (c.precision == PrecisionKind::double_precision) c.numerics = {WaterScheme::delta_sph, true};
     c.eraser = Eraser{};
     return c;
   }

@@ -13,12 +13,19 @@ namespace {
 
 constexpr double lattice_filling = 1.01, dt = 1e-3;
 
+struct Shock {
+  EquationOfState law = EquationOfState::tait;
+  double squeeze = 0.0;  // 1/s, - div v
+};
+
 // Compression, after one step, of a particle that is 1% denser than the room says.
-double after_a_step(Phase phase, double filling, double stir, std::uint8_t flags = 0) {
+double after_a_step(Phase phase, double filling, double stir, std::uint8_t flags = 0,
+                    const Shock& shock = {}) {
   Particles<2, Double> particles;
   std::vector<Medium<double>> media(1);
   media[0].phase = phase;
   media[0].density = 1000.0;
+  media[0].equation_of_state = shock.law;
   to_device(media, particles.media);
   particles.resize(1);
   particles.source[0] = 0;
@@ -26,6 +33,7 @@ double after_a_step(Phase phase, double filling, double stir, std::uint8_t flags
   particles.filling[0] = filling;
   particles.stir[0] = stir;
   particles.compression[0] = filling / lattice_filling - 1.0 + 0.01;
+  particles.compression_rate[0] = shock.squeeze * (1.0 + particles.compression[0]);
   for_each_index(1, RegainDensity<2, Double>{particles.view(), dt, lattice_filling});
   return particles.compression[0] - (filling / lattice_filling - 1.0);
 }
@@ -38,6 +46,19 @@ TEST(RegainDensity, GoesAtTheRateOfTheStirring) {
 
 TEST(RegainDensity, NeverGoesPastTheRoom) {
   EXPECT_NEAR(after_a_step(Phase::water, 0.97, 1e6), 0.0, 1e-12);
+}
+
+// What a squeeze alone stirs does not count, where water may be shocked.
+TEST(RegainDensity, WaitsForShocksToPass) {
+  const auto law = EquationOfState::shock_hugoniot;
+  const double rate = RegainDensity<2, Double>::rate;
+  EXPECT_NEAR(after_a_step(Phase::water, 1.02, 25.0, 0, {law, 5.0}),
+              0.01 * (1.0 - rate * 15.0 * dt), 1e-12);
+  EXPECT_NEAR(after_a_step(Phase::water, 1.02, 25.0, 0, {law, -5.0}),
+              0.01 * (1.0 - rate * 15.0 * dt), 1e-12);
+  EXPECT_NEAR(after_a_step(Phase::water, 1.02, 25.0, 0, {law, 13.0}), 0.01, 1e-12);
+  EXPECT_NEAR(after_a_step(Phase::water, 1.02, 25.0, 0, {EquationOfState::tait, 13.0}),
+              0.01 * (1.0 - rate * 25.0 * dt), 1e-12);
 }
 
 TEST(RegainDensity, LeavesTheRestAlone) {

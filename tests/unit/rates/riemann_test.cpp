@@ -33,6 +33,21 @@ TEST(Riemann, AgreesWithTheFormulas) {
   }
 }
 
+// U* with a sharpness s: the difference in pressure counts by 1 - s (U_l - U_r) / c, not below 0.
+TEST(Riemann, SharpFrontsAreNotSmoothed) {
+  const double z = 2.0 * 1000.0 * 50.0;
+  const auto speed = [](double approach, double sharpness) {
+    return solve_riemann(Side{1000.0, 3e4, 0.5 * approach, 50.0},
+                         Side{1000.0, 1e4, -0.5 * approach, 50.0}, sharpness)
+        .speed;
+  };
+  EXPECT_NEAR(speed(1.0, 20.0), 0.6 * 2e4 / z, 1e-12);
+  EXPECT_NEAR(speed(2.5, 20.0), 0.0, 1e-12);
+  EXPECT_NEAR(speed(5.0, 20.0), 0.0, 1e-12);
+  EXPECT_NEAR(speed(-5.0, 20.0), 2e4 / z, 1e-12);
+  EXPECT_NEAR(speed(5.0, 0.0), 2e4 / z, 1e-12);
+}
+
 // Two of one kind: the mean pressure and the mean speed of Zhang, Hu & Adams (2017).
 TEST(Riemann, EqualImpedancesGiveMeans) {
   const double z = 1000.0 * 50.0;

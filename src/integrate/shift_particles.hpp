@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Moves particles of water from where they crowd to where they do not (Lind, Xu, Stansby & Rogers,
+// J. Comput. Phys. 231 (2012) 1499, with the rate of Skillen et al., Comput. Methods Appl. Mech.
+// Eng. 265 (2013) 163, made Galilean):
+//   dr_i = - 2 h^2 dt stir_i sum_j V_0j nabla_i W_ij,   stir_i = max |v_ij| / h over its
+//   neighbours.
+// Water that moves as one, such as a free jet, is not stirred and stays as it is to the last digit.
+// Nothing is moved that is in a free surface or sees one (three rows), nor in a nozzle; at a wall
+// particles are moved along it only. Velocities, densities and work stay as they are.
+#pragma once
+
+#include "rates/crowding.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct ShiftParticles {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  const Crowd<D, Real>* crowd;
+  double dt;                               // s
+  static constexpr double rate = 2.0;      // Skillen et al.
+  static constexpr double longest = 0.05;  // of the spacing, in one step
+  static constexpr double inside = 0.95;   // filling, above which a particle lacks no neighbours
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const auto& medium = particles.medium(i);
+    if (medium.phase != Phase::water || particles.is_constrained(i)) return;
+    if (crowd[i].least_filling < Real(inside)) return;
+    const Real h = medium.smoothing_length;
+    auto shift = (Real(-rate * dt) * particles.stir[i] * h * h) * crowd[i].gradient;
+    const auto& wall = particles.wall_normal[i];
+    shift -= dot(shift, wall) * wall;
+    const Real length = norm(shift), most = Real(longest) * medium.spacing;
+    if (length > most) shift = (most / length) * shift;
+    particles.position[i] += Vector<D, double>::from(shift);
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Particles of water are moved to where fewer are, and only where that changes no surface.
+#include "integrate/shift_particles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "kernels/wendland_c2.hpp"
+#include "rates/filling.hpp"
+#include "rates/pair_loop.hpp"
+#include "support/bag.hpp"
+#include "support/loaded.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr double spacing = 1e-3, dt = 1e-5, stir = 1e3;
+constexpr int side = 14;
+
+template <int D_, class P_>
+struct Kind {
+  static constexpr int D = D_;
+  using P = P_;
+};
+
+// A block of water, its lattice shaken by `shake` spacings.
+ReferenceState block(int dimension, double shake) {
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> uniform(-shake, shake);
+  ReferenceState state;
+  state.dimension = dimension;
+  auto water = bag_water(spacing, dimension);
+  water.smoothing_length = 1.3 * spacing;
+  water.volume = std::pow(spacing, dimension);
+  state.media = {water};
+  const int rows = dimension == 2 ? 1 : side;
+  for (int k = 0; k < side * side * rows; ++k) {
+    ReferenceParticle particle;
+    const int cell[3] = {k % side, k / side % side, k / (side * side)};
+    for (int a = 0; a < dimension; ++a)
+      particle.position[a] = spacing * (cell[a] + 1.5 + uniform(engine));
+    state.particles.push_back(particle);
+  }
+  return state;
+}
+
+template <int D, class P>
+struct Shifted {
+  using Real = typename P::Real;
+
+  explicit Shifted(const ReferenceState& state) : loaded(state, {0.0, 0.02, 5e-4}) {
+    auto& particles = loaded.particles;
+    thrust::fill(particles.wall_normal.begin(), particles.wall_normal.end(),
+                 Vector<D, Real>::zero());
+    crowd.resize(particles.size());
+    look();
+    thrust::fill(particles.stir.begin(), particles.stir.end(), Real(stir));
+  }
+  void look() {
+    const auto view = loaded.particles.view();
+    using Full = Filling<D, P, ContactPairs::Kernel<D>>;
+    const Real kept = loaded.particles.stir.empty() ? Real(0) : Real(loaded.particles.stir[0]);
+    for_each_index(loaded.particles.size(),
+                   PairLoop<D, P, ContactPairs, Full>(view, loaded.list.view(), {}, Full{}));
+    thrust::fill(loaded.particles.stir.begin(), loaded.particles.stir.end(), kept);
+    for_each_index(loaded.particles.size(), PairLoop<D, P, ContactPairs, Crowding<D, P>>(
+                                                view, loaded.list.view(), {}, {pointer(crowd)}));
+  }
+  void shift() {
+    for_each_index(loaded.particles.size(),
+                   ShiftParticles<D, P>{loaded.particles.view(), pointer(crowd), dt});
+  }
+  // Rows between a place and the nearest side of the block, from 0.
+  int depth(Index i) const {
+    int least = side;
+    const Vector<D, double> place = loaded.particles.build_position[i];
+    for (int a = 0; a < D; ++a) {
+      const int row = int(std::lround(place[a] / spacing - 1.5));
+      least = std::min({least, row, side - 1 - row});
+    }
+    return least;
+  }
+
+  Loaded<D, P, ContactPairs> loaded;
+  Array<Crowd<D, Real>> crowd;
+};
+
+template <class K>
+class Shifting : public testing::Test {};
+using Kinds = testing::Types<Kind<2, Double>, Kind<2, Mixed>, Kind<3, Double>, Kind<3, Mixed>>;
+TYPED_TEST_SUITE(Shifting, Kinds);
+
+// Opposite neighbours cancel to rounding.
+TYPED_TEST(Shifting, LatticeStaysAsItIs) {
+  constexpr int D = TypeParam::D;
+  using P = typename TypeParam::P;
+  Shifted<D, P> water(block(D, 0.0));
+  water.shift();
+  const double rounding = std::is_same_v<P, Double> ? 1e-12 : 1e-5;
+  for (Index i = 0; i < water.loaded.particles.size(); ++i)
+    EXPECT_LE(norm(water.loaded.particles.position[i] - water.loaded.particles.build_position[i]),
+              rounding * spacing);
+}
+
+// C_i = sum V nabla W by a double loop; dr = - 2 h^2 dt stir C inside, 0 in three rows at the
+// sides.
+TYPED_TEST(Shifting, MovesFromTheCrowdInsideOnly) {
+  constexpr int D = TypeParam::D;
+  using P = typename TypeParam::P;
+  const ReferenceState state = block(D, 0.05);
+  Shifted<D, P> water(state);
+  water.shift();
+  const double h = 1.3 * spacing, tolerance = std::is_same_v<P, Double> ? 1e-10 : 1e-3;
+  int inside = 0;
+  for (Index i = 0; i < water.loaded.particles.size(); ++i) {
+    const auto& p = water.loaded.particles;
+    const Vector3 moved = as_eigen(Vector<D, double>(p.position[i])) -
+                          as_eigen(Vector<D, double>(p.build_position[i]));
+    if (water.depth(i) < 3) {
+      EXPECT_EQ(moved.norm(), 0.0);
+    }
+    if (water.depth(i) < 5) continue;  // shaken, it may see one that lacks neighbours
+    ++inside;
+    Vector3 crowd = Vector3::Zero();
+    for (const ReferenceParticle& other : state.particles) {
+      const Vector3 apart = as_eigen(Vector<D, double>(p.build_position[i])) - other.position;
+      const double r = apart.norm();
+      if (r > 0.0 && r < 2.0 * h)
+        crowd += std::pow(spacing, D) * WendlandC2<D>::derivative(r, h) / r * apart;
+    }
+    const Vector3 due = -2.0 * h * h * dt * stir * crowd;
+    ASSERT_LT(due.norm(), 0.05 * spacing);
+    EXPECT_LE((moved - due).norm(), tolerance * spacing * 0.05);
+  }
+  EXPECT_EQ(inside, std::pow(side - 10, D));
+}
+
+// A hundred steps take more than half of the shaking out.
+TYPED_TEST(Shifting, EvensOut) {
+  constexpr int D = TypeParam::D;
+  using P = typename TypeParam::P;
+  Shifted<D, P> water(block(D, 0.1));
+  const auto crowding = [&] {
+    double sum = 0.0;
+    for (Index i = 0; i < water.loaded.particles.size(); ++i) {
+      const auto gradient = Crowd<D, typename P::Real>(water.crowd[i]).gradient;
+      if (water.depth(i) >= 5) sum += double(dot(gradient, gradient));
+    }
+    return sum;
+  };
+  const double before = crowding();
+  for (int n = 0; n < 100; ++n) {
+    water.shift();
+    water.look();
+  }
+  EXPECT_LT(crowding(), 0.25 * before);
+}
+
+// Neither what is not stirred, nor what is in a nozzle; at a wall along it only.
+TEST(Shifting2D, LeavesWhatItMust) {
+  Shifted<2, Double> water(block(2, 0.1));
+  auto& p = water.loaded.particles;
+  const Vector<2, double> up{{0.0, 1.0}};
+  for (Index i = 0; i < p.size(); ++i) {
+    if (i % 3 == 0) p.stir[i] = 0.0;
+    if (i % 3 == 1) p.flags[i] = flag::upstream;
+    if (i % 3 == 2) p.wall_normal[i] = up;
+  }
+  water.shift();
+  double along = 0.0;
+  for (Index i = 0; i < p.size(); ++i) {
+    const auto moved = Vector<2, double>(p.position[i]) - Vector<2, double>(p.build_position[i]);
+    EXPECT_LE(std::abs(moved[1]), 1e-16);
+    if (i % 3 != 2) {
+      EXPECT_EQ(moved[0], 0.0);
+    }
+    along += std::abs(moved[0]);
+  }
+  EXPECT_GT(along, 0.0);
+}
+
+}  // namespace
+}  // namespace kerf::test
