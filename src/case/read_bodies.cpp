@@ -160,7 +160,10 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
   body.lattice = section.text("lattice") == "hexagonal" ? Lattice::hexagonal : Lattice::square;
   read_offset(section, body);
   if (body.role != Role::water) read_grading(draft, section, body);
-  if (body.role != Role::rigid) read_velocity(section, body);
+  if (body.role != Role::rigid) {
+    read_velocity(section, body);
+    if (draft.result.formulation == Formulation::standard) read_chance(section, body);
+  }
   if (body.role == Role::water && draft.result.formulation == Formulation::standard)
     body.pressure = section.number("pressure");
   if (body.role != Role::water) {
@@ -169,7 +172,6 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
   }
   if (body.role == Role::elastic) {
     body.joined_to = section.text("joined_to", "");
-    if (draft.result.formulation == Formulation::standard) read_chance(section, body);
     if (section.has("absorbing")) read_absorbing(section, body);
   }
   if (body.role == Role::rigid) read_rigid(section, entry);

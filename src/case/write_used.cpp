@@ -209,7 +209,7 @@ void write_body(Writer& writer, const Case& description, const Body& body) {
     writer.expressions("displacement_expression", body.displacement);
   if (body.absorbing.any()) writer.faces("absorbing", body.absorbing);
   if (!body.joined_to.empty()) writer.text("joined_to", body.joined_to);
-  if (body.role == Role::elastic && description.formulation == Formulation::standard) {
+  if (body.role != Role::rigid && description.formulation == Formulation::standard) {
     writer.number("jitter", body.jitter);
     writer.raw("seed", std::to_string(body.seed));
   }

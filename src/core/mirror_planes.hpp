@@ -55,9 +55,9 @@ struct MirrorPlanes {
   KERF_FUNCTION Vector<D, double> separation(MirrorCode code, const Vector<D, double>& x,
                                              const Vector<D, double>& y) const {
     auto r = x - y;
-    if (code == 0) return r;
-    for (int a = 0; a < D; ++a)
-      if (flips(code, a)) r[a] = (x[a] - face(code, a)) + (y[a] - face(code, a));
+    if (code != 0)
+      for (int a = 0; a < D; ++a)
+        if (flips(code, a)) r[a] = (x[a] - face(code, a)) + (y[a] - face(code, a));
     return r;
   }
   // Whether the image of x, itself inside, is within `reach` of the domain.
@@ -70,9 +70,9 @@ struct MirrorPlanes {
   // Mirror images of vectors and tensors.
   template <class T>
   KERF_FUNCTION static Vector<D, T> image(MirrorCode code, Vector<D, T> v) {
-    if (code == 0) return v;
-    for (int a = 0; a < D; ++a)
-      if (flips(code, a)) v[a] = -v[a];
+    if (code != 0)
+      for (int a = 0; a < D; ++a)
+        if (flips(code, a)) v[a] = -v[a];
     return v;
   }
   template <class T>

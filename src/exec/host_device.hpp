@@ -7,3 +7,11 @@
 #else
 #define KERF_FUNCTION inline
 #endif
+
+// Before a loop body that is to be one piece of code, with all that it calls: whether a compiler
+// would do so by itself hangs on its size.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define KERF_FLAT [[gnu::flatten]]
+#else
+#define KERF_FLAT
+#endif

@@ -5,11 +5,14 @@
 // opposite.
 #pragma once
 
+#include <cmath>
+
 #include "materials/equation_of_state.hpp"
 #include "rates/central_water.hpp"
 #include "rates/pair_fit.hpp"
 #include "rates/riemann.hpp"
 #include "rates/water_scheme.hpp"
+#include "rates/water_viscosity.hpp"
 
 namespace kerf {
 
@@ -47,9 +50,14 @@ struct FluidPair {
     if (kind == Meeting::alike) {
       const auto left = side(particles, pair.i, *pair.medium_i, u_i);
       const auto right = side(particles, pair.j, *pair.medium_j, u_j);
-      return scheme == WaterScheme::delta_sph && are_water(pair)
-                 ? CentralWater::solve(left, right, inverse * pair.smoothing_length)
-                 : solve_riemann(left, right, sharpness(pair));
+      auto star = scheme == WaterScheme::delta_sph && are_water(pair)
+                      ? CentralWater::solve(left, right, inverse * pair.smoothing_length)
+                      : solve_riemann(left, right, sharpness(pair));
+      if (are_water(pair))
+        star.dissipation = beyond_viscosity(
+            star.dissipation,
+            inverse * viscosity_between(*pair.medium_i, *pair.medium_j) * (u_i - u_j));
+      return star;
     }
     const Real fall = dot(gravity, pair.separation);
     // Seen from the fluid, e and with it both speeds change sign where j is the fluid.
@@ -72,6 +80,12 @@ struct FluidPair {
  private:
   KERF_FUNCTION static bool are_water(const Pair<D, P>& pair) {
     return pair.medium_i->phase == Phase::water && pair.medium_j->phase == Phase::water;
+  }
+  // What damps beyond the `viscous` pressure mu (U_i - U_j) / r that the viscosity of the water has
+  // between the two (rates/water_viscosity.hpp): where water is thick enough to be smooth by itself
+  // nothing is added.
+  KERF_FUNCTION static Real beyond_viscosity(Real dissipation, Real viscous) {
+    return std::abs(dissipation) > std::abs(viscous) ? dissipation - viscous : Real(0);
   }
   // Without the difference in pressure where two approach by a twentieth of the speed of sound.
   KERF_FUNCTION static Real sharpness(const Pair<D, P>& pair) {

@@ -47,7 +47,7 @@ struct FilteredPairLoop : Terms... {
                    const Filter& chosen, const Terms&... terms)
       : Terms(terms)..., particles(view), list(neighbours), filter(chosen) {}
 
-  KERF_FUNCTION void operator()(Index i) const {
+  KERF_FLAT KERF_FUNCTION void operator()(Index i) const {
     Sums sums{};
     const auto& medium_i = particles.medium(i);
     auto by_particles = Vector<D, Real>::zero();

@@ -9,6 +9,15 @@
 
 namespace kerf {
 
+// Between the matter of two particles, one of which is water, Pa s.
+template <class Real>
+KERF_FUNCTION Real viscosity_between(const Medium<Real>& a, const Medium<Real>& b) {
+  if (a.phase != Phase::water) return b.viscosity;
+  if (b.phase != Phase::water) return a.viscosity;
+  const Real sum = a.viscosity + b.viscosity;
+  return sum > Real(0) ? Real(2) * a.viscosity * b.viscosity / sum : Real(0);
+}
+
 template <int D, class P>
 struct WaterViscosity {
   using Real = typename P::Real;
@@ -20,7 +29,7 @@ struct WaterViscosity {
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
-    const Real mu = viscosity(*pair.medium_i, *pair.medium_j);
+    const Real mu = viscosity_between(*pair.medium_i, *pair.medium_j);
     if (!(mu > Real(0)) || !(pair.distance > Real(0))) return;
     // dW/dr / r, from nabla W = (dW/dr / r) r_ij.
     const Real slope = dot(pair.gradient, pair.separation) / (pair.distance * pair.distance);
@@ -40,14 +49,6 @@ struct WaterViscosity {
     particles.damping_acceleration[i] += inverse * sum.friction;
     particles.acceleration[i] += inverse * sum.friction;
     particles.repulsion[i] += inverse * sum.wall_friction;
-  }
-
- private:
-  KERF_FUNCTION static Real viscosity(const Medium<Real>& a, const Medium<Real>& b) {
-    if (a.phase != Phase::water) return b.viscosity;
-    if (b.phase != Phase::water) return a.viscosity;
-    const Real sum = a.viscosity + b.viscosity;
-    return sum > Real(0) ? Real(2) * a.viscosity * b.viscosity / sum : Real(0);
   }
 };
 

@@ -4,28 +4,36 @@
 // which is right for rows that are staggered too.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "particles/fill.hpp"
 #include "particles/medium.hpp"
+#include "simulation/levels.hpp"
 #include "simulation/populate.hpp"
 #include "solid/absorb.hpp"
 
 namespace kerf {
 
-// One side of one body: the particles within 3/4 of a layer of its outermost ones.
+// One side of one body: the particles whose middle is within 5/4 of a layer of where the body ends.
+// A graded body has layers of several levels there, each a power of two times the finest one.
 template <int D>
 struct AbsorbingFace {
   std::size_t source = 0;
   int axis = 0;
   double sign = 1.0;   // of the outward normal
-  double layer = 0.0;  // m, distance of layers along the normal
-  double outermost = -std::numeric_limits<double>::infinity();  // m, along the normal
+  double layer = 0.0;  // m, distance of the finest layers along the normal
+  double end = -std::numeric_limits<double>::infinity();  // m, along the normal
 
-  double depth(const Vector<D, double>& x) const { return outermost - sign * x[axis]; }
-  bool holds(const Vector<D, double>& x) const { return depth(x) < 0.75 * layer; }
+  double layer_of(int level) const { return std::ldexp(layer, level); }
+  void reach(const Vector<D, double>& x, int level) {
+    end = std::max(end, sign * x[axis] + 0.5 * layer_of(level));
+  }
+  bool holds(const Vector<D, double>& x, int level) const {
+    return end - sign * x[axis] < 1.25 * layer_of(level);
+  }
 };
 
 template <int D>
@@ -55,19 +63,22 @@ std::vector<AbsorbingSite<D>> absorbing_sites(const Case& description,
   auto faces = absorbing_faces<D>(description);
   std::vector<AbsorbingSite<D>> sites;
   if (faces.empty()) return sites;
+  const auto origins = medium_origins(description);
   for (auto& face : faces)
     for (std::size_t i = 0; i < position.size(); ++i)
-      if (source[i] == face.source)
-        face.outermost = std::max(face.outermost, face.sign * position[i][face.axis]);
+      if (origins[source[i]].source == face.source)
+        face.reach(position[i], origins[source[i]].level);
   for (std::size_t i = 0; i < position.size(); ++i) {
     const Medium<double>& medium = media[source[i]];
+    const MediumOrigin& origin = origins[source[i]];
     AbsorbingSite<D> site{number[i], medium.mass, Vector<D, double>::zero(),
                           Vector<D, double>::zero()};
     for (const auto& face : faces) {
-      if (source[i] != face.source || !face.holds(position[i])) continue;
+      if (origin.source != face.source || !face.holds(position[i], origin.level)) continue;
       const double shear_speed = std::sqrt(medium.shear_modulus / medium.density);
       for (int a = 0; a < D; ++a)
-        site.rate[a] += (a == face.axis ? medium.longitudinal_speed : shear_speed) / face.layer;
+        site.rate[a] += (a == face.axis ? medium.longitudinal_speed : shear_speed) /
+                        face.layer_of(origin.level);
     }
     if (dot(site.rate, site.rate) > 0.0) sites.push_back(site);
   }

@@ -143,7 +143,8 @@ struct BondFilter {
   SolidIndexView link;
   Filter filter;
 
-  KERF_FUNCTION bool operator()(Index a, const BondEnd& b) const {
+  template <class End>
+  KERF_FUNCTION bool operator()(Index a, const End& b) const {
     const Index i = link.particle_of[a], j = link.particle_of[b.particle];
     return i != no_index && j != no_index && filter(particles, i, j, b.mirror);
   }

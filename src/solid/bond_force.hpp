@@ -24,9 +24,9 @@ struct BondViscosity {
   const Vector<D, Real>* velocity;
 
   // Adds the force on i and half of the power that the pair dissipates.
-  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, Vector<D, Real>& force,
-                         Real& power) const {
-    const BondEnd j = solid.bond_end(k);
+  template <class End>
+  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, const End& j,
+                         Vector<D, Real>& force, Real& power) const {
     const auto& a = solid.medium(i);
     const auto& b = solid.medium(j.particle);
     const Vector<D, Real> bond = solid.reference_bond(i, j);
@@ -62,15 +62,19 @@ struct FlowViscosity {
   BondViscosity<D, P> bonds;
   HourglassViscosity<D, P> hourglass;
 
-  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, Vector<D, Real>& force,
-                         Real& power) const {
-    bonds.add(solid, i, k, force, power);
-    hourglass.add(solid, i, k, force, power);
+  template <class End>
+  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, const End& j,
+                         Vector<D, Real>& force, Real& power) const {
+    bonds.add(solid, i, k, j, force, power);
+    hourglass.add(solid, i, k, j, force, power);
   }
 };
 
 struct EveryBond {
-  KERF_FUNCTION bool operator()(Index, const BondEnd&) const { return true; }
+  template <class End>
+  KERF_FUNCTION bool operator()(Index, const End&) const {
+    return true;
+  }
 };
 
 // `Filter` chooses bonds, e.g. those across a plane.
@@ -82,32 +86,42 @@ struct BondForce {
   Filter filter;
 
   KERF_FUNCTION void operator()(Index i) const {
-    auto force = Vector<D, Real>::zero();
-    auto by_particles = Vector<D, Real>::zero();  // not by their images, which come last
-    bool is_mirrored = false;
-    Real power = Real(0);
-    const auto& medium = solid.medium(i);
+    const Index end = solid.bond_begin[i + 1], images = solid.first_image(i);
+    Sum sum = add_up<DirectEnd>(i, solid.bond_begin[i], images);
+    const Real inverse = Real(1) / solid.medium(i).mass;
+    if (solid.mirrors.faces != 0) {
+      const Sum mirrored = add_up<BondEnd>(i, images, end);
+      solid.mirror_acceleration[i] = inverse * mirrored.force;
+      sum.force += mirrored.force;
+      sum.power += mirrored.power;
+    }
+    solid.acceleration[i] = inverse * sum.force;
+    solid.viscous_power[i] = sum.power;
+  }
+
+ private:
+  struct Sum {
+    Vector<D, Real> force;  // N
+    Real power;             // W
+  };
+
+  // Over bonds k of particle i.
+  template <class End>
+  KERF_FUNCTION Sum add_up(Index i, Index k, Index end) const {
+    Sum sum{Vector<D, Real>::zero(), Real(0)};
     const Real modulus = solid.hourglass[i];
     const Matrix<D, Real> traction = solid.traction[i];
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
+    for (; k < end; ++k) {
       const Real weight = solid.weight[k];
       if (!(weight > Real(0))) continue;
-      const BondEnd j = solid.bond_end(k);
+      const End j = solid.template bond_end<End>(k);
       if (!filter(i, j)) continue;
-      if (j.mirror != 0 && !is_mirrored) {
-        is_mirrored = true;
-        by_particles = force;
-      }
       const Real stiffness = modulus + solid.hourglass[j.particle];
-      force += weight * ((traction + solid.of(j, solid.traction)) * solid.reference_bond(i, j) +
-                         stiffness * solid.displacement_bond(i, j));
-      if constexpr (Viscosity::acts) viscosity.add(solid, i, k, force, power);
+      sum.force += weight * ((traction + solid.of(j, solid.traction)) * solid.reference_bond(i, j) +
+                             stiffness * solid.displacement_bond(i, j));
+      if constexpr (Viscosity::acts) viscosity.add(solid, i, k, j, sum.force, sum.power);
     }
-    solid.acceleration[i] = (Real(1) / medium.mass) * force;
-    if (solid.mirrors.faces != 0)
-      solid.mirror_acceleration[i] =
-          is_mirrored ? (Real(1) / medium.mass) * (force - by_particles) : Vector<D, Real>::zero();
-    solid.viscous_power[i] = power;
+    return sum;
   }
 };
 

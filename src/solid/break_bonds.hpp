@@ -6,6 +6,7 @@
 #include "exec/ordered_sum.hpp"
 #include "fracture/bond_criterion.hpp"
 #include "fracture/crushing.hpp"
+#include "fracture/severed.hpp"
 #include "solid/respond.hpp"
 
 namespace kerf {
@@ -49,21 +50,38 @@ struct BondTest {
 
   KERF_FUNCTION bool breaks(Index i, Index k, const SymmetricTensor<D, Real>& green) const {
     if (!(solid.weight[k] > Real(0))) return false;
-    const BondEnd j = solid.bond_end(k);
+    const BondEnd end = solid.bond_end(k);
+    return end.mirror == 0 ? passes(i, DirectEnd{end.particle}, green) : passes(i, end, green);
+  }
+
+ private:
+  template <class End>
+  KERF_FUNCTION bool passes(Index i, const End& j, const SymmetricTensor<D, Real>& green) const {
     const auto bond = solid.reference_bond(i, j);
     const auto change = solid.displacement_bond(i, j);
     const Real square = dot(bond, bond);
+    const auto& a = solid.medium(i);
+    const auto& b = solid.medium(j.particle);
+    if (solid.torn[i] || solid.torn[j.particle]) {
+      const Real misfit = misfit_squared(i, j, bond, change);
+      if (is_severed(misfit, square, a) || is_severed(misfit, square, b)) return true;
+    }
     BondStrain<Real> strain;
     // |x|^2 - R^2 = (2 R + u) . u
     strain.own = dot(Real(2) * bond + change, change) / square;
     if (!(strain.own > Real(0))) return false;  // no bond breaks that is not stretched
-    const auto& a = solid.medium(i);
-    const auto& b = solid.medium(j.particle);
     const bool same = solid.medium_index[i] == solid.medium_index[j.particle];
     strain.prepared = Real(0.5) * (solid.criterion[i] + solid.criterion[j.particle]);
     if (place_passes(strain.prepared, a) || (!same && place_passes(strain.prepared, b)))
       strain.mean = dot(bond, (green + green_strain(solid.of(j, solid.gradient))) * bond) / square;
     return bond_breaks(strain, a) || (!same && bond_breaks(strain, b));
+  }
+
+  template <class End>
+  KERF_FUNCTION Real misfit_squared(Index i, const End& j, const Vector<D, Real>& bond,
+                                    const Vector<D, Real>& change) const {
+    const auto fitted = Real(0.5) * ((solid.gradient[i] + solid.of(j, solid.gradient)) * bond);
+    return dot(fitted - change, fitted - change);
   }
 };
 

@@ -41,6 +41,7 @@ struct Correct {
   KERF_FUNCTION void operator()(Index i) const {
     if (!solid.changed[i]) return;
     solid.changed[i] = 0;
+    solid.torn[i] = 1;
     if (solid.loose[i]) {
       solid.correction[i] = Matrix<D, Real>::zero();
       return;
@@ -55,6 +56,7 @@ struct Correct {
       add_outer(moment, (weight / volume) * bond, bond);
       ++whole;
     }
+    solid.torn[i] = whole < solid.bond_begin[i + 1] - solid.bond_begin[i];
     auto correction = identity<D, Real>();
     if (whole < least_bonds<D> || !divide(correction, moment, Real(least_pivot))) {
       solid.loose[i] = 1;

@@ -30,18 +30,28 @@ struct Deform {
       solid.traction[i] = Matrix<D, Real>::zero();
       return;
     }
-    auto sum = Matrix<D, Real>::zero();
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-      const BondEnd j = solid.bond_end(k);
-      const Vector<D, Real> bond = solid.weight[k] * solid.reference_bond(i, j);
-      add_outer(sum, solid.displacement_bond(i, j), bond);
-    }
+    const Index end = solid.bond_begin[i + 1], images = solid.first_image(i);
+    auto sum = gather<DirectEnd>(i, solid.bond_begin[i], images);
+    if (images < end) sum += gather<BondEnd>(i, images, end);
     const auto& medium = solid.medium(i);
     const Matrix<D, Real> h = sum * solid.correction[i];
     solid.gradient[i] = h;
     const Matrix<D, Real> stress = first_piola(response.stress(solid, i, h), h);
     solid.traction[i] = medium.volume() * (stress * solid.correction[i]);
     solid.traction[i] += -solid.hourglass[i] * h;
+  }
+
+ private:
+  // sum_j w_ij (u_j - u_i) (x) R over bonds k of particle i.
+  template <class End>
+  KERF_FUNCTION Matrix<D, Real> gather(Index i, Index k, Index end) const {
+    auto sum = Matrix<D, Real>::zero();
+    for (; k < end; ++k) {
+      const End j = solid.template bond_end<End>(k);
+      const Vector<D, Real> bond = solid.weight[k] * solid.reference_bond(i, j);
+      add_outer(sum, solid.displacement_bond(i, j), bond);
+    }
+    return sum;
   }
 };
 

@@ -52,9 +52,9 @@ struct HourglassViscosity {
   const Vector<D, Real>* velocity;
 
   // Adds the force on i and the power of its own share.
-  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, Vector<D, Real>& force,
-                         Real& power) const {
-    const BondEnd j = solid.bond_end(k);
+  template <class End>
+  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, const End& j,
+                         Vector<D, Real>& force, Real& power) const {
     const Real own = solid.hourglass_viscosity[i];
     const Real both = own + solid.hourglass_viscosity[j.particle];
     if (!(both > Real(0))) return;

@@ -4,6 +4,8 @@
 // particles are.
 #pragma once
 
+#include <type_traits>
+
 #include "core/matrix.hpp"
 #include "core/mirror_planes.hpp"
 #include "core/precision.hpp"
@@ -17,6 +19,7 @@ namespace kerf {
 // Fields with one entry per particle that are not given at set-up. FIELD(type, name): meaning.
 #define KERF_SOLID_RESULTS(FIELD)                                                   \
   FIELD(std::uint8_t, loose)        /* 1: holds on to nothing, carries no stress */ \
+  FIELD(std::uint8_t, torn)         /* 1: has lost bonds */                         \
   FIELD(std::uint8_t, changed)      /* 1: its correction is outdated */             \
   FIELD(Place, displacement)        /* u = x - X, m */                              \
   FIELD(Tensor, correction)         /* B_i / V_i, 1/m^D */                          \
@@ -59,6 +62,11 @@ namespace kerf {
 struct BondEnd {
   Index particle;     // j
   MirrorCode mirror;  // 0: j itself, else its image
+};
+// The same where it is known that j itself is meant: all that mirrors do is then left out.
+struct DirectEnd {
+  Index particle;
+  static constexpr MirrorCode mirror = 0;
 };
 
 template <int D, class P>
@@ -111,25 +119,36 @@ struct SolidView {
   KERF_FUNCTION Real damage(Index i) const {
     return any_flaws ? flaws[i].damage : Real(0);
   }
-  KERF_FUNCTION BondEnd bond_end(Index k) const {
-    return {mirrors.place(neighbour[k]), mirrors.code(neighbour[k])};
+  template <class End = BondEnd>
+  KERF_FUNCTION End bond_end(Index k) const {
+    if constexpr (std::is_same_v<End, DirectEnd>)
+      return {neighbour[k]};
+    else
+      return {mirrors.place(neighbour[k]), mirrors.code(neighbour[k])};
+  }
+  // Of particle i, the first bond that is one to a mirror image; the end of its bonds for none.
+  KERF_FUNCTION Index first_image(Index i) const {
+    Index k = bond_begin[i + 1];
+    if (mirrors.faces != 0)
+      while (k > bond_begin[i] && mirrors.code(neighbour[k - 1]) != 0) --k;
+    return k;
   }
   // X_j - X_i, m.
-  template <class T = Real>
-  KERF_FUNCTION Vector<D, T> reference_bond(Index i, const BondEnd& j) const {
+  template <class T = Real, class End>
+  KERF_FUNCTION Vector<D, T> reference_bond(Index i, const End& j) const {
     const auto& x = reference[i];
     const auto& y = reference[j.particle];
     if (j.mirror == 0) return Vector<D, T>::from(y - x);
     return T(-1) * Vector<D, T>::from(mirrors.separation(j.mirror, x, y));
   }
   // u_j - u_i, m: differences in double, so that a body far from home loses no digits.
-  template <class T = Real>
-  KERF_FUNCTION Vector<D, T> displacement_bond(Index i, const BondEnd& j) const {
+  template <class T = Real, class End>
+  KERF_FUNCTION Vector<D, T> displacement_bond(Index i, const End& j) const {
     return Vector<D, T>::from(of(j, displacement) - displacement[i]);
   }
   // A vector or tensor of particle j as particle i sees it: of its image, where it is one.
-  template <class T>
-  KERF_FUNCTION T of(const BondEnd& j, const T* values) const {
+  template <class T, class End>
+  KERF_FUNCTION T of(const End& j, const T* values) const {
     return MirrorPlanes<D>::image(j.mirror, values[j.particle]);
   }
 };

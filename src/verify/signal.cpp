@@ -68,6 +68,7 @@ Signal ledger_signal(const Parameters& parameters, const Beginning&) {
       {"elastic_strain", [](const Ledger& l) { return l.elastic_strain; }},
       {"hourglass", [](const Ledger& l) { return l.hourglass; }},
       {"plastic", [](const Ledger& l) { return l.dissipated_plastic; }},
+      {"fracture", [](const Ledger& l) { return l.dissipated_fracture; }},
       {"dissipated", [](const Ledger& l) { return l.dissipated_artificial; }},
       {"plate_force", [](const Ledger& l) { return l.force_plate[1]; }},
       // Speed at which the whole comes back over that at which it came, along y.

@@ -74,6 +74,32 @@ TEST(AbsorbingFaces, BearTheImpedanceOfTheFace) {
   }
 }
 
+// The face of a graded body, fine in the middle of its length and coarse at its ends: each particle
+// bears the area of its own layer.
+TEST(AbsorbingFaces, BearTheImpedanceOfAGradedFace) {
+  for (const std::size_t axis : {0, 1}) {
+    Case c = block_case(2, PrecisionKind::double_precision);
+    const double d = 1e-3;
+    c.bodies = {body("block", Role::elastic, box({-0.016, 0.0, 0.0}, {0.016, 0.016, 0.0}), d)};
+    c.bodies[0].grading = {1, 2e-3, box({-0.004, -1.0, 0.0}, {0.004, 1.0, 0.0}), {}};
+    c.bodies[0].absorbing.maximum[axis] = true;
+    c.bodies[0].velocity = {"0.3", "-0.2", "0"};
+    const auto simulation = make_simulation(c);
+    const auto spacings = simulation->frame().spacing;
+    ASSERT_LT(std::ranges::min(spacings), 0.6 * std::ranges::max(spacings));
+    simulation->advance();
+    const Ledger ledger = simulation->ledger();
+    const auto speeds = speeds_of(c.materials[0]);
+    const double area = axis == 0 ? 0.016 : 0.032, v[2] = {0.3, -0.2};
+    for (std::size_t a = 0; a < 2; ++a) {
+      const double c_a = a == axis ? speeds.pressure : speeds.shear;
+      const double due = -c.materials[0].density * c_a * area * v[a] * simulation->last_step().dt;
+      EXPECT_NEAR(ledger.impulse_constraint[a], due, 1e-9 * std::abs(due)) << axis << " " << a;
+    }
+    EXPECT_LT(ledger.momentum_error(), 1e-12);
+  }
+}
+
 // A pulse runs along a strip whose long sides are symmetry planes, so that it is a plane wave, to
 // absorbing ends. Energy that is left, over that at the start.
 double left_over(double spacing, bool shear) {

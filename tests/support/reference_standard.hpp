@@ -133,6 +133,9 @@ class ReferenceStandard {
     if (both) {
       star = reference_star(
           left, {state_.density(o), rates_[o].pressure, -at(o).velocity.dot(e), b.sound_speed});
+      const double closing = std::max(0.0, (at(o).velocity - at(w).velocity).dot(e));
+      if (is(w, Phase::water) && is(o, Phase::water))
+        star.dissipation = std::max(0.0, star.dissipation - viscosity(w, o) * closing / r);
     } else {
       const double wall = -at(o).velocity.dot(e);
       const double depth = std::max(0.0, -state_.gravity.dot(e)) * r;
@@ -165,13 +168,15 @@ class ReferenceStandard {
     if (is(o, Phase::rigid)) rates_[w].from_rigid += (star.mean + star.dissipation) * unit;
   }
 
-  void add_friction(std::size_t w, std::size_t o, double slope_per_distance) {
+  double viscosity(std::size_t w, std::size_t o) const {
     const double mu_w = state_.medium(w).viscosity, mu_o = state_.medium(o).viscosity;
-    double mu = is(w, Phase::water) ? mu_w : mu_o;
-    if (is(w, Phase::water) && is(o, Phase::water))
-      mu = mu_w + mu_o > 0.0 ? 2.0 * mu_w * mu_o / (mu_w + mu_o) : 0.0;
-    const Vector3 drag =
-        2.0 * mu * volume(w) * volume(o) * slope_per_distance * (at(w).velocity - at(o).velocity);
+    if (!is(w, Phase::water) || !is(o, Phase::water)) return is(w, Phase::water) ? mu_w : mu_o;
+    return mu_w + mu_o > 0.0 ? 2.0 * mu_w * mu_o / (mu_w + mu_o) : 0.0;
+  }
+
+  void add_friction(std::size_t w, std::size_t o, double slope_per_distance) {
+    const Vector3 drag = 2.0 * viscosity(w, o) * volume(w) * volume(o) * slope_per_distance *
+                         (at(w).velocity - at(o).velocity);
     rates_[w].damping += drag;
     rates_[o].damping -= drag;
     if (is(o, Phase::rigid)) rates_[w].from_rigid += drag;

@@ -97,6 +97,48 @@ TYPED_TEST(SolidFracture, OnlyBondsAcrossTheGapBreak) {
   }
 }
 
+// Keeps of the bonds across a plane only those along x.
+struct AllButStraightBonds {
+  template <class Place>
+  KERF_FUNCTION bool operator()(const Place& x, const Place& y) const {
+    const auto apart = y - x;
+    const bool across = (x[0] > 4.5e-3) != (y[0] > 4.5e-3);
+    return across && norm(apart) > 1.1 * std::abs(apart[0]);
+  }
+};
+
+// Both sides of a crack are held together by bonds that it has to turn, without stretching them, if
+// one side slides: they hold as long as the fits follow them, and let go of what slides away.
+TYPED_TEST(SolidFracture, SlidingFacesLetGo) {
+  constexpr int D = TypeParam::D;
+  for (const double turn : {0.02, 0.4}) {
+    auto medium = soft_solid(1e-3, D);
+    medium.criterion = BondCriterion::principal_strain;
+    medium.failure_strain = 0.02;
+    SolidOnTrial<D, typename TypeParam::P> trial(block<D>({.cells = {9, 8, 7}}, medium));
+    const auto is_upper = [&](Index i) { return trial.layout.reference[i][0] > 4.5e-3; };
+    trial.solid.cut(AllButStraightBonds{});
+    const auto before = trial.solid.count().first;
+    for (Index i = 0; i < trial.size(); ++i)
+      if (is_upper(i)) {
+        trial.position[i][1] += 1e-3 * std::sin(turn);
+        trial.position[i][0] -= 1e-3 * (1.0 - std::cos(turn));
+      }
+    trial.deform();
+    for (FractureBook book{.bonds = 1}; book.bonds > 0;) book = trial.solid.fracture();
+    const auto& fields = trial.solid.fields();
+    std::uint64_t across = 0;
+    for (Index i = 0; i < trial.size(); ++i)
+      for (Index k = fields.bond_begin[i]; k < fields.bond_begin[i + 1]; ++k)
+        across += is_upper(i) != is_upper(fields.neighbour[k]) && fields.weight[k] > 0;
+    if (turn < 0.1)
+      EXPECT_EQ(trial.solid.count().first, before);
+    else
+      EXPECT_EQ(across, 0u);
+    EXPECT_EQ(trial.solid.count().second, 0u);
+  }
+}
+
 // A particle within reach of D others has no strain of its own; one with many has.
 TYPED_TEST(SolidFracture, LooseParticles) {
   constexpr int D = TypeParam::D;
