@@ -2,23 +2,11 @@
 // The pair sums of the `standard` formulation against double loops written from its sources.
 #include <gtest/gtest.h>
 
+#include "support/gap.hpp"
 #include "support/wet_bag.hpp"
 
 namespace kerf::test {
 namespace {
-
-// The largest error of a field over the largest value of that field.
-struct Gap {
-  double error = 0.0, scale = 0.0;
-  void add(double value, double due) {
-    error = std::max(error, std::abs(value - due));
-    scale = std::max(scale, std::abs(due));
-  }
-  void add(const Vector3& value, const Vector3& due) {
-    error = std::max(error, (value - due).norm());
-    scale = std::max(scale, due.norm());
-  }
-};
 
 template <class K>
 class StandardRatesOracle : public testing::Test {

@@ -3,24 +3,12 @@
 // mirror images together, without any plane.
 #include <gtest/gtest.h>
 
+#include "support/gap.hpp"
 #include "support/mirrored.hpp"
 #include "support/wet_bag.hpp"
 
 namespace kerf::test {
 namespace {
-
-// The largest error of a field over the largest value of that field.
-struct GapToWhole {
-  double error = 0.0, scale = 0.0;
-  void add(double value, double due) {
-    error = std::max(error, std::abs(value - due));
-    scale = std::max(scale, std::abs(due));
-  }
-  void add(const Vector3& value, const Vector3& due) {
-    error = std::max(error, (value - due).norm());
-    scale = std::max(scale, due.norm());
-  }
-};
 
 template <class K>
 class SymmetryPlanes : public testing::Test {
@@ -63,7 +51,7 @@ class SymmetryPlanes : public testing::Test {
                       const ReferenceStandard& oracle) {
     const auto place = loaded.places();
     const auto& p = loaded.particles;
-    GapToWhole pressure, continuity, energy, pressing, damping, total, from_rigid;
+    Gap pressure, continuity, energy, pressing, damping, total, from_rigid;
     Vector3 sum = Vector3::Zero(), booked = Vector3::Zero();
     double scale = 0.0;
     for (std::size_t i = 0; i < place.size(); ++i) {
@@ -82,8 +70,7 @@ class SymmetryPlanes : public testing::Test {
       booked += m * (of(p.repulsion[k]) + of(p.mirror_acceleration[k]));
       scale += m * of(p.mirror_acceleration[k]).norm();
     }
-    for (const GapToWhole& gap :
-         {pressure, continuity, energy, pressing, damping, total, from_rigid}) {
+    for (const Gap& gap : {pressure, continuity, energy, pressing, damping, total, from_rigid}) {
       EXPECT_GT(gap.scale, 0.0);
       EXPECT_LE(gap.error, tolerance * gap.scale);
     }

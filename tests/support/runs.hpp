@@ -78,6 +78,18 @@ inline void expect_same_run(const Simulation& a, const Simulation& b) {
   expect_same_state(saved(a), saved(b));
 }
 
+// A run of 300 steps, and one that is stopped after 170 and restored. The ledger at the stop.
+inline Ledger expect_same_bits_after_restart(const Case& c) {
+  const auto straight = make_simulation(c), first = make_simulation(c);
+  take_steps(*straight, 300);
+  take_steps(*first, 170);
+  const auto second = make_simulation(c);
+  second->restore(saved(*first));
+  take_steps(*second, 130);
+  expect_same_run(*straight, *second);
+  return first->ledger();
+}
+
 // Place in the frame of each particle by its id.
 inline std::map<std::uint32_t, std::size_t> by_id(const Frame& frame) {
   std::map<std::uint32_t, std::size_t> place;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far a field is from what an oracle says of it.
+#pragma once
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::test {
+
+// The largest error of a field over the largest value of that field.
+struct Gap {
+  double error = 0.0, scale = 0.0;
+  void add(double value, double due) {
+    error = std::max(error, std::abs(value - due));
+    scale = std::max(scale, std::abs(due));
+  }
+  void add(const Eigen::Vector3d& value, const Eigen::Vector3d& due) {
+    error = std::max(error, (value - due).norm());
+    scale = std::max(scale, due.norm());
+  }
+};
+
+}  // namespace kerf::test
