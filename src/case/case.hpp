@@ -156,7 +156,7 @@ struct ArtificialStress {  // Gray, Monaghan & Swift (2001)
 
 struct Numerics {  // of the `standard` formulation
   WaterScheme water = WaterScheme::riemann;
-  bool shifting = false;  // of water's particles, away from its surfaces
+  bool shifting = true;  // of water's particles, away from its surfaces
   bool operator==(const Numerics&) const = default;
 };
 
@@ -178,13 +178,13 @@ struct OutputControl {
 struct Case {
   std::string title;
   int dimension = 2;
-  Formulation formulation = Formulation::shinohara2004;
+  Formulation formulation = Formulation::standard;
   PrecisionKind precision = PrecisionKind::mixed;
   TimeControl time;
   Point gravity{};               // m/s^2
   Box domain;                    // m; particles that leave it are removed and accounted for
   Faces symmetry;                // those of the domain that are symmetry planes
-  double smoothing_ratio = 1.5;  // h / spacing
+  double smoothing_ratio = 1.3;  // h / spacing
   ArtificialStress artificial_stress;
   Numerics numerics;
   std::vector<Material> materials;

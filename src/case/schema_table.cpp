@@ -27,7 +27,7 @@ using enum ValueKind;
 constexpr Key table_of_keys[] = {
 {"", "title", text, "", "", any, "", "", "One line that says what the case is"},
 {"", "dimension", integer, "", "", {2, 3}, "", "", "2 = plane strain, everything per metre of depth; 3 = space. Vertical is y in both"},
-{"", "formulation", word, "", "shinohara2004", any, "shinohara2004 standard", "", "The equations: those of Shinohara, Okabe & Nakayama (2004), or Riemann SPH for water with total Lagrangian SPH for solids (in the making)"},
+{"", "formulation", word, "", "standard", any, "standard shinohara2004", "", "The equations: Riemann SPH for water with total Lagrangian SPH for solids, or those of Shinohara, Okabe & Nakayama (2004)"},
 {"", "precision", word, "", "mixed", any, "mixed double", "", "mixed = positions in double, fields in single precision; double = all in double"},
 {"", "smoothing_ratio", number, "", "1.5", {1.0, 3.0}, "", "shinohara2004", "Smoothing length over particle spacing, h / d"},
 {"", "smoothing_ratio", number, "", "1.3", {1.0, 3.0}, "", "standard", "Smoothing length over particle spacing, h / d"},
@@ -170,7 +170,7 @@ constexpr Key table_of_keys[] = {
 {"artificial_stress", "exponent", number, "", "4", {0.0, 20.0, true}, "", "", "Exponent of the kernel ratio"},
 
 {"numerics", "water", word, "", "riemann", any, "riemann delta_sph", "", "What acts between particles of water: Riemann solutions, or mean pressures with a diffusion of density and an artificial viscosity"},
-{"numerics", "shifting", flag, "", "false", any, "", "", "Particles of water in motion are moved to where their neighbours are as dense on every side, but for three rows at its surfaces"},
+{"numerics", "shifting", flag, "", "true", any, "", "", "Particles of water in motion are moved to where their neighbours are as dense on every side, but for three rows at its surfaces"},
 
 {"output", "frame_interval", quantity, "s", "(end / 20)", positive, "", "", "Time between frames"},
 {"output", "frame_times", quantities, "s", "(every frame_interval)", not_negative, "", "", "Times of the frames, instead of an interval"},

@@ -6,12 +6,14 @@
 //   neighbours.
 // The rate is ten times theirs, which is by the speed of the water instead of the differences: in a
 // Taylor-Green vortex rows of particles are drawn apart as fast as they are (docs/theory).
-// Water that moves as one, such as a free jet, is not stirred and stays as it is to the last digit.
-// Nothing is moved that is in a free surface or sees one (three rows), nor in a nozzle; at a wall
-// particles are moved along it only. Velocities, densities and work stay as they are.
+// A shock does not count as stirring (rates/filling.hpp). Water that moves as one, such as a free
+// jet, is not stirred and stays as it is to the last digit. Nothing is moved that is in a free
+// surface or sees one (three rows), nor in a nozzle; at a wall particles are moved along it only.
+// Velocities, densities and work stay as they are.
 #pragma once
 
 #include "rates/crowding.hpp"
+#include "rates/filling.hpp"
 
 namespace kerf {
 
@@ -24,14 +26,13 @@ struct ShiftParticles {
   static constexpr double rate = 20.0;    // of `stir`
   static constexpr double most = 0.25;    // of h^2; more would take particles past one another
   static constexpr double longest = 0.1;  // of the spacing, in one step
-  static constexpr double inside = 0.95;  // filling, above which a particle lacks no neighbours
 
   KERF_FUNCTION void operator()(Index i) const {
     const auto& medium = particles.medium(i);
     if (medium.phase != Phase::water || particles.is_constrained(i)) return;
-    if (crowd[i].least_filling < Real(inside)) return;
+    if (crowd[i].least_filling < Real(whole_filling)) return;
     const Real h = medium.smoothing_length;
-    const Real part = Real(rate * dt) * particles.stir[i];
+    const Real part = Real(rate * dt) * turning(particles, i);
     auto shift = (-(part < Real(most) ? part : Real(most)) * h * h) * crowd[i].gradient;
     const auto& wall = particles.wall_normal[i];
     shift -= dot(shift, wall) * wall;

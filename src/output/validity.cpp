@@ -20,8 +20,10 @@ double thickest_standoff(const Case& description) {
 }
 
 bool breaks_at_a_strain(const Case& description) {
-  return std::any_of(description.materials.begin(), description.materials.end(),
-                     [](const Material& material) { return material.failure_strain > 0.0; });
+  const auto breaks = [](const Material& material) {
+    return material.failure_strain > 0.0 && !(material.fracture_energy > 0.0);
+  };
+  return std::any_of(description.materials.begin(), description.materials.end(), breaks);
 }
 
 std::string resolution_sentence(double resolution) {

@@ -22,7 +22,7 @@ struct DensityDiffusion {
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
-    if (pair.medium_i->phase != Phase::water || pair.medium_j->phase != Phase::water) return;
+    if (!pair.are_water()) return;
     if (!(pair.distance > Real(0))) return;
     const Real rise = particles.compression[pair.j] - particles.compression[pair.i];
     const Real along = dot(pair.separation, pair.gradient);  // r_ij . nabla W, negative

@@ -25,7 +25,7 @@ struct DensityGradient {
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
-    if (pair.medium_i->phase != Phase::water || pair.medium_j->phase != Phase::water) return;
+    if (!pair.are_water()) return;
     const Real volume = volume_of(particles, pair.j, *pair.medium_j);
     const Real rise = particles.compression[pair.j] - particles.compression[pair.i];
     sum.gradient += (volume * rise) * pair.gradient;

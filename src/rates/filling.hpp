@@ -14,6 +14,21 @@
 
 namespace kerf {
 
+// Above it a particle lacks no neighbours: it is not in a free surface.
+inline constexpr double whole_filling = 0.95;
+
+// How fast the neighbours of a particle of water change places, 1/s: its `stir`, less what a shock
+// does to it. There neighbours move past one another by being squeezed: with the speed u' = - div v
+// of a plane wave they do so at up to 2 u' over h.
+template <int D, class P>
+KERF_FUNCTION typename P::Real turning(const ParticleView<D, P>& particles, Index i) {
+  using Real = typename P::Real;
+  if (particles.medium(i).equation_of_state == EquationOfState::tait) return particles.stir[i];
+  const Real squeeze = particles.compression_rate[i] / (Real(1) + particles.compression[i]);
+  const Real turned = particles.stir[i] - Real(2) * std::abs(squeeze);
+  return turned > Real(0) ? turned : Real(0);
+}
+
 template <int D, class P, class Kernel>
 struct Filling {
   using Real = typename P::Real;

@@ -50,10 +50,10 @@ struct FluidPair {
     if (kind == Meeting::alike) {
       const auto left = side(particles, pair.i, *pair.medium_i, u_i);
       const auto right = side(particles, pair.j, *pair.medium_j, u_j);
-      auto star = scheme == WaterScheme::delta_sph && are_water(pair)
+      auto star = scheme == WaterScheme::delta_sph && pair.are_water()
                       ? CentralWater::solve(left, right, inverse * pair.smoothing_length)
                       : solve_riemann(left, right, sharpness(pair));
-      if (are_water(pair))
+      if (pair.are_water())
         star.dissipation = beyond_viscosity(
             star.dissipation,
             inverse * viscosity_between(*pair.medium_i, *pair.medium_j) * (u_i - u_j));
@@ -78,9 +78,6 @@ struct FluidPair {
   }
 
  private:
-  KERF_FUNCTION static bool are_water(const Pair<D, P>& pair) {
-    return pair.medium_i->phase == Phase::water && pair.medium_j->phase == Phase::water;
-  }
   // What damps beyond the `viscous` pressure mu (U_i - U_j) / r that the viscosity of the water has
   // between the two (rates/water_viscosity.hpp): where water is thick enough to be smooth by itself
   // nothing is added.

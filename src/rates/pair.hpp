@@ -29,6 +29,9 @@ struct Pair {
   KERF_FUNCTION Vector<D, T> of_j(const Vector<D, T>& v) const {
     return MirrorPlanes<D>::image(mirror, v);
   }
+  KERF_FUNCTION bool are_water() const {
+    return medium_i->phase == Phase::water && medium_j->phase == Phase::water;
+  }
   KERF_FUNCTION bool is_one_piece() const { return medium_i->is_one_piece_with(*medium_j, mirror); }
 };
 

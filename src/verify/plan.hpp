@@ -33,11 +33,15 @@ struct Check {
   std::optional<double> reference;  // in `unit`; absent: bounds, or reported only
   std::optional<double> tolerance;  // relative
   std::optional<double> at_least, at_most;
-  bool every_run = false;     // judge all runs, not the last (finest) alone
+  // The coarsest of `runs` that is judged, as all finer ones are; empty: the finest that was made
+  // alone.
+  std::string judged_from;
   std::string source;         // of the reference
   Parameters parameters{""};  // signal, reduction and theirs
 
   bool is_judged() const { return reference.has_value() || at_least || at_most; }
+  // `made`: those of `runs` that were made, the last of which is the finest.
+  bool judges(const std::string& run, const std::vector<std::string>& made) const;
 };
 
 struct VerificationCase {

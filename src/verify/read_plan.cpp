@@ -69,6 +69,20 @@ std::optional<double> optional_value(const Parameters& keys, const std::string& 
   return evaluated(keys.text(key));
 }
 
+// "finest", "every run", or "from NAME".
+std::string read_judged_from(const Check& check) {
+  const std::string judge = check.parameters.text("judge", "finest"), from = "from ";
+  if (judge == "finest") return "";
+  if (judge == "every run") return check.runs.front();
+  const std::string run = judge.starts_with(from) ? judge.substr(from.size()) : "";
+  if (std::count(check.runs.begin(), check.runs.end(), run) == 0)
+    check.parameters.fail(
+        fmt::format("judge = \"{}\" is not \"finest\", \"every run\" or \"from\" "
+                    "and one of its runs",
+                    judge));
+  return run;
+}
+
 Check read_check(const toml::table& table, const std::string& owner) {
   Check check;
   check.parameters = parameters_of(table, owner + "/reference.toml, a check");
@@ -84,7 +98,7 @@ Check read_check(const toml::table& table, const std::string& owner) {
   check.tolerance = optional_value(keys, "tolerance");
   check.at_least = optional_value(keys, "at_least");
   check.at_most = optional_value(keys, "at_most");
-  check.every_run = keys.text("judge", "finest") == "every run";
+  check.judged_from = read_judged_from(check);
   check.source = keys.text("source");
   if (check.reference.has_value() != check.tolerance.has_value())
     keys.fail("a reference goes with a tolerance");
@@ -106,6 +120,14 @@ VerificationCase read_verification(const std::string& name, const Sources& sourc
 }
 
 }  // namespace
+
+bool Check::judges(const std::string& run, const std::vector<std::string>& made) const {
+  if (judged_from.empty()) return run == made.back();
+  const auto place = [this](const std::string& name) {
+    return std::find(runs.begin(), runs.end(), name);
+  };
+  return place(run) >= place(judged_from);
+}
 
 Case PlannedRun::description() const {
   Case result = parse_case(case_text, name);

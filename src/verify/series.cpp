@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 namespace kerf {
@@ -36,6 +37,20 @@ double mean(const TimeSeries& s) {
   for (std::size_t i = 1; i < s.time.size(); ++i)
     sum += 0.5 * (s.value[i] + s.value[i - 1]) * (s.time[i] - s.time[i - 1]);
   return sum / (s.time.back() - s.time.front());
+}
+
+// Mean with the weight 1 - cos (Hann's window) over the samples: what a swing that dies down slowly
+// swings about. Over three periods it needs to know the period to a tenth only, where a plain mean
+// takes whatever the last part of a period holds.
+double hann_mean(const TimeSeries& s) {
+  const double first = s.time.front(), length = s.time.back() - first;
+  if (!(length > 0.0)) return s.value.front();
+  TimeSeries product = s, weight = s;
+  for (std::size_t i = 0; i < s.time.size(); ++i) {
+    weight.value[i] = 1.0 - std::cos(2.0 * std::numbers::pi * (s.time[i] - first) / length);
+    product.value[i] *= weight.value[i];
+  }
+  return mean(product) / mean(weight);
 }
 
 double slope(const TimeSeries& s) {
@@ -110,6 +125,7 @@ double reduce(const TimeSeries& series, const Parameters& parameters) {
       reductions{
           {"last", [](const TimeSeries& s, const Parameters&) { return s.value.back(); }},
           {"mean", [](const TimeSeries& s, const Parameters&) { return mean(s); }},
+          {"hann_mean", [](const TimeSeries& s, const Parameters&) { return hann_mean(s); }},
           {"peak",
            [](const TimeSeries& s, const Parameters&) {
              return *std::max_element(s.value.begin(), s.value.end());

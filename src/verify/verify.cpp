@@ -167,7 +167,7 @@ std::vector<Row> verify(const VerificationCase& verification, bool all,
     const auto due = verification.due_runs(check, all);
     for (const std::string& run : due) {
       Row row = measured_row(verification, check, recordings, run);
-      judge(check, check.every_run || run == due.back(), row);
+      judge(check, check.judges(run, due), row);
       rows.push_back(row);
     }
   }

@@ -26,6 +26,7 @@ using testing::Not;
 // second.
 const std::string case_text = R"(title = "A small block"
 dimension = 2
+formulation = "shinohara2004"
 [time]
 end = "6 ms"
 [[body]]

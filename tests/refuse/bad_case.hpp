@@ -12,8 +12,12 @@
 
 namespace kerf {
 
+inline const std::string paper = "formulation = \"shinohara2004\"",
+                         gravity = "\ngravity = [\"0 m/s2\", \"-9.81 m/s2\"]";
+
 inline const std::string good_case = R"(title = "good"
 dimension = 2
+formulation = "shinohara2004"
 gravity = ["0 m/s2", "-9.81 m/s2"]
 
 [time]

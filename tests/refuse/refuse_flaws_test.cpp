@@ -7,11 +7,10 @@ namespace {
 
 // Flaws are given by both numbers, and stand alone.
 TEST(Refuse, Flaws) {
-  const std::string
-      top = "dimension = 2",
-      rock =
-          "dimension = 2\nformulation = \"standard\"\n[materials.rock]\nbase = \"granite\"\n"
-          "criterion = \"grady_kipp\"\nweibull_k = \"5e34 m-3\"\n";
+  const std::string top = paper,
+                    rock =
+                        "formulation = \"standard\"\n[materials.rock]\nbase = \"granite\"\n"
+                        "criterion = \"grady_kipp\"\nweibull_k = \"5e34 m-3\"\n";
   expect_refused({
       {"no exponent",
        top,

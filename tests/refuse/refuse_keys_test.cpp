@@ -226,8 +226,8 @@ TEST(Refuse, Contradictions) {
        "strain.",
        {"formulation = \"standard\""}},
       {"fracture twice",
-       "dimension = 2",
-       "dimension = 2\nformulation = \"standard\"\n[materials.curd]\nbase = \"tofu\"\n"
+       paper,
+       "formulation = \"standard\"\n[materials.curd]\nbase = \"tofu\"\n"
        "failure_strain = 0.2\nfracture_energy = \"2 J/m2\"",
        "fracture_energy",
        "materials.curd.fracture_energy = \"2 J/m2\": a failure_strain is given as well.",

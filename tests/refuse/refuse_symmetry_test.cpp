@@ -61,7 +61,7 @@ TEST(RefuseSymmetry, TheHalfCaseIsGood) {
 TEST(RefuseSymmetry, WhatNoMirrorCanShow) {
   const std::string planes = "symmetry = [\"x-\"]";
   const Change changes[] = {
-      {"formulation = \"standard\"\n", "", {"domain.symmetry", "standard"}},
+      {"\"standard\"", "\"shinohara2004\"", {"domain.symmetry", "standard"}},
       {planes, "symmetry = [\"left\"]", {"domain.symmetry", "entry 1", "\"x-\"", "\"y+\""}},
       {planes, "symmetry = [\"z-\"]", {"domain.symmetry", "entry 1"}},
       {planes, "symmetry = \"x-\"", {"domain.symmetry"}},

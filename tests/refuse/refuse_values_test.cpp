@@ -148,11 +148,12 @@ TEST(Refuse, Ranges) {
        "jet[1].angle = \"200 deg\": the value is out of range.",
        {"\"60 deg\""}},
       {"jitter",
-       "[\"0 m/s2\", \"-9.81 m/s2\"]",
-       "[\"0 m/s2\", \"-9.81 m/s2\"]\nformulation = \"standard\"\n[[body]]\nname = \"a\"\nmaterial "
-       "= \"tofu\"\n"
-       "spacing = \"2 mm\"\njitter = 0.4\nshape = { type = \"box\", minimum = [\"50 mm\", "
-       "\"0 mm\"], maximum = [\"70 mm\", \"20 mm\"] }",
+       paper + gravity,
+       "formulation = \"standard\"" + gravity +
+           "\n[[body]]\nname = \"a\"\nmaterial "
+           "= \"tofu\"\n"
+           "spacing = \"2 mm\"\njitter = 0.4\nshape = { type = \"box\", minimum = [\"50 mm\", "
+           "\"0 mm\"], maximum = [\"70 mm\", \"20 mm\"] }",
        "jitter",
        "body[1].jitter = 0.4: the value is out of range.",
        {"from 0 to 0.3"}},

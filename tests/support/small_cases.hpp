@@ -42,6 +42,8 @@ inline Shape box(const Point& minimum, const Point& maximum) {
 inline Case empty_case(int dimension, PrecisionKind precision) {
   Case c;
   c.title = "test";
+  c.formulation = Formulation::shinohara2004;
+  c.smoothing_ratio = 1.5;
   c.dimension = dimension;
   c.precision = precision;
   c.time.end = 1.0;

@@ -2,8 +2,8 @@
 nodes with 2 x 2 points, half of the plate, clamped end, symmetry at the middle. Pressure of the water
 on the upper face, the plate's own weight inside. Python alone: python3 plate.py"""
 
-LENGTH, HEIGHT, WATER = 0.1, 0.01, 0.025            # m
-E, NU, RHO_PLATE, RHO_WATER, G = 20e6, 0.34, 1000.0, 1000.0, 9.81
+LENGTH, HEIGHT, WATER = 0.2, 0.01, 0.01             # m
+E, NU, RHO_PLATE, RHO_WATER, G = 35e6, 0.34, 1000.0, 1000.0, 9.81
 PRESSURE, WEIGHT = RHO_WATER * G * WATER, RHO_PLATE * G * HEIGHT
 
 NODES = [(-1, -1), (1, -1), (1, 1), (-1, 1), (0, -1), (1, 0), (0, 1), (-1, 0)]
@@ -93,5 +93,5 @@ if __name__ == "__main__":
     by_shear = total * LENGTH**2 / 8 / (5 / 6 * E / 2 / (1 + NU) * HEIGHT)
     print(f"thin plate        {1e6 * thin:.3f} um")
     print(f"with shear (5/6)  {1e6 * (thin + by_shear):.3f} um")
-    for nx, ny in ((10, 2), (20, 4), (40, 8)):
+    for nx, ny in ((20, 2), (40, 4), (80, 8)):
         print(f"elements {nx:2d} x {ny}   {-1e6 * deflection(nx, ny):.3f} um")

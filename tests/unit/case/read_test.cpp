@@ -19,6 +19,7 @@ namespace {
 
 const std::string minimal = R"(title = "minimal"
 dimension = 2
+formulation = "shinohara2004"
 [time]
 end = "10 ms"
 [[body]]
@@ -67,6 +68,15 @@ TEST(Read, DefaultsOfAMinimalCase) {
   EXPECT_EQ(read.domain.maximum[2], 0.0);
 }
 
+TEST(Read, StandardIsTheDefaultFormulation) {
+  std::string text = minimal;
+  const std::string line = "formulation = \"shinohara2004\"\n";
+  text.erase(text.find(line), line.size());
+  const Case read = parse_case(text, "minimal.toml");
+  EXPECT_EQ(read.formulation, Formulation::standard);
+  EXPECT_EQ(read.smoothing_ratio, 1.3);
+}
+
 std::string with(const std::string& from, const std::string& to) {
   std::string text = minimal;
   text.replace(text.find(from), from.size(), to);
@@ -88,6 +98,7 @@ TEST(Read, MaterialsOverTheLibrary) {
 TEST(Read, SoundOfFallingWater) {
   const Case read = parse_case(R"(title = "dam"
 dimension = 2
+formulation = "shinohara2004"
 gravity = ["0 m/s2", "-9.81 m/s2"]
 [time]
 end = "1 s"
@@ -118,6 +129,7 @@ TEST(Read, VelocitiesAndAngles) {
 TEST(Read, EveryKindOfThingComesBack) {
   const std::string text = R"toml(title = "all \"things\" \u00e9"
 dimension = 3
+formulation = "shinohara2004"
 precision = "double"
 smoothing_ratio = 1.3
 [time]
@@ -197,7 +209,7 @@ checkpoint_interval = "1 h"
 
 TEST(Read, JitterComesBack) {
   std::string text = with("material = \"tofu\"", "material = \"tofu\"\njitter = 0.2\nseed = 77");
-  text.insert(text.find("[time]"), "formulation = \"standard\"\n");
+  text.replace(text.find("shinohara2004"), 13, "standard");
   const Case read = parse_case(text, "jittered.toml");
   EXPECT_EQ(read.bodies[0].jitter, 0.2);
   EXPECT_EQ(read.bodies[0].seed, 77u);

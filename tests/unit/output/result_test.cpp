@@ -123,6 +123,20 @@ TEST(Validity, NamesWhatIsWeakAndOnlyThat) {
   EXPECT_THAT(weak, Contains(HasSubstr("off by 5%")));
 }
 
+TEST(Validity, AnEnergyGivesFractureItsLength) {
+  RunOutcome outcome = outcome_with_jet();
+  outcome.description.materials.resize(1);
+  Material& material = outcome.description.materials[0];
+  const auto scaleless = Contains(HasSubstr("no length scale"));
+  material.failure_strain = 0.1;
+  material.fracture_energy = 0.0;
+  EXPECT_THAT(validity_of(outcome), scaleless);
+  material.fracture_energy = 10.0;
+  EXPECT_THAT(validity_of(outcome), Not(scaleless));
+  material.failure_strain = 0.0;
+  EXPECT_THAT(validity_of(outcome), Not(scaleless));
+}
+
 TEST(StillCutting, LooksAtTheLastTenth) {
   std::vector<CutState> history(101);
   for (std::size_t i = 0; i < history.size(); ++i) {

@@ -18,6 +18,7 @@ namespace {
 constexpr std::string_view flying_block = R"(
 title = "a block flies through empty space"
 dimension = 2
+formulation = "shinohara2004"
 [time]
 end = "1 ms"
 [domain]
@@ -130,6 +131,7 @@ TEST_F(SignalTest, RefusesWhatThereIsNot) {
 constexpr std::string_view symmetric_pair = R"(
 title = "two blocks of water, mirror images but for a shift"
 dimension = 2
+formulation = "shinohara2004"
 [time]
 end = "1 ms"
 [domain]

@@ -2,6 +2,7 @@
 // The plan, the verdicts and the page of `kerf verify`.
 #include "verify/verify.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,6 +23,7 @@ namespace {
 constexpr std::string_view flight = R"(
 title = "a block flies"
 dimension = 2
+formulation = "shinohara2004"
 [time]
 end = "0.1 ms"
 [domain]
@@ -99,6 +101,22 @@ TEST(Verify, JudgesTheFinestRunOnlyUnlessAllAreMeant) {
   EXPECT_EQ(every[0].verdict, Verdict::fail);
 }
 
+TEST(Verify, JudgesFromANamedRunOn) {
+  const std::string reference = "reference = 600\ntolerance = 0.01\n";
+  const std::string both = "runs = [\"plain\", \"fast\"]\n" + reference;
+  const auto second = rows_of(plan_text(both, "judge = \"from fast\"\n"));
+  EXPECT_EQ(second[0].verdict, Verdict::coarse);
+  EXPECT_EQ(second[1].verdict, Verdict::pass);
+  const auto first = rows_of(plan_text(both, "judge = \"from plain\"\n"));
+  EXPECT_EQ(first[0].verdict, Verdict::fail);
+  EXPECT_EQ(first[1].verdict, Verdict::pass);
+  // A long run that was not made leaves the short ones too coarse.
+  const auto none =
+      rows_of(plan_text("runs = [\"plain\", \"far\"]\n" + reference, "judge = \"from far\"\n"));
+  ASSERT_EQ(none.size(), 1u);
+  EXPECT_EQ(none[0].verdict, Verdict::coarse);
+}
+
 TEST(Verify, ComparesRuns) {
   const auto rows = rows_of(
       plan_text("runs = \"fast\"\nrelative_to = \"plain\"\nreference = 2\ntolerance = 1e-4\n"));
@@ -125,6 +143,10 @@ TEST(Verify, RefusesPlansWithMistakes) {
   EXPECT_THROW(rows_of(plan_text("runs = \"nobody\"\n")), std::logic_error);
   EXPECT_THROW(rows_of(plan_text("runs = \"plain\"\nreference = 3\n")), std::logic_error);
   EXPECT_THROW(rows_of(plan_text("runs = \"plain\"\ntolarance = 3\n")), std::logic_error);
+  for (const char* judge : {"from far", "each", "fro"})
+    EXPECT_THROW(rows_of(plan_text("runs = \"plain\"\n", fmt::format("judge = \"{}\"\n", judge))),
+                 std::logic_error)
+        << judge;
 }
 
 TEST(Verify, RefinementDividesSpacings) {
