@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace kerf {
@@ -88,6 +89,20 @@ TEST(Program, ChecksACase) {
   EXPECT_EQ(outcome.code, 0);
   for (const char* part : {"crack-led", "0.8428", "2872", "water can slip"})
     EXPECT_NE(outcome.output.find(part), std::string::npos) << part;
+}
+
+// Every load is a case that runs, and its speed is a number.
+TEST(Program, BenchMeasuresEveryLoad) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "kerf-bench.json";
+  ASSERT_EQ(run("bench --seconds 0.1 --json " + file.string()).code, 0);
+  const auto figures = nlohmann::json::parse(contents(file.string()));
+  ASSERT_EQ(figures.at("loads").size(), 6u);
+  for (const auto& load : figures.at("loads")) {
+    EXPECT_GT(load.at("particles").get<int>(), 1000) << load;
+    EXPECT_GT(load.at("particle_steps_per_second").get<double>(), 0.0) << load;
+    EXPECT_GT(load.at("neighbours_per_particle").get<double>(), 6.0) << load;
+  }
+  std::filesystem::remove(file);
 }
 
 }  // namespace
