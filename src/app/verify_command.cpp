@@ -3,10 +3,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
+#include "app/verify_page.hpp"
 #include "case/problems.hpp"
 #include "core/error.hpp"
 #include "output/files.hpp"
@@ -26,23 +28,6 @@ struct VerifyOptions {
   std::string page;
   int threads = 0;
 };
-
-// The part of a page between these lines is the program's.
-constexpr std::string_view table_begin = "<!-- kerf verify: begin -->\n";
-constexpr std::string_view table_end = "<!-- kerf verify: end -->";
-
-void put_into_page(const std::string& file, const std::string& table) {
-  std::string text = read_file(file);
-  const auto begin = text.find(table_begin);
-  const auto end = text.find(table_end);
-  if (begin == std::string::npos || end == std::string::npos || end < begin)
-    throw UserError(fmt::format("{} has no place for the table. Write the lines\n{}{}\nwhere it is "
-                                "to stand.",
-                                file, table_begin, table_end),
-                    exit_files);
-  const auto first = begin + table_begin.size();
-  write_file(file, text.replace(first, end - first, table));
-}
 
 std::vector<VerificationCase> chosen_cases(const std::vector<std::string>& names) {
   auto cases = read_verification_cases(validation_texts(), case_templates());
@@ -85,20 +70,25 @@ class VerifyLine {
   bool is_terminal_ = isatty(STDERR_FILENO) != 0;
 };
 
-std::vector<Row> verify_and_print(const std::vector<VerificationCase>& cases, bool all) {
+Findings verify_and_print(const std::vector<VerificationCase>& cases, bool all) {
   const VerifyLine line;
-  std::vector<Row> rows;
+  Findings findings;
+  const auto append = [](auto& to, auto& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  };
   fmt::print("{}", table_head());
   for (const VerificationCase& entry : cases) {
-    const auto found = verify(entry, all, [&](const std::string& run, double share) {
+    Findings found = verify(entry, all, [&](const std::string& run, double share) {
       line.show(entry.name, run, share);
     });
     line.clear();
-    for (const Row& row : found) fmt::print("{}", table_row(row));
+    for (const Row& row : found.rows) fmt::print("{}", table_row(row));
     std::fflush(stdout);
-    rows.insert(rows.end(), found.begin(), found.end());
+    append(findings.rows, found.rows);
+    append(findings.curves, found.curves);
+    append(findings.looks, found.looks);
   }
-  return rows;
+  return findings;
 }
 
 void run_verification(const VerifyOptions& options) {
@@ -108,15 +98,15 @@ void run_verification(const VerifyOptions& options) {
     return;
   }
   set_threads(options.threads);
-  const auto rows = verify_and_print(cases, options.all);
-  if (!options.json.empty()) write_file(options.json, to_json(rows));
-  if (!options.page.empty()) put_into_page(options.page, to_markdown(cases, rows));
-  const auto failed = std::count_if(rows.begin(), rows.end(),
-                                    [](const Row& row) { return row.verdict == Verdict::fail; });
-  const auto passed = std::count_if(rows.begin(), rows.end(),
-                                    [](const Row& row) { return row.verdict == Verdict::pass; });
-  fmt::print("{} passed, {} failed\n", passed, failed);
-  if (failed > 0) throw CLI::RuntimeError(1);
+  const Findings findings = verify_and_print(cases, options.all);
+  if (!options.json.empty()) write_file(options.json, to_json(findings.rows));
+  if (!options.page.empty()) write_verification_page(options.page, cases, findings);
+  const auto count = [&](Verdict verdict) {
+    return std::count_if(findings.rows.begin(), findings.rows.end(),
+                         [verdict](const Row& row) { return row.verdict == verdict; });
+  };
+  fmt::print("{} passed, {} failed\n", count(Verdict::pass), count(Verdict::fail));
+  if (has_failed(findings.rows)) throw CLI::RuntimeError(1);
 }
 
 }  // namespace
@@ -130,7 +120,8 @@ void add_verify_command(CLI::App& program) {
   command->add_flag("--list", options->list, "List the cases and run none");
   command->add_option("--json", options->json, "Also write the table to this file, as JSON");
   command->add_option("--page", options->page,
-                      "Also put the table into this Markdown page, between its marks");
+                      "Also put the table into this Markdown page, between its marks, with curves "
+                      "and pictures beside it");
   command->add_option("--threads", options->threads, "Threads, 0 = every core")
       ->check(CLI::NonNegativeNumber);
   command->callback([options] { run_verification(*options); });

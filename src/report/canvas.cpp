@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/canvas.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -20,9 +21,12 @@ void choose_font(cairo_t* context, const TextStyle& style) {
 
 }  // namespace
 
-Canvas::Canvas(int width, int height)
-    : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),
+Canvas::Canvas(int width, int height, double scale)
+    : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
+                                          static_cast<int>(std::ceil(scale * width)),
+                                          static_cast<int>(std::ceil(scale * height)))),
       context_(cairo_create(surface_.get())) {
+  cairo_scale(context(), scale, scale);
   set_colour(palette::paper);
   cairo_paint(context());
 }

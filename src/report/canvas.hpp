@@ -39,7 +39,8 @@ struct TextStyle {
 
 class Canvas {
  public:
-  Canvas(int width, int height);
+  // `scale`: pixels of the bitmap per pixel of the drawing.
+  Canvas(int width, int height, double scale = 1.0);
 
   cairo_t* context() const { return context_.get(); }
   void set_colour(Colour colour) const;

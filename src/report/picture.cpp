@@ -98,11 +98,12 @@ int pixels(double length) {
   return static_cast<int>(std::ceil(length));
 }
 
-std::string draw_flat(const Frame& frame, const Case& description, const Box& window) {
+std::string draw_flat(const Frame& frame, const Case& description, const Box& window,
+                      double scale) {
   const Map map =
       map_of(window.minimum[0], window.maximum[0], window.minimum[1], window.maximum[1]);
   const double right = left_space + map.area.width, bottom = top_space + map.area.height;
-  const Canvas canvas(pixels(right + right_space), pixels(bottom + bottom_space));
+  const Canvas canvas(pixels(right + right_space), pixels(bottom + bottom_space), scale);
   std::vector<std::size_t> shown(frame.position.size());
   std::iota(shown.begin(), shown.end(), std::size_t{0});
   draw_discs(canvas, map, frame, shown);
@@ -121,7 +122,8 @@ std::vector<std::size_t> slice_of(const Frame& frame, double z) {
   return shown;
 }
 
-std::string draw_solid(const Frame& frame, const Case& description, const Box& window) {
+std::string draw_solid(const Frame& frame, const Case& description, const Box& window,
+                       double scale) {
   const double z = description.jets.empty() ? 0.5 * (window.minimum[2] + window.maximum[2])
                                             : description.jets.front().position[2];
   Box half = window;
@@ -136,7 +138,7 @@ std::string draw_solid(const Frame& frame, const Case& description, const Box& w
   slice.area.y = bottom - slice.area.height;
   const double right = slice.area.x + slice.area.width;
 
-  const Canvas canvas(pixels(right + right_space), pixels(bottom + bottom_space));
+  const Canvas canvas(pixels(right + right_space), pixels(bottom + bottom_space), scale);
   draw_oblique(canvas, oblique, frame, z);
   draw_discs(canvas, slice, frame, slice_of(frame, z));
   draw_axes(canvas, slice);
@@ -172,10 +174,10 @@ Box picture_window(const Case& description) {
   return window;
 }
 
-std::string draw_picture(const Frame& frame, const Case& description) {
+std::string draw_picture(const Frame& frame, const Case& description, double scale) {
   const Box window = picture_window(description);
-  return description.dimension == 2 ? draw_flat(frame, description, window)
-                                    : draw_solid(frame, description, window);
+  return description.dimension == 2 ? draw_flat(frame, description, window, scale)
+                                    : draw_solid(frame, description, window, scale);
 }
 
 }  // namespace kerf

@@ -14,7 +14,7 @@ namespace kerf {
 // domain. It is the same for every frame.
 Box picture_window(const Case& description);
 
-// The bytes of a PNG file.
-std::string draw_picture(const Frame& frame, const Case& description);
+// The bytes of a PNG file; `scale` shrinks it.
+std::string draw_picture(const Frame& frame, const Case& description, double scale = 1.0);
 
 }  // namespace kerf

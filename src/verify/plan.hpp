@@ -20,6 +20,7 @@ struct PlannedRun {
   double refinement = 1.0;       // every spacing is divided by it
   double sample_interval = 0.0;  // s; 0 = the case's series interval
   bool is_long = false;
+  std::optional<double> picture_time;  // s; of the picture for the page
 
   Case description() const;
 };
@@ -36,6 +37,7 @@ struct Check {
   // The coarsest of `runs` that is judged, as all finer ones are; empty: the finest that was made
   // alone.
   std::string judged_from;
+  bool plot = false;          // draw the signal over time for the page
   std::string source;         // of the reference
   Parameters parameters{""};  // signal, reduction and theirs
 

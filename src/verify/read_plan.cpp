@@ -54,6 +54,7 @@ PlannedRun read_run(const toml::table& table, const std::string& owner, const So
   run.refinement = keys.number("refine", "", 1.0);
   run.sample_interval = keys.number("sample", "s", 0.0);
   run.is_long = keys.text("long", "false") == "true";
+  if (keys.has("picture")) run.picture_time = keys.number("picture", "s");
   if (const auto unread = keys.unread(); !unread.empty())
     keys.fail(fmt::format("unknown key \"{}\"", unread.front()));
   return run;
@@ -99,6 +100,7 @@ Check read_check(const toml::table& table, const std::string& owner) {
   check.at_least = optional_value(keys, "at_least");
   check.at_most = optional_value(keys, "at_most");
   check.judged_from = read_judged_from(check);
+  check.plot = keys.text("plot", "false") == "true";
   check.source = keys.text("source");
   if (check.reference.has_value() != check.tolerance.has_value())
     keys.fail("a reference goes with a tolerance");

@@ -120,6 +120,16 @@ double time_above(const TimeSeries& s, const Parameters& parameters) {
 
 }  // namespace
 
+double value_at(const TimeSeries& series, double time) {
+  const auto after = std::lower_bound(series.time.begin(), series.time.end(), time);
+  if (after == series.time.end()) return none;
+  const auto i = static_cast<std::size_t>(after - series.time.begin());
+  if (*after == time) return series.value[i];
+  if (i == 0) return none;
+  const double part = (time - series.time[i - 1]) / (series.time[i] - series.time[i - 1]);
+  return series.value[i - 1] + part * (series.value[i] - series.value[i - 1]);
+}
+
 double reduce(const TimeSeries& series, const Parameters& parameters) {
   static const std::map<std::string, std::function<double(const TimeSeries&, const Parameters&)>>
       reductions{

@@ -13,8 +13,12 @@ struct TimeSeries {
   std::vector<double> value;
 };
 
+// Linear between samples; NaN outside.
+double value_at(const TimeSeries& series, double time);
+
 // The number that the key "reduce" asks for, over the samples between "from" and "to":
 //   last, mean, peak (greatest value), largest (greatest magnitude, with its sign)
+//   hann_mean      mean with the weight 1 - cos: what a swing swings about
 //   peak_of_mean   greatest mean over a stretch of time "over" long
 //   slope          of the least-squares line, per second
 //   period         mean time between crossings of zero in the same direction

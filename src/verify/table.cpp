@@ -94,7 +94,8 @@ std::string to_json(const std::vector<Row>& rows) {
   return result.dump(2) + "\n";
 }
 
-std::string to_markdown(const std::vector<VerificationCase>& cases, const std::vector<Row>& rows) {
+std::string to_markdown(const std::vector<VerificationCase>& cases, const std::vector<Row>& rows,
+                        const std::map<std::string, std::string>& figures) {
   std::string text;
   for (const VerificationCase& verification : cases) {
     std::string table, sources, last;
@@ -112,6 +113,8 @@ std::string to_markdown(const std::vector<VerificationCase>& cases, const std::v
         "### `{}`\n{}\n\n| quantity | run | measured | reference | error | within | verdict | s |\n"
         "| --- | --- | --- | --- | --- | --- | --- | --- |\n{}\n{}\n",
         verification.name, verification.title, table, sources);
+    if (const auto shown = figures.find(verification.name); shown != figures.end())
+      text += shown->second;
   }
   return text;
 }

@@ -22,6 +22,7 @@ namespace {
 // The signals of a run over time, one for each of the checks that want it.
 struct Recording {
   std::vector<TimeSeries> series;
+  std::optional<Frame> look;
   double seconds = 0.0;
   std::string problem;
 };
@@ -50,6 +51,8 @@ void record_run(const PlannedRun& run, const std::vector<const Check*>& checks,
     simulation->advance();
     if (simulation->time() < next && !simulation->finished()) continue;
     sample(signals, Moment(beginning, *simulation), recording);
+    if (run.picture_time && !recording.look && simulation->time() >= *run.picture_time)
+      recording.look = simulation->frame();
     next = interval * (std::floor(simulation->time() / interval) + 1.0);
     progress(run.name, simulation->time() / description.time.end);
   }
@@ -112,16 +115,6 @@ std::vector<const Check*> checks_of(const VerificationCase& verification, const 
   return checks;
 }
 
-// In SI units; NaN when the run broke down.
-double measured_in(const VerificationCase& verification, const Check& check,
-                   const Recordings& recordings, const std::string& run) {
-  const Recording& recording = recordings.at(run);
-  if (!recording.problem.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto checks = checks_of(verification, run);
-  const auto place = std::find(checks.begin(), checks.end(), &check) - checks.begin();
-  return reduce(recording.series.at(static_cast<std::size_t>(place)), check.parameters);
-}
-
 Recordings record_all(const VerificationCase& verification, bool all,
                       const VerifyProgress& progress) {
   std::set<std::string> needed;
@@ -135,6 +128,38 @@ Recordings record_all(const VerificationCase& verification, bool all,
     if (needed.count(run.name) > 0)
       recordings[run.name] = record(run, checks_of(verification, run.name), progress);
   return recordings;
+}
+
+const TimeSeries& series_of(const VerificationCase& verification, const Check& check,
+                            const Recordings& recordings, const std::string& run) {
+  const auto checks = checks_of(verification, run);
+  const auto place = std::find(checks.begin(), checks.end(), &check) - checks.begin();
+  return recordings.at(run).series.at(static_cast<std::size_t>(place));
+}
+
+// In SI units; NaN when the run broke down.
+double measured_in(const VerificationCase& verification, const Check& check,
+                   const Recordings& recordings, const std::string& run) {
+  if (!recordings.at(run).problem.empty()) return std::numeric_limits<double>::quiet_NaN();
+  return reduce(series_of(verification, check, recordings, run), check.parameters);
+}
+
+// Whether the number of a check is a value of its signal, so that the two may share an axis.
+bool compares_values(const Check& check) {
+  static const std::set<std::string> values{"last",    "mean", "hann_mean",
+                                            "largest", "peak", "peak_of_mean"};
+  return check.relative_to.empty() && values.count(check.parameters.text("reduce")) > 0;
+}
+
+CheckCurves curves_of(const VerificationCase& verification, const Check& check,
+                      const Recordings& recordings, const std::vector<std::string>& runs) {
+  CheckCurves curves{verification.name, check.quantity, "1", runs, {}, {}};
+  if (check.parameters.has("si_unit")) curves.unit = check.parameters.text("si_unit");
+  for (const std::string& run : runs)
+    curves.series.push_back(series_of(verification, check, recordings, run));
+  if (check.reference && compares_values(check))
+    curves.reference = *check.reference * factor_of(check.unit, check.parameters);
+  return curves;
 }
 
 Row measured_row(const VerificationCase& verification, const Check& check,
@@ -159,19 +184,24 @@ Row measured_row(const VerificationCase& verification, const Check& check,
 
 }  // namespace
 
-std::vector<Row> verify(const VerificationCase& verification, bool all,
-                        const VerifyProgress& progress) {
-  const Recordings recordings = record_all(verification, all, progress);
-  std::vector<Row> rows;
+Findings verify(const VerificationCase& verification, bool all, const VerifyProgress& progress) {
+  Recordings recordings = record_all(verification, all, progress);
+  Findings findings;
   for (const Check& check : verification.checks) {
     const auto due = verification.due_runs(check, all);
     for (const std::string& run : due) {
       Row row = measured_row(verification, check, recordings, run);
       judge(check, check.judges(run, due), row);
-      rows.push_back(row);
+      findings.rows.push_back(row);
     }
+    if (check.plot && !due.empty())
+      findings.curves.push_back(curves_of(verification, check, recordings, due));
   }
-  return rows;
+  for (auto& [run, recording] : recordings)
+    if (recording.look)
+      findings.looks.push_back({verification.name, run, verification.run(run).description(),
+                                std::move(*recording.look)});
+  return findings;
 }
 
 bool has_failed(const std::vector<Row>& rows) {

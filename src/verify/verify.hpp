@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "simulation/frame.hpp"
 #include "verify/plan.hpp"
+#include "verify/series.hpp"
 
 namespace kerf {
 
@@ -27,12 +29,33 @@ struct Row {
   double seconds = 0.0;  // of the run
 };
 
+// The signal of a check over time, in each run that was made.
+struct CheckCurves {
+  std::string case_name, quantity;
+  std::string unit;                 // SI; "1" = a plain number
+  std::vector<std::string> runs;    // from coarse to fine
+  std::vector<TimeSeries> series;   // one for each run
+  std::optional<double> reference;  // in `unit`, where the check compares a value of the signal
+};
+
+// A run at the time that its plan wants a picture of.
+struct RunLook {
+  std::string case_name, run;
+  Case description;
+  Frame frame;
+};
+
+struct Findings {
+  std::vector<Row> rows;
+  std::vector<CheckCurves> curves;  // of the checks with `plot`
+  std::vector<RunLook> looks;
+};
+
 // Told where a run is, from 0 to 1.
 using VerifyProgress = std::function<void(const std::string& run, double share)>;
 
 // Each run that some due check needs is made once. A run that breaks down makes its rows fail.
-std::vector<Row> verify(const VerificationCase& verification, bool all,
-                        const VerifyProgress& progress);
+Findings verify(const VerificationCase& verification, bool all, const VerifyProgress& progress);
 
 bool has_failed(const std::vector<Row>& rows);
 

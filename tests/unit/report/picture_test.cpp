@@ -166,6 +166,18 @@ TEST(Picture, OfThreeDimensionsCutsTheFrontAwayAndSlicesTheMiddle) {
   EXPECT_EQ(front_right, 0);
 }
 
+// Everything at half the size: a quarter of the pixels have the colour of the water.
+TEST(Picture, ShrinksAsAWhole) {
+  const Case description = case_2d();
+  const Frame frame = frame_with({0, 5e-3, 0}, Category::water, 8e-3);
+  const Image whole(draw_picture(frame, description)), half(draw_picture(frame, description, 0.5));
+  EXPECT_NEAR(half.width(), 0.5 * whole.width(), 1.0);
+  EXPECT_NEAR(half.height(), 0.5 * whole.height(), 1.0);
+  const double in_whole = whole.count(code(palette::water));
+  EXPECT_GT(in_whole, 1000.0);
+  EXPECT_NEAR(half.count(code(palette::water)) / in_whole, 0.25, 0.02);
+}
+
 TEST(RoundInterval, IsOneTwoOrFiveTimesAPowerOfTen) {
   EXPECT_DOUBLE_EQ(round_interval(0.14, 8.0), 0.02);
   EXPECT_DOUBLE_EQ(round_interval(80.0, 8.0), 10.0);

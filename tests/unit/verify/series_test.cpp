@@ -54,6 +54,17 @@ TEST(Series, HannMeanOfASwingThatDiesDown) {
   EXPECT_EQ(reduce({{1.0}, {7.0}}, reduction({{"reduce", "hann_mean"}})), 7.0);
 }
 
+TEST(Series, ValueBetweenSamples) {
+  const TimeSeries series{{1.0, 2.0, 4.0}, {10.0, 30.0, -30.0}};
+  EXPECT_EQ(value_at(series, 1.0), 10.0);
+  EXPECT_NEAR(value_at(series, 1.25), 15.0, 1e-12);
+  EXPECT_NEAR(value_at(series, 3.0), 0.0, 1e-12);
+  EXPECT_EQ(value_at(series, 4.0), -30.0);
+  EXPECT_TRUE(std::isnan(value_at(series, 0.9)));
+  EXPECT_TRUE(std::isnan(value_at(series, 4.1)));
+  EXPECT_TRUE(std::isnan(value_at({}, 1.0)));
+}
+
 TEST(Series, SlopeOfALine) {
   const auto series = sampled([](double t) { return 3.0 - 7.0 * t; }, 2.0, 50);
   EXPECT_NEAR(reduce(series, reduction({{"reduce", "slope"}})), -7.0, 1e-12);

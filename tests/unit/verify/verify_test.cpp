@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -63,10 +64,14 @@ source = "Newton"
          more;
 }
 
-std::vector<Row> rows_of(const std::string& plan, bool all = false) {
+Findings findings_of(const std::string& plan, bool all = false) {
   const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
   const auto cases = read_verification_cases(texts, {});
   return verify(cases.at(0), all, [](const std::string&, double) {});
+}
+
+std::vector<Row> rows_of(const std::string& plan, bool all = false) {
+  return findings_of(plan, all).rows;
 }
 
 TEST(Verify, PassesAndFailsByTheTolerance) {
@@ -122,6 +127,30 @@ TEST(Verify, ComparesRuns) {
       plan_text("runs = \"fast\"\nrelative_to = \"plain\"\nreference = 2\ntolerance = 1e-4\n"));
   EXPECT_EQ(rows[0].verdict, Verdict::pass);
   EXPECT_NEAR(rows[0].measured, 2.0, 1e-4);
+}
+
+TEST(Verify, GivesTheCurvesOfAPlot) {
+  const std::string check = "runs = [\"plain\", \"fast\"]\nreference = 600\ntolerance = 0.01\n";
+  EXPECT_TRUE(findings_of(plan_text(check)).curves.empty());
+  const auto curves = findings_of(plan_text(check, "plot = true\n")).curves;
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].runs, (std::vector<std::string>{"plain", "fast"}));
+  ASSERT_EQ(curves[0].series.size(), 2u);
+  EXPECT_NEAR(curves[0].series[0].value.back(), 3.0, 1e-3);  // m/s, where the table has cm/s
+  EXPECT_NEAR(curves[0].series[1].value.back(), 6.0, 1e-3);
+  EXPECT_NEAR(*curves[0].reference, 6.0, 1e-12);
+  EXPECT_EQ(curves[0].unit, "m/s");
+}
+
+TEST(Verify, LooksAtTheTimeOfAPicture) {
+  std::string plan = plan_text("runs = \"plain\"\n");
+  EXPECT_TRUE(findings_of(plan).looks.empty());
+  plan.replace(plan.find("name = \"plain\""), 14, "name = \"plain\"\npicture = \"0.05 ms\"");
+  const auto looks = findings_of(plan).looks;
+  ASSERT_EQ(looks.size(), 1u);
+  EXPECT_EQ(looks[0].run, "plain");
+  EXPECT_GE(looks[0].frame.time, 0.05e-3);
+  EXPECT_LT(looks[0].frame.time, 0.1e-3);
 }
 
 TEST(Verify, LeavesLongRunsOutUnlessAsked) {
@@ -209,6 +238,19 @@ TEST(ValidationPage, HasEveryQuantityAndShortRun) {
         EXPECT_NE(page.find(row), std::string::npos)
             << entry.name << ": " << row << " is not in docs/validation.md; run "
             << "kerf verify --page docs/validation.md";
+}
+
+TEST(ValidationPage, ShowsEveryFigureOfItsFolder) {
+  const std::string page = read_text(KERF_SOURCE_DIR "/docs/validation.md");
+  std::set<std::string> shown, there;
+  const std::regex image(R"(\]\(images/validation/([^)]+)\))");
+  for (std::sregex_iterator at(page.begin(), page.end(), image), end; at != end; ++at)
+    shown.insert((*at)[1]);
+  for (const auto& entry :
+       std::filesystem::directory_iterator(KERF_SOURCE_DIR "/docs/images/validation"))
+    there.insert(entry.path().filename().string());
+  EXPECT_FALSE(shown.empty());
+  EXPECT_EQ(shown, there);
 }
 
 TEST(ValidationPage, NamesEverySignal) {

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/verify_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "core/error.hpp"
+#include "output/files.hpp"
+#include "report/picture.hpp"
+#include "report/plot.hpp"
+#include "verify/table.hpp"
+
+namespace kerf {
+
+namespace {
+
+// The part of a page between these lines is the program's.
+constexpr std::string_view table_begin = "<!-- kerf verify: begin -->\n";
+constexpr std::string_view table_end = "<!-- kerf verify: end -->";
+constexpr std::string_view image_folder = "images/validation";
+constexpr int plot_points = 400;
+constexpr double picture_scale = 0.5;
+// As palette::curves has them.
+constexpr const char* colour_names[] = {"blue",   "vermilion", "green",  "purple",
+                                        "orange", "sky blue",  "yellow", "black"};
+
+// "jet speed, 2 mm" -> "jet-speed-2-mm"
+std::string file_name_of(const std::string& text) {
+  std::string name;
+  for (const unsigned char c : text) {
+    if (std::isalnum(c) != 0)
+      name += static_cast<char>(std::tolower(c));
+    else if (!name.empty() && name.back() != '-')
+      name += '-';
+  }
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name;
+}
+
+std::string draw_curves(const CheckCurves& curves, const std::string& name) {
+  double first = std::numeric_limits<double>::infinity(), last = 0.0;
+  for (const TimeSeries& series : curves.series) {
+    if (series.time.empty()) continue;
+    first = std::min(first, series.time.front());
+    last = std::max(last, series.time.back());
+  }
+  Plot plot{{"time", "s"}, {curves.quantity, curves.unit}, {}, {}, -1.0};
+  for (int i = 0; i < plot_points; ++i)
+    plot.x.push_back(first + (last - first) * i / (plot_points - 1));
+  for (std::size_t run = 0; run < curves.runs.size(); ++run) {
+    Curve curve{curves.runs[run], {}, palette::curves[run % palette::curves.size()], Stroke::full};
+    for (const double time : plot.x) curve.y.push_back(value_at(curves.series[run], time));
+    plot.curves.push_back(curve);
+  }
+  if (curves.reference)
+    plot.curves.push_back({"reference", std::vector<double>(plot.x.size(), *curves.reference),
+                           palette::ink, Stroke::dashed});
+  return draw_plot(plot, name);
+}
+
+std::string caption_of(const CheckCurves& curves) {
+  std::string caption = curves.quantity + ": ";
+  for (std::size_t run = 0; run < curves.runs.size(); ++run)
+    caption += fmt::format("{}{} {}", run == 0 ? "" : ", ",
+                           colour_names[run % std::size(colour_names)], curves.runs[run]);
+  return caption + (curves.reference ? "; dashed: the reference" : "");
+}
+
+// Writes figures and gives the Markdown that shows them, by case.
+class Figures {
+ public:
+  explicit Figures(std::filesystem::path folder) : folder_(std::move(folder)) {
+    std::filesystem::create_directories(folder_);
+  }
+
+  void add(const CheckCurves& curves) {
+    const std::string name = file_name_of(curves.case_name + " " + curves.quantity);
+    add(curves.case_name, name + ".svg", caption_of(curves), draw_curves(curves, name));
+  }
+  void add(const RunLook& look) {
+    const std::string name = file_name_of(look.case_name + " " + look.run);
+    add(look.case_name, name + ".png",
+        fmt::format("{}, {:.4g} ms", look.run, 1e3 * look.frame.time),
+        draw_picture(look.frame, look.description, picture_scale));
+  }
+  // Of cases that were not looked at now, `page` says what to keep.
+  void remove_all_but_those_of(const std::string& page) const {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      if (page.find(entry.path().filename().string()) == std::string::npos)
+        std::filesystem::remove(entry.path());
+  }
+  const std::map<std::string, std::string>& by_case() const { return by_case_; }
+
+ private:
+  void add(const std::string& case_name, const std::string& file, const std::string& caption,
+           const std::string& content) {
+    write_file(folder_ / file, content);
+    by_case_[case_name] +=
+        fmt::format("![{}]({}/{})\n*{}*\n\n", caption, image_folder, file, caption);
+  }
+
+  std::filesystem::path folder_;
+  std::map<std::string, std::string> by_case_;
+};
+
+}  // namespace
+
+void write_verification_page(const std::filesystem::path& page,
+                             const std::vector<VerificationCase>& cases, const Findings& findings) {
+  std::string text = read_file(page);
+  const auto begin = text.find(table_begin);
+  const auto end = text.find(table_end);
+  if (begin == std::string::npos || end == std::string::npos || end < begin)
+    throw UserError(fmt::format("{} has no place for the table. Write the lines\n{}{}\nwhere it is "
+                                "to stand.",
+                                page.string(), table_begin, table_end),
+                    exit_files);
+  Figures figures(page.parent_path() / image_folder);
+  for (const CheckCurves& curves : findings.curves) figures.add(curves);
+  for (const RunLook& look : findings.looks) figures.add(look);
+  const auto first = begin + table_begin.size();
+  text.replace(first, end - first, to_markdown(cases, findings.rows, figures.by_case()));
+  write_file(page, text);
+  figures.remove_all_but_those_of(text);
+}
+
+}  // namespace kerf
