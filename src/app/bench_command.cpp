@@ -16,6 +16,7 @@
 #include "case/read.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "lanes/walks.hpp"
 #include "simulation/simulation.hpp"
 
 namespace kerf {
@@ -25,6 +26,7 @@ struct BenchOptions {
   double seconds = 5.0;  // per load
   int threads = 0;
   std::string json;
+  std::vector<std::string> cases;  // instead of the loads of the program
 };
 
 struct Load {
@@ -97,7 +99,9 @@ std::string processor_name() {
 
 Result measure(const Load& load, double seconds) {
   using Clock = std::chrono::steady_clock;
-  const auto simulation = make_simulation(parse_case(load.text, load.name));
+  const Case description =
+      load.text.empty() ? read_case(load.name) : parse_case(load.text, load.name);
+  const auto simulation = make_simulation(description);
   for (int warm_up = 0; warm_up < 3; ++warm_up) simulation->advance();
   Result result;
   result.name = load.name;
@@ -140,11 +144,17 @@ void bench(const BenchOptions& options) {
   fmt::print("Kerf {}, {}, {} threads on {}\n", program_version, compiler_name(), threads,
              processor_name());
   fmt::print(
-      "Rates per step: one in the standard formulation, two (midpoint) in that of the paper.\n\n");
+      "Rates per step: one in the standard formulation, two (midpoint) in that of the paper. "
+      "Walks: "
+      "{}.\n\n",
+      walks().name);
   fmt::print("{:<25} {:>10} {:>7} {:>16} {:>18} {:>11} {:>11}\n", "load", "particles", "steps",
              "particle-steps/s", "pair interact./s", "neighbours", "bytes/part.");
   nlohmann::json results;
-  for (const Load& load : standard_loads()) {
+  std::vector<Load> loads;
+  for (const std::string& file : options.cases) loads.push_back({file, ""});
+  if (loads.empty()) loads = standard_loads();
+  for (const Load& load : loads) {
     const Result r = measure(load, options.seconds);
     fmt::print("{:<25} {:>10} {:>7} {:>16.3e} {:>18.3e} {:>11.1f} {:>11.0f}\n", r.name, r.particles,
                r.steps, r.particle_steps, r.pair_interactions, r.neighbours, r.bytes);
@@ -155,6 +165,7 @@ void bench(const BenchOptions& options) {
   file << nlohmann::json{{"version", program_version},
                          {"compiler", compiler_name()},
                          {"processor", processor_name()},
+                         {"walks", walks().name},
                          {"threads", threads},
                          {"loads", results}}
               .dump(2)
@@ -171,6 +182,7 @@ void add_bench_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("bench", "Measure how fast this build runs on this machine");
   auto options = std::make_shared<BenchOptions>();
+  command->add_option("CASE", options->cases, "case files to time; default: loads of its own");
   command->add_option("--seconds", options->seconds, "Time per load, s")
       ->check(CLI::Range(0.1, 600.0))
       ->capture_default_str();

@@ -30,7 +30,7 @@ struct ShiftParticles {
   KERF_FUNCTION void operator()(Index i) const {
     const auto& medium = particles.medium(i);
     if (medium.phase != Phase::water || particles.is_constrained(i)) return;
-    if (crowd[i].least_filling < Real(whole_filling)) return;
+    if (crowd[i].sees_surface || particles.filling[i] < Real(whole_filling)) return;
     const Real h = medium.smoothing_length;
     const Real part = Real(rate * dt) * turning(particles, i);
     auto shift = (-(part < Real(most) ? part : Real(most)) * h * h) * crowd[i].gradient;

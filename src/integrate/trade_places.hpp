@@ -29,6 +29,7 @@ struct TradePlaces {
     particles.mirror_acceleration[i] +=
         Real(1.0 / dt) * (velocity - particles.velocity[i]);  // for the book of impulses
     particles.velocity[i] = velocity;
+    particles.last_acceleration[i] = mirrors.image(passed, particles.last_acceleration[i]);
     particles.position[i] = mirrors.image_place(passed, x);
   }
 };

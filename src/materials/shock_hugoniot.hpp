@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-#include "exec/host_device.hpp"
+#include "core/select.hpp"
 #include "particles/medium.hpp"
 
 namespace kerf {
@@ -26,11 +26,16 @@ struct ShockHugoniot {
   // Speed of sound at this density, m/s: c^2 = dp/drho. Opened matter has that at rest.
   template <class T>
   KERF_FUNCTION static T sound_speed(const Medium<T>& water, T compression) {
-    if (!(compression > T(0))) return water.sound_speed;
-    const T eta = compression / (T(1) + compression);
-    const T steep = water.hugoniot_slope * eta;
+    return sound_speed(water.sound_speed, water.hugoniot_slope, compression);
+  }
+  // `at_rest`: c_0; `slope`: s.
+  template <class T, class Number>
+  KERF_FUNCTION static T sound_speed(Number at_rest, Number slope, T compression) {
+    const T squeezed = maximum(compression, T(0));
+    const T eta = squeezed / (T(1) + squeezed);
+    const T steep = slope * eta;
     const T room = T(1) - steep;
-    return water.sound_speed * (T(1) - eta) * std::sqrt((T(1) + steep) / room) / room;
+    return at_rest * (T(1) - eta) * square_root((T(1) + steep) / room) / room;
   }
 
   // Stored energy per mass, J/kg: the integral of p / rho^2 d rho from rho_0.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One grid for each level of resolution (docs/theory/graded_resolution.md), each with cells as wide
-// as the kernels of its level: in a grid for the longest kernel a small particle would look at
-// hundreds of others in vain. Cells are numbered through, level after level; a particle looks into
-// each grid as far as any particle of that level can be seen by one of its own.
+// One grid for each level of resolution (docs/theory/graded_resolution.md), each with cells half as
+// wide as the kernels of its level reach: in a grid for the longest kernel a small particle would
+// look at hundreds of others in vain, and with cells as wide as the reach it would look at seven
+// for each that it sees (half as wide: four). Cells are numbered through, level after level; a
+// particle looks into each grid as far as any particle of that level can be seen by one of its own.
 #pragma once
 
 #include <algorithm>
@@ -53,7 +54,8 @@ struct LevelGrids {
     grids.levels = reach.levels;
     grids.first[0] = 0;
     for (int a = 0; a < reach.levels; ++a) {
-      grids.grid[a] = Grid<D>::covering(minimum, maximum, reach.longest[a][a] + skin, most_cells);
+      grids.grid[a] =
+          Grid<D>::covering(minimum, maximum, 0.5 * (reach.longest[a][a] + skin), most_cells);
       grids.first[a + 1] = grids.first[a] + grids.grid[a].count();
       for (int b = 0; b < reach.levels; ++b) grids.limit[a][b] = reach.longest[a][b] + skin;
     }

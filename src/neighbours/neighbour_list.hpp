@@ -1,117 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // Verlet list with a skin: for each particle the others within reach + skin of where the list was
 // built. It holds until a particle has moved half the skin. Each particle lists its own neighbours
-// in a fixed order, so sums over them do not depend on the number of threads. Mirror images
-// (core/mirror_planes.hpp) come after all particles.
+// in a fixed order, so sums over them do not depend on the number of threads: kin first, if it
+// is asked for; then the others; then mirror images (core/mirror_planes.hpp).
 #pragma once
 
 #include "core/error.hpp"
-#include "neighbours/level_grids.hpp"
-#include "neighbours/pair_range.hpp"
+#include "neighbours/find_neighbours.hpp"
 
 namespace kerf {
+
+// What a walk over the list leaves out of it.
+enum class Skips : std::uint8_t { nothing, alike, alike_and_own };
 
 struct NeighbourView {
   const Index* begin;      // begin[i] .. begin[i + 1] of `neighbour` are particle i's
   const Index* neighbour;  // places, with a mirror code in the highest bits
-};
+  const Index* alike;      // how many of them, the first, are alike (neighbours/pair_range.hpp)
+  const Index* own;        // and how many after those are of its own solid
+  Skips skips;
 
-template <int D, class P>
-struct CellNumber {
-  ParticleView<D, P> particles;
-  LevelGrids<D> grids;
-  Index* number;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    number[i] = grids.number(particles.medium(i).level, particles.build_position[i]);
-  }
-};
-
-// Walks the candidates of particle i; counts them, or writes them where `neighbour` is given.
-template <int D, class P, class Scheme>
-struct FindNeighbours {
-  ParticleView<D, P> particles;
-  LevelGrids<D> grids;
-  const Index* cell_begin;
-  double skin;
-  Index* count;  // out when neighbour is null
-  const Index* begin;
-  Index* neighbour;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    const auto& x = particles.build_position[i];
-    Index found = 0;
-    for (int level = 0; level < grids.levels; ++level) found = walk({i, 0, x}, level, found);
-    if (particles.mirrors.faces != 0) found = walk_images(i, found);
-    if (neighbour == nullptr) count[i] = found;
-  }
-
- private:
-  // Particle i seen from where it is, or from its image x.
-  struct Seen {
-    Index i;
-    MirrorCode code;
-    Vector<D, double> x;
-  };
-
-  // An image of j is as far from i as j from that image of i.
-  KERF_FUNCTION Index walk_images(Index i, Index found) const {
-    const auto& mirrors = particles.mirrors;
-    const auto& x = particles.build_position[i];
-    for (int image = 1; image < MirrorPlanes<D>::images; ++image) {
-      MirrorCode code;
-      if (!mirrors.find_image(image, code)) continue;
-      for (int level = 0; level < grids.levels; ++level)
-        if (mirrors.is_near(code, x, limit_of(i, level)))
-          found = walk({i, code, mirrors.image_place(code, x)}, level, found);
-    }
-    return found;
-  }
-  KERF_FUNCTION double limit_of(Index i, int level) const {
-    return grids.limit[particles.medium(i).level][level];
-  }
-
-  // The cells of a level that can be seen into.
-  KERF_FUNCTION Index walk(const Seen& from, int level, Index found) const {
-    const auto& grid = grids.grid[level];
-    const Index* const begin_of = cell_begin + grids.first[level];
-    const double limit = limit_of(from.i, level);
-    int low[D], high[D], row[D];
-    for (int a = 0; a < D; ++a) {
-      low[a] = grid.coordinate(from.x[a] - limit, a);
-      high[a] = grid.coordinate(from.x[a] + limit, a);
-      row[a] = low[a];
-    }
-    while (true) {
-      row[0] = low[0];
-      const Index first = grid.number(row);
-      const Index last = first + static_cast<Index>(high[0] - low[0]);
-      found = scan(from, begin_of[first], begin_of[last + 1], found);
-      int a = 1;
-      while (a < D && row[a] == high[a]) {
-        row[a] = low[a];
-        ++a;
-      }
-      if (a >= D) break;
-      ++row[a];
-    }
-    return found;
-  }
-
-  // Places `begin_at` to `end`, in the order of cells.
-  KERF_FUNCTION Index scan(const Seen& from, Index begin_at, Index end, Index found) const {
-    const Index i = from.i;
-    for (Index j = begin_at; j < end; ++j) {
-      if (j == i && from.code == 0) continue;
-      const double reach = Scheme::reach(particles, i, j, from.code);
-      if (reach == 0.0) continue;
-      const auto r = from.x - particles.build_position[j];
-      const double limit = reach + skin;
-      if (dot(r, r) >= limit * limit) continue;
-      if (neighbour != nullptr) neighbour[begin[i] + found] = j | from.code;
-      ++found;
-    }
-    return found;
+  KERF_FUNCTION Index first(Index i) const {
+    if (skips == Skips::nothing) return begin[i];
+    return begin[i] + alike[i] + (skips == Skips::alike_and_own ? own[i] : 0);
   }
 };
 
@@ -140,6 +51,9 @@ class NeighbourList {
                 const LevelReach& reach, double skin)
       : grids_(LevelGrids<D>::covering(minimum, maximum, reach, skin)), skin_(skin) {}
 
+  // Lists kin first.
+  void put_kin_first() { splits_ = true; }
+
   // Cell numbers of the build positions, the sort key of the particles.
   const Array<Index>& cell_numbers(Particles<D, P>& particles) {
     key_.resize(particles.size());
@@ -155,13 +69,21 @@ class NeighbourList {
     cell_numbers(particles);
     const Index cells = grids_.count();
     cell_begin_.resize(cells + 1);
-    thrust::lower_bound(thrust::device, key_.begin(), key_.end(),
-                        thrust::counting_iterator<Index>(0),
-                        thrust::counting_iterator<Index>(cells + 1), cell_begin_.begin());
+    for_each_index(n + 1, BeginCells{pointer(key_), n, cells, pointer(cell_begin_)});
     begin_.resize(n + 1);
-    FindNeighbours<D, P, Scheme> find{
-        particles.view(), grids_, pointer(cell_begin_), skin_, pointer(begin_),
-        pointer(begin_),  nullptr};
+    alike_.resize(n);
+    own_.resize(n);
+    FindNeighbours<D, P, Scheme> find{particles.view(),
+                                      grids_,
+                                      pointer(cell_begin_),
+                                      skin_,
+                                      splits_,
+                                      pointer(begin_),
+                                      pointer(alike_),
+                                      pointer(own_),
+                                      pack_for_search(particles),
+                                      pointer(begin_),
+                                      nullptr};
     for_each_index(n, find);
     thrust::fill_n(begin_.begin() + n, 1, Index(0));
     thrust::exclusive_scan(thrust::device, begin_.begin(), begin_.end(), begin_.begin());
@@ -179,17 +101,45 @@ class NeighbourList {
                             Either{});
   }
 
-  NeighbourView view() const { return {pointer(begin_), pointer(neighbour_)}; }
+  NeighbourView view() const {
+    return {pointer(begin_), pointer(neighbour_), pointer(alike_), pointer(own_), Skips::nothing};
+  }
   Index pairs() const { return pairs_; }  // list entries, each pair twice
   std::size_t bytes() const {
-    return sizeof(Index) * (neighbour_.size() + begin_.size() + cell_begin_.size() + key_.size());
+    return sizeof(Index) * (neighbour_.size() + begin_.size() + alike_.size() + own_.size() +
+                            cell_begin_.size() + key_.size());
   }
 
  private:
+  // Null where cells are so wide that places, which are counted round, would not be told apart.
+  SearchView<D> pack_for_search(Particles<D, P>& particles) {
+    SearchView<D> packed;
+#if !defined(KERF_CUDA)
+    const double finest = grids_.limit[0][0];
+    for (int level = 0; level < grids_.levels; ++level)
+      if (grids_.grid[level].cell + grids_.limit[level][level] > 8.0 * finest) return packed;
+    constexpr std::size_t beyond = 64;  // what a load may touch past the end
+    const std::size_t room = particles.size() + beyond;
+    for (int a = 0; a < D; ++a) {
+      packed_place_[a].resize(room);
+      packed.place[a] = packed_place_[a].data();
+    }
+    packed_kind_.resize(room);
+    packed.kind = packed_kind_.data();
+    packed.unit = PlaceUnit<float>::of_spacing(finest / 8.0).unit;
+    packed.search = search_of<D>(walks());
+    for_each_index(particles.size(), PackForSearch<D, P, Scheme>{particles.view(), packed});
+#endif
+    return packed;
+  }
+
   LevelGrids<D> grids_{};
   double skin_ = 0.0;
   Index pairs_ = 0;
-  Array<Index> key_, cell_begin_, begin_, neighbour_;
+  bool splits_ = false;
+  Array<Index> key_, cell_begin_, begin_, alike_, own_, neighbour_;
+  std::vector<std::int32_t> packed_place_[D];
+  std::vector<std::uint32_t> packed_kind_;
 };
 
 }  // namespace kerf

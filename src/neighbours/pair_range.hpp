@@ -9,6 +9,10 @@
 
 namespace kerf {
 
+// Alike: of one fluid, or of one nearly incompressible solid, in all that their formulas ask for.
+// Own: of one solid that is neither. As they were when the list was built.
+enum class Kinship : std::uint8_t { other, own, alike };
+
 // A scheme says how a formulation sees a pair: its kernel, the smoothing length of two media, and
 // the reach of the pair (i, j) in m as i sees j, or its image in a mirror; 0 when j does not act on
 // i. Rigid bodies see nothing.
@@ -34,6 +38,20 @@ struct JointPairs {
       return particles.has(j, flag::repelling) ? 0.5 * (double(a.spacing) + double(b.spacing))
                                                : 0.0;
     return Kernel<D>::support * smoothing_length<double>(a, b);
+  }
+  template <int D, class P>
+  KERF_FUNCTION static Kinship kinship(const ParticleView<D, P>&, Index, Index) {
+    return Kinship::other;
+  }
+  // Two of one kind have one reach and are kin alike; 0 where there is more to ask.
+  template <int D, class P>
+  KERF_FUNCTION static std::uint32_t kind(const ParticleView<D, P>& particles, Index i) {
+    return particles.medium(i).phase == Phase::rigid ? 0u : particles.source[i] + 1u;
+  }
+  // Distance from which on the two do nothing to one another, m.
+  template <class Kernel, class View, class Pair>
+  KERF_FUNCTION static auto cutoff(const View&, const Pair& pair) {
+    return decltype(pair.distance)(Kernel::support) * pair.smoothing_length;
   }
 };
 
@@ -63,6 +81,32 @@ struct ContactPairs {
     if (one_piece && !one_volume && !particles.is_fluid(i) && !particles.is_fluid(j))
       return 0.5 * (double(a.spacing) + double(b.spacing));
     return Kernel<D>::support * smoothing_length<double>(a, b);
+  }
+  // Of two that see one another.
+  template <int D, class P>
+  KERF_FUNCTION static Kinship kinship(const ParticleView<D, P>& particles, Index i, Index j) {
+    if (particles.has_density(i)) {
+      const bool same = particles.source[i] == particles.source[j] &&
+                        particles.fractured[i] == particles.fractured[j];
+      const bool fitted = particles.has(i, flag::fitted) && particles.has(j, flag::fitted);
+      return same && !fitted ? Kinship::alike : Kinship::other;
+    }
+    const auto& b = particles.medium(j);
+    const bool own = b.phase == Phase::solid && particles.medium(i).piece == b.piece;
+    return own && !particles.is_fluid(j) ? Kinship::own : Kinship::other;
+  }
+  template <int D, class P>
+  KERF_FUNCTION static std::uint32_t kind(const ParticleView<D, P>& particles, Index i) {
+    if (particles.medium(i).phase == Phase::rigid || particles.has(i, flag::fitted)) return 0u;
+    return 2u * particles.source[i] + (particles.fractured[i] ? 2u : 1u);
+  }
+  // Distance from which on the two do nothing to one another, m: within a solid they only touch.
+  template <class Kernel, class View, class Pair>
+  KERF_FUNCTION static auto cutoff(const View& particles, const Pair& pair) {
+    using Real = decltype(pair.distance);
+    if (pair.is_one_piece() && !particles.has_density(pair.i) && !particles.is_fluid(pair.j))
+      return Real(0.5) * (pair.medium_i->spacing + pair.medium_j->spacing);
+    return Real(Kernel::support) * pair.smoothing_length;
   }
 };
 

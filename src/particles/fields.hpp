@@ -16,21 +16,22 @@ namespace kerf {
 
 // FIELD(type, name): meaning, unit.
 // State: what a checkpoint holds and a reorder moves.
-#define KERF_STATE_FIELDS(FIELD)                                                     \
-  FIELD(Point, position)         /* m */                                             \
-  FIELD(Point, build_position)   /* m, where the neighbour list was built */         \
-  FIELD(RealVector, velocity)    /* m/s */                                           \
-  FIELD(Real, compression)       /* 1, rho / rho_0 - 1 */                            \
-  FIELD(Stress, shear)           /* Pa, deviatoric (solid) or viscous (water) */     \
-  FIELD(Real, compression_rate)  /* 1/s */                                           \
-  FIELD(RealVector, wall_normal) /* 1, of a fluid's wall, towards it; 0 = none */    \
-  FIELD(Real, solid_fit)         /* 1, filling by solids at which it touches them */ \
-  FIELD(Real, rigid_fit)         /* 1, by rigid bodies */                            \
-  FIELD(Real, pressure_work)     /* J/kg, done against pressure so far */            \
-  FIELD(Real, inlet_speed)       /* m/s, of jet water while it is in its nozzle */   \
-  FIELD(std::uint32_t, id)       /* unique, never reused */                          \
-  FIELD(std::uint16_t, source)   /* medium, see simulation/levels.hpp */             \
-  FIELD(std::uint8_t, fractured) /* 1 = carries compression only */                  \
+#define KERF_STATE_FIELDS(FIELD)                                                           \
+  FIELD(Point, position)               /* m */                                             \
+  FIELD(Point, build_position)         /* m, where the neighbour list was built */         \
+  FIELD(RealVector, velocity)          /* m/s */                                           \
+  FIELD(Real, compression)             /* 1, rho / rho_0 - 1 */                            \
+  FIELD(Stress, shear)                 /* Pa, deviatoric (solid) or viscous (water) */     \
+  FIELD(Real, compression_rate)        /* 1/s */                                           \
+  FIELD(RealVector, last_acceleration) /* m/s^2, over the last step */                     \
+  FIELD(RealVector, wall_normal)       /* 1, of a fluid's wall, towards it; 0 = none */    \
+  FIELD(Real, solid_fit)               /* 1, filling by solids at which it touches them */ \
+  FIELD(Real, rigid_fit)               /* 1, by rigid bodies */                            \
+  FIELD(Real, pressure_work)           /* J/kg, done against pressure so far */            \
+  FIELD(Real, inlet_speed)             /* m/s, of jet water while it is in its nozzle */   \
+  FIELD(std::uint32_t, id)             /* unique, never reused */                          \
+  FIELD(std::uint16_t, source)         /* medium, see simulation/levels.hpp */             \
+  FIELD(std::uint8_t, fractured)       /* 1 = carries compression only */                  \
   FIELD(std::uint8_t, flags)
 
 // Scratch: filled and used within one step.
@@ -40,6 +41,7 @@ namespace kerf {
   FIELD(Real, start_compression)           /* 1 */                                     \
   FIELD(Stress, start_shear)               /* Pa */                                    \
   FIELD(Real, pressure)                    /* Pa */                                    \
+  FIELD(RealVector, next_wall_normal)      /* 1, to be the wall_normal */              \
   FIELD(Real, filling)                     /* 1, sum of V W, 1 inside matter */        \
   FIELD(Real, stir)                        /* 1/s, how fast fluid neighbours pass */   \
   FIELD(Gradient, velocity_gradient)       /* 1/s, over the particle's own phase */    \

@@ -12,6 +12,7 @@ inline constexpr std::uint8_t upstream = 2;   // jet water still inside its nozz
 inline constexpr std::uint8_t outside = 4;    // has left the domain: to be removed
 inline constexpr std::uint8_t erased = 8;     // flows back towards its nozzle: to be removed
 inline constexpr std::uint8_t fitted = 16;    // beside a jump of the spacing of its body
+inline constexpr std::uint8_t surface = 32;   // its room is not full: it is in a free surface
 }  // namespace flag
 
 }  // namespace kerf

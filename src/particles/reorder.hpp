@@ -2,6 +2,8 @@
 // Keeps, drops and sorts particles: every state field follows one list of indices.
 #pragma once
 
+#include <type_traits>
+
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -10,8 +12,7 @@ namespace kerf {
 template <int D, class P>
 void gather_particles(Particles<D, P>& particles, const Array<Index>& order) {
   particles.for_each_state([&](const char*, auto& field) {
-    auto sorted = field;
-    sorted.resize(order.size());
+    std::remove_reference_t<decltype(field)> sorted(order.size());
     thrust::gather(thrust::device, order.begin(), order.end(), field.begin(), sorted.begin());
     field.swap(sorted);
   });

@@ -18,10 +18,9 @@ struct CentralWater {
   template <class T>
   KERF_FUNCTION static RiemannStar<T> solve(const RiemannSide<T>& left, const RiemannSide<T>& right,
                                             T ratio) {
-    const T density = T(0.5) * (left.density + right.density);
-    const T sound = T(0.5) * (left.sound_speed + right.sound_speed);
+    const T impedance = T(0.5) * (left.impedance + right.impedance);
     return {T(0.5) * (left.pressure + right.pressure),
-            T(0.5 * viscosity) * density * sound * ratio * (left.speed - right.speed),
+            T(0.5 * viscosity) * impedance * ratio * (left.speed - right.speed),
             T(0.5) * (left.speed + right.speed)};
   }
 };

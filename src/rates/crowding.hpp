@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a particle of water has more neighbours on one side than on the other, and how near a free
-// surface it is:
+// Where a particle of water has more neighbours on one side than on the other,
 //   C_i = sum_j V_0j nabla_i W_ij,  over all matter; 0 on a lattice and where neighbours are even,
-//   the least filling (rates/filling.hpp) of it and its fluid neighbours.
+// and whether one of its fluid neighbours was in a free surface at the end of the last step.
 #pragma once
 
+#include "lanes/packed_fluid.hpp"
 #include "rates/pair.hpp"
 
 namespace kerf {
@@ -12,7 +12,7 @@ namespace kerf {
 template <int D, class Real>
 struct Crowd {
   Vector<D, Real> gradient;  // 1/m, towards the crowd
-  Real least_filling;        // 1
+  bool sees_surface;
 };
 
 template <int D, class P>
@@ -21,19 +21,23 @@ struct Crowding {
   static constexpr bool feels_rigid = false;
   struct Sum {
     Vector<D, Real> gradient{};
-    Real emptiest{2};
+    bool sees_surface = false;
   };
   Crowd<D, Real>* result;
+  const FluidSums<D, Real>* alike = nullptr;  // over neighbours of its own kind
 
+  KERF_FUNCTION void start(const ParticleView<D, P>& particles, Index i, Sum& sum) const {
+    if (alike == nullptr) return;
+    sum.gradient = alike[i].crowd;
+    sum.sees_surface = particles.is_fluid(i) && alike[i].sees_surface > Real(0);
+  }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     sum.gradient += pair.medium_j->volume * pair.gradient;
-    if (particles.is_fluid(pair.j) && particles.filling[pair.j] < sum.emptiest)
-      sum.emptiest = particles.filling[pair.j];
+    sum.sees_surface |= particles.is_fluid(pair.j) && particles.has(pair.j, flag::surface);
   }
-  KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
-    const Real own = particles.filling[i];
-    result[i] = {sum.gradient, own < sum.emptiest ? own : sum.emptiest};
+  KERF_FUNCTION void finish(const ParticleView<D, P>&, Index i, const Sum& sum) const {
+    result[i] = {sum.gradient, sum.sees_surface};
   }
 };
 

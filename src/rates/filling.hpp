@@ -10,6 +10,7 @@
 
 #include <cmath>
 
+#include "lanes/packed_fluid.hpp"
 #include "rates/pair.hpp"
 
 namespace kerf {
@@ -37,7 +38,13 @@ struct Filling {
     Real filling{};
     Real fastest_squared{};  // m^2/s^2
   };
+  const FluidSums<D, Real>* alike = nullptr;  // over neighbours of its own kind
 
+  KERF_FUNCTION void start(const ParticleView<D, P>& particles, Index i, Sum& sum) const {
+    if (alike == nullptr) return;
+    sum.filling = alike[i].filling;
+    if (particles.is_fluid(i)) sum.fastest_squared = alike[i].fastest_squared;
+  }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     if (!particles.has_density(pair.i)) return;

@@ -3,9 +3,10 @@
 // Adams 2017):
 //   d rho_i/dt = 2 rho_i sum_j V_j (v_i - v*) . nabla_i W_ij,   v* . e = - U*,
 // over the fluid and the solid beside it, kept as the rate of compression rho/rho_0 - 1. On the way
-// it finds the normal of the wall that a fluid particle is at.
+// it finds the normal of the wall that a fluid particle is at, for the next step.
 #pragma once
 
+#include "lanes/packed_fluid.hpp"
 #include "rates/fluid_pair.hpp"
 
 namespace kerf {
@@ -19,9 +20,13 @@ struct FluidContinuity {
     Vector<D, Real> wall{};  // 1/m, - sum V nabla W over the wall: its normal
   };
   FluidPair<D, P> fluid_pair;
+  const FluidSums<D, Real>* alike = nullptr;  // over neighbours of its own kind
   // h |sum V nabla W| is about 1/2 at a wall; much less between two that face each other.
   static constexpr double least_wall = 0.02;
 
+  KERF_FUNCTION void start(const ParticleView<D, P>&, Index i, Sum& sum) const {
+    if (alike != nullptr) sum.strain_rate = alike[i].strain_rate;
+  }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     const Meeting kind = meeting(particles, pair);
@@ -40,7 +45,7 @@ struct FluidContinuity {
     particles.compression_rate[i] = (Real(1) + particles.compression[i]) * sum.strain_rate;
     const Real length = norm(sum.wall);
     const bool plain = length * particles.medium(i).smoothing_length > Real(least_wall);
-    particles.wall_normal[i] = plain ? (Real(1) / length) * sum.wall : Vector<D, Real>::zero();
+    particles.next_wall_normal[i] = plain ? (Real(1) / length) * sum.wall : Vector<D, Real>::zero();
   }
 };
 

@@ -52,7 +52,7 @@ struct FluidPair {
       const auto right = side(particles, pair.j, *pair.medium_j, u_j);
       auto star = scheme == WaterScheme::delta_sph && pair.are_water()
                       ? CentralWater::solve(left, right, inverse * pair.smoothing_length)
-                      : solve_riemann(left, right, sharpness(pair));
+                      : solve_riemann(left, right, smoothing(pair, left, right));
       if (pair.are_water())
         star.dissipation = beyond_viscosity(
             star.dissipation,
@@ -78,22 +78,17 @@ struct FluidPair {
   }
 
  private:
-  // What damps beyond the `viscous` pressure mu (U_i - U_j) / r that the viscosity of the water has
-  // between the two (rates/water_viscosity.hpp): where water is thick enough to be smooth by itself
-  // nothing is added.
-  KERF_FUNCTION static Real beyond_viscosity(Real dissipation, Real viscous) {
-    return std::abs(dissipation) > std::abs(viscous) ? dissipation - viscous : Real(0);
-  }
-  // Without the difference in pressure where two approach by a twentieth of the speed of sound.
-  KERF_FUNCTION static Real sharpness(const Pair<D, P>& pair) {
+  // Tait's matter is hardly compressed and has no strong shocks.
+  KERF_FUNCTION static Real smoothing(const Pair<D, P>& pair, const RiemannSide<Real>& left,
+                                      const RiemannSide<Real>& right) {
     const bool weak = pair.medium_i->equation_of_state == EquationOfState::tait ||
                       pair.medium_j->equation_of_state == EquationOfState::tait;
-    return weak ? Real(0) : Real(20);
+    return weak ? Real(1) : shock_smoothing(left, right);
   }
   KERF_FUNCTION static RiemannSide<Real> side(const ParticleView<D, P>& particles, Index i,
                                               const Medium<Real>& medium, Real speed) {
-    return {particles.density(i), particles.pressure[i], speed,
-            impedance_speed_at(medium, particles.compression[i])};
+    const Real sound = impedance_speed_at(medium, particles.compression[i]);
+    return {particles.density(i) * sound, particles.pressure[i], speed, sound};
   }
 };
 

@@ -3,6 +3,7 @@
 // with a nested Sum and
 //   void add(const View&, const Pair&, Sum&) const    for each pair,
 //   void finish(const View&, Index i, const Sum&) const   once per particle,
+//   void start(const View&, Index i, Sum&) const   where a part of the sum is known already,
 //   static Vector force(const Sum&)   where it adds a force that is to be booked when mirror images
 //     exert it: N so far, without that of rigid bodies, which has a book of its own;
 // each particle sums its own neighbours in the order of the list.
@@ -49,10 +50,11 @@ struct FilteredPairLoop : Terms... {
 
   KERF_FLAT KERF_FUNCTION void operator()(Index i) const {
     Sums sums{};
+    (start<Terms>(i, sums), ...);
     const auto& medium_i = particles.medium(i);
     auto by_particles = Vector<D, Real>::zero();
     bool is_mirrored = false;
-    for (Index k = list.begin[i]; k < list.begin[i + 1]; ++k) {
+    for (Index k = list.first(i); k < list.begin[i + 1]; ++k) {
       Pair<D, P> pair;
       pair.i = i;
       pair.j = particles.mirrors.place(list.neighbour[k]);
@@ -72,7 +74,7 @@ struct FilteredPairLoop : Terms... {
         continue;
       }
       pair.smoothing_length = Scheme::template smoothing_length<Real>(medium_i, *pair.medium_j);
-      if (pair.distance >= Real(Kernel::support) * pair.smoothing_length) continue;
+      if (pair.distance >= Scheme::template cutoff<Kernel>(particles, pair)) continue;
       add_pair(pair, sums);
     }
     (static_cast<const Terms&>(*this).finish(particles, i,
@@ -86,6 +88,13 @@ struct FilteredPairLoop : Terms... {
   }
 
  private:
+  template <class Term>
+  KERF_FUNCTION void start(Index i, Sums& sums) const {
+    auto& sum = static_cast<typename Term::Sum&>(sums);
+    if constexpr (requires(const Term& term) { term.start(particles, i, sum); })
+      static_cast<const Term&>(*this).start(particles, i, sum);
+  }
+
   KERF_FUNCTION static Vector<D, Real> force(const Sums& sums) {
     auto sum = Vector<D, Real>::zero();
     (add_force<Terms>(sums, sum), ...);

@@ -10,13 +10,13 @@
 // difference in pressure in U* diffuses density: it is what keeps the pressure smooth.
 #pragma once
 
-#include "rates/pair.hpp"
+#include "core/select.hpp"
 
 namespace kerf {
 
 template <class T>
 struct RiemannSide {
-  T density;      // kg/m^3
+  T impedance;    // kg/(m^2 s), Z = rho c
   T pressure;     // Pa
   T speed;        // m/s, U: towards the other side is positive on the left
   T sound_speed;  // m/s
@@ -29,26 +29,42 @@ struct RiemannStar {
   T speed;          // m/s, U*
 };
 
-// `sharpness`: U* takes the share 1 - sharpness (U_l - U_r) / c of the difference in pressure. In a
-// strong shock that difference is the shock's own, not noise: density that it puts ahead of the
-// front is squeezed once more there and is missing behind. 0 for weakly compressible matter.
+// By how much of the lesser speed of sound the two approach; 0 where they part.
+template <class T>
+KERF_FUNCTION T approach_of(const RiemannSide<T>& left, const RiemannSide<T>& right) {
+  return maximum(left.speed - right.speed, T(0)) *
+         reciprocal(minimum(left.sound_speed, right.sound_speed));
+}
+
+// `smoothing`: the share of the difference in pressure that U* takes.
 template <class T>
 KERF_FUNCTION RiemannStar<T> solve_riemann(const RiemannSide<T>& left, const RiemannSide<T>& right,
-                                           T sharpness = T(0)) {
-  const T z_left = left.density * left.sound_speed;
-  const T z_right = right.density * right.sound_speed;
-  const T inverse = T(1) / (z_left + z_right);
-  const T share_left = z_left * inverse, share_right = z_right * inverse;
-  const T approach = left.speed - right.speed;
-  const T slower = left.sound_speed < right.sound_speed ? left.sound_speed : right.sound_speed;
-  const T strength = T(3) * approach / slower;
-  const T beta = strength > T(1) ? T(1) : strength;
-  T smoothing = T(1);
-  if (approach > T(0)) smoothing -= sharpness * approach / slower;
+                                           T smoothing = T(1)) {
+  const T inverse = reciprocal(left.impedance + right.impedance);
+  const T share_left = left.impedance * inverse, share_right = right.impedance * inverse;
+  const T approach = maximum(left.speed - right.speed, T(0));
+  const T slower = minimum(left.sound_speed, right.sound_speed);
+  const T beta = minimum(approach * (T(3) * reciprocal(slower)), T(1));
   return {share_right * left.pressure + share_left * right.pressure,
-          approach > T(0) ? beta * share_left * z_right * approach : T(0),
+          beta * share_left * right.impedance * approach,
           share_left * left.speed + share_right * right.speed +
-              (smoothing > T(0) ? smoothing : T(0)) * (left.pressure - right.pressure) * inverse};
+              smoothing * (left.pressure - right.pressure) * inverse};
+}
+
+// In a strong shock the difference in pressure is the shock's own, not noise: density that it puts
+// ahead of the front is squeezed once more there and is missing behind. So the share falls to
+// nothing where two approach by a twentieth of the speed of sound.
+template <class T>
+KERF_FUNCTION T shock_smoothing(const RiemannSide<T>& left, const RiemannSide<T>& right) {
+  return maximum(T(1) - T(20) * approach_of(left, right), T(0));
+}
+
+// What damps beyond the `viscous` pressure mu (U_l - U_r) / r that the viscosity of water has
+// between the two (rates/water_viscosity.hpp): where water is thick enough to be smooth by itself
+// nothing is added.
+template <class T>
+KERF_FUNCTION T beyond_viscosity(T dissipation, T viscous) {
+  return select(magnitude(dissipation) > magnitude(viscous), dissipation - viscous, T(0));
 }
 
 // Fluid beside a wall, which may be rigid, or a solid that moves. The wall is the mirror of the
@@ -59,7 +75,7 @@ KERF_FUNCTION RiemannStar<T> solve_riemann(const RiemannSide<T>& left, const Rie
 template <class T>
 KERF_FUNCTION RiemannStar<T> solve_riemann_at_wall(const RiemannSide<T>& fluid, T wall_speed,
                                                    T hydrostatic) {
-  const RiemannSide<T> mirror{fluid.density,
+  const RiemannSide<T> mirror{fluid.impedance,
                               fluid.pressure + (hydrostatic > T(0) ? hydrostatic : T(0)),
                               T(2) * wall_speed - fluid.speed, fluid.sound_speed};
   return solve_riemann(fluid, mirror);

@@ -6,6 +6,7 @@
 
 #include "kernels/wendland_c2.hpp"
 #include "materials/equation_of_state.hpp"
+#include "rates/alike_pairs.hpp"
 #include "rates/body_force.hpp"
 #include "rates/crowding.hpp"
 #include "rates/density_diffusion.hpp"
@@ -65,31 +66,53 @@ class StandardRates {
           {static_cast<Real>(entry.inverse_filling), static_cast<Real>(entry.stiffness)});
     to_device(touch, touch_);
     for (const auto& medium : media) has_solids_ |= medium.phase == Phase::solid;
+    if (takes_alike_apart()) alike_ = AlikePairs<D, P>(media, 1.0 / lattice.slope);
+  }
+
+  // Whether the list should have kin first.
+  bool takes_alike_apart() const {
+    return AlikePairs<D, P>::exist && fluid_pair_.scheme == WaterScheme::riemann;
   }
 
   // For bodies whose spacing jumps.
   void fit_pairs(const PairFit<D, P>& fit) { fluid_pair_.fit = fit; }
 
-  // Pressures and the accelerations by gravity and all pairs.
+  // All that a step asks for, in one walk over the neighbours: pressures, the accelerations by
+  // gravity and all pairs, the rates of compression, how full the room around particles is and
+  // where they crowd.
+  template <class Bonds>
+  void evaluate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
+                const Bonds& bonds, Crowd<D, Real>* crowd) const {
+    prepare(view, count, list);
+    if (fluid_pair_.scheme == WaterScheme::riemann) {
+      const auto* alike = walk_alike(view, count, list);
+      walk({view, count, others_of(list)}, bonds, EveryPair{}, gravity_, alike,
+           FluidContinuity<D, P>{fluid_pair_, alike}, Full{alike}, Crowding<D, P>{crowd, alike});
+      return;
+    }
+    density_gradient_.resize(count);
+    for_each_index(count, PairLoop<D, P, ContactPairs, DensityGradient<D, P>>(
+                              view, list, {}, {pointer(density_gradient_)}));
+    walk({view, count, list}, bonds, EveryPair{}, gravity_, nullptr,
+         FluidContinuity<D, P>{fluid_pair_}, Full{}, Crowding<D, P>{crowd},
+         DensityDiffusion<D, P>{pointer(density_gradient_)});
+  }
+
+  // Pressures and accelerations only, for those who look at the run.
   template <class Bonds>
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                   const Bonds& bonds) const {
-    accelerate(view, count, list, bonds, EveryPair{}, gravity_);
+    prepare(view, count, list);
+    const auto* alike = walk_alike(view, count, list);
+    walk({view, count, others_of(list)}, bonds, EveryPair{}, gravity_, alike);
   }
   // Those by the pairs that `filter` chooses and a body force of one's own.
   template <class Bonds, class Filter>
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                   const Bonds& bonds, const Filter& filter,
                   const BodyForce<D, P>& body_force) const {
-    for_each_index(count, FluidPressure<D, P>{view});
-    if (has_solids_) look_at_surfaces(view, count, list, {touch()});
-    for_each_index(
-        count,
-        FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, FluidForce<D, P>,
-                         WaterViscosity<D, P>, SolidContact<D, P, Bonds>, SurfaceContact<D, P>>(
-            view, list, filter, body_force, FluidForce<D, P>{fluid_pair_},
-            WaterViscosity<D, P>{fluid_pair_.steepening}, SolidContact<D, P, Bonds>{bonds},
-            SurfaceContact<D, P>{touch()}));
+    prepare(view, count, list);
+    walk({view, count, list}, bonds, filter, body_force, nullptr);
   }
 
   // Bodies as they are laid out do not push. Once, at the start of a run.
@@ -97,35 +120,52 @@ class StandardRates {
     if (has_solids_) look_at_surfaces(view, count, list, {touch(), true});
   }
 
-  void continuity(const ParticleView<D, P>& view, Index count, const NeighbourView& list) const {
-    const FluidContinuity<D, P> compress{fluid_pair_};
-    if (fluid_pair_.scheme == WaterScheme::riemann) {
-      for_each_index(count, PairLoop<D, P, ContactPairs, FluidContinuity<D, P>, Full>(
-                                view, list, {}, compress, Full{}));
-      return;
-    }
-    density_gradient_.resize(count);
-    for_each_index(count, PairLoop<D, P, ContactPairs, DensityGradient<D, P>>(
-                              view, list, {}, {pointer(density_gradient_)}));
-    using Loop = PairLoop<D, P, ContactPairs, FluidContinuity<D, P>, Full, DensityDiffusion<D, P>>;
-    for_each_index(count, Loop(view, list, {}, compress, Full{}, {pointer(density_gradient_)}));
-  }
-
-  // Where particles of water crowd, and where their surface is; `filling` must be that of now.
-  void crowding(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
-                Crowd<D, Real>* result) const {
-    for_each_index(count, PairLoop<D, P, ContactPairs, Crowding<D, P>>(view, list, {}, {result}));
-  }
-
-  static constexpr int pair_passes = 2;  // per step
-
  private:
   using Full = Filling<D, P, ContactPairs::Kernel<D>>;
+
+  void prepare(const ParticleView<D, P>& view, Index count, const NeighbourView& list) const {
+    for_each_index(count, FluidPressure<D, P>{view});
+    if (has_solids_) look_at_surfaces(view, count, list, {touch()});
+  }
+
+  // The sums over neighbours of a particle's own kind, or null where the general walk is to do it.
+  const FluidSums<D, Real>* walk_alike(const ParticleView<D, P>& view, Index count,
+                                       const NeighbourView& list) const {
+    return takes_alike_apart() ? alike_.walk(view, count, list) : nullptr;
+  }
+  NeighbourView others_of(NeighbourView list) const {
+    if (takes_alike_apart()) list.skips = Skips::alike;
+    return list;
+  }
+
+  struct Walkers {
+    ParticleView<D, P> view;
+    Index count;
+    NeighbourView list;
+  };
+
+  // The forces, and what more is wanted of the same walk. `alike`: sums over the neighbours that
+  // the list skips, or null.
+  template <class Bonds, class Filter, class... More>
+  void walk(const Walkers& walkers, const Bonds& bonds, const Filter& filter,
+            const BodyForce<D, P>& body_force, const FluidSums<D, Real>* alike,
+            const More&... more) const {
+    for_each_index(
+        walkers.count,
+        FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, FluidForce<D, P>,
+                         WaterViscosity<D, P>, SolidContact<D, P, Bonds>, SurfaceContact<D, P>,
+                         More...>(
+            walkers.view, walkers.list, filter, body_force, FluidForce<D, P>{fluid_pair_, alike},
+            WaterViscosity<D, P>{fluid_pair_.steepening}, SolidContact<D, P, Bonds>{bonds},
+            SurfaceContact<D, P>{touch()}, more...));
+  }
 
   void look_at_surfaces(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                         const SurfaceOverlap<D, P>& term) const {
     using Loop = PairLoop<D, P, ContactPairs, SurfaceOverlap<D, P>>;
-    for_each_index(count, OfSolids<D, P, Loop>{view, Loop(view, list, {}, term)});
+    NeighbourView others = list;  // kin does not touch
+    others.skips = Skips::alike_and_own;
+    for_each_index(count, OfSolids<D, P, Loop>{view, Loop(view, others, {}, term)});
   }
   TouchTable<Real> touch() const { return {pointer(touch_), media_}; }
 
@@ -135,6 +175,7 @@ class StandardRates {
   Array<TouchOfMedia<Real>> touch_;
   mutable Array<Vector<D, Real>> density_gradient_;  // 1/m, scratch of delta-SPH alone
   bool has_solids_ = false;
+  mutable AlikePairs<D, P> alike_;
 };
 
 }  // namespace kerf

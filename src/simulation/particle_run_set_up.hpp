@@ -102,6 +102,7 @@ void ParticleRun<D, P, Scheme>::append(const std::vector<NewParticle>& newcomers
   thrust::copy(flags.begin(), flags.end(), particles_.flags.begin() + before);
   thrust::fill_n(particles_.compression_rate.begin() + before, count, Real(0));
   thrust::fill_n(particles_.wall_normal.begin() + before, count, Vector<D, Real>::zero());
+  thrust::fill_n(particles_.last_acceleration.begin() + before, count, Vector<D, Real>::zero());
   thrust::fill_n(particles_.solid_fit.begin() + before, count, Real(1));
   thrust::fill_n(particles_.rigid_fit.begin() + before, count, Real(1));
   thrust::fill_n(particles_.shear.begin() + before, count, SymmetricTensor<D, Real>::zero());

@@ -27,8 +27,10 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
                description.numerics.water),
         solid_(description, Run::media_, Run::particles_) {
     rates_.fit_pairs(solid_.pair_fit());
+    if (rates_.takes_alike_apart()) list_.put_kin_first();
     Run::open([this] { rates_.fit_surfaces(particles_.view(), particles_.size(), list_.view()); });
-    rates_.continuity(particles_.view(), particles_.size(), list_.view());
+    evaluate();  // of the first rates
+    for_each_index(particles_.size(), KeepSurroundings<D, P>{particles_.view()});
   }
 
   void advance() override {
@@ -36,7 +38,7 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     const double dt = Run::choose_step(StepRates::to_come, solid_.step_limit(case_.time.courant));
     drift_half(dt);
     deform_and_break(dt);
-    accelerate();
+    evaluate();
     kick_and_drift(dt);
     close_density(dt);
     Run::book_step(dt);
@@ -110,10 +112,12 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     solid_.break_bonds(particles_, dt);
   }
 
-  void accelerate() {
+  void evaluate() {
     {
       const auto timer = timers_.stage("water and contact");
-      rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds());
+      crowd_.resize(particles_.size());
+      rates_.evaluate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(),
+                      pointer(crowd_));
       pair_interactions_ += static_cast<double>(list_.pairs());
     }
     const auto timer = timers_.stage("solid");
@@ -131,25 +135,21 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
   }
 
   void close_density(double dt) {
-    const auto timer = timers_.stage("water and contact");
-    rates_.continuity(particles_.view(), particles_.size(), list_.view());
+    const auto timer = timers_.stage("integrate");
+    for_each_index(particles_.size(), KeepSurroundings<D, P>{particles_.view()});
     for_each_index(particles_.size(), CloseDensity<D, P>{particles_.view(), dt});
     for_each_index(particles_.size(), RegainDensity<D, P>{particles_.view(), dt, lattice_.filling});
-    pair_interactions_ += static_cast<double>(list_.pairs());
   }
 
   void shift_water(double dt) {
     const auto timer = timers_.stage("shifting");
-    crowd_.resize(particles_.size());
-    rates_.crowding(particles_.view(), particles_.size(), list_.view(), pointer(crowd_));
     for_each_index(particles_.size(), ShiftParticles<D, P>{particles_.view(), pointer(crowd_), dt});
-    pair_interactions_ += static_cast<double>(list_.pairs());
   }
 
   LatticeSums lattice_;
   StandardRates<D, P> rates_;
   mutable SolidPart<D, P> solid_;
-  Array<Crowd<D, typename P::Real>> crowd_;  // of the shifting alone
+  Array<Crowd<D, typename P::Real>> crowd_;
 };
 
 }  // namespace kerf

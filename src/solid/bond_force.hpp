@@ -9,6 +9,7 @@
 // equal and opposite on j to the last bit.
 #pragma once
 
+#include "lanes/packed_bonds.hpp"
 #include "solid/hourglass_viscosity.hpp"
 
 namespace kerf {
@@ -84,8 +85,15 @@ struct BondForce {
   SolidView<D, P> solid;
   Viscosity viscosity;
   Filter filter;
+  const BondPush<D, Real>* pushed = nullptr;  // by bonds that are not mixed; or null
 
   KERF_FUNCTION void operator()(Index i) const {
+    if (pushed != nullptr && !solid.mixed[i]) {
+      solid.acceleration[i] = (Real(1) / solid.medium(i).mass) * pushed[i].force;
+      solid.viscous_power[i] = pushed[i].power;
+      if (solid.mirrors.faces != 0) solid.mirror_acceleration[i] = Vector<D, Real>::zero();
+      return;
+    }
     const Index end = solid.bond_begin[i + 1], images = solid.first_image(i);
     Sum sum = add_up<DirectEnd>(i, solid.bond_begin[i], images);
     const Real inverse = Real(1) / solid.medium(i).mass;

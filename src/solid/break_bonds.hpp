@@ -18,13 +18,19 @@ struct PrepareCriterion {
 
   KERF_FUNCTION void operator()(Index i) const {
     const auto& medium = solid.medium(i);
+    solid.strained[i] = 0;
     if (solid.loose[i]) {
       solid.criterion[i] = Real(0);
       return;
     }
-    solid.criterion[i] = has_failed(i) || is_crushed(medium, solid.gradient[i])
-                             ? crushed<Real>
-                             : prepared(i, medium);
+    const Real value = has_failed(i) || is_crushed(medium, solid.gradient[i]) ? crushed<Real>
+                                                                              : prepared(i, medium);
+    solid.criterion[i] = value;
+    // A bond breaks by its own stretch, or where the mean of its ends passes, which one of them
+    // then does; by a misfit where bonds are broken.
+    const BondStrain<Real> stretch{Real(0), solid.stretch[i], Real(0)};
+    solid.strained[i] = solid.mixed[i] || solid.torn[i] || !(value < crushed<Real>) ||
+                        place_passes(value, medium) || bond_breaks(stretch, medium);
   }
 
  private:
@@ -85,6 +91,7 @@ struct BondTest {
   }
 };
 
+// Of every bond that breaks at least one end is `strained`; it marks both.
 template <int D, class P>
 struct MarkBreaking {
   using Real = typename P::Real;
@@ -92,10 +99,39 @@ struct MarkBreaking {
 
   KERF_FUNCTION void operator()(Index i) const {
     const auto& solid = test.solid;
-    if (!(solid.criterion[i] < crushed<Real>)) solid.changed[i] = 1;
+    if (!solid.strained[i]) return;
+    if (!(solid.criterion[i] < crushed<Real>)) mark(i);
     const auto green = green_strain(solid.gradient[i]);
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1] && !solid.changed[i]; ++k)
-      if (test.breaks(i, k, green)) solid.changed[i] = 1;
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k)
+      if (test.breaks(i, k, green)) {
+        mark(i);
+        mark(solid.bond_end(k).particle);
+      }
+  }
+
+ private:
+  // By several at once, all with the same value.
+  KERF_FUNCTION void mark(Index i) const {
+#if defined(__CUDA_ARCH__)
+    test.solid.changed[i] = 1;
+#else
+    __atomic_store_n(&test.solid.changed[i], std::uint8_t(1), __ATOMIC_RELAXED);
+#endif
+  }
+};
+
+// Whose bonds go to other media or to mirror images. Once, at set-up.
+template <int D, class P>
+struct FindMixed {
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    bool mixed = false;
+    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
+      const BondEnd j = solid.bond_end(k);
+      mixed = mixed || j.mirror != 0 || solid.medium_index[j.particle] != solid.medium_index[i];
+    }
+    solid.mixed[i] = mixed;
   }
 };
 

@@ -46,24 +46,26 @@ struct Correct {
       solid.correction[i] = Matrix<D, Real>::zero();
       return;
     }
-    const Real volume = solid.medium(i).volume();
-    auto moment = Matrix<D, Real>::zero();
+    // In double: the sums of deform.hpp are rounded in another order, and must not find its
+    // roundings here.
+    const double volume = solid.medium(i).volume();
+    auto moment = Matrix<D, double>::zero();
     Index whole = 0;
     for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
       const Real weight = solid.weight[k];
       if (!(weight > Real(0))) continue;
-      const auto bond = solid.reference_bond(i, solid.bond_end(k));
-      add_outer(moment, (weight / volume) * bond, bond);
+      const auto bond = solid.template reference_bond<double>(i, solid.bond_end(k));
+      add_outer(moment, (double(weight) / volume) * bond, bond);
       ++whole;
     }
     solid.torn[i] = whole < solid.bond_begin[i + 1] - solid.bond_begin[i];
-    auto correction = identity<D, Real>();
-    if (whole < least_bonds<D> || !divide(correction, moment, Real(least_pivot))) {
+    auto correction = identity<D, double>();
+    if (whole < least_bonds<D> || !divide(correction, moment, least_pivot)) {
       solid.loose[i] = 1;
       solid.correction[i] = Matrix<D, Real>::zero();
       return;
     }
-    solid.correction[i] = (Real(1) / volume) * correction;
+    solid.correction[i] = Matrix<D, Real>::from((1.0 / volume) * correction);
   }
 };
 

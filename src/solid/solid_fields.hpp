@@ -21,6 +21,9 @@ namespace kerf {
   FIELD(std::uint8_t, loose)        /* 1: holds on to nothing, carries no stress */ \
   FIELD(std::uint8_t, torn)         /* 1: has lost bonds */                         \
   FIELD(std::uint8_t, changed)      /* 1: its correction is outdated */             \
+  FIELD(std::uint8_t, mixed)        /* 1: has bonds to other media, or to images */ \
+  FIELD(std::uint8_t, strained)     /* 1: one of its bonds may break */             \
+  FIELD(Real, stretch)              /* largest lambda^2 - 1 of its bonds */         \
   FIELD(Place, displacement)        /* u = x - X, m */                              \
   FIELD(Tensor, correction)         /* B_i / V_i, 1/m^D */                          \
   FIELD(Tensor, gradient)           /* H = F - 1 */                                 \

@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "solid/bond_force.hpp"
+#include "solid/bond_lanes.hpp"
 #include "solid/break_bonds.hpp"
 #include "solid/correct.hpp"
 #include "solid/deform.hpp"
@@ -45,9 +46,11 @@ class TotalLagrangian {
     fields_.make_room();
     fit_levels(layout, bonds);
     for_each_index(size(), SetWholeWeights<D, P>{view()});
+    for_each_index(size(), FindMixed<D, P>{view()});
     if (fields_.any_softens) for_each_index(size(), StartWhole<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartUnflown<D, P>{view()});
     if (fields_.any_flaws) for_each_index(size(), StartFlaws<D, P>{view()});
+    lanes_.set_up(layout.media, size());
     correct_all();
     count();  // makes room for sums
   }
@@ -58,7 +61,7 @@ class TotalLagrangian {
     require(position.size() == size(), "positions of every particle of the solid");
     dt_ = dt;
     for_each_index(size(), Displace<D, P>{view(), pointer(position)});
-    respond();
+    respond(lanes_.gather(view()));
   }
 
   // Ends a step: the next one starts from the plastic state of the deformation in force. The energy
@@ -99,9 +102,10 @@ class TotalLagrangian {
       for_each_index(size(), RateTraction<D, P>{view(), pointer(velocity)});
       accelerate_with(FlowViscosity<D, P>{{pointer(velocity)}, {pointer(velocity)}}, filter);
     } else if (is_viscous_) {
-      accelerate_with(BondViscosity<D, P>{pointer(velocity)}, filter);
+      accelerate_with(BondViscosity<D, P>{pointer(velocity)}, filter,
+                      push_all(filter, pointer(velocity)));
     } else {
-      accelerate_with(NoViscosity<D, P>{}, filter);
+      accelerate_with(NoViscosity<D, P>{}, filter, push_all(filter, nullptr));
     }
   }
 
@@ -157,7 +161,7 @@ class TotalLagrangian {
     const Terms<2> sum = sum_(size(), CountTerms<D, P>{view()});
     return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1])};
   }
-  std::size_t bytes() const { return fields_.bytes(); }
+  std::size_t bytes() const { return fields_.bytes() + lanes_.bytes(); }
   // Per particle: 1 where the factor of a pair may differ from 1; empty where all are 1.
   const std::vector<std::uint8_t>& fitted() const { return fitted_; }
 
@@ -217,18 +221,25 @@ class TotalLagrangian {
     fitted_ = fit.fitted;
   }
 
-  void respond() {
+  void respond(const BondGradient<D, Real>* gathered) {
     if (fields_.any_flows) {
       using Response = FlowingResponse<D, P>;
-      for_each_index(size(), Deform<D, P, Response>{view(), {static_cast<Real>(dt_)}});
+      for_each_index(size(), Deform<D, P, Response>{view(), {static_cast<Real>(dt_)}, gathered});
     } else {
-      for_each_index(size(), Deform<D, P, ElasticResponse<D, P>>{view(), {}});
+      for_each_index(size(), Deform<D, P, ElasticResponse<D, P>>{view(), {}, gathered});
     }
   }
 
   template <class Viscosity, class Filter>
-  void accelerate_with(const Viscosity& viscosity, const Filter& filter) {
-    for_each_index(size(), BondForce<D, P, Viscosity, Filter>{view(), viscosity, filter});
+  void accelerate_with(const Viscosity& viscosity, const Filter& filter,
+                       const BondPush<D, Real>* pushed = nullptr) {
+    for_each_index(size(), BondForce<D, P, Viscosity, Filter>{view(), viscosity, filter, pushed});
+  }
+  // By all bonds at once, where no bond is left out.
+  template <class Filter>
+  const BondPush<D, Real>* push_all(const Filter&, const Vector<D, Real>* velocity) {
+    if constexpr (!std::is_same_v<Filter, EveryBond>) return nullptr;
+    return lanes_.push(view(), velocity);
   }
 
   // Breaks bonds by `breaker`, deforms what is left anew and says what that made of the solid.
@@ -239,7 +250,7 @@ class TotalLagrangian {
     for_each_index(size(), breaker);
     do {
       settle();
-      respond();
+      respond(lanes_.gather_again(view()));
       if (can_break_) for_each_index(size(), Crush<D, P>{view()});
     } while (any_changed());
     const auto [bonds_left, loose_now] = count();
@@ -253,7 +264,7 @@ class TotalLagrangian {
   // Power of the bonds on particles that move like this, without viscosity, W.
   double elastic_power(const Velocities& velocity) {
     if (velocity.empty()) return 0.0;
-    accelerate_with(NoViscosity<D, P>{}, EveryBond{});
+    accelerate_with(NoViscosity<D, P>{}, EveryBond{}, push_all(EveryBond{}, nullptr));
     return power_sum_(size(), ElasticPowerTerm<D, P>{view(), pointer(velocity)}).value[0];
   }
 
@@ -277,6 +288,7 @@ class TotalLagrangian {
   }
 
   SolidFields<D, P> fields_;
+  BondLanes<D, P> lanes_;
   std::vector<std::uint8_t> fitted_;
   OrderedSum<2> sum_;
   OrderedSum<1> power_sum_;

@@ -66,6 +66,17 @@ TYPED_TEST(StandardRatesOracle, MixedBagWithGravity) {
   }
 }
 
+// All by the general terms, without the walks of src/lanes/.
+TYPED_TEST(StandardRatesOracle, MixedBagInOneWalk) {
+  constexpr int D = TypeParam::D;
+  auto state = wet_bag(D, 2);
+  state.gravity = {3000.0, -9810.0, D == 3 ? 700.0 : 0.0};
+  stiffen_volume(state);
+  const auto gaps =
+      TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state, false));
+  EXPECT_GT(gaps.pressing.scale, 0.0);
+}
+
 // Each term alone: in the sum of all, the strong ones would hide a fault of the weak ones. Water
 // that expands everywhere and has no pressure feels its viscosity only.
 TYPED_TEST(StandardRatesOracle, ViscosityAlone) {
@@ -110,7 +121,7 @@ TYPED_TEST(StandardRatesOracle, WithNormalsOfWalls) {
   using P = typename TypeParam::P;
   auto state = wet_bag(D, 9);
   for (auto& medium : state.media) medium.viscosity = 0.0;
-  LoadedStandard<D, P> loaded(state, {});
+  LoadedStandard<D, P> loaded(state, {.splits = true});
   evaluate_standard(state, loaded);
   evaluate_standard(state, loaded);
   const auto gaps = TestFixture::compare(state, loaded, ReferenceStandard::Normals::known);

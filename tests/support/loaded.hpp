@@ -18,6 +18,7 @@ namespace kerf::test {
 struct ListChoice {
   double minimum = 0.0, maximum = 0.014;  // m, of the domain along every axis
   double skin = 5e-4;                     // m
+  bool splits = false;                    // kin is listed first
 };
 
 template <int D, class P, class Scheme = JointPairs>
@@ -36,6 +37,7 @@ class Loaded {
     }
     for (const auto& medium : state.media) longest = std::max(longest, medium.smoothing_length);
     list = NeighbourList<D, P, Scheme>(minimum, maximum, 2.0 * longest, choice.skin);
+    if (choice.splits) list.put_kin_first();
     rebuild();
   }
 

@@ -84,13 +84,15 @@ void evaluate_standard(const ReferenceState& state, LoadedStandard<D, P>& loaded
   auto& particles = loaded.particles;
   thrust::fill(particles.solid_fit.begin(), particles.solid_fit.end(), 1);
   thrust::fill(particles.rigid_fit.begin(), particles.rigid_fit.end(), 1);
-  rates.accelerate(particles.view(), particles.size(), loaded.list.view(), BagBonds<D, P>{});
-  rates.continuity(particles.view(), particles.size(), loaded.list.view());
+  Array<Crowd<D, typename P::Real>> crowd(particles.size());
+  rates.evaluate(particles.view(), particles.size(), loaded.list.view(), BagBonds<D, P>{},
+                 pointer(crowd));
+  particles.wall_normal = particles.next_wall_normal;
 }
 
 template <int D, class P>
-LoadedStandard<D, P> evaluated_standard(const ReferenceState& state) {
-  LoadedStandard<D, P> loaded(state, {});
+LoadedStandard<D, P> evaluated_standard(const ReferenceState& state, bool splits = true) {
+  LoadedStandard<D, P> loaded(state, {.splits = splits});
   evaluate_standard(state, loaded);
   return loaded;
 }

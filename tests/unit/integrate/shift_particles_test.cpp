@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "integrate/verlet.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "rates/filling.hpp"
 #include "rates/pair_loop.hpp"
@@ -51,7 +52,7 @@ struct Shifted {
 
   explicit Shifted(const ReferenceState& state) : loaded(state, {0.0, 0.02, 5e-4}) {
     auto& particles = loaded.particles;
-    thrust::fill(particles.wall_normal.begin(), particles.wall_normal.end(),
+    thrust::fill(particles.next_wall_normal.begin(), particles.next_wall_normal.end(),
                  Vector<D, Real>::zero());
     crowd.resize(particles.size());
     look();
@@ -64,6 +65,7 @@ struct Shifted {
     for_each_index(loaded.particles.size(),
                    PairLoop<D, P, ContactPairs, Full>(view, loaded.list.view(), {}, Full{}));
     thrust::fill(loaded.particles.stir.begin(), loaded.particles.stir.end(), kept);
+    for_each_index(loaded.particles.size(), KeepSurroundings<D, P>{view});
     for_each_index(loaded.particles.size(), PairLoop<D, P, ContactPairs, Crowding<D, P>>(
                                                 view, loaded.list.view(), {}, {pointer(crowd)}));
   }

@@ -135,7 +135,8 @@ TYPED_TEST(DeltaSph, DiffusionSmooths) {
 
 // - 2 V_i V_j P_d nabla W against alpha rho c h V_i V_j (v_ij . r_ij / r^2) nabla W, and its power.
 TEST(CentralWater, IsMeansAndTheArtificialViscosity) {
-  const RiemannSide<double> left{1010.0, 3e3, 2.0, 50.0}, right{1010.0, 1e3, -1.0, 50.0};
+  const RiemannSide<double> left{1010.0 * 50.0, 3e3, 2.0, 50.0},
+      right{1010.0 * 50.0, 1e3, -1.0, 50.0};
   const double h = 1.3e-3, r = 1e-3;
   const auto star = CentralWater::solve(left, right, h / r);
   EXPECT_EQ(star.mean_pressure, 2e3);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The search for neighbours, several candidates at a time: particles in the order of their cells,
+// number by number, and the rows of cells that a particle looks into.
+#pragma once
+
+#include "lanes/packed_place.hpp"
+
+namespace kerf {
+
+// Rows of candidates of one particle.
+struct SearchRows {
+  static constexpr int most = 96;
+  static constexpr std::uint32_t most_candidates = 1024;
+  std::uint32_t begin[most], end[most];
+  int count = 0;
+  std::uint32_t candidates = 0;
+};
+
+template <int D>
+struct SearchTask {
+  const std::int32_t* place[D];  // of all particles; some entries more can be read
+  const std::uint32_t* kind;     // two of one kind see one another at one distance; 0: of no kind
+  std::int32_t own_place[D];
+  std::uint32_t own, own_kind;
+  float limit_squared, same_squared;  // how far others may be seen, and those of its own kind
+  const SearchRows* rows;
+  std::uint32_t* same;    // out: those of its own kind; null: they are counted only
+  std::uint32_t* others;  // out: whom to ask one by one, up to SearchRows::most_candidates and 16
+};
+
+struct Seen {
+  std::uint32_t same, others;  // how many
+};
+
+template <int D>
+using Search = Seen (*)(const SearchTask<D>&);
+
+}  // namespace kerf

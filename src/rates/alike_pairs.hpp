@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pairs of particles of one kind, which are most of all pairs, by way of lanes/: packs what
+// neighbours ask of a particle, and walks over the lists several neighbours at a time. The same
+// formulas as the general terms (fluid_force.hpp and others), which take the sums from here and
+// add what other neighbours do. On a GPU the general terms do it all.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "lanes/walks.hpp"
+#include "neighbours/neighbour_list.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+class AlikePairs {
+ public:
+  using Real = typename P::Real;
+#if defined(KERF_CUDA)
+  static constexpr bool exist = false;
+#else
+  static constexpr bool exist = true;
+#endif
+
+  AlikePairs() = default;
+  // `steepening`: of the kernel (rates/fluid_pair.hpp).
+  AlikePairs(const std::vector<Medium<double>>& media, double steepening)
+      : walk_(walks().template get<D, Real>().fluid) {
+    double finest = 1e300;
+    for (const auto& medium : media) {
+      laws_.push_back(law_of(medium, steepening));
+      finest = std::min(finest, medium.spacing);
+    }
+    unit_ = PlaceUnit<Real>::of_spacing(finest);
+  }
+
+  // The sums of particles; valid until the next call. Pressures must be at hand.
+  const FluidSums<D, Real>* walk(const ParticleView<D, P>& view, Index count,
+                                 const NeighbourView& list) {
+    if constexpr (!exist) return nullptr;
+    fluid_.resize(count);
+    sums_.resize(count);
+    for_each_index(count, Pack{view, unit_, fluid_.data()});
+    const FluidWalkTask<D, Real> task{
+        fluid_.data(), list.begin,   list.alike,   list.neighbour,
+        view.source,   laws_.data(), sums_.data(), static_cast<Real>(unit_.unit)};
+    for_each_index((count + block - 1) / block, WalkBlock{task, walk_, count});
+    return sums_.data();
+  }
+
+ private:
+  static constexpr Index block = 64;  // particles that one thread takes at a time
+
+  static FluidLaw<Real> law_of(const Medium<double>& medium, double steepening) {
+    const double h = medium.smoothing_length, alpha = WendlandC2<D>::scale(h);
+    FluidLaw<Real> law{};
+    law.mass = static_cast<Real>(medium.mass);
+    law.volume = static_cast<Real>(medium.volume);
+    law.sound_speed = static_cast<Real>(medium.sound_speed);
+    law.hugoniot_slope = static_cast<Real>(medium.hugoniot_slope);
+    law.viscosity = static_cast<Real>(medium.phase == Phase::water ? medium.viscosity : 0.0);
+    law.smoothing_length = static_cast<Real>(h);
+    law.per_smoothing_length = static_cast<Real>(1.0 / h);
+    law.kernel_scale = static_cast<Real>(alpha);
+    law.kernel_slope = static_cast<Real>(5.0 * alpha / (h * h));
+    law.steepening = static_cast<Real>(steepening);
+    law.has_shocks = medium.equation_of_state == EquationOfState::shock_hugoniot ? 1 : 0;
+    return law;
+  }
+
+  struct Pack {
+    ParticleView<D, P> particles;
+    PlaceUnit<Real> unit;
+    PackedFluid<D, Real>* fluid;
+
+    KERF_FUNCTION void operator()(Index i) const {
+      PackedFluid<D, Real> packed{};
+      if (!particles.has_density(i)) {
+        fluid[i] = packed;  // no volume: no walk
+        return;
+      }
+      for (int a = 0; a < D; ++a) {
+        packed.place[a] = unit.pack(particles.position[i][a]);
+        packed.velocity[a] = particles.velocity[i][a];
+      }
+      packed.pressure = particles.pressure[i];
+      const Real volume = particles.medium(i).mass / particles.density(i);
+      packed.volume = particles.has(i, flag::surface) ? -volume : volume;
+      fluid[i] = packed;
+    }
+  };
+
+  struct WalkBlock {
+    FluidWalkTask<D, Real> task;
+    FluidWalk<D, Real> walk;
+    Index count;
+
+    KERF_FUNCTION void operator()(Index number) const {
+      const Index first = number * block;
+      walk(task, first, first + block < count ? first + block : count);
+    }
+  };
+
+  FluidWalk<D, Real> walk_ = nullptr;
+  PlaceUnit<Real> unit_{};
+  // Not Array: records lie on their own alignment.
+  std::vector<PackedFluid<D, Real>> fluid_;
+  std::vector<FluidSums<D, Real>> sums_;
+  std::vector<FluidLaw<Real>> laws_;
+};
+
+}  // namespace kerf
