@@ -69,6 +69,7 @@ class AlikePairs {
     return law;
   }
 
+ public:  // nvcc has no loop bodies that are private
   struct Pack {
     ParticleView<D, P> particles;
     PlaceUnit<Real> unit;
@@ -102,6 +103,7 @@ class AlikePairs {
     }
   };
 
+ private:
   FluidWalk<D, Real> walk_ = nullptr;
   PlaceUnit<Real> unit_{};
   // Not Array: records lie on their own alignment.

@@ -71,6 +71,7 @@ class BondLanes {
             static_cast<Real>(medium.artificial_quadratic)};
   }
 
+ public:  // nvcc has no loop bodies that are private
   struct PackPlaces {
     SolidView<D, P> solid;
     PlaceUnit<Real> unit;
@@ -112,6 +113,7 @@ class BondLanes {
     }
   };
 
+ private:
   void run(const SolidView<D, P>& solid, BondWalk<D, Real> walk, const BondLaw<Real>* laws) {
     BondWalkTask<D, Real> task;
     task.ends = ends_.data();
