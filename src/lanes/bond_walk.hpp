@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/select.hpp"
+#include "lanes/blocks_of.hpp"
 #include "lanes/packed_bonds.hpp"
 #include "lanes/transposed_load.hpp"
 #include "lanes/transposed_sum.hpp"
@@ -115,19 +116,16 @@ class BondsOfOne {
 
   template <class Body>
   [[gnu::always_inline]] static void each(const Task& task, Index i, const Body& body) {
-    Index k = task.begin[i];
-    const Index end = task.begin[i + 1];
-    for (; k + width <= end; k += width)
-      body(task.neighbour + k, T(task.weight + k, simd::element_aligned));
-    if (k == end) return;
-    alignas(64) Index last[width];  // filled up with the particle itself, without weight
-    alignas(64) Real weight[width];
-    for (int lane = 0; lane < width; ++lane) {
-      const bool there = k + Index(lane) < end;
-      last[lane] = there ? task.neighbour[k + Index(lane)] : i;
-      weight[lane] = there ? task.weight[k + Index(lane)] : Real(0);
-    }
-    body(last, T(weight, simd::vector_aligned));
+    const auto take = [&](const Index* neighbours, Index k, int count) {
+      if (count == width) {
+        body(neighbours, T(task.weight + k, simd::element_aligned));
+        return;
+      }
+      alignas(64) Real weight[width] = {};  // the particle itself has none
+      for (int lane = 0; lane < count; ++lane) weight[lane] = task.weight[k + Index(lane)];
+      body(neighbours, T(weight, simd::vector_aligned));
+    };
+    for_each_block<width>({task.neighbour, task.begin[i], task.begin[i + 1]}, i, take);
   }
 };
 

@@ -9,13 +9,13 @@
 
 #include "core/select.hpp"
 #include "kernels/wendland_c2.hpp"
+#include "lanes/blocks_of.hpp"
 #include "lanes/packed_fluid.hpp"
 #include "lanes/transposed_load.hpp"
 #include "lanes/transposed_sum.hpp"
 #include "materials/shock_hugoniot.hpp"
 #include "rates/riemann.hpp"
 
-// One namespace for each instruction set: the linker must never take the code of one for another.
 namespace kerf::lanes::KERF_LANES {
 
 template <int D, class Real, bool shocks>
@@ -32,15 +32,12 @@ class WalkOfOne {
     const Fixed fixed(task.fluid[i], law, task.unit);
     const T sound(law.sound_speed);  // what hangs on it alone is worked out once
     Sums sums;
-    Index k = task.begin[i];
-    const Index end = k + task.alike[i];
-    for (; k + width <= end; k += width) add(task.fluid, task.neighbour + k, sound, &fixed, sums);
-    if (k < end) {
-      alignas(64) Index last[width];  // filled up with the particle itself, which adds nothing
-      for (int lane = 0; lane < width; ++lane)
-        last[lane] = k + Index(lane) < end ? task.neighbour[k + Index(lane)] : i;
-      add(task.fluid, last, sound, &fixed, sums);
-    }
+    const Index begin = task.begin[i];
+    // The particle itself adds nothing.
+    for_each_block<width>({task.neighbour, begin, begin + task.alike[i]}, i,
+                          [&](const Index* neighbours, Index, int) {
+                            add(task.fluid, neighbours, sound, &fixed, sums);
+                          });
     finish(task, law, std::abs(task.fluid[i].volume), sums, task.sums[i]);
   }
 

@@ -40,7 +40,7 @@ struct SearchView {
   Search<D> search = nullptr;
   std::int32_t* place[D] = {};
   std::uint32_t* kind = nullptr;
-  double unit = 1.0;  // m, of places
+  PlaceUnit<float> unit;
 };
 template <int D, class P, class Scheme>
 struct PackForSearch {
@@ -48,8 +48,8 @@ struct PackForSearch {
   SearchView<D> packed;
 
   KERF_FUNCTION void operator()(Index i) const {
-    const PlaceUnit<float> unit{packed.unit};
-    for (int a = 0; a < D; ++a) packed.place[a][i] = unit.pack(particles.build_position[i][a]);
+    for (int a = 0; a < D; ++a)
+      packed.place[a][i] = packed.unit.pack(particles.build_position[i][a]);
     packed.kind[i] = Scheme::kind(particles, i);
   }
 };
@@ -73,7 +73,8 @@ struct FindNeighbours {
     Found found{};
     if (neighbour != nullptr) found = {0, alike[i], alike[i] + own[i]};
     if (Scheme::reach(particles, i, i) > 0.0) {  // else it sees nothing
-      for (int level = 0; level < grids.levels; ++level) found = walk({i, 0, x, 0.0}, level, found);
+      for (int level = 0; level < grids.levels; ++level)
+        found = walk({i, 0, x, limit_of(i, level)}, level, found);
       if (particles.mirrors.faces != 0) found = walk_images(i, found);
     }
     if (neighbour != nullptr) return;
@@ -88,11 +89,11 @@ struct FindNeighbours {
     Index alike, own, others;
   };
   // Particle i seen from where it is, or from its image x.
-  struct Seen {
+  struct Viewer {
     Index i;
     MirrorCode code;
     Vector<D, double> x;
-    double limit = 0.0;  // m, how far anything of a level can be seen
+    double limit;  // m, how far anything of a level can be seen
   };
 
   // An image of j is as far from i as j from that image of i.
@@ -102,9 +103,11 @@ struct FindNeighbours {
     for (int image = 1; image < MirrorPlanes<D>::images; ++image) {
       MirrorCode code;
       if (!mirrors.find_image(image, code)) continue;
-      for (int level = 0; level < grids.levels; ++level)
-        if (mirrors.is_near(code, x, limit_of(i, level)))
-          found = walk({i, code, mirrors.image_place(code, x), 0.0}, level, found);
+      for (int level = 0; level < grids.levels; ++level) {
+        const double limit = limit_of(i, level);
+        if (mirrors.is_near(code, x, limit))
+          found = walk({i, code, mirrors.image_place(code, x), limit}, level, found);
+      }
     }
     return found;
   }
@@ -113,15 +116,13 @@ struct FindNeighbours {
   }
 
   // The cells of a level that can be seen into.
-  KERF_FUNCTION Found walk(Seen from, int level, Found found) const {
+  KERF_FUNCTION Found walk(const Viewer& from, int level, Found found) const {
     const auto& grid = grids.grid[level];
     const Index* const begin_of = cell_begin + grids.first[level];
-    const double limit = limit_of(from.i, level);
-    from.limit = limit;
     int low[D], high[D], row[D];
     for (int a = 0; a < D; ++a) {
-      low[a] = grid.coordinate(from.x[a] - limit, a);
-      high[a] = grid.coordinate(from.x[a] + limit, a);
+      low[a] = grid.coordinate(from.x[a] - from.limit, a);
+      high[a] = grid.coordinate(from.x[a] + from.limit, a);
       row[a] = low[a];
     }
     const bool at_once = packed.search != nullptr && from.code == 0;
@@ -149,7 +150,7 @@ struct FindNeighbours {
   struct Places {
     Index begin, end;
   };
-  KERF_FUNCTION Found add_row(const Seen& from, Places row, SearchRows& rows, Found found) const {
+  KERF_FUNCTION Found add_row(const Viewer& from, Places row, SearchRows& rows, Found found) const {
     while (row.begin < row.end) {
       const Index room = SearchRows::most_candidates - rows.candidates;
       const Index taken = row.end - row.begin < room ? row.end - row.begin : room;
@@ -166,7 +167,7 @@ struct FindNeighbours {
   }
 
   // Those of its own kind come out of the search as they are; others are asked one by one.
-  KERF_FUNCTION Found search(const Seen& from, const SearchRows& rows, Found found) const {
+  KERF_FUNCTION Found search(const Viewer& from, const SearchRows& rows, Found found) const {
     if (rows.count == 0) return found;
     const Index i = from.i;
     Index others[SearchRows::most_candidates + 16];
@@ -179,9 +180,9 @@ struct FindNeighbours {
     task.own = i;
     // Those of no kind are all others to one another.
     task.own_kind = packed.kind[i] != 0 ? packed.kind[i] : ~std::uint32_t(0);
-    const double limit = from.limit / packed.unit;
+    const double limit = from.limit / packed.unit.unit;
     const double reach = Scheme::reach(particles, i, i);
-    const double same = (reach + skin) / packed.unit;
+    const double same = (reach + skin) / packed.unit.unit;
     task.limit_squared = static_cast<float>(limit * limit);
     task.same_squared = static_cast<float>(same * same);
     task.rows = &rows;
@@ -198,7 +199,7 @@ struct FindNeighbours {
   }
 
   // Places `begin_at` to `end`, in the order of cells.
-  KERF_FUNCTION Found scan(const Seen& from, Index begin_at, Index end, Found found) const {
+  KERF_FUNCTION Found scan(const Viewer& from, Index begin_at, Index end, Found found) const {
     const Index i = from.i;
     for (Index j = begin_at; j < end; ++j) {
       const auto r = from.x - particles.build_position[j];

@@ -115,9 +115,10 @@ class NeighbourList {
   SearchView<D> pack_for_search(Particles<D, P>& particles) {
     SearchView<D> packed;
 #if !defined(KERF_CUDA)
+    constexpr double widest = 8.0;  // finest limits that a cell and its view may span
     const double finest = grids_.limit[0][0];
     for (int level = 0; level < grids_.levels; ++level)
-      if (grids_.grid[level].cell + grids_.limit[level][level] > 8.0 * finest) return packed;
+      if (grids_.grid[level].cell + grids_.limit[level][level] > widest * finest) return packed;
     constexpr std::size_t beyond = 64;  // what a load may touch past the end
     const std::size_t room = particles.size() + beyond;
     for (int a = 0; a < D; ++a) {
@@ -126,7 +127,7 @@ class NeighbourList {
     }
     packed_kind_.resize(room);
     packed.kind = packed_kind_.data();
-    packed.unit = PlaceUnit<float>::of_spacing(finest / 8.0).unit;
+    packed.unit = PlaceUnit<float>::of_spacing(finest / widest);
     packed.search = search_of<D>(walks());
     for_each_index(particles.size(), PackForSearch<D, P, Scheme>{particles.view(), packed});
 #endif

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "lanes/walk_in_blocks.hpp"
 #include "lanes/walks.hpp"
 #include "neighbours/neighbour_list.hpp"
 
@@ -17,11 +18,6 @@ template <int D, class P>
 class AlikePairs {
  public:
   using Real = typename P::Real;
-#if defined(KERF_CUDA)
-  static constexpr bool exist = false;
-#else
-  static constexpr bool exist = true;
-#endif
 
   AlikePairs() = default;
   // `steepening`: of the kernel (rates/fluid_pair.hpp).
@@ -38,20 +34,18 @@ class AlikePairs {
   // The sums of particles; valid until the next call. Pressures must be at hand.
   const FluidSums<D, Real>* walk(const ParticleView<D, P>& view, Index count,
                                  const NeighbourView& list) {
-    if constexpr (!exist) return nullptr;
+    if constexpr (!lanes_exist) return nullptr;
     fluid_.resize(count);
     sums_.resize(count);
     for_each_index(count, Pack{view, unit_, fluid_.data()});
     const FluidWalkTask<D, Real> task{
         fluid_.data(), list.begin,   list.alike,   list.neighbour,
         view.source,   laws_.data(), sums_.data(), static_cast<Real>(unit_.unit)};
-    for_each_index((count + block - 1) / block, WalkBlock{task, walk_, count});
+    walk_in_blocks(task, walk_, count);
     return sums_.data();
   }
 
  private:
-  static constexpr Index block = 64;  // particles that one thread takes at a time
-
   static FluidLaw<Real> law_of(const Medium<double>& medium, double steepening) {
     const double h = medium.smoothing_length, alpha = WendlandC2<D>::scale(h);
     FluidLaw<Real> law{};
@@ -89,17 +83,6 @@ class AlikePairs {
       const Real volume = particles.medium(i).mass / particles.density(i);
       packed.volume = particles.has(i, flag::surface) ? -volume : volume;
       fluid[i] = packed;
-    }
-  };
-
-  struct WalkBlock {
-    FluidWalkTask<D, Real> task;
-    FluidWalk<D, Real> walk;
-    Index count;
-
-    KERF_FUNCTION void operator()(Index number) const {
-      const Index first = number * block;
-      walk(task, first, first + block < count ? first + block : count);
     }
   };
 

@@ -71,7 +71,7 @@ class StandardRates {
 
   // Whether the list should have kin first.
   bool takes_alike_apart() const {
-    return AlikePairs<D, P>::exist && fluid_pair_.scheme == WaterScheme::riemann;
+    return lanes_exist && fluid_pair_.scheme == WaterScheme::riemann;
   }
 
   // For bodies whose spacing jumps.

@@ -6,7 +6,8 @@
 // the derivative through F_i drops out (Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42)
 // and what stays is - sum_j w_ij [mu_i (F_i R - x_ij) + mu_j (F_j R - x_ij)]. Together
 //   m_i a_i = sum_j w_ij [(A_i + A_j) R + (mu_i + mu_j) (u_j - u_i)],   A of deform.hpp,
-// equal and opposite on j to the last bit.
+// equal and opposite on j: to the last bit, but for a bond from a particle that bond_lanes.hpp sums
+// to one that the general walk sums, where it is to rounding.
 #pragma once
 
 #include "lanes/packed_bonds.hpp"

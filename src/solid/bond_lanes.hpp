@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "lanes/walk_in_blocks.hpp"
 #include "lanes/walks.hpp"
 #include "solid/solid_fields.hpp"
 
@@ -17,14 +18,9 @@ template <int D, class P>
 class BondLanes {
  public:
   using Real = typename P::Real;
-#if defined(KERF_CUDA)
-  static constexpr bool exist = false;
-#else
-  static constexpr bool exist = true;
-#endif
 
-  void set_up(const std::vector<SolidMedium<double>>& media, Index count) {
-    if (!exist) return;
+  void set_up(const std::vector<SolidMedium<double>>& media, const SolidView<D, P>& solid) {
+    if constexpr (!lanes_exist) return;
     walks_ = walks().template get<D, Real>();
     double longest = 0.0;  // m, of bonds
     for (const auto& medium : media) {
@@ -32,26 +28,27 @@ class BondLanes {
       longest = std::max(longest, 2.0 * medium.smoothing_length);
     }
     unit_ = PlaceUnit<Real>::of_spacing(longest / 16.0);  // differences up to eight bonds
-    ends_.resize(count);
-    gradients_.resize(count);
-    pushes_.resize(count);
+    ends_.resize(solid.count);
+    gradients_.resize(solid.count);
+    pushes_.resize(solid.count);
+    for_each_index(solid.count, PackReferences{solid, unit_, ends_.data()});
   }
 
   // At the displacements in force; null where others are to do it all.
   const BondGradient<D, Real>* gather(const SolidView<D, P>& solid) {
-    if constexpr (!exist) return nullptr;
-    for_each_index(solid.count, PackPlaces{solid, unit_, ends_.data()});
+    if constexpr (!lanes_exist) return nullptr;
+    for_each_index(solid.count, PackDisplacements{solid, ends_.data()});
     return gather_again(solid);
   }
   // With other weights, at the same places.
   const BondGradient<D, Real>* gather_again(const SolidView<D, P>& solid) {
-    if constexpr (!exist) return nullptr;
+    if constexpr (!lanes_exist) return nullptr;
     run(solid, walks_.gather_bonds, nullptr);
     return gradients_.data();
   }
   // Forces of the deformation in force. Without velocities there is no viscosity.
   const BondPush<D, Real>* push(const SolidView<D, P>& solid, const Vector<D, Real>* velocity) {
-    if constexpr (!exist) return nullptr;
+    if constexpr (!lanes_exist) return nullptr;
     for_each_index(solid.count, PackStresses{solid, velocity, ends_.data()});
     run(solid, walks_.push_bonds, velocity != nullptr ? laws_.data() : nullptr);
     return pushes_.data();
@@ -63,8 +60,6 @@ class BondLanes {
   }
 
  private:
-  static constexpr Index block = 64;  // particles that one thread takes at a time
-
   static BondLaw<Real> law_of(const SolidMedium<double>& medium) {
     return {static_cast<Real>(medium.density), static_cast<Real>(medium.smoothing_length),
             static_cast<Real>(medium.artificial_linear * medium.longitudinal_speed()),
@@ -72,15 +67,22 @@ class BondLanes {
   }
 
  public:  // nvcc has no loop bodies that are private
-  struct PackPlaces {
+  struct PackReferences {
     SolidView<D, P> solid;
     PlaceUnit<Real> unit;
     PackedBondEnd<D, Real>* ends;
 
     KERF_FUNCTION void operator()(Index i) const {
+      for (int a = 0; a < D; ++a) ends[i].reference[a] = unit.pack(solid.reference[i][a]);
+    }
+  };
+  struct PackDisplacements {
+    SolidView<D, P> solid;
+    PackedBondEnd<D, Real>* ends;
+
+    KERF_FUNCTION void operator()(Index i) const {
       for (int a = 0; a < D; ++a) {
         const double u = solid.displacement[i][a];
-        ends[i].reference[a] = unit.pack(solid.reference[i][a]);
         Real rounded = static_cast<Real>(u);
 #if defined(__GNUC__) && !defined(__CUDA_ARCH__)
         asm("" : "+m"(rounded));  // g++ 12 with -O3 takes the remainder for zero otherwise
@@ -102,16 +104,6 @@ class BondLanes {
       for (int a = 0; a < D; ++a) ends[i].velocity[a] = velocity[i][a];
     }
   };
-  struct WalkBlock {
-    BondWalkTask<D, Real> task;
-    BondWalk<D, Real> walk;
-    Index count;
-
-    KERF_FUNCTION void operator()(Index number) const {
-      const Index first = number * block;
-      walk(task, first, first + block < count ? first + block : count);
-    }
-  };
 
  private:
   void run(const SolidView<D, P>& solid, BondWalk<D, Real> walk, const BondLaw<Real>* laws) {
@@ -127,7 +119,7 @@ class BondLanes {
     task.gradient = gradients_.data();
     task.push = pushes_.data();
     task.unit = static_cast<Real>(unit_.unit);
-    for_each_index((solid.count + block - 1) / block, WalkBlock{task, walk, solid.count});
+    walk_in_blocks(task, walk, solid.count);
   }
 
   WalksOf<D, Real> walks_{};

@@ -50,7 +50,7 @@ class TotalLagrangian {
     if (fields_.any_softens) for_each_index(size(), StartWhole<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartUnflown<D, P>{view()});
     if (fields_.any_flaws) for_each_index(size(), StartFlaws<D, P>{view()});
-    lanes_.set_up(layout.media, size());
+    lanes_.set_up(layout.media, view());
     correct_all();
     count();  // makes room for sums
   }

@@ -94,7 +94,7 @@ TEST(Graded, NeighboursOfEveryLevelAreFound) {
   for (std::size_t i = 0; i < frame.id.size(); ++i) {
     ++levels[static_cast<std::size_t>(std::lround(std::log2(double(frame.spacing[i]) / 1e-3)))];
     for (std::size_t j = 0; j < frame.id.size(); ++j) {
-      const double reach = 1.3 * (double(frame.spacing[i]) + double(frame.spacing[j])) + 0.5e-3;
+      const double reach = 1.3 * (double(frame.spacing[i]) + double(frame.spacing[j])) + 0.35e-3;
       const auto &x = frame.position[i], &y = frame.position[j];
       pairs += i != j && std::hypot(x[0] - y[0], x[1] - y[1]) < reach ? 1.0 : 0.0;
     }
