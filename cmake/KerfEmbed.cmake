@@ -23,7 +23,8 @@ endfunction()
 
 file(GLOB kerf_material_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/materials/*.toml)
 kerf_embed(kerf_case material_files ${kerf_material_files})
-file(GLOB kerf_case_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cases/*.toml)
+file(GLOB kerf_case_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cases/*.toml
+  ${CMAKE_SOURCE_DIR}/cases/machine/*.toml)
 kerf_embed(kerf_app case_templates ${kerf_case_files})
 file(GLOB kerf_validation_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/validation/*/*.toml)
 kerf_embed(kerf_app validation_texts WITH_FOLDER ${kerf_validation_files})

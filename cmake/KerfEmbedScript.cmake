@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Run by kerf_embed at build time: writes OUTPUT, a C++ file that holds FILES as texts.
+set(texts "")
 set(entries "")
+set(number 0)
 foreach(file IN LISTS FILES)
   get_filename_component(name ${file} NAME_WE)
   if(WITH_FOLDER)
@@ -9,12 +11,15 @@ foreach(file IN LISTS FILES)
     set(name ${folder}/${name})
   endif()
   file(READ ${file} text)
-  # Compilers take texts of up to 64 KiB; one line of a case is far shorter.
   string(LENGTH "${text}" length)
-  if(length GREATER 60000 OR text MATCHES "\\)embedded\"")
+  if(length GREATER 8000000 OR text MATCHES "\\)embedded\"")
     message(FATAL_ERROR "${file} cannot be embedded")
   endif()
-  string(APPEND entries "    {\"${name}\", R\"embedded(${text})embedded\"},\n")
+  # With its length, which compilers do not like to count.
+  string(APPEND texts "constexpr char text_${number}[] = R\"embedded(${text})embedded\";\n")
+  string(APPEND entries
+    "    {\"${name}\", {text_${number}, sizeof(text_${number}) - 1}},\n")
+  math(EXPR number "${number} + 1")
 endforeach()
 file(WRITE ${OUTPUT} "// Made by cmake/KerfEmbedScript.cmake.
 #include <span>
@@ -24,6 +29,7 @@ file(WRITE ${OUTPUT} "// Made by cmake/KerfEmbedScript.cmake.
 namespace kerf {
 
 namespace {
+${texts}
 constexpr EmbeddedText texts[] = {
 ${entries}};
 }  // namespace

@@ -8,10 +8,11 @@ target_include_directories(kerf_output SYSTEM PRIVATE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(kerf_output PUBLIC kerf_engine kerf_measure nlohmann_json::nlohmann_json
   PRIVATE ${HDF5_LIBRARIES} Boost::headers)
 target_link_libraries(kerf_report PUBLIC kerf_output PkgConfig::cairo
-  PRIVATE PkgConfig::plplot Boost::headers)
+  PRIVATE PkgConfig::plplot Boost::headers Boost::filesystem ZLIB::ZLIB nlohmann_json::nlohmann_json)
 target_link_libraries(kerf_verify PUBLIC kerf_engine kerf_measure tomlplusplus::tomlplusplus
   PRIVATE nlohmann_json::nlohmann_json)
-target_link_libraries(kerf_app PUBLIC kerf_engine kerf_measure kerf_report kerf_verify CLI11::CLI11 spdlog::spdlog)
+target_link_libraries(kerf_app PUBLIC kerf_engine kerf_measure kerf_report kerf_verify CLI11::CLI11 spdlog::spdlog
+  PRIVATE httplib)
 if(KERF_CUDA)
   file(GLOB kerf_device_sources ${CMAKE_SOURCE_DIR}/src/simulation/instantiate_*.cpp)
   set_source_files_properties(${kerf_device_sources} PROPERTIES LANGUAGE CUDA)

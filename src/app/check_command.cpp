@@ -14,6 +14,7 @@
 #include "app/commands.hpp"
 #include "case/read.hpp"
 #include "case/schema.hpp"
+#include "machine/machine_jet.hpp"
 #include "measure/derived.hpp"
 #include "simulation/simulation.hpp"
 
@@ -59,6 +60,28 @@ void print_speeds(const DerivedNumbers& numbers) {
   row("Rayleigh waves, c_R", fmt::format("{:.4g} m/s", numbers.rayleigh_speed));
   row("V / c_R", fmt::format("{:.4g}", numbers.speed_over_rayleigh));
   row("V / c_p", fmt::format("{:.4g}", numbers.speed_over_longitudinal));
+}
+
+void print_machine(const Case& description) {
+  if (!description.machine) return;
+  const Machine& machine = *description.machine;
+  const Jet& jet = description.jets.back();
+  const auto& water = description.materials[static_cast<std::size_t>(machine.material)];
+  const MachineNumbers numbers = machine_numbers(machine, water, description.dimension);
+  const char* per_depth = description.dimension == 2 ? "/m" : "";
+  fmt::print("\nMachine\n");
+  row("pressure at the orifice", readable(machine.pressure, "Pa"));
+  row("speed of the jet", fmt::format("{:.4g} m/s", numbers.speed));
+  row("contraction, jet over orifice", fmt::format("{:.4g}", numbers.contraction));
+  row("width of the jet behind the orifice", readable(numbers.diameter, "m"));
+  row("flow rate", readable(6e4 * numbers.flow_rate, std::string("L/min") + per_depth));
+  row("power of the jet", readable(numbers.power, std::string("W") + per_depth));
+  row("hammer pressure, real water", readable(numbers.hammer_pressure, "Pa"));
+  row("width at the workpiece, a model", readable(numbers.diameter_at_workpiece, "m"));
+  row("share of water there, a model", fmt::format("{:.4g}", numbers.water_share_at_workpiece));
+  if (jet.pulse_frequency > 0.0)
+    row("pulses",
+        fmt::format("{}, water for {:.3g} of each", readable(jet.pulse_frequency, "Hz"), jet.duty));
 }
 
 void print_loads(const DerivedNumbers& numbers) {
@@ -129,6 +152,7 @@ void check(const CheckOptions& options) {
   fmt::print("{}: the case is good.\n", options.file);
   fmt::print("{} ({}D; bodies: {}, jets: {})\n", description.title, description.dimension,
              description.bodies.size(), description.jets.size());
+  print_machine(description);
   print_speeds(numbers);
   print_loads(numbers);
   print_cost(description, numbers);

@@ -11,6 +11,7 @@ void add_new_command(CLI::App& program);
 void add_check_command(CLI::App& program);
 void add_run_command(CLI::App& program);
 void add_report_command(CLI::App& program);
+void add_view_command(CLI::App& program);
 void add_materials_command(CLI::App& program);
 void add_bench_command(CLI::App& program);
 void add_verify_command(CLI::App& program);

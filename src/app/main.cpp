@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   kerf::add_check_command(program);
   kerf::add_run_command(program);
   kerf::add_report_command(program);
+  kerf::add_view_command(program);
   kerf::add_materials_command(program);
   kerf::add_bench_command(program);
   kerf::add_verify_command(program);

@@ -19,6 +19,7 @@
 #include "app/signals.hpp"
 #include "case/case.hpp"
 #include "measure/cut.hpp"
+#include "output/result.hpp"
 #include "output/series.hpp"
 #include "output/vtkhdf.hpp"
 #include "report/pictures.hpp"
@@ -65,7 +66,8 @@ class RunLoop {
   void finish();
   RunEnd stop(int signal);
   void save_checkpoint(bool finished);
-  void write_result() const;
+  void measure(RunOutcome& outcome);
+  void write_result();
 
   const Frame& frame();
   RunRecord record(bool finished) const;

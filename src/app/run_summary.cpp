@@ -61,12 +61,22 @@ ProgressNumbers RunLoop::numbers() const {
   return numbers;
 }
 
-void RunLoop::write_result() const {
+// What the last frame says of the kerf.
+void RunLoop::measure(RunOutcome& outcome) {
+  if (settings_.description.jets.empty()) return;
+  KerfConditions conditions = kerf_conditions(settings_.description, outcome.cut);
+  outcome.kerf = measure_kerf(cut_->workpiece(), frame(), conditions);
+  conditions.places = KerfPlaces::present;
+  outcome.opening = measure_kerf(cut_->workpiece(), frame(), conditions);
+}
+
+void RunLoop::write_result() {
   RunOutcome outcome;
   outcome.description = settings_.description;
   outcome.case_name = settings_.case_name;
   outcome.derived = derive(settings_.description);
   outcome.cut = cut_->summary();
+  measure(outcome);
   outcome.still_cutting = still_cutting(cut_->history());
   outcome.ledger = simulation_->ledger();
   outcome.time = simulation_->time();

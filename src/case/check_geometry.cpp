@@ -10,6 +10,7 @@
 #include "case/draft.hpp"
 #include "case/units.hpp"
 #include "particles/fill.hpp"
+#include "particles/nozzle.hpp"
 #include "particles/shapes.hpp"
 
 namespace kerf {
@@ -116,16 +117,10 @@ void check_overlap(Draft& draft, std::size_t i, std::size_t j) {
        "Move one of them or cut it away with a shape of the type \"difference\""});
 }
 
-// Particles the jet lets in until the end of the run, and columns across it.
-double jet_particles(const Jet& jet, const Case& description) {
-  const double area =
-      description.dimension == 2 ? jet.width : std::numbers::pi * jet.width * jet.width / 4.0;
-  const double open = std::max(0.0, std::min(jet.stop, description.time.end) - jet.start);
-  return jet.speed * area * open / std::pow(jet.spacing, description.dimension);
-}
-
 double jet_columns(const Jet& jet, int dimension) {
-  return std::pow(jet.width / jet.spacing + 1.0, dimension - 1);
+  const double across = jet.width / jet.spacing + 1.0;
+  if (dimension == 2) return across;
+  return across * (jet.length > 0.0 ? jet.length / jet.spacing + 1.0 : across);
 }
 
 }  // namespace
@@ -145,8 +140,9 @@ void check_counts(Draft& draft) {
   for (std::size_t i = 0; i < result.bodies.size(); ++i)
     count(indexed("body", i), lattice_nodes(result.bodies[i], result.dimension));
   for (std::size_t i = 0; i < result.jets.size(); ++i)
-    count(indexed("jet", i), jet_particles(result.jets[i], result) +
-                                 10.0 * jet_columns(result.jets[i], result.dimension));
+    count(draft.jets[i].path,
+          entering_particles(result.jets[i], result.dimension, result.time.end) +
+              10.0 * jet_columns(result.jets[i], result.dimension));
 }
 
 void check_bodies(Draft& draft) {

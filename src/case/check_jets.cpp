@@ -81,22 +81,33 @@ void check_start(Draft& draft, const std::string& path, const std::vector<InletP
   }
 }
 
+// A nozzle must not leave the domain on its way.
+void check_traverse(Draft& draft, const std::string& path, const Nozzle& nozzle) {
+  const Case& result = draft.result;
+  if (inside(result.domain, nozzle.exit(result.time.end), result.dimension)) return;
+  draft.reading.problems.add({path + (path == "machine" ? ".traverse_speed" : ".traverse"),
+                              "the nozzle leaves the domain before the end of the run",
+                              "a nozzle that is in the domain until the end",
+                              "Enlarge the [domain], or let the run end earlier"});
+}
+
 }  // namespace
 
 void check_jets(Draft& draft) {
   const Case& result = draft.result;
   for (std::size_t i = 0; i < result.jets.size(); ++i) {
     const Jet& jet = result.jets[i];
+    const std::string& path = draft.jets[i].path;
     const auto& water = result.materials[static_cast<std::size_t>(jet.material)];
     Nozzle nozzle(jet, water.density, result.dimension);
     nozzle.cut_at(result.symmetry, result.domain);
     const std::vector<InletParticle> standing = nozzle.standing_water();
     const std::size_t before = draft.reading.problems.count();
-    check_start(draft, indexed("jet", i), standing);
+    check_start(draft, path, standing);
+    check_traverse(draft, path, nozzle);
     if (draft.reading.problems.count() > before || result.bodies.empty()) continue;
     if (anything_moves(result) || hits_a_body(result, nozzle, standing)) continue;
-    draft.reading.problems.add({indexed("jet", i) + ".position",
-                                "the jet points away from every body",
+    draft.reading.problems.add({path + ".position", "the jet points away from every body",
                                 "a position and an angle whose line meets a body",
                                 "Aim the jet at the workpiece: angle 0 is straight down"});
   }

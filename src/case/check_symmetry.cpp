@@ -125,13 +125,14 @@ void check_jet(Draft& draft, const Plane& plane, std::size_t number) {
   }
   if (!on_plane && !(beyond && inside)) return;
   const bool centred = std::abs(plane.depth(nozzle.exit())) < 1e-6 * jet.spacing &&
-                       std::abs(nozzle.direction()[plane.axis]) < 1e-9;
-  const std::string path = indexed("jet", number);
+                       std::abs(nozzle.direction()[plane.axis]) < 1e-9 &&
+                       jet.traverse[plane.axis] == 0.0;
+  const std::string& path = draft.jets[number].path;
   if (!centred)
     draft.reading.problems.add(
         {path + ".position",
          fmt::format("the symmetry plane \"{}\" cuts the jet beside its axis", plane.name),
-         "jets whose axis lies in the plane, or that are clear of it",
+         "jets whose axis lies in the plane and stays there, or that are clear of it",
          "Move the jet or turn its angle"});
   else if (on_plane)
     draft.reading.problems.add(

@@ -2,14 +2,19 @@
 // A case while its file is being read: values as written, references still by name.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case/case.hpp"
 #include "case/section.hpp"
 
 namespace kerf {
+
+enum class Quality { draft, normal, fine };
+inline constexpr std::array<std::string_view, 3> quality_words{"draft", "normal", "fine"};
 
 struct MaterialDraft {
   Material material;
@@ -38,6 +43,7 @@ struct Draft {
   std::vector<BodyDraft> bodies;
   std::vector<JetDraft> jets;
   bool has_domain = false;
+  Quality quality = Quality::normal;
 };
 
 void read_materials(Draft& draft, Section& top);
@@ -46,6 +52,14 @@ void read_materials(Draft& draft, Section& top);
 const MaterialDraft* use_material(Draft& draft, Section& section, const std::string& name);
 
 Shape read_shape(Reading& reading, const toml::table& table, const std::string& path);
+// Before bodies and times, which may follow from the jets.
+void read_machine(Draft& draft, Section& top);
+// How many particles of water lie across a jet.
+int particles_across(Quality quality, int dimension);
+// m; 0 without a jet. The spacing of bodies that give none.
+double finest_jet_spacing(const Draft& draft);
+// s; 0 without a machine. When the run ends if the case does not say.
+double standard_end(const Draft& draft);
 void read_bodies(Draft& draft, Section& top);
 void read_jets(Draft& draft, Section& top);
 void read_probes(Draft& draft, Section& top);

@@ -45,6 +45,7 @@ void resolve_materials(Draft& draft) {
   for (JetDraft& entry : draft.jets) {
     entry.jet.material = index.at(entry.material);
     draft.result.jets.push_back(entry.jet);
+    if (entry.path == "machine") draft.result.machine->material = entry.jet.material;
   }
 }
 

@@ -25,11 +25,17 @@ toml::table parse_toml(std::string_view text, std::string_view file_name) {
 }
 
 void read_time(Draft& draft, Section& top) {
+  const toml::table empty;
   const toml::table* written = top.table("time");
-  if (!written) return;
-  Section section(draft.reading, *written, "time", "time");
+  Section section(draft.reading, written ? *written : empty, "time", written ? "time" : "");
   TimeControl& time = draft.result.time;
-  time.end = section.number("end");
+  const double standard = standard_end(draft);
+  if (standard > 0.0)
+    time.end = section.number("end", standard);
+  else if (!section.has("end"))
+    section.refuse("end", "the key is missing", "Add it: when the run ends");
+  else
+    time.end = section.number("end");
   time.courant = section.number("courant");
   time.maximum_step = section.number("maximum_step");
   section.refuse_unknown();
@@ -99,16 +105,18 @@ void read_top(Draft& draft, const toml::table& table) {
   top.assume(formulation_name(result.formulation));
   result.smoothing_ratio = top.number("smoothing_ratio");
   result.gravity = top.vector("gravity");
-  read_time(draft, top);
+  draft.quality = law_of<Quality>(top.text("quality"), quality_words);
   read_domain(draft, top);
   read_materials(draft, top);
-  read_bodies(draft, top);
   read_jets(draft, top);
+  read_machine(draft, top);
+  read_bodies(draft, top);
+  read_time(draft, top);
   read_probes(draft, top);
   read_extras(draft, top);
   read_numerics(draft, top);
   read_output(draft, top);
-  if (!top.has("body") && !top.has("jet"))
+  if (!top.has("body") && !top.has("jet") && !top.has("machine"))
     top.refuse("body", "the case holds no body and no jet", "Add a [[body]] or a [[jet]]",
                "at least one body or jet");
   top.refuse_unknown();
@@ -119,7 +127,7 @@ void read_top(Draft& draft, const toml::table& table) {
 
 Case parse_case(std::string_view text, std::string_view file_name) {
   const toml::table table = parse_toml(text, file_name);
-  Draft draft{Reading{Problems(std::string(file_name))}, {}, {}, {}, {}, false};
+  Draft draft{Reading{Problems(std::string(file_name))}, {}, {}, {}, {}, false, Quality::normal};
   draft.reading.dimension = read_dimension(draft.reading, table);
   read_top(draft, table);
   finish(draft);

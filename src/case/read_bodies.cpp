@@ -142,6 +142,14 @@ void read_grading(Draft& draft, Section& section, Body& body) {
                    "a square lattice without offset");
 }
 
+void read_spacing(const Draft& draft, Section& section, Body& body) {
+  const double of_jets = finest_jet_spacing(draft);
+  if (of_jets == 0.0 && !section.has("spacing"))
+    section.refuse("spacing", "the key is missing", "Add it: there is no jet to take it from");
+  else
+    body.spacing = section.number("spacing", of_jets);
+}
+
 void read_body(Draft& draft, const toml::table& table, const std::string& path) {
   BodyDraft entry;
   entry.path = path;
@@ -156,7 +164,7 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
   body.name = section.text("name");
   if (const toml::table* shape = section.table("shape"))
     body.shape = read_shape(draft.reading, *shape, section.path("shape"));
-  body.spacing = section.number("spacing");
+  read_spacing(draft, section, body);
   body.lattice = section.text("lattice") == "hexagonal" ? Lattice::hexagonal : Lattice::square;
   read_offset(section, body);
   if (body.role != Role::water) read_grading(draft, section, body);

@@ -50,18 +50,29 @@ void read_profile(Section& section, Jet& jet) {
   if (section.reading().problems.count() == before) check_profile(section, jet.profile);
 }
 
-void read_section(Section& section, Jet& jet) {
-  const char* name = section.reading().dimension == 2 ? "width" : "diameter";
-  const char* other = section.reading().dimension == 2 ? "diameter" : "width";
+void read_section(const Draft& draft, Section& section, Jet& jet) {
+  const bool is_slot = draft.reading.dimension == 2 || section.has("length");
+  section.assume(is_slot ? "slot" : "round");
+  const char* name = is_slot ? "width" : "diameter";
+  const char* other = is_slot ? "diameter" : "width";
   // The wrong one of the two is refused by refuse_unknown with a remedy; no need to miss the right.
   jet.width = section.number(name, section.has(other) ? std::optional<double>(1.0) : std::nullopt);
-  jet.spacing = section.number("spacing");
+  if (draft.reading.dimension == 3 && is_slot) jet.length = section.number("length");
+  const int across = particles_across(draft.quality, draft.reading.dimension);
+  jet.spacing = section.number("spacing", jet.width / across);
   if (section.has(name) && jet.width > 0.0 && jet.width < jet.spacing)
     section.refuse("spacing", "not one particle fits across the jet", "Choose a smaller spacing",
                    fmt::format("at most the {} of the jet", name));
 }
 
 void read_window(Section& section, Jet& jet) {
+  jet.traverse = section.vector("traverse");
+  jet.dwell = section.number("dwell");
+  jet.pulse_frequency = section.number("pulse_frequency");
+  jet.duty = section.number("duty");
+  if (jet.duty < 1.0 && jet.pulse_frequency == 0.0)
+    section.refuse("duty", "the jet does not pulse", "Add a pulse_frequency or remove the duty",
+                   "1 without a pulse_frequency");
   jet.start = section.number("start");
   jet.stop = section.number("stop");
   if (jet.stop <= jet.start && section.has("stop"))
@@ -82,7 +93,7 @@ void read_jet(Draft& draft, const toml::table& table, const std::string& path) {
     section.refuse("material", "a jet is of water, and this is an elastic material",
                    "Choose a material of the kind \"water\"", "a material of the kind \"water\"");
   jet.speed = section.number("speed");
-  read_section(section, jet);
+  read_section(draft, section, jet);
   jet.position = section.vector("position");
   jet.standoff = section.number("standoff");
   jet.angle = section.number("angle");

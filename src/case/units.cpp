@@ -161,6 +161,7 @@ constexpr DimensionName dimension_names[] = {
     {"J/(kg K)", "a specific heat", "385 J/(kg K)"},
     {"K", "a temperature", "300 K"},
     {"1/s", "a rate", "1 1/s"},
+    {"Hz", "a frequency", "500 Hz"},
     {"rad", "an angle", "60 deg"},
     {"J/m2", "an energy per area", "10 J/m2"},
     {"m-3", "a number per volume", "1e6 m-3"},

@@ -3,149 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "case/machine_fields.hpp"
 #include "case/material_library.hpp"
-#include "case/schema.hpp"
+#include "case/toml_writer.hpp"
 #include "case/units.hpp"
 
 namespace kerf {
 
 namespace {
 
-std::string quoted(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      result += fmt::format("\\{}", c);
-    else if (static_cast<unsigned char>(c) < ' ' || c == 127)
-      result += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
-    else
-      result += c;
-  }
-  return result + "\"";
-}
-
-// Writes the keys of one table; units come from the schema.
-class Writer {
- public:
-  explicit Writer(int dimension) : dimension_(static_cast<std::size_t>(dimension)) {}
-
-  void open(const std::string& heading, std::string section) {
-    text_ += heading.empty() ? "" : "\n" + heading + "\n";
-    section_ = std::move(section);
-  }
-  void raw(std::string_view name, const std::string& value) {
-    text_ += fmt::format("{} = {}\n", name, value);
-  }
-  void text(std::string_view name, std::string_view value) { raw(name, quoted(value)); }
-  void number(std::string_view name, double value) { raw(name, number_text(name, value)); }
-  void numbers(std::string_view name, const std::vector<double>& values) {
-    std::vector<std::string> entries;
-    for (const double value : values) entries.push_back(number_text(name, value));
-    raw(name, fmt::format("[{}]", fmt::join(entries, ", ")));
-  }
-  void vector(std::string_view name, const Point& point) {
-    numbers(name,
-            std::vector<double>(point.begin(), point.begin() + static_cast<long>(dimension_)));
-  }
-  void expressions(std::string_view name, const std::array<std::string, 3>& formulas) {
-    std::vector<std::string> entries;
-    for (std::size_t a = 0; a < dimension_; ++a) entries.push_back(quoted(formulas[a]));
-    raw(name, fmt::format("[{}]", fmt::join(entries, ", ")));
-  }
-  void faces(std::string_view name, const Faces& faces) {
-    static constexpr const char* axes[] = {"x", "y", "z"};
-    std::vector<std::string> entries;
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (faces.minimum[a]) entries.push_back(fmt::format("\"{}-\"", axes[a]));
-      if (faces.maximum[a]) entries.push_back(fmt::format("\"{}+\"", axes[a]));
-    }
-    raw(name, fmt::format("[{}]", fmt::join(entries, ", ")));
-  }
-  // A number as the key of that name wants it: plain, or a text with its unit.
-  std::string number_text(std::string_view name, double value) const {
-    const std::string unit(find_key(section_, name, {})->unit);
-    if (std::isinf(value)) return quoted("none");
-    return unit.empty() ? shortest(value) : quoted(write_quantity(value, unit));
-  }
-  const std::string& result() const { return text_; }
-
- private:
-  std::size_t dimension_;
-  std::string section_;
-  std::string text_;
-};
-
-// One inline table: TOML keeps those on one line, parts and all.
-class ShapeText {
- public:
-  explicit ShapeText(int dimension) : dimension_(static_cast<std::size_t>(dimension)) {}
-
-  std::string of(const Shape& shape) const {
-    const std::string type = names[static_cast<std::size_t>(shape.kind)];
-    return fmt::format("{{ type = \"{}\", {} }}", type, members(shape));
-  }
-
- private:
-  static constexpr const char* names[] = {"box",    "disc",  "ring",      "polygon",
-                                          "sphere", "union", "difference"};
-
-  static std::string length(double value) { return quoted(write_quantity(value, "m")); }
-
-  std::string vector(const Point& point, bool lengths) const {
-    std::vector<std::string> entries;
-    for (std::size_t a = 0; a < dimension_; ++a)
-      entries.push_back(lengths ? length(point[a]) : shortest(point[a]));
-    return fmt::format("[{}]", fmt::join(entries, ", "));
-  }
-
-  std::string members(const Shape& shape) const {
-    switch (shape.kind) {
-      case Shape::Kind::box:
-        return fmt::format("minimum = {}, maximum = {}", vector(shape.box.minimum, true),
-                           vector(shape.box.maximum, true));
-      case Shape::Kind::disc:
-      case Shape::Kind::ring:
-      case Shape::Kind::sphere:
-        return round(shape);
-      case Shape::Kind::polygon:
-        return polygon(shape);
-      case Shape::Kind::join:
-      case Shape::Kind::difference:
-        break;
-    }
-    std::vector<std::string> parts;
-    for (const Shape& part : shape.parts) parts.push_back(of(part));
-    return fmt::format("parts = [{}]", fmt::join(parts, ", "));
-  }
-
-  std::string round(const Shape& shape) const {
-    std::string text =
-        fmt::format("centre = {}, radius = {}", vector(shape.centre, true), length(shape.radius));
-    if (shape.kind == Shape::Kind::ring)
-      text += fmt::format(", inner_radius = {}", length(shape.inner_radius));
-    if (dimension_ == 3 && shape.kind != Shape::Kind::sphere)
-      text +=
-          fmt::format(", axis = {}, length = {}", vector(shape.axis, false), length(shape.length));
-    return text;
-  }
-
-  std::string polygon(const Shape& shape) const {
-    std::vector<std::string> corners;
-    for (const auto& vertex : shape.vertices)
-      corners.push_back(fmt::format("[{}, {}]", length(vertex[0]), length(vertex[1])));
-    std::string text = fmt::format("vertices = [{}]", fmt::join(corners, ", "));
-    if (dimension_ == 3)
-      text += fmt::format(", depth_minimum = {}, depth_maximum = {}", length(shape.depth_minimum),
-                          length(shape.depth_maximum));
-    return text;
-  }
-
-  std::size_t dimension_;
-};
-
-void write_top(Writer& writer, const Case& description) {
+void write_top(TomlWriter& writer, const Case& description) {
   writer.open("", "");
   writer.text("title", description.title);
   writer.raw("dimension", std::to_string(description.dimension));
@@ -163,7 +30,7 @@ void write_top(Writer& writer, const Case& description) {
   if (description.symmetry.any()) writer.faces("symmetry", description.symmetry);
 }
 
-void write_material(Writer& writer, Formulation formulation, const Material& material) {
+void write_material(TomlWriter& writer, Formulation formulation, const Material& material) {
   writer.open(fmt::format("[materials.{}]", material.name), "materials");
   writer.text("kind", kind_name(material.kind));
   if (material.kind == MaterialKind::elastic && formulation == Formulation::standard) {
@@ -181,12 +48,12 @@ void write_material(Writer& writer, Formulation formulation, const Material& mat
 
 std::string grading_text(const Grading& grading, int dimension) {
   const std::string around =
-      grading.around ? ", around = " + ShapeText(dimension).of(*grading.around) : "";
+      grading.around ? ", around = " + shape_text(*grading.around, dimension) : "";
   return fmt::format("{{ levels = {}, width = {}{} }}", grading.levels,
                      quoted(write_quantity(grading.width, "m")), around);
 }
 
-void write_body(Writer& writer, const Case& description, const Body& body) {
+void write_body(TomlWriter& writer, const Case& description, const Body& body) {
   static constexpr const char* roles[] = {"elastic", "water", "rigid"};
   static constexpr const char* layers[] = {"top",   "bottom", "left", "right",
                                            "front", "back",   "all"};
@@ -195,7 +62,7 @@ void write_body(Writer& writer, const Case& description, const Body& body) {
   writer.text("role", roles[static_cast<std::size_t>(body.role)]);
   if (body.role != Role::rigid)
     writer.text("material", description.materials[static_cast<std::size_t>(body.material)].name);
-  writer.raw("shape", ShapeText(description.dimension).of(body.shape));
+  writer.raw("shape", shape_text(body.shape, description.dimension));
   writer.number("spacing", body.spacing);
   writer.text("lattice", body.lattice == Lattice::square ? "square" : "hexagonal");
   writer.vector("offset", body.offset);
@@ -219,12 +86,14 @@ void write_body(Writer& writer, const Case& description, const Body& body) {
   if (description.formulation == Formulation::standard) writer.number("friction", body.friction);
 }
 
-void write_jet(Writer& writer, const Case& description, const Jet& jet) {
+void write_jet(TomlWriter& writer, const Case& description, const Jet& jet) {
   writer.open("[[jet]]", "jet");
   writer.text("name", jet.name);
   writer.text("material", description.materials[static_cast<std::size_t>(jet.material)].name);
   writer.number("speed", jet.speed);
-  writer.number(description.dimension == 2 ? "width" : "diameter", jet.width);
+  const bool is_round = description.dimension == 3 && jet.length == 0.0;
+  writer.number(is_round ? "diameter" : "width", jet.width);
+  if (jet.length > 0.0) writer.number("length", jet.length);
   writer.vector("position", jet.position);
   writer.number("standoff", jet.standoff);
   writer.number("angle", jet.angle);
@@ -232,10 +101,25 @@ void write_jet(Writer& writer, const Case& description, const Jet& jet) {
   writer.number("spacing", jet.spacing);
   writer.number("start", jet.start);
   writer.number("stop", jet.stop);
+  writer.vector("traverse", jet.traverse);
+  writer.number("dwell", jet.dwell);
+  writer.number("pulse_frequency", jet.pulse_frequency);
+  writer.number("duty", jet.duty);
   writer.text("profile_expression", jet.profile);
 }
 
-void write_probe(Writer& writer, const Probe& probe) {
+void write_machine(TomlWriter& writer, const Case& description) {
+  const Machine& machine = *description.machine;
+  writer.open("[machine]", "machine");
+  writer.text("material", description.materials[static_cast<std::size_t>(machine.material)].name);
+  writer.text("orifice_type", word_of(machine.orifice_type, orifice_words));
+  for (const MachineField& field : machine_fields(machine, description.dimension))
+    writer.number(field.key, machine.*field.member);
+  writer.vector("position", machine.position);
+  writer.vector("traverse_direction", machine.traverse_direction);
+}
+
+void write_probe(TomlWriter& writer, const Probe& probe) {
   writer.open("[[probe]]", "probe");
   writer.text("name", probe.name);
   writer.text("kind", probe.kind == Probe::Kind::point ? "point" : "plane");
@@ -243,7 +127,7 @@ void write_probe(Writer& writer, const Probe& probe) {
   if (probe.kind == Probe::Kind::plane) writer.vector("normal", probe.normal);
 }
 
-void write_control(Writer& writer, const Case& description) {
+void write_control(TomlWriter& writer, const Case& description) {
   if (description.eraser) {
     writer.open("[backflow_eraser]", "backflow_eraser");
     writer.number("speed_fraction", description.eraser->speed_fraction);
@@ -268,12 +152,15 @@ void write_control(Writer& writer, const Case& description) {
 }  // namespace
 
 std::string write_used(const Case& description) {
-  Writer writer(description.dimension);
+  TomlWriter writer(description.dimension);
   write_top(writer, description);
   for (const Material& material : description.materials)
     write_material(writer, description.formulation, material);
   for (const Body& body : description.bodies) write_body(writer, description, body);
-  for (const Jet& jet : description.jets) write_jet(writer, description, jet);
+  if (description.machine) write_machine(writer, description);
+  for (const Jet& jet : description.jets)
+    if (!description.machine || &jet != &description.jets.back())
+      write_jet(writer, description, jet);
   for (const Probe& probe : description.probes) write_probe(writer, probe);
   write_control(writer, description);
   return writer.result();

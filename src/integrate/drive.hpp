@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-// One per source (body or jet).
+// One per source (body or jet; of a jet, displacement and velocity are those of its nozzle).
 template <int D>
 struct Drive {
   Vector<D, double> displacement;  // m, since the start of the step

@@ -16,8 +16,8 @@ KERF_FUNCTION void follow_drive(const ParticleView<D, P>& particles, const Drive
   Vector<D, double> velocity = drive.velocity;
   if (particles.has(i, flag::upstream)) {
     const double speed = particles.inlet_speed[i];
-    displacement = (speed * drive.open_time) * drive.direction;
-    velocity = (speed * drive.open_fraction) * drive.direction;
+    displacement += (speed * drive.open_time) * drive.direction;
+    velocity += (speed * drive.open_fraction) * drive.direction;
   }
   particles.position[i] = particles.start_position[i] + displacement;
   particles.velocity[i] = Vector<D, typename P::Real>::from(velocity);

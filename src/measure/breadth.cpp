@@ -4,17 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/cell_share.hpp"
+
 namespace kerf {
-namespace {
-
-// Part of the interval [x - size/2, x + size/2] that lies within half of `thickness` from 0.
-double share(double x, double size, double thickness) {
-  const double low = std::max(x - size / 2.0, -thickness / 2.0);
-  const double high = std::min(x + size / 2.0, thickness / 2.0);
-  return std::max(0.0, high - low) / size;
-}
-
-}  // namespace
 
 double fractured_width(const Workpiece& workpiece, const Frame& frame,
                        const std::vector<std::uint32_t>& rows, double depth) {
@@ -27,8 +19,8 @@ double fractured_width(const Workpiece& workpiece, const Frame& frame,
     if (is_intact(frame, rows[slot])) continue;
     const auto& x = workpiece.position[slot];
     const double size = workpiece.size[slot];
-    const double strip = flat ? 1.0 : share(jet.side(x), size, thickness) * size / thickness;
-    area += size * size * share(jet.depth(x) - depth, size, thickness) * strip;
+    const double strip = flat ? 1.0 : cell_share(jet.side(x), size, thickness) * size / thickness;
+    area += size * size * cell_share(jet.depth(x) - depth, size, thickness) * strip;
   }
   return area / thickness;
 }

@@ -87,6 +87,7 @@ CutSummary CutMonitor::summary() const {
         state.front_depth >= workpiece_->bottom - workpiece_->axis_spacing)
       break;
   }
+  if (!cutting.empty()) summary.contact_time = cutting.front().time;
   summary.front_speed = slope(cutting);
   return summary;
 }

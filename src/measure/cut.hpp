@@ -31,6 +31,7 @@ struct CutState {
 struct CutSummary {
   bool cut_through = false;
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s
+  double contact_time = std::numeric_limits<double>::quiet_NaN();      // s, first with a front
   double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
   CutState last;
   std::vector<Fragment> fragments;  // of the last frame, the heaviest first
@@ -44,6 +45,7 @@ class CutMonitor {
   CutSummary summary() const;
   // The history, so that a resumed run measures as if never stopped.
   const std::vector<CutState>& history() const { return history_; }
+  const Workpiece& workpiece() const { return *workpiece_; }
   void restore(std::vector<CutState> history, const Frame& last);
 
  private:

@@ -17,6 +17,7 @@
 #include "case/scales.hpp"
 #include "fracture/fracture_limits.hpp"
 #include "particles/graded_fill.hpp"
+#include "particles/nozzle.hpp"
 
 namespace kerf {
 
@@ -135,12 +136,8 @@ void derive_particles(DerivedNumbers& numbers, const Case& description) {
     for (const std::size_t count : count_levels(body, description.dimension))
       numbers.particles_initial += count;
   double added = 0.0;
-  for (const Jet& jet : description.jets) {
-    const double area =
-        description.dimension == 2 ? jet.width : std::numbers::pi * jet.width * jet.width / 4.0;
-    const double open = std::max(0.0, std::min(jet.stop, description.time.end) - jet.start);
-    added += jet.speed * area * open / std::pow(jet.spacing, description.dimension);
-  }
+  for (const Jet& jet : description.jets)
+    added += entering_particles(jet, description.dimension, description.time.end);
   numbers.particles_expected = numbers.particles_initial + static_cast<std::size_t>(added);
 }
 

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "case/case.hpp"
+#include "particles/nozzle.hpp"
 
 namespace kerf {
 
@@ -31,7 +31,7 @@ struct JetAxis {
     sideways = {along[1] * across[2] - along[2] * across[1],
                 along[2] * across[0] - along[0] * across[2],
                 along[0] * across[1] - along[1] * across[0]};
-    section = dimension == 3 ? std::numbers::pi / 4.0 * width * width : width;
+    section = nozzle_area(jet, dimension);
     if (dimension == 2) sideways = {};
   }
 

@@ -36,6 +36,7 @@ std::vector<Fragment> gather_fragments(const Workpiece& workpiece, const Frame& 
     Fragment& fragment = of_root[root[slot]];
     const double mass = workpiece.mass[slot];
     fragment.mass += mass;
+    fragment.volume += workpiece.volume[slot];
     ++fragment.particles;
     for (std::size_t a = 0; a < 3; ++a) {
       fragment.centre[a] += mass * frame.position[rows[slot]][a];

@@ -27,7 +27,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> find_bonds(const Workpiece&
 
 // A connected piece of intact solid of any size.
 struct Fragment {
-  double mass = 0.0;  // kg (2D: kg/m)
+  double mass = 0.0;    // kg (2D: kg/m)
+  double volume = 0.0;  // m^3 (2D: m^2), as laid out
   std::size_t particles = 0;
   std::array<double, 3> centre{};    // m, of mass
   std::array<double, 3> velocity{};  // m/s, of the centre

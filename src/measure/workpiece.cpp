@@ -97,10 +97,15 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
     if (source >= bodies.size() || !can_be_cut(bodies[source]) || !target[group[source]]) continue;
     add_particle(workpiece, initial, row);
     workpiece.material_piece.push_back(group[source]);
+    workpiece.body.push_back(initial.source[row]);
+    const auto material = static_cast<std::size_t>(bodies[source].material);
+    workpiece.volume.push_back(workpiece.mass.back() / description.materials.at(material).density);
   }
   if (workpiece.empty()) return workpiece;
   workpiece.bonds = find_bonds(workpiece);
-  workpiece.initial_pieces = find_pieces(workpiece, initial, locate(workpiece, initial)).count;
+  Pieces pieces = find_pieces(workpiece, initial, locate(workpiece, initial));
+  workpiece.initial_pieces = pieces.count;
+  workpiece.initially_in_piece = std::move(pieces.in_piece);
   if (description.jets.empty()) return workpiece;
   const Jet& jet = description.jets.front();
   workpiece.jet.emplace(jet, description.dimension);

@@ -27,7 +27,9 @@ struct Workpiece {
   std::unordered_map<std::uint32_t, std::uint32_t> slot_of_id;
   std::vector<std::array<double, 3>> position;  // m, initial
   std::vector<double> mass;                     // kg (2D: kg/m)
+  std::vector<double> volume;                   // m^3 (2D: m^2), at its material's density
   std::vector<double> size;                     // m, spacing of the particle
+  std::vector<std::uint16_t> body;              // index into Case::bodies
   std::vector<std::uint16_t> material_piece;    // bodies joined to each other share a number
   // Neighbours of the first layout within `bond_reach` spacings of each other.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> bonds;
@@ -37,6 +39,7 @@ struct Workpiece {
   double axis_spacing = 0.0;               // m, the largest beside the axis of the jet
   double bottom = 0.0;                     // m, depth at which the axis leaves
   int initial_pieces = 0;
+  std::vector<std::uint8_t> initially_in_piece;  // as Pieces::in_piece, of the first layout
 
   bool empty() const { return position.empty(); }
 };

@@ -2,6 +2,7 @@
 #include "output/result.hpp"
 
 #include "core/version.hpp"
+#include "output/kerf_result.hpp"
 #include "output/ledger_table.hpp"
 
 namespace kerf {
@@ -83,6 +84,10 @@ Json result_of(const RunOutcome& outcome) {
   result["verdict"] = verdict_of(outcome);
   add_cut(result, outcome.cut);
   add_fragments(result, outcome.cut.fragments);
+  if (outcome.kerf) result["kerf"] = kerf_json(*outcome.kerf, outcome.description);
+  if (outcome.opening) result["opening"] = shape_json(outcome.opening->shape);
+  if (outcome.description.machine)
+    result["machine"] = machine_json(*outcome.description.machine, outcome.description);
   add_derived(result, outcome.derived);
   result["mass_error"] = outcome.ledger.mass_error();
   result["momentum_error"] = outcome.ledger.momentum_error();

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "case/case.hpp"
 #include "measure/cut.hpp"
 #include "measure/derived.hpp"
+#include "measure/kerf.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/simulation.hpp"
 
@@ -22,7 +24,9 @@ struct RunOutcome {
   std::string case_name;
   DerivedNumbers derived;
   CutSummary cut;
-  bool still_cutting = false;  // the front was moving when the run ended
+  std::optional<Kerf> kerf;     // of runs with a jet: what was taken away, as laid out
+  std::optional<Kerf> opening;  // and what is open now
+  bool still_cutting = false;   // the front was moving when the run ended
   Ledger ledger;
   double time = 0.0;  // s
   std::uint64_t steps = 0;

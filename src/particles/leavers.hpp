@@ -36,11 +36,10 @@ struct MarkLeavers {
 };
 
 template <int D, class P>
-struct IsLeaving {
+struct HasFlag {
   ParticleView<D, P> particles;
-  KERF_FUNCTION bool operator()(Index i) const {
-    return particles.has(i, flag::outside | flag::erased);
-  }
+  std::uint8_t flags;  // any of them
+  KERF_FUNCTION bool operator()(Index i) const { return particles.has(i, flags); }
 };
 
 }  // namespace kerf

@@ -17,6 +17,11 @@ struct InletParticle {
   double speed;    // m/s, along the jet
 };
 
+// Of the section, m^2 (2D: m).
+double nozzle_area(const Jet& jet, int dimension);
+// About how many particles a jet lets in until `end`, s.
+double entering_particles(const Jet& jet, int dimension, double end);
+
 class Nozzle {
  public:
   Nozzle(const Jet& jet, double water_density, int dimension);
@@ -24,13 +29,16 @@ class Nozzle {
   void cut_at(const Faces& planes, const Box& domain);
 
   const Point& direction() const { return direction_; }
-  const Point& exit() const { return exit_; }
+  // Where the nozzle's exit is at a time, m, and how fast it moves, m/s.
+  Point exit(double time = 0.0) const;
+  Point velocity(double time) const;
   double particle_mass() const { return particle_mass_; }  // kg (2D: kg/m)
   double peak_speed() const;                               // m/s, of the fastest column
   std::size_t columns() const { return columns_.size(); }
 
-  // How long the nozzle has been open at time t, s.
+  // How long water has flowed at time t, s, and whether it does.
   double open_time(double time) const;
+  bool is_open(double time) const;
 
   // The water that stands in the nozzle at t = 0.
   std::vector<InletParticle> standing_water() const;
@@ -49,12 +57,15 @@ class Nozzle {
     double speed;  // m/s
   };
   void lay_out_columns(const Jet& jet, int dimension);
-  Point place(const Column& column, double along) const;
+  // `along` the jet from where the exit is at `time`.
+  Point place(const Column& column, double along, double time) const;
+  double moving_time(double time) const;  // s
 
   static constexpr int layers_inside = 4;  // more than the support of 2 h = 3 d
-  double spacing_, start_, stop_;
+  double spacing_, start_, stop_, dwell_;
+  double period_, duty_;  // s, 0 = no pulses; 1
   double particle_mass_ = 0.0;
-  Point direction_{}, exit_{};
+  Point direction_{}, first_exit_{}, traverse_{};
   std::vector<Column> columns_;
   std::vector<std::uint64_t> emitted_;  // per column
 };

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 
+#include "report/base64.hpp"
 #include "report/plot.hpp"
 #include "report/style.hpp"
+#include "report/viewer_files.hpp"
 
 namespace kerf::html {
 
@@ -63,11 +63,17 @@ std::string count(double value) {
 }
 
 std::string png_address(std::string_view png) {
-  using namespace boost::archive::iterators;
-  using Encode = base64_from_binary<transform_width<const char*, 6, 8>>;
-  std::string text(Encode(png.data()), Encode(png.data() + png.size()));
-  text.append((3 - png.size() % 3) % 3, '=');
-  return "data:image/png;base64," + text;
+  return "data:image/png;base64," + base64(png);
+}
+
+std::string section(const std::string& id, const std::string& fallback) {
+  return fmt::format("<section id=\"{}\">\n{}</section>\n", id, fallback);
+}
+
+std::string data_script(const std::string& id, std::string json) {
+  for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3)
+    json.replace(at, 2, "<\\/");
+  return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, json);
 }
 
 std::string swatch(Colour colour, bool dashed) {
@@ -93,9 +99,9 @@ std::string page(const std::string& title, const std::string& body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</"
+      "<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</"
       "html>\n",
-      escape(title), style, body);
+      escape(title), style, viewer_text("style"), body);
 }
 
 }  // namespace kerf::html

@@ -24,6 +24,12 @@ std::string count(double value);  // 1 234 567
 // The image itself as the address of an <img>.
 std::string png_address(std::string_view png);
 
+// A part of the page that the viewer takes over; until then, and on paper, the fallback stands.
+std::string section(const std::string& id, const std::string& fallback);
+
+// JSON as a script element of that id: "</" in it, which could end the element, is escaped.
+std::string data_script(const std::string& id, std::string json);
+
 // The key to a curve.
 std::string swatch(Colour colour, bool dashed);
 

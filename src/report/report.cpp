@@ -6,6 +6,8 @@
 #include "core/error.hpp"
 #include "output/files.hpp"
 #include "report/html.hpp"
+#include "report/report_figures.hpp"
+#include "report/viewer_data.hpp"
 
 namespace kerf {
 namespace {
@@ -75,14 +77,13 @@ std::string pictures(const Json& result, const fs::path& folder) {
   if (list.empty()) return "";
   // A picture of a 3D case holds two panels and wants the whole width.
   const bool wide = result.at("dimension").get<int>() == 3;
-  std::string text =
-      fmt::format("<h2>Pictures</h2>\n<div class=\"pictures{}\">\n", wide ? " wide" : "");
+  std::string text = fmt::format("<div class=\"pictures{}\">\n", wide ? " wide" : "");
   for (const Json& picture : list)
     text +=
         fmt::format("<figure><img alt=\"The particles at {:.4g} ms\" src=\"{}\"></figure>\n",
                     1e3 * picture.at("time").get<double>(),
                     html::png_address(read_file(folder / picture.at("file").get<std::string>())));
-  return text + "</div>\n";
+  return "<h2>The run</h2>\n" + html::section("kerf-viewer", text + "</div>\n");
 }
 
 Json read_result(const fs::path& path) {
@@ -97,24 +98,38 @@ Json read_result(const fs::path& path) {
 }  // namespace
 
 void write_report(const fs::path& folder, const Case& description) {
+  constexpr std::size_t budget = 10'000'000;  // bytes of frames
+  ViewerPacker packer(description);
+  packer.look_at(frame_files(folder));
+  Json run = packer.head();
+  run["live"] = false;
+  run["frames"] = viewer_frames(packer, budget);
+  write_file(folder / "report.html", report_page(folder, description, std::move(run)));
+}
+
+std::string report_page(const fs::path& folder, const Case& description, Json run) {
   const fs::path result_path = folder / "result.json";
-  std::string body;
   try {
     const Json result = read_result(result_path);
     const SeriesTable series(folder / "series.csv", description);
     const bool has_jet = !description.jets.empty();
     const bool through = result.at("cut_through").get<bool>();
     const double cut_time = through ? value_of(result, "cut_through_time") : -1.0;
-    body = heading(result) + verdict(result, has_jet) + key_figures(result, has_jet) +
-           validity(result) + pictures(result, folder) +
-           report_plots(series, description, cut_time) + report_tables(result, description);
+    const auto figures = report_figures(series, description);
+    const std::vector<double> time = series.numbers("time");
+    std::string body = heading(result) + verdict(result, has_jet) + key_figures(result, has_jet) +
+                       validity(result) + pictures(result, folder) + kerf_part(result) +
+                       "<h2>Curves</h2>\n" +
+                       html::section("kerf-curves", report_plots(figures, time, cut_time)) +
+                       report_tables(result, description);
+    run["curves"] = viewer_curves(figures, time, cut_time);
+    return html::page(description.title, body + viewer_script(run));
   } catch (const Json::exception& error) {
     throw UserError(fmt::format("{} is damaged ({}). Make it again with 'kerf run CASE --out {} "
                                 "--resume'.",
                                 result_path.string(), error.what(), folder.string()),
                     exit_files);
   }
-  write_file(folder / "report.html", html::page(description.title, body));
 }
 
 }  // namespace kerf

@@ -7,16 +7,19 @@
 #include <string>
 
 #include "case/case.hpp"
-#include "output/series.hpp"
 
 namespace kerf {
 
-// Reads result.json, series.csv and the pictures of a result folder and writes report.html there.
-// Throws UserError (exit_files) when one of them is missing or damaged.
+// Reads result.json, series.csv, the frames and the pictures of a result folder and writes
+// report.html there. Throws UserError (exit_files) when one of them is missing or damaged.
 void write_report(const std::filesystem::path& folder, const Case& description);
 
-// The curves of a run as figures; `cut_time` marks the cut where it is not negative.
-std::string report_plots(const SeriesTable& series, const Case& description, double cut_time);
+// The page; `run` holds what report/viewer_data.hpp makes of the frames. Throws as above.
+std::string report_page(const std::filesystem::path& folder, const Case& description,
+                        nlohmann::ordered_json run);
+
+// Of the kerf and the machine: a drawing with dimensions, tables; empty for runs without a jet.
+std::string kerf_part(const nlohmann::ordered_json& result);
 // The tables of numbers.
 std::string report_tables(const nlohmann::ordered_json& result, const Case& description);
 

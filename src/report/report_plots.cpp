@@ -7,17 +7,16 @@
 
 #include "output/ledger_table.hpp"
 #include "report/html.hpp"
-#include "report/plot.hpp"
-#include "report/report.hpp"
+#include "report/report_figures.hpp"
 
 namespace kerf {
 namespace {
 
-// Draws the figures of one report, which share their time axis.
+// Collects the figures of one report, which share their time axis.
 class Figures {
  public:
-  Figures(const SeriesTable& series, const Case& description, double cut_time)
-      : series_(series), description_(description), cut_time_(cut_time) {}
+  Figures(const SeriesTable& series, const Case& description)
+      : series_(series), description_(description) {}
 
   struct Line {
     std::string column;
@@ -32,7 +31,7 @@ class Figures {
       for (double& value : y) value *= line.factor;
       curves.push_back({line.label, std::move(y), colour(curves.size()), stroke(curves.size())});
     }
-    draw(title, axis, std::move(curves));
+    figures_.push_back({title, axis, std::move(curves)});
   }
 
   // One colour per limit: the piece of the line up to a row wears the limit of that row.
@@ -54,12 +53,10 @@ class Figures {
       if (i > 1) curve->y[i - 1] = dt[i - 1];
       curve->y[i] = dt[i];
     }
-    draw("Time step, by the limit that set it", {"step", "s"}, std::move(curves));
+    figures_.push_back({"Time step, by the limit that set it", {"step", "s"}, std::move(curves)});
   }
 
-  std::string html() const {
-    return "<h2>Curves</h2>\n<div class=\"plots\">\n" + text_ + "</div>\n";
-  }
+  std::vector<ReportFigure> result() && { return std::move(figures_); }
   std::string unit(const char* extensive) const {
     return extensive_unit(extensive, description_.dimension);
   }
@@ -75,26 +72,20 @@ class Figures {
   // Every other line is dashed, so that neighbours differ without their colours as well.
   static Stroke stroke(std::size_t index) { return index % 2 == 1 ? Stroke::dashed : Stroke::full; }
 
-  void draw(const std::string& title, const Axis& axis, std::vector<Curve> curves) {
-    std::string legend;
-    for (const Curve& curve : curves)
-      legend += fmt::format("<span>{}{}</span>",
-                            html::swatch(curve.colour, curve.stroke == Stroke::dashed),
-                            html::escape(curve.label));
-    if (cut_time_ >= 0.0)
-      legend += "<span>" + html::swatch(palette::ink, true) + "cut through</span>";
-    const Plot plot{{"time", "s"}, axis, series_.numbers("time"), std::move(curves), cut_time_};
-    text_ += fmt::format(
-        "<figure><figcaption>{}<div class=\"legend\">{}</div></figcaption>{}</figure>\n", title,
-        legend, draw_plot(plot, fmt::format("plot{}", ++count_)));
-  }
-
   const SeriesTable& series_;
   const Case& description_;
-  double cut_time_;
-  std::string text_;
-  int count_ = 0;
+  std::vector<ReportFigure> figures_;
 };
+
+std::string legend_of(const ReportFigure& figure, double cut_time) {
+  std::string legend;
+  for (const Curve& curve : figure.curves)
+    legend +=
+        fmt::format("<span>{}{}</span>", html::swatch(curve.colour, curve.stroke == Stroke::dashed),
+                    html::escape(curve.label));
+  if (cut_time >= 0.0) legend += "<span>" + html::swatch(palette::ink, true) + "cut through</span>";
+  return legend;
+}
 
 void add_cut(Figures& figures) {
   figures.add("Depth of the water front", {"front depth", "m"}, {{"front_depth", "front depth"}});
@@ -155,15 +146,27 @@ void add_probes(Figures& figures, const Case& description) {
 
 }  // namespace
 
-std::string report_plots(const SeriesTable& series, const Case& description, double cut_time) {
-  Figures figures(series, description, cut_time);
+std::vector<ReportFigure> report_figures(const SeriesTable& series, const Case& description) {
+  Figures figures(series, description);
   if (!description.jets.empty()) add_cut(figures);
   add_energy(figures);
   add_momentum(figures);
   if (figures.moves("force_plate_y")) add_force(figures, description.dimension);
   add_probes(figures, description);
   figures.add_time_step();
-  return figures.html();
+  return std::move(figures).result();
+}
+
+std::string report_plots(const std::vector<ReportFigure>& figures, const std::vector<double>& time,
+                         double cut_time) {
+  std::string text;
+  for (const ReportFigure& figure : figures)
+    text += fmt::format(
+        "<figure><figcaption>{}<div class=\"legend\">{}</div></figcaption>{}</figure>\n",
+        figure.title, legend_of(figure, cut_time),
+        draw_plot({{"time", "s"}, figure.axis, time, figure.curves, cut_time},
+                  fmt::format("plot{}", &figure - figures.data() + 1)));
+  return "<div class=\"plots\">\n" + text + "</div>\n";
 }
 
 }  // namespace kerf

@@ -40,7 +40,10 @@ class Motion {
     }
     const Nozzle& nozzle = (*nozzles_)[source - bodies_];
     d.direction = Vector<D, double>::from(nozzle.direction());
-    d.exit = Vector<D, double>::from(nozzle.exit());
+    d.exit = Vector<D, double>::from(nozzle.exit(now));
+    const auto before = Vector<D, double>::from(nozzle.exit(start));
+    d.displacement = d.exit - before;
+    if (dt > 0.0) d.velocity = (1.0 / dt) * d.displacement;
     d.open_time = nozzle.open_time(now) - nozzle.open_time(start);
     d.open_fraction = dt > 0.0 ? d.open_time / dt : 0.0;
     d.erases = erases_;

@@ -78,6 +78,7 @@ class ParticleRun : public Simulation {
   double time_ = 0.0;
 
  private:
+  bool any_has(std::uint8_t flags) const;
   void remove_marked();
   void close_planes();
   void let_water_in();

@@ -11,22 +11,28 @@ namespace kerf {
 template <int D, class P, class Scheme>
 void ParticleRun<D, P, Scheme>::renew_neighbours() {
   const auto timer = timers_.stage("neighbours");
-  remove_marked();
   let_water_in();
+  // What left the domain flies on until the list is made anew: spray leaves in every other step.
+  if (case_.eraser) list_is_due_ |= any_has(flag::erased);
   // Half a step more than the last one took, so that the list holds to the end of this step.
   if (!list_is_due_) list_is_due_ = list_.is_outdated(particles_, 1.5 * last_step_.dt);
-  if (list_is_due_) rebuild_list();
+  if (!list_is_due_) return;
+  remove_marked();
+  rebuild_list();
   list_is_due_ = false;
 }
 
 template <int D, class P, class Scheme>
+bool ParticleRun<D, P, Scheme>::any_has(std::uint8_t flags) const {
+  return reduce_unordered(particles_.size(), HasFlag<D, P>{particles_.view(), flags}, false,
+                          Either{});
+}
+
+template <int D, class P, class Scheme>
 void ParticleRun<D, P, Scheme>::remove_marked() {
-  const auto view = particles_.view();
-  const bool any = reduce_unordered(particles_.size(), IsLeaving<D, P>{view}, false, Either{});
-  if (!any) return;
+  if (!any_has(flag::outside | flag::erased)) return;
   book_.book_leavers(particles_);
   remove_leavers(particles_);
-  list_is_due_ = true;
 }
 
 template <int D, class P, class Scheme>
@@ -35,8 +41,7 @@ void ParticleRun<D, P, Scheme>::let_water_in() {
     const std::vector<InletParticle> water = nozzles_[j].emit(time_);
     if (water.empty()) continue;
     const std::size_t source = case_.bodies.size() + j;
-    const bool open = time_ >= case_.jets[j].start && time_ < case_.jets[j].stop;
-    const auto newcomers = inlet_particles(water, nozzles_[j], source, open);
+    const auto newcomers = inlet_particles(water, nozzles_[j], source, time_);
     for (const NewParticle& newcomer : newcomers) book_.book_entry(source, newcomer.velocity);
     append(newcomers);
     list_is_due_ = true;

@@ -41,16 +41,18 @@ void add_body(const Case& description, std::size_t number, const std::vector<std
 }  // namespace
 
 std::vector<NewParticle> inlet_particles(const std::vector<InletParticle>& water,
-                                         const Nozzle& nozzle, std::size_t source, bool open) {
+                                         const Nozzle& nozzle, std::size_t source, double time) {
   std::vector<NewParticle> particles;
+  const bool open = nozzle.is_open(time);
+  const Point carried = nozzle.velocity(time);
   for (const InletParticle& drop : water) {
     NewParticle particle;
     particle.position = drop.position;
     particle.inlet_speed = drop.speed;
     particle.source = static_cast<std::uint16_t>(source);
     particle.flags = flag::upstream;
-    if (open)
-      for (std::size_t a = 0; a < 3; ++a) particle.velocity[a] = drop.speed * nozzle.direction()[a];
+    for (std::size_t a = 0; a < 3; ++a)
+      particle.velocity[a] = carried[a] + (open ? drop.speed * nozzle.direction()[a] : 0.0);
     particles.push_back(particle);
   }
   return particles;
@@ -63,9 +65,8 @@ std::vector<NewParticle> initial_particles(const Case& description,
   for (std::size_t b = 0; b < description.bodies.size(); ++b)
     add_body(description, b, levels[b], particles);
   for (std::size_t j = 0; j < nozzles.size(); ++j) {
-    const bool open = description.jets[j].start <= 0.0;
     for (const NewParticle& particle : inlet_particles(nozzles[j].standing_water(), nozzles[j],
-                                                       description.bodies.size() + j, open))
+                                                       description.bodies.size() + j, 0.0))
       particles.push_back(particle);
   }
   return particles;

@@ -22,6 +22,6 @@ std::vector<NewParticle> initial_particles(const Case& description,
                                            const std::vector<Nozzle>& nozzles);
 // Water entering through a nozzle; it stands still while the nozzle is shut.
 std::vector<NewParticle> inlet_particles(const std::vector<InletParticle>& water,
-                                         const Nozzle& nozzle, std::size_t source, bool open);
+                                         const Nozzle& nozzle, std::size_t source, double time);
 
 }  // namespace kerf

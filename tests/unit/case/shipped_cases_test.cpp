@@ -16,7 +16,7 @@ namespace {
 
 std::vector<std::filesystem::path> case_files() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(KERF_SOURCE_DIR "/cases"))
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(KERF_SOURCE_DIR "/cases"))
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   return files;
 }

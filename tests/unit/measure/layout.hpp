@@ -148,6 +148,7 @@ Frame select(const Frame& frame, const std::vector<std::size_t>& rows, Keep keep
     if (!keep(row)) continue;
     add(out, {frame.category[row], frame.source[row], frame.spacing[row], 0.0},
         frame.position[row]);
+    out.velocity.back() = frame.velocity[row];
     out.id.back() = frame.id[row];
     out.mass.back() = frame.mass[row];
   }

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/view_server.hpp"
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include <mutex>
+#include <optional>
+
+#include "case/read.hpp"
+#include "core/error.hpp"
+#include "report/html.hpp"
+#include "report/report.hpp"
+#include "report/report_figures.hpp"
+#include "report/viewer_data.hpp"
+
+namespace kerf {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Case case_of(const fs::path& folder) {
+  const fs::path used = folder / "case.used.toml";
+  if (!fs::exists(used))
+    throw UserError(fmt::format("{} holds no run of Kerf (there is no case.used.toml). Name the "
+                                "folder that was given to 'kerf run' by --out.",
+                                folder.string()),
+                    exit_files);
+  return read_case(used);
+}
+
+// When the cut is through, by the series; -1 if it is not.
+double cut_time_of(const SeriesTable& series) {
+  const auto time = series.numbers("time"), cut = series.numbers("cut_through");
+  for (std::size_t i = 0; i < cut.size(); ++i)
+    if (cut[i] != 0.0) return time[i];
+  return -1.0;
+}
+
+}  // namespace
+
+struct ViewServer::State {
+  explicit State(const fs::path& run_folder)
+      : folder(run_folder), description(case_of(run_folder)), packer(description) {}
+
+  bool is_live() const { return !fs::exists(folder / "result.json"); }
+
+  Json run() {
+    packer.look_at(frame_files(folder));
+    Json run = packer.head();
+    run["live"] = is_live();
+    run["frames"] = Json::array();
+    for (std::size_t n = 0; n < packer.frames(); ++n) {
+      Json entry = packer.entry(n);
+      // The fields are part of the address: with others the bytes are others.
+      entry["url"] = fmt::format("frame/{}?fields={}", n, run.at("fields").size());
+      run["frames"].push_back(std::move(entry));
+    }
+    if (fs::exists(folder / "series.csv")) {
+      const SeriesTable series(folder / "series.csv", description);
+      run["curves"] = viewer_curves(report_figures(series, description), series.numbers("time"),
+                                    cut_time_of(series));
+    }
+    return run;
+  }
+
+  std::string page() {
+    if (!is_live()) return report_page(folder, description, run());
+    const std::string body = fmt::format(
+        "<header>\n<h1>{}</h1>\n<p class=\"meta\">The run is going on; this page follows "
+        "it.</p>\n</header>\n{}{}",
+        html::escape(description.title),
+        html::section("kerf-viewer", "<p>This browser shows no moving pictures.</p>\n"),
+        html::section("kerf-curves", ""));
+    return html::page(description.title, body + viewer_script(run()));
+  }
+
+  void set_routes() {
+    const auto answer = [this](const char* type, auto make) {
+      return [this, type, make](const httplib::Request& request, httplib::Response& response) {
+        const std::lock_guard hold(mutex);
+        try {
+          response.set_content(make(request), type);
+        } catch (const std::exception& error) {
+          response.status = 500;
+          response.set_content(error.what(), "text/plain; charset=utf-8");
+        }
+      };
+    };
+    server.Get("/", answer("text/html; charset=utf-8", [this](const auto&) { return page(); }));
+    server.Get("/run.json",
+               answer("application/json", [this](const auto&) { return run().dump(); }));
+    server.Get(R"(/frame/(\d{1,9}))",
+               answer("application/octet-stream", [this](const httplib::Request& request) {
+                 return packer.pack(std::stoul(request.matches[1].str()));
+               }));
+  }
+
+  fs::path folder;
+  Case description;
+  ViewerPacker packer;
+  std::mutex mutex;  // one request at a time looks into the folder
+  httplib::Server server;
+};
+
+ViewServer::ViewServer(const fs::path& folder) : state_(std::make_unique<State>(folder)) {
+  state_->set_routes();
+}
+ViewServer::~ViewServer() = default;
+
+int ViewServer::bind(int port) {
+  constexpr const char* loopback = "127.0.0.1";
+  if (port == 0) return state_->server.bind_to_any_port(loopback);
+  if (!state_->server.bind_to_port(loopback, port))
+    throw UserError(
+        fmt::format("--port {}: the port is taken, or not allowed. Allowed: a free port "
+                    "from 1 to 65535, or 0 for any. Choose another.",
+                    port),
+        exit_bad_input);
+  return port;
+}
+void ViewServer::serve() {
+  state_->server.listen_after_bind();
+}
+void ViewServer::stop() {
+  state_->server.stop();
+}
+
+}  // namespace kerf

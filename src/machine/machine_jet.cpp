@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machine/machine_jet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "case/scales.hpp"
+#include "case/schema.hpp"
+#include "machine/contraction.hpp"
+#include "machine/jet_speed.hpp"
+#include "machine/standoff.hpp"
+
+namespace kerf {
+
+namespace {
+
+// Further up the jet is as below: simulated is a flight of this many diameters at most.
+constexpr double simulated_flight = 2.0;
+
+bool is_flat(const Machine& machine) {
+  return machine.orifice_type == OrificeType::slit || machine.orifice_type == OrificeType::fan;
+}
+
+double contraction_of(const Machine& machine) {
+  return machine.discharge_coefficient / machine.velocity_coefficient;
+}
+
+// Length of the sheet at the workpiece, m: that of the orifice, and what a fan opens by.
+double sheet_length(const Machine& machine) {
+  const double opening = machine.orifice_type == OrificeType::fan
+                             ? 2.0 * machine.standoff * std::tan(0.5 * machine.fan_angle)
+                             : 0.0;
+  return machine.orifice_length + opening;
+}
+
+// Downwards and, by the angles, along the traverse and to its right.
+void aim(const Machine& machine, Jet& jet) {
+  const Point& forward = machine.traverse_direction;
+  const double ahead = std::tan(machine.lead_angle), aside = std::tan(machine.tilt_angle);
+  // Right of the traverse, seen from above: forward x up.
+  const double x = ahead * forward[0] - aside * forward[2];
+  const double z = ahead * forward[2] + aside * forward[0];
+  jet.angle = std::atan(std::hypot(x, z));
+  jet.azimuth = jet.angle > 0.0 ? std::atan2(z, x) : 0.0;
+}
+
+void pulse(const Machine& machine, const JetAtWorkpiece& arriving, Jet& jet) {
+  jet.duty = machine.duty * arriving.water_share;
+  jet.pulse_frequency =
+      machine.pulse_frequency > 0.0 ? machine.pulse_frequency : arriving.pulse_frequency;
+  if (jet.duty == 1.0) jet.pulse_frequency = 0.0;
+}
+
+}  // namespace
+
+double standard_contraction(const Machine& machine) {
+  return contraction(machine.orifice_type == OrificeType::conical ? machine.cone_angle
+                                                                  : 0.5 * std::numbers::pi);
+}
+
+MachineNumbers machine_numbers(const Machine& machine, const Material& water, int dimension) {
+  const double hugoniot_slope = standard_number(*find_key("materials", "hugoniot_slope", {}));
+  MachineNumbers numbers;
+  numbers.speed = machine.velocity_coefficient * jet_speed(machine.pressure, water.density);
+  numbers.contraction = contraction_of(machine);
+  const bool flat = dimension == 2 || is_flat(machine);
+  const double width = machine.orifice_diameter;
+  numbers.diameter = width * (flat ? numbers.contraction : std::sqrt(numbers.contraction));
+  const double section = flat ? numbers.diameter * (dimension == 2 ? 1.0 : machine.orifice_length)
+                              : std::numbers::pi / 4.0 * numbers.diameter * numbers.diameter;
+  numbers.flow_rate = section * numbers.speed;
+  numbers.stagnation_pressure = 0.5 * water.density * numbers.speed * numbers.speed;
+  numbers.power = numbers.stagnation_pressure * numbers.flow_rate;
+  numbers.hammer_pressure =
+      water.density * (real_water_sound_speed + hugoniot_slope * numbers.speed) * numbers.speed;
+  const JetAtWorkpiece arriving =
+      jet_after(machine.standoff, numbers.diameter, numbers.speed, machine.coherent_length);
+  numbers.diameter_at_workpiece = arriving.diameter;
+  numbers.water_share_at_workpiece = arriving.water_share;
+  if (flat && dimension == 3)  // a sheet that grows longer grows thinner
+    numbers.diameter_at_workpiece *= machine.orifice_length / sheet_length(machine);
+  return numbers;
+}
+
+Jet machine_jet(const Machine& machine, const Material& water, int dimension) {
+  const MachineNumbers numbers = machine_numbers(machine, water, dimension);
+  Jet jet;
+  jet.name = machine_jet_name;
+  jet.material = machine.material;
+  jet.speed = numbers.speed;
+  jet.width = numbers.diameter_at_workpiece;
+  if (dimension == 3 && is_flat(machine)) jet.length = sheet_length(machine);
+  jet.position = machine.position;
+  jet.standoff = std::min(machine.standoff, simulated_flight * jet.width);
+  aim(machine, jet);
+  jet.spacing = machine.spacing;
+  jet.stop = std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0; a < 3; ++a)
+    jet.traverse[a] = machine.traverse_speed * machine.traverse_direction[a];
+  jet.dwell = machine.dwell;
+  pulse(machine,
+        jet_after(machine.standoff, numbers.diameter, numbers.speed, machine.coherent_length), jet);
+  return jet;
+}
+
+}  // namespace kerf

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/kerf_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "measure/kerf_lag.hpp"
+
+namespace kerf {
+namespace {
+
+// A width is that of a layer from the face down to twice this part of the depth, and to at least
+// four spacings; so much for the middle and the bottom. The bottom of a blind kerf, which is round,
+// is left out by half a layer.
+constexpr double edge_fraction = 0.05;
+constexpr double least_edge = 2.0;  // spacings
+// A kerf that is less deep, in spacings, has but one level.
+constexpr double least_levels = 8.0;
+
+SectionProbe make_probe(const KerfAxes& axes, const KerfPath& path, double spacing) {
+  SectionProbe probe;
+  const double width = axes.jet.width;
+  probe.breadth = std::max(depth_breadth_fraction * width, 2.0 * spacing);
+  probe.tube_low = std::min(path.begin[0], path.end[0]) - width / 2.0;
+  probe.tube_high = std::max(path.begin[0], path.end[0]) + width / 2.0;
+  probe.reach = width / 2.0;
+  return probe;
+}
+
+// Sections that the axis has passed; where it stands still, those beside it.
+std::vector<KerfSection> passed_sections(const std::vector<KerfSection>& sections,
+                                         const KerfPath& path, double bin) {
+  std::vector<KerfSection> passed;
+  for (const KerfSection& section : sections)
+    if (section.thickness > 0.0 && section.position >= path.begin[1] - bin / 2.0 &&
+        section.position <= path.end[1] + bin / 2.0)
+      passed.push_back(section);
+  return passed;
+}
+
+// Median over the sections that are that deep of the mean width in a layer of twice `half`.
+KerfLevel measure_level(const KerfMap& map, const std::vector<KerfSection>& passed,
+                        const SectionProbe& probe, double below, double half) {
+  const int rows = 2 * static_cast<int>(std::max(1.0, std::round(half / map.grid.step)));
+  std::vector<double> widths;
+  for (const KerfSection& section : passed) {
+    if (section.depth < below) continue;
+    double sum = 0.0;
+    for (int row = 0; row < rows; ++row)
+      sum +=
+          width_below_top(map, section.index, probe, below + half * ((2 * row + 1.0) / rows - 1.0));
+    widths.push_back(sum / rows);
+  }
+  return {below, half, median(widths)};
+}
+
+// Of the least-squares line through widths over depth, rad of one face.
+double find_taper(const std::vector<KerfLevel>& levels) {
+  const double count = static_cast<double>(levels.size());
+  KerfLevel mean;
+  for (const KerfLevel& level : levels) {
+    mean.below += level.below / count;
+    mean.width += level.width / count;
+  }
+  double product = 0.0, square = 0.0;
+  for (const KerfLevel& level : levels) {
+    product += (level.below - mean.below) * (level.width - mean.width);
+    square += (level.below - mean.below) * (level.below - mean.below);
+  }
+  return square > 0.0 ? std::atan(-product / square / 2.0) : 0.0;
+}
+
+void measure_widths(const KerfMap& map, const std::vector<KerfSection>& passed,
+                    const SectionProbe& probe, double spacing, KerfShape& shape) {
+  if (shape.depth < spacing) return;
+  const double edge = std::max(least_edge * spacing, edge_fraction * shape.depth);
+  const bool deep = shape.depth >= least_levels * spacing;
+  // The last half spacing before a face is as rough as the lattice.
+  const double half = deep ? edge - spacing / 2.0 : shape.depth / 4.0;
+  const auto level = [&](double below) { return measure_level(map, passed, probe, below, half); };
+  shape.middle = level(shape.depth / 2.0);
+  shape.top = shape.bottom = shape.middle;
+  if (!deep) return;
+  const double lowest = shape.through ? shape.thickness - edge : shape.depth - 2.0 * edge;
+  shape.top = level(edge);
+  shape.bottom = level(std::min(lowest, shape.depth));
+  std::vector<KerfLevel> levels;
+  const double last = std::min(shape.bottom.below + half, shape.depth);
+  for (double below = spacing; below <= last; below += spacing)
+    levels.push_back(measure_level(map, passed, probe, below, spacing / 2.0));
+  shape.taper = find_taper(levels);
+}
+
+// One point for each column (2D) or section (3D) of the map.
+std::vector<ProfilePoint> find_course(const KerfMap& map,
+                                      const std::vector<KerfSection>& sections) {
+  std::vector<ProfilePoint> course;
+  if (map.grid.dimension == 2) {
+    for (std::size_t i = 0; i < map.grid.count[0]; ++i)
+      if (map.column(i, 0).exists) course.push_back({map.grid.at(0, i), map.column(i, 0).depth});
+  } else {
+    for (const KerfSection& section : sections)
+      if (section.thickness > 0.0) course.push_back({section.position, section.depth});
+  }
+  return course;
+}
+
+std::vector<ProfilePoint> find_radial_course(const KerfMap& map) {
+  std::vector<ProfilePoint> course;
+  for (std::size_t i = 0; i < map.grid.count[0]; ++i)
+    for (std::size_t j = 0; j < map.grid.count[1]; ++j)
+      if (map.column(i, j).exists)
+        course.push_back(
+            {std::hypot(map.grid.at(0, i), map.grid.at(1, j)), map.column(i, j).depth});
+  return course;
+}
+
+// Means over bins, one of them around 0 or, of distances, from 0 on.
+std::vector<ProfilePoint> bin_profile(const std::vector<ProfilePoint>& course, double bin,
+                                      bool radial) {
+  struct Sum {
+    double position = 0.0, depth = 0.0, count = 0.0;
+  };
+  std::map<long, Sum> bins;
+  for (const ProfilePoint& point : course) {
+    Sum& sum = bins[std::lround(std::floor(point.position / bin + (radial ? 0.0 : 0.5)))];
+    sum.position += point.position;
+    sum.depth += point.depth;
+    sum.count += 1.0;
+  }
+  std::vector<ProfilePoint> profile;
+  for (const auto& [number, sum] : bins)
+    profile.push_back({sum.position / sum.count, sum.depth / sum.count});
+  return profile;
+}
+
+}  // namespace
+
+KerfShape measure_shape(const KerfMap& map, const KerfAxes& axes, const KerfPath& path,
+                        double spacing) {
+  KerfShape shape;
+  const SectionProbe probe = make_probe(axes, path, spacing);
+  const double bin = std::max(axes.jet.width / 4.0, 2.0 * spacing);
+  std::vector<KerfSection> sections;
+  for (std::size_t j = 0; j < map.grid.count[1]; ++j)
+    sections.push_back(measure_section(map, j, probe));
+  const std::vector<KerfSection> passed = passed_sections(sections, path, bin);
+  if (passed.empty()) return shape;
+  std::vector<double> depths, thicknesses;
+  for (const KerfSection& section : passed) {
+    depths.push_back(section.depth);
+    thicknesses.push_back(section.thickness);
+  }
+  shape.depth = median(depths);
+  shape.thickness = median(thicknesses);
+  shape.through = shape.depth >= shape.thickness - spacing;
+  measure_widths(map, passed, probe, spacing, shape);
+  const std::vector<ProfilePoint> course = find_course(map, sections);
+  const bool radial = map.grid.dimension == 3 && !axes.moves();
+  shape.profile = bin_profile(radial ? find_radial_course(map) : course, bin, radial);
+  if (axes.moves()) shape.lag = measure_lag(map, axes, path, probe, shape);
+  return shape;
+}
+
+}  // namespace kerf

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/read_frame.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/error.hpp"
+#include "output/files.hpp"
+#include "output/hdf5.hpp"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void damaged(const fs::path& file, const char* what) {
+  throw UserError(fmt::format("{}: the file is damaged ({}). Remove it, or run the case again.",
+                              file.string(), what),
+                  exit_files);
+}
+
+template <class T>
+std::vector<std::array<double, 3>> triples(const std::vector<T>& values) {
+  std::vector<std::array<double, 3>> rows(values.size() / 3);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t a = 0; a < 3; ++a) rows[i][a] = static_cast<double>(values[3 * i + a]);
+  return rows;
+}
+
+void read_fields(const hdf5::Handle& group, Frame& frame) {
+  frame.velocity = triples(hdf5::read_array<float>(group, "velocity"));
+  for (const std::uint8_t code : hdf5::read_array<std::uint8_t>(group, "category"))
+    frame.category.push_back(static_cast<Category>(std::min<std::uint8_t>(code, 3)));
+  frame.id = hdf5::read_array<std::uint32_t>(group, "id");
+  frame.source = hdf5::read_array<std::uint16_t>(group, "source");
+  frame.spacing = hdf5::read_array<float>(group, "spacing");
+  frame.mass = hdf5::read_array<float>(group, "mass");
+  frame.density = hdf5::read_array<float>(group, "density");
+  frame.pressure = hdf5::read_array<float>(group, "pressure");
+  frame.upstream = hdf5::read_array<std::uint8_t>(group, "upstream");
+  const std::set<std::string> known{"velocity", "category", "id",       "source",  "spacing",
+                                    "mass",     "density",  "pressure", "upstream"};
+  const std::size_t count = frame.position.size();
+  for (const std::string& name : hdf5::arrays_in(group)) {
+    if (known.count(name) != 0 || count == 0) continue;
+    auto values = hdf5::read_array<float>(group, name);
+    const int components = static_cast<int>(values.size() / count);
+    frame.columns.push_back({name, "", components, std::move(values)});
+  }
+}
+
+// Every field has an entry for each particle.
+bool is_whole(const Frame& frame) {
+  const std::size_t count = frame.position.size();
+  const bool fields = frame.velocity.size() == count && frame.category.size() == count &&
+                      frame.id.size() == count && frame.source.size() == count &&
+                      frame.spacing.size() == count && frame.mass.size() == count &&
+                      frame.density.size() == count && frame.pressure.size() == count &&
+                      frame.upstream.size() == count;
+  return fields && std::all_of(frame.columns.begin(), frame.columns.end(), [&](const Column& c) {
+           return c.values.size() == count * static_cast<std::size_t>(c.components);
+         });
+}
+
+}  // namespace
+
+std::vector<FrameFile> frame_files(const fs::path& folder) {
+  fs::path series;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".series") series = entry.path();
+  std::vector<FrameFile> files;
+  if (series.empty()) return files;
+  try {
+    const auto json = nlohmann::json::parse(read_file(series));
+    for (const auto& entry : json.at("files"))
+      files.push_back(
+          {folder / entry.at("name").get<std::string>(), entry.at("time").get<double>()});
+  } catch (const nlohmann::json::exception& error) {
+    damaged(series, error.what());
+  }
+  return files;
+}
+
+Frame read_frame(const fs::path& file, int dimension) {
+  Frame frame;
+  frame.dimension = dimension;
+  try {
+    const hdf5::Handle opened = hdf5::open(file);
+    const hdf5::Handle root = hdf5::open_group(opened, "VTKHDF");
+    frame.position = triples(hdf5::read_array<double>(root, "Points"));
+    frame.time = hdf5::read_array<double>(root, "FieldData/TimeValue").at(0);
+    frame.step = hdf5::read_array<std::uint64_t>(root, "FieldData/step").at(0);
+    read_fields(hdf5::open_group(root, "PointData"), frame);
+  } catch (const hdf5::Error& error) {
+    damaged(file, error.what());
+  } catch (const std::out_of_range& error) {
+    damaged(file, error.what());
+  }
+  if (!is_whole(frame)) damaged(file, "fields of different lengths");
+  return frame;
+}
+
+}  // namespace kerf

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames of a run, read back from its folder.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "simulation/frame.hpp"
+
+namespace kerf {
+
+struct FrameFile {
+  std::filesystem::path path;
+  double time = 0.0;  // s
+};
+
+// The frames that a run has written into `folder` so far, in order of time; none when there is no
+// series. Throws UserError (exit_files) where the series is damaged.
+std::vector<FrameFile> frame_files(const std::filesystem::path& folder);
+
+// A frame as output/vtkhdf.hpp writes it; units of columns are not read. Throws UserError
+// (exit_files) where the file is missing or damaged.
+Frame read_frame(const std::filesystem::path& file, int dimension);
+
+}  // namespace kerf

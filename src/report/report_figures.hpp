@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The curves of a report: which there are, and of what.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "output/series.hpp"
+#include "report/plot.hpp"
+
+namespace kerf {
+
+// Curves over the times of the series, in SI units.
+struct ReportFigure {
+  std::string title;
+  Axis axis;
+  std::vector<Curve> curves;
+};
+
+std::vector<ReportFigure> report_figures(const SeriesTable& series, const Case& description);
+// Drawn; `cut_time` marks the cut where it is not negative.
+std::string report_plots(const std::vector<ReportFigure>& figures, const std::vector<double>& time,
+                         double cut_time);
+
+}  // namespace kerf

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The script and the style of web/, which the build puts into the program where npm can make them.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/embedded_text.hpp"
+
+namespace kerf {
+
+std::span<const EmbeddedText> viewer_files();
+
+// "script" or "style"; empty where the program was built without npm.
+inline std::string_view viewer_text(std::string_view name) {
+  for (const EmbeddedText& file : viewer_files())
+    if (file.name == name) return file.text;
+  return {};
+}
+
+}  // namespace kerf

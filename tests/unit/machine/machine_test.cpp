@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the setting of a machine to its jet, against tables and closed forms.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "case/material_library.hpp"
+#include "case/scales.hpp"
+#include "case/schema.hpp"
+#include "machine/contraction.hpp"
+#include "machine/jet_speed.hpp"
+#include "machine/machine_jet.hpp"
+#include "machine/standoff.hpp"
+#include "measure/jet_axis.hpp"
+
+namespace kerf {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+Machine plain_machine() {
+  Machine machine;
+  machine.pressure = 3e6;
+  machine.orifice_diameter = 0.12e-3;
+  machine.velocity_coefficient = 0.98;
+  machine.discharge_coefficient = 0.98 * standard_contraction(machine);
+  machine.coherent_length = 1.0;
+  machine.standoff = 10e-3;
+  machine.spacing = 1e-5;
+  return machine;
+}
+Material water() {
+  Material material;
+  material.density = 1000.0;
+  return material;
+}
+
+// Speeds of water of 1000 kg/m^3 with the compression of Hashish (1989), by numerical integration
+// of dP / rho in the source of this table.
+TEST(Machine, PressureGivesTheSpeedsOfTheTable) {
+  const double table[][2] = {{1.25e6, 50}, {3e6, 77},    {10e6, 141},  {30e6, 244},  {70e6, 371},
+                             {100e6, 443}, {200e6, 621}, {300e6, 755}, {400e6, 866}, {600e6, 1048}};
+  for (const auto& [pressure, speed] : table)
+    EXPECT_NEAR(jet_speed(pressure, 1000.0), speed, std::max(0.005 * speed, 0.5)) << pressure;
+}
+
+TEST(Machine, SpeedIsBernoullisIntegral) {
+  for (const double pressure : {1e5, 3e6, 50e6, 400e6}) {
+    const int steps = 20'000;
+    double sum = 0.0;
+    for (int i = 0; i < steps; ++i) {
+      const double p = pressure * (i + 0.5) / steps;
+      sum += pressure / steps /
+             (998.0 * std::pow(1.0 + p / compression_pressure, compression_exponent));
+    }
+    EXPECT_NEAR(jet_speed(pressure, 998.0), std::sqrt(2.0 * sum), 1e-7 * std::sqrt(2.0 * sum));
+    EXPECT_NEAR(pump_pressure(jet_speed(pressure, 998.0), 998.0), pressure, 1e-9 * pressure);
+  }
+  EXPECT_NEAR(jet_speed(1.0, 1000.0), std::sqrt(2e-3), 1e-9);  // without compression
+}
+
+TEST(Machine, CompressionGoesWithTheSpeedOfSound) {
+  EXPECT_NEAR(std::sqrt(compression_pressure / (compression_exponent * 998.2)),
+              real_water_sound_speed, 0.002 * real_water_sound_speed);
+}
+
+// Kirchhoff's slit, Borda's mouthpiece and the table of von Mises (1917) between.
+TEST(Machine, ContractionOfAFunnel) {
+  EXPECT_NEAR(contraction(90 * degree), std::numbers::pi / (std::numbers::pi + 2.0), 1e-12);
+  EXPECT_NEAR(contraction(180 * degree), 0.5, 1e-12);
+  EXPECT_NEAR(contraction(45 * degree), 0.746, 0.001);
+  EXPECT_NEAR(contraction(135 * degree), 0.537, 0.001);
+  EXPECT_NEAR(contraction(0.01 * degree), 1.0, 1e-3);
+}
+
+TEST(Machine, FlowRatePowerAndSizeOfAJet) {
+  Machine machine = plain_machine();
+  const auto numbers = machine_numbers(machine, water(), 3);
+  const double ideal = jet_speed(3e6, 1000.0);
+  const double hole = std::numbers::pi / 4.0 * 0.12e-3 * 0.12e-3;
+  EXPECT_NEAR(numbers.speed, 0.98 * ideal, 1e-9);
+  EXPECT_NEAR(numbers.flow_rate, machine.discharge_coefficient * hole * ideal, 1e-18);
+  EXPECT_NEAR(numbers.power, 0.5 * 1000.0 * numbers.flow_rate * numbers.speed * numbers.speed,
+              1e-9 * numbers.power);
+  EXPECT_NEAR(numbers.stagnation_pressure, 0.98 * 0.98 * 3e6, 0.001 * 3e6);
+  const double slope = standard_number(*find_key("materials", "hugoniot_slope", {}));
+  EXPECT_NEAR(numbers.hammer_pressure, 1000.0 * (1481.0 + slope * numbers.speed) * numbers.speed,
+              1.0);
+  const Jet jet = machine_jet(machine, water(), 3);
+  EXPECT_NEAR(jet.width, 0.12e-3 * std::sqrt(0.611), 0.0005 * jet.width);
+  EXPECT_EQ(jet.duty, 1.0);
+  EXPECT_LE(jet.standoff, 2.0 * jet.width);
+}
+
+// Mass and momentum of what arrives are those of what left, whatever the standoff.
+TEST(Machine, StandoffKeepsMassAndMomentum) {
+  for (const double standoff : {1e-3, 10e-3, 40e-3}) {
+    Machine machine = plain_machine();
+    machine.coherent_length = 5e-3;
+    machine.standoff = standoff;
+    const auto numbers = machine_numbers(machine, water(), 3);
+    const Jet jet = machine_jet(machine, water(), 3);
+    EXPECT_NEAR(nozzle_area(jet, 3) * jet.speed * jet.duty, numbers.flow_rate,
+                1e-9 * numbers.flow_rate);
+    EXPECT_EQ(jet.pulse_frequency > 0.0, standoff > 5e-3);
+  }
+  // Rajaratnam & Albers (1998): 2% after 200 diameters.
+  EXPECT_NEAR(jet_after(200.0, 1.0, 100.0, coherent_diameters).water_share, 0.02, 1e-12);
+}
+
+TEST(Machine, FansOpenAndKeepTheirFlow) {
+  Machine machine = plain_machine();
+  machine.orifice_type = OrificeType::fan;
+  machine.orifice_length = 1e-3;
+  machine.fan_angle = 30 * degree;
+  machine.standoff = 20e-3;
+  const auto numbers = machine_numbers(machine, water(), 3);
+  const Jet jet = machine_jet(machine, water(), 3);
+  EXPECT_NEAR(jet.length, 1e-3 + 2.0 * 20e-3 * std::tan(15 * degree), 1e-15);
+  EXPECT_NEAR(nozzle_area(jet, 3) * jet.speed, numbers.flow_rate, 1e-9 * numbers.flow_rate);
+}
+
+// The angles are those between the vertical and the projections of the jet.
+TEST(Machine, LeadAndTiltLeanAlongAndRightOfTheTraverse) {
+  Machine machine = plain_machine();
+  machine.lead_angle = 20 * degree;
+  machine.tilt_angle = 10 * degree;
+  for (const double turn : {0.0, 35.0, 90.0, 200.0}) {
+    machine.traverse_direction = {std::cos(turn * degree), 0.0, std::sin(turn * degree)};
+    const JetAxis axis(machine_jet(machine, water(), 3), 3);
+    const Point& forward = machine.traverse_direction;
+    const Point right{-forward[2], 0.0, forward[0]};  // forward x up
+    const auto along = [&](const Point& p) {
+      return axis.along[0] * p[0] + axis.along[1] * p[1] + axis.along[2] * p[2];
+    };
+    EXPECT_NEAR(std::atan2(along(forward), -axis.along[1]), 20 * degree, 1e-12);
+    EXPECT_NEAR(std::atan2(along(right), -axis.along[1]), 10 * degree, 1e-12);
+  }
+}
+
+TEST(Machine, InThePlaneAnOrificeIsASlit) {
+  const Machine machine = plain_machine();
+  const auto numbers = machine_numbers(machine, water(), 2);
+  EXPECT_NEAR(numbers.diameter, 0.12e-3 * 0.611, 0.0005 * numbers.diameter);
+  EXPECT_NEAR(numbers.flow_rate, numbers.diameter * numbers.speed, 1e-15);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// kerf view, asked as a browser asks it; frames are unpacked by zlib and compared with those on the
+// disk.
+#include "app/view_server.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <httplib.h>
+#include <zlib.h>
+
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/run_loop.hpp"
+#include "case/write_used.hpp"
+#include "core/error.hpp"
+#include "output/read_frame.hpp"
+#include "report/movie.hpp"
+#include "support/fake_simulation.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace kerf {
+namespace {
+
+class View : public testing::Test {
+ protected:
+  void SetUp() override {
+    RunSettings settings;
+    settings.description = description_;
+    settings.case_name = "fake";
+    settings.case_text = write_used(description_);
+    settings.folder = out_;
+    settings.quiet = true;
+    RunLoop(settings, [](const Case& description) {
+      return std::make_unique<test::FakeSimulation>(description);
+    }).run();
+    server_ = std::make_unique<ViewServer>(out_);
+    client_ = std::make_unique<httplib::Client>("127.0.0.1", server_->bind(0));
+    thread_ = std::thread([this] { server_->serve(); });
+  }
+  void TearDown() override {
+    server_->stop();
+    thread_.join();
+  }
+  nlohmann::json run() { return nlohmann::json::parse(client_->Get("/run.json")->body); }
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path out_ = folder_ / "out";
+  Case description_ = test::fake_case();
+  std::unique_ptr<ViewServer> server_;
+  std::unique_ptr<httplib::Client> client_;
+  std::thread thread_;
+};
+
+std::string inflated(const std::string& packed) {
+  std::string bytes(1 << 22, '\0');
+  uLongf size = bytes.size();
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                       reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
+            Z_OK);
+  bytes.resize(size);
+  return bytes;
+}
+
+TEST_F(View, ServesThePageOfARun) {
+  const auto page = client_->Get("/");
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->status, 200);
+  EXPECT_THAT(page->body, testing::HasSubstr("class=\"verdict"));
+  EXPECT_EQ(client_->Get("/nothing")->status, 404);
+}
+
+TEST_F(View, FramesAreThoseOnTheDisk) {
+  const auto json = run();
+  const auto files = frame_files(out_);
+  ASSERT_GT(files.size(), 2u);
+  ASSERT_EQ(json.at("frames").size(), files.size());
+  const auto fields = json.at("fields").size();
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    const Frame frame = read_frame(files[n].path, description_.dimension);
+    const auto& entry = json.at("frames").at(n);
+    const std::size_t count = frame.position.size();
+    ASSERT_EQ(entry.at("count").get<std::size_t>(), count);
+    EXPECT_EQ(entry.at("time").get<double>(), frame.time);
+    const std::string bytes =
+        inflated(client_->Get("/" + entry.at("url").get<std::string>())->body);
+    const auto dimension = static_cast<std::size_t>(description_.dimension);
+    ASSERT_EQ(bytes.size(), count * (2 * dimension + 2 + fields));
+    for (std::size_t a = 0; a < dimension; ++a) {
+      const double low = json.at("minimum").at(a), high = json.at("maximum").at(a);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = 2 * (a * count + i);
+        const unsigned code = static_cast<unsigned char>(bytes[at]) +
+                              256u * static_cast<unsigned char>(bytes[at + 1]);
+        const double place = std::clamp(frame.position[i][a], low, high);
+        EXPECT_NEAR(low + code / 65535.0 * (high - low), place, 0.51 * (high - low) / 65535.0);
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      EXPECT_EQ(bytes[2 * dimension * count + i], static_cast<char>(frame.category[i]));
+  }
+}
+
+TEST_F(View, FollowsARunThatGoesOn) {
+  EXPECT_EQ(run().at("live"), false);
+  std::filesystem::remove(out_ / "result.json");
+  EXPECT_EQ(run().at("live"), true);
+  EXPECT_THAT(client_->Get("/")->body, testing::HasSubstr("The run is going on"));
+  EXPECT_GT(run().at("curves").at("time").size(), 2u);
+}
+
+TEST(ViewFolder, MustHoldARun) {
+  const test::TemporaryFolder folder;
+  EXPECT_THAT(test::message_of<UserError>([&] { ViewServer server(folder / ""); }),
+              testing::HasSubstr("holds no run of Kerf"));
+}
+
+TEST_F(View, AMovieHasAllFrames) {
+  std::size_t drawn = 0;
+  try {
+    const auto file =
+        write_movie(out_, description_, [&](std::size_t done, std::size_t) { drawn = done; });
+    EXPECT_EQ(drawn, frame_files(out_).size());
+    EXPECT_GT(std::filesystem::file_size(file), 1000u);
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("apt-get install ffmpeg"));
+  }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Buttons that look from somewhere else, and that keep what is seen.
+
+import { element } from "./dom.ts";
+import { directions } from "./view.ts";
+import type { Direction } from "./view.ts";
+
+interface Actions {
+  look: (direction?: Direction) => void;
+  save: () => void;
+}
+
+function button(id: string, label: string, action: () => void): HTMLButtonElement {
+  return element("button", { id, type: "button", onclick: action }, label);
+}
+
+export function viewButtons(dimension: 2 | 3, actions: Actions): HTMLElement {
+  const sides = dimension === 3 ? Object.entries(directions) : [];
+  const looks = sides.map(([name, direction]) => button(`kerf-look-${name}`, name, () => actions.look(direction)));
+  const group = element("div", { className: "kerf-group" });
+  if (looks.length > 0) group.append(element("div", { className: "kerf-buttons" }, ...looks));
+  const reset = button("kerf-reset", "reset view", () => actions.look());
+  group.append(element("div", { className: "kerf-buttons" }, reset, button("kerf-save", "save picture", actions.save)));
+  return group;
+}
