@@ -122,12 +122,20 @@ std::vector<std::size_t> slice_of(const Frame& frame, double z) {
   return shown;
 }
 
+// Behind a symmetry plane in front there is nothing to cut open: its mirror image is shown.
+Frame mirrored(Frame frame, double plane) {
+  for (auto& place : frame.position) place[2] = 2.0 * plane - place[2];
+  return frame;
+}
+
 std::string draw_solid(const Frame& frame, const Case& description, const Box& window,
                        double scale) {
   const double z = description.jets.empty() ? 0.5 * (window.minimum[2] + window.maximum[2])
                                             : description.jets.front().position[2];
   Box half = window;
   half.maximum[2] = z;
+  const bool is_half = description.symmetry.minimum[2] && z <= description.domain.minimum[2];
+  if (is_half) half.minimum[2] = 2.0 * z - window.maximum[2];
   const Box seen = extent_of(half, oblique_sight());
   Map oblique = map_of(seen.minimum[0], seen.maximum[0], seen.minimum[1], seen.maximum[1]);
   Map slice = map_of(window.minimum[0], window.maximum[0], window.minimum[1], window.maximum[1]);
@@ -139,7 +147,7 @@ std::string draw_solid(const Frame& frame, const Case& description, const Box& w
   const double right = slice.area.x + slice.area.width;
 
   const Canvas canvas(pixels(right + right_space), pixels(bottom + bottom_space), scale);
-  draw_oblique(canvas, oblique, frame, z);
+  draw_oblique(canvas, oblique, is_half ? mirrored(frame, z) : frame, z);
   draw_discs(canvas, slice, frame, slice_of(frame, z));
   draw_axes(canvas, slice);
   draw_heading(canvas, frame, description, right);
