@@ -14,29 +14,30 @@ import tempfile
 FENCE = re.compile(r"^```(\w+)(?: +(\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
+def type_in(program, line, folder):
+    words = line.split()
+    if words[0] != "kerf":
+        sys.exit(f"tutorial.md: \"{line}\" is no command of kerf")
+    ended = subprocess.run([program, *words[1:]], cwd=folder, capture_output=True, text=True)
+    if ended.returncode != 0:
+        sys.exit(f"tutorial.md: \"{line}\" ended with {ended.returncode}:\n{ended.stderr}")
+
+
 def main():
-    program = sys.argv[1]
     page = pathlib.Path(__file__).parent.parent / "docs" / "tutorial.md"
     commands = 0
     with tempfile.TemporaryDirectory() as folder:
         for kind, name, text in FENCE.findall(page.read_text()):
             if kind == "toml":
                 (pathlib.Path(folder) / name).write_text(text)
-            if kind != "sh":
-                continue
-            for line in text.strip().splitlines():
-                words = line.split()
-                if words[0] != "kerf":
-                    sys.exit(f"{page.name}: \"{line}\" is no command of kerf")
-                ended = subprocess.run([program, *words[1:]], cwd=folder, capture_output=True, text=True)
-                if ended.returncode != 0:
-                    sys.exit(f"{page.name}: \"{line}\" ended with {ended.returncode}:\n{ended.stderr}")
+            for line in text.strip().splitlines() if kind == "sh" else []:
+                type_in(sys.argv[1], line, folder)
                 commands += 1
         result = json.loads((pathlib.Path(folder) / "out/my/result.json").read_text())
         if not result["verdict"] or not (pathlib.Path(folder) / "out/my/report.html").exists():
-            sys.exit(f"{page.name}: no verdict or no report")
+            sys.exit("tutorial.md: no verdict or no report")
     if commands < 3:
-        sys.exit(f"{page.name}: only {commands} commands")
+        sys.exit(f"tutorial.md: only {commands} commands")
     print(f"{commands} commands run; {result['verdict']}")
 
 

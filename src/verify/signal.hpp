@@ -50,6 +50,7 @@ Signal crack_signal(const Parameters& parameters, const Beginning& beginning);
 
 // Of water on other matter.
 Signal jet_tip_signal(const Parameters& parameters, const Beginning& beginning);
+Signal forward_share_signal(const Parameters& parameters, const Beginning& beginning);
 Signal deepest_water_signal(const Parameters& parameters, const Beginning& beginning);
 
 }  // namespace kerf

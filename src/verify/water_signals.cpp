@@ -49,6 +49,30 @@ Signal jet_tip_signal(const Parameters& parameters, const Beginning& beginning) 
   };
 }
 
+// Part of the flow of the first jet that goes the way it leans (+x): mass times speed along x of
+// its water between `beyond` and `beyond` + `band` from the point it aims at that moves away from
+// there, on that side, over the sum of both sides. 1/2 before there is any.
+Signal forward_share_signal(const Parameters& parameters, const Beginning& beginning) {
+  const auto source = static_cast<std::uint16_t>(beginning.description.bodies.size());
+  const double x = beginning.description.jets.at(0).position[0];
+  const double beyond = parameters.number("beyond", "m");
+  const double band = parameters.number("band", "m");
+  return [source, x, beyond, band](Moment& moment) {
+    const Frame& frame = moment.frame();
+    double forwards = 0.0, backwards = 0.0;
+    for (std::size_t row = 0; row < frame.id.size(); ++row) {
+      const double offset = frame.position[row][0] - x;
+      const double distance = std::abs(offset);
+      if (frame.source[row] != source || distance < beyond || distance > beyond + band) continue;
+      const double flow = double(frame.mass[row]) * frame.velocity[row][0];  // the jet comes in
+      if (offset > 0.0 && flow > 0.0) forwards += flow;
+      if (offset < 0.0 && flow < 0.0) backwards -= flow;
+    }
+    const double sum = forwards + backwards;
+    return sum > 0.0 ? forwards / sum : 0.5;
+  };
+}
+
 // Largest depth of water beneath the top of a body, in spacings of the body; negative above it. The
 // top is the line through the particles that were its uppermost row, where they are now, and half a
 // spacing above them. 2D only.
