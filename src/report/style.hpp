@@ -42,6 +42,7 @@ figure img { width: 100%; height: auto; display: block; border: 1px solid var(--
 .swatch { display: inline-block; width: 1.4rem; margin-right: .4rem; vertical-align: middle; }
 sub, sup { line-height: 0; }
 svg { width: 100%; height: auto; display: block; }
+figure.kerf { max-width: 42rem; margin-bottom: 1.5rem; }
 svg text, svg tspan { font-family: inherit; }
 .tables { columns: 2 30rem; column-gap: 2.5rem; }
 table { border-collapse: collapse; width: 100%; font-size: .92rem; margin: 0 0 2rem; break-inside: avoid; }
