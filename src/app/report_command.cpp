@@ -4,8 +4,7 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
-#include "case/read.hpp"
-#include "core/error.hpp"
+#include "app/run_folder.hpp"
 #include "report/movie.hpp"
 #include "report/report.hpp"
 
@@ -15,13 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void report(const fs::path& folder, bool movie) {
-  const fs::path used = folder / "case.used.toml";
-  if (!fs::exists(used))
-    throw UserError(fmt::format("{} holds no run of Kerf (there is no case.used.toml). Name the "
-                                "folder that was given to 'kerf run' by --out.",
-                                folder.string()),
-                    exit_files);
-  const Case description = read_case(used);
+  const Case description = case_of_run(folder);
   write_report(folder, description);
   fmt::print("{}\n", (folder / "report.html").string());
   if (!movie) return;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "case/read.hpp"
 #include "core/error.hpp"
 
 namespace kerf {
@@ -93,6 +94,16 @@ void RunFolder::clear() const {
   for (const char* inner : {"frames", "pictures", "."})
     for (const fs::path& file : results_in(path_ / inner)) fs::remove(file);
   fs::remove(used_case());
+}
+
+Case case_of_run(const std::filesystem::path& folder) {
+  const std::filesystem::path used = folder / "case.used.toml";
+  if (!std::filesystem::exists(used))
+    throw UserError(fmt::format("{} holds no run of Kerf (there is no case.used.toml). Name the "
+                                "folder that was given to 'kerf run' by --out.",
+                                folder.string()),
+                    exit_files);
+  return read_case(used);
 }
 
 }  // namespace kerf

@@ -5,12 +5,16 @@
 #include <filesystem>
 #include <string>
 
+#include "case/case.hpp"
 #include "output/files.hpp"
 
 namespace kerf {
 
 // What to do with a folder that holds a run already.
 enum class Existing { refuse, resume, replace };
+
+// What ran in a result folder. Throws UserError (exit_files) when it holds no run.
+Case case_of_run(const std::filesystem::path& folder);
 
 class RunFolder {
  public:

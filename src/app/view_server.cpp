@@ -5,9 +5,8 @@
 #include <httplib.h>
 
 #include <mutex>
-#include <optional>
 
-#include "case/read.hpp"
+#include "app/run_folder.hpp"
 #include "core/error.hpp"
 #include "report/html.hpp"
 #include "report/report.hpp"
@@ -21,16 +20,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Case case_of(const fs::path& folder) {
-  const fs::path used = folder / "case.used.toml";
-  if (!fs::exists(used))
-    throw UserError(fmt::format("{} holds no run of Kerf (there is no case.used.toml). Name the "
-                                "folder that was given to 'kerf run' by --out.",
-                                folder.string()),
-                    exit_files);
-  return read_case(used);
-}
-
 // When the cut is through, by the series; -1 if it is not.
 double cut_time_of(const SeriesTable& series) {
   const auto time = series.numbers("time"), cut = series.numbers("cut_through");
@@ -43,7 +32,7 @@ double cut_time_of(const SeriesTable& series) {
 
 struct ViewServer::State {
   explicit State(const fs::path& run_folder)
-      : folder(run_folder), description(case_of(run_folder)), packer(description) {}
+      : folder(run_folder), description(case_of_run(run_folder)), packer(description) {}
 
   bool is_live() const { return !fs::exists(folder / "result.json"); }
 

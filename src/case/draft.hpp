@@ -51,6 +51,11 @@ void read_materials(Draft& draft, Section& top);
 // Null, with the problem noted, when nobody knows it.
 const MaterialDraft* use_material(Draft& draft, Section& section, const std::string& name);
 
+// The same for a jet: what is no water is refused.
+const MaterialDraft* use_water(Draft& draft, Section& section, const std::string& name);
+// Frequency (Hz) and duty of a jet.
+void read_pulses(Section& section, double& frequency, double& duty);
+
 Shape read_shape(Reading& reading, const toml::table& table, const std::string& path);
 // Before bodies and times, which may follow from the jets.
 void read_machine(Draft& draft, Section& top);

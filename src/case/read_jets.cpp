@@ -68,11 +68,7 @@ void read_section(const Draft& draft, Section& section, Jet& jet) {
 void read_window(Section& section, Jet& jet) {
   jet.traverse = section.vector("traverse");
   jet.dwell = section.number("dwell");
-  jet.pulse_frequency = section.number("pulse_frequency");
-  jet.duty = section.number("duty");
-  if (jet.duty < 1.0 && jet.pulse_frequency == 0.0)
-    section.refuse("duty", "the jet does not pulse", "Add a pulse_frequency or remove the duty",
-                   "1 without a pulse_frequency");
+  read_pulses(section, jet.pulse_frequency, jet.duty);
   jet.start = section.number("start");
   jet.stop = section.number("stop");
   if (jet.stop <= jet.start && section.has("stop"))
@@ -87,11 +83,7 @@ void read_jet(Draft& draft, const toml::table& table, const std::string& path) {
   Jet& jet = entry.jet;
   jet.name = section.text("name");
   entry.material = section.text("material");
-  const MaterialDraft* material =
-      is_name(entry.material) ? use_material(draft, section, entry.material) : nullptr;
-  if (material && material->material.kind != MaterialKind::water)
-    section.refuse("material", "a jet is of water, and this is an elastic material",
-                   "Choose a material of the kind \"water\"", "a material of the kind \"water\"");
+  use_water(draft, section, entry.material);
   jet.speed = section.number("speed");
   read_section(draft, section, jet);
   jet.position = section.vector("position");
@@ -125,6 +117,22 @@ void read_probe(Draft& draft, const toml::table& table, const std::string& path)
 }
 
 }  // namespace
+
+const MaterialDraft* use_water(Draft& draft, Section& section, const std::string& name) {
+  const MaterialDraft* material = is_name(name) ? use_material(draft, section, name) : nullptr;
+  if (material && material->material.kind != MaterialKind::water)
+    section.refuse("material", "a jet is of water, and this is an elastic material",
+                   "Choose a material of the kind \"water\"", "a material of the kind \"water\"");
+  return material;
+}
+
+void read_pulses(Section& section, double& frequency, double& duty) {
+  frequency = section.number("pulse_frequency");
+  duty = section.number("duty");
+  if (duty < 1.0 && frequency == 0.0)
+    section.refuse("duty", "the jet does not pulse", "Add a pulse_frequency or remove the duty",
+                   "1 without a pulse_frequency");
+}
 
 void read_jets(Draft& draft, Section& top) {
   const auto tables = top.tables("jet");

@@ -44,11 +44,7 @@ void read_motion(Section& section, Machine& machine) {
   machine.traverse_speed = section.number("traverse_speed");
   machine.traverse_direction = read_direction(section);
   machine.dwell = section.number("dwell");
-  machine.pulse_frequency = section.number("pulse_frequency");
-  machine.duty = section.number("duty");
-  if (machine.duty < 1.0 && machine.pulse_frequency == 0.0)
-    section.refuse("duty", "the jet does not pulse", "Add a pulse_frequency or remove the duty",
-                   "1 without a pulse_frequency");
+  read_pulses(section, machine.pulse_frequency, machine.duty);
 }
 
 Machine read_keys(Section& section, OrificeType type) {
@@ -87,11 +83,7 @@ void read_machine(Draft& draft, Section& top) {
   JetDraft entry;
   entry.path = "machine";
   entry.material = section.text("material");
-  const MaterialDraft* water =
-      is_name(entry.material) ? use_material(draft, section, entry.material) : nullptr;
-  if (water && water->material.kind != MaterialKind::water)
-    section.refuse("material", "a jet is of water, and this is an elastic material",
-                   "Choose a material of the kind \"water\"", "a material of the kind \"water\"");
+  const MaterialDraft* water = use_water(draft, section, entry.material);
   Machine machine = read_keys(section, type);
   if (!water || draft.reading.problems.any()) {
     section.refuse_unknown();

@@ -2,9 +2,8 @@
 // The part of the report that an operator reads: the machine, the kerf, its layers.
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "report/html.hpp"
+#include "report/json_number.hpp"
 #include "report/kerf_drawing.hpp"
 #include "report/report.hpp"
 
@@ -13,10 +12,6 @@ namespace {
 
 using html::Row;
 using Json = nlohmann::ordered_json;
-
-double value_of(const Json& value) {
-  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
 
 std::string degrees(const Json& angle) {
   return html::number(value_of(angle) * 180.0 / 3.14159265358979, 3) + "°";

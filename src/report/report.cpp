@@ -6,8 +6,10 @@
 #include "core/error.hpp"
 #include "output/files.hpp"
 #include "report/html.hpp"
+#include "report/json_number.hpp"
 #include "report/report_figures.hpp"
 #include "report/viewer_data.hpp"
+#include "report/viewer_files.hpp"
 
 namespace kerf {
 namespace {
@@ -36,8 +38,7 @@ std::string verdict(const Json& result, bool has_jet) {
 }
 
 double value_of(const Json& result, const char* key) {
-  const Json& value = result.at(key);
-  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+  return kerf::value_of(result.at(key));
 }
 
 std::string percent(double share) {
@@ -99,11 +100,14 @@ Json read_result(const fs::path& path) {
 
 void write_report(const fs::path& folder, const Case& description) {
   constexpr std::size_t budget = 10'000'000;  // bytes of frames
-  ViewerPacker packer(description);
-  packer.look_at(frame_files(folder));
-  Json run = packer.head();
-  run["live"] = false;
-  run["frames"] = viewer_frames(packer, budget);
+  Json run;
+  if (!viewer_text("script").empty()) {  // else nobody would show them
+    ViewerPacker packer(description);
+    packer.look_at(frame_files(folder));
+    run = packer.head();
+    run["live"] = false;
+    run["frames"] = viewer_frames(packer, budget);
+  }
   write_file(folder / "report.html", report_page(folder, description, std::move(run)));
 }
 

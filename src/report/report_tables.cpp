@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "output/ledger_table.hpp"
 #include "report/html.hpp"
+#include "report/json_number.hpp"
 #include "report/report.hpp"
 
 namespace kerf {
@@ -12,10 +11,6 @@ namespace {
 
 using html::Row;
 using Json = nlohmann::ordered_json;
-
-double value_of(const Json& value) {
-  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
 
 std::string case_table(const Json& result) {
   const auto number = [&](const char* key) { return value_of(result.at(key)); };
