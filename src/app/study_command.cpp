@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// kerf study: many runs of a case, the map they make, and the setting that is looked for.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "app/bar.hpp"
+#include "app/commands.hpp"
+#include "app/embedded.hpp"
+#include "app/progress.hpp"
+#include "app/signals.hpp"
+#include "core/error.hpp"
+#include "output/files.hpp"
+#include "study/local_executor.hpp"
+#include "study/study_runs.hpp"
+#include "study/study_table.hpp"
+
+namespace kerf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StudyOptions {
+  std::string file;
+  std::string folder;
+  int jobs = 0;
+  int cores = 0;
+  double memory = 0.0;  // GiB
+  bool retry = false;
+  bool quiet = false;
+};
+
+// This program, for the runs.
+fs::path this_program() {
+  return fs::read_symlink("/proc/self/exe");
+}
+
+LocalBudget budget_of(const StudyOptions& options) {
+  constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
+  LocalBudget budget = budget_of_machine();
+  if (options.cores > 0) budget.cores = options.cores;
+  budget.jobs = options.jobs > 0 ? options.jobs : budget.cores;
+  if (options.memory > 0.0) budget.memory = options.memory * gibibyte;
+  return budget;
+}
+
+// What a user sees while runs go on.
+class StudyDisplay {
+ public:
+  explicit StudyDisplay(ProgressStyle style) : style_(style) {}
+
+  void show(const StudyProgress& now) {
+    const auto time = Clock::now();
+    const bool is_new_batch = now.total != last_.total || now.ended < last_.ended;
+    if (is_new_batch) {
+      start_ = time;
+      start_share_ = now.share;
+    }
+    const bool has_changed = is_new_batch || now.ended != last_.ended;
+    last_ = now;
+    if (style_ == ProgressStyle::none) return;
+    const std::string words = line(now, std::chrono::duration<double>(time - start_).count());
+    if (style_ == ProgressStyle::bar) {
+      bar_.show(now.share, words);
+    } else if (has_changed) {
+      fmt::print("{}\n", words);
+      std::fflush(stdout);
+    }
+  }
+  void clear() { bar_.clear(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string line(const StudyProgress& now, double seconds) const {
+    const double done = now.share - start_share_;
+    const double left = done > 0.0 ? (1.0 - now.share) * seconds / done : INFINITY;
+    return fmt::format("{} of {} runs | at work {} | failed {} | left {}", now.ended, now.total,
+                       now.at_work, now.failed, duration_text(left));
+  }
+
+  ProgressStyle style_;
+  Bar bar_;
+  StudyProgress last_;
+  Clock::time_point start_ = Clock::now();
+  double start_share_ = 0.0;
+};
+
+std::vector<Trial> design_trials(const StudyPlan& plan) {
+  std::vector<Trial> trials;
+  for (const Setting& setting : settings_of(*plan.design, plan.axes))
+    for (int repeat = 0; repeat < plan.repeats; ++repeat)
+      trials.push_back({setting, repeat, plan.refinement});
+  return trials;
+}
+
+void study(const StudyOptions& options) {
+  const StudyPlan plan = read_study(options.file, case_templates());
+  const fs::path folder =
+      options.folder.empty() ? fs::path("out") / plan.name : fs::path(options.folder);
+  make_folder(folder);
+  const FolderLock lock(folder);
+  StudyDatabase database(folder / "study.db");
+  database.remember("study", plan.text);
+  const CaseMaker maker(plan);
+  LocalExecutor executor(this_program(), budget_of(options));
+  const StopSignals signals;
+  StudyDisplay display(progress_style(options.quiet));
+  StudyRuns runs(
+      folder, maker, database, executor,
+      {[&](const StudyProgress& now) { display.show(now); }, [&] { return signals.caught(); }},
+      options.retry);
+  try {
+    if (plan.design) runs.run(design_trials(plan));
+  } catch (const StudyStopped& stopped) {
+    display.clear();
+    fmt::print("Stopped. To go on: kerf study {} --out {}\n", options.file, folder.string());
+    throw CLI::RuntimeError(128 + stopped.signal);
+  }
+  display.clear();
+  const auto rows = database.runs();
+  write_file(folder / "study.csv", study_csv(plan, rows));
+  fmt::print("{}", study_text(plan, rows));
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& program) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command =
+      program.add_subcommand("study", "Run a case at many settings, or find the setting");
+  command->add_option("STUDY", options->file, "the study file")->required();
+  command->add_option("--out", options->folder, "folder for the results; default out/<study>");
+  command->add_option("--jobs", options->jobs, "runs at once, at most; default one for each core")
+      ->check(CLI::Range(1, 4096));
+  command->add_option("--cores", options->cores, "cores for all runs at once; default every core")
+      ->check(CLI::Range(1, 4096));
+  command
+      ->add_option("--memory", options->memory,
+                   "memory for all runs at once, in GiB; default four fifths of what is free")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--retry", options->retry, "run again what failed before");
+  command->add_flag("--quiet", options->quiet, "show the results only");
+  command->callback([options] { study(*options); });
+}
+
+}  // namespace kerf
