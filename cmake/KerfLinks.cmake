@@ -11,8 +11,9 @@ target_link_libraries(kerf_report PUBLIC kerf_output PkgConfig::cairo
   PRIVATE PkgConfig::plplot Boost::headers Boost::filesystem ZLIB::ZLIB nlohmann_json::nlohmann_json)
 target_link_libraries(kerf_verify PUBLIC kerf_engine kerf_measure tomlplusplus::tomlplusplus
   PRIVATE nlohmann_json::nlohmann_json)
+target_include_directories(kerf_study SYSTEM PRIVATE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(kerf_study PUBLIC kerf_case kerf_measure kerf_output tomlplusplus::tomlplusplus
-  PRIVATE SQLiteCpp nlohmann_json::nlohmann_json Boost::headers Boost::filesystem Eigen3::Eigen
+  Eigen3::Eigen PRIVATE SQLiteCpp nlohmann_json::nlohmann_json Boost::headers Boost::filesystem
   PkgConfig::nlopt Threads::Threads)
 target_link_libraries(kerf_app PUBLIC kerf_engine kerf_measure kerf_report kerf_study kerf_verify
   CLI11::CLI11 spdlog::spdlog

@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "output/files.hpp"
 #include "study/local_executor.hpp"
+#include "study/study_answers.hpp"
 #include "study/study_runs.hpp"
 #include "study/study_table.hpp"
 
@@ -97,6 +98,35 @@ std::vector<Trial> design_trials(const StudyPlan& plan) {
   return trials;
 }
 
+StudyAnswers answer(const StudyPlan& plan, StudyRuns& runs) {
+  StudyAnswers answers;
+  const Trial middle{{}, 0, plan.refinement};
+  if (plan.design) runs.run(design_trials(plan));
+  if (plan.threshold) answers.threshold = find_threshold(*plan.threshold, middle, runs);
+  if (plan.optimum) answers.optimum = find_optimum(*plan.optimum, plan.refinement, runs);
+  if (plan.calibration) answers.calibration = calibrate(*plan.calibration, plan.refinement, runs);
+  answers.runs = runs.asked();
+  if (plan.model)
+    answers.model =
+        ReducedModel(*plan.model, model_data(*plan.model, plan.refinement, answers.runs));
+  std::vector<RunRow> fine = answers.runs;
+  std::erase_if(fine, [&](const RunRow& row) { return row.trial.refinement != plan.refinement; });
+  answers.boundary = cut_boundary(all_axes(plan), fine);
+  return answers;
+}
+
+void write_results(const StudyPlan& plan, const StudyAnswers& answers, const fs::path& folder) {
+  write_file(folder / "study.csv", study_csv(plan, answers.runs));
+  write_file(folder / "study.json", study_json(plan, answers));
+  write_file(folder / "study.h5", study_hdf5(plan, answers.runs));
+  const bool has_model = answers.model && answers.model->problem().empty();
+  if (has_model) write_file(folder / "model.csv", answers.model->table_csv());
+  fmt::print("{}{}", study_text(plan, answers.runs), answers_text(plan, answers));
+  const std::string place = folder.string();
+  fmt::print("  table      {0}/study.csv, {0}/study.json, {0}/study.h5{1}\n", place,
+             has_model ? fmt::format(", {}/model.csv", place) : "");
+}
+
 void study(const StudyOptions& options) {
   const StudyPlan plan = read_study(options.file, case_templates());
   const fs::path folder =
@@ -114,16 +144,14 @@ void study(const StudyOptions& options) {
       {[&](const StudyProgress& now) { display.show(now); }, [&] { return signals.caught(); }},
       options.retry);
   try {
-    if (plan.design) runs.run(design_trials(plan));
+    const StudyAnswers answers = answer(plan, runs);
+    display.clear();
+    write_results(plan, answers, folder);
   } catch (const StudyStopped& stopped) {
     display.clear();
     fmt::print("Stopped. To go on: kerf study {} --out {}\n", options.file, folder.string());
     throw CLI::RuntimeError(128 + stopped.signal);
   }
-  display.clear();
-  const auto rows = database.runs();
-  write_file(folder / "study.csv", study_csv(plan, rows));
-  fmt::print("{}", study_text(plan, rows));
 }
 
 }  // namespace

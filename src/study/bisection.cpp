@@ -7,8 +7,8 @@
 
 namespace kerf {
 
-Bisection::Bisection(Verdicts verdicts, Bracket range, int most)
-    : verdicts_(std::move(verdicts)), range_(range), most_(most) {}
+Bisection::Bisection(Verdicts verdicts, Bracket range, int most, bool is_logarithmic)
+    : verdicts_(std::move(verdicts)), range_(range), most_(most), is_logarithmic_(is_logarithmic) {}
 
 // The lowest value from which on every verdict is true, and the highest up to which every one is
 // false; an end of the range where none was tried.

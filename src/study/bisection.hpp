@@ -16,8 +16,8 @@ using Verdicts = std::function<std::vector<bool>(const std::vector<double>& valu
 class Bisection {
  public:
   // Between the ends of a range, whose verdicts are taken for granted until a bracket ends there.
-  // `most` bounds the number of verdicts.
-  Bisection(Verdicts verdicts, Bracket range, int most);
+  // `most` bounds the number of verdicts; parts are equal in ratio when logarithmic.
+  Bisection(Verdicts verdicts, Bracket range, int most, bool is_logarithmic = false);
 
   // Cuts the bracket into side_by_side + 1 equal parts at once, until half of it over its middle is
   // within the tolerance.
@@ -41,6 +41,7 @@ class Bisection {
   Verdicts verdicts_;
   Bracket range_;
   int most_;
+  bool is_logarithmic_;
   std::map<double, bool> known_;
 };
 

@@ -36,11 +36,11 @@ struct ThresholdGoal {
 // The setting of the axes of the study at which a metric is least (or greatest) while the condition
 // holds.
 struct OptimumGoal {
+  std::vector<Axis> axes;  // each a range
   std::string metric;
   bool least = true;
   Condition condition;
-  std::string margin = "kerf.margin";  // a metric: at least 0 where the condition holds
-  double tolerance = 0.02;             // of the range of each axis
+  double tolerance = 0.02;  // of the range of each axis
   double draft = 0.5;
   int most_runs = 30;
   int repeats = 1;

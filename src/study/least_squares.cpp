@@ -110,7 +110,7 @@ Fit fit_model(const Model& model, const Eigen::VectorXd& data, const Eigen::Vect
       next = squares_at(tried, data);
     }
     if (!(next < squares)) break;
-    fit.parameters += 2.0 * share * change;
+    fit.parameters += 2.0 * share * change;  // the loop has halved it once more
     const bool is_settled = squares - next <= settled * squares;
     value = tried;
     squares = next;

@@ -150,6 +150,11 @@ void StudyDatabase::add(const ResolvedCase& resolved, const Trial& trial) {
       {resolved.id, setting_json(trial.setting), std::to_string(trial.repeat),
        fmt::format("{}", trial.refinement), fmt::format("{}", resolved.spacing),
        fmt::format("{}", resolved.memory), resolved.text, word_of_state(RunState::waiting), now()});
+  // A run that is there may have been asked for by other keys: it answers to both.
+  Setting setting = find(resolved.id)->trial.setting;
+  for (const auto& [key, value] : trial.setting.numbers) setting.numbers[key] = value;
+  for (const auto& [key, value] : trial.setting.words) setting.words[key] = value;
+  update("UPDATE runs SET setting = ? WHERE id = ?", {setting_json(setting), resolved.id});
 }
 
 std::optional<RunRow> StudyDatabase::find(const std::string& id) const {

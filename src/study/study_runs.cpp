@@ -101,6 +101,12 @@ std::vector<Outcome> StudyRuns::run(const std::vector<Trial>& trials) {
   return outcomes;
 }
 
+std::vector<RunRow> StudyRuns::asked() const {
+  std::vector<RunRow> rows = database_.runs();
+  std::erase_if(rows, [&](const RunRow& row) { return asked_.count(row.id) == 0; });
+  return rows;
+}
+
 void StudyRuns::started(const Job& job) {
   database_.mark_started(job.id);
 }
@@ -137,7 +143,7 @@ void StudyRuns::finish(const Job& job) {
 bool StudyRuns::look(const std::vector<Job>& at_work) {
   if (hooks_.stop_signal && signal_ == 0) signal_ = hooks_.stop_signal();
   const auto now = std::chrono::steady_clock::now();
-  if (hooks_.show && now - shown_ >= show_pause) {
+  if (hooks_.show && (now - shown_ >= show_pause || progress_.ended == progress_.total)) {
     shown_ = now;
     double parts = 0.0;
     for (const Job& job : at_work) parts += share_of(job.output);

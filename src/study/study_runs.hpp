@@ -41,8 +41,8 @@ class StudyRuns : public Laboratory, private JobWatcher {
 
   std::vector<Outcome> run(const std::vector<Trial>& trials) override;
   int side_by_side() const override { return executor_.side_by_side(); }
-  // How many runs this object has asked for, each counted once.
-  std::size_t asked() const { return asked_.size(); }
+  // The runs that this object was asked for, in the order of study.db.
+  std::vector<RunRow> asked() const;
 
  private:
   void started(const Job& job) override;

@@ -93,7 +93,8 @@ class Search {
   }
 
   Bracket layout(const Trial& at, const std::optional<Bracket>& guess) {
-    Bisection bisection(verdicts_of(goal_, at, laboratory_), range_, runs_left());
+    Bisection bisection(verdicts_of(goal_, at, laboratory_), range_, runs_left(),
+                        goal_.axis.is_logarithmic);
     if (guess) bisection.start_at(*guess);
     bisection.narrow(goal_.tolerance, laboratory_.side_by_side());
     answer_.runs += bisection.count();
