@@ -16,7 +16,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double cover = 2.0;  // standard uncertainties, for some 95%
+constexpr double cover = 2.0;  // standard uncertainties of what was measured, for some 95%
 
 class Calibrator {
  public:
@@ -149,23 +149,40 @@ class Calibrator {
     }
     answer_.sensitivity = line.parameters[1];
     answer_.scatter = line.residual;
-    const double uncertainty = cover * std::hypot(goal_.uncertainty, line.residual);
+    const double scatter = student_factor(line.freedom, 0.95) * line.residual;
+    const double uncertainty = std::hypot(cover * goal_.uncertainty, scatter);
     const double half = std::max(uncertainty / std::abs(answer_.sensitivity), 0.5 * (high - low));
     answer_.value = std::exp(root);
     answer_.low = std::exp(root - half);
     answer_.high = std::exp(root + half);
-    if (std::abs(line.parameters[1]) <= line.half_interval(1, 0.95))
+    if (!has_slope(line, 1.0))
       answer_.problem = fmt::format("{} hardly depends on {} here, so it cannot tell it",
                                     goal_.metric, goal_.axis.name());
   }
 
+  // Through the nearest five runs; where they scatter so much that the slope is not known to a
+  // half, through more.
   Fit nearest_line(double root) const {
-    constexpr std::size_t wanted = 5;
     std::vector<std::pair<double, double>> points(known_.begin(), known_.end());
     std::sort(points.begin(), points.end(), [&](const auto& a, const auto& b) {
       return std::abs(a.first - root) < std::abs(b.first - root);
     });
-    points.resize(std::min(points.size(), wanted));
+    Fit fit;
+    for (std::size_t count = std::min<std::size_t>(5, points.size()); count <= points.size();
+         ++count) {
+      fit =
+          line_through({points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count)}, root);
+      if (fit.problem.empty() && has_slope(fit, 0.5)) break;
+    }
+    return fit;
+  }
+
+  // Whether half of the slope's interval is within this share of it.
+  static bool has_slope(const Fit& line, double share) {
+    return share * std::abs(line.parameters[1]) > line.half_interval(1, 0.95);
+  }
+
+  static Fit line_through(const std::vector<std::pair<double, double>>& points, double root) {
     const auto count = static_cast<Eigen::Index>(points.size());
     Eigen::MatrixXd matrix(count, 2);
     Eigen::VectorXd metrics(count);

@@ -126,6 +126,28 @@ class Search {
     } catch (const nlopt::roundoff_limited&) {
       // Where no step helps any more the best run so far is the answer.
     }
+    pull_back(place, refinement, until_runs);
+  }
+
+  // The search ends at the edge of what holds, as likely as not beyond it: from there back towards
+  // the best run that holds, until the edge is known to the tolerance.
+  void pull_back(const Shares& end, double refinement, int until_runs) {
+    Shares outside = end;
+    while (answer_.runs < until_runs && best().margin >= 0.0) {
+      const Shares inside = best().shares;
+      Shares middle;
+      double distance = 0.0;
+      for (std::size_t i = 0; i < end.size(); ++i) {
+        middle.push_back(0.5 * (inside[i] + outside[i]));
+        distance = std::max(distance, std::abs(inside[i] - outside[i]));
+      }
+      if (distance <= goal_.tolerance) return;
+      const Tried tried = evaluate({middle}, refinement).front();
+      if (tried.margin < 0.0)
+        outside = middle;
+      else if (best().shares != middle)
+        return;  // it holds, but is not better: there is nothing to gain on this line
+    }
   }
 
   // NLopt asks for objective and constraint one after the other: the same run answers both.
