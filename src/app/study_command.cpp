@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "output/files.hpp"
 #include "study/local_executor.hpp"
+#include "study/slurm_executor.hpp"
 #include "study/study_answers.hpp"
 #include "study/study_runs.hpp"
 #include "study/study_table.hpp"
@@ -30,6 +31,7 @@ struct StudyOptions {
   int jobs = 0;
   int cores = 0;
   double memory = 0.0;  // GiB
+  std::string where = "local";
   bool retry = false;
   bool quiet = false;
 };
@@ -46,6 +48,15 @@ LocalBudget budget_of(const StudyOptions& options) {
   budget.jobs = options.jobs > 0 ? options.jobs : budget.cores;
   if (options.memory > 0.0) budget.memory = options.memory * gibibyte;
   return budget;
+}
+
+std::unique_ptr<Executor> executor_of(const StudyOptions& options, const fs::path& folder) {
+  if (options.where == "local")
+    return std::make_unique<LocalExecutor>(this_program(), budget_of(options));
+  SlurmBudget budget;
+  if (options.jobs > 0) budget.jobs = options.jobs;
+  if (options.cores > 0) budget.cores = options.cores;
+  return std::make_unique<SlurmExecutor>(this_program(), folder, budget);
 }
 
 // What a user sees while runs go on.
@@ -127,6 +138,20 @@ void write_results(const StudyPlan& plan, const StudyAnswers& answers, const fs:
              has_model ? fmt::format(", {}/model.csv", place) : "");
 }
 
+// The exit code says that some runs have no result, after everything else is written.
+void tell_failures(const std::vector<RunRow>& runs) {
+  std::size_t failed = 0;
+  for (const RunRow& row : runs) {
+    if (row.state != RunState::failed) continue;
+    ++failed;
+    fmt::print("  {} failed: {}\n", row.id, row.error);
+  }
+  if (failed == 0) return;
+  fmt::print("{} run{} failed. Put it right, then start the study again with --retry.\n", failed,
+             failed == 1 ? "" : "s");
+  throw CLI::RuntimeError(exit_run_failed);
+}
+
 void study(const StudyOptions& options) {
   const StudyPlan plan = read_study(options.file, case_templates());
   const fs::path folder =
@@ -136,17 +161,18 @@ void study(const StudyOptions& options) {
   StudyDatabase database(folder / "study.db");
   database.remember("study", plan.text);
   const CaseMaker maker(plan);
-  LocalExecutor executor(this_program(), budget_of(options));
+  const auto executor = executor_of(options, folder);
   const StopSignals signals;
   StudyDisplay display(progress_style(options.quiet));
   StudyRuns runs(
-      folder, maker, database, executor,
+      folder, maker, database, *executor,
       {[&](const StudyProgress& now) { display.show(now); }, [&] { return signals.caught(); }},
       options.retry);
   try {
     const StudyAnswers answers = answer(plan, runs);
     display.clear();
     write_results(plan, answers, folder);
+    tell_failures(answers.runs);
   } catch (const StudyStopped& stopped) {
     display.clear();
     fmt::print("Stopped. To go on: kerf study {} --out {}\n", options.file, folder.string());
@@ -164,12 +190,18 @@ void add_study_command(CLI::App& program) {
   command->add_option("--out", options->folder, "folder for the results; default out/<study>");
   command->add_option("--jobs", options->jobs, "runs at once, at most; default one for each core")
       ->check(CLI::Range(1, 4096));
-  command->add_option("--cores", options->cores, "cores for all runs at once; default every core")
+  command
+      ->add_option(
+          "--cores", options->cores,
+          "cores for all runs at once; default every core; with Slurm of each run, default 1")
       ->check(CLI::Range(1, 4096));
   command
       ->add_option("--memory", options->memory,
                    "memory for all runs at once, in GiB; default four fifths of what is free")
       ->check(CLI::PositiveNumber);
+  command->add_option("--on", options->where, "where runs are made: this machine, or Slurm")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
   command->add_flag("--retry", options->retry, "run again what failed before");
   command->add_flag("--quiet", options->quiet, "show the results only");
   command->callback([options] { study(*options); });
