@@ -34,15 +34,20 @@ std::map<Setting, Line, Order> lines_along(const std::string& key,
   return lines;
 }
 
+void add_crossings(const std::string& key, const Setting& others, const Line& line,
+                   std::vector<Crossing>& crossings) {
+  for (auto left = line.begin(), right = left; ++right != line.end(); left = right)
+    if (left->second != right->second)
+      crossings.push_back({key, left->first, right->first, right->second, others});
+}
+
 }  // namespace
 
 std::vector<Crossing> cut_boundary(const std::vector<Axis>& axes, const std::vector<RunRow>& runs) {
   std::vector<Crossing> crossings;
   for (const Axis& axis : axes)
     for (const auto& [others, line] : lines_along(axis.name(), runs))
-      for (auto left = line.begin(), right = left; ++right != line.end(); left = right)
-        if (left->second != right->second)
-          crossings.push_back({axis.name(), left->first, right->first, right->second, others});
+      add_crossings(axis.name(), others, line, crossings);
   return crossings;
 }
 

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "faults/program.hpp"
 #include "output/hdf5.hpp"
+#include "small_study.hpp"
 #include "study/study_database.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -23,35 +24,6 @@ using test::Program;
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr const char* small_case = R"(title = "small"
-dimension = 2
-[time]
-end = "6 ms"
-[domain]
-minimum = ["-40 mm", "-20 mm"]
-maximum = ["40 mm", "40 mm"]
-[materials.curd]
-base = "tofu"
-poisson_ratio = 0.45
-failure_strain = 0.1
-[[body]]
-name = "block"
-material = "curd"
-shape = { type = "box", minimum = ["-12 mm", "0 mm"], maximum = ["12 mm", "8 mm"] }
-spacing = "2 mm"
-[[jet]]
-name = "jet"
-material = "water"
-speed = "5 m/s"
-width = "6 mm"
-position = ["0 mm", "8 mm"]
-standoff = "4 mm"
-spacing = "2 mm"
-[output]
-frame_interval = "6 ms"
-picture_times = ["0 ms"]
-)";
-
 constexpr const char* map = R"(base = "small.toml"
 [vary]
 "jet.jet.speed" = { from = "2 m/s", to = "10 m/s", count = 3 }
@@ -61,7 +33,7 @@ constexpr const char* map = R"(base = "small.toml"
 class StudyProgram : public testing::Test {
  protected:
   StudyProgram() {
-    write_file(folder_ / "small.toml", small_case);
+    write_file(folder_ / "small.toml", test::small_study_case);
     write_file(folder_ / "map.toml", map);
   }
   std::vector<std::string> arguments(const std::string& study, const std::string& more = "") const {
