@@ -36,10 +36,9 @@ struct StudyOptions {
   bool quiet = false;
 };
 
-// This program, for the runs.
-fs::path this_program() {
-  return fs::read_symlink("/proc/self/exe");
-}
+// This program, for the runs: of a child of this process that is the one that runs now, even when
+// its file was replaced since.
+constexpr const char* this_program = "/proc/self/exe";
 
 LocalBudget budget_of(const StudyOptions& options) {
   constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
@@ -52,11 +51,11 @@ LocalBudget budget_of(const StudyOptions& options) {
 
 std::unique_ptr<Executor> executor_of(const StudyOptions& options, const fs::path& folder) {
   if (options.where == "local")
-    return std::make_unique<LocalExecutor>(this_program(), budget_of(options));
+    return std::make_unique<LocalExecutor>(this_program, budget_of(options));
   SlurmBudget budget;
   if (options.jobs > 0) budget.jobs = options.jobs;
   if (options.cores > 0) budget.cores = options.cores;
-  return std::make_unique<SlurmExecutor>(this_program(), folder, budget);
+  return std::make_unique<SlurmExecutor>(fs::read_symlink(this_program), folder, budget);
 }
 
 // What a user sees while runs go on.
@@ -162,6 +161,7 @@ void study(const StudyOptions& options) {
   database.remember("study", plan.text);
   const CaseMaker maker(plan);
   const auto executor = executor_of(options, folder);
+  if (!options.quiet) fmt::print("{}, results in {}\n", plan.title, folder.string());
   const StopSignals signals;
   StudyDisplay display(progress_style(options.quiet));
   StudyRuns runs(

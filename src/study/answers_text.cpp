@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "study/metrics.hpp"
 #include "study/study_answers.hpp"
 #include "study/study_table.hpp"
@@ -31,6 +33,11 @@ std::string threshold_text(const ThresholdGoal& goal, const ThresholdAnswer& ans
     text += fmt::format("  at {:.3g} times the spacing: {} to {}; for spacing 0 that makes {}\n",
                         1.0 / goal.draft, shown(answer.draft->low), shown(answer.draft->high),
                         shown(answer.extrapolated));
+  const double change = std::abs(answer.resolution_change);
+  if (answer.draft && change > 2.0 * (answer.bracket.half_width() + answer.draft->half_width()))
+    text +=
+        "  the drafts broke elsewhere: too coarse to learn from; choose draft nearer to 1, or a "
+        "finer study\n";
   return text;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <nlopt.hpp>
 #include <optional>
@@ -108,7 +109,7 @@ class Search {
   void follow(double refinement, double first_step, int until_runs) {
     const Tried start = best();
     const double size = std::abs(start.value);
-    Steps steps{*this, refinement, std::isfinite(size) && size > 0.0 ? size : 1.0, {}};
+    Steps steps{*this, refinement, std::isfinite(size) && size > 0.0 ? size : 1.0, {}, {}};
     const int most = until_runs - answer_.runs;
     if (most <= static_cast<int>(start.shares.size()) + 1) return;
     nlopt::opt optimiser(nlopt::LN_COBYLA, static_cast<unsigned>(start.shares.size()));
@@ -125,6 +126,8 @@ class Search {
       optimiser.optimize(place, found);
     } catch (const nlopt::roundoff_limited&) {
       // Where no step helps any more the best run so far is the answer.
+    } catch (const nlopt::forced_stop&) {
+      std::rethrow_exception(steps.error);
     }
     pull_back(place, refinement, until_runs);
   }
@@ -156,9 +159,15 @@ class Search {
     double refinement;
     double scale;
     std::optional<Tried> last;
+    std::exception_ptr error;  // NLopt, a library in C, lets no other pass than its own
 
     const Tried& at(const Shares& shares) {
-      if (!last || last->shares != shares) last = search.evaluate({shares}, refinement).front();
+      try {
+        if (!last || last->shares != shares) last = search.evaluate({shares}, refinement).front();
+      } catch (...) {
+        error = std::current_exception();
+        throw nlopt::forced_stop();
+      }
       return *last;
     }
     static double objective_at(const Shares& shares, Shares&, void* data) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "case/section.hpp"
 #include "case/units.hpp"
@@ -22,6 +23,24 @@ constexpr std::array<std::string_view, 3> form_words{"power", "threshold_linear"
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int most_runs = 100000;
 
+// Not a unit of any key of a case, so not one that read_quantity() has words for.
+constexpr std::string_view energy_per_volume = "J/m3";
+
+double read_energy_per_volume(StudySection& section, std::string_view name,
+                              const std::string& written) {
+  std::size_t end = 0;
+  double value = 0.0;
+  try {
+    value = std::stod(written, &end);
+  } catch (const std::exception&) {
+    end = 0;
+  }
+  if (end == 0 || written.substr(end) != " J/m3")
+    section.refuse(name, "this is no energy per volume", "a number and J/m3",
+                   "Write a text such as \"2e8 J/m3\"");
+  return value;
+}
+
 // A number of a metric: with its unit where it has one.
 double metric_value(StudySection& section, std::string_view name, const std::string& metric,
                     std::optional<double> fallback = {}) {
@@ -29,7 +48,7 @@ double metric_value(StudySection& section, std::string_view name, const std::str
   if (unit.empty()) return section.number(name, -infinite, infinite, fallback);
   if (fallback && !section.has(name)) return section.number(name, -infinite, infinite, fallback);
   const std::string written = section.text(name);
-  if (unit == "J/m3") return std::strtod(written.c_str(), nullptr);
+  if (unit == energy_per_volume) return read_energy_per_volume(section, name, written);
   const Quantity quantity = read_quantity(written, unit);
   if (!quantity.problem.empty() && section.has(name))
     section.refuse(name, quantity.problem, dimension_of(unit) + " with its unit",

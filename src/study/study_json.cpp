@@ -54,6 +54,11 @@ Json run_json(const RunRow& row) {
   return json;
 }
 
+// What was not found is null.
+Json found(double value, const std::string& problem) {
+  return problem.empty() ? Json(value) : Json(nullptr);
+}
+
 Json bracket_json(const Bracket& bracket) {
   return {{"low", bracket.low}, {"high", bracket.high}};
 }
@@ -64,9 +69,9 @@ Json threshold_json(const ThresholdGoal& goal, const ThresholdAnswer& answer) {
             {"unit", goal.axis.path.unit()},
             {"condition", goal.condition.text()},
             {"problem", answer.problem},
-            {"value", answer.value()},
-            {"low", answer.stated.low},
-            {"high", answer.stated.high},
+            {"value", found(answer.value(), answer.problem)},
+            {"low", found(answer.stated.low, answer.problem)},
+            {"high", found(answer.stated.high, answer.problem)},
             {"bracket", bracket_json(answer.bracket)}};
   json["layouts"] = Json::array();
   for (const Bracket& layout : answer.layouts) json["layouts"].push_back(bracket_json(layout));
@@ -105,9 +110,9 @@ Json calibration_json(const CalibrationGoal& goal, const CalibrationAnswer& answ
             {"measured", goal.measured},
             {"uncertainty", goal.uncertainty},
             {"problem", answer.problem},
-            {"value", answer.value},
-            {"low", answer.low},
-            {"high", answer.high},
+            {"value", found(answer.value, answer.problem)},
+            {"low", found(answer.low, answer.problem)},
+            {"high", found(answer.high, answer.problem)},
             {"sensitivity", answer.sensitivity},
             {"scatter", answer.scatter},
             {"runs", answer.runs}};

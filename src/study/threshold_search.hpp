@@ -33,7 +33,7 @@ struct ThresholdAnswer {
   Bracket stated;                  // the bracket, stretched to the extrapolated value
   int runs = 0, draft_runs = 0;    // that it took
   bool is_within_tolerance = false;
-  double value() const { return stated.middle(); }
+  double value() const { return bracket.middle(); }
 };
 
 // `at` is where the other keys stand.

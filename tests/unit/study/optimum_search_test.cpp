@@ -87,6 +87,21 @@ TEST(OptimumSearch, FindsAMaximumInside) {
   EXPECT_NEAR(answer.setting.numbers.at("jet.jet.width"), 6.6e-3, 0.5e-3);
 }
 
+TEST(OptimumSearch, AStopPassesThroughTheSearchAsItIs) {
+  const OptimumGoal goal =
+      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 1.0\nruns = 60\n");
+  struct Stop {};
+  int runs = 0;
+  test::SyntheticLaboratory laboratory(
+      [&](const Trial& trial) {
+        if (++runs > 18) throw Stop();  // past the first points, in NLopt's hands
+        return cut_by_flow(trial, 25.0);
+      },
+      2);
+  EXPECT_THROW(find_optimum(goal, 1.0, laboratory), Stop);
+  EXPECT_EQ(runs, 19);
+}
+
 TEST(OptimumSearch, WhereNothingCutsThatIsSaid) {
   const OptimumGoal goal =
       goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\nruns = 20\n");
