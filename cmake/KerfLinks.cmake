@@ -12,7 +12,7 @@ target_link_libraries(kerf_report PUBLIC kerf_output PkgConfig::cairo
 target_link_libraries(kerf_verify PUBLIC kerf_engine kerf_measure tomlplusplus::tomlplusplus
   PRIVATE nlohmann_json::nlohmann_json)
 target_include_directories(kerf_study SYSTEM PRIVATE ${HDF5_INCLUDE_DIRS})
-target_link_libraries(kerf_study PUBLIC kerf_case kerf_measure kerf_output tomlplusplus::tomlplusplus
+target_link_libraries(kerf_study PUBLIC kerf_case kerf_measure kerf_output kerf_report tomlplusplus::tomlplusplus
   Eigen3::Eigen PRIVATE SQLiteCpp nlohmann_json::nlohmann_json Boost::headers Boost::filesystem
   PkgConfig::nlopt Threads::Threads)
 target_link_libraries(kerf_app PUBLIC kerf_engine kerf_measure kerf_report kerf_study kerf_verify

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# Run by KerfWeb.cmake at build time: leaves script.js and style.css in FOLDER, built by NPM from a
-# copy of SOURCE, or empty ones where that is not possible.
+# Run by KerfWeb.cmake at build time: leaves script.js and style.css (of reports), study_script.js and
+# study_style.css in FOLDER, built by NPM from a copy of SOURCE, or empty ones where that is not possible.
 function(leave_empty why)
   message("Reports are built without their viewer: ${why}. They will have static pictures.")
-  file(WRITE ${FOLDER}/script.js "")
-  file(WRITE ${FOLDER}/style.css "")
+  foreach(name script.js style.css study_script.js study_style.css)
+    file(WRITE ${FOLDER}/${name} "")
+  endforeach()
 endfunction()
 
 if(NOT NPM OR NPM MATCHES "NOTFOUND")
@@ -26,3 +27,5 @@ foreach(step "install;--no-audit;--no-fund" "run;build")
 endforeach()
 file(COPY_FILE ${work}/dist/viewer.js ${FOLDER}/script.js)
 file(COPY_FILE ${work}/dist/viewer.css ${FOLDER}/style.css)
+file(COPY_FILE ${work}/dist/study.js ${FOLDER}/study_script.js)
+file(COPY_FILE ${work}/dist/study.css ${FOLDER}/study_style.css)

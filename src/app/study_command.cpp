@@ -16,6 +16,7 @@
 #include "study/local_executor.hpp"
 #include "study/slurm_executor.hpp"
 #include "study/study_answers.hpp"
+#include "study/study_page.hpp"
 #include "study/study_runs.hpp"
 #include "study/study_table.hpp"
 
@@ -135,6 +136,7 @@ void write_results(const StudyPlan& plan, const StudyAnswers& answers, const fs:
   const std::string place = folder.string();
   fmt::print("  table      {0}/study.csv, {0}/study.json, {0}/study.h5{1}\n", place,
              has_model ? fmt::format(", {}/model.csv", place) : "");
+  fmt::print("  page       {}/study.html\n", place);
 }
 
 // The exit code says that some runs have no result, after everything else is written.
@@ -164,17 +166,26 @@ void study(const StudyOptions& options) {
   if (!options.quiet) fmt::print("{}, results in {}\n", plan.title, folder.string());
   const StopSignals signals;
   StudyDisplay display(progress_style(options.quiet));
-  StudyRuns runs(
-      folder, maker, database, *executor,
-      {[&](const StudyProgress& now) { display.show(now); }, [&] { return signals.caught(); }},
-      options.retry);
+  StudyPageFile page(plan, folder);
+  const StudyRuns* made = nullptr;
+  const auto show = [&](const StudyProgress& now) {
+    display.show(now);
+    page.follow(now.ended, now.total, [&] { return made->asked(); });
+  };
+  StudyRuns runs(folder, maker, database, *executor, {show, [&] { return signals.caught(); }},
+                 options.retry);
+  made = &runs;
   try {
     const StudyAnswers answers = answer(plan, runs);
     display.clear();
     write_results(plan, answers, folder);
+    page.write(answers, StudyState::ended);
     tell_failures(answers.runs);
   } catch (const StudyStopped& stopped) {
     display.clear();
+    StudyAnswers answers;
+    answers.runs = runs.asked();
+    page.write(answers, StudyState::stopped);
     fmt::print("Stopped. To go on: kerf study {} --out {}\n", options.file, folder.string());
     throw CLI::RuntimeError(128 + stopped.signal);
   }

@@ -95,13 +95,13 @@ std::string table(const std::string& caption, const std::vector<Row>& rows) {
   return text + "</tbody></table>\n";
 }
 
-std::string page(const std::string& title, const std::string& body) {
+std::string page(const std::string& title, const std::string& body, std::string_view sheet) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</"
       "html>\n",
-      escape(title), style, viewer_text("style"), body);
+      escape(title), style, viewer_text(sheet), body);
 }
 
 }  // namespace kerf::html

@@ -41,7 +41,9 @@ struct Row {
 // Cells are taken as they are (already safe); a remark column appears when any row has one.
 std::string table(const std::string& caption, const std::vector<Row>& rows);
 
-// A whole page: nothing is loaded from anywhere.
-std::string page(const std::string& title, const std::string& body);
+// A whole page: nothing is loaded from anywhere. `sheet` names the style of what moves in it, of
+// viewer_files.hpp.
+std::string page(const std::string& title, const std::string& body,
+                 std::string_view sheet = "style");
 
 }  // namespace kerf::html

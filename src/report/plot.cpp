@@ -55,7 +55,7 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
   return values;
 }
 
-std::string axis_title(const Axis& axis, const Prefix& prefix) {
+std::string axis_title(const PlotAxis& axis, const Prefix& prefix) {
   if (axis.unit == "1") return axis.name;
   return axis.name + " / " + prefix.symbol + axis.unit;
 }

@@ -20,13 +20,13 @@ struct Curve {
 };
 
 // A quantity and the SI unit it is given in; the plot picks a prefix.
-struct Axis {
+struct PlotAxis {
   std::string name;
   std::string unit;  // "1" = a plain number
 };
 
 struct Plot {
-  Axis x_axis, y_axis;
+  PlotAxis x_axis, y_axis;
   std::vector<double> x;
   std::vector<Curve> curves;
   double mark = -1.0;  // a vertical line at this x where it is not negative

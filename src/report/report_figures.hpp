@@ -14,7 +14,7 @@ namespace kerf {
 // Curves over the times of the series, in SI units.
 struct ReportFigure {
   std::string title;
-  Axis axis;
+  PlotAxis axis;
   std::vector<Curve> curves;
 };
 

@@ -24,7 +24,7 @@ class Figures {
     double factor = 1.0;
   };
 
-  void add(const std::string& title, const Axis& axis, const std::vector<Line>& lines) {
+  void add(const std::string& title, const PlotAxis& axis, const std::vector<Line>& lines) {
     std::vector<Curve> curves;
     for (const Line& line : lines) {
       std::vector<double> y = series_.numbers(line.column);

@@ -11,15 +11,15 @@ export function parseColour(code: string): Rgb {
 }
 
 // Viridis at equal steps (Smith and van der Walt, 2015, CC0).
-const viridis = "440154 482878 3e4a89 31688e 26828e 1f9e89 35b779 6ece58 b5de2b fde725";
+export const viridisCodes = "440154 482878 3e4a89 31688e 26828e 1f9e89 35b779 6ece58 b5de2b fde725";
 // The middle is a grey that is still seen on white paper.
 const diverging = "08306b 1c5fa8 5a9bd4 a3c6e6 dcdcdc f2b48f dd7442 b3391f 67130f";
 
-function stops(codes: string): Rgb[] {
+export function stops(codes: string): Rgb[] {
   return codes.split(" ").map((code) => parseColour(`#${code}`));
 }
 
-const oneSided = stops(viridis);
+const oneSided = stops(viridisCodes);
 const signed = stops(diverging);
 
 export function sample(map: Rgb[], share: number): Rgb {

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/study_page.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "core/version.hpp"
+#include "output/files.hpp"
+#include "report/html.hpp"
+#include "report/viewer_files.hpp"
+#include "study/metrics.hpp"
+
+namespace kerf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr auto least_pause = std::chrono::seconds(4);
+constexpr int curve_points = 49;         // of the model, along one variable
+constexpr std::size_t most_levels = 9;   // of each other variable, for which there is a curve
+constexpr std::size_t most_curves = 81;  // along one variable
+constexpr const char* state_words[] = {"running", "stopped", "ended"};
+
+std::optional<double> number_of(const RunRow& row, const std::string& name) {
+  const auto& numbers = row.trial.setting.numbers;
+  if (const auto key = numbers.find(name); key != numbers.end()) return key->second;
+  const auto metric = row.metrics.find(name);
+  return metric == row.metrics.end() ? std::nullopt : std::optional(metric->second);
+}
+
+using Places = std::vector<std::map<std::string, double>>;
+
+// Every combination of what is there with the values of one more variable.
+Places combined(const Places& places, const std::string& name, const std::set<double>& values) {
+  Places result;
+  for (const auto& place : places)
+    for (const double value : values) {
+      result.push_back(place);
+      result.back()[name] = value;
+    }
+  return result;
+}
+
+// Where the runs stand in the other variables: a curve for each, if they are not too many.
+Places curve_places(const std::vector<std::string>& variables, const std::string& along,
+                    const ReducedModel& model, const std::vector<RunRow>& runs) {
+  Places places{{}};
+  for (const std::string& name : variables) {
+    if (name == along) continue;
+    const ModelRange range = model.ranges().at(name);
+    std::set<double> values;
+    for (const RunRow& row : runs)
+      if (const auto value = number_of(row, name);
+          value && *value >= range.low && *value <= range.high)
+        values.insert(*value);
+    if (values.size() > most_levels) return {};
+    places = combined(places, name, values);
+    if (places.size() > most_curves) return {};
+  }
+  return places;
+}
+
+Json model_points(const StudyPlan& plan, const StudyAnswers& answers) {
+  Json points = Json::array();
+  if (!answers.model || !answers.model->problem().empty()) return points;
+  std::vector<std::string> variables = plan.model->variables;
+  if (!plan.model->drive.empty()) variables.insert(variables.begin(), plan.model->drive);
+  for (const std::string& along : variables) {
+    const ModelRange range = answers.model->ranges().at(along);
+    for (const auto& place : curve_places(variables, along, *answers.model, answers.runs))
+      for (int i = 0; i < curve_points; ++i) {
+        auto at = place;
+        at[along] = between(range.low, range.high, i / (curve_points - 1.0), false);
+        const ModelPrediction says = answers.model->predict(at);
+        points.push_back({{"along", along},
+                          {"at", at},
+                          {"value", says.value},
+                          {"low", says.low},
+                          {"high", says.high}});
+      }
+  }
+  return points;
+}
+
+Json units_json(const std::vector<RunRow>& runs) {
+  Json units{{"spacing", "m"}};
+  for (const RunRow& row : runs)
+    for (const auto& [name, value] : row.metrics) units[name] = metric_unit(name);
+  return units;
+}
+
+std::string heading(const StudyPlan& plan) {
+  return fmt::format(
+      "<header>\n<h1>{}</h1>\n<p class=\"meta\">Study <code>{}</code> of the case <code>{}</code> "
+      "· "
+      "Kerf {}</p>\n</header>\n",
+      html::escape(plan.title), html::escape(plan.name), html::escape(plan.base_name),
+      program_version);
+}
+
+std::string static_part(const StudyPlan& plan, const StudyAnswers& answers, bool has_script) {
+  const char* why =
+      has_script ? "The maps of this page want JavaScript; without it, this is what there is."
+                 : "This program was built without npm, so this page has no moving maps.";
+  std::string words = html::escape(answers_text(plan, answers));
+  if (!words.empty()) words = "<pre class=\"answers\">" + words + "</pre>\n";
+  return fmt::format("<p class=\"meta\">{}</p>\n{}{}{}", why, words, static_map(plan, answers.runs),
+                     static_table(plan, answers.runs));
+}
+
+}  // namespace
+
+Json study_page_data(const StudyPlan& plan, const StudyAnswers& answers, StudyState state) {
+  Json data;
+  data["state"] = state_words[static_cast<std::size_t>(state)];
+  data["written"] = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
+  data["units"] = units_json(answers.runs);
+  data["model_points"] = model_points(plan, answers);
+  data["study"] = Json::parse(study_json(plan, answers));
+  return data;
+}
+
+std::string study_page(const StudyPlan& plan, const StudyAnswers& answers, StudyState state) {
+  const std::string_view script = viewer_text("study_script");
+  std::string body =
+      heading(plan) + html::section("kerf-study", static_part(plan, answers, !script.empty()));
+  if (!script.empty())
+    body += html::data_script("kerf-study-data", study_page_data(plan, answers, state).dump()) +
+            fmt::format("<script>{}</script>\n", script);
+  return html::page(plan.title, body, "study_style");
+}
+
+void StudyPageFile::follow(std::size_t ended, std::size_t total,
+                           const std::function<std::vector<RunRow>()>& runs) {
+  const auto now = std::chrono::steady_clock::now();
+  const std::pair seen{ended, total};
+  if (seen == seen_ || now - written_ < least_pause) return;
+  StudyAnswers answers;
+  answers.runs = runs();
+  write(answers, StudyState::running);
+  seen_ = seen;
+  written_ = std::chrono::steady_clock::now();
+}
+
+void StudyPageFile::write(const StudyAnswers& answers, StudyState state) const {
+  write_file(folder_ / "study.html", study_page(plan_, answers, state));
+}
+
+}  // namespace kerf

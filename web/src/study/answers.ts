@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the study found, in words.
+
+import { element } from "../dom.ts";
+import { formatNumber } from "../quantities.ts";
+import type { Quantities } from "./quantity.ts";
+import type { Calibration, Model, Search, StudyData } from "./study_data.ts";
+
+type Line = string | Node;
+
+function box(kind: "yes" | "no" | "none", sentence: Line[], remarks: string[]): HTMLElement {
+  const sign = kind === "yes" ? [element("b", {}, "✓")] : [];
+  const root = element("div", { className: `kerf-answer verdict ${kind}` }, element("p", {}, ...sign, ...sentence));
+  if (remarks.length > 0) root.append(element("ul", {}, ...remarks.map((remark) => element("li", {}, remark))));
+  return root;
+}
+
+const strong = (words: string) => element("strong", {}, words);
+const capital = (words: string) => words.charAt(0).toUpperCase() + words.slice(1);
+
+function runWords(runs: number, drafts: number): string {
+  return `${runs} run${runs === 1 ? "" : "s"}${drafts > 0 ? `, ${drafts} of them drafts` : ""}.`;
+}
+
+function thresholdAnswer(search: Search, quantities: Quantities): HTMLElement {
+  const key = search.key!;
+  const what = `${capital(search.find)} ${quantities.get(key).label} with ${search.condition}`;
+  if (search.problem !== "" || search.value === null) return box("no", [`${what}: not found. ${search.problem}.`], []);
+  const remarks: string[] = [];
+  const { bracket, layouts = [], draft } = search;
+  if (bracket) {
+    const verdicts = search.find === "least" ? "not up to the first, always from the second on" : "always up to the first, not from the second on";
+    const where = layouts.length > 1 ? `in all ${layouts.length} layouts` : "in one layout";
+    remarks.push(`Observed between ${quantities.showRange(key, bracket.low, bracket.high, "and")} ${where}: ${verdicts}.`);
+  }
+  if (draft) remarks.push(`Drafts: between ${quantities.showRange(key, draft.low, draft.high, "and")}; both resolutions together make ${quantities.show(key, search.extrapolated)} for a spacing of zero.`);
+  if (search.within_tolerance === false) remarks.push(`The bracket is wider than the tolerance of ±${formatNumber(100 * (search.tolerance ?? 0))}%.`);
+  remarks.push(runWords(search.runs, search.draft_runs));
+  const sentence = [`${what}: `, strong(quantities.show(key, search.value)), `, between ${quantities.showRange(key, search.low!, search.high!, "and")}.`];
+  return box("yes", sentence, remarks);
+}
+
+function optimumAnswer(search: Search, quantities: Quantities): HTMLElement {
+  const metric = search.metric!;
+  const what = `${search.find === "minimum" ? "Least" : "Greatest"} ${quantities.get(metric).label} with ${search.condition}`;
+  const remarks = [runWords(search.runs, search.draft_runs)];
+  if (search.low !== null && search.high !== null && search.low !== search.high) remarks.unshift(`Over the layouts: ${quantities.showRange(metric, search.low, search.high)}.`);
+  if (search.problem !== "") remarks.unshift(`But ${search.problem}.`);
+  const setting = search.setting ?? {};
+  if (Object.keys(setting).length === 0) return box("no", [`${what}: not found.`], remarks);
+  const sentence = [`${what}: `, strong(quantities.show(metric, search.value)), " at ", strong(quantities.showSetting(setting)), "."];
+  return box(search.problem === "" ? "yes" : "none", sentence, remarks);
+}
+
+function calibrationAnswer(calibration: Calibration, quantities: Quantities): HTMLElement {
+  const { key, metric, value, low, high, problem } = calibration;
+  const at = Object.keys(calibration.at).length > 0 ? ` at ${quantities.showSetting(calibration.at)}` : "";
+  if (problem !== "" || value === null) return box("no", [`${capital(quantities.get(key).label)}: not calibrated. ${problem}.`], []);
+  const { label } = quantities.get(metric);
+  const measured = metric === "cut_through" ? `Cutting just begins${at}.` : `Measured: ${label} ${quantities.show(metric, calibration.measured)} ± ${quantities.show(metric, calibration.uncertainty)}${at}.`;
+  const predictions = calibration.predictions.map(
+    (cut) => `Predicted at ${quantities.showSetting(cut.setting)}: ${label} ${quantities.show(metric, cut.value)}, between ${quantities.showRange(metric, cut.low, cut.high, "and")}.`,
+  );
+  const sentence = [`${capital(quantities.get(key).label)}: `, strong(quantities.show(key, value)), `, between ${quantities.showRange(key, low!, high!, "and")}.`];
+  return box("yes", sentence, [measured, ...predictions, runWords(calibration.runs, 0)]);
+}
+
+// A parameter has the unit of its name, where it has one.
+function parameterWords(model: Model, name: string, value: number, low: number, high: number, quantities: Quantities): string {
+  if (name === "threshold") return `threshold ${quantities.show(model.drive, value)} (${quantities.showRange(model.drive, low, high)})`;
+  return `${name} ${formatNumber(value)} (${formatNumber(low)} to ${formatNumber(high)}, SI)`;
+}
+
+function modelAnswer(model: Model, quantities: Quantities): HTMLElement {
+  const what = `Reduced model of the ${quantities.get(model.metric).label}`;
+  if (model.problem !== "") return box("none", [`${what}: none. ${model.problem}.`], []);
+  const parameters = (model.parameters ?? []).map((one) => parameterWords(model, one.name, one.value, one.low, one.high, quantities));
+  const valid = Object.entries(model.valid ?? {}).map(([name, range]) => `${quantities.get(name).label} ${quantities.showRange(name, range.low, range.high)}`);
+  return box("yes", [`${what}: `, element("code", {}, model.formula), "."], [
+    `With ${parameters.join("; ")}. In brackets the intervals that cover them with 95%.`,
+    `${model.used_runs} runs, R² = ${formatNumber(model.explained ?? NaN, 4)}. Valid for ${valid.join(", ")}.`,
+  ]);
+}
+
+export function answersOf({ study }: StudyData, quantities: Quantities): HTMLElement[] {
+  const { search, calibration, model } = study;
+  const boxes: HTMLElement[] = [];
+  if (search) boxes.push(search.key !== undefined ? thresholdAnswer(search, quantities) : optimumAnswer(search, quantities));
+  if (calibration) boxes.push(calibrationAnswer(calibration, quantities));
+  if (model) boxes.push(modelAnswer(model, quantities));
+  return boxes;
+}

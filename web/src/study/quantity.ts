@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys and metrics by the names and in the units that people read.
+
+import { formatNumber, join, prefixFor } from "../quantities.ts";
+import { numberOf, type Key, type Setting, type StudyData } from "./study_data.ts";
+
+export interface Quantity {
+  name: string; // as in study.json
+  label: string;
+  unit: string; // that is shown
+  factor: number; // a number in SI divided by it is in that unit
+  isLogarithmic: boolean;
+  isKey: boolean;
+}
+
+const metricLabels: Record<string, string> = {
+  cut_through: "cut through",
+  cut_through_time: "time to cut through",
+  front_depth: "depth of the water front",
+  "kerf.depth": "depth of the kerf",
+  "kerf.top.width": "width of the kerf at its top",
+  "kerf.middle.width": "width of the kerf",
+  "kerf.bottom.width": "width of the kerf at its foot",
+  "kerf.taper": "taper of the kerf",
+  "kerf.lag": "lag of the kerf",
+  "kerf.removed_volume": "removed volume",
+  "kerf.removal_rate": "removal rate",
+  "kerf.specific_energy": "specific energy",
+  "kerf.margin": "margin of the cut",
+  energy_drift: "energy unaccounted for",
+  stagnation_pressure: "stagnation pressure",
+};
+
+const written: Record<string, string> = { "J/m3": "J/m³", "J/m2": "J/m²", "1": "" };
+
+function lastWords(key: string): string {
+  return key.slice(key.lastIndexOf(".") + 1).replaceAll("_", " ");
+}
+
+// The last word of a path, where it tells the key from the others and is a word.
+function keyLabel(key: string, keys: Key[]): string {
+  const words = lastWords(key);
+  const isAlone = keys.filter((other) => lastWords(other.key) === words).length === 1;
+  return isAlone && /^[a-z]/i.test(words) ? words : key;
+}
+
+export class Quantities {
+  private readonly known = new Map<string, Quantity>();
+
+  constructor(private readonly data: StudyData) {}
+
+  get(name: string): Quantity {
+    let quantity = this.known.get(name);
+    if (!quantity) this.known.set(name, (quantity = this.make(name)));
+    return quantity;
+  }
+
+  private make(name: string): Quantity {
+    const { study, units } = this.data;
+    const key = study.keys.find((one) => one.key === name);
+    if (key)
+      return {
+        name,
+        label: keyLabel(name, study.keys),
+        unit: written[key.shown_unit] ?? key.shown_unit,
+        factor: key.shown_factor,
+        isLogarithmic: key.scale === "log",
+        isKey: true,
+      };
+    const unit = units[name] ?? "";
+    const sizes = study.runs.map((run) => Math.abs(numberOf(run, name) ?? 0));
+    const prefix = prefixFor(Math.max(0, ...sizes), unit);
+    return {
+      name,
+      label: metricLabels[name] ?? name,
+      unit: prefix.symbol + (written[unit] ?? unit),
+      factor: 1 / prefix.factor,
+      isLogarithmic: false,
+      isKey: false,
+    };
+  }
+
+  /** "4.16 m/s" */
+  show(name: string, value: number | null | undefined, digits = 3): string {
+    if (value === null || value === undefined) return "—";
+    const { factor, unit } = this.get(name);
+    return join(formatNumber(value / factor, digits), unit);
+  }
+
+  /** "3.81 to 4.5 m/s" */
+  showRange(name: string, low: number, high: number, words = "to"): string {
+    const { factor, unit } = this.get(name);
+    return join(`${formatNumber(low / factor)} ${words} ${formatNumber(high / factor)}`, unit);
+  }
+
+  /** "pressure 20 MPa, angle 5 deg" */
+  showSetting(setting: Setting): string {
+    const parts = Object.entries(setting).map(([name, value]) => {
+      const words = typeof value === "number" ? this.show(name, value) : value;
+      return `${this.get(name).label} ${words}`;
+    });
+    return parts.join(", ");
+  }
+}
+
+/** "depth of the kerf / mm" */
+export function titleOf({ label, unit }: Quantity): string {
+  if (unit === "") return label;
+  return unit.includes("/") ? `${label} / (${unit})` : `${label} / ${unit}`;
+}
