@@ -87,10 +87,16 @@ Json model_points(const StudyPlan& plan, const StudyAnswers& answers) {
   return points;
 }
 
+// What is removed is an area in two dimensions.
+std::string_view unit_of(const std::string& name, const RunRow& row) {
+  if (!name.ends_with("removed_volume")) return metric_unit(name);
+  return number_of(row, "dimension") == 2.0 ? "m2" : "m3";
+}
+
 Json units_json(const std::vector<RunRow>& runs) {
   Json units{{"spacing", "m"}};
   for (const RunRow& row : runs)
-    for (const auto& [name, value] : row.metrics) units[name] = metric_unit(name);
+    for (const auto& [name, value] : row.metrics) units[name] = unit_of(name, row);
   return units;
 }
 
@@ -99,7 +105,7 @@ std::string heading(const StudyPlan& plan) {
       "<header>\n<h1>{}</h1>\n<p class=\"meta\">Study <code>{}</code> of the case <code>{}</code> "
       "· "
       "Kerf {}</p>\n</header>\n",
-      html::escape(plan.title), html::escape(plan.name), html::escape(plan.base_name),
+      html::escape(plan.title), html::escape(plan.name), html::escape(std::filesystem::path(plan.base_name).stem().string()),
       program_version);
 }
 

@@ -12,14 +12,14 @@ import { sampleRun } from "./sample_run.mjs";
 
 const beside = (path) => new URL(path, import.meta.url);
 
-function reportStyle() {
+export function reportStyle() {
   const header = beside("../../src/report/style.hpp");
   if (!existsSync(header)) return "";
   return readFileSync(header, "utf8").split('R"css(')[1]?.split(')css"')[0] ?? "";
 }
 
 // A "<" in a text of the run must not end the element that holds it.
-const inline = (json) => JSON.stringify(json).replaceAll("<", "\\u003c");
+export const inline = (json) => JSON.stringify(json).replaceAll("<", "\\u003c");
 
 export function page(run, json = inline(run)) {
   const bundle = readFileSync(beside("../dist/viewer.js"), "utf8");

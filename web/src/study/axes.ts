@@ -60,10 +60,15 @@ export function scaleOf(quantity: Quantity, values: number[], from: number, to: 
   return { quantity, ...ends, place, ticks: ticksOf(ends.low, ends.high, quantity, wishes) };
 }
 
+export function tickWords({ quantity }: Scale, tick: number): string {
+  if (quantity.name === "cut_through") return tick > 0.5 ? "yes" : "no";
+  return formatNumber(tick / quantity.factor);
+}
+
 /** Words of ticks that do not run into each other are kept. */
 function apart(scale: Scale, room: (words: string) => number): { at: number; words: string }[] {
   let free = -Infinity;
-  const entries = scale.ticks.map((tick) => ({ at: scale.place(tick), words: formatNumber(tick / scale.quantity.factor) }));
+  const entries = scale.ticks.map((tick) => ({ at: scale.place(tick), words: tickWords(scale, tick) }));
   entries.sort((a, b) => a.at - b.at);
   return entries.filter(({ at, words }) => {
     const half = 0.5 * room(words);
@@ -75,7 +80,7 @@ function apart(scale: Scale, room: (words: string) => number): { at: number; wor
 
 /** Room for the words at the left. */
 export function leftOf(scale: Scale): number {
-  const widths = scale.ticks.map((tick) => widthOf(formatNumber(tick / scale.quantity.factor)));
+  const widths = scale.ticks.map((tick) => widthOf(tickWords(scale, tick)));
   return 38 + Math.max(20, ...widths);
 }
 

@@ -33,6 +33,10 @@ export class Controls {
       parts.push(this.choice("kerf-x", "over", keys, view.x, (value) => this.setAxis("x", value)));
       parts.push(this.choice("kerf-y", "and", keys, view.y, (value) => this.setAxis("y", value)));
     }
+    if (keys.length > 1) {
+      const styles: Options = [["contours", "contours"], ["cells", "cells"]];
+      parts.push(this.choice("kerf-style", "as", styles, view.style, (value) => (view.style = value)));
+    }
     for (const { key } of data.study.keys) {
       const values = valuesOf(data, key);
       if (key === view.x || key === view.y || values.length < 2) continue;

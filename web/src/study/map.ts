@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A process map: a metric, or the verdict, over two keys.
 
+import { Delaunay } from "d3-delaunay";
+
 import { drawAxes, drawFrame, leftOf, scaleOf, type Box, type Scale } from "./axes.ts";
 import { bandsOf, drawLadder, ladderWidth, type Bands } from "./bands.ts";
 import { ContourDrawing, outline, pathOf, type Plane } from "./contour_lines.ts";
@@ -42,6 +44,20 @@ function layer(ground: Ground, points: Point[], value: (point: Point) => number)
 
 function clip(id: string, d: string) {
   return svg("clipPath", { id }, svg("path", { d }));
+}
+
+/** Each run's own value, up to half way to its neighbours. */
+function drawCells(root: SVGGElement, ground: Ground, points: Point[], bands: Bands) {
+  const { box, x, y } = ground;
+  const cells = Delaunay.from(points, (point) => x.place(point.x), (point) => y.place(point.y));
+  const areas = svg("g", { class: "kerf-areas" });
+  root.append(areas);
+  const voronoi = cells.voronoi([box.left, box.top, box.left + box.width, box.top + box.height]);
+  points.forEach((point, at) => {
+    if (!Number.isFinite(point.value)) return;
+    const fill = bands.colourOf(point.value);
+    areas.append(svg("path", { d: voronoi.renderCell(at), fill, stroke: fill, "stroke-width": 0.6 }));
+  });
 }
 
 function drawBands(root: SVGGElement, ground: Ground, points: Point[], bands: Bands) {
@@ -124,9 +140,10 @@ export function drawMap(points: Point[], view: View, quantities: Quantities, too
   const y = scaleOf(quantities.get(view.y), ys, box.top + height, box.top, yWishes);
   const ground = groundOf(box, x, y, points);
 
-  const defs = svg("defs", {}, hatch("kerf-bracket", "#ffffffb0", 7, 2.5));
+  const defs = svg("defs", {}, hatch("kerf-bracket", "#ffffff90", 8, 2));
   const plot = svg("g", {}, svg("rect", { x: box.left, y: box.top, width: box.width, height, fill: "#f5f6f8" }));
-  if (bands) drawBands(plot, ground, points, bands);
+  if (bands && view.style === "cells") drawCells(plot, ground, points, bands);
+  else if (bands) drawBands(plot, ground, points, bands);
   const hasBoundary = drawVerdicts(plot, ground, points, byVerdict);
   plot.append(drawAxes(box, x, y, false), drawFrame(box));
   const best = bestPlace(wishes.best, view);

@@ -31,7 +31,7 @@ const metricLabels: Record<string, string> = {
   stagnation_pressure: "stagnation pressure",
 };
 
-const written: Record<string, string> = { "J/m3": "J/m³", "J/m2": "J/m²", "1": "" };
+const written: Record<string, string> = { "J/m3": "J/m³", "J/m2": "J/m²", m2: "m²", m3: "m³", "1": "" };
 
 function lastWords(key: string): string {
   return key.slice(key.lastIndexOf(".") + 1).replaceAll("_", " ");

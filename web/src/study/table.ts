@@ -3,13 +3,14 @@
 
 import { element } from "../dom.ts";
 import { formatNumber } from "../quantities.ts";
-import { titleOf, type Quantities } from "./quantity.ts";
+import type { Quantities } from "./quantity.ts";
 import { numberOf, type StudyData, type StudyRun } from "./study_data.ts";
 import { inlineSymbol, verdictOf, verdictOrder, verdictWords } from "./verdict.ts";
 
 interface Column {
   name: string; // in study.json
   title: string;
+  unit: string;
   isNumber: boolean;
   value: (run: StudyRun) => number | string | undefined; // to sort by; SI
   show: (run: StudyRun) => Node | string;
@@ -21,12 +22,13 @@ function quantityColumn(name: string, quantities: Quantities, value: Column["val
     const found = value(run);
     return typeof found === "number" ? formatNumber(found / factor, 4) : (found ?? "–");
   };
-  return { name, title: titleOf(quantities.get(name)), isNumber: true, value, show };
+  const { label, unit } = quantities.get(name);
+  return { name, title: label, unit, isNumber: true, value, show };
 }
 
 function verdictColumn(): Column {
   const show = (run: StudyRun) => element("span", { className: "kerf-verdict" }, inlineSymbol(verdictOf(run)), ` ${verdictWords[verdictOf(run)]}`);
-  return { name: "state", title: "verdict", isNumber: false, value: (run) => verdictOrder.indexOf(verdictOf(run)), show };
+  return { name: "state", title: "verdict", unit: "", isNumber: false, value: (run) => verdictOrder.indexOf(verdictOf(run)), show };
 }
 
 function reportLink(run: StudyRun): Node | string {
@@ -37,19 +39,19 @@ function reportLink(run: StudyRun): Node | string {
 function columnsOf(data: StudyData, quantities: Quantities): Column[] {
   const { study } = data;
   const columns = [verdictColumn()];
+  columns.push({ name: "report", title: "run", unit: "", isNumber: false, value: (run) => run.id, show: reportLink });
   for (const { key } of study.keys) columns.push(quantityColumn(key, quantities, (run) => run.setting[key]));
   columns.push(quantityColumn("spacing", quantities, (run) => numberOf(run, "spacing")));
   if (study.runs.some((run) => run.repeat > 0)) {
-    columns.push({ name: "repeat", title: "layout", isNumber: true, value: (run) => run.repeat, show: (run) => String(run.repeat + 1) });
+    columns.push({ name: "repeat", title: "layout", unit: "", isNumber: true, value: (run) => run.repeat, show: (run) => String(run.repeat + 1) });
   }
   for (const { name } of study.metrics) {
     const isKnown = name !== "cut_through" && study.runs.some((run) => numberOf(run, name) !== undefined);
     if (isKnown) columns.push(quantityColumn(name, quantities, (run) => numberOf(run, name)));
   }
-  columns.push({ name: "report", title: "run", isNumber: false, value: (run) => run.id, show: reportLink });
   if (study.runs.some((run) => run.error !== "")) {
     const show = (run: StudyRun) => element("span", { className: "kerf-error-text" }, run.error);
-    columns.push({ name: "error", title: "error", isNumber: false, value: (run) => run.error, show });
+    columns.push({ name: "error", title: "error", unit: "", isNumber: false, value: (run) => run.error, show });
   }
   return columns;
 }
@@ -77,7 +79,8 @@ export class RunTable {
   }
 
   private head(column: Column, at: number): HTMLTableCellElement {
-    const button = element("button", { type: "button", title: "Sort" }, column.title, element("span", { attributes: { "aria-hidden": "true" } }));
+    const button = element("button", { type: "button", title: "Sort" }, column.title, element("i", { attributes: { "aria-hidden": "true" } }));
+    if (column.unit !== "") button.append(element("span", { className: "kerf-soft" }, column.unit));
     button.addEventListener("click", () => this.sort(at));
     const cell = element("th", { scope: "col", className: column.isNumber ? "kerf-number" : "" }, button);
     cell.dataset.column = column.name;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the reader has chosen to see. It is kept in the address, so that a link shows the same.
 
-import { numberOf, type Key, type Setting, type StudyData, type StudyRun, type Value } from "./study_data.ts";
+import { numberOf, type Key, type StudyData, type StudyRun, type Value } from "./study_data.ts";
 import { verdictOfAll, type Verdict } from "./verdict.ts";
 
 export const all = "all";
@@ -10,6 +10,7 @@ export interface View {
   metric: string;
   x: string;
   y: string; // "" = there is one numeric key only
+  style: string; // of a map: "contours", or "cells" that end half way between runs
   refinement: string; // or all
   repeat: string; // or all
   fixed: Record<string, string>; // other keys: a value, or all
@@ -70,7 +71,7 @@ function firstView(data: StudyData): View {
     // A projection of many values tells more than one of them, a slice more than a projection of few.
     fixed[key] = values.length > 1 && values.length <= 9 ? String(values[0]) : all;
   }
-  return { metric: firstMetric(data), x, y, refinement: y !== "" && hasFine ? String(study.refinement) : all, repeat: all, fixed };
+  return { metric: firstMetric(data), x, y, style: "contours", refinement: y !== "" && hasFine ? String(study.refinement) : all, repeat: all, fixed };
 }
 
 export function viewFromAddress(data: StudyData): View {
@@ -84,6 +85,7 @@ export function viewFromAddress(data: StudyData): View {
   take("metric");
   take("x");
   take("y");
+  if (asked.get("style") === "cells") view.style = "cells";
   for (const name of ["refinement", "repeat"] as const) view[name] = asked.get(name) ?? view[name];
   for (const key of Object.keys(view.fixed)) view.fixed[key] = asked.get(`at.${key}`) ?? view.fixed[key];
   return view;
@@ -128,5 +130,3 @@ export function meanOf(runs: StudyRun[], metric: string): number {
   const values = runs.map((run) => numberOf(run, metric)).filter((value) => value !== undefined);
   return values.reduce((sum, value) => sum + value, 0) / values.length;
 }
-
-export type { Setting };
