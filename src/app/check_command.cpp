@@ -58,6 +58,8 @@ void print_speeds(const DerivedNumbers& numbers) {
   row("longitudinal waves, c_p", fmt::format("{:.4g} m/s", numbers.longitudinal_speed));
   row("shear waves, c_s", fmt::format("{:.4g} m/s", numbers.shear_speed));
   row("Rayleigh waves, c_R", fmt::format("{:.4g} m/s", numbers.rayleigh_speed));
+  if (numbers.reflection_time > 0.0)
+    row("waves back from an edge after", readable(numbers.reflection_time, "s"));
   row("V / c_R", fmt::format("{:.4g}", numbers.speed_over_rayleigh));
   row("V / c_p", fmt::format("{:.4g}", numbers.speed_over_longitudinal));
 }

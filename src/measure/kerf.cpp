@@ -111,6 +111,7 @@ Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame,
   kerf.removal = measure_removal(removed_volume(workpiece, standing),
                                  find_work(workpiece, conditions, frame.time));
   kerf.splash = measure_splash(view, map, axes, path, conditions.jet_speed);
+  kerf.leak = measure_leak(view, axes);
   kerf.layers = measure_layers(view, axes, path);
   kerf.margin = find_margin(workpiece, conditions, frame.time);
   return kerf;

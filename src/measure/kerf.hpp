@@ -10,6 +10,7 @@
 #include "measure/damaged_zone.hpp"
 #include "measure/fragment_sizes.hpp"
 #include "measure/kerf_shape.hpp"
+#include "measure/leak.hpp"
 #include "measure/removal.hpp"
 #include "measure/splash.hpp"
 
@@ -44,6 +45,7 @@ struct Kerf {
   double damaged_zone = 0.0;  // m
   Removal removal;
   Splash splash;
+  Leak leak;
   FragmentSizes fragments;
   std::vector<KerfLayer> layers;  // the upper first; empty where the workpiece is one body
   // 1; cut through: the part of the run that was left; not so: minus the part of the thickness that

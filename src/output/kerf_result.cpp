@@ -50,6 +50,7 @@ Json kerf_json(const Kerf& kerf, const Case& description) {
   json["margin"] = kerf.margin;
   json["splash"] = {
       {"mass", kerf.splash.mass}, {"angle", kerf.splash.angle}, {"spread", kerf.splash.spread}};
+  json["leaked_mass"] = kerf.leak.mass;
   json["small_fragments"] = fragments_json(kerf.fragments);
   json["layers"] = Json::array();
   for (const KerfLayer& layer : kerf.layers) {

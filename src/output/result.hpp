@@ -13,6 +13,7 @@
 #include "measure/cut.hpp"
 #include "measure/derived.hpp"
 #include "measure/kerf.hpp"
+#include "output/validity.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/simulation.hpp"
 
@@ -41,10 +42,7 @@ struct RunOutcome {
 // True when the front went deeper in the last tenth of the history.
 bool still_cutting(const std::vector<CutState>& history);
 
-// What the run can and cannot promise, as sentences.
-std::vector<std::string> validity_of(const RunOutcome& outcome);
-
-// One sentence: did the jet cut through, and when, or how deep it came.
+// One sentence: did the jet cut through, and when, how deep it came, or that it broke nothing.
 std::string verdict_of(const RunOutcome& outcome);
 
 nlohmann::ordered_json result_of(const RunOutcome& outcome);
