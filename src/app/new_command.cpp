@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "app/embedded.hpp"
 #include "case/problems.hpp"
 #include "core/error.hpp"
+#include "output/files.hpp"
 
 namespace kerf {
 
@@ -27,10 +29,24 @@ void list_templates() {
     fmt::print("  {:<18} {}\n", entry.name, first_sentence(entry.text));
 }
 
+// The meshes that a template names go into the present folder, where its copy will look for them,
+// unless files of these names are there.
+void write_meshes(std::string_view text) {
+  for (const EmbeddedText& mesh : case_meshes()) {
+    const std::string file = fmt::format("{}.stl", mesh.name);
+    if (text.find(fmt::format("\"{}\"", file)) == std::string_view::npos) continue;
+    const bool is_there = std::filesystem::exists(file);
+    if (!is_there) write_file(file, mesh.text);
+    fmt::print(stderr, "{} {}: the case needs it beside it.\n", file,
+               is_there ? "is here already and was left as it is" : "was written");
+  }
+}
+
 void print_template(const std::string& name) {
   std::vector<std::string> names;
   for (const EmbeddedText& entry : case_templates()) {
     if (entry.name == name) {
+      write_meshes(entry.text);
       fmt::print("{}", entry.text);
       return;
     }
