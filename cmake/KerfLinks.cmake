@@ -11,7 +11,12 @@ target_link_libraries(kerf_report PUBLIC kerf_output PkgConfig::cairo
   PRIVATE PkgConfig::plplot Boost::headers Boost::filesystem ZLIB::ZLIB nlohmann_json::nlohmann_json)
 target_link_libraries(kerf_verify PUBLIC kerf_engine kerf_measure tomlplusplus::tomlplusplus
   PRIVATE nlohmann_json::nlohmann_json)
-target_link_libraries(kerf_app PUBLIC kerf_engine kerf_measure kerf_report kerf_verify CLI11::CLI11 spdlog::spdlog
+target_include_directories(kerf_study SYSTEM PRIVATE ${HDF5_INCLUDE_DIRS})
+target_link_libraries(kerf_study PUBLIC kerf_case kerf_measure kerf_output tomlplusplus::tomlplusplus
+  Eigen3::Eigen PRIVATE SQLiteCpp nlohmann_json::nlohmann_json Boost::headers Boost::filesystem
+  PkgConfig::nlopt Threads::Threads)
+target_link_libraries(kerf_app PUBLIC kerf_engine kerf_measure kerf_report kerf_study kerf_verify
+  CLI11::CLI11 spdlog::spdlog
   PRIVATE httplib)
 if(KERF_CUDA)
   file(GLOB kerf_device_sources ${CMAKE_SOURCE_DIR}/src/simulation/instantiate_*.cpp)

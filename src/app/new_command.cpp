@@ -25,8 +25,13 @@ std::string_view first_sentence(std::string_view text) {
 
 void list_templates() {
   fmt::print("Cases to start from; \"kerf new NAME > my.toml\" writes one:\n\n");
-  for (const EmbeddedText& entry : case_templates())
-    fmt::print("  {:<18} {}\n", entry.name, first_sentence(entry.text));
+  const auto list = [](std::span<const EmbeddedText> texts) {
+    for (const EmbeddedText& entry : texts)
+      fmt::print("  {:<18} {}\n", entry.name, first_sentence(entry.text));
+  };
+  list(case_templates());
+  fmt::print("\nStudies, for \"kerf study\":\n\n");
+  list(study_templates());
 }
 
 // The meshes that a template names go into the present folder, where its copy will look for them,
@@ -44,7 +49,9 @@ void write_meshes(std::string_view text) {
 
 void print_template(const std::string& name) {
   std::vector<std::string> names;
-  for (const EmbeddedText& entry : case_templates()) {
+  std::vector<EmbeddedText> texts(case_templates().begin(), case_templates().end());
+  texts.insert(texts.end(), study_templates().begin(), study_templates().end());
+  for (const EmbeddedText& entry : texts) {
     if (entry.name == name) {
       write_meshes(entry.text);
       fmt::print("{}", entry.text);
@@ -61,7 +68,8 @@ void print_template(const std::string& name) {
 }  // namespace
 
 void add_new_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("new", "Print a commented case to start from");
+  CLI::App* command =
+      program.add_subcommand("new", "Print a commented case or study to start from");
   auto name = std::make_shared<std::string>();
   command->add_option("name", *name, "Which case; without it, the cases are listed");
   command->callback([name] { name->empty() ? list_templates() : print_template(*name); });

@@ -2,7 +2,6 @@
 #include "app/progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,12 +17,6 @@ constexpr double line_pause = 5.0;   // s, at most, between two lines
 constexpr double line_share = 0.02;  // of the run, or that
 constexpr double pace_window = 3.0;  // s, between two looks at the pace
 constexpr double pace_weight = 0.4;  // of the newest look
-constexpr int bar_cells = 24;
-
-int terminal_width() {
-  winsize size{};
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
 
 double seconds_between(std::chrono::steady_clock::time_point from,
                        std::chrono::steady_clock::time_point to) {
@@ -75,7 +68,7 @@ void Progress::update(const ProgressNumbers& numbers) {
   const double left = pace_ > 0.0 ? (1.0 - share) / pace_ : std::numeric_limits<double>::infinity();
   const std::string line = progress_line(numbers, left);
   if (style_ == ProgressStyle::bar)
-    show_bar(share, line);
+    bar_.show(share, line);
   else
     say(line);
 }
@@ -93,28 +86,10 @@ void Progress::follow_pace(double share, Clock::time_point now) {
 }
 
 void Progress::say(const std::string& line) {
-  clear_bar();
+  bar_.clear();
   if (style_ == ProgressStyle::none) return;
   fmt::print("{}\n", line);
   std::fflush(stdout);
-}
-
-void Progress::show_bar(double share, const std::string& line) {
-  const int filled = static_cast<int>(share * bar_cells);
-  std::string bar;
-  for (int i = 0; i < bar_cells; ++i) bar += i < filled ? "█" : "░";
-  const int room = terminal_width() - bar_cells - 2;
-  const std::string words = room > 0 ? line.substr(0, static_cast<std::size_t>(room)) : "";
-  fmt::print("\r{} {}\033[K", bar, words);
-  std::fflush(stdout);
-  bar_shown_ = true;
-}
-
-void Progress::clear_bar() {
-  if (!bar_shown_) return;
-  fmt::print("\r\033[K");
-  std::fflush(stdout);
-  bar_shown_ = false;
 }
 
 }  // namespace kerf

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "app/bar.hpp"
 #include "measure/cut.hpp"
 #include "simulation/simulation.hpp"
 
@@ -32,9 +33,6 @@ ProgressStyle progress_style(bool quiet);
 class Progress {
  public:
   explicit Progress(ProgressStyle style) : style_(style) {}
-  ~Progress() { clear_bar(); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
 
   // To be called after every step; shows something only now and then.
   void update(const ProgressNumbers& numbers);
@@ -45,11 +43,9 @@ class Progress {
   using Clock = std::chrono::steady_clock;
 
   void follow_pace(double share, Clock::time_point now);
-  void show_bar(double share, const std::string& line);
-  void clear_bar();
 
   ProgressStyle style_;
-  bool bar_shown_ = false;
+  Bar bar_;
   Clock::time_point shown_at_{};
   double shown_share_ = -1.0;
   // Where the pace is measured from; renewed, so that it follows a run whose steps grow dearer.

@@ -6,9 +6,10 @@
 #include <stdexcept>
 
 #include "case/expression.hpp"
+#include "case/overlay.hpp"
 #include "case/read.hpp"
+#include "case/refine.hpp"
 #include "case/units.hpp"
-#include "verify/overlay.hpp"
 #include "verify/plan.hpp"
 
 namespace kerf {
@@ -132,10 +133,7 @@ bool Check::judges(const std::string& run, const std::vector<std::string>& made)
 }
 
 Case PlannedRun::description() const {
-  Case result = parse_case(case_text, name);
-  for (Body& body : result.bodies) body.spacing /= refinement;
-  for (Jet& jet : result.jets) jet.spacing /= refinement;
-  return result;
+  return refined(parse_case(case_text, name), refinement);
 }
 
 const PlannedRun& VerificationCase::run(const std::string& wanted) const {

@@ -19,7 +19,8 @@ namespace {
 std::vector<std::filesystem::path> case_files() {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(KERF_SOURCE_DIR "/cases"))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "studies")
+      files.push_back(entry.path());
   return files;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verify/overlay.hpp"
+#include "case/overlay.hpp"
 
 #include <sstream>
 
@@ -12,14 +12,6 @@ void merge(toml::table& base, const toml::table& changes);
 // Others, such as the parts of a shape, have nothing to be matched by.
 bool has_named_tables(const toml::array& list) {
   return !list.empty() && list[0].is_table() && list[0].as_table()->contains("name");
-}
-
-toml::table* entry_named(toml::array& list, const std::string& name) {
-  for (toml::node& node : list) {
-    toml::table* entry = node.as_table();
-    if (entry && (*entry)["name"].value_or(std::string()) == name) return entry;
-  }
-  return nullptr;
 }
 
 void merge_lists(toml::array& base, const toml::array& changes) {
@@ -46,6 +38,14 @@ void merge(toml::table& base, const toml::table& changes) {
 }
 
 }  // namespace
+
+toml::table* entry_named(toml::array& list, const std::string& name) {
+  for (toml::node& node : list) {
+    toml::table* entry = node.as_table();
+    if (entry && (*entry)["name"].value_or(std::string()) == name) return entry;
+  }
+  return nullptr;
+}
 
 std::string overlay(std::string_view case_text, const toml::table& changes) {
   toml::table result = toml::parse(case_text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verify/overlay.hpp"
+#include "case/overlay.hpp"
 
 #include <gtest/gtest.h>
 

@@ -14,4 +14,7 @@ namespace kerf {
 // a shape, is replaced.
 std::string overlay(std::string_view case_text, const toml::table& changes);
 
+// The table of a list that has this name; null when none has.
+toml::table* entry_named(toml::array& list, const std::string& name);
+
 }  // namespace kerf

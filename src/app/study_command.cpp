@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// kerf study: many runs of a case, the map they make, and the setting that is looked for.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "app/bar.hpp"
+#include "app/commands.hpp"
+#include "app/embedded.hpp"
+#include "app/progress.hpp"
+#include "app/signals.hpp"
+#include "core/error.hpp"
+#include "output/files.hpp"
+#include "study/local_executor.hpp"
+#include "study/slurm_executor.hpp"
+#include "study/study_answers.hpp"
+#include "study/study_runs.hpp"
+#include "study/study_table.hpp"
+
+namespace kerf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StudyOptions {
+  std::string file;
+  std::string folder;
+  int jobs = 0;
+  int cores = 0;
+  double memory = 0.0;  // GiB
+  std::string where = "local";
+  bool retry = false;
+  bool quiet = false;
+};
+
+// This program, for the runs: of a child of this process that is the one that runs now, even when
+// its file was replaced since.
+constexpr const char* this_program = "/proc/self/exe";
+
+LocalBudget budget_of(const StudyOptions& options) {
+  constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
+  LocalBudget budget = budget_of_machine();
+  if (options.cores > 0) budget.cores = options.cores;
+  budget.jobs = options.jobs > 0 ? options.jobs : budget.cores;
+  if (options.memory > 0.0) budget.memory = options.memory * gibibyte;
+  return budget;
+}
+
+std::unique_ptr<Executor> executor_of(const StudyOptions& options, const fs::path& folder) {
+  if (options.where == "local")
+    return std::make_unique<LocalExecutor>(this_program, budget_of(options));
+  SlurmBudget budget;
+  if (options.jobs > 0) budget.jobs = options.jobs;
+  if (options.cores > 0) budget.cores = options.cores;
+  return std::make_unique<SlurmExecutor>(fs::read_symlink(this_program), folder, budget);
+}
+
+// What a user sees while runs go on.
+class StudyDisplay {
+ public:
+  explicit StudyDisplay(ProgressStyle style) : style_(style) {}
+
+  void show(const StudyProgress& now) {
+    const auto time = Clock::now();
+    const bool is_new_batch = now.total != last_.total || now.ended < last_.ended;
+    if (is_new_batch) {
+      start_ = time;
+      start_share_ = now.share;
+    }
+    const bool has_changed = is_new_batch || now.ended != last_.ended;
+    last_ = now;
+    if (style_ == ProgressStyle::none) return;
+    const std::string words = line(now, std::chrono::duration<double>(time - start_).count());
+    if (style_ == ProgressStyle::bar) {
+      bar_.show(now.share, words);
+    } else if (has_changed) {
+      fmt::print("{}\n", words);
+      std::fflush(stdout);
+    }
+  }
+  void clear() { bar_.clear(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string line(const StudyProgress& now, double seconds) const {
+    const double done = now.share - start_share_;
+    const double left = done > 0.0 ? (1.0 - now.share) * seconds / done : INFINITY;
+    return fmt::format("{} of {} runs | at work {} | failed {} | left {}", now.ended, now.total,
+                       now.at_work, now.failed, duration_text(left));
+  }
+
+  ProgressStyle style_;
+  Bar bar_;
+  StudyProgress last_;
+  Clock::time_point start_ = Clock::now();
+  double start_share_ = 0.0;
+};
+
+std::vector<Trial> design_trials(const StudyPlan& plan) {
+  std::vector<Trial> trials;
+  for (const Setting& setting : settings_of(*plan.design, plan.axes))
+    for (int repeat = 0; repeat < plan.repeats; ++repeat)
+      trials.push_back({setting, repeat, plan.refinement});
+  return trials;
+}
+
+void find_answers(const StudyPlan& plan, StudyRuns& runs, StudyAnswers& answers) {
+  const Trial middle{{}, 0, plan.refinement};
+  if (plan.design) runs.run(design_trials(plan));
+  if (plan.threshold) answers.threshold = find_threshold(*plan.threshold, middle, runs);
+  if (plan.optimum) answers.optimum = find_optimum(*plan.optimum, plan.refinement, runs);
+  if (plan.calibration) answers.calibration = calibrate(*plan.calibration, plan.refinement, runs);
+}
+
+// What follows from the runs that were made, be they all or not.
+void conclude(const StudyPlan& plan, const StudyRuns& runs, StudyAnswers& answers) {
+  answers.runs = runs.asked();
+  if (plan.model)
+    answers.model =
+        ReducedModel(*plan.model, model_data(*plan.model, plan.refinement, answers.runs));
+  std::vector<RunRow> fine = answers.runs;
+  std::erase_if(fine, [&](const RunRow& row) { return row.trial.refinement != plan.refinement; });
+  answers.boundary = cut_boundary(all_axes(plan), fine);
+}
+
+void write_results(const StudyPlan& plan, const StudyAnswers& answers, const fs::path& folder) {
+  write_file(folder / "study.csv", study_csv(plan, answers.runs));
+  write_file(folder / "study.json", study_json(plan, answers));
+  write_file(folder / "study.h5", study_hdf5(plan, answers.runs));
+  const bool has_model = answers.model && answers.model->problem().empty();
+  if (has_model) write_file(folder / "model.csv", answers.model->table_csv());
+  fmt::print("{}{}", study_text(plan, answers.runs), answers_text(plan, answers));
+  const std::string place = folder.string();
+  fmt::print("  table      {0}/study.csv, {0}/study.json, {0}/study.h5{1}\n", place,
+             has_model ? fmt::format(", {}/model.csv", place) : "");
+}
+
+// The exit code says that some runs have no result, after everything else is written.
+void tell_failures(const std::vector<RunRow>& runs) {
+  std::size_t failed = 0;
+  for (const RunRow& row : runs) {
+    if (row.state != RunState::failed) continue;
+    ++failed;
+    fmt::print("  {} failed: {}\n", row.id, row.error);
+  }
+  if (failed == 0) return;
+  fmt::print("{} run{} failed. Put it right, then start the study again with --retry.\n", failed,
+             failed == 1 ? "" : "s");
+  throw CLI::RuntimeError(exit_run_failed);
+}
+
+void study(const StudyOptions& options) {
+  const StudyPlan plan = read_study(options.file, case_templates());
+  const fs::path folder =
+      options.folder.empty() ? fs::path("out") / plan.name : fs::path(options.folder);
+  make_folder(folder);
+  const FolderLock lock(folder);
+  StudyDatabase database(folder / "study.db");
+  database.remember("study", plan.text);
+  const CaseMaker maker(plan);
+  const auto executor = executor_of(options, folder);
+  if (!options.quiet) fmt::print("{}, results in {}\n", plan.title, folder.string());
+  const StopSignals signals;
+  StudyDisplay display(progress_style(options.quiet));
+  StudyRuns runs(
+      folder, maker, database, *executor,
+      {[&](const StudyProgress& now) { display.show(now); }, [&] { return signals.caught(); }},
+      options.retry);
+  StudyAnswers answers;
+  const auto finish = [&] {
+    display.clear();
+    conclude(plan, runs, answers);
+    write_results(plan, answers, folder);
+  };
+  try {
+    find_answers(plan, runs, answers);
+  } catch (const StudyStopped& stopped) {
+    finish();
+    fmt::print("Stopped. To go on: kerf study {} --out {}\n", options.file, folder.string());
+    throw CLI::RuntimeError(128 + stopped.signal);
+  } catch (const UserError&) {
+    finish();
+    throw;
+  }
+  finish();
+  tell_failures(answers.runs);
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& program) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command =
+      program.add_subcommand("study", "Run a case at many settings, or find the setting");
+  command->add_option("STUDY", options->file, "the study file")->required();
+  command->add_option("--out", options->folder, "folder for the results; default out/<study>");
+  command->add_option("--jobs", options->jobs, "runs at once, at most; default one for each core")
+      ->check(CLI::Range(1, 4096));
+  command
+      ->add_option(
+          "--cores", options->cores,
+          "cores for all runs at once; default every core; with Slurm of each run, default 1")
+      ->check(CLI::Range(1, 4096));
+  command
+      ->add_option("--memory", options->memory,
+                   "memory for all runs at once, in GiB; default four fifths of what is free")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--on", options->where, "where runs are made: this machine, or Slurm")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
+  command->add_flag("--retry", options->retry, "run again what failed before");
+  command->add_flag("--quiet", options->quiet, "show the results only");
+  command->callback([options] { study(*options); });
+}
+
+}  // namespace kerf

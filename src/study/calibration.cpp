@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <map>
+
+#include "core/error.hpp"
+#include "study/bisection.hpp"
+#include "study/least_squares.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double cover = 2.0;  // standard uncertainties of what was measured, for some 95%
+
+class Calibrator {
+ public:
+  Calibrator(const CalibrationGoal& goal, double refinement, Laboratory& laboratory)
+      : goal_(goal), refinement_(refinement), laboratory_(laboratory) {}
+
+  CalibrationAnswer run() {
+    if (goal_.metric == "cut_through")
+      from_threshold();
+    else
+      from_metric();
+    answer_.runs = static_cast<int>(known_.size());
+    if (answer_.problem.empty()) predict();
+    return answer_;
+  }
+
+ private:
+  Trial trial(double value, const Setting& setting) const {
+    Trial result{setting, 0, refinement_};
+    result.setting.numbers[goal_.axis.name()] = value;
+    return result;
+  }
+
+  bool has_metric(const Outcome& outcome) const {
+    return !outcome.failed && outcome.metrics.count(goal_.metric) > 0;
+  }
+  double metric_of(const Outcome& outcome) const {
+    if (has_metric(outcome)) return outcome.metrics.at(goal_.metric);
+    throw UserError(
+        fmt::format("the calibration stopped: the run {} gave no {}{}{}. Put it right, then start "
+                    "the study again with --retry.",
+                    outcome.id, goal_.metric, outcome.failed ? ": " : "", outcome.error),
+        exit_run_failed);
+  }
+
+  std::vector<double> measure(const std::vector<double>& values) {
+    std::vector<Trial> trials;
+    for (const double value : values) trials.push_back(trial(value, goal_.at));
+    const auto outcomes = laboratory_.run(trials);
+    std::vector<double> metrics;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      metrics.push_back(metric_of(outcomes[i]));
+      known_[std::log(values[i])] = metrics.back();
+    }
+    return metrics;
+  }
+
+  // The setting is where cutting begins: so is the key, of all values, where it begins there.
+  void from_threshold() {
+    const double first = goal_.axis.values.front(), last = goal_.axis.values.back();
+    const auto ends = measure({first, last});
+    if ((ends[0] > 0.5) == (ends[1] > 0.5)) {
+      answer_.problem =
+          fmt::format("{} at both ends of the range of {}. Widen it",
+                      ends[0] > 0.5 ? "the cut goes through" : "the cut does not go through",
+                      goal_.axis.name());
+      return;
+    }
+    const bool beyond = ends[1] > 0.5;
+    Bisection bisection(
+        [&](const std::vector<double>& values) {
+          std::vector<bool> verdicts;
+          for (const double metric : measure(values)) verdicts.push_back((metric > 0.5) == beyond);
+          return verdicts;
+        },
+        {first, last}, goal_.most_runs, true);
+    bisection.start_at({first, last});
+    bisection.narrow(goal_.tolerance, laboratory_.side_by_side());
+    answer_.low = bisection.bracket().low;
+    answer_.high = bisection.bracket().high;
+    answer_.value = std::sqrt(answer_.low * answer_.high);
+  }
+
+  void from_metric() {
+    explore();
+    const auto [low, high] = crossing();
+    if (!answer_.problem.empty()) return;
+    const auto miss = [&](double logarithm) { return metric_at(logarithm) - goal_.measured; };
+    const auto is_narrow = [&](double a, double b) { return std::abs(b - a) <= goal_.tolerance; };
+    auto steps =
+        static_cast<std::uintmax_t>(std::max(2, goal_.most_runs - static_cast<int>(known_.size())));
+    const auto root =
+        boost::math::tools::toms748_solve(miss, low, high, miss(low), miss(high), is_narrow, steps);
+    settle(root.first, root.second);
+  }
+
+  double metric_at(double logarithm) {
+    const auto found = known_.find(logarithm);
+    if (found != known_.end()) return found->second;
+    const double value = std::exp(logarithm), metric = measure({value}).front();
+    known_.erase(std::log(value));  // but for rounding the same
+    known_[logarithm] = metric;
+    return metric;
+  }
+
+  // The whole range at once, so that the first look costs one round. Where a run has no such
+  // number, as none has a time of cutting through that does not, there is nothing to learn.
+  void explore() {
+    const int count = std::max(4, laboratory_.side_by_side());
+    std::vector<double> values;
+    std::vector<Trial> trials;
+    for (int i = 0; i < count; ++i) {
+      values.push_back(between(goal_.axis.values.front(), goal_.axis.values.back(),
+                               static_cast<double>(i) / (count - 1), true));
+      trials.push_back(trial(values.back(), goal_.at));
+    }
+    const auto outcomes = laboratory_.run(trials);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (outcomes[i].failed || has_metric(outcomes[i]))
+        known_[std::log(values[i])] = metric_of(outcomes[i]);
+  }
+
+  // Two neighbours between which the metric passes what was measured.
+  std::pair<double, double> crossing() {
+    if (known_.size() < 2) {
+      answer_.problem = fmt::format("fewer than two runs over the range of {} have {}. Narrow it",
+                                    goal_.axis.name(), goal_.metric);
+      return {};
+    }
+    for (auto left = known_.begin(), right = std::next(left); right != known_.end();
+         ++left, ++right)
+      if ((left->second - goal_.measured) * (right->second - goal_.measured) <= 0.0)
+        return {left->first, right->first};
+    const auto [least, most] =
+        std::minmax_element(known_.begin(), known_.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; });
+    answer_.problem = fmt::format(
+        "{} is between {:.4g} and {:.4g} (SI) over the range of {}, and {:.4g} was "
+        "measured. Widen the range",
+        goal_.metric, least->second, most->second, goal_.axis.name(), goal_.measured);
+    return {};
+  }
+
+  // The root between the last two places, and how far it moves with what was measured: by the line
+  // through the runs nearest to it.
+  void settle(double low, double high) {
+    const double at_low = known_.at(low), at_high = known_.at(high);
+    const double share = at_high == at_low ? 0.5 : (goal_.measured - at_low) / (at_high - at_low);
+    const double root = low + share * (high - low);
+    const Fit line = nearest_line(root);
+    if (!line.problem.empty()) {
+      answer_.problem = line.problem;
+      return;
+    }
+    answer_.sensitivity = line.parameters[1];
+    answer_.scatter = line.residual;
+    const double scatter = student_factor(line.freedom, 0.95) * line.residual;
+    const double uncertainty = std::hypot(cover * goal_.uncertainty, scatter);
+    const double half = std::max(uncertainty / std::abs(answer_.sensitivity), 0.5 * (high - low));
+    answer_.value = std::exp(root);
+    answer_.low = std::exp(root - half);
+    answer_.high = std::exp(root + half);
+    if (!has_slope(line, 1.0))
+      answer_.problem = fmt::format("{} hardly depends on {} here, so it cannot tell it",
+                                    goal_.metric, goal_.axis.name());
+  }
+
+  // Through the nearest five runs; where they scatter so much that the slope is not known to a
+  // half, through more.
+  Fit nearest_line(double root) const {
+    std::vector<std::pair<double, double>> points(known_.begin(), known_.end());
+    std::sort(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+      return std::abs(a.first - root) < std::abs(b.first - root);
+    });
+    Fit fit;
+    for (std::size_t count = std::min<std::size_t>(5, points.size()); count <= points.size();
+         ++count) {
+      fit =
+          line_through({points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count)}, root);
+      if (fit.problem.empty() && has_slope(fit, 0.5)) break;
+    }
+    return fit;
+  }
+
+  // Whether half of the slope's interval is within this share of it.
+  static bool has_slope(const Fit& line, double share) {
+    return share * std::abs(line.parameters[1]) > line.half_interval(1, 0.95);
+  }
+
+  static Fit line_through(const std::vector<std::pair<double, double>>& points, double root) {
+    const auto count = static_cast<Eigen::Index>(points.size());
+    Eigen::MatrixXd matrix(count, 2);
+    Eigen::VectorXd metrics(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      matrix.row(i) << 1.0, points[static_cast<std::size_t>(i)].first - root;
+      metrics[i] = points[static_cast<std::size_t>(i)].second;
+    }
+    return fit_linear(matrix, metrics);
+  }
+
+  // Each with the key at its value and at both ends of its interval, within the range.
+  void predict() {
+    const auto within = [&](double value) {
+      return std::clamp(value, goal_.axis.values.front(), goal_.axis.values.back());
+    };
+    std::vector<Trial> trials;
+    for (const Setting& setting : goal_.predict)
+      for (const double value : {answer_.value, within(answer_.low), within(answer_.high)})
+        trials.push_back(trial(value, setting));
+    if (trials.empty()) return;
+    const auto outcomes = laboratory_.run(trials);
+    answer_.runs += static_cast<int>(trials.size());
+    for (std::size_t i = 0; i < goal_.predict.size(); ++i) {
+      const double value = metric_of(outcomes[3 * i]);
+      const double low = metric_of(outcomes[3 * i + 1]), high = metric_of(outcomes[3 * i + 2]);
+      answer_.predictions.push_back(
+          {goal_.predict[i], value, std::min({value, low, high}), std::max({value, low, high})});
+    }
+  }
+
+  const CalibrationGoal& goal_;
+  double refinement_;
+  Laboratory& laboratory_;
+  std::map<double, double> known_;  // metric by the logarithm of the key
+  CalibrationAnswer answer_;
+};
+
+}  // namespace
+
+CalibrationAnswer calibrate(const CalibrationGoal& goal, double refinement,
+                            Laboratory& laboratory) {
+  return Calibrator(goal, refinement, laboratory).run();
+}
+
+}  // namespace kerf

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/case_maker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid.hpp>
+#include <limits>
+#include <sstream>
+
+#include "case/read.hpp"
+#include "case/refine.hpp"
+#include "case/write_used.hpp"
+#include "core/error.hpp"
+#include "measure/derived.hpp"
+
+namespace kerf {
+
+namespace {
+
+double finest_spacing(const Case& description) {
+  double finest = std::numeric_limits<double>::infinity();
+  for (const Body& body : description.bodies) finest = std::min(finest, body.spacing);
+  for (const Jet& jet : description.jets) finest = std::min(finest, jet.spacing);
+  return finest;
+}
+
+// A repeat has other seeds than the case; that of repeat 0 has its own.
+void reseed(Case& description, int repeat) {
+  constexpr std::uint64_t largest = 2147483647;
+  for (Body& body : description.bodies)
+    body.seed = (body.seed + static_cast<std::uint64_t>(repeat)) % (largest + 1);
+}
+
+// A complaint about the case is about text that nobody wrote: its lines mean nothing.
+std::string without_place(const std::string& message, const std::string& file_name) {
+  std::string result;
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(file_name + ":"))
+      line = line.substr(std::min(line.find(": ", file_name.size()), line.size() - 2) + 2);
+    result += "\n  " + line;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string text_id(const std::string& text) {
+  constexpr std::size_t digits = 15;
+  const boost::uuids::name_generator_sha1 generator(boost::uuids::ns::oid());
+  std::string id;
+  for (const unsigned char byte : generator(text)) id += fmt::format("{:02x}", byte);
+  return id.substr(0, digits);
+}
+
+CaseMaker::CaseMaker(const StudyPlan& plan)
+    : file_name_(plan.name + ".toml"), base_(plan.base), axes_(plan.axes) {
+  if (plan.threshold) axes_.push_back(plan.threshold->axis);
+  if (!plan.calibration) return;
+  axes_.push_back(plan.calibration->axis);
+  for (const Axis& axis : plan.calibration->at_axes) axes_.push_back(axis);
+}
+
+ResolvedCase CaseMaker::make(const Trial& trial) const {
+  toml::table table = base_;
+  for (const Axis& axis : axes_) {
+    const auto number = trial.setting.numbers.find(axis.name());
+    const auto word = trial.setting.words.find(axis.name());
+    if (number != trial.setting.numbers.end()) set_number(table, axis.path, number->second);
+    if (word != trial.setting.words.end())
+      set_key(table, axis.path, toml::value<std::string>(word->second));
+  }
+  std::ostringstream written;
+  written << table;
+  try {
+    Case description = refined(parse_case(written.str(), file_name_), trial.refinement);
+    reseed(description, trial.repeat);
+    ResolvedCase result;
+    result.text = write_used(description);
+    result.id = text_id(result.text);
+    result.spacing = finest_spacing(description);
+    result.memory = derive(description).memory;
+    return result;
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("{}: with {} the case is not good:{}", file_name_,
+                                show(trial.setting, axes_),
+                                without_place(error.what(), file_name_)));
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/optimum_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <nlopt.hpp>
+#include <optional>
+
+#include "study/design.hpp"
+#include "study/metrics.hpp"
+
+namespace kerf {
+
+namespace {
+
+using Shares = std::vector<double>;  // of each range, from 0 to 1
+
+struct Tried {
+  Shares shares;
+  double value = 0.0;   // of the metric; nan where the run has none
+  double margin = 0.0;  // not below 0 where the condition holds
+};
+
+// How far a run is on the good side of the condition. Of cut-through that is the part of the run,
+// or of the thickness, that was left: a number that changes without a jump, which a search can
+// follow.
+double margin_of(const Condition& condition, const Metrics& metrics) {
+  const bool is_cut = condition.metric == "cut_through";
+  const auto found = metrics.find(is_cut ? "kerf.margin" : condition.metric);
+  if (found == metrics.end()) return condition.holds(metrics) ? 0.0 : -1.0;
+  if (is_cut) return condition.holds(metrics) ? std::abs(found->second) : -std::abs(found->second);
+  const double scale = std::max(std::abs(condition.bound), std::numeric_limits<double>::min());
+  return (condition.at_least ? 1.0 : -1.0) * (found->second - condition.bound) / scale;
+}
+
+class Search {
+ public:
+  Search(const OptimumGoal& goal, double refinement, Laboratory& laboratory)
+      : goal_(goal), refinement_(refinement), laboratory_(laboratory) {}
+
+  OptimumAnswer run() {
+    const double coarse = refinement_ * goal_.draft;
+    const bool has_drafts = goal_.draft < 1.0;
+    spread(has_drafts ? coarse : refinement_);
+    const int for_drafts = has_drafts ? (2 * goal_.most_runs) / 3 : goal_.most_runs - goal_.repeats;
+    constexpr double wide = 0.2;
+    follow(has_drafts ? coarse : refinement_, wide, for_drafts);
+    if (has_drafts) confirm();
+    conclude();
+    return answer_;
+  }
+
+ private:
+  Setting setting_of(const Shares& shares) const {
+    Setting setting;
+    for (std::size_t i = 0; i < shares.size(); ++i) goal_.axes[i].put_share(shares[i], setting);
+    return setting;
+  }
+
+  std::vector<Tried> evaluate(const std::vector<Shares>& places, double refinement) {
+    std::vector<Trial> trials;
+    for (const Shares& shares : places) trials.push_back({setting_of(shares), 0, refinement});
+    const auto outcomes = laboratory_.run(trials);
+    answer_.runs += static_cast<int>(trials.size());
+    std::vector<Tried> result;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto found = outcomes[i].metrics.find(goal_.metric);
+      const bool has_value = !outcomes[i].failed && found != outcomes[i].metrics.end();
+      result.push_back(
+          {places[i], has_value ? found->second : std::nan(""),
+           outcomes[i].failed ? -1.0 : margin_of(goal_.condition, outcomes[i].metrics)});
+      tried_.push_back(result.back());
+    }
+    return result;
+  }
+
+  // The first look: points spread over the ranges, side by side.
+  void spread(double refinement) {
+    const std::size_t count = std::max<std::size_t>(2 * goal_.axes.size() + 1,
+                                                    static_cast<std::size_t>(goal_.most_runs) / 4);
+    evaluate(sobol(goal_.axes.size(), count), refinement);
+  }
+
+  bool is_better(const Tried& a, const Tried& b) const {
+    const bool a_holds = a.margin >= 0.0 && std::isfinite(a.value);
+    const bool b_holds = b.margin >= 0.0 && std::isfinite(b.value);
+    if (a_holds != b_holds) return a_holds;
+    if (!a_holds) return a.margin > b.margin;
+    return goal_.least ? a.value < b.value : a.value > b.value;
+  }
+  const Tried& best() const {
+    return *std::min_element(tried_.begin(), tried_.end(),
+                             [&](const Tried& a, const Tried& b) { return is_better(a, b); });
+  }
+
+  // What NLopt minimises: the metric over its size where the search starts.
+  double objective(const Tried& tried, double scale) const {
+    constexpr double worse_than_any = 10.0;  // of what has no value, such as the kerf of no cut
+    if (!std::isfinite(tried.value)) return worse_than_any;
+    return (goal_.least ? 1.0 : -1.0) * tried.value / scale;
+  }
+
+  // Powell's COBYLA (Advances in Optimization and Numerical Analysis, 1994, p. 51): linear models
+  // of objective and constraint over a simplex, by values alone. Its steps are one run each.
+  void follow(double refinement, double first_step, int until_runs) {
+    const Tried start = best();
+    const double size = std::abs(start.value);
+    Steps steps{*this, refinement, std::isfinite(size) && size > 0.0 ? size : 1.0, {}, {}};
+    const int most = until_runs - answer_.runs;
+    if (most <= static_cast<int>(start.shares.size()) + 1) return;
+    nlopt::opt optimiser(nlopt::LN_COBYLA, static_cast<unsigned>(start.shares.size()));
+    optimiser.set_lower_bounds(0.0);
+    optimiser.set_upper_bounds(1.0);
+    optimiser.set_min_objective(&Steps::objective_at, &steps);
+    optimiser.add_inequality_constraint(&Steps::constraint_at, &steps, 0.0);
+    optimiser.set_initial_step(first_step);
+    optimiser.set_xtol_abs(goal_.tolerance);
+    optimiser.set_maxeval(most);
+    Shares place = start.shares;
+    double found = 0.0;
+    try {
+      optimiser.optimize(place, found);
+    } catch (const nlopt::roundoff_limited&) {
+      // Where no step helps any more the best run so far is the answer.
+    } catch (const nlopt::forced_stop&) {
+      std::rethrow_exception(steps.error);
+    }
+    pull_back(place, refinement, until_runs);
+  }
+
+  // The search ends at the edge of what holds, as likely as not beyond it: from there back towards
+  // the best run that holds, until the edge is known to the tolerance.
+  void pull_back(const Shares& end, double refinement, int until_runs) {
+    Shares outside = end;
+    while (answer_.runs < until_runs && best().margin >= 0.0) {
+      const Shares inside = best().shares;
+      Shares middle;
+      double distance = 0.0;
+      for (std::size_t i = 0; i < end.size(); ++i) {
+        middle.push_back(0.5 * (inside[i] + outside[i]));
+        distance = std::max(distance, std::abs(inside[i] - outside[i]));
+      }
+      if (distance <= goal_.tolerance) return;
+      const Tried tried = evaluate({middle}, refinement).front();
+      if (tried.margin < 0.0)
+        outside = middle;
+      else if (best().shares != middle)
+        return;  // it holds, but is not better: there is nothing to gain on this line
+    }
+  }
+
+  // NLopt asks for objective and constraint one after the other: the same run answers both.
+  struct Steps {
+    Search& search;
+    double refinement;
+    double scale;
+    std::optional<Tried> last;
+    std::exception_ptr error;  // NLopt, a library in C, lets no other pass than its own
+
+    const Tried& at(const Shares& shares) {
+      try {
+        if (!last || last->shares != shares) last = search.evaluate({shares}, refinement).front();
+      } catch (...) {
+        error = std::current_exception();
+        throw nlopt::forced_stop();
+      }
+      return *last;
+    }
+    static double objective_at(const Shares& shares, Shares&, void* data) {
+      auto& steps = *static_cast<Steps*>(data);
+      return steps.search.objective(steps.at(shares), steps.scale);
+    }
+    static double constraint_at(const Shares& shares, Shares&, void* data) {
+      return -static_cast<Steps*>(data)->at(shares).margin;
+    }
+  };
+
+  // The best drafts at the full resolution, side by side; from the best of them a little further.
+  void confirm() {
+    answer_.draft_runs = answer_.runs;
+    std::vector<Tried> drafts = tried_;
+    std::sort(drafts.begin(), drafts.end(),
+              [&](const Tried& a, const Tried& b) { return is_better(a, b); });
+    std::vector<Shares> places;
+    const auto wanted = static_cast<std::size_t>(std::max(2, laboratory_.side_by_side()));
+    for (const Tried& draft : drafts)
+      if (places.size() < wanted &&
+          std::find(places.begin(), places.end(), draft.shares) == places.end())
+        places.push_back(draft.shares);
+    tried_.clear();
+    evaluate(places, refinement_);
+    constexpr double steps_of_tolerance = 4.0;
+    follow(refinement_, steps_of_tolerance * goal_.tolerance, goal_.most_runs - goal_.repeats);
+    const auto same = std::find_if(drafts.begin(), drafts.end(), [&](const Tried& draft) {
+      return draft.shares == best().shares;
+    });
+    answer_.has_draft = same != drafts.end();
+    if (answer_.has_draft) answer_.draft_value = same->value;
+  }
+
+  void conclude() {
+    const Tried found = best();
+    answer_.setting = setting_of(found.shares);
+    answer_.value = answer_.low = answer_.high = found.value;
+    if (found.margin < 0.0 || !std::isfinite(found.value)) {
+      answer_.problem = fmt::format("{} held in none of {} runs that have {}. Widen the ranges",
+                                    goal_.condition.text(), answer_.runs, goal_.metric);
+      return;
+    }
+    std::vector<Trial> layouts;
+    for (int repeat = 1; repeat < goal_.repeats; ++repeat)
+      layouts.push_back({answer_.setting, repeat, refinement_});
+    if (layouts.empty()) return;
+    answer_.runs += static_cast<int>(layouts.size());
+    for (const Outcome& outcome : laboratory_.run(layouts)) {
+      const auto value = outcome.metrics.find(goal_.metric);
+      if (value == outcome.metrics.end()) continue;
+      answer_.low = std::min(answer_.low, value->second);
+      answer_.high = std::max(answer_.high, value->second);
+      if (!goal_.condition.holds(outcome.metrics))
+        answer_.problem = fmt::format("{} does not hold in every layout at the best setting",
+                                      goal_.condition.text());
+    }
+  }
+
+  const OptimumGoal& goal_;
+  double refinement_;
+  Laboratory& laboratory_;
+  std::vector<Tried> tried_;
+  OptimumAnswer answer_;
+};
+
+}  // namespace
+
+OptimumAnswer find_optimum(const OptimumGoal& goal, double refinement, Laboratory& laboratory) {
+  return Search(goal, refinement, laboratory).run();
+}
+
+}  // namespace kerf

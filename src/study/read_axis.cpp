@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/read_axis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "case/section.hpp"
+#include "case/units.hpp"
+#include "study/study_section.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> scale_words{"linear", "log"};
+constexpr int most_levels = 1000;
+
+const char* remedy_of_list = "Write [value, ...] or { from = ..., to = ..., count = ... }";
+
+}  // namespace
+
+std::string unit_of(const toml::node& node) {
+  const std::string text = node.value_or(std::string());
+  const auto start = text.find_first_not_of(" +-.0123456789eE");
+  return start == std::string::npos ? "" : text.substr(start);
+}
+
+void for_each_key(const toml::table& table, const std::string& prefix,
+                  const std::function<bool(const toml::table&)>& is_leaf,
+                  const std::function<void(const std::string& path, const toml::node&)>& leaf) {
+  for (const auto& [name, node] : table) {
+    const std::string path =
+        prefix.empty() ? std::string(name.str()) : fmt::format("{}.{}", prefix, name.str());
+    const toml::table* inner = node.as_table();
+    if (inner && !is_leaf(*inner))
+      for_each_key(*inner, path, is_leaf, leaf);
+    else
+      leaf(path, node);
+  }
+}
+
+void AxisReader::refuse(const std::string& place, const std::string& what,
+                        const std::string& allowed, const std::string& remedy) {
+  problems_.add({place, what, allowed, remedy});
+}
+
+std::optional<KeyPath> AxisReader::key(const std::string& path, const std::string& place) {
+  KeyPath result = find_key_path(path, base_);
+  if (result.problem.empty()) return result;
+  refuse(place, result.problem,
+         "a key of the case, such as \"machine.pressure\" or, of lists, "
+         "\"body.NAME.spacing\"",
+         "docs/keys.md has all keys");
+  return std::nullopt;
+}
+
+std::optional<double> AxisReader::number(const KeyPath& path, const std::string& place,
+                                         const toml::node& node) {
+  const Key& key = *path.key;
+  const std::string allowed = allowed_text(key);
+  double value = 0.0;
+  if (key.unit.empty()) {
+    if (!node.is_number()) {
+      refuse(place, "this is no number", allowed, remedy_of_list);
+      return std::nullopt;
+    }
+    value = *node.value<double>();
+  } else {
+    const auto written = node.value_exact<std::string>();
+    const Quantity quantity =
+        written ? read_quantity(*written, path.unit()) : Quantity{0.0, "a unit is missing"};
+    if (!quantity.problem.empty()) {
+      refuse(place, fmt::format("{}: {}", show(node), quantity.problem), allowed,
+             fmt::format("Write a text such as \"{}\"", example_of(path.unit())));
+      return std::nullopt;
+    }
+    value = quantity.value;
+  }
+  if (in_range(key, value)) return value;
+  refuse(place, fmt::format("{} is out of range", show(node)), allowed,
+         "Choose a value in the range");
+  return std::nullopt;
+}
+
+std::optional<Axis> AxisReader::axis(const std::string& path, const std::string& place,
+                                     const toml::node& node) {
+  auto found = key(path, place);
+  if (!found) return std::nullopt;
+  if (const toml::array* values = node.as_array()) return list(*found, place, *values);
+  if (const toml::table* table = node.as_table()) return range_of_table(*found, place, *table);
+  return list(*found, place, toml::array{node});
+}
+
+std::optional<Axis> AxisReader::list(KeyPath path, const std::string& place,
+                                     const toml::array& values) {
+  Axis axis;
+  axis.path = std::move(path);
+  if (values.empty()) {
+    refuse(place, "the list is empty", "at least one value", remedy_of_list);
+    return std::nullopt;
+  }
+  const ValueKind kind = axis.path.key->kind;
+  const bool is_word =
+      kind == ValueKind::word || kind == ValueKind::name || kind == ValueKind::text;
+  if (!is_word && !axis.path.is_number()) {
+    refuse(place, "a study cannot vary this key as a whole", "a key that holds one number or word",
+           "Of a list of numbers name one by its place, the first is 0: \"....position.0\"");
+    return std::nullopt;
+  }
+  for (const toml::node& value : values) {
+    if (is_word) {
+      axis.words.push_back(value.value_or(std::string()));
+      continue;
+    }
+    const auto number = this->number(axis.path, place, value);
+    if (!number) return std::nullopt;
+    axis.values.push_back(*number);
+  }
+  axis.shown_unit = unit_of(*values.get(0));
+  return axis;
+}
+
+std::optional<Axis> AxisReader::range_of_table(KeyPath path, const std::string& place,
+                                               const toml::table& table) {
+  StudySection section(problems_, table, place);
+  const toml::node *from = section.node("from"), *to = section.node("to");
+  const int count = section.whole("count", 2, most_levels, 5);
+  const bool is_logarithmic = section.word("scale", scale_words, 0) == 1;
+  section.refuse_unknown();
+  auto axis = range(path.text, place, from, to);
+  if (!axis) return std::nullopt;
+  axis->is_logarithmic = is_logarithmic;
+  fill(*axis, axis->values.front(), axis->values.back(), count, place);
+  return axis;
+}
+
+std::optional<Axis> AxisReader::range(const std::string& path, const std::string& place,
+                                      const toml::node* from, const toml::node* to) {
+  const auto found = key(path, place);
+  if (!found) return std::nullopt;
+  if (!from || !to || !found->is_number()) {
+    refuse(place, "a range needs two numbers, from and to", allowed_text(*found->key),
+           remedy_of_list);
+    return std::nullopt;
+  }
+  const auto first = number(*found, place, *from), last = number(*found, place, *to);
+  if (!first || !last) return std::nullopt;
+  if (*first >= *last) {
+    refuse(place, "from is not less than to", allowed_text(*found->key), "Swap or correct them");
+    return std::nullopt;
+  }
+  Axis axis;
+  axis.path = *found;
+  axis.shown_unit = unit_of(*from);
+  axis.is_range = true;
+  axis.values = {*first, *last};
+  return axis;
+}
+
+void AxisReader::fill(Axis& axis, double from, double to, int count, const std::string& place) {
+  if (axis.is_logarithmic && from <= 0.0) {
+    refuse(place, "a range of ratios starts at 0 or below", "from greater than 0",
+           "Correct from, or write scale = \"linear\"");
+    axis.is_logarithmic = false;
+  }
+  axis.values.clear();
+  for (int i = 0; i < count; ++i)
+    axis.values.push_back(
+        between(from, to, static_cast<double>(i) / (count - 1), axis.is_logarithmic));
+  axis.values.back() = to;
+}
+
+}  // namespace kerf

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "case/read.hpp"
+#include "case/section.hpp"
+#include "core/error.hpp"
+#include "output/files.hpp"
+#include "study/read_axis.hpp"
+#include "study/read_goals.hpp"
+#include "study/study_plan.hpp"
+#include "study/study_section.hpp"
+
+namespace kerf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_runs = 100000;
+
+bool is_range(const toml::table& table) {
+  return table.contains("from") || table.contains("to");
+}
+
+toml::table parse_toml(const std::string& text, const std::string& file_name) {
+  try {
+    return toml::parse(text, file_name);
+  } catch (const toml::parse_error& error) {
+    throw UserError(fmt::format("{}:{}: this is not valid TOML: {}. Correct the line.", file_name,
+                                static_cast<int>(error.source().begin.line), error.description()));
+  }
+}
+
+// The text of the case that `base` names; nothing, with the problem noted, when there is none.
+std::string base_text(StudySection& top, const fs::path& study,
+                      std::span<const EmbeddedText> templates, std::string& name) {
+  name = top.text("base");
+  const fs::path beside = study.parent_path() / name;
+  if (fs::is_regular_file(beside)) {
+    name = beside.string();
+    return read_file(beside);
+  }
+  std::vector<std::string> names;
+  for (const EmbeddedText& entry : templates) {
+    if (entry.name == name) return std::string(entry.text);
+    names.emplace_back(entry.name);
+  }
+  const std::string guess = closest(name, names);
+  if (top.has("base"))
+    top.refuse("base", "there is no such file beside the study, and no such case",
+               "a file, or one of the cases that \"kerf new\" lists",
+               guess.empty() ? "Correct the name" : fmt::format("Did you mean \"{}\"?", guess));
+  return "";
+}
+
+void read_set(StudySection& top, AxisReader& reader, StudyPlan& plan) {
+  const toml::table* set = top.table("set");
+  if (!set) return;
+  const auto is_value = [](const toml::table&) { return false; };
+  for_each_key(*set, "", is_value, [&](const std::string& path, const toml::node& node) {
+    const std::string place = "set." + path;
+    top.problems().mention(place, static_cast<int>(node.source().begin.line), show(node));
+    if (const auto key = reader.key(path, place)) set_key(plan.base, *key, node);
+  });
+}
+
+void read_vary(StudySection& top, AxisReader& reader, StudyPlan& plan) {
+  const toml::table* vary = top.table("vary");
+  if (!vary) return;
+  for_each_key(*vary, "", is_range, [&](const std::string& path, const toml::node& node) {
+    const std::string place = "vary." + path;
+    top.problems().mention(place, static_cast<int>(node.source().begin.line), show(node));
+    if (auto axis = reader.axis(path, place, node)) plan.axes.push_back(std::move(*axis));
+  });
+  // TOML keeps no order: that of the lines is what their writer means.
+  const auto line = [&](const Axis& axis) {
+    std::uint32_t found = 0;
+    for_each_key(*vary, "", is_range, [&](const std::string& path, const toml::node& node) {
+      if (path == axis.name()) found = node.source().begin.line;
+    });
+    return found;
+  };
+  std::stable_sort(plan.axes.begin(), plan.axes.end(),
+                   [&](const Axis& a, const Axis& b) { return line(a) < line(b); });
+}
+
+void read_design(StudySection& top, StudyPlan& plan) {
+  const toml::table* table = top.table("design");
+  const bool is_wanted = table || !(top.has("search") || top.has("calibrate"));
+  if (!is_wanted) return;
+  const toml::table empty;
+  StudySection section(top.problems(), table ? *table : empty, "design");
+  Design design;
+  design.kind = static_cast<DesignKind>(section.word("type", design_words, 0));
+  if (design.kind != DesignKind::grid)
+    design.runs = static_cast<std::size_t>(section.whole("runs", 1, most_runs));
+  if (design.kind == DesignKind::latin_hypercube)
+    design.seed = static_cast<std::uint64_t>(section.whole("seed", 0, 2147483647, 1));
+  section.refuse_unknown();
+  if (plan.axes.empty())
+    top.refuse("vary", "nothing is varied", "at least one key of the case",
+               "Add [vary] with a line such as \"machine.pressure\" = [\"1 MPa\", \"2 MPa\"]");
+  double settings = 1.0;
+  for (const Axis& axis : plan.axes) settings *= static_cast<double>(axis.levels());
+  if (design.kind == DesignKind::grid && settings > most_runs)
+    top.refuse("vary", fmt::format("the grid has {:.3g} settings", settings),
+               fmt::format("at most {}", most_runs),
+               "Take fewer values, or a Latin hypercube: [design] type = \"latin_hypercube\"");
+  plan.design = design;
+}
+
+// Beside a search that does not use them varied keys would be passed over in silence.
+void check_use_of_axes(StudySection& top, const StudyPlan& plan) {
+  if (plan.axes.empty() || plan.design || plan.optimum) return;
+  top.refuse("vary", "neither the search nor the calibration varies these keys",
+             "[vary] with a [design], or none",
+             "Add [design] type = \"grid\" to run them too, or remove [vary]");
+}
+
+// Runs that differ in their seeds alone must differ at all.
+void check_repeats(StudySection& top, const StudyPlan& plan, const Case& base) {
+  const bool is_random = std::any_of(base.bodies.begin(), base.bodies.end(), [&](const Body& body) {
+    const bool has_flaws =
+        body.material >= 0 && base.materials[static_cast<std::size_t>(body.material)].criterion ==
+                                  BondCriterion::grady_kipp;
+    return body.jitter > 0.0 || has_flaws;
+  });
+  const bool is_varied = std::any_of(plan.axes.begin(), plan.axes.end(), [](const Axis& axis) {
+    return axis.name().ends_with(".jitter");
+  });
+  if (plan.repeats == 1 || is_random || is_varied) return;
+  top.refuse("repeats",
+             "no body of the case is laid out at random, so every repeat is the same run", "1",
+             "Give a body jitter, [set] \"body.NAME.jitter\" = 0.2, or remove the key");
+}
+
+}  // namespace
+
+StudyPlan parse_study(const std::string& text, const fs::path& file,
+                      std::span<const EmbeddedText> templates) {
+  constexpr double least_refinement = 0.01, most_refinement = 100.0;
+  const toml::table table = parse_toml(text, file.string());
+  Problems problems(file.string());
+  StudySection top(problems, table, "");
+  StudyPlan plan;
+  plan.name = file.stem().string();
+  plan.text = text;
+  plan.title = top.text("title", plan.name);
+  const std::string base = base_text(top, file, templates, plan.base_name);
+  problems.throw_if_any();
+  parse_case(base, plan.base_name);  // what is wrong in the case itself is told of its own file
+  plan.base = toml::parse(base);
+  plan.refinement = top.number("refine", least_refinement, most_refinement, 1.0);
+  plan.repeats = top.whole("repeats", 1, 1000, 1);
+  plan.metrics = top.texts("metrics");
+  AxisReader reader(problems, plan.base);
+  read_set(top, reader, plan);
+  read_vary(top, reader, plan);
+  read_design(top, plan);
+  read_goals(top, reader, plan);
+  check_use_of_axes(top, plan);
+  top.refuse_unknown();
+  problems.throw_if_any();
+  std::ostringstream written;
+  written << plan.base;
+  check_repeats(top, plan, parse_case(written.str(), plan.base_name + " with [set]"));
+  problems.throw_if_any();
+  return plan;
+}
+
+StudyPlan read_study(const fs::path& file, std::span<const EmbeddedText> templates) {
+  return parse_study(read_file(file), file, templates);
+}
+
+}  // namespace kerf

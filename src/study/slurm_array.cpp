@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/slurm_array.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "case/schema.hpp"
+#include "core/error.hpp"
+#include "output/files.hpp"
+#include "study/case_maker.hpp"
+#include "study/command_output.hpp"
+
+namespace kerf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_array = 1000;  // Slurm's default MaxArraySize is 1001
+
+std::string quoted_for_shell(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+// A task that is cancelled or loses its node is ended by a signal, or with its shell: it leaves no
+// exit code.
+std::string script_of(const fs::path& study_folder, const fs::path& list, const fs::path& program) {
+  return fmt::format(R"(#!/bin/sh
+# Made by kerf study: each task is one run of the list.
+cd {} || exit 1
+id=$(sed -n "$((SLURM_ARRAY_TASK_ID + 1))p" {})
+{} run "runs/$id.toml" --out "runs/$id" --threads "${{SLURM_CPUS_PER_TASK:-1}}" --resume \
+  > "runs/$id.txt" 2>&1
+code=$?
+if [ "$code" -lt 128 ]; then
+  echo "$code" > "slurm/$id.exit.tmp" && mv "slurm/$id.exit.tmp" "slurm/$id.exit"
+fi
+exit "$code"
+)",
+                     quoted_for_shell(study_folder.string()), quoted_for_shell(list.string()),
+                     quoted_for_shell(program.string()));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+SlurmArrays::SlurmArrays(fs::path study_folder)
+    : study_folder_(std::move(study_folder)),
+      folder_(study_folder_ / "slurm"),
+      name_(fmt::format("kerf-{}-", text_id(study_folder_.string()))) {
+  make_folder(folder_);
+}
+
+int SlurmArrays::next_number() const {
+  int number = 0;
+  for (const auto& entry : fs::directory_iterator(folder_))
+    if (entry.path().extension() == ".list")
+      number = std::max(number, std::atoi(entry.path().stem().c_str()));
+  return number + 1;
+}
+
+void SlurmArrays::submit(const std::vector<std::string>& ids, const ArrayRequest& request) {
+  for (std::size_t first = 0; first < ids.size(); first += longest_array) {
+    const std::size_t last = std::min(first + longest_array, ids.size());
+    submit_one({ids.begin() + static_cast<std::ptrdiff_t>(first),
+                ids.begin() + static_cast<std::ptrdiff_t>(last)},
+               request);
+  }
+}
+
+// The list is there before the array is: whatever is in the queue can be told from the lists.
+void SlurmArrays::submit_one(const std::vector<std::string>& ids, const ArrayRequest& request) {
+  constexpr double mebibyte = 1024.0 * 1024.0, spare = 256.0, factor = 1.5;
+  for (const std::string& id : ids) forget_exit_code(id);
+  const int number = next_number();
+  const fs::path list = folder_ / fmt::format("{}.list", number);
+  const fs::path script = folder_ / fmt::format("{}.sh", number);
+  write_file(list, fmt::format("{}\n", fmt::join(ids, "\n")));
+  write_file(script, script_of(study_folder_, list, request.program));
+  const CommandOutput answer = output_of(
+      "sbatch",
+      {"--parsable", fmt::format("--job-name={}{}", name_, number),
+       fmt::format("--array=0-{}%{}", ids.size() - 1, request.at_once),
+       fmt::format("--cpus-per-task={}", request.cores),
+       fmt::format("--mem={:.0f}M", std::ceil(factor * request.memory / mebibyte + spare)),
+       fmt::format("--output={}", (folder_ / "%A_%a.txt").string()), script.string()});
+  if (answer.exit_code == 0) return;
+  throw UserError(
+      fmt::format("--on slurm: sbatch refused the runs: {} Options for this cluster, such "
+                  "as SBATCH_PARTITION or SBATCH_TIMELIMIT, may be put into the "
+                  "environment.",
+                  answer.errors),
+      exit_files);
+}
+
+std::optional<std::map<std::string, bool>> SlurmArrays::in_queue() const {
+  const CommandOutput answer =
+      output_of("squeue", {"--me", "--array", "--noheader", "--format=%i %j %t"});
+  complaint_ = answer.errors;
+  if (answer.exit_code != 0) return std::nullopt;
+  std::map<std::string, bool> runs;
+  for (const std::string& line : lines_of(answer.output)) {
+    const auto words = split_words(line);  // "12_3 kerf-...-1 R"
+    if (words.size() != 3 || !words[1].starts_with(name_)) continue;
+    const auto mark = words[0].find('_');
+    const fs::path list = folder_ / (words[1].substr(name_.size()) + ".list");
+    if (mark == std::string::npos || !fs::exists(list)) continue;
+    const auto ids = lines_of(read_file(list));
+    const auto task = static_cast<std::size_t>(std::atol(words[0].c_str() + mark + 1));
+    if (task < ids.size()) runs[ids[task]] = words[2] != "PD";
+  }
+  return runs;
+}
+
+std::optional<int> SlurmArrays::exit_code(const std::string& id) const {
+  const fs::path file = folder_ / (id + ".exit");
+  if (!fs::exists(file)) return std::nullopt;
+  return std::atoi(read_file(file).c_str());
+}
+
+void SlurmArrays::forget_exit_code(const std::string& id) const {
+  std::error_code ignored;
+  fs::remove(folder_ / (id + ".exit"), ignored);
+}
+
+}  // namespace kerf

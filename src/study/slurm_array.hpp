@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Job arrays of one study: what is submitted, what is in the queue, what has ended. In the folder
+// slurm/ of the study N.list holds the runs of array N, one in a line; ID.exit the exit code of a
+// run that came to its end.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kerf {
+
+struct ArrayRequest {
+  std::filesystem::path program;
+  int at_once = 1;
+  int cores = 1;        // of each task
+  double memory = 0.0;  // bytes, of each task
+};
+
+class SlurmArrays {
+ public:
+  explicit SlurmArrays(std::filesystem::path study_folder);
+
+  // Throws UserError with what sbatch says.
+  void submit(const std::vector<std::string>& ids, const ArrayRequest& request);
+  // The runs in the queue, and whether each is at work; nothing when Slurm does not answer.
+  std::optional<std::map<std::string, bool>> in_queue() const;
+  std::optional<int> exit_code(const std::string& id) const;
+  void forget_exit_code(const std::string& id) const;
+  const std::string& last_complaint() const { return complaint_; }
+
+ private:
+  void submit_one(const std::vector<std::string>& ids, const ArrayRequest& request);
+  int next_number() const;
+
+  std::filesystem::path study_folder_, folder_;
+  std::string name_;  // of the jobs, up to the number of the array
+  mutable std::string complaint_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/study_database.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+
+namespace kerf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int version = 1;       // of the tables below
+constexpr int patience = 10000;  // ms, for a reader that holds the file
+
+constexpr const char* tables = R"(
+CREATE TABLE IF NOT EXISTS runs (
+  number INTEGER PRIMARY KEY AUTOINCREMENT,
+  id TEXT NOT NULL UNIQUE,
+  setting TEXT NOT NULL,
+  repeat INTEGER NOT NULL,
+  refinement REAL NOT NULL,
+  spacing REAL NOT NULL,
+  memory REAL NOT NULL,
+  case_text TEXT NOT NULL,
+  state TEXT NOT NULL,
+  attempts INTEGER NOT NULL DEFAULT 0,
+  metrics TEXT NOT NULL DEFAULT '{}',
+  error TEXT NOT NULL DEFAULT '',
+  made TEXT NOT NULL,
+  started TEXT NOT NULL DEFAULT '',
+  ended TEXT NOT NULL DEFAULT ''
+);
+CREATE TABLE IF NOT EXISTS notes (name TEXT PRIMARY KEY, text TEXT NOT NULL);
+)";
+
+constexpr const char* columns =
+    "id, setting, repeat, refinement, spacing, memory, case_text, state, attempts, metrics, error, "
+    "made, started, ended";
+
+std::string now() {
+  return fmt::format(
+      "{:%Y-%m-%dT%H:%M:%SZ}",
+      fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+}
+
+std::string word_of_state(RunState state) {
+  return std::string(run_state_words[static_cast<std::size_t>(state)]);
+}
+
+RunState state_of(const std::string& word) {
+  for (std::size_t i = 0; i < run_state_words.size(); ++i)
+    if (run_state_words[i] == word) return static_cast<RunState>(i);
+  throw UserError(fmt::format("study.db holds a run of the unknown state \"{}\". It was written by "
+                              "another version of Kerf: choose another folder with --out.",
+                              word),
+                  exit_files);
+}
+
+std::string setting_json(const Setting& setting) {
+  Json json = Json::object();
+  for (const auto& [key, value] : setting.numbers) json[key] = value;
+  for (const auto& [key, value] : setting.words) json[key] = value;
+  return json.dump();
+}
+
+Setting read_setting(const std::string& text) {
+  Setting setting;
+  const Json json = Json::parse(text);
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_string())
+      setting.words[key] = value.get<std::string>();
+    else
+      setting.numbers[key] = value.get<double>();
+  }
+  return setting;
+}
+
+RunRow row_of(SQLite::Statement& query) {
+  RunRow row;
+  int column = 0;
+  const auto text = [&] { return query.getColumn(column++).getString(); };
+  const auto number = [&] { return query.getColumn(column++).getDouble(); };
+  row.id = text();
+  row.trial.setting = read_setting(text());
+  row.trial.repeat = static_cast<int>(number());
+  row.trial.refinement = number();
+  row.spacing = number();
+  row.memory = number();
+  row.case_text = text();
+  row.state = state_of(text());
+  row.attempts = static_cast<int>(number());
+  const Json metrics = Json::parse(text());
+  for (const auto& [name, value] : metrics.items()) row.metrics[name] = value.get<double>();
+  row.error = text();
+  row.made = text();
+  row.started = text();
+  row.ended = text();
+  return row;
+}
+
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
+  throw UserError(fmt::format("cannot use {}: {}. Choose another folder with --out, or free space "
+                              "on the disk.",
+                              file.string(), why),
+                  exit_files);
+}
+
+}  // namespace
+
+StudyDatabase::StudyDatabase(const std::filesystem::path& file) try
+    : database_(std::make_unique<SQLite::Database>(
+          file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, patience)) {
+  // A writer does not keep readers out; FULL: what is written survives a loss of power too.
+  database_->exec("PRAGMA journal_mode = WAL");
+  database_->exec("PRAGMA synchronous = FULL");
+  const int found = database_->execAndGet("PRAGMA user_version").getInt();
+  if (found != 0 && found != version)
+    fail(file,
+         fmt::format("it has version {} of the tables and this program knows {}", found, version));
+  database_->exec(tables);
+  database_->exec(fmt::format("PRAGMA user_version = {}", version));
+} catch (const SQLite::Exception& error) {
+  fail(file, error.what());
+}
+
+StudyDatabase::~StudyDatabase() = default;
+
+void StudyDatabase::update(const std::string& sql, const std::vector<std::string>& values) const {
+  try {
+    SQLite::Statement statement(*database_, sql);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      statement.bind(static_cast<int>(i + 1), values[i]);
+    statement.exec();
+  } catch (const SQLite::Exception& error) {
+    fail(database_->getFilename(), error.what());
+  }
+}
+
+void StudyDatabase::add(const ResolvedCase& resolved, const Trial& trial) {
+  update(
+      "INSERT OR IGNORE INTO runs (id, setting, repeat, refinement, spacing, memory, case_text, "
+      "state, made) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      {resolved.id, setting_json(trial.setting), std::to_string(trial.repeat),
+       fmt::format("{}", trial.refinement), fmt::format("{}", resolved.spacing),
+       fmt::format("{}", resolved.memory), resolved.text, word_of_state(RunState::waiting), now()});
+  // A run that is there may have been asked for by other keys: it answers to both.
+  Setting setting = find(resolved.id)->trial.setting;
+  for (const auto& [key, value] : trial.setting.numbers) setting.numbers[key] = value;
+  for (const auto& [key, value] : trial.setting.words) setting.words[key] = value;
+  update("UPDATE runs SET setting = ? WHERE id = ?", {setting_json(setting), resolved.id});
+}
+
+std::optional<RunRow> StudyDatabase::find(const std::string& id) const {
+  SQLite::Statement query(*database_, fmt::format("SELECT {} FROM runs WHERE id = ?", columns));
+  query.bind(1, id);
+  if (!query.executeStep()) return std::nullopt;
+  return row_of(query);
+}
+
+std::vector<RunRow> StudyDatabase::runs() const {
+  SQLite::Statement query(*database_, fmt::format("SELECT {} FROM runs ORDER BY number", columns));
+  std::vector<RunRow> rows;
+  while (query.executeStep()) rows.push_back(row_of(query));
+  return rows;
+}
+
+void StudyDatabase::mark_started(const std::string& id) {
+  update("UPDATE runs SET state = ?, attempts = attempts + 1, started = ?, error = '' WHERE id = ?",
+         {word_of_state(RunState::running), now(), id});
+}
+
+void StudyDatabase::mark_done(const std::string& id, const Metrics& metrics) {
+  Json json = Json::object();
+  for (const auto& [name, value] : metrics) json[name] = value;
+  update("UPDATE runs SET state = ?, metrics = ?, ended = ?, error = '' WHERE id = ?",
+         {word_of_state(RunState::done), json.dump(), now(), id});
+}
+
+void StudyDatabase::mark_failed(const std::string& id, const std::string& error) {
+  update("UPDATE runs SET state = ?, error = ?, ended = ? WHERE id = ?",
+         {word_of_state(RunState::failed), error, now(), id});
+}
+
+void StudyDatabase::mark_waiting(const std::string& id) {
+  update("UPDATE runs SET state = ?, error = '' WHERE id = ?",
+         {word_of_state(RunState::waiting), id});
+}
+
+void StudyDatabase::remember(const std::string& name, const std::string& text) {
+  update(
+      "INSERT INTO notes (name, text) VALUES (?, ?) ON CONFLICT (name) DO UPDATE SET text = "
+      "excluded.text",
+      {name, text});
+}
+
+std::string StudyDatabase::recall(const std::string& name) const {
+  SQLite::Statement query(*database_, "SELECT text FROM notes WHERE name = ?");
+  query.bind(1, name);
+  return query.executeStep() ? query.getColumn(0).getString() : "";
+}
+
+void StudyDatabase::forget(const std::string& name) {
+  update("DELETE FROM notes WHERE name = ?", {name});
+}
+
+}  // namespace kerf

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/study_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <cstring>
+
+#include "core/error.hpp"
+#include "output/files.hpp"
+
+namespace kerf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto show_pause = std::chrono::milliseconds(250);
+constexpr int most_attempts = 2;  // of a run that a signal ended
+
+// The end of what a run said, where its complaint stands.
+std::string last_words(const fs::path& output) {
+  constexpr std::size_t most = 2000;
+  if (!fs::exists(output)) return "";
+  std::string text = read_file(output);
+  if (const auto complaint = text.rfind("kerf: "); complaint != std::string::npos)
+    text = text.substr(complaint);
+  else if (text.size() > most)
+    text = text.substr(text.size() - most);
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+// How far a run has come, from 0 to 1: the share that its last line of progress begins with.
+double share_of(const fs::path& output) {
+  if (!fs::exists(output)) return 0.0;
+  const std::string text = read_file(output);
+  const auto mark = text.rfind("% | left");
+  if (mark == std::string::npos) return 0.0;
+  const auto start = text.rfind('\n', mark);
+  return std::strtod(text.c_str() + (start == std::string::npos ? 0 : start + 1), nullptr) / 100.0;
+}
+
+std::string why_it_ended(const Job& job, const JobEnd& end) {
+  if (!end.problem.empty()) return end.problem;
+  if (end.signal != 0)
+    return fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal));
+  const std::string words = last_words(job.output);
+  return words.empty() ? fmt::format("ended with exit code {}", end.exit_code) : words;
+}
+
+}  // namespace
+
+fs::path run_folder(const std::string& id) {
+  return fs::path("runs") / id;
+}
+
+StudyRuns::StudyRuns(fs::path folder, const CaseMaker& maker, StudyDatabase& database,
+                     Executor& executor, Hooks hooks, bool retry)
+    : folder_(std::move(folder)),
+      maker_(maker),
+      database_(database),
+      executor_(executor),
+      hooks_(std::move(hooks)) {
+  for (const RunRow& row : database_.runs())
+    if (row.state == RunState::running || (retry && row.state == RunState::failed))
+      database_.mark_waiting(row.id);
+}
+
+// A case is written once; its folder holds nothing but what the run itself leaves there.
+Job StudyRuns::prepared(const ResolvedCase& resolved) const {
+  const fs::path results = folder_ / run_folder(resolved.id);
+  const auto beside = [&](const char* ending) { return fs::path(results.string() + ending); };
+  make_folder(results.parent_path());
+  if (!fs::exists(beside(".toml"))) write_file(beside(".toml"), resolved.text);
+  return {resolved.id, beside(".toml"), results, beside(".txt"), resolved.memory};
+}
+
+std::vector<Outcome> StudyRuns::run(const std::vector<Trial>& trials) {
+  std::vector<std::string> ids;
+  std::vector<Job> jobs;
+  std::set<std::string> wanted;
+  for (const Trial& trial : trials) {
+    const ResolvedCase resolved = maker_.make(trial);
+    ids.push_back(resolved.id);
+    asked_.insert(resolved.id);
+    database_.add(resolved, trial);
+    const bool is_new = wanted.insert(resolved.id).second;
+    if (is_new && database_.find(resolved.id)->state == RunState::waiting)
+      jobs.push_back(prepared(resolved));
+  }
+  progress_ = {wanted.size(), wanted.size() - jobs.size(), 0, 0, 0.0};
+  shown_ = {};
+  if (!jobs.empty()) executor_.run(jobs, *this);
+  if (signal_ != 0) throw StudyStopped{signal_};
+  std::vector<Outcome> outcomes;
+  for (const std::string& id : ids) {
+    const RunRow row = *database_.find(id);
+    outcomes.push_back({id, row.state != RunState::done, row.error, row.metrics});
+  }
+  return outcomes;
+}
+
+std::vector<RunRow> StudyRuns::asked() const {
+  std::vector<RunRow> rows = database_.runs();
+  std::erase_if(rows, [&](const RunRow& row) { return asked_.count(row.id) == 0; });
+  return rows;
+}
+
+void StudyRuns::started(const Job& job) {
+  database_.mark_started(job.id);
+}
+
+bool StudyRuns::ended(const Job& job, const JobEnd& end) {
+  const bool was_asked_to_stop = signal_ != 0 && (end.exit_code != 0 || end.signal != 0);
+  if (was_asked_to_stop) {
+    database_.mark_waiting(job.id);
+    return false;
+  }
+  if (end.signal != 0 && database_.find(job.id)->attempts < most_attempts) {
+    database_.mark_waiting(job.id);
+    return true;
+  }
+  ++progress_.ended;
+  if (end.exit_code == 0 && end.signal == 0) {
+    finish(job);
+  } else {
+    ++progress_.failed;
+    database_.mark_failed(job.id, why_it_ended(job, end));
+  }
+  return false;
+}
+
+void StudyRuns::finish(const Job& job) {
+  try {
+    database_.mark_done(job.id, read_metrics(read_file(job.folder / "result.json")));
+  } catch (const std::exception& error) {
+    ++progress_.failed;
+    database_.mark_failed(job.id, fmt::format("its results cannot be read: {}", error.what()));
+  }
+}
+
+bool StudyRuns::look(const std::vector<Job>& at_work) {
+  if (hooks_.stop_signal && signal_ == 0) signal_ = hooks_.stop_signal();
+  const auto now = std::chrono::steady_clock::now();
+  if (hooks_.show && (now - shown_ >= show_pause || progress_.ended == progress_.total)) {
+    shown_ = now;
+    double parts = 0.0;
+    for (const Job& job : at_work) parts += share_of(job.output);
+    progress_.at_work = at_work.size();
+    progress_.share =
+        (static_cast<double>(progress_.ended) + parts) / static_cast<double>(progress_.total);
+    hooks_.show(progress_);
+  }
+  return signal_ != 0;
+}
+
+}  // namespace kerf

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/threshold_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "study/bisection.hpp"
+
+namespace kerf {
+
+namespace {
+
+// Whether the run is on the far side of the threshold: of a least value, where it is good.
+bool is_beyond(const ThresholdGoal& goal, const Outcome& outcome) {
+  return goal.condition.holds(outcome.metrics) == goal.least;
+}
+
+Verdicts verdicts_of(const ThresholdGoal& goal, const Trial& at, Laboratory& laboratory) {
+  return [&goal, at, &laboratory](const std::vector<double>& values) {
+    std::vector<Trial> trials;
+    for (const double value : values) {
+      trials.push_back(at);
+      trials.back().setting.numbers[goal.axis.name()] = value;
+    }
+    std::vector<bool> verdicts;
+    for (const Outcome& outcome : laboratory.run(trials)) {
+      if (outcome.failed)
+        throw UserError(fmt::format("the search stopped: the run {} failed: {}. Put it right, then "
+                                    "start the study again with --retry.",
+                                    outcome.id, outcome.error),
+                        exit_run_failed);
+      verdicts.push_back(is_beyond(goal, outcome));
+    }
+    return verdicts;
+  };
+}
+
+std::string why_nothing(const ThresholdGoal& goal, bool beyond_everywhere) {
+  const bool holds = beyond_everywhere == goal.least;
+  const char* end = beyond_everywhere ? "from" : "to";
+  return fmt::format(
+      "{} {} at {} = {} already, the {} of the range. {}", goal.condition.text(),
+      holds ? "holds" : "does not hold", goal.axis.name(),
+      show_number(beyond_everywhere ? goal.axis.values.front() : goal.axis.values.back(),
+                  goal.axis),
+      end, beyond_everywhere ? "Lower it" : "Raise it");
+}
+
+// One layout after another, each from the bracket of the one before.
+class Search {
+ public:
+  Search(const ThresholdGoal& goal, const Trial& at, Laboratory& laboratory)
+      : goal_(goal),
+        at_(at),
+        laboratory_(laboratory),
+        range_{goal.axis.values.front(), goal.axis.values.back()} {}
+
+  ThresholdAnswer run() {
+    answer_.refinement = at_.refinement;
+    std::optional<Bracket> guess;
+    if (goal_.draft < 1.0) guess = draft();
+    if (!answer_.problem.empty()) return answer_;
+    for (int repeat = 0; repeat < goal_.repeats; ++repeat) {
+      Trial at = at_;
+      at.repeat = repeat;
+      guess = layout(at, guess);
+      if (!answer_.problem.empty()) return answer_;
+      answer_.layouts.push_back(*guess);
+      if (runs_left() <= 0) break;
+    }
+    conclude();
+    return answer_;
+  }
+
+ private:
+  int runs_left() const { return goal_.most_runs - answer_.runs; }
+
+  std::optional<Bracket> draft() {
+    Trial at = at_;
+    at.refinement = at_.refinement * goal_.draft;
+    answer_.draft_refinement = at.refinement;
+    answer_.draft = layout(at, std::nullopt);
+    answer_.draft_runs = answer_.runs;
+    // What the drafts say may be wrong at their resolution; then the whole range is open again.
+    const bool found_none = !answer_.problem.empty() && runs_left() > 0;
+    if (!found_none) return answer_.draft;
+    answer_.problem.clear();
+    answer_.draft.reset();
+    return std::nullopt;
+  }
+
+  Bracket layout(const Trial& at, const std::optional<Bracket>& guess) {
+    Bisection bisection(verdicts_of(goal_, at, laboratory_), range_, runs_left(),
+                        goal_.axis.is_logarithmic);
+    if (guess) bisection.start_at(*guess);
+    bisection.narrow(goal_.tolerance, laboratory_.side_by_side());
+    answer_.runs += bisection.count();
+    if (const auto same = bisection.same_everywhere())
+      answer_.problem = why_nothing(goal_, *same);
+    else if (!bisection.is_confirmed())
+      answer_.problem = fmt::format("{} runs were not enough. Raise \"runs\", or narrow the range",
+                                    goal_.most_runs);
+    return bisection.bracket();
+  }
+
+  void conclude() {
+    answer_.bracket = answer_.layouts.front();
+    for (const Bracket& layout : answer_.layouts) {
+      answer_.bracket.low = std::min(answer_.bracket.low, layout.low);
+      answer_.bracket.high = std::max(answer_.bracket.high, layout.high);
+    }
+    answer_.stated = answer_.bracket;
+    answer_.extrapolated = answer_.layouts.front().middle();
+    if (answer_.draft) extrapolate(*answer_.draft);
+    answer_.is_within_tolerance =
+        answer_.bracket.half_width() <= goal_.tolerance * std::abs(answer_.bracket.middle());
+  }
+
+  // Richardson's extrapolation of a value whose error goes with the spacing: from spacings d and r
+  // d the value at 0 is v(d) + [v(d) - v(r d)] / (r - 1).
+  void extrapolate(const Bracket& draft) {
+    const double ratio = 1.0 / goal_.draft, fine = answer_.layouts.front().middle();
+    answer_.resolution_change = fine - draft.middle();
+    answer_.extrapolated = fine + answer_.resolution_change / (ratio - 1.0);
+    answer_.stated.low = std::min(answer_.stated.low, answer_.extrapolated);
+    answer_.stated.high = std::max(answer_.stated.high, answer_.extrapolated);
+  }
+
+  const ThresholdGoal& goal_;
+  const Trial& at_;
+  Laboratory& laboratory_;
+  Bracket range_;
+  ThresholdAnswer answer_;
+};
+
+}  // namespace
+
+bool Condition::holds(const std::map<std::string, double>& metrics) const {
+  const auto found = metrics.find(metric);
+  if (found == metrics.end()) return false;
+  return at_least ? found->second >= bound : found->second <= bound;
+}
+
+std::string Condition::text() const {
+  if (metric == "cut_through") return "cut-through";
+  return fmt::format("{} {} {:.6g}", metric, at_least ? ">=" : "<=", bound);
+}
+
+ThresholdAnswer find_threshold(const ThresholdGoal& goal, const Trial& at, Laboratory& laboratory) {
+  return Search(goal, at, laboratory).run();
+}
+
+}  // namespace kerf

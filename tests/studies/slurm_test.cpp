@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Studies as job arrays of a real Slurm, where it can be started here.
+#include "slurm.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "faults/program.hpp"
+#include "small_study.hpp"
+#include "study/slurm_array.hpp"
+#include "study/study_database.hpp"
+
+namespace kerf {
+namespace {
+
+using test::Program;
+using testing::HasSubstr;
+
+class SlurmStudy : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const std::string why = slurm_.start(); !why.empty()) GTEST_SKIP() << why;
+    write_file(folder_ / "small.toml", test::small_study_case);
+    write_file(folder_ / "map.toml",
+               "base = \"small.toml\"\n[vary]\n"
+               "\"jet.jet.speed\" = { from = \"2 m/s\", to = \"9 m/s\", count = 8 }\n"
+               "\"jet.jet.width\" = [\"4 mm\", \"6 mm\"]\n");
+  }
+  std::vector<std::string> arguments() const {
+    return {"study",  (folder_ / "map.toml").string(),
+            "--out",  out().string(),
+            "--on",   "slurm",
+            "--jobs", "2"};
+  }
+  std::filesystem::path out() const { return folder_ / "out"; }
+  std::vector<RunRow> rows() const {
+    return std::filesystem::exists(out() / "study.db") ? StudyDatabase(out() / "study.db").runs()
+                                                       : std::vector<RunRow>();
+  }
+  std::size_t count(RunState state) const {
+    const auto all = rows();
+    return static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(), [=](const RunRow& row) { return row.state == state; }));
+  }
+  static std::string queue() {
+    return output_of("squeue", {"--array", "--noheader", "--format=%i %t"}).output;
+  }
+  std::size_t arrays() const {
+    const auto lists = std::filesystem::directory_iterator(out() / "slurm");
+    return static_cast<std::size_t>(std::count_if(begin(lists), end(lists), [](const auto& entry) {
+      return entry.path().extension() == ".list";
+    }));
+  }
+
+  test::SlurmOfOneNode slurm_;
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(SlurmStudy, SixteenRunsEndAndACancelledTaskIsRunAgain) {
+  Program study(arguments(), folder_ / "output.txt");
+  ASSERT_TRUE(test::wait_for([&] { return queue().find("1_15 PD") != std::string::npos; }));
+  ASSERT_EQ(output_of("scancel", {"1_15"}).exit_code, 0);
+  const test::Ending ending = study.wait();
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  EXPECT_EQ(count(RunState::done), 16u);
+  ASSERT_EQ(arrays(), 2u);
+  const std::string all = read_file(out() / "slurm/1.list"),
+                    again = read_file(out() / "slurm/2.list");
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 16);
+  EXPECT_EQ(std::count(again.begin(), again.end(), '\n'), 1);
+  EXPECT_TRUE(all.ends_with(again)) << "the cancelled task was the last of the array";
+}
+
+TEST_F(SlurmStudy, AKilledStudyTakesUpItsArray) {
+  Program first(arguments(), folder_ / "output.txt");
+  ASSERT_TRUE(test::wait_for([&] { return count(RunState::done) >= 2; }));
+  ASSERT_EQ(first.end(SIGKILL).signal, SIGKILL) << "it ended before it was killed";
+  const test::Ending ending = Program(arguments(), folder_ / "output.txt").wait();
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  EXPECT_EQ(count(RunState::done), 16u);
+  EXPECT_EQ(arrays(), 1u) << "what was in the queue was submitted again";
+}
+
+TEST(SlurmStudyWithoutSlurm, SaysThatNobodyAnswers) {
+  const test::TemporaryFolder folder;
+  write_file(folder / "small.toml", test::small_study_case);
+  write_file(folder / "map.toml",
+             "base = \"small.toml\"\n[vary]\n\"jet.jet.speed\" = [\"2 m/s\"]\n");
+  const std::string path = getenv("PATH");
+  setenv("PATH", folder.path().c_str(), 1);
+  const test::Ending ending = Program({"study", (folder / "map.toml").string(), "--out",
+                                       (folder / "out").string(), "--on", "slurm"},
+                                      folder / "output.txt")
+                                  .wait();
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(ending.exit_code, 4);
+  EXPECT_THAT(ending.output, HasSubstr("squeue does not answer: squeue is not installed"));
+}
+
+}  // namespace
+}  // namespace kerf

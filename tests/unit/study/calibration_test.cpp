@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calibrations of simulators whose law is known.
+#include "study/calibration.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/random.hpp"
+#include "synthetic.hpp"
+
+namespace kerf {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string energy = "materials.curd.fracture_energy";
+
+CalibrationGoal goal_of(const std::string& more) {
+  return *test::plan_of("[calibrate]\nkey = \"" + energy +
+                        "\"\nfrom = \"1 J/m2\"\nto = \"100 J/m2\"\n" + more)
+              .calibration;
+}
+
+double energy_of(const Trial& trial) {
+  return trial.setting.numbers.at(energy);
+}
+double speed_of(const Trial& trial) {
+  return trial.setting.numbers.at("jet.jet.speed");
+}
+// A depth that falls with the energy of fracture and grows with the speed.
+double depth(double fracture_energy, double speed) {
+  return 0.01 * std::pow(fracture_energy / 10.0, -0.4) * (speed / 5.0) / (1.0 + 0.1 * speed);
+}
+
+constexpr const char* one_cut =
+    "metric = \"kerf.depth\"\nmeasured = \"MEASURED m\"\nuncertainty = \"UNCERTAINTY m\"\n"
+    "[calibrate.at]\n\"jet.jet.speed\" = \"5 m/s\"\n"
+    "[[calibrate.predict]]\n\"jet.jet.speed\" = \"8 m/s\"\n";
+
+CalibrationGoal cut_goal(double measured, double uncertainty) {
+  std::string text = one_cut;
+  text.replace(text.find("MEASURED"), 8, std::to_string(measured));
+  text.replace(text.find("UNCERTAINTY"), 11, std::to_string(uncertainty));
+  return goal_of(text);
+}
+
+TEST(Calibration, RecoversTheEnergyAndPredictsAHeldBackSetting) {
+  for (const double truth : {1.5, 4.0, 13.0, 60.0}) {
+    CalibrationGoal goal = cut_goal(0.01, 0.0);
+    goal.measured = depth(truth, 5.0);
+    test::SyntheticLaboratory laboratory(
+        [](const Trial& trial) {
+          return std::map<std::string, double>{
+              {"kerf.depth", depth(energy_of(trial), speed_of(trial))}};
+        },
+        2);
+    const CalibrationAnswer answer = calibrate(goal, 1.0, laboratory);
+    ASSERT_EQ(answer.problem, "") << truth;
+    EXPECT_NEAR(answer.value / truth, 1.0, 0.02);
+    EXPECT_LT(answer.low, truth);
+    EXPECT_GT(answer.high, truth);
+    ASSERT_EQ(answer.predictions.size(), 1u);
+    EXPECT_NEAR(answer.predictions[0].value / depth(truth, 8.0), 1.0, 0.02);
+    EXPECT_LE(answer.predictions[0].low, depth(truth, 8.0));
+    EXPECT_GE(answer.predictions[0].high, depth(truth, 8.0));
+    EXPECT_LE(answer.runs, goal.most_runs + 3);
+  }
+}
+
+// depth ~ Gc^-0.4: two standard uncertainties of 5% of the depth are 25% of Gc.
+TEST(Calibration, TheIntervalFollowsFromTheUncertaintyOfWhatWasMeasured) {
+  const double truth = 10.0;
+  CalibrationGoal goal = cut_goal(0.01, 0.0);
+  goal.measured = depth(truth, 5.0);
+  goal.uncertainty = 0.05 * goal.measured;
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        return std::map<std::string, double>{
+            {"kerf.depth", depth(energy_of(trial), speed_of(trial))}};
+      },
+      2);
+  const CalibrationAnswer answer = calibrate(goal, 1.0, laboratory);
+  ASSERT_EQ(answer.problem, "");
+  // The line through curved data leaves a residual too, which makes it wider.
+  EXPECT_GE(std::log(answer.high / answer.value), 0.9 * 0.25);
+  EXPECT_LE(std::log(answer.high / answer.value), 1.6 * 0.25);
+  EXPECT_NEAR(answer.sensitivity / (-0.4 * goal.measured), 1.0, 0.1);
+}
+
+TEST(Calibration, ScatterOfTheRunsIsInTheInterval) {
+  int covered = 0;
+  constexpr int sets = 40;
+  for (std::uint64_t set = 0; set < sets; ++set) {
+    CalibrationGoal goal = cut_goal(0.01, 0.0);
+    goal.measured = depth(10.0, 5.0);
+    test::SyntheticLaboratory laboratory(
+        [set](const Trial& trial) {
+          const auto n = static_cast<std::uint64_t>(1e6 * energy_of(trial));
+          const double noise = 1.0 + 0.05 * (2.0 * random_number(set, n) - 1.0);
+          return std::map<std::string, double>{
+              {"kerf.depth", noise * depth(energy_of(trial), speed_of(trial))}};
+        },
+        2);
+    const CalibrationAnswer answer = calibrate(goal, 1.0, laboratory);
+    ASSERT_EQ(answer.problem, "");
+    covered += answer.low <= 10.0 && 10.0 <= answer.high;
+  }
+  EXPECT_GE(covered, 36);  // 95% less two standard deviations of such a count
+}
+
+TEST(Calibration, AThresholdTellsTheEnergyToo) {
+  // Cuts from the speed 2 (Gc / 10)^0.5 on: at 3 m/s that is Gc = 22.5.
+  const CalibrationGoal goal = goal_of(
+      "metric = \"cut_through\"\ntolerance = 0.03\n[calibrate.at]\n\"jet.jet.speed\" = \"3 "
+      "m/s\"\n");
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        const bool cuts = speed_of(trial) >= 2.0 * std::sqrt(energy_of(trial) / 10.0);
+        return std::map<std::string, double>{{"cut_through", cuts}};
+      },
+      2);
+  const CalibrationAnswer answer = calibrate(goal, 1.0, laboratory);
+  ASSERT_EQ(answer.problem, "");
+  EXPECT_LE(answer.low, 22.5);
+  EXPECT_GE(answer.high, 22.5);
+  EXPECT_NEAR(answer.value / 22.5, 1.0, 0.05);
+}
+
+// Where it does not cut through there is no time of cutting through: such runs are left out.
+TEST(Calibration, RunsWithoutTheNumberAreLeftOut) {
+  CalibrationGoal goal = cut_goal(0.01, 0.0);
+  goal.measured = depth(6.0, 5.0);
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        std::map<std::string, double> metrics;
+        if (energy_of(trial) < 50.0)
+          metrics["kerf.depth"] = depth(energy_of(trial), speed_of(trial));
+        return metrics;
+      },
+      2);
+  const CalibrationAnswer answer = calibrate(goal, 1.0, laboratory);
+  ASSERT_EQ(answer.problem, "");
+  EXPECT_NEAR(answer.value / 6.0, 1.0, 0.02);
+  test::SyntheticLaboratory nothing([](const Trial&) { return std::map<std::string, double>(); },
+                                    2);
+  EXPECT_THAT(calibrate(goal, 1.0, nothing).problem, HasSubstr("fewer than two runs"));
+}
+
+TEST(Calibration, AMeasurementOutOfReachIsSaid) {
+  CalibrationGoal goal = cut_goal(0.5, 0.0);
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        return std::map<std::string, double>{{"kerf.depth", depth(energy_of(trial), 5.0)}};
+      },
+      2);
+  EXPECT_THAT(calibrate(goal, 1.0, laboratory).problem, HasSubstr("Widen the range"));
+}
+
+TEST(Calibration, AMetricThatHardlyDependsOnTheKeyTellsNothing) {
+  CalibrationGoal goal = cut_goal(0.01, 0.0);
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        const auto n = static_cast<std::uint64_t>(1e6 * energy_of(trial));
+        return std::map<std::string, double>{{"kerf.depth", 0.009 + 0.002 * random_number(7, n)}};
+      },
+      2);
+  EXPECT_NE(calibrate(goal, 1.0, laboratory).problem, "");
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Optima of simulators whose best setting is known.
+#include "study/optimum_search.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "synthetic.hpp"
+
+namespace kerf {
+namespace {
+
+OptimumGoal goal_of(const std::string& more) {
+  return *test::plan_of(
+              "[vary]\n\"jet.jet.speed\" = { from = \"2 m/s\", to = \"10 m/s\" }\n"
+              "\"jet.jet.width\" = { from = \"2 mm\", to = \"10 mm\" }\n[search]\n" +
+              more)
+              .optimum;
+}
+
+double speed_of(const Trial& trial) {
+  return trial.setting.numbers.at("jet.jet.speed");
+}
+double width_of(const Trial& trial) {
+  return 1e3 * trial.setting.numbers.at("jet.jet.width");
+}
+
+// Cuts where speed x width >= 25 (m/s, mm); the energy to cut is speed^3 width, least where the jet
+// is slow and wide: on the hyperbola at width 10, speed 2.5, energy 156.
+std::map<std::string, double> cut_by_flow(const Trial& trial, double needed) {
+  const double margin = speed_of(trial) * width_of(trial) / needed - 1.0;
+  return {{"cut_through", margin >= 0.0 ? 1.0 : 0.0},
+          {"kerf.margin", std::min(1.0, margin)},
+          {"kerf.specific_energy", std::pow(speed_of(trial), 3) * width_of(trial)}};
+}
+
+TEST(OptimumSearch, FindsTheLeastEnergyOnTheEdgeOfCutThrough) {
+  const OptimumGoal goal =
+      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 1.0\nruns = 60\n");
+  test::SyntheticLaboratory laboratory([](const Trial& trial) { return cut_by_flow(trial, 25.0); },
+                                       2);
+  const OptimumAnswer answer = find_optimum(goal, 1.0, laboratory);
+  ASSERT_EQ(answer.problem, "");
+  const double speed = answer.setting.numbers.at("jet.jet.speed");
+  const double width = 1e3 * answer.setting.numbers.at("jet.jet.width");
+  EXPECT_GE(speed * width, 25.0);
+  EXPECT_NEAR(answer.value / 156.25, 1.0, 0.25);
+  EXPECT_LE(answer.runs, 60);
+  EXPECT_EQ(answer.runs, static_cast<int>(laboratory.asked.size()));
+}
+
+TEST(OptimumSearch, DraftsFindTheRegionAndFineRunsConfirmIt) {
+  const OptimumGoal goal =
+      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 60\n");
+  // Coarse runs cut a little too easily: what they find best does not cut at the resolution asked.
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) { return cut_by_flow(trial, trial.refinement < 1.0 ? 23.0 : 25.0); },
+      2);
+  const OptimumAnswer answer = find_optimum(goal, 1.0, laboratory);
+  ASSERT_EQ(answer.problem, "");
+  const double flow =
+      1e3 * answer.setting.numbers.at("jet.jet.speed") * answer.setting.numbers.at("jet.jet.width");
+  EXPECT_GE(flow, 25.0);
+  EXPECT_LE(answer.value, 2.0 * 156.25);
+  int fine = 0;
+  for (const Trial& trial : laboratory.asked) fine += trial.refinement == 1.0;
+  EXPECT_EQ(fine, answer.runs - answer.draft_runs);
+  EXPECT_LT(fine, answer.draft_runs);
+}
+
+TEST(OptimumSearch, FindsAMaximumInside) {
+  const OptimumGoal goal = goal_of(
+      "find = \"maximum\"\nmetric = \"kerf.depth\"\ndraft = 1.0\nruns = 60\n"
+      "where = { metric = \"front_speed\", at_most = \"9 m/s\" }\n");
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        const double x = speed_of(trial) - 5.2, y = width_of(trial) - 6.6;
+        return std::map<std::string, double>{{"kerf.depth", 1.0 - 0.02 * x * x - 0.03 * y * y},
+                                             {"front_speed", speed_of(trial)}};
+      },
+      2);
+  const OptimumAnswer answer = find_optimum(goal, 1.0, laboratory);
+  ASSERT_EQ(answer.problem, "");
+  EXPECT_NEAR(answer.setting.numbers.at("jet.jet.speed"), 5.2, 0.5);
+  EXPECT_NEAR(answer.setting.numbers.at("jet.jet.width"), 6.6e-3, 0.5e-3);
+}
+
+TEST(OptimumSearch, AStopPassesThroughTheSearchAsItIs) {
+  const OptimumGoal goal =
+      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 1.0\nruns = 60\n");
+  struct Stop {};
+  int runs = 0;
+  test::SyntheticLaboratory laboratory(
+      [&](const Trial& trial) {
+        if (++runs > 18) throw Stop();  // past the first points, in NLopt's hands
+        return cut_by_flow(trial, 25.0);
+      },
+      2);
+  EXPECT_THROW(find_optimum(goal, 1.0, laboratory), Stop);
+  EXPECT_EQ(runs, 19);
+}
+
+TEST(OptimumSearch, WhereNothingCutsThatIsSaid) {
+  const OptimumGoal goal =
+      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\nruns = 20\n");
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) { return cut_by_flow(trial, 1000.0); }, 2);
+  EXPECT_THAT(find_optimum(goal, 1.0, laboratory).problem,
+              testing::HasSubstr("cut-through held in none"));
+}
+
+}  // namespace
+}  // namespace kerf

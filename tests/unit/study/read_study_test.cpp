@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "output/files.hpp"
+#include "study/case_maker.hpp"
+#include "support/temporary_folder.hpp"
+#include "synthetic.hpp"
+
+namespace kerf {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string complaint(const std::string& text) {
+  return test::message_of<UserError>([&] { test::plan_of(text); });
+}
+
+const std::string vary = "[vary]\n\"jet.jet.speed\" = [\"1 m/s\", \"2 m/s\"]\n";
+
+TEST(ReadStudy, TakesKeysInQuotesAndSpreadOverTables) {
+  const StudyPlan plan = test::plan_of(
+      "title = \"t\"\nrefine = 0.5\n[set]\ntime.end = \"3 ms\"\n[vary]\njet.jet.speed = \"1 "
+      "m/s\"\n[vary.jet.jet.width]\nfrom = \"4 mm\"\nto = \"0.8 cm\"\ncount = 2\n");
+  ASSERT_EQ(plan.axes.size(), 2u);
+  EXPECT_EQ(plan.axes[0].name(), "jet.jet.speed");
+  EXPECT_EQ(plan.axes[1].values, (std::vector<double>{0.004, 0.008}));
+  EXPECT_EQ(plan.refinement, 0.5);
+  const CaseMaker maker(plan);
+  EXPECT_THAT(maker.make({{}, 0, 1.0}).text, HasSubstr("end = \"0.003 s\""));
+}
+
+TEST(ReadStudy, NamesFileLineKeyValueRangeAndRemedy) {
+  EXPECT_THAT(complaint("[vary]\n\"jet.jet.speed\" = [\"1 m/s\", \"2 s\"]\n"),
+              AllOf(StartsWith("my-study.toml:3: vary.jet.jet.speed = "), HasSubstr("\"2 s\""),
+                    HasSubstr("not the unit of a speed"), HasSubstr("Allowed: a speed"),
+                    HasSubstr("Write a text such as")));
+  EXPECT_THAT(complaint("[vary]\n\"jet.jet.speed\" = [\"-1 m/s\"]\n"),
+              AllOf(HasSubstr("\"-1 m/s\" is out of range"), HasSubstr("Allowed: a speed")));
+  EXPECT_THAT(complaint("refin = 2\n" + vary),
+              AllOf(StartsWith("my-study.toml:2: refin = 2: a study has no such key here"),
+                    HasSubstr("Did you mean \"refine\"?")));
+  EXPECT_THAT(complaint("refine = 1000\n" + vary), HasSubstr("from 0.01 to 100"));
+  EXPECT_THAT(complaint("[vary]\n\"jet.jet.speed\" = { from = \"2 m/s\", to = \"1 m/s\" }\n"),
+              HasSubstr("from is not less than to"));
+  EXPECT_THAT(complaint("[vary]\n\"jet.jet.position\" = [\"1 mm\"]\n"),
+              HasSubstr("cannot vary this key as a whole"));
+  EXPECT_THAT(complaint(""), HasSubstr("nothing is varied"));
+  EXPECT_THAT(complaint(vary + "[design]\ntype = \"sobol\"\n"),
+              HasSubstr("design.runs: the key is missing"));
+  EXPECT_THAT(complaint(vary + "[design]\ntype = \"sobel\"\n"), HasSubstr("\"latin_hypercube\""));
+}
+
+TEST(ReadStudy, KeysThatNobodyWouldVaryAreRefused) {
+  const std::string search =
+      "[search]\nfind = \"least\"\nkey = \"jet.jet.width\"\nfrom = \"2 mm\"\nto = \"4 mm\"\n";
+  EXPECT_THAT(complaint(vary + search), HasSubstr("neither the search nor the calibration"));
+  EXPECT_EQ(complaint(vary + search + "[design]\ntype = \"grid\"\n"), "");
+  EXPECT_EQ(complaint(search), "");
+}
+
+TEST(ReadStudy, GoalsAreCheckedLikeTheRest) {
+  EXPECT_THAT(complaint("[search]\nfind = \"leest\"\n"), HasSubstr("\"greatest\""));
+  EXPECT_THAT(complaint("[search]\nfind = \"least\"\nkey = \"jet.jet.width\"\nfrom = \"2 mm\"\n"),
+              HasSubstr("a range needs two numbers"));
+  EXPECT_THAT(complaint(vary + "[search]\nfind = \"minimum\"\nmetric = \"kerf.depth\"\n"),
+              HasSubstr("[vary] has a list"));
+  EXPECT_THAT(complaint(vary + "[model]\nform = \"threshold_linear\"\n"),
+              HasSubstr("model.drive: the key is missing"));
+  EXPECT_THAT(complaint("[calibrate]\nkey = \"materials.curd.fracture_energy\"\nfrom = \"0 J/m2\"\n"
+                        "to = \"9 J/m2\"\nmetric = \"kerf.depth\"\nmeasured = \"3 s\"\n"),
+              AllOf(HasSubstr("calibrate.from"), HasSubstr("calibrate.measured = \"3 s\"")));
+  EXPECT_THAT(
+      complaint("[search]\nfind = \"least\"\nkey = \"jet.jet.width\"\nfrom = \"2 mm\"\nto = \"4 "
+                "mm\"\nwhere = { metric = \"kerf.specific_energy\", at_most = \"2 J\" }\n"),
+      HasSubstr("no energy per volume"));
+}
+
+TEST(ReadStudy, ABaseThatIsNotThereIsNamedWithAGuess) {
+  const EmbeddedText templates[] = {{"small", test::small_case}};
+  EXPECT_THAT(test::message_of<UserError>(
+                  [&] { parse_study("base = \"smal\"\n" + vary, "s.toml", templates); }),
+              AllOf(StartsWith("s.toml:1: base = \"smal\""), HasSubstr("mean \"small\"?")));
+}
+
+TEST(ReadStudy, ABaseMayBeAFileBesideTheStudy) {
+  const test::TemporaryFolder folder;
+  write_file(folder / "mine.toml", test::small_case);
+  write_file(folder / "study.toml", "base = \"mine.toml\"\n" + vary);
+  EXPECT_EQ(read_study(folder / "study.toml", {}).axes.size(), 1u);
+}
+
+// A seed acts where the layout, or the flaws, are random: without that every repeat is one run.
+TEST(ReadStudy, RepeatsThatWouldBeTheSameRunAreRefused) {
+  EXPECT_THAT(complaint("repeats = 3\n" + vary),
+              AllOf(HasSubstr("every repeat is the same run"), HasSubstr("jitter")));
+  const std::string jitter = "[set]\n\"body.block.jitter\" = 0.2\n";
+  EXPECT_EQ(complaint("repeats = 3\n" + jitter + vary), "");
+  EXPECT_EQ(complaint("repeats = 1\n" + vary), "");
+}
+
+TEST(CaseMaker, TheSameCaseHasTheSameNameHoweverItIsAskedFor) {
+  const CaseMaker by_name(test::plan_of(vary));
+  const CaseMaker by_number(test::plan_of("[vary]\n\"jet.0.speed\" = [\"100 cm/s\"]\n"));
+  const auto one = by_name.make({{{{"jet.jet.speed", 1.0}}, {}}, 0, 1.0});
+  EXPECT_EQ(one.id, by_number.make({{{{"jet.0.speed", 1.0}}, {}}, 0, 1.0}).id);
+  EXPECT_NE(one.id, by_name.make({{{{"jet.jet.speed", 2.0}}, {}}, 0, 1.0}).id);
+  EXPECT_NE(one.id, by_name.make({{{{"jet.jet.speed", 1.0}}, {}}, 0, 2.0}).id);
+  EXPECT_NE(one.id, by_name.make({{{{"jet.jet.speed", 1.0}}, {}}, 1, 1.0}).id);
+  EXPECT_EQ(one.spacing, 0.002);
+  EXPECT_EQ(by_name.make({{}, 0, 2.0}).spacing, 0.001);
+}
+
+TEST(CaseMaker, ACaseThatIsNotGoodIsToldOfInTheKeysOfTheStudy) {
+  const CaseMaker maker(test::plan_of("[vary]\n\"jet.jet.standoff\" = [\"2 mm\"]\n"));
+  const std::string message = test::message_of<UserError>([&] {
+    maker.make({{{{"jet.jet.standoff", -0.5}}, {}}, 0, 1.0});
+  });
+  EXPECT_THAT(message, AllOf(HasSubstr("jet.jet.standoff = -500 mm"), HasSubstr("not good")));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// Searches of simulators whose threshold is known.
+#include "study/threshold_search.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "study/bisection.hpp"
+#include "synthetic.hpp"
+
+namespace kerf {
+namespace {
+
+using testing::HasSubstr;
+
+ThresholdGoal goal_of(const std::string& more) {
+  return *test::plan_of("[search]\nkey = \"jet.jet.speed\"\nfrom = \"2 m/s\"\nto = \"5 m/s\"\n" +
+                        more)
+              .threshold;
+}
+
+double speed_of(const Trial& trial) {
+  return trial.setting.numbers.at("jet.jet.speed");
+}
+
+// Cuts from a speed on.
+test::SyntheticLaboratory cutter(double threshold, int side_by_side) {
+  return {[=](const Trial& trial) {
+            return std::map<std::string, double>{{"cut_through", speed_of(trial) >= threshold}};
+          },
+          side_by_side};
+}
+
+TEST(ThresholdSearch, FindsTheLeastSpeedWithinFivePercentInEightRuns) {
+  const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.05\ndraft = 1.0\n");
+  for (const int side_by_side : {1, 2, 3})
+    for (double threshold = 2.05; threshold < 5.0; threshold += 0.093) {
+      auto laboratory = cutter(threshold, side_by_side);
+      const ThresholdAnswer answer = find_threshold(goal, {}, laboratory);
+      ASSERT_EQ(answer.problem, "") << threshold;
+      EXPECT_LT(answer.bracket.low, threshold);
+      EXPECT_GE(answer.bracket.high, threshold);
+      EXPECT_LE(answer.bracket.half_width(), 0.05 * answer.bracket.middle());
+      EXPECT_LE(std::abs(answer.value() - threshold), 0.05 * threshold);
+      EXPECT_LE(answer.runs, 8);
+      EXPECT_EQ(answer.runs, static_cast<int>(laboratory.asked.size()));
+    }
+}
+
+// Half of the range each time: log2 of the ratio of widths, and the ends where they were needed.
+TEST(ThresholdSearch, OneAtATimeTakesTheRunsOfABisection) {
+  const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.01\ndraft = 1.0\n");
+  auto laboratory = cutter(3.9123, 1);
+  const ThresholdAnswer answer = find_threshold(goal, {}, laboratory);
+  const double widths = 3.0 / (2 * 0.01 * 3.9123);
+  EXPECT_EQ(answer.runs, static_cast<int>(std::ceil(std::log2(widths))));
+  EXPECT_EQ(laboratory.rounds, answer.runs);
+}
+
+TEST(ThresholdSearch, RunsSideBySideSaveRounds) {
+  const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.01\ndraft = 1.0\n");
+  auto one = cutter(3.9123, 1), three = cutter(3.9123, 3);
+  find_threshold(goal, {}, one);
+  find_threshold(goal, {}, three);
+  EXPECT_LE(2 * three.rounds, one.rounds + 1);
+}
+
+TEST(ThresholdSearch, FindsTheGreatestTraverseThatStillCuts) {
+  const ThresholdGoal goal = goal_of("find = \"greatest\"\ntolerance = 0.02\ndraft = 1.0\n");
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        return std::map<std::string, double>{{"cut_through", speed_of(trial) <= 3.3}};
+      },
+      2);
+  const ThresholdAnswer answer = find_threshold(goal, {}, laboratory);
+  EXPECT_LE(answer.bracket.low, 3.3);
+  EXPECT_GT(answer.bracket.high, 3.3);
+  EXPECT_LE(answer.bracket.half_width(), 0.02 * 3.4);
+}
+
+TEST(ThresholdSearch, OtherConditionsThanCutThrough) {
+  const ThresholdGoal goal = goal_of(
+      "find = \"least\"\ndraft = 1.0\nwhere = { metric = \"kerf.depth\", at_least = \"10 mm\" }\n");
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        return std::map<std::string, double>{{"kerf.depth", 0.0025 * speed_of(trial)}};
+      },
+      2);
+  const ThresholdAnswer answer = find_threshold(goal, {}, laboratory);
+  EXPECT_LT(answer.bracket.low, 4.0);
+  EXPECT_GE(answer.bracket.high, 4.0);
+}
+
+// An error that goes with the spacing, t(d) = t0 + c d, is what the extrapolation takes away.
+TEST(ThresholdSearch, DraftsFindTheRegionAndTheResolutionIsExtrapolated) {
+  const ThresholdGoal goal =
+      goal_of("find = \"least\"\ntolerance = 0.005\ndraft = 0.5\nruns = 60\n");
+  for (const double change : {-0.3, -0.05, 0.0, 0.05, 0.3}) {
+    const double exact = 3.4;
+    test::SyntheticLaboratory laboratory(
+        [=](const Trial& trial) {
+          const double threshold = exact + change / trial.refinement;
+          return std::map<std::string, double>{{"cut_through", speed_of(trial) >= threshold}};
+        },
+        2);
+    const ThresholdAnswer answer = find_threshold(goal, {{}, 0, 1.0}, laboratory);
+    ASSERT_EQ(answer.problem, "") << change;
+    EXPECT_LT(answer.bracket.low, exact + change);
+    EXPECT_GE(answer.bracket.high, exact + change);
+    // Each middle is within its tolerance: so is their difference, within the sum of both.
+    const double rounding = 0.005 * (exact + 2 * change + 2 * (exact + change));
+    EXPECT_NEAR(answer.extrapolated, exact, rounding);
+    EXPECT_LE(answer.stated.low, answer.extrapolated);
+    EXPECT_GE(answer.stated.high, answer.extrapolated);
+    EXPECT_GT(answer.draft_runs, 0);
+    EXPECT_LT(answer.draft_runs, answer.runs);
+  }
+}
+
+TEST(ThresholdSearch, GoodDraftsLeaveTwoFineRuns) {
+  const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.05\ndraft = 0.5\n");
+  auto laboratory = cutter(3.93, 2);
+  const ThresholdAnswer answer = find_threshold(goal, {{}, 0, 1.0}, laboratory);
+  EXPECT_EQ(answer.runs - answer.draft_runs, 2);
+  EXPECT_LE(answer.runs, 8);
+}
+
+TEST(ThresholdSearch, TheBracketHoldsTheScatterOfTheLayouts) {
+  const ThresholdGoal goal =
+      goal_of("find = \"least\"\ntolerance = 0.02\ndraft = 1.0\nruns = 60\n");
+  ThresholdGoal repeated = goal;
+  repeated.repeats = 4;
+  const double thresholds[] = {3.5, 3.62, 3.41, 3.55};
+  test::SyntheticLaboratory laboratory(
+      [&](const Trial& trial) {
+        return std::map<std::string, double>{
+            {"cut_through", speed_of(trial) >= thresholds[trial.repeat]}};
+      },
+      2);
+  const ThresholdAnswer answer = find_threshold(repeated, {}, laboratory);
+  ASSERT_EQ(answer.layouts.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_LT(answer.layouts[i].low, thresholds[i]);
+    EXPECT_GE(answer.layouts[i].high, thresholds[i]);
+  }
+  EXPECT_LT(answer.bracket.low, 3.41);
+  EXPECT_GE(answer.bracket.high, 3.62);
+}
+
+TEST(ThresholdSearch, VerdictsThatAlternateAreWithinTheBracket) {
+  const ThresholdGoal goal =
+      goal_of("find = \"least\"\ntolerance = 0.001\ndraft = 1.0\nruns = 40\n");
+  // Cuts from 3.5 on, not between 3.8 and 4.1, and again from there: eight runs see all three.
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        const double speed = speed_of(trial);
+        const bool cuts = speed >= 4.1 || (speed >= 3.5 && speed < 3.8);
+        return std::map<std::string, double>{{"cut_through", cuts}};
+      },
+      8);
+  const ThresholdAnswer answer = find_threshold(goal, {}, laboratory);
+  EXPECT_LT(answer.bracket.low, 3.5);
+  EXPECT_GE(answer.bracket.high, 4.1);
+  EXPECT_FALSE(answer.is_within_tolerance);
+}
+
+TEST(ThresholdSearch, ARangeWithoutThresholdIsSaid) {
+  const ThresholdGoal goal = goal_of("find = \"least\"\n");
+  auto always = cutter(1.0, 2), never = cutter(9.0, 2);
+  EXPECT_THAT(find_threshold(goal, {}, always).problem,
+              testing::AllOf(HasSubstr("holds at jet.jet.speed = 2 m/s"), HasSubstr("Lower it")));
+  EXPECT_THAT(
+      find_threshold(goal, {}, never).problem,
+      testing::AllOf(HasSubstr("does not hold at jet.jet.speed = 5 m/s"), HasSubstr("Raise it")));
+}
+
+TEST(ThresholdSearch, AFailedRunStopsItWithItsError) {
+  const ThresholdGoal goal = goal_of("find = \"least\"\n");
+  class Broken : public Laboratory {
+   public:
+    std::vector<Outcome> run(const std::vector<Trial>& trials) override {
+      return std::vector<Outcome>(trials.size(), {"abc", true, "a value is not a number", {}});
+    }
+    int side_by_side() const override { return 1; }
+  } broken;
+  try {
+    find_threshold(goal, {}, broken);
+    FAIL() << "no error";
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("run abc failed"), HasSubstr("--retry")));
+  }
+}
+
+// The first cut of 1 to 16 is at 4 by ratios, and at 8.5 by differences.
+TEST(Bisection, PartsAreEqualInRatiosWhereAskedFor) {
+  std::vector<double> tried;
+  const auto verdicts = [&](const std::vector<double>& values) {
+    tried.insert(tried.end(), values.begin(), values.end());
+    return std::vector<bool>(values.size(), true);
+  };
+  Bisection(verdicts, {1.0, 16.0}, 1, true).narrow(0.01, 1);
+  Bisection(verdicts, {1.0, 16.0}, 1, false).narrow(0.01, 1);
+  ASSERT_EQ(tried.size(), 2u);
+  EXPECT_NEAR(tried[0], 4.0, 1e-12);
+  EXPECT_NEAR(tried[1], 8.5, 1e-12);
+}
+
+TEST(Bisection, AWrongGuessIsWidenedToTheSideWhereItIsWrong) {
+  for (const double threshold : {2.1, 2.9, 3.55, 4.2, 4.95}) {
+    Bisection bisection(
+        [&](const std::vector<double>& values) {
+          std::vector<bool> verdicts;
+          for (const double value : values) verdicts.push_back(value >= threshold);
+          return verdicts;
+        },
+        {2.0, 5.0}, 100);
+    bisection.start_at({3.5, 3.6});
+    EXPECT_TRUE(bisection.is_confirmed());
+    EXPECT_LT(bisection.bracket().low, threshold);
+    EXPECT_GE(bisection.bracket().high, threshold);
+  }
+}
+
+}  // namespace
+}  // namespace kerf
