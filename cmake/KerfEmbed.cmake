@@ -26,6 +26,8 @@ kerf_embed(kerf_case material_files ${kerf_material_files})
 file(GLOB kerf_case_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cases/*.toml
   ${CMAKE_SOURCE_DIR}/cases/machine/*.toml)
 kerf_embed(kerf_app case_templates ${kerf_case_files})
+file(GLOB kerf_mesh_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cases/machine/*.stl)
+kerf_embed(kerf_app case_meshes ${kerf_mesh_files})
 file(GLOB kerf_study_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cases/studies/*.toml)
 kerf_embed(kerf_app study_templates ${kerf_study_files})
 file(GLOB kerf_validation_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/validation/*/*.toml)

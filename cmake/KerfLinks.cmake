@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Who may know whom.
 target_link_libraries(kerf_case PUBLIC fmt::fmt PRIVATE tomlplusplus::tomlplusplus udunits2
-  PkgConfig::muparser Boost::headers)
+  PkgConfig::muparser Boost::headers assimp::assimp)
 target_link_libraries(kerf_engine PUBLIC kerf_case kerf_thrust Eigen3::Eigen)
 target_link_libraries(kerf_measure PUBLIC kerf_case Boost::headers)
 target_include_directories(kerf_output SYSTEM PRIVATE ${HDF5_INCLUDE_DIRS})

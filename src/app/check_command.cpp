@@ -16,6 +16,9 @@
 #include "case/schema.hpp"
 #include "machine/machine_jet.hpp"
 #include "measure/derived.hpp"
+#include "particles/closed_surface.hpp"
+#include "particles/fill.hpp"
+#include "particles/graded_fill.hpp"
 #include "simulation/simulation.hpp"
 
 namespace kerf {
@@ -58,6 +61,8 @@ void print_speeds(const DerivedNumbers& numbers) {
   row("longitudinal waves, c_p", fmt::format("{:.4g} m/s", numbers.longitudinal_speed));
   row("shear waves, c_s", fmt::format("{:.4g} m/s", numbers.shear_speed));
   row("Rayleigh waves, c_R", fmt::format("{:.4g} m/s", numbers.rayleigh_speed));
+  if (numbers.reflection_time > 0.0)
+    row("waves back from an edge after", readable(numbers.reflection_time, "s"));
   row("V / c_R", fmt::format("{:.4g}", numbers.speed_over_rayleigh));
   row("V / c_p", fmt::format("{:.4g}", numbers.speed_over_longitudinal));
 }
@@ -112,6 +117,27 @@ void print_cost(const Case& description, const DerivedNumbers& numbers) {
   row("memory", readable(numbers.memory, "B"));
 }
 
+// Of the particles as laid out, m^3.
+double filled_volume(const Body& body) {
+  double volume = 0.0;
+  for (const GradedParticle& particle : fill_levels(body, 3))
+    volume += particle_volume(body, 3) * std::pow(8.0, particle.level);
+  return volume;
+}
+
+void print_meshes(const Case& description) {
+  if (meshes_of(description).empty()) return;
+  fmt::print("\nMeshes\n");
+  for (const Body& body : description.bodies) {
+    if (body.shape.kind != Shape::Kind::mesh) continue;
+    const ClosedSurface& surface = *body.shape.mesh.surface;
+    const double volume = surface.volume(), filled = filled_volume(body);
+    row(body.name,
+        fmt::format("{:.4g} m3 in {} triangles; particles fill {:.4g} m3 ({:+.2f}%)", volume,
+                    surface.triangles(), filled, 100.0 * (filled / volume - 1.0)));
+  }
+}
+
 std::string duration(double seconds) {
   if (seconds < 100.0) return fmt::format("about {:.2g} s", seconds);
   if (seconds < 6000.0) return fmt::format("about {:.0f} min", seconds / 60.0);
@@ -155,6 +181,7 @@ void check(const CheckOptions& options) {
   print_machine(description);
   print_speeds(numbers);
   print_loads(numbers);
+  print_meshes(description);
   print_cost(description, numbers);
   if (!options.no_timing) {
     set_threads(options.threads);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "app/embedded.hpp"
 #include "case/problems.hpp"
 #include "core/error.hpp"
+#include "output/files.hpp"
 
 namespace kerf {
 
@@ -32,12 +34,26 @@ void list_templates() {
   list(study_templates());
 }
 
+// The meshes that a template names go into the present folder, where its copy will look for them,
+// unless files of these names are there.
+void write_meshes(std::string_view text) {
+  for (const EmbeddedText& mesh : case_meshes()) {
+    const std::string file = fmt::format("{}.stl", mesh.name);
+    if (text.find(fmt::format("\"{}\"", file)) == std::string_view::npos) continue;
+    const bool is_there = std::filesystem::exists(file);
+    if (!is_there) write_file(file, mesh.text);
+    fmt::print(stderr, "{} {}: the case needs it beside it.\n", file,
+               is_there ? "is here already and was left as it is" : "was written");
+  }
+}
+
 void print_template(const std::string& name) {
   std::vector<std::string> names;
   std::vector<EmbeddedText> texts(case_templates().begin(), case_templates().end());
   texts.insert(texts.end(), study_templates().begin(), study_templates().end());
   for (const EmbeddedText& entry : texts) {
     if (entry.name == name) {
+      write_meshes(entry.text);
       fmt::print("{}", entry.text);
       return;
     }

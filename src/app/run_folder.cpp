@@ -31,7 +31,8 @@ bool is_result(const fs::path& path) {
                                                  "checkpoint.h5", "log.txt"};
   const std::string name = path.filename().string();
   return std::find(names.begin(), names.end(), name) != names.end() || is_leftover(path) ||
-         name.ends_with(".vtkhdf.series") || path.extension() == ".vtkhdf" ||
+         is_kept_mesh_name(name) || name.ends_with(".vtkhdf.series") ||
+         path.extension() == ".vtkhdf" ||
          (path.extension() == ".png" && path.parent_path().filename() == "pictures");
 }
 
@@ -94,6 +95,11 @@ void RunFolder::clear() const {
   for (const char* inner : {"frames", "pictures", "."})
     for (const fs::path& file : results_in(path_ / inner)) fs::remove(file);
   fs::remove(used_case());
+}
+
+void keep_meshes(const Case& description, const std::filesystem::path& folder) {
+  for (const MeshShape* mesh : meshes_of(description))
+    write_file(folder / kept_mesh_name(*mesh), *mesh->content);
 }
 
 Case case_of_run(const std::filesystem::path& folder) {

@@ -16,6 +16,10 @@ enum class Existing { refuse, resume, replace };
 // What ran in a result folder. Throws UserError (exit_files) when it holds no run.
 Case case_of_run(const std::filesystem::path& folder);
 
+// Lays the meshes of a case into a folder, under the names that case.used.toml has for them. Throws
+// UserError (exit_files).
+void keep_meshes(const Case& description, const std::filesystem::path& folder);
+
 class RunFolder {
  public:
   // Makes the folder when missing and holds it for this process. Throws UserError (exit_files) when

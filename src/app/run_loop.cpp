@@ -71,6 +71,7 @@ RunEnd RunLoop::run() {
 RunEnd RunLoop::start_and_run() {
   if (!folder_.has_checkpoint()) {
     write_file(folder_.used_case(), settings_.case_text);
+    keep_meshes(settings_.description, folder_.path());
     log_ = open_log(folder_.log());
     begin();
     return steps();

@@ -64,10 +64,9 @@ ProgressNumbers RunLoop::numbers() const {
 // What the last frame says of the kerf.
 void RunLoop::measure(RunOutcome& outcome) {
   if (settings_.description.jets.empty()) return;
-  KerfConditions conditions = kerf_conditions(settings_.description, outcome.cut);
+  const KerfConditions conditions = kerf_conditions(settings_.description, outcome.cut);
   outcome.kerf = measure_kerf(cut_->workpiece(), frame(), conditions);
-  conditions.places = KerfPlaces::present;
-  outcome.opening = measure_kerf(cut_->workpiece(), frame(), conditions);
+  outcome.opening = measure_opening(cut_->workpiece(), frame(), conditions);
 }
 
 void RunLoop::write_result() {

@@ -109,13 +109,16 @@ std::vector<Trial> design_trials(const StudyPlan& plan) {
   return trials;
 }
 
-StudyAnswers answer(const StudyPlan& plan, StudyRuns& runs) {
-  StudyAnswers answers;
+void find_answers(const StudyPlan& plan, StudyRuns& runs, StudyAnswers& answers) {
   const Trial middle{{}, 0, plan.refinement};
   if (plan.design) runs.run(design_trials(plan));
   if (plan.threshold) answers.threshold = find_threshold(*plan.threshold, middle, runs);
   if (plan.optimum) answers.optimum = find_optimum(*plan.optimum, plan.refinement, runs);
   if (plan.calibration) answers.calibration = calibrate(*plan.calibration, plan.refinement, runs);
+}
+
+// What follows from the runs that were made, be they all or not.
+void conclude(const StudyPlan& plan, const StudyRuns& runs, StudyAnswers& answers) {
   answers.runs = runs.asked();
   if (plan.model)
     answers.model =
@@ -123,7 +126,6 @@ StudyAnswers answer(const StudyPlan& plan, StudyRuns& runs) {
   std::vector<RunRow> fine = answers.runs;
   std::erase_if(fine, [&](const RunRow& row) { return row.trial.refinement != plan.refinement; });
   answers.boundary = cut_boundary(all_axes(plan), fine);
-  return answers;
 }
 
 void write_results(const StudyPlan& plan, const StudyAnswers& answers, const fs::path& folder) {
@@ -175,20 +177,25 @@ void study(const StudyOptions& options) {
   StudyRuns runs(folder, maker, database, *executor, {show, [&] { return signals.caught(); }},
                  options.retry);
   made = &runs;
-  try {
-    const StudyAnswers answers = answer(plan, runs);
+  StudyAnswers answers;
+  const auto finish = [&](StudyState state) {
     display.clear();
+    conclude(plan, runs, answers);
     write_results(plan, answers, folder);
-    page.write(answers, StudyState::ended);
-    tell_failures(answers.runs);
+    page.write(answers, state);
+  };
+  try {
+    find_answers(plan, runs, answers);
   } catch (const StudyStopped& stopped) {
-    display.clear();
-    StudyAnswers answers;
-    answers.runs = runs.asked();
-    page.write(answers, StudyState::stopped);
+    finish(StudyState::stopped);
     fmt::print("Stopped. To go on: kerf study {} --out {}\n", options.file, folder.string());
     throw CLI::RuntimeError(128 + stopped.signal);
+  } catch (const UserError&) {
+    finish(StudyState::stopped);
+    throw;
   }
+  finish(StudyState::ended);
+  tell_failures(answers.runs);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace kerf {
 namespace {
 
 struct VerifyOptions {
-  std::vector<std::string> names;
+  std::vector<std::string> names, runs;
   bool all = false;
   bool list = false;
   std::string json;
@@ -45,6 +45,22 @@ std::vector<VerificationCase> chosen_cases(const std::vector<std::string>& names
     return std::count(names.begin(), names.end(), entry.name) == 0;
   });
   return cases;
+}
+
+// Cases without any of the runs are left out too.
+void keep_runs(const std::vector<std::string>& runs, std::vector<VerificationCase>& cases) {
+  if (runs.empty()) return;
+  std::vector<std::string> known;
+  for (const VerificationCase& entry : cases)
+    for (const PlannedRun& run : entry.runs) known.push_back(run.name);
+  for (const std::string& run : runs) {
+    if (std::count(known.begin(), known.end(), run) > 0) continue;
+    const std::string guess = closest(run, known);
+    throw UserError(fmt::format(
+        "--run: there is no run \"{}\" in the cases chosen. {}Allowed: {}.", run,
+        guess.empty() ? "" : fmt::format("Did you mean \"{}\"? ", guess), fmt::join(known, "; ")));
+  }
+  std::erase_if(cases, [&](VerificationCase& entry) { return !entry.keep_runs(runs); });
 }
 
 void print_list(const std::vector<VerificationCase>& cases) {
@@ -92,7 +108,8 @@ Findings verify_and_print(const std::vector<VerificationCase>& cases, bool all) 
 }
 
 void run_verification(const VerifyOptions& options) {
-  const auto cases = chosen_cases(options.names);
+  auto cases = chosen_cases(options.names);
+  keep_runs(options.runs, cases);
   if (options.list) {
     print_list(cases);
     return;
@@ -117,6 +134,8 @@ void add_verify_command(CLI::App& program) {
       program.add_subcommand("verify", "Run the verification table against theory on this machine");
   command->add_option("NAME", options->names, "Only these cases");
   command->add_flag("--all", options->all, "With the runs that take long");
+  command->add_option("--run", options->runs, "Only these runs of the cases, also long ones")
+      ->allow_extra_args(false);
   command->add_flag("--list", options->list, "List the cases and run none");
   command->add_option("--json", options->json, "Also write the table to this file, as JSON");
   command->add_option("--page", options->page,

@@ -15,6 +15,7 @@
 
 #include "case/machine.hpp"
 #include "case/material.hpp"
+#include "case/mesh_shape.hpp"
 #include "rates/water_scheme.hpp"
 
 namespace kerf {
@@ -47,8 +48,9 @@ struct Faces {
 //   sphere    centre, radius (3D only)
 //   join      the points in any of `parts`           (case files spell it "union")
 //   difference  the points in parts[0] and in no other part
+//   mesh      what the surface of `mesh` encloses (3D only)
 struct Shape {
-  enum class Kind { box, disc, ring, polygon, sphere, join, difference };
+  enum class Kind { box, disc, ring, polygon, sphere, join, difference, mesh };
   Kind kind = Kind::box;
   Box box;
   Point centre{};
@@ -60,6 +62,7 @@ struct Shape {
   double depth_minimum = 0.0;                   // m
   double depth_maximum = 0.0;                   // m
   std::vector<Shape> parts;
+  MeshShape mesh;
   bool operator==(const Shape&) const = default;
 };
 

@@ -24,9 +24,11 @@ struct MaterialDraft {
 
 struct BodyDraft {
   Body body;
-  std::string material;  // empty for a rigid body
-  std::string path;      // of its table, for complaints
+  std::string material;      // empty for a rigid body
+  std::string path;          // of its table, for complaints
+  std::string inclusion_of;  // name of the body around; empty = none
   bool has_repulsion = false;
+  bool has_offset = false;
 };
 
 struct JetDraft {
@@ -56,6 +58,8 @@ const MaterialDraft* use_water(Draft& draft, Section& section, const std::string
 // Frequency (Hz) and duty of a jet.
 void read_pulses(Section& section, double& frequency, double& duty);
 
+// The keys of a mesh, and its file.
+void read_mesh(Section& section, Shape& shape);
 Shape read_shape(Reading& reading, const toml::table& table, const std::string& path);
 // Before bodies and times, which may follow from the jets.
 void read_machine(Draft& draft, Section& top);
@@ -66,6 +70,8 @@ double finest_jet_spacing(const Draft& draft);
 // s; 0 without a machine. When the run ends if the case does not say.
 double standard_end(const Draft& draft);
 void read_bodies(Draft& draft, Section& top);
+// Cuts the room of inclusions out of the bodies around them, and bonds them to these.
+void place_inclusions(Draft& draft);
 void read_jets(Draft& draft, Section& top);
 void read_probes(Draft& draft, Section& top);
 void read_output(Draft& draft, Section& top);

@@ -127,7 +127,9 @@ void read_top(Draft& draft, const toml::table& table) {
 
 Case parse_case(std::string_view text, std::string_view file_name) {
   const toml::table table = parse_toml(text, file_name);
-  Draft draft{Reading{Problems(std::string(file_name))}, {}, {}, {}, {}, false, Quality::normal};
+  const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
+  Draft draft{
+      Reading{Problems(std::string(file_name)), folder}, {}, {}, {}, {}, false, Quality::normal};
   draft.reading.dimension = read_dimension(draft.reading, table);
   read_top(draft, table);
   finish(draft);

@@ -58,6 +58,15 @@ void read_offset(Section& section, Body& body) {
   }
 }
 
+// What lies in another body is bonded to that one.
+void read_bonds(Section& section, BodyDraft& entry) {
+  if (entry.body.role == Role::elastic) entry.body.joined_to = section.text("joined_to", "");
+  if (entry.body.role != Role::rigid) entry.inclusion_of = section.text("inclusion_of", "");
+  if (!entry.body.joined_to.empty() && !entry.inclusion_of.empty())
+    section.refuse("joined_to", "an inclusion is bonded to the body that it lies in",
+                   "Remove the key", "nothing where the body has inclusion_of");
+}
+
 void read_velocity(Section& section, Body& body) {
   if (section.has("velocity") && section.has("velocity_expression"))
     section.refuse("velocity_expression", "the velocity is given as numbers as well",
@@ -167,6 +176,7 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
   read_spacing(draft, section, body);
   body.lattice = section.text("lattice") == "hexagonal" ? Lattice::hexagonal : Lattice::square;
   read_offset(section, body);
+  entry.has_offset = section.has("offset");
   if (body.role != Role::water) read_grading(draft, section, body);
   if (body.role != Role::rigid) {
     read_velocity(section, body);
@@ -178,10 +188,8 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
     body.fixed = section.flag("fixed");
     read_displacement(section, body);
   }
-  if (body.role == Role::elastic) {
-    body.joined_to = section.text("joined_to", "");
-    if (section.has("absorbing")) read_absorbing(section, body);
-  }
+  read_bonds(section, entry);
+  if (body.role == Role::elastic && section.has("absorbing")) read_absorbing(section, body);
   if (body.role == Role::rigid) read_rigid(section, entry);
   section.refuse_unknown();
   draft.bodies.push_back(std::move(entry));
@@ -193,21 +201,22 @@ const Body* body_of_name(const Draft& draft, const std::string& name) {
   return nullptr;
 }
 
-void check_join(Draft& draft, const BodyDraft& entry) {
-  if (entry.body.joined_to.empty()) return;
+// Whether a key that names the body another one is bonded to, or lies in, names such a body.
+void check_partner(Draft& draft, const BodyDraft& entry, const char* key, const std::string& name) {
+  if (name.empty()) return;
   std::vector<std::string> others;
   for (const BodyDraft& other : draft.bodies)
     if (other.body.role == Role::elastic && other.body.name != entry.body.name)
       others.push_back(other.body.name);
-  const Body* target = body_of_name(draft, entry.body.joined_to);
+  const Body* target = body_of_name(draft, name);
   if (target && target->role == Role::elastic && target->name != entry.body.name) return;
-  const std::string guess = closest(entry.body.joined_to, others);
-  draft.reading.problems.add({entry.path + ".joined_to", "this is not another elastic body",
-                              others.empty()
-                                  ? std::string("nothing: there is no other elastic body")
-                                  : fmt::format("{}", fmt::join(others, ", ")),
-                              guess.empty() ? std::string("Remove the key or name such a body")
-                                            : fmt::format("Did you mean \"{}\"?", guess)});
+  const std::string guess = closest(name, others);
+  draft.reading.problems.add(
+      {fmt::format("{}.{}", entry.path, key), "this is not another elastic body",
+       others.empty() ? std::string("nothing: there is no other elastic body")
+                      : fmt::format("{}", fmt::join(others, ", ")),
+       guess.empty() ? std::string("Remove the key or name such a body")
+                     : fmt::format("Did you mean \"{}\"?", guess)});
 }
 
 }  // namespace
@@ -215,7 +224,11 @@ void check_join(Draft& draft, const BodyDraft& entry) {
 void read_bodies(Draft& draft, Section& top) {
   const auto tables = top.tables("body");
   for (std::size_t i = 0; i < tables.size(); ++i) read_body(draft, *tables[i], indexed("body", i));
-  for (const BodyDraft& entry : draft.bodies) check_join(draft, entry);
+  for (const BodyDraft& entry : draft.bodies) {
+    check_partner(draft, entry, "joined_to", entry.body.joined_to);
+    check_partner(draft, entry, "inclusion_of", entry.inclusion_of);
+  }
+  if (!draft.reading.problems.any()) place_inclusions(draft);
 }
 
 }  // namespace kerf

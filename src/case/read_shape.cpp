@@ -107,7 +107,8 @@ constexpr KindName kind_names[] = {{"box", Shape::Kind::box},
                                    {"polygon", Shape::Kind::polygon},
                                    {"sphere", Shape::Kind::sphere},
                                    {"union", Shape::Kind::join},
-                                   {"difference", Shape::Kind::difference}};
+                                   {"difference", Shape::Kind::difference},
+                                   {"mesh", Shape::Kind::mesh}};
 
 }  // namespace
 
@@ -135,6 +136,9 @@ Shape read_shape(Reading& reading, const toml::table& table, const std::string& 
     case Shape::Kind::join:
     case Shape::Kind::difference:
       read_parts(section, shape);
+      break;
+    case Shape::Kind::mesh:
+      read_mesh(section, shape);
       break;
   }
   section.refuse_unknown();

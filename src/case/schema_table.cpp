@@ -125,6 +125,7 @@ constexpr Key table_of_keys[] = {
 {"body", "absorbing", faces, "", "(none)", any, "x- x+ y- y+", "2D+elastic+standard", "Faces of the body, a box, that let waves out, as if it went on without end"},
 {"body", "absorbing", faces, "", "(none)", any, "x- x+ y- y+ z- z+", "3D+elastic+standard", "Faces of the body, a box, that let waves out, as if it went on without end"},
 {"body", "joined_to", name, "", "(nothing)", any, "", "elastic", "Name of an elastic body that this one is bonded to, as one piece"},
+{"body", "inclusion_of", name, "", "(nothing)", any, "", "elastic water", "Name of an elastic body that this one lies in: its room is cut out of that body, whose lattice it continues where both are square and of one spacing; what is elastic is also bonded to it"},
 {"body", "repelling_layer", word, "", "top", any, "top bottom left right front back all", "rigid", "The outermost layer of particles that repels, eq. (43)"},
 {"body", "friction", number, "", "none", from_zero_to(10.0), "", "rigid+standard", "Coefficient of dry friction; none = that of what slides on it"},
 {"body", "repulsion", quantity, "m2/s2", "(the square of the fastest speed)", not_negative, "", "rigid", "Strength D of the repulsion, eq. (43)"},
@@ -133,7 +134,7 @@ constexpr Key table_of_keys[] = {
 {"grading", "width", quantity, "m", "", positive, "", "", "The spacing doubles beyond this distance, again beyond twice it, and so on"},
 {"grading", "around", table, "", "(the water of the jets, along their whole axes)", any, "", "", "A shape; distances are from the box around it, of a union from those around its parts"},
 
-{"shape", "type", word, "", "", any, "box disc ring polygon sphere union difference", "", "Kind of shape; in 3D a disc is a cylinder, a ring a tube, a polygon an extrusion"},
+{"shape", "type", word, "", "", any, "box disc ring polygon sphere union difference mesh", "", "Kind of shape; in 3D a disc is a cylinder, a ring a tube, a polygon an extrusion"},
 {"shape", "minimum", vector, "m", "", within(1e6), "", "box", "Lowest corner"},
 {"shape", "maximum", vector, "m", "", within(1e6), "", "box", "Highest corner"},
 {"shape", "centre", vector, "m", "", within(1e6), "", "disc ring sphere", "Centre; of a cylinder or tube, the centre of its first end"},
@@ -145,6 +146,11 @@ constexpr Key table_of_keys[] = {
 {"shape", "depth_minimum", quantity, "m", "", within(1e6), "", "polygon+3D", "Lowest z of the extrusion"},
 {"shape", "depth_maximum", quantity, "m", "", within(1e6), "", "polygon+3D", "Highest z of the extrusion"},
 {"shape", "parts", tables, "", "", any, "", "union difference", "Shapes; a union holds the points of any, a difference those of the first and no other"},
+{"shape", "file", text, "", "", any, "", "mesh", "File of a closed surface of triangles, STL or OBJ; its path is seen from the folder of the case file"},
+{"shape", "scale", quantity, "m", "1 mm", up_to(1e6), "", "mesh", "What one unit of the file is: STL has none"},
+{"shape", "position", vector, "m", "0 m", within(1e6), "", "mesh", "Where the origin of the file comes to lie"},
+{"shape", "rotation", vector, "rad", "0 rad", within(1e3), "", "mesh", "Angles by which the part is turned about x, then y, then z, before it is moved; [\"-90 deg\", \"0 deg\", \"0 deg\"] brings the z of a drawing upright"},
+{"shape", "checksum", text, "", "(any file will do)", any, "", "mesh", "Of the bytes of the file, as case.used.toml has it: a file that was changed is refused"},
 
 {"machine", "pressure", quantity, "Pa", "", up_to(1e9), "", "", "Pressure at the orifice, above that of the air"},
 {"machine", "orifice_type", word, "", "sharp", any, "sharp conical slit fan", "", "Sharp: a round hole in a plate; conical: a round hole at the end of a cone; slit and fan: a flat jet, that of a fan opening"},

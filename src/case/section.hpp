@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,6 +23,7 @@ namespace kerf {
 // What all tables of one file share.
 struct Reading {
   Problems problems;
+  std::filesystem::path folder;  // that of the case file, from which other files are named
   int dimension = 2;
 };
 

@@ -76,8 +76,8 @@ class ShapeText {
   }
 
  private:
-  static constexpr const char* names[] = {"box",    "disc",  "ring",      "polygon",
-                                          "sphere", "union", "difference"};
+  static constexpr const char* names[] = {"box",    "disc",  "ring",       "polygon",
+                                          "sphere", "union", "difference", "mesh"};
 
   static std::string length(double value) { return quoted(write_quantity(value, "m")); }
 
@@ -99,6 +99,8 @@ class ShapeText {
         return round(shape);
       case Shape::Kind::polygon:
         return polygon(shape);
+      case Shape::Kind::mesh:
+        return mesh(shape.mesh);
       case Shape::Kind::join:
       case Shape::Kind::difference:
         break;
@@ -128,6 +130,15 @@ class ShapeText {
       text += fmt::format(", depth_minimum = {}, depth_maximum = {}", length(shape.depth_minimum),
                           length(shape.depth_maximum));
     return text;
+  }
+
+  // Under the name of the copy that lies in the result folder.
+  std::string mesh(const MeshShape& mesh) const {
+    std::vector<std::string> angles;
+    for (const double angle : mesh.rotation) angles.push_back(quoted(write_quantity(angle, "rad")));
+    return fmt::format("file = {}, checksum = {}, scale = {}, position = {}, rotation = [{}]",
+                       quoted(kept_mesh_name(mesh)), quoted(mesh.checksum), length(mesh.scale),
+                       vector(mesh.position, true), fmt::join(angles, ", "));
   }
 
   std::size_t dimension_;

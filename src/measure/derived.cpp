@@ -12,12 +12,14 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "case/scales.hpp"
 #include "fracture/fracture_limits.hpp"
 #include "particles/graded_fill.hpp"
 #include "particles/nozzle.hpp"
+#include "particles/shapes.hpp"
 
 namespace kerf {
 
@@ -88,6 +90,33 @@ void derive_water(DerivedNumbers& numbers, const Material& water) {
 }
 
 // Water on a solid, or a solid on its like; in each case the impedances Z = rho c act together.
+// From the axis of the first jet to the nearest side of a box that lets no wave out and is no plane
+// of symmetry; infinite where there is none.
+double nearest_edge(const Case& description, const Body& body) {
+  const Box box = bounding_box(body.shape, description.dimension);
+  const Point& aim = description.jets.front().position;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::size_t a : {std::size_t(0), std::size_t(2)}) {
+    if (a >= static_cast<std::size_t>(description.dimension)) break;
+    if (aim[a] < box.minimum[a] || aim[a] > box.maximum[a]) return nearest;  // not the one it hits
+    const double low = aim[a] - box.minimum[a], high = box.maximum[a] - aim[a];
+    if (!body.absorbing.minimum[a] && !description.symmetry.minimum[a])
+      nearest = std::min(nearest, low);
+    if (!body.absorbing.maximum[a] && !description.symmetry.maximum[a])
+      nearest = std::min(nearest, high);
+  }
+  return nearest;
+}
+
+void derive_reflection(DerivedNumbers& numbers, const Case& description) {
+  if (description.jets.empty() || numbers.longitudinal_speed == 0.0) return;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Body& body : description.bodies)
+    if (body.role == Role::elastic && !body.fixed)
+      nearest = std::min(nearest, nearest_edge(description, body));
+  if (std::isfinite(nearest)) numbers.reflection_time = 2.0 * nearest / numbers.longitudinal_speed;
+}
+
 void derive_contact(DerivedNumbers& numbers, const Material& solid, const Material* water) {
   const double solid_impedance = solid.density * numbers.longitudinal_speed;
   const double other = water ? water->density * water->sound_speed : solid_impedance;
@@ -189,6 +218,7 @@ DerivedNumbers derive(const Case& description) {
   if (solid) derive_solid(numbers, *solid);
   if (water) derive_water(numbers, *water);
   if (solid) derive_contact(numbers, *solid, water);
+  derive_reflection(numbers, description);
   derive_spacings(numbers, description);
   derive_particles(numbers, description);
   derive_steps(numbers, description);

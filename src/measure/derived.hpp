@@ -17,9 +17,12 @@ struct DerivedNumbers {
   double longitudinal_speed = 0.0;  // m/s, c_p = sqrt((K + 4G/3) / rho)
   double shear_speed = 0.0;         // m/s, c_s
   double rayleigh_speed = 0.0;      // m/s, c_R, root of the Rayleigh equation
-  double jet_speed = 0.0;           // m/s, the fastest jet; else the fastest initial body speed
-  double water_sound_speed = 0.0;   // m/s, numerical
-  double mach = 0.0;                // V / c of the water
+  // s, after which the first wave is back from an edge of the solid beside the jet that does not
+  // absorb, 2 L / c_p; 0 where there is no such edge.
+  double reflection_time = 0.0;
+  double jet_speed = 0.0;          // m/s, the fastest jet; else the fastest initial body speed
+  double water_sound_speed = 0.0;  // m/s, numerical
+  double mach = 0.0;               // V / c of the water
   bool water_is_weakly_compressible = true;  // by its equation of state
   double speed_over_rayleigh = 0.0;          // V / c_R
   double speed_over_longitudinal = 0.0;      // V / c_p

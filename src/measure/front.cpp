@@ -11,13 +11,13 @@ struct Drop {
   double mass;   // kg
 };
 
-// Water of the first jet no further than a jet width from its axis, deepest first. A kerf may be
-// twice as wide as the jet, the least that lets the water of a slot flow back.
+// Water of the first jet no further than a jet width from where its axis is or was, deepest first.
+// A kerf may be twice as wide as the jet, the least that lets the water of a slot flow back.
 std::vector<Drop> drops_near_axis(const Workpiece& workpiece, const Frame& frame) {
   std::vector<Drop> drops;
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
     if (frame.source[row] != workpiece.jet_source || frame.upstream[row] != 0) continue;
-    const auto& x = frame.position[row];
+    const auto x = workpiece.jet->swept(frame.position[row], frame.time);
     const double depth = workpiece.jet->depth(x);
     if (depth < -workpiece.jet->width || workpiece.jet->distance(x) > workpiece.jet->width)
       continue;

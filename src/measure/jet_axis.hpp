@@ -2,6 +2,7 @@
 // Places seen from a jet: depth along it, distance across it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,8 +19,10 @@ struct JetAxis {
   Vector3 across{};    // unit, in the plane of the jet and the vertical; x for a jet straight down
   Vector3 sideways{};  // unit, along x across; 3D only
   double width = 0.0;  // m, slot width in 2D, diameter in 3D
-  double standoff = 0.0;  // m
-  double section = 0.0;   // m^2 (2D: m), area of the nozzle
+  double standoff = 0.0;    // m
+  double section = 0.0;     // m^2 (2D: m), area of the nozzle
+  Vector3 travel{};         // m/s, of the nozzle, at right angles to the jet
+  double moves_from = 0.0;  // s, when it begins to travel
 
   JetAxis(const Jet& jet, int dimension)
       : aim(jet.position), width(jet.width), standoff(jet.standoff) {
@@ -33,6 +36,25 @@ struct JetAxis {
                 along[0] * across[1] - along[1] * across[0]};
     section = nozzle_area(jet, dimension);
     if (dimension == 2) sideways = {};
+    double along_jet = 0.0;
+    for (std::size_t a = 0; a < 3; ++a) along_jet += jet.traverse[a] * along[a];
+    for (std::size_t a = 0; a < 3; ++a) travel[a] = jet.traverse[a] - along_jet * along[a];
+    moves_from = jet.start + jet.dwell;
+  }
+
+  // A place as seen from where the axis came nearest to it until `time`, s, moved back to where the
+  // axis was at first. Of a nozzle that stands still it is the place itself.
+  Vector3 swept(const Vector3& x, double time) const {
+    double way = 0.0, square = 0.0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      way += (x[a] - aim[a]) * travel[a];
+      square += travel[a] * travel[a];
+    }
+    if (square == 0.0) return x;
+    const double nearest = std::clamp(way / square, 0.0, std::max(0.0, time - moves_from));
+    Vector3 place = x;
+    for (std::size_t a = 0; a < 3; ++a) place[a] -= nearest * travel[a];
+    return place;
   }
 
   // m, positive below the aimed point.

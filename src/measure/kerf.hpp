@@ -10,6 +10,7 @@
 #include "measure/damaged_zone.hpp"
 #include "measure/fragment_sizes.hpp"
 #include "measure/kerf_shape.hpp"
+#include "measure/leak.hpp"
 #include "measure/removal.hpp"
 #include "measure/splash.hpp"
 
@@ -24,7 +25,6 @@ struct KerfConditions {
   double contact_time = std::numeric_limits<double>::quiet_NaN();      // s, nan before contact
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s, nan = not cut through
   double front_depth = 0.0;                                            // m, of the water
-  KerfPlaces places = KerfPlaces::laid_out;
 };
 
 // Those of the first jet of the case, after a run that went as `summary` says.
@@ -44,6 +44,7 @@ struct Kerf {
   double damaged_zone = 0.0;  // m
   Removal removal;
   Splash splash;
+  Leak leak;
   FragmentSizes fragments;
   std::vector<KerfLayer> layers;  // the upper first; empty where the workpiece is one body
   // 1; cut through: the part of the run that was left; not so: minus the part of the thickness that
@@ -53,5 +54,9 @@ struct Kerf {
 
 // All 0 or empty without a workpiece or a jet, but for the fragments, which need no jet.
 Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame, const KerfConditions& conditions);
+
+// The shape of what is open at this instant: what flowed aside without breaking counts too.
+KerfShape measure_opening(const Workpiece& workpiece, const Frame& frame,
+                          const KerfConditions& conditions);
 
 }  // namespace kerf

@@ -93,16 +93,21 @@ void SolidField::add(const std::vector<SolidPoint>& points) {
   }
 }
 
-float SolidField::share_with(const SolidPoint& point) const {
+float SolidField::share_at(const std::array<double, 3>& place) const {
   if (share_.empty()) return 0.0f;
   std::array<std::size_t, 3> nearest{};
   for (std::size_t a = 0; a < 3; ++a) {
-    const double place = std::round((point.place[a] - grid_.low[a]) / grid_.step);
-    nearest[a] =
-        static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(grid_.count[a] - 1)));
+    if (grid_.count[a] == 1) continue;
+    const double sample = std::round((place[a] - grid_.low[a]) / grid_.step);
+    if (sample < 0.0 || sample >= static_cast<double>(grid_.count[a])) return 0.0f;
+    nearest[a] = static_cast<std::size_t>(sample);
   }
+  return share_[grid_.index(nearest[0], nearest[1], nearest[2])];
+}
+
+float SolidField::share_with(const SolidPoint& point) const {
   const double own = point.volume * std::pow(cubic_spline(0.0) / point.size, grid_.dimension);
-  return share_[grid_.index(nearest[0], nearest[1], nearest[2])] + static_cast<float>(own);
+  return share_at(point.place) + static_cast<float>(own);
 }
 
 }  // namespace kerf

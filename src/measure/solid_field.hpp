@@ -45,6 +45,8 @@ class SolidField {
   explicit SolidField(const SampleGrid& grid) : grid_(grid), share_(grid.size(), 0.0f) {}
 
   void add(const std::vector<SolidPoint>& points);
+  // At the nearest sample; 0 outside the grid.
+  float share_at(const std::array<double, 3>& place) const;
   // At the place of a particle that was not added, with what it would add itself.
   float share_with(const SolidPoint& point) const;
   const std::vector<float>& share() const { return share_; }

@@ -50,6 +50,7 @@ Json kerf_json(const Kerf& kerf, const Case& description) {
   json["margin"] = kerf.margin;
   json["splash"] = {
       {"mass", kerf.splash.mass}, {"angle", kerf.splash.angle}, {"spread", kerf.splash.spread}};
+  json["leaked_mass"] = kerf.leak.mass;
   json["small_fragments"] = fragments_json(kerf.fragments);
   json["layers"] = Json::array();
   for (const KerfLayer& layer : kerf.layers) {
@@ -58,6 +59,7 @@ Json kerf_json(const Kerf& kerf, const Case& description) {
     entry.update(shape_json(layer.shape));
     entry["volume"] = layer.volume;
     entry["removed_volume"] = layer.removed_volume;
+    entry["removed_fraction"] = layer.volume > 0.0 ? layer.removed_volume / layer.volume : 0.0;
     json["layers"].push_back(std::move(entry));
   }
   return json;

@@ -66,6 +66,20 @@ void add_derived(Json& result, const DerivedNumbers& derived) {
   result["hydrodynamic_front_speed"] = derived.hydrodynamic_front_speed;
 }
 
+Json validity_json(const RunOutcome& outcome) {
+  const auto number = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
+  Json list = Json::array();
+  for (const ValidityFlag& flag : validity_of(outcome))
+    list.push_back({{"name", flag.name},
+                    {"state", word_of(flag.state)},
+                    {"value", number(flag.value)},
+                    {"limit", number(flag.limit)},
+                    {"sentence", flag.sentence}});
+  return list;
+}
+
 Json ledger_json(const Ledger& ledger) {
   Json json;
   for (const LedgerTerm& term : ledger_terms()) {
@@ -85,7 +99,7 @@ Json result_of(const RunOutcome& outcome) {
   add_cut(result, outcome.cut);
   add_fragments(result, outcome.cut.fragments);
   if (outcome.kerf) result["kerf"] = kerf_json(*outcome.kerf, outcome.description);
-  if (outcome.opening) result["opening"] = shape_json(outcome.opening->shape);
+  if (outcome.opening) result["opening"] = shape_json(*outcome.opening);
   if (outcome.description.machine)
     result["machine"] = machine_json(*outcome.description.machine, outcome.description);
   add_derived(result, outcome.derived);
@@ -99,7 +113,7 @@ Json result_of(const RunOutcome& outcome) {
   result["pair_interactions"] = outcome.pair_interactions;
   result["wall_time"] = outcome.wall_time;
   add_run(result, outcome);
-  result["validity"] = validity_of(outcome);
+  result["validity"] = validity_json(outcome);
   result["time_step_limits"] = outcome.time_step_limits;
   result["ledger"] = ledger_json(outcome.ledger);
   result["stage_times"] = Json::object();

@@ -13,6 +13,7 @@
 #include "measure/cut.hpp"
 #include "measure/derived.hpp"
 #include "measure/kerf.hpp"
+#include "output/validity.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/simulation.hpp"
 
@@ -24,9 +25,9 @@ struct RunOutcome {
   std::string case_name;
   DerivedNumbers derived;
   CutSummary cut;
-  std::optional<Kerf> kerf;     // of runs with a jet: what was taken away, as laid out
-  std::optional<Kerf> opening;  // and what is open now
-  bool still_cutting = false;   // the front was moving when the run ended
+  std::optional<Kerf> kerf;          // of runs with a jet: what was taken away, as laid out
+  std::optional<KerfShape> opening;  // and what is open now
+  bool still_cutting = false;        // the front was moving when the run ended
   Ledger ledger;
   double time = 0.0;  // s
   std::uint64_t steps = 0;
@@ -41,10 +42,7 @@ struct RunOutcome {
 // True when the front went deeper in the last tenth of the history.
 bool still_cutting(const std::vector<CutState>& history);
 
-// What the run can and cannot promise, as sentences.
-std::vector<std::string> validity_of(const RunOutcome& outcome);
-
-// One sentence: did the jet cut through, and when, or how deep it came.
+// One sentence: did the jet cut through, and when, how deep it came, or that it broke nothing.
 std::string verdict_of(const RunOutcome& outcome);
 
 nlohmann::ordered_json result_of(const RunOutcome& outcome);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "output/validity.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +14,14 @@ namespace {
 constexpr double enough_resolution = 10.0;  // particles across the jet
 constexpr double weak_compression = 0.1;    // Mach number; the density then varies by about 1%
 constexpr double small_drift = 0.02;        // of all energy that ever came in
+constexpr double small_leak = 0.01;         // of the jet's water that is there
+constexpr double rounding = 1.0 + 1e-3;
+
+using State = ValidityFlag::State;
+
+State good_if(bool good) {
+  return good ? State::good : State::warning;
+}
 
 double thickest_standoff(const Case& description) {
   double standoff = 0.0;
@@ -26,98 +36,137 @@ bool breaks_at_a_strain(const Case& description) {
   return std::any_of(description.materials.begin(), description.materials.end(), breaks);
 }
 
-std::string resolution_sentence(double resolution) {
-  if (resolution >= enough_resolution)
-    return fmt::format("The jet is {:.3g} particles wide.", resolution);
-  return fmt::format(
-      "The jet is only {:.3g} particles wide: fewer than {:g} blur it. Halve the jet's spacing.",
-      resolution, enough_resolution);
+ValidityFlag resolution_flag(double resolution) {
+  const bool good = resolution * rounding >= enough_resolution;
+  return {"resolution", good_if(good), resolution, enough_resolution,
+          good ? fmt::format("The jet is {:.3g} particles wide.", resolution)
+               : fmt::format("The jet is only {:.3g} particles wide: fewer than {:g} blur it. "
+                             "Halve the jet's spacing.",
+                             resolution, enough_resolution)};
 }
 
-std::string mach_sentence(const DerivedNumbers& derived) {
+ValidityFlag mach_flag(const DerivedNumbers& derived) {
   const double mach = derived.mach;
   if (!derived.water_is_weakly_compressible)
-    return fmt::format(
-        "The jet's Mach number is {:.2g} in water that is as stiff as its equation of state says: "
-        "the first impact peak is that of a shock.",
-        mach);
-  if (mach <= weak_compression * 1.001)
-    return fmt::format(
-        "The jet's Mach number is {:.2g} in water made softer than real water: the steady "
-        "pressures hold, the first impact peak is lower than the real one.",
-        mach);
-  return fmt::format(
-      "The jet's Mach number is {:.2g}, over {:g}: the water is compressed too much. Raise its "
-      "sound speed.",
-      mach, weak_compression);
+    return {"mach",
+            State::good,
+            mach,
+            {},
+            fmt::format("The jet's Mach number is {:.2g} in water that is as stiff as its equation "
+                        "of state says: the first impact peak is that of a shock.",
+                        mach)};
+  const bool good = mach <= weak_compression * rounding;
+  return {"mach", good_if(good), mach, weak_compression,
+          good ? fmt::format("The jet's Mach number is {:.2g} in water made softer than real "
+                             "water: the steady pressures hold, the first impact peak is lower "
+                             "than the real one.",
+                             mach)
+               : fmt::format("The jet's Mach number is {:.2g}, over {:g}: the water is compressed "
+                             "too much. Raise its sound speed.",
+                             mach, weak_compression)};
 }
 
-std::string drift_sentence(double drift) {
+ValidityFlag drift_flag(double drift) {
   const double percent = 100.0 * std::abs(drift);
-  if (std::abs(drift) <= small_drift)
-    return fmt::format("The energy ledger closes to {:.2g}%.", percent);
-  return fmt::format("The energy ledger is off by {:.2g}%, more than {:g}%: trust trends only.",
-                     percent, 100.0 * small_drift);
+  const bool good = std::abs(drift) <= small_drift;
+  return {"energy_drift", good_if(good), drift, small_drift,
+          good ? fmt::format("The energy ledger closes to {:.2g}%.", percent)
+               : fmt::format("The energy ledger is off by {:.2g}%, more than {:g}%: trust trends "
+                             "only.",
+                             percent, 100.0 * small_drift)};
+}
+
+ValidityFlag leak_flag(const Leak& leak) {
+  const bool good = leak.share() <= small_leak;
+  return {"leak", good_if(good), leak.share(), small_leak,
+          good ? fmt::format("{:.2g}% of the jet's water lies inside whole solid.",
+                             100.0 * leak.share())
+               : fmt::format("{:.2g}% of the jet's water lies inside whole solid, more than {:g}%: "
+                             "it leaked in. Give solid and water the same spacing.",
+                             100.0 * leak.share(), 100.0 * small_leak)};
+}
+
+// Echoes from edges are right for a workpiece of that size, and wrong for a part of a larger one.
+ValidityFlag reflection_flag(const RunOutcome& outcome) {
+  const double passed = outcome.time - outcome.cut.contact_time;
+  const double returns = outcome.derived.reflection_time;
+  const bool echoes = returns > 0.0 && passed > returns;
+  return {"reflections", echoes ? State::note : State::good, std::isnan(passed) ? 0.0 : passed,
+          returns > 0.0 ? std::optional<double>(returns) : std::nullopt,
+          echoes ? fmt::format("Waves are back from the workpiece's edges {:.3g} ms after first "
+                               "contact: the result is that of a workpiece of this size. Of a part "
+                               "of a larger one, make the edges absorbing.",
+                               1e3 * returns)
+                 : "No wave came back from an edge of the workpiece."};
+}
+
+void add_of_jet(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  if (outcome.description.jets.empty()) return;
+  flags.push_back(resolution_flag(outcome.derived.jet_resolution));
+  flags.push_back(mach_flag(outcome.derived));
+  if (outcome.kerf) flags.push_back(leak_flag(outcome.kerf->leak));
+  flags.push_back(reflection_flag(outcome));
+}
+
+void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  const Case& description = outcome.description;
+  if (breaks_at_a_strain(description))
+    flags.push_back({"length_scale",
+                     State::warning,
+                     {},
+                     {},
+                     "Fracture is decided by a strain that has no length scale: the energy that "
+                     "cracks take depends on the spacing."});
+  if (description.dimension == 2)
+    flags.push_back({"two_dimensions",
+                     State::note,
+                     {},
+                     {},
+                     "Two dimensions: everything is a slot of endless depth, and water cannot "
+                     "escape sideways."});
+  const double standoff = thickest_standoff(description);
+  if (standoff > 0.0)
+    flags.push_back({"standoff",
+                     State::note,
+                     standoff,
+                     {},
+                     "Standoff is modelled; air drag and break-up of the jet are not."});
+  if (!description.jets.empty())
+    flags.push_back({"abrasive", State::note, {}, {}, "Abrasive is not modelled."});
 }
 
 }  // namespace
 
-bool still_cutting(const std::vector<CutState>& history) {
-  if (history.empty() || history.back().cut_through) return false;
-  const double late = history.front().time + 0.9 * (history.back().time - history.front().time);
-  const auto before = std::find_if(history.begin(), history.end(),
-                                   [late](const CutState& state) { return state.time >= late; });
-  return history.back().front_depth > before->front_depth;
-}
-
-std::vector<std::string> validity_of(const RunOutcome& outcome) {
-  const Case& description = outcome.description;
-  const DerivedNumbers& derived = outcome.derived;
-  std::vector<std::string> sentences;
-  if (outcome.still_cutting)
-    sentences.push_back("The run ended while the jet was still cutting: let it run longer.");
-  if (!description.jets.empty()) {
-    sentences.push_back(resolution_sentence(derived.jet_resolution));
-    sentences.push_back(mach_sentence(derived));
+std::string_view word_of(ValidityFlag::State state) {
+  switch (state) {
+    case State::good:
+      return "good";
+    case State::note:
+      return "note";
+    case State::warning:
+      break;
   }
-  if (derived.solid_to_water_spacing > 1.0)
-    sentences.push_back(
-        fmt::format("The solid's spacing is {:.3g} times the water's: water can slip between the "
-                    "solid's particles.",
-                    derived.solid_to_water_spacing));
-  sentences.push_back(drift_sentence(outcome.ledger.energy_drift()));
-  if (breaks_at_a_strain(description))
-    sentences.push_back(
-        "Fracture is decided by a strain that has no length scale: the energy that cracks take "
-        "depends on the spacing.");
-  if (description.dimension == 2)
-    sentences.push_back(
-        "Two dimensions: everything is a slot of endless depth, and water cannot escape sideways.");
-  if (thickest_standoff(description) > 0.0)
-    sentences.push_back("Standoff is modelled; air drag and break-up of the jet are not.");
-  if (!description.jets.empty()) sentences.push_back("Abrasive is not modelled.");
-  return sentences;
+  return "warning";
 }
 
-std::string verdict_of(const RunOutcome& outcome) {
-  if (outcome.description.jets.empty())
-    return fmt::format("The run reached {:.4g} ms; it has no jet, so there is nothing to cut.",
-                       1e3 * outcome.time);
-  const double depth = 1e3 * outcome.cut.last.front_depth;
-  if (!outcome.cut.cut_through)
-    return fmt::format(
-        "The jet does not cut through within {:.4g} ms; its front is {:.3g} mm deep.",
-        1e3 * outcome.time, depth);
-  const int pieces = outcome.cut.last.pieces;
-  const double time = 1e3 * outcome.cut.cut_through_time;
-  if (pieces == 0)
-    return fmt::format(
-        "The jet cuts through after {:.4g} ms; at the end no piece of the workpiece is left that "
-        "is "
-        "larger than 5% of it.",
-        time);
-  return fmt::format("The jet cuts through after {:.4g} ms; at the end the workpiece is in {} {}.",
-                     time, pieces, pieces == 1 ? "piece" : "pieces");
+std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
+  const DerivedNumbers& derived = outcome.derived;
+  std::vector<ValidityFlag> flags;
+  if (outcome.still_cutting)
+    flags.push_back({"still_cutting",
+                     State::warning,
+                     {},
+                     {},
+                     "The run ended while the jet was still cutting: let it run longer."});
+  add_of_jet(outcome, flags);
+  if (derived.solid_to_water_spacing > rounding)
+    flags.push_back({"solid_spacing", State::warning, derived.solid_to_water_spacing, 1.0,
+                     fmt::format("The solid's spacing is {:.3g} times the water's: water can slip "
+                                 "between the solid's particles.",
+                                 derived.solid_to_water_spacing)});
+  flags.push_back(drift_flag(outcome.ledger.energy_drift()));
+  add_of_models(outcome, flags);
+  return flags;
 }
 
 }  // namespace kerf

@@ -27,12 +27,13 @@ struct Axis {
   }
 };
 
-// Round shapes are symmetric about the middle of their bounding box.
+// Round shapes, and many parts, are symmetric about the middle of their bounding box.
 bool is_centred(const Shape& shape) {
   switch (shape.kind) {
     case Shape::Kind::disc:
     case Shape::Kind::ring:
     case Shape::Kind::sphere:
+    case Shape::Kind::mesh:
       return true;
     case Shape::Kind::difference:
       return is_centred(shape.parts.front());

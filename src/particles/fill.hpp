@@ -3,8 +3,8 @@
 //
 // The nodes of a square (cubic) lattice stand at (i + 1/2) d from the lowest corner of the shape's
 // bounding box, so a box of 100 mm x 50 mm at 2 mm holds exactly 50 x 25 particles. Discs, rings,
-// spheres and what is cut from them have their lattice centred on the middle of that box, as has
-// every shape whose edge is a whole number of spacings: the coordinates of a shape that is
+// spheres, meshes and what is cut from them have their lattice centred on the middle of that box,
+// as has every shape whose edge is a whole number of spacings: the coordinates of a shape that is
 // symmetric about 0 are then symmetric to the last bit. A hexagonal lattice has its rows along x,
 // d sqrt(3)/2 apart, every other row shifted by d/2; in 3D it is hexagonal close-packed with layers
 // d sqrt(2/3) apart along z.

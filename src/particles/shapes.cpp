@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "particles/closed_surface.hpp"
+
 namespace kerf {
 
 namespace {
@@ -167,6 +169,8 @@ bool contains(const Shape& shape, const Point& point, int dimension) {
     case Shape::Kind::difference:
       return holds(shape.parts.front()) &&
              std::none_of(shape.parts.begin() + 1, shape.parts.end(), holds);
+    case Shape::Kind::mesh:
+      return shape.mesh.surface->contains(point);
   }
   return false;
 }
@@ -185,6 +189,8 @@ Box bounding_box(const Shape& shape, int dimension) {
       return box_of_join(shape, dimension);
     case Shape::Kind::difference:
       return bounding_box(shape.parts.front(), dimension);
+    case Shape::Kind::mesh:
+      return shape.mesh.surface->box();
   }
   return {};
 }
@@ -216,6 +222,8 @@ double volume_estimate(const Shape& shape, int dimension) {
     case Shape::Kind::join:
     case Shape::Kind::difference:
       return counted_volume(shape, dimension);
+    case Shape::Kind::mesh:
+      return shape.mesh.surface->volume();
   }
   return 0.0;
 }

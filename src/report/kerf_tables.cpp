@@ -69,17 +69,29 @@ std::string removal_table(const Json& kerf, bool plane) {
   return html::table("Removal", rows);
 }
 
+// Of a body beside the jet's way only the share taken away has a meaning.
+Row layer_row(const Json& layer) {
+  const double share = value_of(layer.at("removed_volume")) / value_of(layer.at("volume"));
+  const double thickness = value_of(layer.at("thickness"));
+  std::string fate = "not under the jet", extent;
+  if (layer.at("through").get<bool>())
+    fate = "cut through";
+  else if (thickness > 0.0)
+    fate = html::quantity(value_of(layer.at("depth")), "m") + " deep";
+  if (thickness > 0.0)
+    extent =
+        fmt::format(", {} of {}", html::quantity(value_of(layer.at("middle").at("width")), "m"),
+                    html::quantity(thickness, "m"));
+  return {html::escape(layer.at("name").get<std::string>()), fate + extent,
+          html::number(100.0 * share, 3) + "% of it"};
+}
+
 std::string layers_table(const Json& layers) {
   std::vector<Row> rows;
-  for (const Json& layer : layers)
-    rows.push_back(
-        {html::escape(layer.at("name").get<std::string>()),
-         layer.at("through").get<bool>()
-             ? std::string("cut through")
-             : html::quantity(value_of(layer.at("depth")), "m") + " deep",
-         fmt::format("{} of {}", html::quantity(value_of(layer.at("middle").at("width")), "m"),
-                     html::quantity(value_of(layer.at("thickness")), "m"))});
-  return html::table("Layers, from the top (width in the middle, of what thickness)", rows);
+  for (const Json& layer : layers) rows.push_back(layer_row(layer));
+  return html::table(
+      "Layers and inclusions, from the top (width in the middle, of what thickness; taken away)",
+      rows);
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ namespace {
 constexpr double margin_share = 0.08;  // of the larger extent, around bodies and jets
 constexpr double panel_width = 1200.0, panel_height = 900.0;  // px, the most a panel may take
 constexpr double left_space = 84.0, right_space = 28.0, top_space = 64.0, bottom_space = 92.0;
-constexpr double gap = 84.0;  // px, between two panels
+constexpr double least_width = 620.0;  // px, that heading and legend need
+constexpr double gap = 84.0;           // px, between two panels
 
 void include(Box& window, const Point& point, double radius) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -74,10 +75,10 @@ void draw_legend(const Canvas& canvas, const Case& description, double x, double
   }
 }
 
-// Below the panel's right end: a bar of known length for the eye, ticks serve for measuring.
-void draw_scale_bar(const Canvas& canvas, const Map& map, double y) {
+// Below the panel, up to `right`: a bar of known length for the eye, ticks serve for measuring.
+void draw_scale_bar(const Canvas& canvas, const Map& map, double right, double y) {
   const double length = round_interval(map.area.width / map.scale, 7.0);
-  const double right = map.area.x + map.area.width, left = right - length * map.scale;
+  const double left = right - length * map.scale;
   canvas.set_colour(palette::ink);
   cairo_set_line_width(canvas.context(), 3.0);
   canvas.line(left, y, right, y);
@@ -100,9 +101,10 @@ int pixels(double length) {
 
 std::string draw_flat(const Frame& frame, const Case& description, const Box& window,
                       double scale) {
-  const Map map =
-      map_of(window.minimum[0], window.maximum[0], window.minimum[1], window.maximum[1]);
-  const double right = left_space + map.area.width, bottom = top_space + map.area.height;
+  Map map = map_of(window.minimum[0], window.maximum[0], window.minimum[1], window.maximum[1]);
+  const double width = std::max(map.area.width, least_width);
+  map.area.x += 0.5 * (width - map.area.width);
+  const double right = left_space + width, bottom = top_space + map.area.height;
   const Canvas canvas(pixels(right + right_space), pixels(bottom + bottom_space), scale);
   std::vector<std::size_t> shown(frame.position.size());
   std::iota(shown.begin(), shown.end(), std::size_t{0});
@@ -110,7 +112,7 @@ std::string draw_flat(const Frame& frame, const Case& description, const Box& wi
   draw_axes(canvas, map);
   draw_heading(canvas, frame, description, right);
   draw_legend(canvas, description, left_space, bottom + 72.0);
-  draw_scale_bar(canvas, map, bottom + 66.0);
+  draw_scale_bar(canvas, map, right, bottom + 66.0);
   return canvas.png();
 }
 
@@ -152,7 +154,7 @@ std::string draw_solid(const Frame& frame, const Case& description, const Box& w
   draw_axes(canvas, slice);
   draw_heading(canvas, frame, description, right);
   draw_legend(canvas, description, left_space, bottom + 72.0);
-  draw_scale_bar(canvas, slice, bottom + 66.0);
+  draw_scale_bar(canvas, slice, right, bottom + 66.0);
   return canvas.png();
 }
 

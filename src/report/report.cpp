@@ -66,10 +66,15 @@ std::string key_figures(const Json& result, bool has_jet) {
   return text + "</dl>\n";
 }
 
+// The sign says the same as the colour.
 std::string validity(const Json& result) {
   std::string text = "<h3>What this run can and cannot promise</h3>\n<ul class=\"validity\">\n";
-  for (const Json& sentence : result.at("validity"))
-    text += fmt::format("<li>{}</li>\n", html::escape(sentence.get<std::string>()));
+  for (const Json& flag : result.at("validity")) {
+    const auto state = flag.at("state").get<std::string>();
+    const char* sign = state == "good" ? "✓" : state == "warning" ? "!" : "·";
+    text += fmt::format("<li class=\"{}\"><b>{}</b>{}</li>\n", state, sign,
+                        html::escape(flag.at("sentence").get<std::string>()));
+  }
   return text + "</ul>\n";
 }
 

@@ -27,7 +27,9 @@ h2 { font-size: 1.2rem; font-weight: 650; margin: 3rem 0 1rem; padding-top: .9re
 .figures div { background: #fff; padding: .8rem 1rem; flex: 1 1 14rem; }
 .figures dt { color: var(--soft); font-size: .85rem; }
 .figures dd { margin: .1rem 0 0; font-size: 1.25rem; font-weight: 600; }
-ul.validity { margin: .6rem 0 0; padding-left: 1.2rem; }
+ul.validity { margin: .6rem 0 0; padding-left: 0; list-style: none; }
+ul.validity b { display: inline-block; width: 1.2rem; color: var(--none); }
+ul.validity .good b { color: var(--yes); } ul.validity .warning b { color: var(--no); }
 ul.validity li { margin: .25rem 0; max-width: 62rem; }
 h3 { font-size: 1rem; margin: 1.8rem 0 0; font-weight: 650; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(26rem, 1fr)); gap: 1.5rem; }

@@ -110,6 +110,17 @@ Json numbers(const std::vector<double>& values) {
   return list;
 }
 
+// The planes of symmetry, of two across one axis the lower.
+Json mirrors_of(const Case& description) {
+  Json mirrors = Json::array();
+  for (std::size_t a = 0; a < 3; ++a)
+    if (description.symmetry.minimum[a])
+      mirrors.push_back({{"axis", a}, {"place", description.domain.minimum[a]}});
+    else if (description.symmetry.maximum[a])
+      mirrors.push_back({{"axis", a}, {"place", description.domain.maximum[a]}});
+  return mirrors;
+}
+
 std::string colour_text(Colour colour) {
   const auto byte = [](double share) { return static_cast<int>(std::lround(255.0 * share)); };
   return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.red), byte(colour.green),
@@ -156,6 +167,7 @@ Json ViewerPacker::head() const {
   head["dimension"] = description_.dimension;
   head["minimum"] = description_.domain.minimum;
   head["maximum"] = description_.domain.maximum;
+  head["mirrors"] = mirrors_of(description_);
   for (const auto& [label, category] :
        {std::pair{"water", Category::water}, std::pair{"solid", Category::solid},
         std::pair{"fractured", Category::fractured}, std::pair{"rigid", Category::rigid}})

@@ -11,8 +11,8 @@ namespace kerf {
 
 std::span<const EmbeddedText> viewer_files();
 
-// "script" or "style" of a report, "study_script" or "study_style" of a study; empty where the program
-// was built without npm.
+// "script" or "style" of a report, "study_script" or "study_style" of a study; empty where the
+// program was built without npm.
 inline std::string_view viewer_text(std::string_view name) {
   for (const EmbeddedText& file : viewer_files())
     if (file.name == name) return file.text;

@@ -60,7 +60,8 @@ void Bisection::narrow(double tolerance, int side_by_side) {
     if ((is_narrow || alternates()) && !confirm_ends()) return;
     if (is_narrow || alternates()) continue;
     std::vector<double> values;
-    for (int i = 1; i < parts; ++i) values.push_back(now.low + (now.high - now.low) * i / parts);
+    for (int i = 1; i < parts; ++i)
+      values.push_back(between(now.low, now.high, static_cast<double>(i) / parts, is_logarithmic_));
     try_values(values);
   }
 }

@@ -40,9 +40,11 @@ class Calibrator {
     return result;
   }
 
+  bool has_metric(const Outcome& outcome) const {
+    return !outcome.failed && outcome.metrics.count(goal_.metric) > 0;
+  }
   double metric_of(const Outcome& outcome) const {
-    const auto found = outcome.metrics.find(goal_.metric);
-    if (!outcome.failed && found != outcome.metrics.end()) return found->second;
+    if (has_metric(outcome)) return outcome.metrics.at(goal_.metric);
     throw UserError(
         fmt::format("the calibration stopped: the run {} gave no {}{}{}. Put it right, then start "
                     "the study again with --retry.",
@@ -110,18 +112,30 @@ class Calibrator {
     return metric;
   }
 
-  // The whole range at once, so that the first look costs one round.
+  // The whole range at once, so that the first look costs one round. Where a run has no such
+  // number, as none has a time of cutting through that does not, there is nothing to learn.
   void explore() {
     const int count = std::max(4, laboratory_.side_by_side());
     std::vector<double> values;
-    for (int i = 0; i < count; ++i)
+    std::vector<Trial> trials;
+    for (int i = 0; i < count; ++i) {
       values.push_back(between(goal_.axis.values.front(), goal_.axis.values.back(),
                                static_cast<double>(i) / (count - 1), true));
-    measure(values);
+      trials.push_back(trial(values.back(), goal_.at));
+    }
+    const auto outcomes = laboratory_.run(trials);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (outcomes[i].failed || has_metric(outcomes[i]))
+        known_[std::log(values[i])] = metric_of(outcomes[i]);
   }
 
   // Two neighbours between which the metric passes what was measured.
   std::pair<double, double> crossing() {
+    if (known_.size() < 2) {
+      answer_.problem = fmt::format("fewer than two runs over the range of {} have {}. Narrow it",
+                                    goal_.axis.name(), goal_.metric);
+      return {};
+    }
     for (auto left = known_.begin(), right = std::next(left); right != known_.end();
          ++left, ++right)
       if ((left->second - goal_.measured) * (right->second - goal_.measured) <= 0.0)

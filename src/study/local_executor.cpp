@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <fstream>
 #include <list>
+#include <string>
 #include <thread>
 
 #include "core/error.hpp"
@@ -30,6 +32,15 @@ bool is_in_use(const std::filesystem::path& folder) {
   } catch (const UserError&) {
     return true;
   }
+}
+
+// Bytes that programs may still take: what is free, and what the system keeps of files in it.
+double available_memory() {
+  std::ifstream file("/proc/meminfo");
+  std::string name, unit;
+  for (double kibibytes = 0.0; file >> name >> kibibytes; std::getline(file, unit))
+    if (name == "MemAvailable:") return 1024.0 * kibibytes;
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 struct AtWork {
@@ -139,9 +150,7 @@ void LocalExecutor::run(const std::vector<Job>& jobs, JobWatcher& watcher) {
 LocalBudget budget_of_machine() {
   constexpr double share = 0.8;
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const double free_memory =
-      static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  return {cores, cores, share * free_memory};
+  return {cores, cores, share * available_memory()};
 }
 
 }  // namespace kerf

@@ -111,6 +111,14 @@ void read_design(StudySection& top, StudyPlan& plan) {
   plan.design = design;
 }
 
+// Beside a search that does not use them varied keys would be passed over in silence.
+void check_use_of_axes(StudySection& top, const StudyPlan& plan) {
+  if (plan.axes.empty() || plan.design || plan.optimum) return;
+  top.refuse("vary", "neither the search nor the calibration varies these keys",
+             "[vary] with a [design], or none",
+             "Add [design] type = \"grid\" to run them too, or remove [vary]");
+}
+
 // Runs that differ in their seeds alone must differ at all.
 void check_repeats(StudySection& top, const StudyPlan& plan, const Case& base) {
   const bool is_random = std::any_of(base.bodies.begin(), base.bodies.end(), [&](const Body& body) {
@@ -152,6 +160,7 @@ StudyPlan parse_study(const std::string& text, const fs::path& file,
   read_vary(top, reader, plan);
   read_design(top, plan);
   read_goals(top, reader, plan);
+  check_use_of_axes(top, plan);
   top.refuse_unknown();
   problems.throw_if_any();
   std::ostringstream written;

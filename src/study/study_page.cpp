@@ -105,8 +105,8 @@ std::string heading(const StudyPlan& plan) {
       "<header>\n<h1>{}</h1>\n<p class=\"meta\">Study <code>{}</code> of the case <code>{}</code> "
       "· "
       "Kerf {}</p>\n</header>\n",
-      html::escape(plan.title), html::escape(plan.name), html::escape(std::filesystem::path(plan.base_name).stem().string()),
-      program_version);
+      html::escape(plan.title), html::escape(plan.name),
+      html::escape(std::filesystem::path(plan.base_name).stem().string()), program_version);
 }
 
 std::string static_part(const StudyPlan& plan, const StudyAnswers& answers, bool has_script) {

@@ -22,7 +22,12 @@ std::string Parameters::text(const std::string& key, const std::string& fallback
 }
 
 double Parameters::number(const std::string& key, const std::string& si_unit) const {
-  if (si_unit.empty()) return std::stod(text(key));
+  if (si_unit.empty()) {
+    std::size_t end = 0;
+    const double value = std::stod(text(key), &end);
+    if (end != text(key).size()) fail(fmt::format("{}: \"{}\" is not a number", key, text(key)));
+    return value;
+  }
   const Quantity quantity = read_quantity(text(key), si_unit);
   if (!quantity.problem.empty()) fail(fmt::format("{}: {}", key, quantity.problem));
   return quantity.value;

@@ -20,6 +20,7 @@ struct PlannedRun {
   double refinement = 1.0;       // every spacing is divided by it
   double sample_interval = 0.0;  // s; 0 = the case's series interval
   bool is_long = false;
+  bool is_left_out = false;            // others were asked for
   std::optional<double> picture_time;  // s; of the picture for the page
 
   Case description() const;
@@ -53,7 +54,10 @@ struct VerificationCase {
   std::vector<Check> checks;
 
   const PlannedRun& run(const std::string& name) const;
-  // The runs of a check that are not long, or all of them; none when it needs a long one beside.
+  // Leaves out all runs but these, which are made even if they are long. Returns false, and changes
+  // nothing, if there is none of them.
+  bool keep_runs(const std::vector<std::string>& names);
+  // The runs of a check that are not long, or all of them; none when it needs one that is not made.
   std::vector<std::string> due_runs(const Check& check, bool all) const;
 };
 

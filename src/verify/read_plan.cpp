@@ -144,8 +144,23 @@ const PlannedRun& VerificationCase::run(const std::string& wanted) const {
   return *found;
 }
 
+bool VerificationCase::keep_runs(const std::vector<std::string>& names) {
+  const auto is_kept = [&](const PlannedRun& run) {
+    return std::count(names.begin(), names.end(), run.name) > 0;
+  };
+  if (std::none_of(runs.begin(), runs.end(), is_kept)) return false;
+  for (PlannedRun& run : runs) {
+    run.is_left_out = !is_kept(run);
+    run.is_long = false;
+  }
+  return true;
+}
+
 std::vector<std::string> VerificationCase::due_runs(const Check& check, bool all) const {
-  const auto is_due = [&](const std::string& wanted) { return all || !run(wanted).is_long; };
+  const auto is_due = [&](const std::string& wanted) {
+    const PlannedRun& planned = run(wanted);
+    return !planned.is_left_out && (all || !planned.is_long);
+  };
   std::vector<std::string> due;
   if (!check.relative_to.empty() && !is_due(check.relative_to)) return due;
   std::copy_if(check.runs.begin(), check.runs.end(), std::back_inserter(due), is_due);

@@ -106,6 +106,8 @@ const std::map<std::string, SignalMaker>& signal_makers() {
       {"jet_tip", jet_tip_signal},
       {"deepest_water", deepest_water_signal},
       {"forward_share", forward_share_signal},
+      {"region_volume", region_volume_signal},
+      {"region_velocity", region_velocity_signal},
       {"asymmetry", asymmetry_signal},
       {"jet_split", jet_split_signal},
       {"fractured_below_jet", fractured_below_jet_signal},

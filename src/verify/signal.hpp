@@ -53,4 +53,8 @@ Signal jet_tip_signal(const Parameters& parameters, const Beginning& beginning);
 Signal forward_share_signal(const Parameters& parameters, const Beginning& beginning);
 Signal deepest_water_signal(const Parameters& parameters, const Beginning& beginning);
 
+// Over what of a body is in a region at the time.
+Signal region_volume_signal(const Parameters& parameters, const Beginning& beginning);
+Signal region_velocity_signal(const Parameters& parameters, const Beginning& beginning);
+
 }  // namespace kerf

@@ -2,11 +2,29 @@
 // Where the particles are, without the few that fly far ahead.
 
 import type { Particles } from "./frames.ts";
-import type { Point, Run } from "./run.ts";
+import type { Mirror, Point, Run } from "./run.ts";
 
 export interface Box {
   minimum: Point;
   maximum: Point;
+}
+
+/** With its images in the planes of symmetry. */
+export function withImages(box: Box, mirrors: Mirror[]): Box {
+  const whole: Box = { minimum: [...box.minimum], maximum: [...box.maximum] };
+  for (const { axis, place } of mirrors) {
+    whole.minimum[axis] = Math.min(box.minimum[axis], 2 * place - box.maximum[axis]);
+    whole.maximum[axis] = Math.max(box.maximum[axis], 2 * place - box.minimum[axis]);
+  }
+  return whole;
+}
+
+/** Which images to draw: none, in each plane, and in those images' planes; three flags for each. */
+export function imagesOf(mirrors: Mirror[]): number[][] {
+  let images = [[0, 0, 0]];
+  for (const { axis } of mirrors)
+    images = images.concat(images.map((image) => image.map((flag, at) => (at === axis ? 1 : flag))));
+  return images;
 }
 
 const stray = 0.02; // share of each category left out at either end
@@ -32,7 +50,7 @@ function quantiles(places: Uint16Array, categories: Uint8Array, wanted: number):
 
 export function extentOf(particles: Particles, run: Run): Box {
   const box: Box = { minimum: [...run.minimum], maximum: [...run.maximum] };
-  if (particles.count === 0) return box;
+  if (particles.count === 0) return withImages(box, run.mirrors);
   const present = [...new Set(particles.categories)];
   particles.places.forEach((places, axis) => {
     const ends = present.map((category) => quantiles(places, particles.categories, category)!);
@@ -42,5 +60,5 @@ export function extentOf(particles: Particles, run: Run): Box {
     box.minimum[axis] = run.minimum[axis] + scale * low;
     box.maximum[axis] = run.minimum[axis] + scale * high;
   });
-  return box;
+  return withImages(box, run.mirrors);
 }

@@ -3,11 +3,12 @@
 
 import {
   BufferAttribute,
-  BufferGeometry,
   DataTexture,
   DynamicDrawUsage,
   FloatType,
   Group,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
   Points,
   RedFormat,
   ShaderMaterial,
@@ -16,6 +17,7 @@ import {
 } from "three";
 
 import { colourTable, parseColour } from "./colour_maps.ts";
+import { imagesOf } from "./extent.ts";
 import type { Particles } from "./frames.ts";
 import type { Run } from "./run.ts";
 import { fragmentShader, vertexShader } from "./shaders.ts";
@@ -33,6 +35,7 @@ export class ParticleCloud {
   private readonly shared = {
     boxMinimum: { value: new Vector3() },
     boxSize: { value: new Vector3(1, 1, 1) },
+    mirrorPlaces: { value: new Vector3() },
     clip: { value: new Vector4(0, 0, 0, 1) },
     halfHeight: { value: 1 },
     byValue: { value: false },
@@ -40,7 +43,8 @@ export class ParticleCloud {
     valueTable: { value: this.valueTable },
     diameterTable: { value: this.diameterTable },
   };
-  private geometry = new BufferGeometry();
+  private geometry = new InstancedBufferGeometry();
+  private images = [[0, 0, 0]];
   private readonly whole: Points;
   private readonly ghosts: Points[];
   private capacity = -1;
@@ -79,6 +83,9 @@ export class ParticleCloud {
   setRun(run: Run) {
     this.shared.boxMinimum.value.set(...run.minimum);
     this.shared.boxSize.value.set(...run.maximum).sub(this.shared.boxMinimum.value);
+    for (const { axis, place } of run.mirrors) this.shared.mirrorPlaces.value.setComponent(axis, place);
+    this.images = imagesOf(run.mirrors);
+    this.capacity = -1; // of a geometry with these images
     const diameters = this.diameterTable.image.data as Float32Array;
     diameters.fill(run.spacings[run.spacings.length - 1] ?? 0);
     diameters.set(run.spacings);
@@ -125,7 +132,9 @@ export class ParticleCloud {
 
   private grow(count: number) {
     this.geometry.dispose();
-    this.geometry = new BufferGeometry();
+    this.geometry = new InstancedBufferGeometry();
+    this.geometry.instanceCount = this.images.length;
+    this.geometry.setAttribute("mirrored", new InstancedBufferAttribute(new Float32Array(this.images.flat()), 3));
     this.capacity = Math.ceil(1.25 * count);
     const places = new BufferAttribute(new Uint16Array(4 * this.capacity), 4, true);
     const kinds = new BufferAttribute(new Uint8Array(4 * this.capacity), 4, false);

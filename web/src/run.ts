@@ -28,12 +28,19 @@ export interface Frame {
 
 export type Point = [number, number, number]; // m
 
+/** A plane of symmetry, at right angles to an axis: what is on one side of it is not in the data. */
+export interface Mirror {
+  axis: 0 | 1 | 2;
+  place: number; // m
+}
+
 export interface Run {
   title: string;
   dimension: 2 | 3;
   live: boolean;
   minimum: Point;
   maximum: Point;
+  mirrors: Mirror[]; // one for an axis at most
   categories: Category[];
   spacings: number[]; // m
   fields: Field[];
@@ -94,6 +101,13 @@ function category(value: unknown, place: string, dimension: number): Category {
   return { label, colour, faint };
 }
 
+function mirror(value: unknown, place: string): Mirror {
+  const part = object(value, place);
+  const axis = number(part.axis, `${place}.axis`);
+  if (axis !== 0 && axis !== 1 && axis !== 2) refuse(`${place}.axis`, "0, 1 or 2");
+  return { axis, place: number(part.place, `${place}.place`) };
+}
+
 function field(value: unknown, place: string): Field {
   const part = object(value, place);
   return {
@@ -142,6 +156,7 @@ export function readRun(json: Json): Run {
     live: json.live === true,
     minimum: point(json.minimum, "minimum"),
     maximum: point(json.maximum, "maximum"),
+    mirrors: json.mirrors === undefined ? [] : each(json.mirrors, "mirrors", mirror),
     categories: each(json.categories, "categories", (part, place) => category(part, place, dimension)),
     spacings: each(json.spacings, "spacings", number),
     fields,

@@ -3,7 +3,9 @@
 
 export const vertexShader = /* glsl */ `
 attribute vec3 kind;               // category, size, value
+attribute vec3 mirrored;           // 1 along the axes in whose planes of symmetry this is an image
 uniform vec3 boxMinimum, boxSize;  // m
+uniform vec3 mirrorPlaces;         // m
 uniform vec4 clip;                 // keeps places with dot(clip.xyz, place) <= clip.w
 uniform float halfHeight;          // of the picture, px
 uniform bool byValue;
@@ -15,6 +17,7 @@ varying float opacity, pixels, depth, radius;
 void main() {
   vec4 category = texelFetch(categoryTable, ivec2(int(kind.x), 0), 0);
   vec3 place = boxMinimum + position * boxSize;
+  place = mix(place, 2.0 * mirrorPlaces - place, mirrored);
   bool absent = category.a == 0.0 || (category.a < 1.0) != ghosts || dot(clip.xyz, place) > clip.w;
   if (absent) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside the picture

@@ -2,7 +2,9 @@
 // Buttons that look from somewhere else, and that keep what is seen.
 
 import { element } from "./dom.ts";
+import { formatQuantity } from "./quantities.ts";
 import { directions } from "./view.ts";
+import type { Run } from "./run.ts";
 import type { Direction } from "./view.ts";
 
 interface Actions {
@@ -22,4 +24,13 @@ export function viewButtons(dimension: 2 | 3, actions: Actions): HTMLElement {
   const reset = button("kerf-reset", "reset view", () => actions.look());
   group.append(element("div", { className: "kerf-buttons" }, reset, button("kerf-save", "save picture", actions.save)));
   return group;
+}
+
+/** What of the picture was not computed. */
+export function mirrorNote(run: Run): HTMLElement[] {
+  if (run.mirrors.length === 0) return [];
+  const planes = run.mirrors.map(({ axis, place }) => `${"xyz"[axis]} = ${formatQuantity(place, "m")}`);
+  const part = run.mirrors.length === 1 ? "One half" : run.mirrors.length === 2 ? "One quarter" : "One eighth";
+  const text = `${part} was computed; the rest are its images in ${planes.join(" and ")}.`;
+  return [element("div", { className: "kerf-group kerf-soft", id: "kerf-mirrors" }, text)];
 }

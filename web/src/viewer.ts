@@ -6,7 +6,7 @@ import { ClipControls } from "./clip_controls.ts";
 import { ClipPlane } from "./clip_plane.ts";
 import { ColourChoice } from "./colour_choice.ts";
 import { element, note } from "./dom.ts";
-import { extentOf } from "./extent.ts";
+import { extentOf, withImages } from "./extent.ts";
 import { FrameStore } from "./frame_store.ts";
 import type { Particles } from "./frames.ts";
 import { axesSign, scaleBar, scaleFor } from "./overlays.ts";
@@ -15,7 +15,7 @@ import { Player } from "./player.ts";
 import { timeFormat } from "./quantities.ts";
 import type { Run } from "./run.ts";
 import { composePicture, download } from "./save_picture.ts";
-import { viewButtons } from "./side.ts";
+import { mirrorNote, viewButtons } from "./side.ts";
 import { Stage } from "./stage.ts";
 import { listenToKeys, stageFrame } from "./stage_frame.ts";
 import { Transport } from "./transport.ts";
@@ -47,12 +47,13 @@ export class Viewer {
     const transport = new Transport(this.player, (index) => this.run.frames[index].count);
     this.colours = new ColourChoice(run.fields, () => this.recolour());
     this.categories = new CategoryList(run.categories, run.dimension === 3, () => this.recolour());
-    this.clipControls = new ClipControls(this.clip, run, () => this.recut());
+    this.clipControls = new ClipControls(this.clip, withImages(run, run.mirrors), () => this.recut());
     this.frame = stageFrame(canvas);
     this.frame.append(this.overlay.root);
     const looks = { look: (direction?: Direction) => this.look(direction), save: () => this.save() };
     const side = element("div", { className: "kerf-side" }, this.colours.root, this.categories.root);
     if (run.dimension === 3) side.append(this.clipControls.root);
+    side.append(...mirrorNote(run));
     side.append(viewButtons(run.dimension, looks));
     this.root = element("div", { className: "kerf-view" }, this.frame, side, transport.root);
     this.listen();
@@ -73,7 +74,7 @@ export class Viewer {
     this.store.update(run);
     this.colours.setFields(run.fields);
     this.categories.setCategories(run.categories);
-    this.clipControls.setBox(run);
+    this.clipControls.setBox(withImages(run, run.mirrors));
     this.setTables();
     this.player.setTimes(timesOf(run));
     if (this.shown) this.recolour();
@@ -94,7 +95,7 @@ export class Viewer {
   private setTables() {
     this.stage.cloud.setRun(this.run);
     this.stage.cloud.setCategories(this.run, this.categories.showing);
-    this.stage.cloud.setClip(this.run.dimension === 3 ? this.clip.coefficients(this.run) : [0, 0, 0, 1]);
+    this.stage.cloud.setClip(this.run.dimension === 3 ? this.clip.coefficients(withImages(this.run, this.run.mirrors)) : [0, 0, 0, 1]);
   }
 
   private resize() {
@@ -141,7 +142,7 @@ export class Viewer {
   }
 
   private recut() {
-    this.stage.cloud.setClip(this.clip.coefficients(this.run));
+    this.stage.cloud.setClip(this.clip.coefficients(withImages(this.run, this.run.mirrors)));
     this.stage.invalidate();
   }
 

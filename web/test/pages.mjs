@@ -9,6 +9,7 @@ import { checkFailures } from "./failures.mjs";
 import { checkLive } from "./live.mjs";
 import { makeSamples } from "./make_sample.mjs";
 import { usePage } from "./page.mjs";
+import { useSampleStudies } from "./study_page.mjs";
 
 const folder = mkdtempSync(join(tmpdir(), "kerf-pages-"));
 try {
@@ -18,6 +19,8 @@ try {
   }
   await checkFailures(folder);
   console.log("ok  pages with something wrong");
+  await useSampleStudies(folder);
+  console.log("ok  pages of studies");
   await checkLive();
   console.log("ok  a live page");
 } finally {

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "app/run_folder.hpp"
 #include "case/read.hpp"
 #include "case/write_used.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace kerf {
 namespace {
@@ -32,10 +34,13 @@ TEST(ShippedCases, AreAllThere) {
 
 TEST(ShippedCases, ReadAndComeBackBitForBit) {
   for (const auto& file : case_files()) {
+    const test::TemporaryFolder folder;
+    const std::string name = folder / "case.used.toml";
     const Case original = read_case(file);
+    keep_meshes(original, folder.path());
     const std::string used = write_used(original);
-    EXPECT_EQ(parse_case(used, "case.used.toml"), original) << file << '\n' << used;
-    EXPECT_EQ(write_used(parse_case(used, "case.used.toml")), used) << file;
+    EXPECT_EQ(parse_case(used, name), original) << file << '\n' << used;
+    EXPECT_EQ(write_used(parse_case(used, name)), used) << file;
   }
 }
 

@@ -75,6 +75,25 @@ TEST(Machine, ContractionOfAFunnel) {
   EXPECT_NEAR(contraction(0.01 * degree), 1.0, 1e-3);
 }
 
+// von Mises's table of slits in the end of a channel, whose widths are in the ratio given.
+TEST(Contraction, IsLessInANarrowVessel) {
+  EXPECT_NEAR(contraction(90 * degree, 0.1), 0.612, 0.0005);
+  EXPECT_NEAR(contraction(90 * degree, 0.3), 0.622, 0.0005);
+  EXPECT_NEAR(contraction(90 * degree, 0.5), 0.644, 0.0005);
+  EXPECT_NEAR(contraction(45 * degree, 1e-4), contraction(45 * degree), 1e-9);
+  EXPECT_NEAR(contraction(90 * degree, 0.999), 1.0, 0.05);
+}
+
+// Beside a long mouthpiece water is at rest under the full pressure V^2 / 2 (density 1). Momentum
+// along a channel of width 1, with U = s C_c V, is then
+//   (V^2 - U^2) / 2 - (1 - s) V^2 / 2 = s C_c V^2 - U^2,   or   s C_c^2 - 2 C_c + 1 = 0.
+TEST(Contraction, OfBordasMouthpieceInAChannelObeysMomentum) {
+  for (const double s : {0.2, 0.5}) {
+    const double expected = (1.0 - std::sqrt(1.0 - s)) / s;
+    EXPECT_NEAR(contraction(180 * degree, s), expected, 1e-6);
+  }
+}
+
 TEST(Machine, FlowRatePowerAndSizeOfAJet) {
   Machine machine = plain_machine();
   const auto numbers = machine_numbers(machine, water(), 3);

@@ -52,6 +52,26 @@ TEST_P(WaterFront, DiffersByTheDistanceThatTheWaterMoved) {
   EXPECT_NEAR(moved, 17.0 * mm, 1e-6 * mm);
 }
 
+// A nozzle that has moved 20 mm along x, or is on its way, with its water beneath it.
+TEST_P(WaterFront, IsLookedForAlongTheWayOfTheNozzle) {
+  const double angle = GetParam().angle, speed = 2.0;
+  description_.jets[0].traverse = {speed * std::cos(angle), speed * std::sin(angle), 0.0};
+  description_.jets[0].dwell = 1e-3;
+  Frame frame = frame_with_water(30.0 * mm);
+  const double expected = depth_of(frame);
+  for (std::size_t row = 0; row < frame.id.size(); ++row) {
+    if (frame.category[row] != Category::water) continue;
+    frame.position[row][0] += 20.0 * mm * std::cos(angle);
+    frame.position[row][1] += 20.0 * mm * std::sin(angle);
+  }
+  frame.time = 1e-3;  // still where it was
+  EXPECT_LT(depth_of(frame), 1e-9);
+  frame.time = 11e-3;
+  EXPECT_NEAR(depth_of(frame), expected, 1e-6);
+  frame.time = 50e-3;  // further on: water that it left behind counts
+  EXPECT_NEAR(depth_of(frame), expected, 1e-6);
+}
+
 TEST_P(WaterFront, ChangesLessThanFivePercentWhenTheLayoutIsJittered) {
   const Frame regular = frame_with_water(25.0 * mm);
   const double expected = depth_of(regular);

@@ -128,5 +128,26 @@ TEST(Derived, WithoutAJet) {
   EXPECT_NEAR(of("tank").water_sound_speed, 10.0 * std::sqrt(2.0 * 9.81 * 0.1), 1e-9);
 }
 
+// 2 L / c_p with the nearest side of the block that is neither absorbing nor a plane of symmetry.
+TEST(Derived, WavesComeBackFromTheNearestEdgeThatLetsThem) {
+  Case description = tofu_at(5.0);
+  const double c = of("tofu-5ms").longitudinal_speed;
+  Body* block = nullptr;
+  for (Body& body : description.bodies)
+    if (body.role == Role::elastic) block = &body;
+  ASSERT_NE(block, nullptr);
+  block->shape.box.minimum[0] = -0.03;
+  block->shape.box.maximum[0] = 0.05;
+  description.jets[0].position[0] = 0.0;
+  EXPECT_NEAR(derive(description).reflection_time, 0.06 / c, 1e-12);
+  description.symmetry.minimum[0] = true;
+  EXPECT_NEAR(derive(description).reflection_time, 0.10 / c, 1e-12);
+  block->absorbing.maximum[0] = true;
+  EXPECT_EQ(derive(description).reflection_time, 0.0);
+  description.symmetry.minimum[0] = false;
+  description.jets[0].position[0] = 1.0;  // beside the block
+  EXPECT_EQ(derive(description).reflection_time, 0.0);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -4,12 +4,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "output/ledger_table.hpp"
 
 namespace kerf {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
+using testing::Field;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -88,6 +92,9 @@ TEST(Result, IsJsonWhateverTheNumbers) {
 TEST(Verdict, SaysWhatHappened) {
   RunOutcome outcome = outcome_with_jet();
   EXPECT_EQ(verdict_of(outcome),
+            "The jet breaks nothing within 30 ms; its front presses 12.3 mm into the workpiece.");
+  outcome.cut.last.fractured_mass = 1e-6;
+  EXPECT_EQ(verdict_of(outcome),
             "The jet does not cut through within 30 ms; its front is 12.3 mm deep.");
   outcome.cut.cut_through = true;
   outcome.cut.cut_through_time = 0.0221;
@@ -100,41 +107,81 @@ TEST(Verdict, SaysWhatHappened) {
   EXPECT_THAT(verdict_of(outcome), HasSubstr("no jet"));
 }
 
+using State = ValidityFlag::State;
+
+auto flag(const std::string& name, State state, const std::string& part) {
+  return Contains(AllOf(Field(&ValidityFlag::name, name), Field(&ValidityFlag::state, state),
+                        Field(&ValidityFlag::sentence, HasSubstr(part))));
+}
+
+auto named(const std::string& name) {
+  return Contains(Field(&ValidityFlag::name, name));
+}
+
 TEST(Validity, NamesWhatIsWeakAndOnlyThat) {
   RunOutcome outcome = outcome_with_jet();
+  outcome.kerf.emplace();
+  outcome.kerf->leak.water = 2.0;
   const auto good = validity_of(outcome);
-  EXPECT_THAT(good, Contains("The jet is 12 particles wide."));
-  EXPECT_THAT(good, Contains(HasSubstr("closes to 0%")));
-  EXPECT_THAT(good, Contains(HasSubstr("air drag and break-up")));
-  EXPECT_THAT(good, Contains(HasSubstr("Abrasive is not modelled")));
-  EXPECT_THAT(good, Not(Contains(HasSubstr("slip between"))));
-  EXPECT_THAT(good, Not(Contains(HasSubstr("still cutting"))));
+  EXPECT_THAT(good, flag("resolution", State::good, "The jet is 12 particles wide."));
+  EXPECT_THAT(good, flag("energy_drift", State::good, "closes to 0%"));
+  EXPECT_THAT(good, flag("standoff", State::note, "air drag and break-up"));
+  EXPECT_THAT(good, flag("abrasive", State::note, "Abrasive is not modelled"));
+  EXPECT_THAT(good, flag("leak", State::good, "0% of the jet's water"));
+  EXPECT_THAT(good, flag("reflections", State::good, "No wave"));
+  EXPECT_THAT(good, Not(named("solid_spacing")));
+  EXPECT_THAT(good, Not(named("still_cutting")));
+  EXPECT_THAT(good, Not(Contains(Field(&ValidityFlag::state, State::warning))));
 
   outcome.derived.jet_resolution = 5.0;
   outcome.derived.mach = 0.3;
   outcome.derived.solid_to_water_spacing = 2.0;
   outcome.ledger.kinetic = 1.05;
   outcome.still_cutting = true;
+  outcome.kerf->leak.mass = 0.1;
   const auto weak = validity_of(outcome);
-  EXPECT_THAT(weak.front(), HasSubstr("still cutting"));
-  EXPECT_THAT(weak, Contains(HasSubstr("only 5 particles wide")));
-  EXPECT_THAT(weak, Contains(HasSubstr("0.3, over 0.1")));
-  EXPECT_THAT(weak, Contains(HasSubstr("2 times the water's")));
-  EXPECT_THAT(weak, Contains(HasSubstr("off by 5%")));
+  EXPECT_EQ(weak.front().name, "still_cutting");
+  EXPECT_THAT(weak, flag("resolution", State::warning, "only 5 particles wide"));
+  EXPECT_THAT(weak, flag("mach", State::warning, "0.3, over 0.1"));
+  EXPECT_THAT(weak, flag("solid_spacing", State::warning, "2 times the water's"));
+  EXPECT_THAT(weak, flag("energy_drift", State::warning, "off by 5%"));
+  EXPECT_THAT(weak, flag("leak", State::warning, "5% of the jet's water"));
+}
+
+TEST(Validity, WavesComeBackFromEdges) {
+  RunOutcome outcome = outcome_with_jet();
+  outcome.derived.reflection_time = 0.01;
+  outcome.cut.contact_time = std::nan("");  // nothing was hit
+  EXPECT_THAT(validity_of(outcome), flag("reflections", State::good, "No wave"));
+  outcome.cut.contact_time = 0.021;
+  EXPECT_THAT(validity_of(outcome), flag("reflections", State::good, "No wave"));
+  outcome.cut.contact_time = 0.019;
+  EXPECT_THAT(validity_of(outcome), flag("reflections", State::note, "10 ms after"));
+  outcome.derived.reflection_time = 0.0;  // no edge lets them
+  EXPECT_THAT(validity_of(outcome), flag("reflections", State::good, "No wave"));
 }
 
 TEST(Validity, AnEnergyGivesFractureItsLength) {
   RunOutcome outcome = outcome_with_jet();
   outcome.description.materials.resize(1);
   Material& material = outcome.description.materials[0];
-  const auto scaleless = Contains(HasSubstr("no length scale"));
   material.failure_strain = 0.1;
   material.fracture_energy = 0.0;
-  EXPECT_THAT(validity_of(outcome), scaleless);
+  EXPECT_THAT(validity_of(outcome), named("length_scale"));
   material.fracture_energy = 10.0;
-  EXPECT_THAT(validity_of(outcome), Not(scaleless));
+  EXPECT_THAT(validity_of(outcome), Not(named("length_scale")));
   material.failure_strain = 0.0;
-  EXPECT_THAT(validity_of(outcome), Not(scaleless));
+  EXPECT_THAT(validity_of(outcome), Not(named("length_scale")));
+}
+
+TEST(Validity, IsWrittenAsFlagsWithNumbers) {
+  const auto result = result_of(outcome_with_jet());
+  const auto& first = result.at("validity").at(0);
+  EXPECT_EQ(first.at("name"), "resolution");
+  EXPECT_EQ(first.at("state"), "good");
+  EXPECT_EQ(first.at("value"), 12.0);
+  EXPECT_EQ(first.at("limit"), 10.0);
+  EXPECT_TRUE(result.at("validity").back().at("value").is_null());
 }
 
 TEST(StillCutting, LooksAtTheLastTenth) {

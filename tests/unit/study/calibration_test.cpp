@@ -128,6 +128,26 @@ TEST(Calibration, AThresholdTellsTheEnergyToo) {
   EXPECT_NEAR(answer.value / 22.5, 1.0, 0.05);
 }
 
+// Where it does not cut through there is no time of cutting through: such runs are left out.
+TEST(Calibration, RunsWithoutTheNumberAreLeftOut) {
+  CalibrationGoal goal = cut_goal(0.01, 0.0);
+  goal.measured = depth(6.0, 5.0);
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        std::map<std::string, double> metrics;
+        if (energy_of(trial) < 50.0)
+          metrics["kerf.depth"] = depth(energy_of(trial), speed_of(trial));
+        return metrics;
+      },
+      2);
+  const CalibrationAnswer answer = calibrate(goal, 1.0, laboratory);
+  ASSERT_EQ(answer.problem, "");
+  EXPECT_NEAR(answer.value / 6.0, 1.0, 0.02);
+  test::SyntheticLaboratory nothing([](const Trial&) { return std::map<std::string, double>(); },
+                                    2);
+  EXPECT_THAT(calibrate(goal, 1.0, nothing).problem, HasSubstr("fewer than two runs"));
+}
+
 TEST(Calibration, AMeasurementOutOfReachIsSaid) {
   CalibrationGoal goal = cut_goal(0.5, 0.0);
   test::SyntheticLaboratory laboratory(

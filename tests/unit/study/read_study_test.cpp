@@ -54,6 +54,31 @@ TEST(ReadStudy, NamesFileLineKeyValueRangeAndRemedy) {
   EXPECT_THAT(complaint(vary + "[design]\ntype = \"sobel\"\n"), HasSubstr("\"latin_hypercube\""));
 }
 
+TEST(ReadStudy, KeysThatNobodyWouldVaryAreRefused) {
+  const std::string search =
+      "[search]\nfind = \"least\"\nkey = \"jet.jet.width\"\nfrom = \"2 mm\"\nto = \"4 mm\"\n";
+  EXPECT_THAT(complaint(vary + search), HasSubstr("neither the search nor the calibration"));
+  EXPECT_EQ(complaint(vary + search + "[design]\ntype = \"grid\"\n"), "");
+  EXPECT_EQ(complaint(search), "");
+}
+
+TEST(ReadStudy, GoalsAreCheckedLikeTheRest) {
+  EXPECT_THAT(complaint("[search]\nfind = \"leest\"\n"), HasSubstr("\"greatest\""));
+  EXPECT_THAT(complaint("[search]\nfind = \"least\"\nkey = \"jet.jet.width\"\nfrom = \"2 mm\"\n"),
+              HasSubstr("a range needs two numbers"));
+  EXPECT_THAT(complaint(vary + "[search]\nfind = \"minimum\"\nmetric = \"kerf.depth\"\n"),
+              HasSubstr("[vary] has a list"));
+  EXPECT_THAT(complaint(vary + "[model]\nform = \"threshold_linear\"\n"),
+              HasSubstr("model.drive: the key is missing"));
+  EXPECT_THAT(complaint("[calibrate]\nkey = \"materials.curd.fracture_energy\"\nfrom = \"0 J/m2\"\n"
+                        "to = \"9 J/m2\"\nmetric = \"kerf.depth\"\nmeasured = \"3 s\"\n"),
+              AllOf(HasSubstr("calibrate.from"), HasSubstr("calibrate.measured = \"3 s\"")));
+  EXPECT_THAT(
+      complaint("[search]\nfind = \"least\"\nkey = \"jet.jet.width\"\nfrom = \"2 mm\"\nto = \"4 "
+                "mm\"\nwhere = { metric = \"kerf.specific_energy\", at_most = \"2 J\" }\n"),
+      HasSubstr("no energy per volume"));
+}
+
 TEST(ReadStudy, ABaseThatIsNotThereIsNamedWithAGuess) {
   const EmbeddedText templates[] = {{"small", test::small_case}};
   EXPECT_THAT(test::message_of<UserError>(

@@ -194,6 +194,20 @@ TEST(ThresholdSearch, AFailedRunStopsItWithItsError) {
   }
 }
 
+// The first cut of 1 to 16 is at 4 by ratios, and at 8.5 by differences.
+TEST(Bisection, PartsAreEqualInRatiosWhereAskedFor) {
+  std::vector<double> tried;
+  const auto verdicts = [&](const std::vector<double>& values) {
+    tried.insert(tried.end(), values.begin(), values.end());
+    return std::vector<bool>(values.size(), true);
+  };
+  Bisection(verdicts, {1.0, 16.0}, 1, true).narrow(0.01, 1);
+  Bisection(verdicts, {1.0, 16.0}, 1, false).narrow(0.01, 1);
+  ASSERT_EQ(tried.size(), 2u);
+  EXPECT_NEAR(tried[0], 4.0, 1e-12);
+  EXPECT_NEAR(tried[1], 8.5, 1e-12);
+}
+
 TEST(Bisection, AWrongGuessIsWidenedToTheSideWhereItIsWrong) {
   for (const double threshold : {2.1, 2.9, 3.55, 4.2, 4.95}) {
     Bisection bisection(

@@ -160,6 +160,17 @@ TEST(Verify, LeavesLongRunsOutUnlessAsked) {
   EXPECT_TRUE(rows_of(plan_text("runs = \"far\"\n")).empty());
 }
 
+TEST(Verify, MakesOnlyTheRunsAskedForLongOnesToo) {
+  const std::string plan = plan_text("runs = [\"plain\", \"far\"]\n");
+  const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
+  auto cases = read_verification_cases(texts, {});
+  EXPECT_FALSE(cases[0].keep_runs({"nobody"}));
+  ASSERT_TRUE(cases[0].keep_runs({"far"}));
+  const auto rows = verify(cases[0], false, [](const std::string&, double) {}).rows;
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].run, "far");
+}
+
 TEST(Verify, ARunThatCannotBeMakesItsRowsFail) {
   std::string plan = plan_text("runs = \"plain\"\n");
   plan.replace(plan.find("name = \"plain\""), 14, "name = \"plain\"\noverride.time.end = \"-1 s\"");

@@ -52,6 +52,27 @@ TEST_F(WetBlockTest, TheTipOfAJetThatHasJustLeftLiesBetweenItAndTheLiquid) {
   EXPECT_LE(tip, 0.5e-3);
 }
 
+TEST_F(WetBlockTest, ARegionHoldsTheRowsThatLieInIt) {
+  // Two of the layer's four rows of 20 particles.
+  EXPECT_NEAR(value({{"signal", "region_volume"}, {"body", "layer"}, {"within", "y < 2e-3"}}),
+              20e-3 * 2e-3, 1e-8);
+  EXPECT_NEAR(value({{"signal", "region_volume"},
+                     {"body", "layer"},
+                     {"within", "abs(x) < 5e-3"},
+                     {"over", "4e-3"}}),
+              10e-3, 1e-7);
+  EXPECT_EQ(value({{"signal", "region_velocity"},
+                   {"body", "layer"},
+                   {"within", "y < 2e-3"},
+                   {"axis", "y"}}),
+            0.0);
+  EXPECT_THROW(value({{"signal", "region_velocity"},
+                      {"body", "layer"},
+                      {"within", "y < 2e-3"},
+                      {"axis", "down"}}),
+               std::logic_error);
+}
+
 TEST_F(WetBlockTest, NoElasticEnergyNoHourglassShare) {
   EXPECT_EQ(value({{"signal", "hourglass_share"}}), 0.0);
 }

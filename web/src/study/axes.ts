@@ -93,6 +93,8 @@ export function drawAxes(box: Box, x: Scale, y: Scale, withGrid: boolean): SVGGE
     root.append(svg("line", { x1: at, x2: at, y1: bottom, y2: bottom + 5, stroke: soft }));
     root.append(text(at, bottom + 20, words, { "text-anchor": "middle" }));
   }
+  const zero = y.place(0);
+  if (withGrid && zero > top && zero < bottom) root.append(svg("line", { x1: left, x2: left + width, y1: zero, y2: zero, stroke: soft }));
   for (const { at, words } of apart(y, () => 18)) {
     if (withGrid) root.append(svg("line", { x1: left, x2: left + width, y1: at, y2: at, stroke: faint }));
     root.append(svg("line", { x1: left - 5, x2: left, y1: at, y2: at, stroke: soft }));

@@ -16,7 +16,8 @@ export class ContourDrawing {
   private readonly generator;
 
   constructor(
-    private readonly values: Float64Array, // grown
+    private readonly known: Float64Array,
+    private readonly values: Float64Array, // grown beyond what is known
     private readonly size: number,
     private readonly plane: Plane,
   ) {
@@ -29,7 +30,7 @@ export class ContourDrawing {
     return coordinates.flatMap((polygon) => polygon.map((ring) => `M${ring.map((at) => this.place(at)).join("L")}Z`)).join("");
   }
 
-  /** Where the value is the threshold: the edges of the area without those where values end. */
+  /** Where the value is the threshold: the edges of the area, but for those beyond what is known. */
   line(threshold: number): [number, number][][] {
     const pieces: [number, number][][] = [];
     for (const polygon of this.contour(threshold).coordinates)
@@ -54,7 +55,7 @@ export class ContourDrawing {
   private isInside([x, y]: [number, number]): boolean {
     const [column, row] = [x - 0.5, y - 0.5];
     const corners = [Math.floor(column), Math.ceil(column)].flatMap((i) => [Math.floor(row), Math.ceil(row)].map((j) => [i, j]));
-    return corners.every(([i, j]) => i >= 0 && j >= 0 && i < this.size && j < this.size && !Number.isNaN(this.values[j * this.size + i]));
+    return corners.every(([i, j]) => i >= 0 && j >= 0 && i < this.size && j < this.size && !Number.isNaN(this.known[j * this.size + i]));
   }
 
   private pixels([x, y]: number[]): [number, number] {

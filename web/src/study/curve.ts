@@ -7,10 +7,12 @@ import { drawKey, drawMark, verdictEntries, type KeyEntry } from "./marks.ts";
 import type { Quantities } from "./quantity.ts";
 import { modelOf, seriesOf, type Series } from "./series.ts";
 import { numberOf, type ModelPoint, type StudyData, type StudyRun } from "./study_data.ts";
-import { svg } from "./svg.ts";
+import { soft, svg, text } from "./svg.ts";
 import type { Tooltip } from "./tooltip.ts";
 import { verdictOf } from "./verdict.ts";
 import { meanOf, type View } from "./view.ts";
+
+const strip = 28; // px, at the foot, of the runs that have no value
 
 interface Plot {
   box: Box;
@@ -41,7 +43,7 @@ function drawLine(series: Series, view: View, { x, y }: Plot): SVGPathElement {
 }
 
 function drawRuns(series: Series, view: View, plot: Plot, quantities: Quantities, tooltip: Tooltip): SVGElement[] {
-  const floor = plot.box.top + plot.box.height; // where those without the metric stand
+  const floor = plot.box.top + plot.box.height - 0.5 * strip; // where those without the metric stand
   return series.runs.flatMap((run) => {
     const at = numberOf(run, view.x);
     if (at === undefined) return [];
@@ -71,6 +73,13 @@ function drawMeasured({ low, high, value }: { low: number; high: number; value: 
   return svg("g", { class: "kerf-measured" }, svg("rect", area), svg("line", line));
 }
 
+function drawStrip({ left, top, width, height }: Box): SVGGElement {
+  const y = top + height - strip;
+  const area = svg("rect", { x: left, y, width, height: strip, fill: "#f5f6f8" });
+  const words = text(left - 9, y + 0.5 * strip + 4.5, "none", { "text-anchor": "end", fill: soft });
+  return svg("g", {}, area, words, svg("line", { x1: left, x2: left + width, y1: y, y2: y, stroke: soft, "stroke-dasharray": "2 3" }));
+}
+
 export function drawCurve(data: StudyData, runs: StudyRun[], view: View, quantities: Quantities, tooltip: Tooltip, width: number): SVGSVGElement {
   const list = seriesOf(data, runs, view, quantities);
   const models = list.map((series) => modelOf(data, view, series));
@@ -85,10 +94,12 @@ export function drawCurve(data: StudyData, runs: StudyRun[], view: View, quantit
   const left = leftOf(scaleOf(quantities.get(view.metric), ys, 1, 0, yWishes));
   const box: Box = { left, top: 8, width: width - left - 12, height };
   const x = scaleOf(quantities.get(view.x), xs, left, left + box.width, { margin: 0.06 });
-  const y = scaleOf(quantities.get(view.metric), ys, box.top + height, box.top, yWishes);
+  const hasStrip = numbers(view.metric).length < runs.length;
+  const y = scaleOf(quantities.get(view.metric), ys, box.top + height - (hasStrip ? strip : 0), box.top, yWishes);
   const plot: Plot = { box, x, y };
 
   const root = svg("g", {}, drawAxes(box, x, y, true), drawAnswerBands(bands, box, x));
+  if (hasStrip) root.append(drawStrip(box));
   if (measured) root.append(drawMeasured(measured, plot));
   root.append(drawFrame(box));
   const isScattered = view.y !== "" && list.some((series) => series.other === undefined);

@@ -38,8 +38,8 @@ function layer(ground: Ground, points: Point[], value: (point: Point) => number)
   const nodes: Node[] = points.map((point) => ({ ...ground.place(point), value: value(point) }));
   const patches = patchesOf(nodes.filter((node) => Number.isFinite(node.value)), nodes);
   const values = raster(patches, size);
-  const known = grown(values, size);
-  return { patches, drawing: new ContourDrawing(known, size, ground.plane), values };
+  const more = grown(grown(values, size), size);
+  return { patches, drawing: new ContourDrawing(values, more, size, ground.plane), values };
 }
 
 function clip(id: string, d: string) {
@@ -106,7 +106,7 @@ function keyEntries(points: Point[], withRegions: boolean, hasBoundary: boolean,
   if (hasBoundary) {
     entries.push({ words: "boundary, half way between runs", symbol: svg("path", { d: "M-8,0H8", stroke: ink, "stroke-width": 3 }) });
     const pattern = svg("g", {}, svg("rect", { x: -8, y: -7, width: 16, height: 14, fill: "#9aa3ad" }), block("url(#kerf-bracket)"));
-    entries.push({ words: "may lie anywhere in here", symbol: pattern });
+    entries.push({ words: "it may lie anywhere in here", symbol: pattern });
   }
   if (hasBest) entries.push({ words: "answer", symbol: bestRing(7) });
   return entries;

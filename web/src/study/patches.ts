@@ -15,11 +15,19 @@ export type Patch = Node[];
 
 function levels(values: number[]): number[] {
   const sorted = [...values].sort((a, b) => a - b);
-  return sorted.filter((value, at) => at === 0 || value - sorted[at - 1] > 1e-6);
+  const least = 1e-6 * (sorted[sorted.length - 1] - sorted[0]);
+  return sorted.filter((value, at) => at === 0 || value - sorted[at - 1] > least);
 }
 
 function nearestLevel(all: number[], value: number): number {
   return all.reduce((best, level, at) => (Math.abs(level - value) < Math.abs(all[best] - value) ? at : best), 0);
+}
+
+/** Whether there is an area at all: places of a grid, or scattered both ways. */
+export function spreadsOut(places: { u: number; v: number }[]): boolean {
+  const [columns, rows] = [levels(places.map((place) => place.u)).length, levels(places.map((place) => place.v)).length];
+  const isGrid = columns > 1 && rows > 1 && places.length > 0.6 * columns * rows;
+  return isGrid || (columns > 2 && rows > 2);
 }
 
 /** Cells of the grid that the nodes stand on, whole or half where a corner is missing; undefined: no grid. */
@@ -53,6 +61,7 @@ function trianglePatches(nodes: Node[]): Patch[] {
 
 /** `places` are those of all runs, also of those that have no value. */
 export function patchesOf(nodes: Node[], places: { u: number; v: number }[]): Patch[] {
+  if (!spreadsOut(places)) return [];
   return gridPatches(nodes, places) ?? (nodes.length >= 3 ? trianglePatches(nodes) : []);
 }
 

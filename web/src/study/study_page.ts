@@ -6,6 +6,7 @@ import { answersOf } from "./answers.ts";
 import { Controls } from "./controls.ts";
 import { drawCurve } from "./curve.ts";
 import { drawMap } from "./map.ts";
+import { spreadsOut } from "./patches.ts";
 import { Quantities } from "./quantity.ts";
 import { saveDrawing } from "./save_drawing.ts";
 import { stateOf } from "./state_line.ts";
@@ -20,6 +21,7 @@ export class StudyPage {
   private readonly view: View;
   private readonly map = element("div", { className: "kerf-drawing", id: "kerf-map" });
   private readonly curve = element("div", { className: "kerf-drawing", id: "kerf-curve" });
+  private readonly mapPart = element("div");
   private readonly mapCaption = element("figcaption");
   private readonly curveCaption = element("figcaption");
   private readonly hasMap: boolean;
@@ -33,7 +35,8 @@ export class StudyPage {
     root.append(...answersOf(data, quantities), stateOf(data));
     const controls = new Controls(data, this.view, quantities, () => this.choose());
     if (this.view.x !== "") root.append(controls.root);
-    if (this.hasMap) root.append(element("h2", {}, "Map"), this.figure(this.mapCaption, this.map, "map"));
+    if (this.hasMap) root.append(this.mapPart);
+    this.mapPart.append(element("h2", {}, "Map"), this.figure(this.mapCaption, this.map, "map"));
     if (this.view.x !== "") root.append(element("h2", {}, "Curve"), this.figure(this.curveCaption, this.curve, "curve"));
     root.append(element("h2", {}, "Runs"), new RunTable(data, quantities).root);
   }
@@ -68,10 +71,12 @@ export class StudyPage {
       place.replaceChildren();
       return new Tooltip(place, quantities);
     };
+    const points = pointsOf(runs, view);
+    this.mapPart.hidden = !spreadsOut(points.map((point) => ({ u: point.x, v: point.y })));
     if (this.hasMap) {
       const tooltip = tooltipIn(this.map);
       this.mapCaption.textContent = `${title} over ${over} and ${quantities.get(view.y).label}`;
-      this.map.append(drawMap(pointsOf(runs, view), view, quantities, tooltip, { width, best: data.study.search?.setting }));
+      this.map.append(drawMap(points, view, quantities, tooltip, { width, best: data.study.search?.setting }));
     }
     const tooltip = tooltipIn(this.curve);
     this.curveCaption.textContent = `${title} over ${over}`;

@@ -53,7 +53,8 @@ function varies(data: StudyData, metric: string): boolean {
 
 function firstMetric(data: StudyData): string {
   const { search, calibration, model } = data.study;
-  const wanted = [search?.metric, calibration?.metric, model?.metric, "kerf.depth", "front_depth", "kerf.middle.width"];
+  // The margin changes its sign where a cut begins.
+  const wanted = [search?.metric, search?.key === undefined ? undefined : "kerf.margin", calibration?.metric, model?.metric, "kerf.depth", "front_depth", "kerf.middle.width"];
   const known = metricsOf(data);
   return wanted.find((name) => name !== undefined && known.includes(name) && varies(data, name)) ?? "kerf.depth";
 }

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { readCurves } from "../../.unit/curve_data.js";
-import { extentOf } from "../../.unit/extent.js";
+import { extentOf, imagesOf, withImages } from "../../.unit/extent.js";
 import { readJson, readRun } from "../../.unit/run.js";
 import { sampleRun } from "../sample_run.mjs";
 
@@ -68,6 +68,17 @@ test("the extent leaves out what flies ahead, but no category as a whole", () =>
   x[1] = 0; // all there is of another category
   categories[1] = 1;
   const particles = { count, places: [x, x], categories };
-  const box = extentOf(particles, { minimum: [0, 0, 0], maximum: [65535, 65535, 0] });
+  const box = extentOf(particles, { minimum: [0, 0, 0], maximum: [65535, 65535, 0], mirrors: [] });
   assert.ok(Math.abs(box.minimum[0]) < 1e-6 && Math.abs(box.maximum[0] - 30000) < 1e-6);
+});
+
+test("planes of symmetry give a half its other half, a quarter its other three", () => {
+  const half = [{ axis: 0, place: 1 }];
+  const quarter = [...half, { axis: 2, place: 5 }];
+  const box = { minimum: [1, 0, 3], maximum: [4, 2, 5] };
+  assert.deepEqual(withImages(box, half), { minimum: [-2, 0, 3], maximum: [4, 2, 5] });
+  assert.deepEqual(withImages(box, quarter), { minimum: [-2, 0, 3], maximum: [4, 2, 7] });
+  assert.deepEqual(imagesOf([]), [[0, 0, 0]]);
+  assert.deepEqual(imagesOf(half), [[0, 0, 0], [1, 0, 0]]);
+  assert.deepEqual(imagesOf(quarter), [[0, 0, 0], [1, 0, 0], [0, 0, 1], [1, 0, 1]]);
 });

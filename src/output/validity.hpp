@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run can and cannot promise. docs/results.md lists the flags.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kerf {
+
+struct RunOutcome;
+
+struct ValidityFlag {
+  // good: within its limit; note: a limit of the model, whatever the numbers; warning: beyond it.
+  enum class State { good, note, warning };
+  std::string name;
+  State state = State::note;
+  std::optional<double> value, limit;  // SI; none where a flag has no number
+  std::string sentence;
+};
+
+std::string_view word_of(ValidityFlag::State state);
+
+std::vector<ValidityFlag> validity_of(const RunOutcome& outcome);
+
+}  // namespace kerf

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Signals of the particles of a body that are in a region at the time: of a stream, through which
+// they pass. The region is where the formula "within" of x, y, z in m is not 0.
+#include <memory>
+
+#include "case/expression.hpp"
+#include "verify/signal.hpp"
+
+namespace kerf {
+
+namespace {
+
+struct Region {
+  Region(const Parameters& parameters, const Beginning& beginning)
+      : body(named_body(parameters, beginning)),
+        within(parameters.text("within"), {"x", "y", "z"}) {}
+
+  bool has(const Frame& frame, std::size_t row) const {
+    return frame.source[row] == body && within(frame.position[row]) != 0.0;
+  }
+
+  std::size_t body;
+  Expression within;
+};
+
+}  // namespace
+
+// Volume at rest (2D: area) of the body's matter in the region, over the number `over`: with the
+// length of a piece of a stream, the stream's width. A particle at a surface has a lesser density
+// than its matter, so its mass says more.
+Signal region_volume_signal(const Parameters& parameters, const Beginning& beginning) {
+  const auto region = std::make_shared<const Region>(parameters, beginning);
+  const int material = beginning.description.bodies[region->body].material;
+  if (material < 0) parameters.fail("a rigid body has no density");
+  const double density =
+      beginning.description.materials[static_cast<std::size_t>(material)].density;
+  const double over = density * parameters.number("over", "", 1.0);
+  return [region, over](Moment& moment) {
+    const Frame& frame = moment.frame();
+    double mass = 0.0;
+    for (std::size_t row = 0; row < frame.id.size(); ++row)
+      if (region->has(frame, row)) mass += frame.mass[row];
+    return mass / over;
+  };
+}
+
+// Mean velocity of the body's matter in the region along the axis `axis`, by mass; 0 while there is
+// none.
+Signal region_velocity_signal(const Parameters& parameters, const Beginning& beginning) {
+  const auto region = std::make_shared<const Region>(parameters, beginning);
+  const std::string name = parameters.text("axis");
+  if (name != "x" && name != "y" && name != "z") parameters.fail("axis is x, y or z");
+  const auto axis = static_cast<std::size_t>(name[0] - 'x');
+  return [region, axis](Moment& moment) {
+    const Frame& frame = moment.frame();
+    double momentum = 0.0, mass = 0.0;
+    for (std::size_t row = 0; row < frame.id.size(); ++row) {
+      if (!region->has(frame, row)) continue;
+      mass += frame.mass[row];
+      momentum += double(frame.mass[row]) * frame.velocity[row][axis];
+    }
+    return mass > 0.0 ? momentum / mass : 0.0;
+  };
+}
+
+}  // namespace kerf

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of a study: what is packed into it, and what it is without its script.
+#include "study/study_page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "output/files.hpp"
+#include "report/viewer_files.hpp"
+#include "synthetic.hpp"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string map =
+    "[vary]\n\"jet.jet.speed\" = { from = \"1 m/s\", to = \"5 m/s\", count = 5 }\n"
+    "\"jet.jet.width\" = [\"4 mm\", \"6 mm\"]\n"
+    "[model]\nform = \"threshold_linear\"\ndrive = \"jet.jet.speed\"\n";
+
+RunRow row(const std::string& id, double speed, double width, double depth) {
+  RunRow result;
+  result.id = id;
+  result.trial.setting.numbers = {{"jet.jet.speed", speed}, {"jet.jet.width", width}};
+  result.state = RunState::done;
+  result.metrics = {{"cut_through", depth >= 0.006 ? 1.0 : 0.0},
+                    {"kerf.depth", depth},
+                    {"kerf.removed_volume", 1e-5},
+                    {"dimension", 2.0}};
+  return result;
+}
+
+StudyAnswers answers_of(const StudyPlan& plan) {
+  StudyAnswers answers;
+  for (int i = 0; i < 5; ++i)
+    answers.runs.push_back(
+        row(fmt::format("run{}", i), 1.0 + i, 0.004, 0.002 * (i + 0.1 * (i % 2))));
+  answers.runs.push_back(row("bad", 5.0, 0.006, 0.0));
+  answers.runs.back().state = RunState::failed;
+  answers.runs.back().metrics.clear();
+  answers.runs.back().error = "</script><b>broken</b>";
+  answers.model = ReducedModel(*plan.model, model_data(*plan.model, 1.0, answers.runs));
+  return answers;
+}
+
+TEST(StudyPage, HoldsStudyJsonAndTheUnitsOfEveryMetric) {
+  const StudyPlan plan = test::plan_of(map);
+  const StudyAnswers answers = answers_of(plan);
+  const Json data = study_page_data(plan, answers, StudyState::running);
+  EXPECT_EQ(data.at("study"), Json::parse(study_json(plan, answers)));
+  EXPECT_EQ(data.at("state"), "running");
+  EXPECT_THAT(data.at("written").get<std::string>(), testing::EndsWith(" UTC"));
+  EXPECT_EQ(data.at("units").at("kerf.depth"), "m");
+  EXPECT_EQ(data.at("units").at("kerf.removed_volume"), "m2");
+  EXPECT_EQ(data.at("units").at("cut_through"), "");
+}
+
+TEST(StudyPage, HoldsTheModelOverTheRangeOfItsData) {
+  const StudyPlan plan = test::plan_of(map);
+  const StudyAnswers answers = answers_of(plan);
+  ASSERT_EQ(answers.model->problem(), "");
+  const Json points = study_page_data(plan, answers, StudyState::ended).at("model_points");
+  ASSERT_GE(points.size(), 2u);
+  const ModelRange range = answers.model->ranges().at("jet.jet.speed");
+  EXPECT_DOUBLE_EQ(points.front().at("at").at("jet.jet.speed"), range.low);
+  EXPECT_DOUBLE_EQ(points.back().at("at").at("jet.jet.speed"), range.high);
+  for (const Json& point : points) {
+    const double speed = point.at("at").at("jet.jet.speed");
+    EXPECT_EQ(point.at("along"), "jet.jet.speed");
+    EXPECT_DOUBLE_EQ(point.at("value"), answers.model->predict({{"jet.jet.speed", speed}}).value);
+    EXPECT_LE(point.at("low").get<double>(), point.at("value").get<double>());
+    EXPECT_GE(point.at("high").get<double>(), point.at("value").get<double>());
+  }
+}
+
+TEST(StudyPage, LoadsNothingAndIsNotBrokenByWhatARunSaid) {
+  const StudyPlan plan = test::plan_of(map);
+  const std::string page = study_page(plan, answers_of(plan), StudyState::ended);
+  EXPECT_THAT(page, Not(HasSubstr("</script><b>")));
+  EXPECT_THAT(page, HasSubstr("&lt;/script&gt;&lt;b&gt;broken"));
+  for (const char* address : {"src=\"", "<link", "@import"})
+    EXPECT_THAT(page, Not(HasSubstr(address)));
+  EXPECT_EQ(page.find("kerf-study-data") != std::string::npos,
+            !viewer_text("study_script").empty());
+}
+
+TEST(StudyPage, WithoutItsScriptHasAMapAndATable) {
+  const StudyPlan plan = test::plan_of(map);
+  const auto runs = answers_of(plan).runs;
+  const std::string drawn = static_map(plan, runs);
+  EXPECT_THAT(drawn, HasSubstr("<a href=\"runs/run4/report.html\">"));
+  EXPECT_THAT(drawn, HasSubstr("<title>failed</title>"));
+  EXPECT_THAT(drawn, HasSubstr("5 m/s"));
+  const std::string table = static_table(plan, runs);
+  EXPECT_THAT(table, HasSubstr("<td>not cut through</td><td>1 m/s</td><td>4 mm</td>"));
+  EXPECT_THAT(table, HasSubstr("<a href=\"runs/run0/report.html\">report</a>"));
+  const StudyPlan alone = test::plan_of("[vary]\n\"jet.jet.speed\" = [\"1 m/s\", \"2 m/s\"]\n");
+  EXPECT_EQ(static_map(alone, runs), "");
+}
+
+TEST(StudyPage, IsWrittenAnewWhenRunsHaveEnded) {
+  const StudyPlan plan = test::plan_of(map);
+  const auto folder = std::filesystem::path(testing::TempDir()) / "kerf_study_page";
+  std::filesystem::create_directories(folder);
+  StudyPageFile file(plan, folder);
+  int asked = 0;
+  const auto runs = [&] {
+    ++asked;
+    return answers_of(plan).runs;
+  };
+  file.follow(0, 6, runs);  // at the start
+  EXPECT_EQ(asked, 1);
+  EXPECT_THAT(read_file(folder / "study.html"), HasSubstr("runs/run0/report.html"));
+  file.follow(0, 6, runs);  // nothing new
+  file.follow(1, 6, runs);  // too soon
+  EXPECT_EQ(asked, 1);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace kerf

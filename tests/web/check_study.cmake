@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
+# Makes the runs of STUDY in FOLDER and reads its page as web/test/study_page.mjs does.
+if(NOT EXISTS ${WEB}/node_modules)
+  message("the viewer was not built")
+  return()
+endif()
+file(REMOVE_RECURSE ${FOLDER})
+execute_process(COMMAND ${KERF} study ${STUDY} --out ${FOLDER} --jobs 2 --quiet
+  COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${NODE} ${WEB}/test/study_page.mjs ${FOLDER}/study.html
+  COMMAND_ERROR_IS_FATAL ANY)
