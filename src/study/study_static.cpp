@@ -93,7 +93,7 @@ std::string static_table(const StudyPlan& plan, const std::vector<RunRow>& runs)
   for (const Axis& axis : axes) text += fmt::format("<th>{}</th>", html::escape(axis.name()));
   text += "<th>spacing</th><th>depth of the kerf</th><th>run</th></tr></thead><tbody>\n";
   for (const RunRow& row : runs) {
-    text += fmt::format("<tr><td>{}</td>", verdict_of(row));
+    text += fmt::format("<tr><th scope=\"row\">{}</th>", verdict_of(row));
     for (const Axis& axis : axes) {
       const auto& [numbers, words] = row.trial.setting;
       const auto number = numbers.find(axis.name());
