@@ -63,13 +63,13 @@ struct Carving {
 
  private:
   template <class Result>
-  Result measure_with(Result (*measure)(const Workpiece&, const Frame&, const KerfConditions&),
+  Result measure_with(Result (*measurer)(const Workpiece&, const Frame&, const KerfConditions&),
                       Frame initial, Frame frame) const {
     if (is_block_tilted) tilt(initial, angle);
     if (is_block_tilted) tilt(frame, angle);
     frame.time = time;
     const CutMonitor monitor(description(), initial);
-    return measure(monitor.workpiece(), frame, conditions);
+    return measurer(monitor.workpiece(), frame, conditions);
   }
 };
 
