@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include <atomic>
 #include <mutex>
 
 #include "app/run_folder.hpp"
@@ -27,6 +28,23 @@ double cut_time_of(const SeriesTable& series) {
     if (cut[i] != 0.0) return time[i];
   return -1.0;
 }
+
+// Looks, whenever nobody has asked anything for a moment, whether the server is to end. Asked to
+// end in any other way, a server that has not begun to listen would forget it.
+class WatchfulPool : public httplib::ThreadPool {
+ public:
+  WatchfulPool(httplib::Server& server, const std::atomic<bool>& ends)
+      : ThreadPool(CPPHTTPLIB_THREAD_POOL_COUNT), server_(server), ends_(ends) {}
+  void on_idle() override {
+    if (ends_) server_.stop();
+  }
+
+ private:
+  httplib::Server& server_;
+  const std::atomic<bool>& ends_;
+};
+
+constexpr int idle_microseconds = 50'000;
 
 }  // namespace
 
@@ -66,6 +84,11 @@ struct ViewServer::State {
     return html::page(description.title, body + viewer_script(run()));
   }
 
+  void set_watch() {
+    server.set_idle_interval(0, idle_microseconds);
+    server.new_task_queue = [this] { return new WatchfulPool(server, ends); };
+  }
+
   void set_routes() {
     const auto answer = [this](const char* type, auto make) {
       return [this, type, make](const httplib::Request& request, httplib::Response& response) {
@@ -91,11 +114,13 @@ struct ViewServer::State {
   Case description;
   ViewerPacker packer;
   std::mutex mutex;  // one request at a time looks into the folder
+  std::atomic<bool> ends = false;
   httplib::Server server;
 };
 
 ViewServer::ViewServer(const fs::path& folder) : state_(std::make_unique<State>(folder)) {
   state_->set_routes();
+  state_->set_watch();
 }
 ViewServer::~ViewServer() = default;
 
@@ -114,7 +139,7 @@ void ViewServer::serve() {
   state_->server.listen_after_bind();
 }
 void ViewServer::stop() {
-  state_->server.stop();
+  state_->ends = true;
 }
 
 }  // namespace kerf

@@ -18,7 +18,7 @@ class ViewServer {
   // Takes a port of the loopback interface, any free one for 0; the port. Throws UserError when it
   // is taken.
   int bind(int port);
-  // Answers until stop(), which may be called by another thread or a signal.
+  // Answers until stop(), which may be called by another thread or a signal, and also before.
   void serve();
   void stop();
 

@@ -115,6 +115,13 @@ TEST(ViewFolder, MustHoldARun) {
               testing::HasSubstr("holds no run of Kerf"));
 }
 
+TEST_F(View, EndsAlsoWhenItWasToldToBeforeItBegan) {
+  ViewServer server(out_);
+  server.bind(0);
+  server.stop();
+  server.serve();  // returns
+}
+
 TEST_F(View, AMovieHasAllFrames) {
   std::size_t drawn = 0;
   try {
