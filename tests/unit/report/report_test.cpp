@@ -10,7 +10,7 @@
 #include "app/run_loop.hpp"
 #include "case/write_used.hpp"
 #include "core/error.hpp"
-#include "support/fake_simulation.hpp"
+#include "support/fake_run.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace kerf {
@@ -25,15 +25,7 @@ class Report : public testing::Test {
  protected:
   void SetUp() override {
     description_.title = "Cut <of> & \"tofu\"";
-    RunSettings settings;
-    settings.description = description_;
-    settings.case_name = "fake";
-    settings.case_text = write_used(description_);
-    settings.folder = out_;
-    settings.quiet = true;
-    RunLoop(settings, [](const Case& description) {
-      return std::make_unique<test::FakeSimulation>(description);
-    }).run();
+    test::run_fake(description_, out_);
     page_ = read_file(out_ / "report.html");
   }
   test::TemporaryFolder folder_;

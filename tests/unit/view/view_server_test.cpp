@@ -16,7 +16,7 @@
 #include "core/error.hpp"
 #include "output/read_frame.hpp"
 #include "report/movie.hpp"
-#include "support/fake_simulation.hpp"
+#include "support/fake_run.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace kerf {
@@ -25,15 +25,7 @@ namespace {
 class View : public testing::Test {
  protected:
   void SetUp() override {
-    RunSettings settings;
-    settings.description = description_;
-    settings.case_name = "fake";
-    settings.case_text = write_used(description_);
-    settings.folder = out_;
-    settings.quiet = true;
-    RunLoop(settings, [](const Case& description) {
-      return std::make_unique<test::FakeSimulation>(description);
-    }).run();
+    test::run_fake(description_, out_);
     server_ = std::make_unique<ViewServer>(out_);
     client_ = std::make_unique<httplib::Client>("127.0.0.1", server_->bind(0));
     thread_ = std::thread([this] { server_->serve(); });
