@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/unknown_name.hpp"
 #include "case/material_library.hpp"
-#include "case/problems.hpp"
 #include "case/units.hpp"
-#include "core/error.hpp"
 
 namespace kerf {
 
@@ -47,10 +46,7 @@ void print_material(const std::string& name) {
   if (!entry) {
     std::vector<std::string> names;
     for (const LibraryMaterial& other : material_library()) names.emplace_back(other.name);
-    const std::string guess = closest(name, names);
-    throw UserError(fmt::format("there is no material \"{}\" in the library. {}Allowed: {}.", name,
-                                guess.empty() ? "" : fmt::format("Did you mean \"{}\"? ", guess),
-                                fmt::join(names, ", ")));
+    refuse_name(fmt::format("there is no material \"{}\" in the library", name), name, names);
   }
   fmt::print("{} ({}): {}\n\n", entry->name, kind_name(entry->kind), entry->title);
   fmt::print("  {:<21} {:<14} {}\n", "key", "value", "source");

@@ -8,8 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
-#include "case/problems.hpp"
-#include "core/error.hpp"
+#include "app/unknown_name.hpp"
 #include "output/files.hpp"
 
 namespace kerf {
@@ -59,10 +58,7 @@ void print_template(const std::string& name) {
     }
     names.emplace_back(entry.name);
   }
-  const std::string guess = closest(name, names);
-  throw UserError(fmt::format("there is no case \"{}\" to start from. {}Allowed: {}.", name,
-                              guess.empty() ? "" : fmt::format("Did you mean \"{}\"? ", guess),
-                              fmt::join(names, ", ")));
+  refuse_name(fmt::format("there is no case \"{}\" to start from", name), name, names);
 }
 
 }  // namespace

@@ -64,9 +64,8 @@ ProgressNumbers RunLoop::numbers() const {
 // What the last frame says of the kerf.
 void RunLoop::measure(RunOutcome& outcome) {
   if (settings_.description.jets.empty()) return;
-  const KerfConditions conditions = kerf_conditions(settings_.description, outcome.cut);
-  outcome.kerf = measure_kerf(cut_->workpiece(), frame(), conditions);
-  outcome.opening = measure_opening(cut_->workpiece(), frame(), conditions);
+  outcome.kerf =
+      measure_kerf(cut_->workpiece(), frame(), kerf_conditions(settings_.description, outcome.cut));
 }
 
 void RunLoop::write_result() {

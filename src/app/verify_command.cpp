@@ -8,9 +8,8 @@
 
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
+#include "app/unknown_name.hpp"
 #include "app/verify_page.hpp"
-#include "case/problems.hpp"
-#include "core/error.hpp"
 #include "output/files.hpp"
 #include "simulation/simulation.hpp"
 #include "verify/table.hpp"
@@ -36,10 +35,7 @@ std::vector<VerificationCase> chosen_cases(const std::vector<std::string>& names
   for (const auto& entry : cases) known.push_back(entry.name);
   for (const std::string& name : names) {
     if (std::count(known.begin(), known.end(), name) > 0) continue;
-    const std::string guess = closest(name, known);
-    throw UserError(fmt::format("there is no verification case \"{}\". {}Allowed: {}.", name,
-                                guess.empty() ? "" : fmt::format("Did you mean \"{}\"? ", guess),
-                                fmt::join(known, ", ")));
+    refuse_name(fmt::format("there is no verification case \"{}\"", name), name, known);
   }
   std::erase_if(cases, [&](const VerificationCase& entry) {
     return std::count(names.begin(), names.end(), entry.name) == 0;
@@ -55,10 +51,8 @@ void keep_runs(const std::vector<std::string>& runs, std::vector<VerificationCas
     for (const PlannedRun& run : entry.runs) known.push_back(run.name);
   for (const std::string& run : runs) {
     if (std::count(known.begin(), known.end(), run) > 0) continue;
-    const std::string guess = closest(run, known);
-    throw UserError(fmt::format(
-        "--run: there is no run \"{}\" in the cases chosen. {}Allowed: {}.", run,
-        guess.empty() ? "" : fmt::format("Did you mean \"{}\"? ", guess), fmt::join(known, "; ")));
+    refuse_name(fmt::format("--run: there is no run \"{}\" in the cases chosen", run), run, known,
+                "; ");
   }
   std::erase_if(cases, [&](VerificationCase& entry) { return !entry.keep_runs(runs); });
 }

@@ -107,6 +107,8 @@ Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame,
   const KerfView view{workpiece, frame, rows, standing};
   const KerfMap map = make_kerf_map(view, axes, path);
   kerf.shape = measure_shape(map, axes, path, workpiece.axis_spacing);
+  const KerfView now{workpiece, frame, rows, standing, KerfPlaces::present};
+  kerf.opening = measure_shape(make_kerf_map(now, axes, path), axes, path, workpiece.axis_spacing);
   kerf.damaged_zone = measure_damaged_zone(view, map, axes, path, kerf.shape);
   kerf.removal = measure_removal(removed_volume(workpiece, standing),
                                  find_work(workpiece, conditions, frame.time));
@@ -115,18 +117,6 @@ Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame,
   kerf.layers = measure_layers(view, axes, path);
   kerf.margin = find_margin(workpiece, conditions, frame.time);
   return kerf;
-}
-
-KerfShape measure_opening(const Workpiece& workpiece, const Frame& frame,
-                          const KerfConditions& conditions) {
-  if (workpiece.empty() || !workpiece.jet) return {};
-  const std::vector<std::uint32_t> rows = locate(workpiece, frame);
-  const auto standing =
-      find_standing(workpiece, frame, rows, find_pieces(workpiece, frame, rows).in_piece);
-  const KerfAxes axes(*workpiece.jet, conditions.traverse, frame.dimension);
-  const KerfPath path = find_path(axes, conditions, frame.time);
-  const KerfView view{workpiece, frame, rows, standing, KerfPlaces::present};
-  return measure_shape(make_kerf_map(view, axes, path), axes, path, workpiece.axis_spacing);
 }
 
 }  // namespace kerf

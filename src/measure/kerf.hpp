@@ -40,7 +40,8 @@ struct KerfLayer {
 };
 
 struct Kerf {
-  KerfShape shape;
+  KerfShape shape;            // of what was taken away, on the workpiece as laid out
+  KerfShape opening;          // of what is open now: what flowed aside without breaking too
   double damaged_zone = 0.0;  // m
   Removal removal;
   Splash splash;
@@ -54,9 +55,5 @@ struct Kerf {
 
 // All 0 or empty without a workpiece or a jet, but for the fragments, which need no jet.
 Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame, const KerfConditions& conditions);
-
-// The shape of what is open at this instant: what flowed aside without breaking counts too.
-KerfShape measure_opening(const Workpiece& workpiece, const Frame& frame,
-                          const KerfConditions& conditions);
 
 }  // namespace kerf

@@ -98,8 +98,10 @@ Json result_of(const RunOutcome& outcome) {
   result["verdict"] = verdict_of(outcome);
   add_cut(result, outcome.cut);
   add_fragments(result, outcome.cut.fragments);
-  if (outcome.kerf) result["kerf"] = kerf_json(*outcome.kerf, outcome.description);
-  if (outcome.opening) result["opening"] = shape_json(*outcome.opening);
+  if (outcome.kerf) {
+    result["kerf"] = kerf_json(*outcome.kerf, outcome.description);
+    result["opening"] = shape_json(outcome.kerf->opening);
+  }
   if (outcome.description.machine)
     result["machine"] = machine_json(*outcome.description.machine, outcome.description);
   add_derived(result, outcome.derived);

@@ -25,9 +25,8 @@ struct RunOutcome {
   std::string case_name;
   DerivedNumbers derived;
   CutSummary cut;
-  std::optional<Kerf> kerf;          // of runs with a jet: what was taken away, as laid out
-  std::optional<KerfShape> opening;  // and what is open now
-  bool still_cutting = false;        // the front was moving when the run ended
+  std::optional<Kerf> kerf;    // of runs with a jet
+  bool still_cutting = false;  // the front was moving when the run ended
   Ledger ledger;
   double time = 0.0;  // s
   std::uint64_t steps = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "output/csv.hpp"
 #include "output/ledger_table.hpp"
 #include "output/series.hpp"
 
@@ -14,19 +15,11 @@ std::string text_of(double value) {
   return fmt::format("{}", value);
 }
 
-// Probe names and limits are free text: commas and quotes are quoted as RFC 4180 has it.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
 template <class Value>
 SeriesColumn column(const std::string& name, const std::string& unit, Value value) {
   return {name, unit, [value](const SeriesSample& sample) {
             if constexpr (std::is_convertible_v<decltype(value(sample)), std::string>)
-              return quoted(value(sample));
+              return csv_text(value(sample));  // names of probes and limits are free text
             else
               return text_of(static_cast<double>(value(sample)));
           }};
@@ -126,7 +119,7 @@ std::string header_of(const SeriesColumn& column) {
     else
       unit += c == ' ' ? '_' : c;
   }
-  return quoted(column.unit == "1" ? column.name : column.name + "_" + unit);
+  return csv_text(column.unit == "1" ? column.name : column.name + "_" + unit);
 }
 
 }  // namespace kerf

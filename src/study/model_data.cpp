@@ -3,17 +3,12 @@
 
 namespace kerf {
 
-namespace {
-
-// A varied key, or a number of the result.
 const double* find_number(const RunRow& row, const std::string& name) {
   const auto& numbers = row.trial.setting.numbers;
   if (const auto key = numbers.find(name); key != numbers.end()) return &key->second;
   const auto metric = row.metrics.find(name);
   return metric == row.metrics.end() ? nullptr : &metric->second;
 }
-
-}  // namespace
 
 std::vector<ModelDatum> model_data(const ModelGoal& goal, double refinement,
                                    const std::vector<RunRow>& runs) {

@@ -25,6 +25,9 @@ struct StudyAnswers {
   std::optional<ReducedModel> model;
 };
 
+// A varied key of a run, or a number of its result; null where it has neither.
+const double* find_number(const RunRow& row, const std::string& name);
+
 // The runs that a model of the study is fitted to: done, at the study's resolution, with all that
 // the model needs.
 std::vector<ModelDatum> model_data(const ModelGoal& goal, double refinement,

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <set>
 
 #include "core/version.hpp"
@@ -25,13 +24,6 @@ constexpr int curve_points = 49;         // of the model, along one variable
 constexpr std::size_t most_levels = 9;   // of each other variable, for which there is a curve
 constexpr std::size_t most_curves = 81;  // along one variable
 constexpr const char* state_words[] = {"running", "stopped", "ended"};
-
-std::optional<double> number_of(const RunRow& row, const std::string& name) {
-  const auto& numbers = row.trial.setting.numbers;
-  if (const auto key = numbers.find(name); key != numbers.end()) return key->second;
-  const auto metric = row.metrics.find(name);
-  return metric == row.metrics.end() ? std::nullopt : std::optional(metric->second);
-}
 
 using Places = std::vector<std::map<std::string, double>>;
 
@@ -55,7 +47,7 @@ Places curve_places(const std::vector<std::string>& variables, const std::string
     const ModelRange range = model.ranges().at(name);
     std::set<double> values;
     for (const RunRow& row : runs)
-      if (const auto value = number_of(row, name);
+      if (const double* value = find_number(row, name);
           value && *value >= range.low && *value <= range.high)
         values.insert(*value);
     if (values.size() > most_levels) return {};
@@ -90,7 +82,8 @@ Json model_points(const StudyPlan& plan, const StudyAnswers& answers) {
 // What is removed is an area in two dimensions.
 std::string_view unit_of(const std::string& name, const RunRow& row) {
   if (!name.ends_with("removed_volume")) return metric_unit(name);
-  return number_of(row, "dimension") == 2.0 ? "m2" : "m3";
+  const double* dimension = find_number(row, "dimension");
+  return dimension != nullptr && *dimension == 2.0 ? "m2" : "m3";
 }
 
 Json units_json(const std::vector<RunRow>& runs) {

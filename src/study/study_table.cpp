@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "case/units.hpp"
+#include "output/csv.hpp"
 #include "study/metrics.hpp"
 #include "study/study_runs.hpp"
 
@@ -24,14 +25,6 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
 
 std::string with_unit(const std::string& name, std::string_view unit) {
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
-}
-
-// RFC 4180.
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
 }
 
 std::string state_text(RunState state) {

@@ -47,12 +47,6 @@ std::shared_ptr<const Weights> make_weights(const Parameters& parameters,
   return result;
 }
 
-std::size_t axis_of(const Parameters& parameters) {
-  const std::string axis = parameters.text("axis");
-  if (axis != "x" && axis != "y" && axis != "z") parameters.fail("axis is x, y or z");
-  return static_cast<std::size_t>(axis[0] - 'x');
-}
-
 }  // namespace
 
 // sum w u / sum |w|, u the displacement or velocity along an axis, w = mass x formula. With the
@@ -60,7 +54,7 @@ std::size_t axis_of(const Parameters& parameters) {
 // of the body `less`, if one is named.
 Signal body_mean_signal(const Parameters& parameters, const Beginning& beginning) {
   const auto weights = make_weights(parameters, beginning);
-  const std::size_t axis = axis_of(parameters);
+  const std::size_t axis = named_axis(parameters);
   const std::size_t less = body_index(parameters, beginning, "less");
   const std::string field = parameters.text("field");
   if (field != "velocity" && field != "displacement")
@@ -91,7 +85,7 @@ Signal body_mean_signal(const Parameters& parameters, const Beginning& beginning
 // Where the kinetic energy of a wave is, along an axis: sum w v^2 x / sum w v^2, x the first place.
 Signal kinetic_centroid_signal(const Parameters& parameters, const Beginning& beginning) {
   const auto weights = make_weights(parameters, beginning);
-  const std::size_t axis = axis_of(parameters);
+  const std::size_t axis = named_axis(parameters);
   return [weights, axis](Moment& moment) {
     const Frame& frame = moment.frame();
     double sum = 0.0, total = 0.0;

@@ -48,9 +48,7 @@ Signal region_volume_signal(const Parameters& parameters, const Beginning& begin
 // none.
 Signal region_velocity_signal(const Parameters& parameters, const Beginning& beginning) {
   const auto region = std::make_shared<const Region>(parameters, beginning);
-  const std::string name = parameters.text("axis");
-  if (name != "x" && name != "y" && name != "z") parameters.fail("axis is x, y or z");
-  const auto axis = static_cast<std::size_t>(name[0] - 'x');
+  const std::size_t axis = named_axis(parameters);
   return [region, axis](Moment& moment) {
     const Frame& frame = moment.frame();
     double momentum = 0.0, mass = 0.0;

@@ -44,6 +44,12 @@ std::size_t named_body(const Parameters& parameters, const Beginning& beginning,
   parameters.fail(fmt::format("there is no body \"{}\"", name));
 }
 
+std::size_t named_axis(const Parameters& parameters) {
+  const std::string axis = parameters.text("axis");
+  if (axis != "x" && axis != "y" && axis != "z") parameters.fail("axis is x, y or z");
+  return static_cast<std::size_t>(axis[0] - 'x');
+}
+
 Signal probe_signal(const Parameters& parameters, const Beginning& beginning) {
   static const std::map<std::string, std::size_t> of_point{{"pressure", 0}, {"x", 1}, {"y", 2}};
   static const std::map<std::string, std::size_t> of_plane{{"x", 0}, {"y", 1}, {"z", 2}};

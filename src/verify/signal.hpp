@@ -25,6 +25,9 @@ Signal make_signal(const Parameters& parameters, const Beginning& beginning);
 std::size_t named_body(const Parameters& parameters, const Beginning& beginning,
                        const std::string& key = "body");
 
+// The axis that the key "axis" names: 0, 1, 2 for x, y, z.
+std::size_t named_axis(const Parameters& parameters);
+
 // From the run's own books.
 Signal probe_signal(const Parameters& parameters, const Beginning& beginning);
 Signal ledger_signal(const Parameters& parameters, const Beginning& beginning);

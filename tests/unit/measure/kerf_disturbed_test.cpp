@@ -70,7 +70,8 @@ TEST_P(DisturbedKerf, IsWiderAtPresentWhereTheHalvesMovedApart) {
     if (frame_.category[row] == Category::solid)
       frame_.position[row][0] += frame_.position[row][0] > 0.0 ? 4.0 * mm : -2.0 * mm;
   EXPECT_NEAR(carving_.measure_pair(initial_, frame_).shape.middle.width, width, 1e-3 * mm);
-  EXPECT_NEAR(carving_.opening_of_pair(initial_, frame_).middle.width, width + 6.0 * mm, 0.5 * mm);
+  EXPECT_NEAR(carving_.measure_pair(initial_, frame_).opening.middle.width, width + 6.0 * mm,
+              0.5 * mm);
 }
 
 // Nothing is fractured: the solid under the jet has flowed down and aside.
@@ -81,7 +82,8 @@ TEST_P(DisturbedKerf, OfADentIsSeenAtPresentOnly) {
     return {x[0], x[1] - 10.0 * mm * share, x[2]};
   });
   EXPECT_NEAR(carving_.measure_pair(initial_, dented).shape.depth, 0.0, 1e-3 * mm);
-  EXPECT_NEAR(carving_.opening_of_pair(initial_, dented).depth, 10.0 * mm, 0.5 * solid_spacing);
+  EXPECT_NEAR(carving_.measure_pair(initial_, dented).opening.depth, 10.0 * mm,
+              0.5 * solid_spacing);
 }
 
 TEST_P(DisturbedKerf, OfAHalfThatFellAwayReachesTheEdgeOfTheBlock) {

@@ -55,21 +55,11 @@ struct Carving {
   }
   // Of frames before the tilt.
   Kerf measure_pair(Frame initial, Frame frame) const {
-    return measure_with(measure_kerf, std::move(initial), std::move(frame));
-  }
-  KerfShape opening_of_pair(Frame initial, Frame frame) const {
-    return measure_with(measure_opening, std::move(initial), std::move(frame));
-  }
-
- private:
-  template <class Result>
-  Result measure_with(Result (*measurer)(const Workpiece&, const Frame&, const KerfConditions&),
-                      Frame initial, Frame frame) const {
     if (is_block_tilted) tilt(initial, angle);
     if (is_block_tilted) tilt(frame, angle);
     frame.time = time;
     const CutMonitor monitor(description(), initial);
-    return measurer(monitor.workpiece(), frame, conditions);
+    return measure_kerf(monitor.workpiece(), frame, conditions);
   }
 };
 
