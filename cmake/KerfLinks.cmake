@@ -9,7 +9,7 @@ target_link_libraries(kerf_output PUBLIC kerf_engine kerf_measure nlohmann_json:
   PRIVATE ${HDF5_LIBRARIES} Boost::headers)
 target_link_libraries(kerf_report PUBLIC kerf_output PkgConfig::cairo
   PRIVATE PkgConfig::plplot Boost::headers Boost::filesystem ZLIB::ZLIB nlohmann_json::nlohmann_json)
-target_link_libraries(kerf_verify PUBLIC kerf_engine kerf_measure tomlplusplus::tomlplusplus
+target_link_libraries(kerf_verify PUBLIC kerf_engine kerf_measure kerf_output tomlplusplus::tomlplusplus
   PRIVATE nlohmann_json::nlohmann_json)
 target_include_directories(kerf_study SYSTEM PRIVATE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(kerf_study PUBLIC kerf_case kerf_measure kerf_output kerf_report tomlplusplus::tomlplusplus

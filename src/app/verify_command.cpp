@@ -25,6 +25,7 @@ struct VerifyOptions {
   bool list = false;
   std::string json;
   std::string page;
+  std::string keep;
   int threads = 0;
 };
 
@@ -80,7 +81,8 @@ class VerifyLine {
   bool is_terminal_ = isatty(STDERR_FILENO) != 0;
 };
 
-Findings verify_and_print(const std::vector<VerificationCase>& cases, bool all) {
+Findings verify_and_print(const std::vector<VerificationCase>& cases, bool all,
+                          const KeptRuns& kept) {
   const VerifyLine line;
   Findings findings;
   const auto append = [](auto& to, auto& from) {
@@ -88,9 +90,10 @@ Findings verify_and_print(const std::vector<VerificationCase>& cases, bool all) 
   };
   fmt::print("{}", table_head());
   for (const VerificationCase& entry : cases) {
-    Findings found = verify(entry, all, [&](const std::string& run, double share) {
+    const auto show = [&](const std::string& run, double share) {
       line.show(entry.name, run, share);
-    });
+    };
+    Findings found = verify(entry, all, show, kept);
     line.clear();
     for (const Row& row : found.rows) fmt::print("{}", table_row(row));
     std::fflush(stdout);
@@ -109,7 +112,8 @@ void run_verification(const VerifyOptions& options) {
     return;
   }
   set_threads(options.threads);
-  const Findings findings = verify_and_print(cases, options.all);
+  const Findings findings = verify_and_print(
+      cases, options.all, options.keep.empty() ? KeptRuns() : KeptRuns(options.keep));
   if (!options.json.empty()) write_file(options.json, to_json(findings.rows));
   if (!options.page.empty()) write_verification_page(options.page, cases, findings);
   const auto count = [&](Verdict verdict) {
@@ -135,6 +139,9 @@ void add_verify_command(CLI::App& program) {
   command->add_option("--page", options->page,
                       "Also put the table into this Markdown page, between its marks, with curves "
                       "and pictures beside it");
+  command->add_option("--keep", options->keep,
+                      "Keep each run in this folder and make none again that it holds; empty it "
+                      "after a change of the program");
   command->add_option("--threads", options->threads, "Threads, 0 = every core")
       ->check(CLI::NonNegativeNumber);
   command->callback([options] { run_verification(*options); });

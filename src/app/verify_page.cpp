@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <map>
 #include <string>
@@ -28,19 +27,6 @@ constexpr double picture_scale = 0.5;
 // As palette::curves has them.
 constexpr const char* colour_names[] = {"blue",   "vermilion", "green",  "purple",
                                         "orange", "sky blue",  "yellow", "black"};
-
-// "jet speed, 2 mm" -> "jet-speed-2-mm"
-std::string file_name_of(const std::string& text) {
-  std::string name;
-  for (const unsigned char c : text) {
-    if (std::isalnum(c) != 0)
-      name += static_cast<char>(std::tolower(c));
-    else if (!name.empty() && name.back() != '-')
-      name += '-';
-  }
-  while (!name.empty() && name.back() == '-') name.pop_back();
-  return name;
-}
 
 std::string draw_curves(const CheckCurves& curves, const std::string& name) {
   double first = std::numeric_limits<double>::infinity(), last = 0.0;

@@ -20,6 +20,8 @@ class Parameters {
   // A quantity with its unit, in `si_unit`; without a unit when that is empty.
   double number(const std::string& key, const std::string& si_unit) const;
   double number(const std::string& key, const std::string& si_unit, double fallback) const;
+  // As written.
+  const std::map<std::string, std::string>& values() const { return values_; }
   // Keys that nobody has asked for: misspelt ones.
   std::vector<std::string> unread() const;
   [[noreturn]] void fail(const std::string& what) const;

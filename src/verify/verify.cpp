@@ -4,74 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 
 #include "case/units.hpp"
-#include "core/error.hpp"
 #include "verify/series.hpp"
-#include "verify/signal.hpp"
 
 namespace kerf {
 
 namespace {
-
-// The signals of a run over time, one for each of the checks that want it.
-struct Recording {
-  std::vector<TimeSeries> series;
-  std::optional<Frame> look;
-  double seconds = 0.0;
-  std::string problem;
-};
-
-void sample(std::vector<Signal>& signals, Moment moment, Recording& recording) {
-  for (std::size_t i = 0; i < signals.size(); ++i) {
-    recording.series[i].time.push_back(moment.time());
-    recording.series[i].value.push_back(signals[i](moment));
-  }
-}
-
-// One sample at the start, then one at the first step past each multiple of the interval, and one
-// at the end.
-void record_run(const PlannedRun& run, const std::vector<const Check*>& checks,
-                const VerifyProgress& progress, Recording& recording) {
-  const Case description = run.description();
-  const auto simulation = make_simulation(description);
-  Beginning beginning(description, *simulation);
-  std::vector<Signal> signals;
-  for (const Check* check : checks) signals.push_back(make_signal(check->parameters, beginning));
-  const double interval =
-      run.sample_interval > 0.0 ? run.sample_interval : description.output.series_interval;
-  sample(signals, Moment(beginning, *simulation), recording);
-  double next = interval;
-  while (!simulation->finished()) {
-    simulation->advance();
-    if (simulation->time() < next && !simulation->finished()) continue;
-    sample(signals, Moment(beginning, *simulation), recording);
-    if (run.picture_time && !recording.look && simulation->time() >= *run.picture_time)
-      recording.look = simulation->frame();
-    next = interval * (std::floor(simulation->time() / interval) + 1.0);
-    progress(run.name, simulation->time() / description.time.end);
-  }
-}
-
-Recording record(const PlannedRun& run, const std::vector<const Check*>& checks,
-                 const VerifyProgress& progress) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  Recording recording;
-  recording.series.resize(checks.size());
-  try {
-    record_run(run, checks, progress, recording);
-  } catch (const UserError& error) {
-    recording.problem = error.what();
-  }
-  recording.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return recording;
-}
 
 using Recordings = std::map<std::string, Recording>;
 
@@ -116,7 +59,7 @@ std::vector<const Check*> checks_of(const VerificationCase& verification, const 
 }
 
 Recordings record_all(const VerificationCase& verification, bool all,
-                      const VerifyProgress& progress) {
+                      const VerifyProgress& progress, const KeptRuns& kept) {
   std::set<std::string> needed;
   for (const Check& check : verification.checks) {
     const auto due = verification.due_runs(check, all);
@@ -124,9 +67,16 @@ Recordings record_all(const VerificationCase& verification, bool all,
     if (!due.empty() && !check.relative_to.empty()) needed.insert(check.relative_to);
   }
   Recordings recordings;
-  for (const PlannedRun& run : verification.runs)
-    if (needed.count(run.name) > 0)
-      recordings[run.name] = record(run, checks_of(verification, run.name), progress);
+  for (const PlannedRun& run : verification.runs) {
+    if (needed.count(run.name) == 0) continue;
+    const auto checks = checks_of(verification, run.name);
+    auto recording = kept.find(verification.name, run, checks);
+    if (!recording) {
+      recording = record_run(run, checks, progress);
+      kept.keep(verification.name, run, checks, *recording);
+    }
+    recordings[run.name] = std::move(*recording);
+  }
   return recordings;
 }
 
@@ -177,15 +127,17 @@ Row measured_row(const VerificationCase& verification, const Check& check,
   row.measured = measured(run) / (check.relative_to.empty() ? unit : measured(check.relative_to));
   row.problem = recordings.at(run).problem;
   row.seconds = recordings.at(run).seconds;
-  if (const auto unread = check.parameters.unread(); row.problem.empty() && !unread.empty())
+  const bool is_complete = row.problem.empty() && !recordings.at(run).was_kept;
+  if (const auto unread = check.parameters.unread(); is_complete && !unread.empty())
     check.parameters.fail(fmt::format("nobody reads the key \"{}\"", unread.front()));
   return row;
 }
 
 }  // namespace
 
-Findings verify(const VerificationCase& verification, bool all, const VerifyProgress& progress) {
-  Recordings recordings = record_all(verification, all, progress);
+Findings verify(const VerificationCase& verification, bool all, const VerifyProgress& progress,
+                const KeptRuns& kept) {
+  Recordings recordings = record_all(verification, all, progress, kept);
   Findings findings;
   for (const Check& check : verification.checks) {
     const auto due = verification.due_runs(check, all);

@@ -2,11 +2,11 @@
 // Runs verification cases and judges them.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "simulation/frame.hpp"
+#include "verify/kept_runs.hpp"
 #include "verify/plan.hpp"
 #include "verify/series.hpp"
 
@@ -51,11 +51,10 @@ struct Findings {
   std::vector<RunLook> looks;
 };
 
-// Told where a run is, from 0 to 1.
-using VerifyProgress = std::function<void(const std::string& run, double share)>;
-
-// Each run that some due check needs is made once. A run that breaks down makes its rows fail.
-Findings verify(const VerificationCase& verification, bool all, const VerifyProgress& progress);
+// Each run that some due check needs is made once, or taken from those kept. A run that breaks down
+// makes its rows fail.
+Findings verify(const VerificationCase& verification, bool all, const VerifyProgress& progress,
+                const KeptRuns& kept = {});
 
 bool has_failed(const std::vector<Row>& rows);
 
