@@ -172,7 +172,11 @@ void study(const StudyOptions& options) {
   const StudyRuns* made = nullptr;
   const auto show = [&](const StudyProgress& now) {
     display.show(now);
-    page.follow(now.ended, now.total, [&] { return made->asked(); });
+    page.follow(now.ended, now.total, [&] {
+      StudyAnswers so_far;
+      conclude(plan, *made, so_far);
+      return so_far;
+    });
   };
   StudyRuns runs(folder, maker, database, *executor, {show, [&] { return signals.caught(); }},
                  options.retry);

@@ -135,13 +135,11 @@ std::string study_page(const StudyPlan& plan, const StudyAnswers& answers, Study
 }
 
 void StudyPageFile::follow(std::size_t ended, std::size_t total,
-                           const std::function<std::vector<RunRow>()>& runs) {
+                           const std::function<StudyAnswers()>& answers) {
   const auto now = std::chrono::steady_clock::now();
   const std::pair seen{ended, total};
   if (seen == seen_ || now - written_ < least_pause) return;
-  StudyAnswers answers;
-  answers.runs = runs();
-  write(answers, StudyState::running);
+  write(answers(), StudyState::running);
   seen_ = seen;
   written_ = std::chrono::steady_clock::now();
 }

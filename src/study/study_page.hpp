@@ -33,9 +33,10 @@ class StudyPageFile {
   StudyPageFile(const StudyPlan& plan, std::filesystem::path folder)
       : plan_(plan), folder_(std::move(folder)) {}
 
-  // While runs are made: writes the page when runs have ended since, every few seconds at most.
+  // While runs are made: writes the page when runs have ended since, every few seconds at most,
+  // with what follows from them.
   void follow(std::size_t ended, std::size_t total,
-              const std::function<std::vector<RunRow>()>& runs);
+              const std::function<StudyAnswers()>& answers);
   void write(const StudyAnswers& answers, StudyState state) const;
 
  private:

@@ -108,15 +108,17 @@ TEST(StudyPage, IsWrittenAnewWhenRunsHaveEnded) {
   std::filesystem::create_directories(folder);
   StudyPageFile file(plan, folder);
   int asked = 0;
-  const auto runs = [&] {
+  const auto answers = [&] {
     ++asked;
-    return answers_of(plan).runs;
+    return answers_of(plan);
   };
-  file.follow(0, 6, runs);  // at the start
+  file.follow(0, 6, answers);  // at the start
   EXPECT_EQ(asked, 1);
-  EXPECT_THAT(read_file(folder / "study.html"), HasSubstr("runs/run0/report.html"));
-  file.follow(0, 6, runs);  // nothing new
-  file.follow(1, 6, runs);  // too soon
+  const std::string page = read_file(folder / "study.html");
+  EXPECT_THAT(page, HasSubstr("runs/run0/report.html"));
+  EXPECT_THAT(page, HasSubstr(answers_of(plan).model->formula()));  // also while it runs
+  file.follow(0, 6, answers);  // nothing new
+  file.follow(1, 6, answers);  // too soon
   EXPECT_EQ(asked, 1);
   std::filesystem::remove_all(folder);
 }
