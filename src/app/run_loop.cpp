@@ -60,6 +60,10 @@ RunEnd RunLoop::run() {
     return start_and_run();
   } catch (const UserError& error) {
     std::string message = error.what();
+    try {
+      settle();
+    } catch (const UserError&) {  // one cause is enough
+    }
     if (saved_time_ >= 0.0)
       message += fmt::format(" The run is safe up to {:.6g} ms; go on from there with: {}",
                              1e3 * saved_time_, settings_.resume_command);
@@ -109,7 +113,7 @@ void RunLoop::resume(const Archive& state) {
   cut_.emplace(settings_.description, frame());
   simulation_->restore(state);
   frame_.reset();
-  saved_time_ = simulation_->time();
+  saved_time_ = saving_time_ = simulation_->time();
   cut_->restore(before_.cut_history, frame());
   series_.cut_back(simulation_->step(), before_.rows);
   frames_.restore(before_.frame_times);
@@ -146,11 +150,19 @@ void RunLoop::write_due() {
                          ? std::max(simulation_->time(), settings_.description.time.end)
                          : simulation_->time();
   if (rows_due_.due(now)) write_row();
-  if (frames_due_.due(now)) {
-    frames_.write(frame());
-    log_->info("frame {} at {:.6g} ms", frames_.times().size() - 1, 1e3 * frame().time);
-  }
-  if (pictures_due_.due(now)) pictures_.write(frame());
+  const bool is_frame_due = frames_due_.due(now), is_picture_due = pictures_due_.due(now);
+  if (is_frame_due || is_picture_due) write_frame(is_frame_due, is_picture_due);
+}
+
+void RunLoop::write_frame(bool as_frame, bool as_picture) {
+  settle();
+  writing_.submit([this, as_frame, as_picture, frame = shared_frame()] {
+    if (as_frame) {
+      frames_.write(*frame);
+      log_->info("frame {} at {:.6g} ms", frames_.times().size() - 1, 1e3 * frame->time);
+    }
+    if (as_picture) pictures_.write(*frame);
+  });
 }
 
 void RunLoop::write_row() {
@@ -173,8 +185,9 @@ void RunLoop::write_last() {
     return times.empty() || times.back() != time;
   };
   if (row_time_ != time) write_row();
-  if (missing(frames_.times())) frames_.write(frame());
-  if (missing(pictures_.times())) pictures_.write(frame());
+  settle();
+  write_frame(missing(frames_.times()), missing(pictures_.times()));
+  settle();
 }
 
 void RunLoop::finish() {
@@ -182,25 +195,41 @@ void RunLoop::finish() {
   write_result();
   write_report(folder_.path(), settings_.description);
   save_checkpoint(true);
+  settle();
   log_->info("finished after {}", duration_text(wall_time()));
 }
 
 RunEnd RunLoop::stop(int signal) {
   save_checkpoint(false);
+  settle();
   tell(fmt::format("Stopped by {} at {:.6g} ms. Go on with: {}", signal_name(signal),
                    1e3 * simulation_->time(), settings_.resume_command));
   return {signal};
 }
 
 void RunLoop::save_checkpoint(bool finished) {
-  series_.sync();  // the checkpoint counts on its rows
-  Checkpoint checkpoint;
-  simulation_->save(checkpoint.simulation);
-  checkpoint.run = to_archive(record(finished));
-  write_checkpoint(folder_.checkpoint(), settings_.case_text, checkpoint);
+  settle();        // the checkpoint counts on the frames written
+  series_.sync();  // and on its rows
+  auto checkpoint = std::make_shared<Checkpoint>();
+  simulation_->save(checkpoint->simulation);
+  checkpoint->run = to_archive(record(finished));
   saved_ = Clock::now();
-  saved_time_ = simulation_->time();
-  log_->info("checkpoint at {:.6g} ms, step {}", 1e3 * saved_time_, simulation_->step());
+  saving_time_ = simulation_->time();
+  writing_.submit([this, checkpoint, time = saving_time_, step = simulation_->step()] {
+    write_checkpoint(folder_.checkpoint(), settings_.case_text, *checkpoint);
+    log_->info("checkpoint at {:.6g} ms, step {}", 1e3 * time, step);
+  });
+}
+
+// Until all that was to be written is on the disk. Throws UserError (exit_files).
+void RunLoop::settle() {
+  try {
+    writing_.wait();
+  } catch (const UserError&) {
+    saving_time_ = saved_time_;  // if it was a checkpoint, there is none
+    throw;
+  }
+  saved_time_ = saving_time_;
 }
 
 void RunLoop::tell(const std::string& line) {

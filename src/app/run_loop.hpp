@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A run from its first step, or from its last checkpoint, to its report. Nothing it writes changes
-// what is computed.
+// what is computed; frames, pictures and checkpoints are written while it is computed.
 #pragma once
 
 #include <chrono>
@@ -19,6 +19,7 @@
 #include "app/signals.hpp"
 #include "case/case.hpp"
 #include "measure/cut.hpp"
+#include "output/background.hpp"
 #include "output/result.hpp"
 #include "output/series.hpp"
 #include "output/vtkhdf.hpp"
@@ -62,14 +63,17 @@ class RunLoop {
   RunEnd steps();
   void write_due();
   void write_row();
+  void write_frame(bool as_frame, bool as_picture);
   void write_last();
   void finish();
   RunEnd stop(int signal);
   void save_checkpoint(bool finished);
+  void settle();
   void measure(RunOutcome& outcome);
   void write_result();
 
-  const Frame& frame();
+  const Frame& frame() { return *shared_frame(); }
+  const std::shared_ptr<const Frame>& shared_frame();
   RunRecord record(bool finished) const;
   ProgressNumbers numbers() const;
   double wall_time() const;
@@ -87,7 +91,7 @@ class RunLoop {
 
   std::unique_ptr<Simulation> simulation_;
   std::optional<CutMonitor> cut_;
-  std::optional<Frame> frame_;  // of the present step, made when first asked for
+  std::shared_ptr<const Frame> frame_;  // of the present step, made when first asked for
   SeriesWriter series_;
   FrameWriter frames_;
   PictureWriter pictures_;
@@ -95,8 +99,10 @@ class RunLoop {
   RunRecord before_;  // of the parts of the run before this one
   std::map<std::string, std::uint64_t> limits_;
   double energy_drift_ = 0.0;
-  double row_time_ = -1.0;    // s, of the last row of the series
-  double saved_time_ = -1.0;  // s, of the last checkpoint; negative = none
+  double row_time_ = -1.0;     // s, of the last row of the series
+  double saved_time_ = -1.0;   // s, of the last checkpoint that is safe; negative = none
+  double saving_time_ = -1.0;  // s, of the one that is being written, or was
+  Background writing_;  // frames, pictures and checkpoints; last, so that it ends before they do
 };
 
 }  // namespace kerf

@@ -10,9 +10,9 @@
 
 namespace kerf {
 
-const Frame& RunLoop::frame() {
-  if (!frame_) frame_ = simulation_->frame();
-  return *frame_;
+const std::shared_ptr<const Frame>& RunLoop::shared_frame() {
+  if (!frame_) frame_ = std::make_shared<const Frame>(simulation_->frame());
+  return frame_;
 }
 
 double RunLoop::wall_time() const {

@@ -35,8 +35,7 @@ class StudyPageFile {
 
   // While runs are made: writes the page when runs have ended since, every few seconds at most,
   // with what follows from them.
-  void follow(std::size_t ended, std::size_t total,
-              const std::function<StudyAnswers()>& answers);
+  void follow(std::size_t ended, std::size_t total, const std::function<StudyAnswers()>& answers);
   void write(const StudyAnswers& answers, StudyState state) const;
 
  private:

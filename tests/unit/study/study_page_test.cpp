@@ -117,8 +117,8 @@ TEST(StudyPage, IsWrittenAnewWhenRunsHaveEnded) {
   const std::string page = read_file(folder / "study.html");
   EXPECT_THAT(page, HasSubstr("runs/run0/report.html"));
   EXPECT_THAT(page, HasSubstr(answers_of(plan).model->formula()));  // also while it runs
-  file.follow(0, 6, answers);  // nothing new
-  file.follow(1, 6, answers);  // too soon
+  file.follow(0, 6, answers);                                       // nothing new
+  file.follow(1, 6, answers);                                       // too soon
   EXPECT_EQ(asked, 1);
   std::filesystem::remove_all(folder);
 }
