@@ -4,8 +4,10 @@
 // adds up rates along the way and has no memory of where particles are: matter that was torn about
 // without pressure may stay "opened" although its particles have closed in again, and would let
 // others into it. So the density of opened matter is not below rho_0 phi (integrate/verlet.hpp),
-// and that of water in motion goes back to it (integrate/regain_density.hpp). How fast matter is
-// stirred is the largest |v_ij| of its fluid neighbours over h.
+// and that of water in motion goes back to it (integrate/regain_density.hpp). Matter of another
+// phase that is squeezed takes the room that its density leaves it, V_0j rho_0j / rho_j: where
+// water is driven into crushed foam it is the foam that gives way. How fast matter is stirred is
+// the largest |v_ij| of its fluid neighbours over h.
 #pragma once
 
 #include <cmath>
@@ -48,7 +50,7 @@ struct Filling {
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     if (!particles.has_density(pair.i)) return;
-    sum.filling += pair.medium_j->volume * Kernel::value(pair.distance, pair.smoothing_length);
+    sum.filling += room(particles, pair) * Kernel::value(pair.distance, pair.smoothing_length);
     if (!particles.is_fluid(pair.j)) return;
     const Real squared = dot(pair.velocity, pair.velocity);
     if (squared > sum.fastest_squared) sum.fastest_squared = squared;
@@ -58,6 +60,14 @@ struct Filling {
     particles.filling[i] =
         sum.filling + medium.volume * Kernel::value(Real(0), Real(medium.smoothing_length));
     particles.stir[i] = std::sqrt(sum.fastest_squared) / medium.smoothing_length;
+  }
+
+ private:
+  KERF_FUNCTION static Real room(const ParticleView<D, P>& particles, const Pair<D, P>& pair) {
+    const Real at_rest = pair.medium_j->volume;
+    if (pair.medium_i->phase == pair.medium_j->phase) return at_rest;
+    const Real now = volume_of(particles, pair.j, *pair.medium_j);
+    return now < at_rest ? now : at_rest;
   }
 };
 
