@@ -38,7 +38,7 @@ struct RunOutcome {
   std::vector<StageTime> stage_times;
 };
 
-// True when the front went deeper in the last tenth of the history.
+// True when something broke and the front went deeper in the last tenth of the history.
 bool still_cutting(const std::vector<CutState>& history);
 
 // One sentence: did the jet cut through, and when, how deep it came, or that it broke nothing.

@@ -33,7 +33,8 @@ std::string cut_sentence(const CutSummary& cut) {
 }  // namespace
 
 bool still_cutting(const std::vector<CutState>& history) {
-  if (history.empty() || history.back().cut_through) return false;
+  if (history.empty() || history.back().cut_through || history.back().fractured_mass == 0.0)
+    return false;
   const double late = history.front().time + 0.9 * (history.back().time - history.front().time);
   const auto before = std::find_if(history.begin(), history.end(),
                                    [late](const CutState& state) { return state.time >= late; });

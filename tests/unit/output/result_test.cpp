@@ -189,10 +189,14 @@ TEST(StillCutting, LooksAtTheLastTenth) {
   for (std::size_t i = 0; i < history.size(); ++i) {
     history[i].time = static_cast<double>(i);
     history[i].front_depth = std::min(80.0, static_cast<double>(i));
+    history[i].fractured_mass = 1.0;
   }
   EXPECT_FALSE(still_cutting(history));
   for (std::size_t i = 0; i < history.size(); ++i) history[i].front_depth = static_cast<double>(i);
   EXPECT_TRUE(still_cutting(history));
+  history.back().fractured_mass = 0.0;  // a dent, no cut
+  EXPECT_FALSE(still_cutting(history));
+  history.back().fractured_mass = 1.0;
   history.back().cut_through = true;
   EXPECT_FALSE(still_cutting(history));
   EXPECT_FALSE(still_cutting({}));
