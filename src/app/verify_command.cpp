@@ -112,8 +112,9 @@ void run_verification(const VerifyOptions& options) {
     return;
   }
   set_threads(options.threads);
-  const Findings findings = verify_and_print(
-      cases, options.all, options.keep.empty() ? KeptRuns() : KeptRuns(options.keep));
+  const KeptRuns kept = options.keep.empty() ? KeptRuns() : KeptRuns(options.keep);
+  for (VerificationCase& entry : cases) take_up_kept(entry, kept);
+  const Findings findings = verify_and_print(cases, options.all, kept);
   if (!options.json.empty()) write_file(options.json, to_json(findings.rows));
   if (!options.page.empty()) write_verification_page(options.page, cases, findings);
   const auto count = [&](Verdict verdict) {
@@ -140,8 +141,8 @@ void add_verify_command(CLI::App& program) {
                       "Also put the table into this Markdown page, between its marks, with curves "
                       "and pictures beside it");
   command->add_option("--keep", options->keep,
-                      "Keep each run in this folder and make none again that it holds; empty it "
-                      "after a change of the program");
+                      "Keep each run in this folder, show those that it holds, long ones too, and "
+                      "make none of them again; empty it after a change of the program");
   command->add_option("--threads", options->threads, "Threads, 0 = every core")
       ->check(CLI::NonNegativeNumber);
   command->callback([options] { run_verification(*options); });

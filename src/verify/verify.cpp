@@ -156,6 +156,12 @@ Findings verify(const VerificationCase& verification, bool all, const VerifyProg
   return findings;
 }
 
+void take_up_kept(VerificationCase& verification, const KeptRuns& kept) {
+  for (PlannedRun& run : verification.runs)
+    if (run.is_long && kept.find(verification.name, run, checks_of(verification, run.name)))
+      run.is_long = false;
+}
+
 bool has_failed(const std::vector<Row>& rows) {
   return std::any_of(rows.begin(), rows.end(),
                      [](const Row& row) { return row.verdict == Verdict::fail; });

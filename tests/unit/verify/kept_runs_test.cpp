@@ -119,6 +119,22 @@ TEST_F(KeptRunsTest, ThatIsDamagedIsMadeAgain) {
   EXPECT_TRUE(made_);
 }
 
+TEST_F(KeptRunsTest, ThatIsLongCountsAsShort) {
+  const std::string plan = plan_text("x", "3", "long = true\n");
+  const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
+  const KeptRuns kept(folder_.path() / "kept");
+  const auto rows = [&] {
+    auto verification = read_verification_cases(texts, {}).at(0);
+    take_up_kept(verification, kept);
+    return verify(
+               verification, false, [](const std::string&, double) {}, kept)
+        .rows.size();
+  };
+  EXPECT_EQ(rows(), 0u);
+  findings_of(plan);
+  EXPECT_EQ(rows(), 1u);
+}
+
 // NaN is a value of a signal where there is nothing to measure.
 TEST_F(KeptRunsTest, KeepsWhatIsNotANumber) {
   const KeptRuns kept(folder_.path());
