@@ -15,7 +15,8 @@ Made by `kerf materials --page` from the files of `materials/`; not written by h
 A case names one of these materials, or starts from it with `base` ([keys.md](keys.md)). What a material leaves out
 has its default in a case file; above all, one without `failure_strain` never fractures until the case gives it one.
 Values of real materials scatter: the note says under which conditions one holds, and where one was worked out from
-others. A value without a source is not in the library.
+others. A value without a source is not in the library: agar is missing, since no measured stiffness
+of it was found in a source that could be read.
 
 Nearly incompressible ones (gels, silicone rubber, liver) have the Poisson's ratio that their source measured or
 assumed, or 0.49 where it says that they are incompressible; the nearer to 0.5, the stiffer they are in volume and the
