@@ -61,7 +61,7 @@ RunEnd RunLoop::run() {
   } catch (const UserError& error) {
     std::string message = error.what();
     try {
-      settle();
+      writing_.wait();
     } catch (const UserError&) {  // one cause is enough
     }
     if (saved_time_ >= 0.0)
@@ -113,7 +113,7 @@ void RunLoop::resume(const Archive& state) {
   cut_.emplace(settings_.description, frame());
   simulation_->restore(state);
   frame_.reset();
-  saved_time_ = saving_time_ = simulation_->time();
+  saved_time_ = simulation_->time();
   cut_->restore(before_.cut_history, frame());
   series_.cut_back(simulation_->step(), before_.rows);
   frames_.restore(before_.frame_times);
@@ -155,7 +155,6 @@ void RunLoop::write_due() {
 }
 
 void RunLoop::write_frame(bool as_frame, bool as_picture) {
-  settle();
   writing_.submit([this, as_frame, as_picture, frame = shared_frame()] {
     if (as_frame) {
       frames_.write(*frame);
@@ -185,9 +184,9 @@ void RunLoop::write_last() {
     return times.empty() || times.back() != time;
   };
   if (row_time_ != time) write_row();
-  settle();
+  writing_.wait();
   write_frame(missing(frames_.times()), missing(pictures_.times()));
-  settle();
+  writing_.wait();
 }
 
 void RunLoop::finish() {
@@ -195,41 +194,30 @@ void RunLoop::finish() {
   write_result();
   write_report(folder_.path(), settings_.description);
   save_checkpoint(true);
-  settle();
+  writing_.wait();
   log_->info("finished after {}", duration_text(wall_time()));
 }
 
 RunEnd RunLoop::stop(int signal) {
   save_checkpoint(false);
-  settle();
+  writing_.wait();
   tell(fmt::format("Stopped by {} at {:.6g} ms. Go on with: {}", signal_name(signal),
                    1e3 * simulation_->time(), settings_.resume_command));
   return {signal};
 }
 
 void RunLoop::save_checkpoint(bool finished) {
-  settle();        // the checkpoint counts on the frames written
-  series_.sync();  // and on its rows
+  writing_.wait();  // the checkpoint counts on the frames written
+  series_.sync();   // and on its rows
   auto checkpoint = std::make_shared<Checkpoint>();
   simulation_->save(checkpoint->simulation);
   checkpoint->run = to_archive(record(finished));
   saved_ = Clock::now();
-  saving_time_ = simulation_->time();
-  writing_.submit([this, checkpoint, time = saving_time_, step = simulation_->step()] {
+  writing_.submit([this, checkpoint, time = simulation_->time(), step = simulation_->step()] {
     write_checkpoint(folder_.checkpoint(), settings_.case_text, *checkpoint);
+    saved_time_ = time;
     log_->info("checkpoint at {:.6g} ms, step {}", 1e3 * time, step);
   });
-}
-
-// Until all that was to be written is on the disk. Throws UserError (exit_files).
-void RunLoop::settle() {
-  try {
-    writing_.wait();
-  } catch (const UserError&) {
-    saving_time_ = saved_time_;  // if it was a checkpoint, there is none
-    throw;
-  }
-  saved_time_ = saving_time_;
 }
 
 void RunLoop::tell(const std::string& line) {

@@ -68,7 +68,6 @@ class RunLoop {
   void finish();
   RunEnd stop(int signal);
   void save_checkpoint(bool finished);
-  void settle();
   void measure(RunOutcome& outcome);
   void write_result();
 
@@ -99,9 +98,8 @@ class RunLoop {
   RunRecord before_;  // of the parts of the run before this one
   std::map<std::string, std::uint64_t> limits_;
   double energy_drift_ = 0.0;
-  double row_time_ = -1.0;     // s, of the last row of the series
-  double saved_time_ = -1.0;   // s, of the last checkpoint that is safe; negative = none
-  double saving_time_ = -1.0;  // s, of the one that is being written, or was
+  double row_time_ = -1.0;    // s, of the last row of the series
+  double saved_time_ = -1.0;  // s, of the last checkpoint; negative = none; set by `writing_`
   Background writing_;  // frames, pictures and checkpoints; last, so that it ends before they do
 };
 

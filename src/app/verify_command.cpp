@@ -112,7 +112,7 @@ void run_verification(const VerifyOptions& options) {
     return;
   }
   set_threads(options.threads);
-  const KeptRuns kept = options.keep.empty() ? KeptRuns() : KeptRuns(options.keep);
+  const KeptRuns kept(options.keep);
   for (VerificationCase& entry : cases) take_up_kept(entry, kept);
   const Findings findings = verify_and_print(cases, options.all, kept);
   if (!options.json.empty()) write_file(options.json, to_json(findings.rows));

@@ -14,7 +14,8 @@ namespace kerf {
 
 class KeptRuns {
  public:
-  KeptRuns() = default;  // keeps nothing and finds nothing
+  KeptRuns() = default;
+  // An empty path, as by default: keeps nothing and finds nothing.
   explicit KeptRuns(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   // A run kept by this version of the program, of the same case text and resolution and looked at

@@ -10,28 +10,14 @@
 #include <string>
 
 #include "output/files.hpp"
+#include "support/flight.hpp"
 #include "support/temporary_folder.hpp"
 #include "verify/verify.hpp"
 
 namespace kerf {
 namespace {
 
-constexpr std::string_view flight = R"(
-title = "a block flies"
-dimension = 2
-formulation = "shinohara2004"
-[time]
-end = "0.1 ms"
-[domain]
-minimum = ["-100 mm", "-100 mm"]
-maximum = ["100 mm", "100 mm"]
-[[body]]
-name = "block"
-material = "rubber"
-shape = { type = "box", minimum = ["0 mm", "0 mm"], maximum = ["8 mm", "8 mm"] }
-spacing = "2 mm"
-velocity = ["3 m/s", "0 m/s"]
-)";
+using test::flight;
 
 std::string plan_text(const std::string& axis, const std::string& reference,
                       const std::string& of_run = "") {

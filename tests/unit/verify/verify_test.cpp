@@ -15,28 +15,14 @@
 #include <stdexcept>
 
 #include "app/embedded.hpp"
+#include "support/flight.hpp"
 #include "verify/signal.hpp"
 #include "verify/table.hpp"
 
 namespace kerf {
 namespace {
 
-constexpr std::string_view flight = R"(
-title = "a block flies"
-dimension = 2
-formulation = "shinohara2004"
-[time]
-end = "0.1 ms"
-[domain]
-minimum = ["-100 mm", "-100 mm"]
-maximum = ["100 mm", "100 mm"]
-[[body]]
-name = "block"
-material = "rubber"
-shape = { type = "box", minimum = ["0 mm", "0 mm"], maximum = ["8 mm", "8 mm"] }
-spacing = "2 mm"
-velocity = ["3 m/s", "0 m/s"]
-)";
+using test::flight;
 
 // One check of the block's speed, 3 m/s, with `judgement` as its reference.
 std::string plan_text(const std::string& judgement, const std::string& more = "") {
