@@ -48,10 +48,18 @@ std::string optimum_text(const StudyPlan& plan, const OptimumAnswer& answer) {
   std::string text = fmt::format("{}: {} at {} ({} runs, {} of them drafts)\n", what,
                                  metric_text(answer.value, goal.metric),
                                  show(answer.setting, plan.axes), answer.runs, answer.draft_runs);
-  if (goal.repeats > 1)
-    text +=
-        fmt::format("  over {} layouts: {} to {}\n", goal.repeats,
-                    metric_text(answer.low, goal.metric), metric_text(answer.high, goal.metric));
+  if (answer.low < answer.high)
+    text += fmt::format("  between {} and {}, over {} layout{}{}\n",
+                        metric_text(answer.low, goal.metric), metric_text(answer.high, goal.metric),
+                        goal.repeats, goal.repeats == 1 ? "" : "s",
+                        answer.extrapolated ? " and the change to spacing 0" : "");
+  if (answer.extrapolated)
+    text += fmt::format("  there at {:.3g} times the spacing: {}; for spacing 0 that makes {}\n",
+                        1.0 / goal.draft, metric_text(*answer.draft_value, goal.metric),
+                        metric_text(*answer.extrapolated, goal.metric));
+  else if (answer.problem.empty() && answer.draft_runs > 0)
+    text += fmt::format("  at {:.3g} times the spacing {} does not hold there\n", 1.0 / goal.draft,
+                        goal.condition.text());
   if (!answer.problem.empty()) text += fmt::format("  but {}.\n", answer.problem);
   return text;
 }

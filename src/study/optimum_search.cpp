@@ -8,9 +8,9 @@
 #include <exception>
 #include <limits>
 #include <nlopt.hpp>
-#include <optional>
 
 #include "study/design.hpp"
+#include "study/extrapolation.hpp"
 #include "study/metrics.hpp"
 
 namespace kerf {
@@ -21,6 +21,7 @@ using Shares = std::vector<double>;  // of each range, from 0 to 1
 
 struct Tried {
   Shares shares;
+  double refinement = 1.0;
   double value = 0.0;   // of the metric; nan where the run has none
   double margin = 0.0;  // not below 0 where the condition holds
 };
@@ -43,14 +44,15 @@ class Search {
       : goal_(goal), refinement_(refinement), laboratory_(laboratory) {}
 
   OptimumAnswer run() {
-    const double coarse = refinement_ * goal_.draft;
     const bool has_drafts = goal_.draft < 1.0;
-    spread(has_drafts ? coarse : refinement_);
+    level_ = refinement_ * goal_.draft;
+    spread();
     const int for_drafts = has_drafts ? (2 * goal_.most_runs) / 3 : goal_.most_runs - goal_.repeats;
     constexpr double wide = 0.2;
-    follow(has_drafts ? coarse : refinement_, wide, for_drafts);
+    follow(wide, for_drafts);
     if (has_drafts) confirm();
     conclude();
+    if (has_drafts && std::isfinite(answer_.value)) compare();
     return answer_;
   }
 
@@ -61,28 +63,43 @@ class Search {
     return setting;
   }
 
-  std::vector<Tried> evaluate(const std::vector<Shares>& places, double refinement) {
+  const Tried* known(const Shares& shares, double refinement) const {
+    const auto found = std::find_if(tried_.begin(), tried_.end(), [&](const Tried& tried) {
+      return tried.refinement == refinement && tried.shares == shares;
+    });
+    return found == tried_.end() ? nullptr : &*found;
+  }
+
+  // Makes the runs that were not made yet.
+  void evaluate(const std::vector<Shares>& places, double refinement) {
     std::vector<Trial> trials;
-    for (const Shares& shares : places) trials.push_back({setting_of(shares), 0, refinement});
+    std::vector<Shares> wanted;
+    for (const Shares& shares : places) {
+      if (known(shares, refinement) != nullptr) continue;
+      trials.push_back({setting_of(shares), 0, refinement});
+      wanted.push_back(shares);
+    }
     const auto outcomes = laboratory_.run(trials);
     answer_.runs += static_cast<int>(trials.size());
-    std::vector<Tried> result;
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    if (refinement < refinement_) answer_.draft_runs += static_cast<int>(trials.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
       const auto found = outcomes[i].metrics.find(goal_.metric);
       const bool has_value = !outcomes[i].failed && found != outcomes[i].metrics.end();
-      result.push_back(
-          {places[i], has_value ? found->second : std::nan(""),
+      tried_.push_back(
+          {wanted[i], refinement, has_value ? found->second : std::nan(""),
            outcomes[i].failed ? -1.0 : margin_of(goal_.condition, outcomes[i].metrics)});
-      tried_.push_back(result.back());
     }
-    return result;
+  }
+  Tried at(const Shares& shares, double refinement) {
+    if (known(shares, refinement) == nullptr) evaluate({shares}, refinement);
+    return *known(shares, refinement);
   }
 
   // The first look: points spread over the ranges, side by side.
-  void spread(double refinement) {
+  void spread() {
     const std::size_t count = std::max<std::size_t>(2 * goal_.axes.size() + 1,
                                                     static_cast<std::size_t>(goal_.most_runs) / 4);
-    evaluate(sobol(goal_.axes.size(), count), refinement);
+    evaluate(sobol(goal_.axes.size(), count), level_);
   }
 
   bool is_better(const Tried& a, const Tried& b) const {
@@ -92,10 +109,16 @@ class Search {
     if (!a_holds) return a.margin > b.margin;
     return goal_.least ? a.value < b.value : a.value > b.value;
   }
-  const Tried& best() const {
-    return *std::min_element(tried_.begin(), tried_.end(),
-                             [&](const Tried& a, const Tried& b) { return is_better(a, b); });
+  // Those made at the resolution that the search is at, the best first.
+  std::vector<Tried> ranking() const {
+    std::vector<Tried> result;
+    for (const Tried& tried : tried_)
+      if (tried.refinement == level_) result.push_back(tried);
+    std::stable_sort(result.begin(), result.end(),
+                     [&](const Tried& a, const Tried& b) { return is_better(a, b); });
+    return result;
   }
+  Tried best() const { return ranking().front(); }
 
   // What NLopt minimises: the metric over its size where the search starts.
   double objective(const Tried& tried, double scale) const {
@@ -106,10 +129,10 @@ class Search {
 
   // Powell's COBYLA (Advances in Optimization and Numerical Analysis, 1994, p. 51): linear models
   // of objective and constraint over a simplex, by values alone. Its steps are one run each.
-  void follow(double refinement, double first_step, int until_runs) {
+  void follow(double first_step, int until_runs) {
     const Tried start = best();
     const double size = std::abs(start.value);
-    Steps steps{*this, refinement, std::isfinite(size) && size > 0.0 ? size : 1.0, {}, {}};
+    Steps steps{*this, std::isfinite(size) && size > 0.0 ? size : 1.0, {}};
     const int most = until_runs - answer_.runs;
     if (most <= static_cast<int>(start.shares.size()) + 1) return;
     nlopt::opt optimiser(nlopt::LN_COBYLA, static_cast<unsigned>(start.shares.size()));
@@ -129,12 +152,12 @@ class Search {
     } catch (const nlopt::forced_stop&) {
       std::rethrow_exception(steps.error);
     }
-    pull_back(place, refinement, until_runs);
+    pull_back(place, until_runs);
   }
 
   // The search ends at the edge of what holds, as likely as not beyond it: from there back towards
   // the best run that holds, until the edge is known to the tolerance.
-  void pull_back(const Shares& end, double refinement, int until_runs) {
+  void pull_back(const Shares& end, int until_runs) {
     Shares outside = end;
     while (answer_.runs < until_runs && best().margin >= 0.0) {
       const Shares inside = best().shares;
@@ -145,8 +168,7 @@ class Search {
         distance = std::max(distance, std::abs(inside[i] - outside[i]));
       }
       if (distance <= goal_.tolerance) return;
-      const Tried tried = evaluate({middle}, refinement).front();
-      if (tried.margin < 0.0)
+      if (at(middle, level_).margin < 0.0)
         outside = middle;
       else if (best().shares != middle)
         return;  // it holds, but is not better: there is nothing to gain on this line
@@ -156,19 +178,16 @@ class Search {
   // NLopt asks for objective and constraint one after the other: the same run answers both.
   struct Steps {
     Search& search;
-    double refinement;
     double scale;
-    std::optional<Tried> last;
     std::exception_ptr error;  // NLopt, a library in C, lets no other pass than its own
 
-    const Tried& at(const Shares& shares) {
+    Tried at(const Shares& shares) {
       try {
-        if (!last || last->shares != shares) last = search.evaluate({shares}, refinement).front();
+        return search.at(shares, search.level_);
       } catch (...) {
         error = std::current_exception();
         throw nlopt::forced_stop();
       }
-      return *last;
     }
     static double objective_at(const Shares& shares, Shares&, void* data) {
       auto& steps = *static_cast<Steps*>(data);
@@ -181,25 +200,24 @@ class Search {
 
   // The best drafts at the full resolution, side by side; from the best of them a little further.
   void confirm() {
-    answer_.draft_runs = answer_.runs;
-    std::vector<Tried> drafts = tried_;
-    std::sort(drafts.begin(), drafts.end(),
-              [&](const Tried& a, const Tried& b) { return is_better(a, b); });
-    std::vector<Shares> places;
     const auto wanted = static_cast<std::size_t>(std::max(2, laboratory_.side_by_side()));
-    for (const Tried& draft : drafts)
-      if (places.size() < wanted &&
-          std::find(places.begin(), places.end(), draft.shares) == places.end())
-        places.push_back(draft.shares);
-    tried_.clear();
-    evaluate(places, refinement_);
+    std::vector<Shares> places;
+    for (const Tried& draft : ranking())
+      if (places.size() < wanted) places.push_back(draft.shares);
+    level_ = refinement_;
+    evaluate(places, level_);
     constexpr double steps_of_tolerance = 4.0;
-    follow(refinement_, steps_of_tolerance * goal_.tolerance, goal_.most_runs - goal_.repeats);
-    const auto same = std::find_if(drafts.begin(), drafts.end(), [&](const Tried& draft) {
-      return draft.shares == best().shares;
-    });
-    answer_.has_draft = same != drafts.end();
-    if (answer_.has_draft) answer_.draft_value = same->value;
+    follow(steps_of_tolerance * goal_.tolerance, goal_.most_runs - goal_.repeats - 1);
+  }
+
+  // What the best setting gives at the coarser resolution.
+  void compare() {
+    const Tried draft = at(best().shares, refinement_ * goal_.draft);
+    if (draft.margin < 0.0 || !std::isfinite(draft.value)) return;
+    answer_.draft_value = draft.value;
+    answer_.extrapolated = at_zero_spacing(answer_.value, draft.value, 1.0 / goal_.draft);
+    answer_.low = std::min(answer_.low, *answer_.extrapolated);
+    answer_.high = std::max(answer_.high, *answer_.extrapolated);
   }
 
   void conclude() {
@@ -230,7 +248,8 @@ class Search {
   const OptimumGoal& goal_;
   double refinement_;
   Laboratory& laboratory_;
-  std::vector<Tried> tried_;
+  double level_ = 1.0;        // the resolution that the search is at
+  std::vector<Tried> tried_;  // at any
   OptimumAnswer answer_;
 };
 

@@ -86,6 +86,10 @@ Json threshold_json(const ThresholdGoal& goal, const ThresholdAnswer& answer) {
   return json;
 }
 
+Json number_or_null(std::optional<double> value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 Json optimum_json(const OptimumGoal& goal, const OptimumAnswer& answer) {
   return {{"find", goal.least ? "minimum" : "maximum"},
           {"metric", goal.metric},
@@ -96,7 +100,8 @@ Json optimum_json(const OptimumGoal& goal, const OptimumAnswer& answer) {
           {"value", answer.value},
           {"low", answer.low},
           {"high", answer.high},
-          {"draft_value", answer.has_draft ? Json(answer.draft_value) : Json(nullptr)},
+          {"draft_value", number_or_null(answer.draft_value)},
+          {"extrapolated", number_or_null(answer.extrapolated)},
           {"runs", answer.runs},
           {"draft_runs", answer.draft_runs}};
 }

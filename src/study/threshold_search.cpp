@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "study/bisection.hpp"
+#include "study/extrapolation.hpp"
 
 namespace kerf {
 
@@ -119,12 +120,10 @@ class Search {
         answer_.bracket.half_width() <= goal_.tolerance * std::abs(answer_.bracket.middle());
   }
 
-  // Richardson's extrapolation of a value whose error goes with the spacing: from spacings d and r
-  // d the value at 0 is v(d) + [v(d) - v(r d)] / (r - 1).
   void extrapolate(const Bracket& draft) {
-    const double ratio = 1.0 / goal_.draft, fine = answer_.layouts.front().middle();
+    const double fine = answer_.layouts.front().middle();
     answer_.resolution_change = fine - draft.middle();
-    answer_.extrapolated = fine + answer_.resolution_change / (ratio - 1.0);
+    answer_.extrapolated = at_zero_spacing(fine, draft.middle(), 1.0 / goal_.draft);
     answer_.stated.low = std::min(answer_.stated.low, answer_.extrapolated);
     answer_.stated.high = std::max(answer_.stated.high, answer_.extrapolated);
   }

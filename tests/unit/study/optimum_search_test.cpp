@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "synthetic.hpp"
 
@@ -68,6 +70,54 @@ TEST(OptimumSearch, DraftsFindTheRegionAndFineRunsConfirmIt) {
   for (const Trial& trial : laboratory.asked) fine += trial.refinement == 1.0;
   EXPECT_EQ(fine, answer.runs - answer.draft_runs);
   EXPECT_LT(fine, answer.draft_runs);
+}
+
+TEST(OptimumSearch, StatesTheChangeToSpacingZero) {
+  const OptimumGoal goal =
+      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 40\n");
+  // An error of 8% at the study's spacing, in proportion to the spacing: 16% in drafts.
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        auto metrics = cut_by_flow(trial, 25.0);
+        metrics["kerf.specific_energy"] *= 1.0 + 0.08 / trial.refinement;
+        return metrics;
+      },
+      2);
+  const OptimumAnswer answer = find_optimum(goal, 1.0, laboratory);
+  ASSERT_EQ(answer.problem, "");
+  ASSERT_TRUE(answer.extrapolated.has_value());
+  EXPECT_NEAR(*answer.draft_value / answer.value, 1.16 / 1.08, 1e-12);
+  EXPECT_NEAR(*answer.extrapolated / answer.value, 1.0 / 1.08, 1e-12);
+  EXPECT_EQ(answer.low, *answer.extrapolated);
+  EXPECT_EQ(answer.high, answer.value);
+}
+
+TEST(OptimumSearch, WhereDraftsDoNotCutNothingIsExtrapolated) {
+  const OptimumGoal goal =
+      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 40\n");
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) { return cut_by_flow(trial, trial.refinement < 1.0 ? 35.0 : 25.0); },
+      2);
+  const OptimumAnswer answer = find_optimum(goal, 1.0, laboratory);
+  ASSERT_EQ(answer.problem, "");
+  const double flow =
+      1e3 * answer.setting.numbers.at("jet.jet.speed") * answer.setting.numbers.at("jet.jet.width");
+  EXPECT_LT(flow, 35.0);  // or the test would show nothing
+  EXPECT_FALSE(answer.extrapolated.has_value());
+  EXPECT_EQ(answer.low, answer.value);
+}
+
+TEST(OptimumSearch, AsksForNoRunTwice) {
+  const OptimumGoal goal =
+      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 60\n");
+  test::SyntheticLaboratory laboratory([](const Trial& trial) { return cut_by_flow(trial, 25.0); },
+                                       2);
+  const OptimumAnswer answer = find_optimum(goal, 1.0, laboratory);
+  std::set<std::tuple<double, double, double>> distinct;
+  for (const Trial& trial : laboratory.asked)
+    distinct.emplace(speed_of(trial), width_of(trial), trial.refinement);
+  EXPECT_EQ(distinct.size(), laboratory.asked.size());
+  EXPECT_EQ(answer.runs, static_cast<int>(laboratory.asked.size()));
 }
 
 TEST(OptimumSearch, FindsAMaximumInside) {

@@ -44,7 +44,13 @@ function optimumAnswer(search: Search, quantities: Quantities): HTMLElement {
   const metric = search.metric!;
   const what = `${search.find === "minimum" ? "Least" : "Greatest"} ${quantities.get(metric).label} with ${search.condition}`;
   const remarks = [runWords(search.runs, search.draft_runs)];
-  if (search.low !== null && search.high !== null && search.low !== search.high) remarks.unshift(`Over the layouts: ${quantities.showRange(metric, search.low, search.high)}.`);
+  const extrapolated = search.extrapolated ?? null;
+  if (extrapolated !== null) remarks.unshift(`The same setting as a draft: ${quantities.show(metric, search.draft_value)}; both resolutions together make ${quantities.show(metric, extrapolated)} for a spacing of zero.`);
+  else if (search.problem === "" && search.draft_runs > 0) remarks.unshift(`As a draft the same setting is not one with ${search.condition}.`);
+  if (search.low !== null && search.high !== null && search.low !== search.high) {
+    const causes = extrapolated === null ? "the layouts" : "the layouts and the change to a spacing of zero";
+    remarks.unshift(`Over ${causes}: ${quantities.showRange(metric, search.low, search.high)}.`);
+  }
   if (search.problem !== "") remarks.unshift(`But ${search.problem}.`);
   const setting = search.setting ?? {};
   if (Object.keys(setting).length === 0) return box("no", [`${what}: not found.`], remarks);

@@ -49,7 +49,7 @@ export interface Search {
   bracket?: Bracket;
   layouts?: Bracket[];
   draft?: Bracket | null;
-  extrapolated?: number;
+  extrapolated?: number | null;
   tolerance?: number;
   within_tolerance?: boolean;
   // of minimum and maximum
