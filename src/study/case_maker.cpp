@@ -56,11 +56,17 @@ std::string text_id(const std::string& text) {
 }
 
 CaseMaker::CaseMaker(const StudyPlan& plan)
-    : file_name_(plan.name + ".toml"), base_(plan.base), axes_(plan.axes) {
+    : title_(plan.title), file_name_(plan.name + ".toml"), base_(plan.base), axes_(plan.axes) {
   if (plan.threshold) axes_.push_back(plan.threshold->axis);
   if (!plan.calibration) return;
   axes_.push_back(plan.calibration->axis);
   for (const Axis& axis : plan.calibration->at_axes) axes_.push_back(axis);
+}
+
+// What stands over the pictures and the report of a run.
+std::string CaseMaker::title_of(const Setting& setting) const {
+  const std::string where = show(setting, axes_);
+  return where.empty() ? title_ : fmt::format("{}: {}", title_, where);
 }
 
 ResolvedCase CaseMaker::make(const Trial& trial) const {
@@ -78,8 +84,9 @@ ResolvedCase CaseMaker::make(const Trial& trial) const {
     Case description = refined(parse_case(written.str(), file_name_), trial.refinement);
     reseed(description, trial.repeat);
     ResolvedCase result;
+    result.id = text_id(write_used(description));  // under the title of the base
+    description.title = title_of(trial.setting);
     result.text = write_used(description);
-    result.id = text_id(result.text);
     result.spacing = finest_spacing(description);
     result.memory = derive(description).memory;
     return result;

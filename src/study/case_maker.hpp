@@ -14,7 +14,7 @@
 namespace kerf {
 
 struct ResolvedCase {
-  std::string id;        // the same for the same text, another for another
+  std::string id;        // the same for the same text, whatever the study's title
   std::string text;      // a complete case, as case.used.toml
   double spacing = 0.0;  // m, the finest of its particles
   double memory = 0.0;   // bytes, estimate
@@ -28,6 +28,9 @@ class CaseMaker {
   ResolvedCase make(const Trial& trial) const;
 
  private:
+  std::string title_of(const Setting& setting) const;
+
+  std::string title_;
   std::string file_name_;
   toml::table base_;
   std::vector<Axis> axes_;  // every key that a trial may set

@@ -160,6 +160,7 @@ TEST_F(StudyRunsTest, TheDatabaseKeepsEverythingOfARun) {
   EXPECT_GT(row.memory, 0.0);
   EXPECT_EQ(row.attempts, 1);
   EXPECT_EQ(row.case_text, maker_.make(speeds({2.5})[0]).text);
+  EXPECT_THAT(row.case_text, testing::HasSubstr("jet.jet.speed = 2.5 m/s"));  // in its title
   EXPECT_EQ(row.metrics.at("kerf.depth"), 0.003);
   for (const std::string& time : {row.made, row.started, row.ended}) EXPECT_EQ(time.size(), 20u);
 }
