@@ -7,9 +7,11 @@ scripts/check_tutorial.py KERF
 import json
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
+import urllib.request
 
 FENCE = re.compile(r"^```(\w+)(?: +(\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
@@ -23,21 +25,51 @@ def type_in(program, line, folder):
         sys.exit(f"tutorial.md: \"{line}\" ended with {ended.returncode}:\n{ended.stderr}")
 
 
+def view(program, line, folder):
+    """A command that serves a page until it is stopped: the page must be there."""
+    server = subprocess.Popen([program, *line.split()[1:]], cwd=folder, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    try:
+        said = ""
+        address = None
+        while address is None:
+            said += server.stdout.readline()
+            if server.poll() is not None:
+                sys.exit(f"tutorial.md: \"{line}\" ended:\n{said}")
+            address = re.search(r"http://\S+", said)
+        with urllib.request.urlopen(address.group(), timeout=30) as page:
+            if page.status != 200 or b"<html" not in page.read():
+                sys.exit(f"tutorial.md: \"{line}\" serves no page at {address.group()}")
+    finally:
+        server.send_signal(signal.SIGINT)
+        server.wait(30)
+
+
+def type_page(program, page, folder):
+    """Writes the page's files and types its commands, those of `sh view` at the end."""
+    lines, views = [], []
+    for kind, name, text in FENCE.findall(page.read_text()):
+        if kind == "toml":
+            (folder / name).write_text(text)
+        if kind == "sh":
+            (views if name == "view" else lines).extend(text.strip().splitlines())
+    for line in lines:
+        type_in(program, line, folder)
+    for line in views:
+        view(program, line, folder)
+    if len(lines) < 6 or not views:
+        sys.exit(f"tutorial.md: only {len(lines)} commands and {len(views)} views")
+    return len(lines) + len(views)
+
+
 def main():
     page = pathlib.Path(__file__).parent.parent / "docs" / "tutorial.md"
-    commands = 0
-    with tempfile.TemporaryDirectory() as folder:
-        for kind, name, text in FENCE.findall(page.read_text()):
-            if kind == "toml":
-                (pathlib.Path(folder) / name).write_text(text)
-            for line in text.strip().splitlines() if kind == "sh" else []:
-                type_in(sys.argv[1], line, folder)
-                commands += 1
-        result = json.loads((pathlib.Path(folder) / "out/my/result.json").read_text())
-        if not result["verdict"] or not (pathlib.Path(folder) / "out/my/report.html").exists():
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        commands = type_page(sys.argv[1], page, folder)
+        result = json.loads((folder / "out/my/result.json").read_text())
+        if not result["verdict"] or not (folder / "out/my/report.html").exists():
             sys.exit("tutorial.md: no verdict or no report")
-    if commands < 3:
-        sys.exit(f"tutorial.md: only {commands} commands")
     print(f"{commands} commands run; {result['verdict']}")
 
 

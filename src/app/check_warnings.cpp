@@ -63,6 +63,26 @@ void warn_of_fast_water(const Case& description, const DerivedNumbers& numbers,
                : fmt::format("sound_speed = \"{:g} m/s\"", real_water_sound_speed)));
 }
 
+// A case with a jet is there to cut something.
+void warn_of_nothing_to_cut(const Case& description, std::vector<std::string>& warnings) {
+  if (description.jets.empty()) return;
+  bool has_workpiece = false;
+  for (const Body& body : description.bodies) {
+    if (body.role != Role::elastic) continue;
+    has_workpiece = true;
+    const Material& material = description.materials[static_cast<std::size_t>(body.material)];
+    if (!body.fixed && !can_break(material))
+      warnings.push_back(fmt::format(
+          "\"{}\" never breaks: its material \"{}\" has no failure_strain, fracture_energy or "
+          "tensile_strength. The jet can only dent it, beyond what real matter bears; give the "
+          "material one of them, measured (kerf materials {} lists what is known)",
+          body.name, material.name, material.name));
+  }
+  if (!has_workpiece)
+    warnings.push_back(
+        "there is a jet and nothing that it could cut: add a [[body]] with a solid material");
+}
+
 void warn_of_materials(const Case& description, std::vector<std::string>& warnings) {
   for (const Body& body : description.bodies) {
     if (body.role != Role::elastic) continue;
@@ -98,6 +118,7 @@ std::vector<std::string> check_warnings(const Case& description, const DerivedNu
                     numbers.mach));
   warn_of_fast_water(description, numbers, warnings);
   if (description.eraser) warnings.push_back("the back-flow eraser takes mass and momentum away");
+  warn_of_nothing_to_cut(description, warnings);
   warn_of_materials(description, warnings);
   warn_of_misfits(description, warnings);
   return warnings;

@@ -133,7 +133,10 @@ void write_results(const StudyPlan& plan, const StudyAnswers& answers, const fs:
   write_file(folder / "study.json", study_json(plan, answers));
   write_file(folder / "study.h5", study_hdf5(plan, answers.runs));
   const bool has_model = answers.model && answers.model->problem().empty();
-  if (has_model) write_file(folder / "model.csv", answers.model->table_csv());
+  if (has_model)
+    write_file(folder / "model.csv", answers.model->table_csv([&](const std::string& name) {
+      return unit_of(plan, name);
+    }));
   fmt::print("{}{}", study_text(plan, answers.runs), answers_text(plan, answers));
   const std::string place = folder.string();
   fmt::print("  table      {0}/study.csv, {0}/study.json, {0}/study.h5{1}\n", place,

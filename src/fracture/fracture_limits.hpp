@@ -23,4 +23,13 @@ inline SofteningBand fracture_limits(const Material& material, double spacing) {
   return {limit, limit};
 }
 
+// Whether anything in it ends: a strain, an energy, a stress, flaws, or damage of a metal.
+inline bool can_break(const Material& material) {
+  if (material.criterion == BondCriterion::grady_kipp || material.least_plastic_failure > 0.0)
+    return true;
+  return material.criterion == BondCriterion::principal_stress
+             ? material.tensile_strength > 0.0
+             : material.failure_strain > 0.0 || material.fracture_energy > 0.0;
+}
+
 }  // namespace kerf

@@ -79,6 +79,9 @@ CutSummary CutMonitor::summary() const {
   if (through != history_.end()) {
     summary.cut_through = true;
     summary.cut_through_time = through->time;
+    summary.severed = through->pieces > std::max(1, workpiece_->initial_pieces);
+    if (workpiece_->jet)
+      summary.cut_through_place = workpiece_->jet->place(through->front_depth, through->time);
   }
   std::vector<CutState> cutting;
   for (const CutState& state : history_) {

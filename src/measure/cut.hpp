@@ -3,6 +3,7 @@
 // is through. Definitions: docs/metrics.md.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -31,7 +32,10 @@ struct CutState {
 struct CutSummary {
   bool cut_through = false;
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s
-  double contact_time = std::numeric_limits<double>::quiet_NaN();      // s, first with a front
+  bool severed = false;  // cut through by falling into pieces; else the front came out below
+  // m, on the axis where the front was then.
+  std::array<double, 3> cut_through_place{};
+  double contact_time = std::numeric_limits<double>::quiet_NaN();  // s, first with a front
   double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
   CutState last;
   std::vector<Fragment> fragments;  // of the last frame, the heaviest first

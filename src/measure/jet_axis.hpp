@@ -57,6 +57,14 @@ struct JetAxis {
     return place;
   }
 
+  // Where the axis is at a depth and a time, m.
+  Vector3 place(double depth, double time) const {
+    Vector3 x = aim;
+    for (std::size_t a = 0; a < 3; ++a)
+      x[a] += depth * along[a] + std::max(0.0, time - moves_from) * travel[a];
+    return x;
+  }
+
   // m, positive below the aimed point.
   double depth(const Vector3& x) const { return project(x, along); }
   // m, signed.

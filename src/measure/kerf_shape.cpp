@@ -135,6 +135,29 @@ std::vector<ProfilePoint> bin_profile(const std::vector<ProfilePoint>& course, d
   return profile;
 }
 
+// In 2D the way lies in the section, across its columns.
+double find_through_share(const KerfMap& map, const std::vector<KerfSection>& passed,
+                          const KerfPath& path, double spacing) {
+  double count = 0.0, through = 0.0;
+  const auto add = [&](double depth, double thickness) {
+    count += 1.0;
+    through += depth >= thickness - spacing ? 1.0 : 0.0;
+  };
+  if (map.grid.dimension == 3) {
+    for (const KerfSection& section : passed) add(section.depth, section.thickness);
+  } else {
+    const double low = std::min(path.begin[0], path.end[0]);
+    const double high = std::max(path.begin[0], path.end[0]);
+    for (std::size_t i = 0; i < map.grid.count[0]; ++i) {
+      const double place = map.grid.at(0, i);
+      if (const KerfColumn& column = map.column(i, 0);
+          column.exists && place >= low && place <= high)
+        add(column.depth, column.bottom - column.top);
+    }
+  }
+  return count > 0.0 ? through / count : 0.0;
+}
+
 }  // namespace
 
 KerfShape measure_shape(const KerfMap& map, const KerfAxes& axes, const KerfPath& path,
@@ -155,6 +178,8 @@ KerfShape measure_shape(const KerfMap& map, const KerfAxes& axes, const KerfPath
   shape.depth = median(depths);
   shape.thickness = median(thicknesses);
   shape.through = shape.depth >= shape.thickness - spacing;
+  shape.through_share =
+      axes.moves() ? find_through_share(map, passed, path, spacing) : (shape.through ? 1.0 : 0.0);
   measure_widths(map, passed, probe, spacing, shape);
   const std::vector<ProfilePoint> course = find_course(map, sections);
   const bool radial = map.grid.dimension == 3 && !axes.moves();

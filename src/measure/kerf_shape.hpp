@@ -23,6 +23,8 @@ struct KerfShape {
   double thickness = 0.0;  // m, of what is cut, along the jet
   double depth = 0.0;      // m, reached below the face, along the jet
   bool through = false;    // depth within one spacing of the thickness
+  // 1, part of the way of the axis so far on which it is; of a nozzle that stands still 0 or 1.
+  double through_share = 0.0;
   KerfLevel top, middle, bottom;
   double taper = 0.0;  // rad, of one face; positive = narrower below
   double lag = 0.0;    // m, bottom of the cutting front behind its top; nan without such a front

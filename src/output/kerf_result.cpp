@@ -26,18 +26,18 @@ Json shape_json(const KerfShape& shape) {
   Json json{{"thickness", shape.thickness},
             {"depth", shape.depth},
             {"through", shape.through},
+            {"through_share", shape.through_share},
             {"top", level_json(shape.top)},
             {"middle", level_json(shape.middle)},
             {"bottom", level_json(shape.bottom)},
             {"taper", shape.taper},
             {"lag", shape.lag}};
-  Json &positions = json["profile"]["position"], &depths = json["profile"]["depth"];
-  positions = Json::array();
-  depths = Json::array();
+  Json positions = Json::array(), depths = Json::array();
   for (const ProfilePoint& point : shape.profile) {
     positions.push_back(point.position);
     depths.push_back(point.depth);
   }
+  json["profile"] = {{"position", std::move(positions)}, {"depth", std::move(depths)}};
   return json;
 }
 

@@ -36,7 +36,10 @@ std::vector<LedgerTerm> momentum_terms() {
       vector("impulse_plate", "N s", &Ledger::impulse_plate, "of rigid bodies on the particles"),
       vector("impulse_constraint", "N s", &Ledger::impulse_constraint,
              "of nozzles, clamps, prescribed motion and symmetry planes"),
+      vector("impulse_water", "N s", &Ledger::impulse_water,
+             "of the water on solids that are not rigid, debris too"),
       vector("force_plate", "N", &Ledger::force_plate, "of the particles on rigid bodies"),
+      vector("force_water", "N", &Ledger::force_water, "of the water on solids"),
       number("momentum_scale", "N s", &Ledger::momentum_scale, "sum of m |v| now"),
   };
 }

@@ -26,6 +26,9 @@ void add_run(Json& result, const RunOutcome& outcome) {
 void add_cut(Json& result, const CutSummary& cut) {
   result["cut_through"] = cut.cut_through;
   result["cut_through_time"] = cut.cut_through ? Json(cut.cut_through_time) : Json(nullptr);
+  result["cut_through_by"] =
+      !cut.cut_through ? Json(nullptr) : Json(cut.severed ? "severed" : "holed");
+  result["cut_through_place"] = cut.cut_through ? Json(cut.cut_through_place) : Json(nullptr);
   result["front_speed"] = cut.front_speed;
   result["front_depth"] = cut.last.front_depth;
   result["pieces"] = cut.last.pieces;

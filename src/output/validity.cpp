@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fracture/fracture_limits.hpp"
 #include "output/result.hpp"
 
 namespace kerf {
@@ -23,10 +24,33 @@ State good_if(bool good) {
   return good ? State::good : State::warning;
 }
 
-double thickest_standoff(const Case& description) {
+// Where a machine is given, what happens on the way is modelled; the particles fly the last bit.
+ValidityFlag standoff_flag(const Machine& machine) {
+  const bool whole = machine.standoff <= machine.coherent_length;
+  return {"standoff", State::note, machine.standoff, machine.coherent_length,
+          whole
+              ? fmt::format("The standoff of {:.3g} mm is within the {:.3g} mm over which the jet "
+                            "is taken as whole: it arrives as it left. Air is not simulated.",
+                            1e3 * machine.standoff, 1e3 * machine.coherent_length)
+              : fmt::format("The standoff of {:.3g} mm is beyond the {:.3g} mm over which the jet "
+                            "stays whole: how wide, slow and broken up it arrives is a model, "
+                            "with a wide margin. Air is not simulated.",
+                            1e3 * machine.standoff, 1e3 * machine.coherent_length)};
+}
+
+double longest_standoff(const Case& description) {
   double standoff = 0.0;
   for (const Jet& jet : description.jets) standoff = std::max(standoff, jet.standoff);
   return standoff;
+}
+
+const Material* unbreakable_material(const Case& description) {
+  for (const Body& body : description.bodies) {
+    if (body.role != Role::elastic || body.fixed) continue;
+    const Material& material = description.materials.at(static_cast<std::size_t>(body.material));
+    if (!can_break(material)) return &material;
+  }
+  return nullptr;
 }
 
 bool breaks_at_a_strain(const Case& description) {
@@ -124,15 +148,25 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
                      {},
                      "Two dimensions: everything is a slot of endless depth, and water cannot "
                      "escape sideways."});
-  const double standoff = thickest_standoff(description);
-  if (standoff > 0.0)
+  if (description.machine)
+    flags.push_back(standoff_flag(*description.machine));
+  else if (const double standoff = longest_standoff(description); standoff > 0.0)
     flags.push_back({"standoff",
                      State::note,
                      standoff,
                      {},
-                     "Standoff is modelled; air drag and break-up of the jet are not."});
-  if (!description.jets.empty())
-    flags.push_back({"abrasive", State::note, {}, {}, "Abrasive is not modelled."});
+                     "The jet flies its standoff without air: no drag, no break-up."});
+  if (description.jets.empty()) return;
+  if (const Material* material = unbreakable_material(description))
+    flags.push_back({"unbreakable",
+                     State::warning,
+                     {},
+                     {},
+                     fmt::format("{} has no strength and never breaks: the jet can only dent it. "
+                                 "Give the material a failure_strain, fracture_energy or "
+                                 "tensile_strength.",
+                                 material->name)});
+  flags.push_back({"abrasive", State::note, {}, {}, "Abrasive is not modelled."});
 }
 
 }  // namespace

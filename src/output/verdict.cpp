@@ -18,16 +18,26 @@ std::string depth_sentence(const RunOutcome& outcome) {
                      end, front);
 }
 
-std::string cut_sentence(const CutSummary& cut) {
+// Of a nozzle that travels: one hole is no cut.
+std::string way_clause(const RunOutcome& outcome) {
+  const auto& travel = outcome.description.jets.front().traverse;
+  if (travel == std::array<double, 3>{} || !outcome.kerf) return "";
+  return fmt::format(", and all the way down on {:.0f}% of its way so far",
+                     100.0 * outcome.kerf->shape.through_share);
+}
+
+std::string cut_sentence(const RunOutcome& outcome) {
+  const CutSummary& cut = outcome.cut;
   const double time = 1e3 * cut.cut_through_time;
   const int pieces = cut.last.pieces;
   if (pieces == 0)
     return fmt::format(
-        "The jet cuts through after {:.4g} ms; at the end no piece of the workpiece is left that "
+        "The jet cuts through after {:.4g} ms{}; at the end no piece of the workpiece is left that "
         "is larger than 5% of it.",
-        time);
-  return fmt::format("The jet cuts through after {:.4g} ms; at the end the workpiece is in {} {}.",
-                     time, pieces, pieces == 1 ? "piece" : "pieces");
+        time, way_clause(outcome));
+  return fmt::format(
+      "The jet cuts through after {:.4g} ms{}; at the end the workpiece is in {} {}.", time,
+      way_clause(outcome), pieces, pieces == 1 ? "piece" : "pieces");
 }
 
 }  // namespace
@@ -45,7 +55,7 @@ std::string verdict_of(const RunOutcome& outcome) {
   if (outcome.description.jets.empty())
     return fmt::format("The run reached {:.4g} ms; it has no jet, so there is nothing to cut.",
                        1e3 * outcome.time);
-  return outcome.cut.cut_through ? cut_sentence(outcome.cut) : depth_sentence(outcome);
+  return outcome.cut.cut_through ? cut_sentence(outcome) : depth_sentence(outcome);
 }
 
 }  // namespace kerf

@@ -26,7 +26,9 @@ struct Ledger {
   std::array<double, 3> impulse_gravity{};
   std::array<double, 3> impulse_plate{};       // of rigid bodies on the particles
   std::array<double, 3> impulse_constraint{};  // of nozzles, clamps, motion and symmetry planes
+  std::array<double, 3> impulse_water{};       // of the water on the solids
   std::array<double, 3> force_plate{};         // N, of the particles on the rigid bodies, last step
+  std::array<double, 3> force_water{};         // N, of the water on the solids, last step
   double momentum_scale = 0.0;  // kg m/s, sum of m |v| now: a scale where momenta cancel
 
   // Energy, J.

@@ -15,8 +15,8 @@ class LedgerBook {
     mass_on_host_ = mass_per_source;
   }
 
-  void open(Particles<D, P>& particles) {
-    const Ledger now = state(particles);
+  void open(Particles<D, P>& particles, const Vector<D, double>& gravity) {
+    const Ledger now = state(particles, gravity);
     ledger_.mass_initial = now.mass_now;
     ledger_.momentum_initial = now.momentum_now;
     ledger_.energy_initial = now.energy_total();
@@ -32,6 +32,7 @@ class LedgerBook {
       const auto axis = static_cast<std::size_t>(a);
       ledger_.impulse_plate[axis] += sum.value[Change::plate + a];
       ledger_.impulse_constraint[axis] += sum.value[Change::constraint + a];
+      ledger_.impulse_water[axis] += sum.value[Change::water + a];
       ledger_.impulse_gravity[axis] += sum.value[Change::mass] * gravity[a] * dt;
     }
     ledger_.work_gravity += sum.value[Change::gravity_work];
@@ -70,15 +71,17 @@ class LedgerBook {
   }
 
   // The ledger with the state filled in; rates must be those of the state.
-  Ledger state(Particles<D, P>& particles) {
+  Ledger state(Particles<D, P>& particles, const Vector<D, double>& gravity) {
     using State = StateSum<D, P>;
-    const auto sum = state_sum_(particles.size(), State{particles.view(), pointer(mass_of_)});
+    const auto sum =
+        state_sum_(particles.size(), State{particles.view(), pointer(mass_of_), gravity});
     Ledger now = ledger_;
     now.mass_now = sum.value[State::mass];
     now.mass_fractured = sum.value[State::fractured_mass];
     for (int a = 0; a < D; ++a) {
       now.momentum_now[static_cast<std::size_t>(a)] = sum.value[State::momentum + a];
       now.force_plate[static_cast<std::size_t>(a)] = sum.value[State::plate_force + a];
+      now.force_water[static_cast<std::size_t>(a)] = sum.value[State::water_force + a];
     }
     now.kinetic = sum.value[State::kinetic];
     now.pressure_work = sum.value[State::pressure_work];

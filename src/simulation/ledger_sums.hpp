@@ -36,13 +36,26 @@ struct ParticleEnergy {
   }
 };
 
+// What acts on a particle of water besides gravity, rigid bodies and mirror images, N: water on
+// water adds up to nothing, so the sum over all of it is what solids do to the water.
+template <int D, class P>
+KERF_FUNCTION Vector<D, double> push_of_others(const ParticleView<D, P>& particles, Index i,
+                                               double mass, const Vector<D, double>& gravity) {
+  auto acceleration = Vector<D, double>::from(particles.acceleration[i]) - gravity -
+                      Vector<D, double>::from(particles.repulsion[i]);
+  if (particles.mirrors.faces != 0)
+    acceleration -= Vector<D, double>::from(particles.mirror_acceleration[i]);
+  return mass * acceleration;
+}
+
 // Changes over one step, from the rates at its middle and the states at both ends.
 template <int D, class P>
 struct StepChange {
   enum Slot {
     plate = 0,
     constraint = D,
-    mass = 2 * D,
+    water = 2 * D,
+    mass = 3 * D,
     gravity_work,
     constraint_work,
     artificial,
@@ -69,9 +82,12 @@ struct StepChange {
     sum.value[gravity_work] += m * dot(gravity, moved);
     sum.value[artificial] += m * dt * double(particles.artificial_power[i]);
     sum.value[fracture] += double(particles.fracture_loss[i]);
-    if (medium.phase == Phase::water)
+    if (medium.phase == Phase::water) {
+      const auto push = push_of_others(particles, i, m, gravity);
+      for (int a = 0; a < D; ++a) sum.value[water + a] -= dt * push[a];
       sum.value[viscous] += m * dt / double(particles.density(i)) *
                             double(contract(particles.shear[i], particles.velocity_gradient[i]));
+    }
     if (!particles.is_constrained(i)) return;
     const auto before = Vector<D, double>::from(particles.start_velocity[i]);
     const auto after = Vector<D, double>::from(particles.velocity[i]);
@@ -108,15 +124,22 @@ struct StateSum {
     stored_solid,
     plate_potential,
     plate_force,
-    momentum_scale = plate_force + D,
+    water_force = plate_force + D,
+    momentum_scale = water_force + D,
     slots
   };
   ParticleView<D, P> particles;
   const double* mass_of;
+  Vector<D, double> gravity;
 
   KERF_FUNCTION void add(Index i, Terms<slots>& sum) const {
-    if (particles.medium(i).phase == Phase::rigid) return;
+    const Phase phase = particles.medium(i).phase;
+    if (phase == Phase::rigid) return;
     const double m = mass_of[particles.source[i]];
+    if (phase == Phase::water) {
+      const auto push = push_of_others(particles, i, m, gravity);
+      for (int a = 0; a < D; ++a) sum.value[water_force + a] -= push[a];
+    }
     const auto energy = ParticleEnergy<D, P>::of(particles, i, m);
     sum.value[mass] += m;
     sum.value[fractured_mass] += particles.fractured[i] ? m : 0.0;

@@ -65,7 +65,7 @@ void ParticleRun<D, P, Scheme>::open(const LayOut& lay_out) {
   lay_out();
   list_is_due_ = false;
   refresh();  // the ledger opens with what the first forces hold
-  book_.open(particles_);
+  book_.open(particles_, gravity_);
 }
 
 template <int D, class P, class Scheme>

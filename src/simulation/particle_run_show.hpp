@@ -27,7 +27,7 @@ Frame ParticleRun<D, P, Scheme>::frame() const {
 template <int D, class P, class Scheme>
 Ledger ParticleRun<D, P, Scheme>::ledger() const {
   refresh();
-  Ledger ledger = book_.state(particles_);
+  Ledger ledger = book_.state(particles_, gravity_);
   for (const Nozzle& nozzle : nozzles_) {
     ledger.jet_mass_due += nozzle.mass_due(time_);
     ledger.jet_mass_carried += nozzle.mass_due(time_) - nozzle.mass_emitted();

@@ -9,6 +9,7 @@
 
 #include "case/units.hpp"
 #include "study/metrics.hpp"
+#include "study/study_table.hpp"
 
 namespace kerf {
 
@@ -187,12 +188,16 @@ std::string ReducedModel::formula() const {
   return text;
 }
 
-std::string ReducedModel::table_csv() const {
+std::string ReducedModel::table_csv(
+    const std::function<std::string(const std::string&)>& unit) const {
   std::vector<std::string> variables;
   if (!goal_.drive.empty()) variables.push_back(goal_.drive);
   for (const std::string& name : goal_.variables) variables.push_back(name);
-  std::string text = fmt::format("{},{},{} low,{} high\r\n", fmt::join(variables, ","),
-                                 goal_.metric, goal_.metric, goal_.metric);
+  std::vector<std::string> head;
+  for (const std::string& name : variables) head.push_back(with_unit(name, unit(name)));
+  for (const char* which : {"", " low", " high"})
+    head.push_back(with_unit(goal_.metric + which, unit(goal_.metric)));
+  std::string text = fmt::format("{}\r\n", fmt::join(head, ","));
   const auto points = static_cast<std::size_t>(goal_.table_points);
   std::size_t rows = 1;
   for (std::size_t i = 0; i < variables.size(); ++i) rows *= points;

@@ -2,6 +2,7 @@
 // A formula fitted to the runs of a study: docs/theory/reduced_model.md.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -46,8 +47,9 @@ class ReducedModel {
   const Fit& fit() const { return fit_; }
   int used() const { return used_; }
   std::string formula() const;
-  // A grid over the ranges, with predictions: for a controller that looks values up. In SI units.
-  std::string table_csv() const;
+  // A grid over the ranges, with predictions: for a controller that looks values up. In SI units,
+  // which `unit` gives for each name, "" where it has none.
+  std::string table_csv(const std::function<std::string(const std::string&)>& unit) const;
 
  private:
   void fit_threshold_linear(const std::vector<ModelDatum>& data);

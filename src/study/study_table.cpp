@@ -23,10 +23,6 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-std::string with_unit(const std::string& name, std::string_view unit) {
-  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
-}
-
 std::string state_text(RunState state) {
   return std::string(run_state_words[static_cast<std::size_t>(state)]);
 }
@@ -72,6 +68,16 @@ std::vector<Axis> all_axes(const StudyPlan& plan) {
   add_axis(axes, plan.calibration->axis);
   for (const Axis& axis : plan.calibration->at_axes) add_axis(axes, axis);
   return axes;
+}
+
+std::string unit_of(const StudyPlan& plan, const std::string& name) {
+  for (const Axis& axis : all_axes(plan))
+    if (axis.name() == name) return axis.path.unit();
+  return std::string(metric_unit(name));
+}
+
+std::string with_unit(const std::string& name, std::string_view unit) {
+  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
 std::vector<std::string> shown_metrics(const StudyPlan& plan) {

@@ -10,17 +10,6 @@ namespace {
 
 using namespace layout;
 
-// A slot `breadth` wide cut to `depth`: the solid in it is fractured and water stands in it.
-Frame make_cut(const Case& description, double depth, double breadth, double time) {
-  Frame frame = make_block(description.dimension);
-  frame.time = time;
-  change(frame, Category::fractured, [&](const Position& x) {
-    return std::hypot(x[0], x[2]) < breadth / 2.0 && x[1] > -depth;
-  });
-  add_water(frame, description, depth, std::min(breadth, jet_width));
-  return frame;
-}
-
 TEST(Breadth, OfASlotIsItsBreadth) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));
@@ -115,91 +104,6 @@ TEST(FracturedFraction, CountsTheFracturedAndTheGone) {
   EXPECT_NEAR(state.fractured_mass, 0.1 * mass, 1e-6 * mass);
   state = monitor.observe(without(frame, [](const Position& x) { return x[0] > 45.0 * mm; }));
   EXPECT_NEAR(state.fractured_fraction, 0.1, 1e-6);
-}
-
-TEST(CutThrough, IsWhenTheBlockIsInTwo) {
-  const Case description = make_case(2);
-  CutMonitor monitor(description, make_block(2));
-  for (int n = 0; n <= 10; ++n) {
-    Frame frame = make_cut(description, 2.2 * n * mm, 4.0 * mm, n * 1e-3);
-    if (n >= 7)
-      change(frame, Category::fractured,
-             [](const Position& x) { return std::abs(x[0]) < 2.0 * mm; });
-    EXPECT_EQ(monitor.observe(frame).cut_through, n >= 7);
-  }
-  EXPECT_TRUE(monitor.summary().cut_through);
-  EXPECT_DOUBLE_EQ(monitor.summary().cut_through_time, 7e-3);
-}
-
-TEST(CutThrough, StaysWhenTheBlockCrumblesFurther) {
-  const Case description = make_case(2);
-  CutMonitor monitor(description, make_block(2));
-  monitor.observe(make_cut(description, thickness, 4.0 * mm, 1e-3));
-  Frame crumbled = make_cut(description, thickness, 200.0 * mm, 2e-3);
-  const CutState state = monitor.observe(crumbled);
-  EXPECT_EQ(state.pieces, 0);
-  EXPECT_TRUE(state.cut_through);
-  EXPECT_DOUBLE_EQ(monitor.summary().cut_through_time, 1e-3);
-}
-
-// A round hole leaves the block in one piece.
-TEST(CutThrough, IsWhenAHoleReachesTheBottom) {
-  const Case description = make_case(3);
-  CutMonitor monitor(description, make_block(3));
-  CutState state = monitor.observe(make_cut(description, thickness - 8.0 * mm, 12.0 * mm, 1e-3));
-  EXPECT_FALSE(state.cut_through);
-  state = monitor.observe(make_cut(description, thickness, 12.0 * mm, 2e-3));
-  EXPECT_EQ(state.pieces, 1);
-  EXPECT_TRUE(state.cut_through);
-}
-
-TEST(CutThrough, IsNotWhenTheWholeBlockIsPushedDown) {
-  const Case description = make_case(2);
-  CutMonitor monitor(description, make_block(2));
-  Frame frame = make_cut(description, 10.0 * mm, 12.0 * mm, 1e-3);
-  move(frame, [](const Position& x) -> Position { return {x[0], x[1] - 45.0 * mm, x[2]}; });
-  const CutState state = monitor.observe(frame);
-  EXPECT_GT(state.front_depth, thickness);
-  EXPECT_FALSE(state.cut_through);
-}
-
-TEST(CutThrough, NeedsMorePiecesThanThereWere) {
-  Case description = make_case(2);
-  description.bodies.push_back(description.bodies[0]);
-  description.bodies[1].name = "lower";
-  Frame frame;
-  add_box(frame, solid(0), {-50.0 * mm, -20.0 * mm, 0.0}, {50.0 * mm, 0.0, 0.0});
-  add_box(frame, solid(1), {-50.0 * mm, -40.0 * mm, 0.0}, {50.0 * mm, -20.0 * mm, 0.0});
-  CutMonitor monitor(description, frame);
-  change(frame, Category::fractured,
-         [](const Position& x) { return std::abs(x[0]) < 4.0 * mm && x[1] > -10.0 * mm; });
-  add_water(frame, description, 10.0 * mm, 8.0 * mm);
-  const CutState state = monitor.observe(frame);
-  EXPECT_EQ(state.pieces, 2);
-  EXPECT_FALSE(state.cut_through);
-}
-
-TEST(FrontSpeed, IsTheSlopeBetweenContactAndExit) {
-  const Case description = make_case(2);
-  CutMonitor monitor(description, make_block(2));
-  const double speed = 2.2;
-  for (int n = -10; n <= 60; ++n) {  // 0.5 ms apart; first above the block, at last below it
-    const double time = n * 0.5e-3;
-    const double below = std::max(0.0, speed * time - thickness);
-    const double depth = n < 0 ? -5.0 * mm : speed * time + 4.0 * below;
-    monitor.observe(make_cut(description, depth, 12.0 * mm, time));
-  }
-  EXPECT_NEAR(monitor.summary().front_speed, speed, 0.005 * speed);
-  EXPECT_TRUE(monitor.summary().cut_through);
-}
-
-TEST(FrontSpeed, IsZeroWithoutContact) {
-  const Case description = make_case(2);
-  CutMonitor monitor(description, make_block(2));
-  for (int n = 0; n < 5; ++n) monitor.observe(make_cut(description, -5.0 * mm, 0.0, n * 1e-3));
-  EXPECT_EQ(monitor.summary().front_speed, 0.0);
-  EXPECT_FALSE(monitor.summary().cut_through);
-  EXPECT_TRUE(std::isnan(monitor.summary().cut_through_time));
 }
 
 TEST(CutMonitor, ResumedMeasuresAsIfNeverStopped) {

@@ -61,7 +61,10 @@ TEST_P(SplashOf, ItsAngleIsThatFromTheFace) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
       Frame jittered = frame;
       jitter(jittered, most_jitter, seed);
-      EXPECT_NEAR(measure(jittered, lean).angle, two.angle, 0.01 * two.angle);
+      const Splash same = measure(jittered, lean);
+      EXPECT_NEAR(same.angle, two.angle, 0.01 * two.angle);
+      EXPECT_NEAR(same.spread, two.spread, steady * two.spread);
+      EXPECT_NEAR(same.mass, two.mass, steady * two.mass);
     }
   }
 }

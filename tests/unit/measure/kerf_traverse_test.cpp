@@ -104,6 +104,17 @@ TEST_P(TravellingKerf, ABlindGrooveHasTheDepthsItWasCutTo) {
                                                std::to_string(error / solid_spacing));
 }
 
+// Through on the first 30 mm of the 40 that the nozzle has come, then a groove.
+TEST_P(TravellingKerf, ThroughShareIsThePartOfTheWay) {
+  carving_.is_gone = [=](const Position& x) {
+    return std::abs(across(x)) < 8.0 * mm && along(x) < now + 6.0 * mm &&
+           (along(x) < 30.0 * mm || x[1] > -20.0 * mm);
+  };
+  expect_steady(carving_,
+                {{"through_share", [](const Kerf& kerf) { return kerf.shape.through_share; }, 0.75,
+                  2.0 * solid_spacing / now}});
+}
+
 INSTANTIATE_TEST_SUITE_P(Ways, TravellingKerf,
                          testing::Values(Way{}, Way{0.4, false}, Way{-0.3, true}));
 
@@ -122,6 +133,30 @@ TEST_P(FlatTraverse, LagsAlikeBothWays) {
   };
   const double between = 40.0 * mm - 6.0 * solid_spacing;
   expect_steady(carving, {{"lag", lag_of, slope * between}, {"depth", depth_of, 40.0 * mm}});
+}
+
+TEST_P(FlatTraverse, ThroughShareIsThePartOfTheWay) {
+  const double way = GetParam(), now = 30.0 * mm;
+  Carving carving;
+  carving.conditions.contact_time = 0.0;
+  carving.conditions.traverse = {way * speed, 0.0, 0.0};
+  carving.time = now / speed;
+  carving.is_gone = [=](const Position& x) {
+    const double along = way * x[0];
+    return along > -10.0 * mm && along < 36.0 * mm && (along < 18.0 * mm || x[1] > -20.0 * mm);
+  };
+  expect_steady(carving,
+                {{"through_share", [](const Kerf& kerf) { return kerf.shape.through_share; }, 0.6,
+                  solid_spacing / now}});
+}
+
+TEST(KerfAtRest, IsThroughOrNot) {
+  Carving carving;
+  carving.conditions.contact_time = 0.0;
+  for (const double depth : {30.0 * mm, thickness}) {
+    carving.is_gone = [=](const Position& x) { return std::abs(x[0]) < 8.0 * mm && x[1] > -depth; };
+    EXPECT_EQ(carving.measure(0).shape.through_share, depth == thickness ? 1.0 : 0.0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, FlatTraverse, testing::Values(1.0, -1.0));

@@ -118,6 +118,17 @@ inline void change(Frame& frame, Category category,
       frame.category[row] = category;
 }
 
+// A slot `breadth` wide cut to `depth`: the solid in it is fractured and water stands in it.
+inline Frame make_cut(const Case& description, double depth, double breadth, double time) {
+  Frame frame = make_block(description.dimension);
+  frame.time = time;
+  change(frame, Category::fractured, [&](const Position& x) {
+    return std::hypot(x[0], x[2]) < breadth / 2.0 && x[1] > -depth;
+  });
+  add_water(frame, description, depth, std::min(breadth, jet_width));
+  return frame;
+}
+
 inline void move(Frame& frame, const std::function<Position(const Position&)>& to) {
   for (Position& x : frame.position) x = to(x);
 }

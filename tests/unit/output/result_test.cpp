@@ -79,6 +79,31 @@ TEST(Result, CutThroughTimeIsNullUntilThereIsOne) {
   EXPECT_EQ(result_of(outcome).at("cut_through_time"), 0.0221);
 }
 
+TEST(Result, SaysByWhatAndWhereItWasCutThrough) {
+  RunOutcome outcome = outcome_with_jet();
+  EXPECT_TRUE(result_of(outcome).at("cut_through_by").is_null());
+  EXPECT_TRUE(result_of(outcome).at("cut_through_place").is_null());
+  outcome.cut.cut_through = outcome.cut.severed = true;
+  outcome.cut.cut_through_place = {0.01, -0.02, 0.0};
+  EXPECT_EQ(result_of(outcome).at("cut_through_by"), "severed");
+  EXPECT_EQ(result_of(outcome).at("cut_through_place"), nlohmann::json({0.01, -0.02, 0.0}));
+  outcome.cut.severed = false;
+  EXPECT_EQ(result_of(outcome).at("cut_through_by"), "holed");
+}
+
+TEST(Result, HasTheProfileOfTheKerfAndOfTheOpening) {
+  RunOutcome outcome = outcome_with_jet();
+  outcome.kerf.emplace();
+  outcome.kerf->shape.profile = {{-1e-3, 2e-3}, {0.0, 3e-3}, {1e-3, 2.5e-3}};
+  outcome.kerf->opening.profile = {{0.0, 4e-3}};
+  const auto result = result_of(outcome);
+  const auto& profile = result.at("kerf").at("profile");
+  EXPECT_EQ(profile.at("position"), nlohmann::json({-1e-3, 0.0, 1e-3}));
+  EXPECT_EQ(profile.at("depth"), nlohmann::json({2e-3, 3e-3, 2.5e-3}));
+  EXPECT_EQ(result.at("opening").at("profile").at("position"), nlohmann::json::array({0.0}));
+  EXPECT_EQ(result.at("opening").at("profile").at("depth"), nlohmann::json::array({4e-3}));
+}
+
 TEST(Result, IsJsonWhateverTheNumbers) {
   RunOutcome outcome = outcome_with_jet();
   outcome.cut.front_speed = std::numeric_limits<double>::infinity();
@@ -101,6 +126,12 @@ TEST(Verdict, SaysWhatHappened) {
   outcome.cut.last.pieces = 2;
   EXPECT_EQ(verdict_of(outcome),
             "The jet cuts through after 22.1 ms; at the end the workpiece is in 2 pieces.");
+  outcome.description.jets[0].traverse = {1.0, 0.0, 0.0};
+  outcome.kerf.emplace();
+  outcome.kerf->shape.through_share = 0.75;
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet cuts through after 22.1 ms, and all the way down on 75% of its way so far; at "
+            "the end the workpiece is in 2 pieces.");
   outcome.cut.last.pieces = 0;
   EXPECT_THAT(verdict_of(outcome), HasSubstr("no piece of the workpiece is left"));
   outcome.description.jets.clear();
@@ -125,7 +156,7 @@ TEST(Validity, NamesWhatIsWeakAndOnlyThat) {
   const auto good = validity_of(outcome);
   EXPECT_THAT(good, flag("resolution", State::good, "The jet is 12 particles wide."));
   EXPECT_THAT(good, flag("energy_drift", State::good, "closes to 0%"));
-  EXPECT_THAT(good, flag("standoff", State::note, "air drag and break-up"));
+  EXPECT_THAT(good, flag("standoff", State::note, "no drag, no break-up"));
   EXPECT_THAT(good, flag("abrasive", State::note, "Abrasive is not modelled"));
   EXPECT_THAT(good, flag("leak", State::good, "0% of the jet's water"));
   EXPECT_THAT(good, flag("reflections", State::good, "No wave"));
@@ -159,6 +190,42 @@ TEST(Validity, WavesComeBackFromEdges) {
   EXPECT_THAT(validity_of(outcome), flag("reflections", State::note, "10 ms after"));
   outcome.derived.reflection_time = 0.0;  // no edge lets them
   EXPECT_THAT(validity_of(outcome), flag("reflections", State::good, "No wave"));
+}
+
+TEST(Validity, StandoffOfAMachineIsAModelBeyondTheCoherentLength) {
+  RunOutcome outcome = outcome_with_jet();
+  outcome.description.machine.emplace();
+  outcome.description.machine->standoff = 0.04;
+  outcome.description.machine->coherent_length = 0.05;
+  EXPECT_THAT(validity_of(outcome), flag("standoff", State::note, "arrives as it left"));
+  outcome.description.machine->coherent_length = 0.01;
+  EXPECT_THAT(
+      validity_of(outcome),
+      Contains(AllOf(Field(&ValidityFlag::name, "standoff"), Field(&ValidityFlag::value, 0.04),
+                     Field(&ValidityFlag::sentence, HasSubstr("is a model")))));
+}
+
+TEST(Validity, AMaterialWithoutStrengthIsNamed) {
+  RunOutcome outcome = outcome_with_jet();
+  outcome.description.materials.resize(1);
+  Material& material = outcome.description.materials[0];
+  material.kind = MaterialKind::elastic;
+  material.name = "jelly";
+  outcome.description.bodies.resize(1);
+  Body& body = outcome.description.bodies[0];
+  body.role = Role::elastic;
+  body.material = 0;
+  EXPECT_THAT(validity_of(outcome), flag("unbreakable", State::warning, "jelly has no strength"));
+  body.fixed = true;  // not what is cut
+  EXPECT_THAT(validity_of(outcome), Not(named("unbreakable")));
+  body.fixed = false;
+  material.failure_strain = 0.1;
+  EXPECT_THAT(validity_of(outcome), Not(named("unbreakable")));
+  material.failure_strain = 0.0;
+  material.criterion = BondCriterion::principal_stress;
+  EXPECT_THAT(validity_of(outcome), named("unbreakable"));
+  material.tensile_strength = 1e6;
+  EXPECT_THAT(validity_of(outcome), Not(named("unbreakable")));
 }
 
 TEST(Validity, AnEnergyGivesFractureItsLength) {

@@ -99,11 +99,13 @@ TEST(ReducedModel, TheTableSpansTheDataAndNothingElse) {
   ModelGoal goal = goal_of(ModelForm::threshold_linear, {});
   goal.table_points = 5;
   const ReducedModel model(goal, data);
-  std::istringstream table(model.table_csv());
+  std::istringstream table(
+      model.table_csv([](const std::string& name) { return name == "kerf.depth" ? "m" : "Pa"; }));
   std::vector<std::string> lines;
   for (std::string line; std::getline(table, line);) lines.push_back(line);
   ASSERT_EQ(lines.size(), 6u);
-  EXPECT_EQ(lines[0], "machine.pressure,kerf.depth,kerf.depth low,kerf.depth high\r");
+  EXPECT_EQ(lines[0],
+            "machine.pressure (Pa),kerf.depth (m),kerf.depth low (m),kerf.depth high (m)\r");
   EXPECT_EQ(std::stod(lines[1]), 40e6);
   EXPECT_EQ(std::stod(lines[5]), 80e6);
   EXPECT_NEAR(std::stod(lines[2].substr(lines[2].find(',') + 1)) / bone_depth(50e6, 1.0, 0.3), 1.0,

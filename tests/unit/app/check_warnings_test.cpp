@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Warnings of cases in which nothing can be cut.
+#include "app/check_warnings.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "case/read.hpp"
+
+namespace kerf {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::string> warnings_of(const std::string& bodies) {
+  const Case description = parse_case(R"(
+title = "a jet"
+dimension = 2
+[machine]
+pressure = "50 kPa"
+orifice_diameter = "2 mm"
+standoff = "6 mm"
+position = ["0 mm", "6 mm"]
+[time]
+end = "1 ms"
+)" + bodies,
+                                      "my.toml");
+  return check_warnings(description, derive(description));
+}
+
+std::string block_of(const std::string& material) {
+  return fmt::format(R"([[body]]
+name = "block"
+material = "{}"
+shape = {{ type = "box", minimum = ["-10 mm", "0 mm"], maximum = ["10 mm", "6 mm"] }}
+)",
+                     material);
+}
+
+TEST(CheckWarnings, NameASolidThatNeverBreaks) {
+  const auto never = HasSubstr("\"block\" never breaks: its material \"gelatin-5\"");
+  EXPECT_THAT(warnings_of(block_of("gelatin-5")), Contains(never));
+  EXPECT_THAT(warnings_of(block_of("gelatin-5") + "fixed = true\n"), Not(Contains(never)));
+  EXPECT_THAT(warnings_of(block_of("tofu")), Not(Contains(HasSubstr("never breaks"))));
+  EXPECT_THAT(warnings_of("[materials.gel]\nbase = \"gelatin-5\"\nfailure_strain = 0.3\n" +
+                          block_of("gel")),
+              Not(Contains(HasSubstr("never breaks"))));
+}
+
+TEST(CheckWarnings, NameAJetWithNothingToCut) {
+  const auto nothing = HasSubstr("nothing that it could cut");
+  EXPECT_THAT(warnings_of(""), Contains(nothing));
+  EXPECT_THAT(warnings_of(block_of("tofu")), Not(Contains(nothing)));
+}
+
+}  // namespace
+}  // namespace kerf
