@@ -62,7 +62,9 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
   }
   double bytes_per_particle() const override {
     const double n = std::max<double>(1.0, particles_.size());
-    return Run::bytes_per_particle() + static_cast<double>(solid_.bytes()) / n;
+    const std::size_t beside =
+        solid_.bytes() + rates_.bytes() + crowd_.size() * sizeof(Crowd<D, typename P::Real>);
+    return Run::bytes_per_particle() + static_cast<double>(beside) / n;
   }
   void save(Archive& archive) const override {
     Run::save(archive);
