@@ -15,6 +15,7 @@
 #include "app/embedded.hpp"
 #include "case/read.hpp"
 #include "core/error.hpp"
+#include "core/processor.hpp"
 #include "core/version.hpp"
 #include "lanes/walks.hpp"
 #include "simulation/simulation.hpp"
@@ -88,13 +89,6 @@ std::vector<Load> standard_loads() {
     if (text.name == "tofu-5ms-standard" || text.name == "tofu-5ms")
       loads.push_back({std::string(text.name), std::string(text.text)});
   return loads;
-}
-
-std::string processor_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown processor";
 }
 
 Result measure(const Load& load, double seconds) {

@@ -162,8 +162,10 @@ void derive_spacings(DerivedNumbers& numbers, const Case& description) {
 
 void derive_particles(DerivedNumbers& numbers, const Case& description) {
   for (const Body& body : description.bodies)
-    for (const std::size_t count : count_levels(body, description.dimension))
+    for (const std::size_t count : count_levels(body, description.dimension)) {
       numbers.particles_initial += count;
+      if (body.role == Role::elastic) numbers.particles_elastic += count;
+    }
   double added = 0.0;
   for (const Jet& jet : description.jets)
     added += entering_particles(jet, description.dimension, description.time.end);
@@ -197,14 +199,28 @@ void derive_steps(DerivedNumbers& numbers, const Case& description) {
   numbers.steps = std::ceil(description.time.end / step);
 }
 
-// About 300 bytes of fields and, for every neighbour within 2 h and as many again in the skin of
-// the list, an index of 4 bytes.
-double bytes_per_particle(const Case& description) {
-  const double reach = 2.0 * description.smoothing_ratio;  // spacings
-  const double neighbours = description.dimension == 2
-                                ? std::numbers::pi * reach * reach
-                                : 4.0 / 3.0 * std::numbers::pi * reach * reach * reach;
-  return 300.0 + 2.0 * neighbours * 4.0;
+// How many particles of a square or cubic lattice are within so many spacings.
+double particles_within(double spacings, int dimension) {
+  return dimension == 2 ? std::numbers::pi * spacings * spacings
+                        : 4.0 / 3.0 * std::numbers::pi * spacings * spacings * spacings;
+}
+
+// Fields and what walks keep; 4 bytes for every neighbour within 2 h and the skin of the list, and
+// an eighth to spare. What bonds hold together lists no neighbours but has fields of its own, and 8
+// bytes for every bond (12 in double precision). A test compares with the heap.
+double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
+  const int dimension = description.dimension;
+  const bool plane = dimension == 2, bonds = description.formulation == Formulation::standard;
+  const double reach = 2.0 * description.smoothing_ratio, skin = 0.35;  // spacings
+  const bool single = description.precision == PrecisionKind::mixed;
+  const double wider = single ? 1.0 : 1.75;  // places are in double precision anyway
+  const double particle = wider * (bonds ? (plane ? 416.0 : 560.0) : (plane ? 332.0 : 460.0));
+  const double list = 4.5 * particles_within(reach + skin, dimension);
+  const double solid =
+      wider * (plane ? 268.0 : 420.0) + (single ? 8.0 : 12.0) * particles_within(reach, dimension);
+  const auto all = static_cast<double>(numbers.particles_expected);
+  const double held = bonds ? static_cast<double>(numbers.particles_elastic) : 0.0;
+  return all * particle + (all - held) * list + held * solid;
 }
 
 }  // namespace
@@ -222,8 +238,7 @@ DerivedNumbers derive(const Case& description) {
   derive_spacings(numbers, description);
   derive_particles(numbers, description);
   derive_steps(numbers, description);
-  numbers.memory =
-      bytes_per_particle(description) * static_cast<double>(numbers.particles_expected);
+  numbers.memory = estimate_memory(numbers, description);
   numbers.regime = regime_of(numbers, description, solid);
   return numbers;
 }

@@ -106,8 +106,10 @@ class NeighbourList {
   }
   Index pairs() const { return pairs_; }  // list entries, each pair twice
   std::size_t bytes() const {
-    return sizeof(Index) * (neighbour_.size() + begin_.size() + alike_.size() + own_.size() +
-                            cell_begin_.size() + key_.size());
+    std::size_t entries = neighbour_.size() + begin_.size() + alike_.size() + own_.size() +
+                          cell_begin_.size() + key_.size() + packed_kind_.size();
+    for (const auto& place : packed_place_) entries += place.size();
+    return sizeof(Index) * entries;  // places are as long
   }
 
  private:

@@ -45,6 +45,10 @@ class AlikePairs {
     return sums_.data();
   }
 
+  std::size_t bytes() const {
+    return fluid_.size() * sizeof(fluid_[0]) + sums_.size() * sizeof(sums_[0]);
+  }
+
  private:
   static FluidLaw<Real> law_of(const Medium<double>& medium, double steepening) {
     const double h = medium.smoothing_length, alpha = WendlandC2<D>::scale(h);

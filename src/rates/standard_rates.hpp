@@ -120,6 +120,10 @@ class StandardRates {
     if (has_solids_) look_at_surfaces(view, count, list, {touch(), true});
   }
 
+  std::size_t bytes() const {
+    return alike_.bytes() + density_gradient_.size() * sizeof(Vector<D, Real>);
+  }
+
  private:
   using Full = Filling<D, P, ContactPairs::Kernel<D>>;
 

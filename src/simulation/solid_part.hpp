@@ -170,7 +170,13 @@ class SolidPart {
   }
 
   std::uint64_t bond_entries() const { return solid_ ? solid_->fields().neighbour.size() : 0; }
-  std::size_t bytes() const { return solid_ ? solid_->bytes() : 0; }
+  std::size_t bytes() const {
+    const std::size_t links = (number_of_id_.size() + particle_of_.size()) * sizeof(Index);
+    const std::size_t copies = position_.size() * sizeof(Vector<D, double>) +
+                               velocity_.size() * sizeof(Vector<D, Real>) + gone_.size();
+    return links + copies + sites_.size() * sizeof(AbsorbingSite<D>) +
+           (solid_ ? solid_->bytes() : 0);
+  }
 
   void save(Archive& archive) const {
     archive.arrays["solid/losses"] =

@@ -16,7 +16,7 @@
 namespace kerf {
 
 template <int D, class P>
-class Standard final : public ParticleRun<D, P, ContactPairs> {
+class Standard : public ParticleRun<D, P, ContactPairs> {
   using Run = ParticleRun<D, P, ContactPairs>;
 
  public:
@@ -37,7 +37,8 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     Run::renew_neighbours();
     const double dt = Run::choose_step(StepRates::to_come, solid_.step_limit(case_.time.courant));
     drift_half(dt);
-    deform_and_break(dt);
+    deform(dt);
+    break_bonds(dt);
     evaluate();
     kick_and_drift(dt);
     close_density(dt);
@@ -61,7 +62,9 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
   }
   double bytes_per_particle() const override {
     const double n = std::max<double>(1.0, particles_.size());
-    return Run::bytes_per_particle() + static_cast<double>(solid_.bytes()) / n;
+    const std::size_t beside =
+        solid_.bytes() + rates_.bytes() + crowd_.size() * sizeof(Crowd<D, typename P::Real>);
+    return Run::bytes_per_particle() + static_cast<double>(beside) / n;
   }
   void save(Archive& archive) const override {
     Run::save(archive);
@@ -72,29 +75,11 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     Run::restore(archive);
   }
 
- private:
+ protected:
   using Run::case_, Run::drives_, Run::list_, Run::pair_interactions_, Run::particles_, Run::time_,
       Run::timers_;
 
-  void after_reorder() override { solid_.find(particles_); }
-
-  void evaluate_now() const override {
-    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds());
-    solid_.deform(particles_, since_step());
-    solid_.accelerate(particles_);
-    solid_.show_pressure(particles_);
-  }
-
-  void accelerate_across(const AcrossPlane<D>& across) const override {
-    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(), across,
-                      BodyForce<D, P>{});
-    solid_.deform(particles_, since_step());
-    solid_.accelerate(particles_, across);
-  }
-
-  // What flows last stood at the middle of the last step.
-  double since_step() const { return 0.5 * Run::last_step().dt; }
-
+  // The stages of a step, in their order; benchmarks time them one by one.
   void drift_half(double dt) {
     const auto timer = timers_.stage("integrate");
     Run::load_drives(time_ + 0.5 * dt);
@@ -102,24 +87,31 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     for_each_index(particles_.size(), DriftHalf<D, P>{particles_.view(), pointer(drives_), dt});
   }
 
-  void deform_and_break(double dt) {
-    {
-      const auto timer = timers_.stage("solid");
-      solid_.deform(particles_, dt);
-      pair_interactions_ += static_cast<double>(solid_.bond_entries());
-    }
+  void deform(double dt) {
+    const auto timer = timers_.stage("solid");
+    solid_.deform(particles_, dt);
+    pair_interactions_ += static_cast<double>(solid_.bond_entries());
+  }
+
+  void break_bonds(double dt) {
     const auto timer = timers_.stage("fracture");
     solid_.break_bonds(particles_, dt);
   }
 
   void evaluate() {
-    {
-      const auto timer = timers_.stage("water and contact");
-      crowd_.resize(particles_.size());
-      rates_.evaluate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(),
-                      pointer(crowd_));
-      pair_interactions_ += static_cast<double>(list_.pairs());
-    }
+    push_by_neighbours();
+    push_by_bonds();
+  }
+
+  void push_by_neighbours() {
+    const auto timer = timers_.stage("water and contact");
+    crowd_.resize(particles_.size());
+    rates_.evaluate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(),
+                    pointer(crowd_));
+    pair_interactions_ += static_cast<double>(list_.pairs());
+  }
+
+  void push_by_bonds() {
     const auto timer = timers_.stage("solid");
     solid_.accelerate(particles_);
     pair_interactions_ += static_cast<double>(solid_.bond_entries());
@@ -145,6 +137,26 @@ class Standard final : public ParticleRun<D, P, ContactPairs> {
     const auto timer = timers_.stage("shifting");
     for_each_index(particles_.size(), ShiftParticles<D, P>{particles_.view(), pointer(crowd_), dt});
   }
+
+ private:
+  void after_reorder() override { solid_.find(particles_); }
+
+  void evaluate_now() const override {
+    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds());
+    solid_.deform(particles_, since_step());
+    solid_.accelerate(particles_);
+    solid_.show_pressure(particles_);
+  }
+
+  void accelerate_across(const AcrossPlane<D>& across) const override {
+    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(), across,
+                      BodyForce<D, P>{});
+    solid_.deform(particles_, since_step());
+    solid_.accelerate(particles_, across);
+  }
+
+  // What flows last stood at the middle of the last step.
+  double since_step() const { return 0.5 * Run::last_step().dt; }
 
   LatticeSums lattice_;
   StandardRates<D, P> rates_;
