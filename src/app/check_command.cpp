@@ -19,6 +19,7 @@
 #include "particles/closed_surface.hpp"
 #include "particles/fill.hpp"
 #include "particles/graded_fill.hpp"
+#include "report/html.hpp"
 #include "simulation/simulation.hpp"
 
 namespace kerf {
@@ -79,7 +80,7 @@ void print_machine(const Case& description) {
   row("speed of the jet", fmt::format("{:.4g} m/s", numbers.speed));
   row("contraction, jet over orifice", fmt::format("{:.4g}", numbers.contraction));
   row("width of the jet behind the orifice", readable(numbers.diameter, "m"));
-  row("flow rate", readable(6e4 * numbers.flow_rate, std::string("L/min") + per_depth));
+  row("flow rate", readable(6e4 * numbers.flow_rate, html::flow_rate_unit(description.dimension)));
   row("power of the jet", readable(numbers.power, std::string("W") + per_depth));
   row("hammer pressure, real water", readable(numbers.hammer_pressure, "Pa"));
   row("width at the workpiece, a model", readable(numbers.diameter_at_workpiece, "m"));

@@ -35,13 +35,18 @@ double sheet_length(const Machine& machine) {
   return machine.orifice_length + opening;
 }
 
-// Downwards and, by the angles, along the traverse and to its right.
-void aim(const Machine& machine, Jet& jet) {
+// Downwards and, by the angles, along the traverse and to its right. In the plane the sign of the
+// angle says to which side.
+void aim(const Machine& machine, int dimension, Jet& jet) {
   const Point& forward = machine.traverse_direction;
   const double ahead = std::tan(machine.lead_angle), aside = std::tan(machine.tilt_angle);
   // Right of the traverse, seen from above: forward x up.
   const double x = ahead * forward[0] - aside * forward[2];
   const double z = ahead * forward[2] + aside * forward[0];
+  if (dimension == 2) {
+    jet.angle = std::atan(x);
+    return;
+  }
   jet.angle = std::atan(std::hypot(x, z));
   jet.azimuth = jet.angle > 0.0 ? std::atan2(z, x) : 0.0;
 }
@@ -94,7 +99,7 @@ Jet machine_jet(const Machine& machine, const Material& water, int dimension) {
   if (dimension == 3 && is_flat(machine)) jet.length = sheet_length(machine);
   jet.position = machine.position;
   jet.standoff = std::min(machine.standoff, simulated_flight * jet.width);
-  aim(machine, jet);
+  aim(machine, dimension, jet);
   jet.spacing = machine.spacing;
   jet.stop = std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < 3; ++a)

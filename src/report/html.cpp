@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "report/base64.hpp"
 #include "report/plot.hpp"
@@ -36,11 +37,34 @@ std::string escape(std::string_view text) {
   return safe;
 }
 
+namespace {
+
+// To that many significant digits: 999.96 with four of them is 1000, which has another prefix.
+double rounded(double value, int digits) {
+  return std::stod(fmt::format("{:.{}e}", value, digits - 1));
+}
+
+// Whether the first symbol of a unit has a power, which a prefix would have too: 1 mm² is 1e-6 m².
+bool begins_with_power(const std::string& unit) {
+  const auto end = std::find_if(unit.begin(), unit.end(), [](char c) {
+    return !(c >= 'a' && c <= 'z') && !(c >= 'A' && c <= 'Z');
+  });
+  const std::string_view rest(unit.data() + (end - unit.begin()),
+                              static_cast<std::size_t>(unit.end() - end));
+  return rest.starts_with("²") || rest.starts_with("³") || rest.starts_with('^') ||
+         (!rest.empty() && rest[0] >= '0' && rest[0] <= '9');
+}
+
+}  // namespace
+
 std::string number(double value, int digits) {
   if (!std::isfinite(value)) return "—";
   if (value == 0.0) return "0";
-  const double size = std::abs(value);
-  if (size >= 1e-3 && size < 1e5) return fmt::format("{:.{}g}", value, digits);
+  const double size = std::abs(rounded(value, digits));
+  if (size >= 1e-3 && size < 1e5) {
+    const std::string text = fmt::format("{:.{}g}", value, digits);
+    return text.find('e') == std::string::npos ? text : fmt::format("{:.0f}", value);
+  }
   const int power = static_cast<int>(std::floor(std::log10(size)));
   return fmt::format("{:.3g} · 10<sup>{}</sup>", value / std::pow(10.0, power), power);
 }
@@ -49,10 +73,23 @@ std::string quantity(double value, const std::string& unit, int digits) {
   if (!std::isfinite(value)) return "—";
   const std::string space = "\u202f";  // narrow, and does not break the line
   // Kilograms have their prefix already, and rounding noise is better shown as a power of ten.
-  const bool plain = unit.starts_with("kg") || std::abs(value) < 1e-9 || std::abs(value) >= 1e15;
+  const bool plain = unit.starts_with("kg") || begins_with_power(unit) || std::abs(value) < 1e-9 ||
+                     std::abs(value) >= 1e15;
   if (plain) return number(value, digits) + space + unit;
-  const Prefix prefix = prefix_for(std::abs(value));
-  return fmt::format("{:.{}g}{}{}{}", value * prefix.factor, digits, space, prefix.symbol, unit);
+  const Prefix prefix = prefix_for(std::abs(rounded(value, digits)));
+  return number(value * prefix.factor, digits) + space + prefix.symbol + unit;
+}
+
+std::string flow_rate(double value, int dimension) {
+  return quantity(6e4 * value, flow_rate_unit(dimension));
+}
+
+std::string degrees(double angle) {
+  return number(angle * 180.0 / std::numbers::pi, 3) + "°";
+}
+
+std::string percent(double share) {
+  return number(100.0 * share, 3) + "\u202f%";
 }
 
 std::string count(double value) {
@@ -83,12 +120,17 @@ std::string swatch(Colour colour, bool dashed) {
                      byte(colour.blue));
 }
 
+std::string key_mark(const std::string& key) {
+  return key.empty() ? "" : fmt::format(" data-key=\"{}\"", key);
+}
+
 std::string table(const std::string& caption, const std::vector<Row>& rows) {
   const bool remarks =
       std::any_of(rows.begin(), rows.end(), [](const Row& row) { return !row.remark.empty(); });
   std::string text = fmt::format("<table><caption>{}</caption><tbody>\n", caption);
   for (const Row& row : rows) {
-    text += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td>", row.name, row.value);
+    text += fmt::format("<tr><th scope=\"row\">{}</th><td{}>{}</td>", row.name, key_mark(row.key),
+                        row.value);
     if (remarks) text += fmt::format("<td class=\"remark\">{}</td>", row.remark);
     text += "</tr>\n";
   }

@@ -15,11 +15,19 @@ namespace kerf::html {
 std::string escape(std::string_view text);
 
 // "22.4 ms": the significant digits asked for and a prefix that suits the number; "—" for not a
-// number.
+// number. Units that begin with a power, as m²/s, get no prefix.
 std::string quantity(double value, const std::string& unit, int digits = 4);
+// Of water, from m³/s (2D: m²/s).
+std::string flow_rate(double value, int dimension);
+// 60 000 of it are one SI unit.
+constexpr const char* flow_rate_unit(int dimension) {
+  return dimension == 2 ? "L/min/m" : "L/min";
+}
 // As plain number, for counts and ratios.
 std::string number(double value, int digits = 4);
-std::string count(double value);  // 1 234 567
+std::string degrees(double angle);  // "15°", from rad
+std::string percent(double share);  // "4.2 %", of 1
+std::string count(double value);    // 1 234 567
 
 // The image itself as the address of an <img>.
 std::string png_address(std::string_view png);
@@ -37,7 +45,10 @@ struct Row {
   std::string name;
   std::string value;
   std::string remark;
+  std::string key = {};  // of result.json, where the value is one of its numbers: "kerf.depth"
 };
+// The attribute that names the key.
+std::string key_mark(const std::string& key);
 // Cells are taken as they are (already safe); a remark column appears when any row has one.
 std::string table(const std::string& caption, const std::vector<Row>& rows);
 

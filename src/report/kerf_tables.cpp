@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the report that an operator reads: the machine, the kerf, its layers.
+// The part of the report that an operator reads: the kerf, its layers, the machine.
 #include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
 
 #include "report/html.hpp"
 #include "report/json_number.hpp"
 #include "report/kerf_drawing.hpp"
+#include "report/kerf_part.hpp"
 #include "report/report.hpp"
 
 namespace kerf {
@@ -13,59 +17,46 @@ namespace {
 using html::Row;
 using Json = nlohmann::ordered_json;
 
-std::string degrees(const Json& angle) {
-  return html::number(value_of(angle) * 180.0 / 3.14159265358979, 3) + "°";
-}
-
-std::string machine_table(const Json& machine, bool plane) {
-  const auto of = [&](const char* key, const char* unit) {
-    return html::quantity(value_of(machine.at(key)), unit);
-  };
-  return html::table(
-      "Machine",
-      {{"pressure at the orifice", of("pressure", "Pa"), ""},
-       {"orifice", of("orifice_diameter", "m"), machine.at("orifice_type").get<std::string>()},
-       {"speed of the jet", of("jet_speed", "m/s"), ""},
-       {"width of the jet", of("jet_width", "m"),
-        "contraction " + html::number(value_of(machine.at("contraction")), 3)},
-       {"flow rate", of("flow_rate", plane ? "m²/s" : "m³/s"), ""},
-       {"power of the jet", of("power", plane ? "W/m" : "W"), ""},
-       {"stagnation pressure", of("stagnation_pressure", "Pa"), ""},
-       {"hammer pressure of real water", of("hammer_pressure", "Pa"), "for an instant"},
-       {"standoff", of("standoff", "m"), ""},
-       {"width at the workpiece", of("width_at_workpiece", "m"), "a model of the air"},
-       {"share of water there", html::number(value_of(machine.at("water_share_at_workpiece")), 3),
-        "a model of the air"}});
-}
-
-std::string shape_table(const char* caption, const Json& shape) {
-  const auto width = [&](const char* level) {
-    return html::quantity(value_of(shape.at(level).at("width")), "m");
-  };
-  std::vector<Row> rows = {{"depth", html::quantity(value_of(shape.at("depth")), "m"), ""},
-                           {"width at the top", width("top"), ""},
-                           {"width in the middle", width("middle"), ""},
-                           {"width at the bottom", width("bottom"), ""},
-                           {"taper of one face", degrees(shape.at("taper")), ""}};
+// `key` is that of the shape in result.json.
+std::string shape_table(const char* caption, const std::string& key, const Json& shape) {
+  std::vector<Row> rows = {
+      {"depth", html::quantity(value_of(shape.at("depth")), "m"), "", key + ".depth"}};
+  for (const auto& [name, level] :
+       {std::pair{"width at the top", "top"}, std::pair{"width in the middle", "middle"},
+        std::pair{"width at the bottom", "bottom"}}) {
+    const Json& place = shape.at(level);
+    rows.push_back({name, html::quantity(value_of(place.at("width")), "m"),
+                    html::quantity(value_of(place.at("below")), "m") + " below the face",
+                    key + "." + level + ".width"});
+  }
+  rows.push_back(
+      {"taper of one face", html::degrees(value_of(shape.at("taper"))), "", key + ".taper"});
   if (shape.at("lag").is_number())
-    rows.push_back({"lag of the front", html::quantity(value_of(shape.at("lag")), "m"), ""});
+    rows.push_back(
+        {"lag of the front", html::quantity(value_of(shape.at("lag")), "m"), "", key + ".lag"});
   return html::table(caption, rows);
 }
 
+// Volumes in mm³ (2D: mm² of the section): the cubic metres of a kerf are all tiny.
 std::string removal_table(const Json& kerf, bool plane) {
-  const char* volume = plane ? "m²" : "m³";
-  const double energy = value_of(kerf.at("specific_energy"));
+  const double factor = plane ? 1e6 : 1e9;
+  const std::string volume = plane ? "\u202fmm²" : "\u202fmm³";
+  const auto number = [&](const char* key) { return value_of(kerf.at(key)); };
   std::vector<Row> rows = {
-      {"removed", html::number(value_of(kerf.at("removed_volume"))) + " " + volume, ""},
-      {"rate", html::number(value_of(kerf.at("removal_rate"))) + " " + volume + "/s", ""},
-      {"specific energy", html::number(1e-9 * energy) + " J/mm³", ""},
-      {"damaged zone beside the kerf", html::quantity(value_of(kerf.at("damaged_zone")), "m"), ""},
-      {"margin", html::number(100.0 * value_of(kerf.at("margin")), 3) + "%",
-       "of the run after the cut; less than 0: of the thickness left"}};
+      {"removed", html::number(factor * number("removed_volume")) + volume,
+       plane ? "of the section" : "", "kerf.removed_volume"},
+      {"rate", html::number(factor * number("removal_rate")) + volume + "/s", "",
+       "kerf.removal_rate"},
+      {"specific energy", html::quantity(number("specific_energy"), "J/m³"), "",
+       "kerf.specific_energy"},
+      {"damaged zone beside the kerf", html::quantity(number("damaged_zone"), "m"), "",
+       "kerf.damaged_zone"},
+      {"margin", html::percent(number("margin")),
+       "of the run after the cut; less than 0: of the thickness left", "kerf.margin"}};
   const Json& splash = kerf.at("splash");
   if (splash.at("angle").is_number())
-    rows.push_back(
-        {"splash off the face", degrees(splash.at("angle")), "± " + degrees(splash.at("spread"))});
+    rows.push_back({"splash off the face", html::degrees(value_of(splash.at("angle"))),
+                    "± " + html::degrees(value_of(splash.at("spread"))), "kerf.splash.angle"});
   return html::table("Removal", rows);
 }
 
@@ -83,7 +74,7 @@ Row layer_row(const Json& layer) {
         fmt::format(", {} of {}", html::quantity(value_of(layer.at("middle").at("width")), "m"),
                     html::quantity(thickness, "m"));
   return {html::escape(layer.at("name").get<std::string>()), fate + extent,
-          html::number(100.0 * share, 3) + "% of it"};
+          html::percent(share) + " of it"};
 }
 
 std::string layers_table(const Json& layers) {
@@ -94,22 +85,45 @@ std::string layers_table(const Json& layers) {
       rows);
 }
 
+// Below the depth where material is gone.
+std::string parted_sentence(const Json& kerf) {
+  const double depth = value_of(kerf.at("depth"));
+  if (!(depth > 0.0)) return "It parted without loss of material.";
+  return fmt::format("Below {} it parted without loss of material.", html::quantity(depth, "m", 3));
+}
+
+std::string figure(const Json& result, const Case& description) {
+  const Json& kerf = result.at("kerf");
+  const bool parted = is_parted(result);
+  const double lean = lean_of(description.jets.front(), description.dimension);
+  const std::string drawing = draw_kerf(kerf, {lean, parted});
+  if (drawing.empty()) return "";
+  std::string legend = "<span>" + html::swatch(kerf_jet_colour, true) + "axis of the jet";
+  if (lean != 0.0) legend += ", " + html::degrees(std::abs(lean)) + " from the vertical";
+  legend += "</span>";
+  if (parted)
+    legend += " <span>" + html::swatch(kerf_crack_colour, true) +
+              "crack, without loss of material</span>";
+  return "<figure class=\"kerf\">" + drawing +
+         "<figcaption>What was taken away, on the workpiece as laid out. Depths are along the jet, "
+         "widths at right angles to it." +
+         (parted ? " " + parted_sentence(kerf) : "") + "<div class=\"legend\">" + legend +
+         "</div></figcaption></figure>\n";
+}
+
 }  // namespace
 
-std::string kerf_part(const Json& result) {
-  if (!result.contains("kerf")) return {};
-  const bool plane = result.at("dimension").get<int>() == 2;
+std::string kerf_part(const Json& result, const Case& description) {
+  if (!result.contains("kerf") || description.jets.empty()) return {};
+  const bool plane = description.dimension == 2;
   const Json& kerf = result.at("kerf");
-  std::string text = "<h2>Kerf</h2>\n";
-  const std::string drawing = draw_kerf(kerf);
-  if (!drawing.empty())
-    text += "<figure class=\"kerf\">" + drawing +
-            "<figcaption>What was taken away, on the workpiece as laid out</figcaption></figure>\n";
-  text += "<div class=\"tables\">\n" + shape_table("Taken away, as laid out", kerf) +
-          shape_table("Open at the end, dents and bulges too", result.at("opening")) +
-          removal_table(kerf, plane);
+  std::string text = "<h2>Kerf</h2>\n" + figure(result, description);
+  text += "<div class=\"tables\">\n" + shape_table("Taken away, as laid out", "kerf", kerf) +
+          shape_table("Open at the end, dents and bulges too", "opening", result.at("opening")) +
+          removal_table(kerf, plane) + workpiece_table(kerf, description);
   if (!kerf.at("layers").empty()) text += layers_table(kerf.at("layers"));
-  if (result.contains("machine")) text += machine_table(result.at("machine"), plane);
+  if (result.contains("machine"))
+    text += machine_table(result.at("machine"), description.dimension);
   return text + "</div>\n";
 }
 

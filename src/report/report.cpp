@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "core/error.hpp"
 #include "output/files.hpp"
 #include "report/html.hpp"
 #include "report/json_number.hpp"
+#include "report/kerf_part.hpp"
 #include "report/report_figures.hpp"
 #include "report/viewer_data.hpp"
 #include "report/viewer_files.hpp"
@@ -16,6 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_points = 1000;  // of a curve
+constexpr std::size_t most_picture_bytes = 6'000'000;
+constexpr std::size_t least_scene_bytes = 1'000'000;
+constexpr std::size_t page_reserve = 500'000;  // bytes of the page that are not counted
 
 std::string heading(const Json& result) {
   return fmt::format(
@@ -33,7 +42,7 @@ std::string verdict(const Json& result, bool has_jet) {
   const bool through = result.at("cut_through").get<bool>();
   const char* kind = !has_jet ? "none" : through ? "yes" : "no";
   const char* sign = !has_jet ? "" : through ? "<b>✓</b>" : "<b>✗</b>";
-  return fmt::format("<p class=\"verdict {}\">{}{}</p>\n", kind, sign,
+  return fmt::format("<p class=\"verdict {}\">{}<span>{}</span></p>\n", kind, sign,
                      html::escape(result.at("verdict").get<std::string>()));
 }
 
@@ -41,28 +50,54 @@ double value_of(const Json& result, const char* key) {
   return kerf::value_of(result.at(key));
 }
 
-std::string percent(double share) {
-  return html::number(100.0 * share, 3) + "\u202f%";
+struct Figure {
+  const char* name;
+  const char* key;  // of result.json
+  std::string value;
+  std::string note = {};
+};
+
+void add_cut(std::vector<Figure>& figures, const Json& result) {
+  const auto metres = [](const Json& value) {
+    return html::quantity(kerf::value_of(value), "m", 3);
+  };
+  figures.push_back({"cut through after", "cut_through_time",
+                     html::quantity(value_of(result, "cut_through_time"), "s", 3)});
+  figures.push_back({"speed of the water front", "front_speed",
+                     html::number(value_of(result, "front_speed"), 3) + "\u202fm/s"});
+  figures.push_back({"depth of the water front", "front_depth", metres(result.at("front_depth")),
+                     "where the water is, in dents too"});
+  if (result.contains("kerf")) {
+    const Json& kerf = result.at("kerf");
+    figures.push_back({"depth of the cut", "kerf.depth", metres(kerf.at("depth")),
+                       is_parted(result)
+                           ? "where material is gone; below it parted without loss of material"
+                           : "where material is gone"});
+    figures.push_back({"width of the cut", "kerf.middle.width",
+                       metres(kerf.at("middle").at("width")),
+                       "where material is gone, at half its depth"});
+  }
+  figures.push_back({"opening at the end", "kerf_width", metres(result.at("kerf_width")),
+                     "at half the depth of the water front, what was pushed aside too"});
+  figures.push_back({"solid fractured", "fractured_fraction",
+                     html::percent(value_of(result, "fractured_fraction"))});
+  figures.push_back({"regime", "regime", html::escape(result.at("regime").get<std::string>())});
 }
 
 std::string key_figures(const Json& result, bool has_jet) {
-  std::vector<std::pair<std::string, std::string>> figures;
-  const auto add = [&](const char* name, std::string value) {
-    figures.emplace_back(name, std::move(value));
-  };
-  if (has_jet) {
-    add("cut through after", html::quantity(value_of(result, "cut_through_time"), "s", 3));
-    add("speed of the water front", html::number(value_of(result, "front_speed"), 3) + "\u202fm/s");
-    add("front depth", html::quantity(value_of(result, "front_depth"), "m", 3));
-    add("kerf width at half depth", html::quantity(value_of(result, "kerf_width"), "m", 3));
-    add("solid fractured", percent(value_of(result, "fractured_fraction")));
-    add("regime", html::escape(result.at("regime").get<std::string>()));
-  }
-  add("energy unaccounted for", percent(value_of(result, "energy_drift")));
-  add("computing time", html::quantity(value_of(result, "wall_time"), "s", 3));
+  std::vector<Figure> figures;
+  if (has_jet) add_cut(figures, result);
+  figures.push_back(
+      {"energy unaccounted for", "energy_drift", html::percent(value_of(result, "energy_drift"))});
+  figures.push_back(
+      {"computing time", "wall_time", html::quantity(value_of(result, "wall_time"), "s", 3)});
   std::string text = "<dl class=\"figures\">\n";
-  for (const auto& [name, value] : figures)
-    text += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
+  for (const Figure& figure : figures) {
+    text += fmt::format("<div><dt>{}</dt><dd{}>{}</dd>", figure.name, html::key_mark(figure.key),
+                        figure.value);
+    if (!figure.note.empty()) text += fmt::format("<dd class=\"note\">{}</dd>", figure.note);
+    text += "</div>\n";
+  }
   return text + "</dl>\n";
 }
 
@@ -72,24 +107,57 @@ std::string validity(const Json& result) {
   for (const Json& flag : result.at("validity")) {
     const auto state = flag.at("state").get<std::string>();
     const char* sign = state == "good" ? "✓" : state == "warning" ? "!" : "·";
-    text += fmt::format("<li class=\"{}\"><b>{}</b>{}</li>\n", state, sign,
+    text += fmt::format("<li class=\"{}\"><b>{}</b><span>{}</span></li>\n", state, sign,
                         html::escape(flag.at("sentence").get<std::string>()));
   }
   return text + "</ul>\n";
 }
 
-std::string pictures(const Json& result, const fs::path& folder) {
+constexpr const char* no_viewer =
+    "<p class=\"remark\">This Kerf was built without the viewer: pictures instead of the moving "
+    "scene; see docs/development.md, \"Build\", and <code>kerf report OUT --movie</code>.</p>\n";
+
+// Evenly spread, and no more than fit in `budget` bytes.
+std::string pictures(const Json& result, const fs::path& folder, std::size_t budget) {
   const Json& list = result.at("pictures");
   if (list.empty()) return "";
+  std::size_t largest = 1;
+  const auto file_of = [&](const Json& picture) {
+    return folder / picture.at("file").get<std::string>();
+  };
+  for (const Json& picture : list) {
+    const fs::path file = file_of(picture);
+    if (fs::exists(file)) largest = std::max<std::size_t>(largest, fs::file_size(file) * 4 / 3);
+  }
+  const std::size_t last = list.size() - 1, most = std::max<std::size_t>(2, budget / largest);
+  const std::size_t stride = std::max<std::size_t>(1, (last + most - 2) / (most - 1));
   // A picture of a 3D case holds two panels and wants the whole width.
   const bool wide = result.at("dimension").get<int>() == 3;
   std::string text = fmt::format("<div class=\"pictures{}\">\n", wide ? " wide" : "");
-  for (const Json& picture : list)
-    text +=
-        fmt::format("<figure><img alt=\"The particles at {:.4g} ms\" src=\"{}\"></figure>\n",
-                    1e3 * picture.at("time").get<double>(),
-                    html::png_address(read_file(folder / picture.at("file").get<std::string>())));
-  return "<h2>The run</h2>\n" + html::section("kerf-viewer", text + "</div>\n");
+  const auto add = [&](const Json& picture) {
+    text += fmt::format("<figure><img alt=\"The particles at {:.4g} ms\" src=\"{}\"></figure>\n",
+                        1e3 * picture.at("time").get<double>(),
+                        html::png_address(read_file(file_of(picture))));
+  };
+  for (std::size_t n = 0; n < last; n += stride) add(list[n]);
+  add(list[last]);
+  text += "</div>\n";
+  if (stride > 1)
+    text += fmt::format(
+        "<p class=\"remark\">Some of {} pictures; all are in "
+        "<code>pictures/</code>.</p>\n",
+        list.size());
+  return html::section("kerf-viewer", text);
+}
+
+// As it was run, folded; opened to be printed.
+std::string used_case(const fs::path& folder) {
+  return fmt::format(
+      "<h2>The case</h2>\n<details class=\"case\"><summary>What was run, with all defaults: "
+      "case.used.toml</summary>\n<pre>{}</pre></details>\n"
+      "<script>addEventListener(\"beforeprint\", () => "
+      "document.querySelectorAll(\"details\").forEach((part) => part.open = true));</script>\n",
+      html::escape(read_file(folder / "case.used.toml")));
 }
 
 Json read_result(const fs::path& path) {
@@ -101,44 +169,94 @@ Json read_result(const fs::path& path) {
   return Json::parse(read_file(path));
 }
 
-}  // namespace
+// What a page is made of: the moving scene comes between the two parts of its body.
+struct Parts {
+  std::string above, below;
+  Json curves;
 
-void write_report(const fs::path& folder, const Case& description) {
-  constexpr std::size_t budget = 10'000'000;  // bytes of frames
-  Json run;
-  if (!viewer_text("script").empty()) {  // else nobody would show them
-    ViewerPacker packer(description);
-    packer.look_at(frame_files(folder));
-    run = packer.head();
-    run["live"] = false;
-    run["frames"] = viewer_frames(packer, budget);
+  std::size_t size() const {
+    return above.size() + below.size() + curves.dump().size() + viewer_text("script").size() +
+           viewer_text("style").size();
   }
-  write_file(folder / "report.html", report_page(folder, description, std::move(run)));
+  std::string page(const std::string& title, Json run, const std::string& remark) const {
+    if (!run.is_null()) run["curves"] = curves;
+    return html::page(title, above + remark + below + (run.is_null() ? "" : viewer_script(run)));
+  }
+};
+
+Parts parts_of(const fs::path& folder, const Case& description) {
+  const Json result = read_result(folder / "result.json");
+  const SeriesTable series(folder / "series.csv", description);
+  const bool has_jet = !description.jets.empty();
+  const bool through = result.at("cut_through").get<bool>();
+  const double cut_time = through ? value_of(result, "cut_through_time") : -1.0;
+  auto figures = report_figures(series, description);
+  std::vector<double> time = series.numbers("time");
+  thin_figures(figures, time, most_points);
+  Parts parts;
+  parts.above = heading(result) + verdict(result, has_jet) + key_figures(result, has_jet) +
+                validity(result) + "<h2>The run</h2>\n";
+  parts.below = pictures(result, folder, most_picture_bytes) + kerf_part(result, description) +
+                "<h2>Curves</h2>\n" +
+                html::section("kerf-curves", report_plots(figures, time, cut_time)) +
+                used_case(folder) + report_tables(result, description);
+  parts.curves = viewer_curves(figures, time, cut_time);
+  return parts;
 }
 
-std::string report_page(const fs::path& folder, const Case& description, Json run) {
-  const fs::path result_path = folder / "result.json";
+// What a damaged result makes of `make`.
+template <class Make>
+auto or_refused(const fs::path& folder, Make make) {
   try {
-    const Json result = read_result(result_path);
-    const SeriesTable series(folder / "series.csv", description);
-    const bool has_jet = !description.jets.empty();
-    const bool through = result.at("cut_through").get<bool>();
-    const double cut_time = through ? value_of(result, "cut_through_time") : -1.0;
-    const auto figures = report_figures(series, description);
-    const std::vector<double> time = series.numbers("time");
-    std::string body = heading(result) + verdict(result, has_jet) + key_figures(result, has_jet) +
-                       validity(result) + pictures(result, folder) + kerf_part(result) +
-                       "<h2>Curves</h2>\n" +
-                       html::section("kerf-curves", report_plots(figures, time, cut_time)) +
-                       report_tables(result, description);
-    run["curves"] = viewer_curves(figures, time, cut_time);
-    return html::page(description.title, body + viewer_script(run));
+    return make();
   } catch (const Json::exception& error) {
     throw UserError(fmt::format("{} is damaged ({}). Make it again with 'kerf run CASE --out {} "
                                 "--resume'.",
-                                result_path.string(), error.what(), folder.string()),
+                                (folder / "result.json").string(), error.what(), folder.string()),
                     exit_files);
   }
+}
+
+// Of what the scene leaves out.
+std::string scene_remark(const ViewerPacker& packer, std::size_t frames) {
+  std::string left_out;
+  if (packer.share() < 1.0)
+    left_out = fmt::format("{} of the particles, drawn larger,", html::percent(packer.share()));
+  if (frames < packer.frames())
+    left_out +=
+        fmt::format("{}{} of {} frames", left_out.empty() ? "" : " and ", frames, packer.frames());
+  if (left_out.empty()) return "";
+  return fmt::format(
+      "<p class=\"remark\">The moving scene shows {}, to keep this page small; "
+      "<code>kerf view OUT</code> shows all.</p>\n",
+      left_out);
+}
+
+}  // namespace
+
+void write_report(const fs::path& folder, const Case& description) {
+  const Parts parts = or_refused(folder, [&] { return parts_of(folder, description); });
+  Json run;
+  std::string remark = no_viewer;
+  if (!viewer_text("script").empty()) {
+    ViewerPacker packer(description);
+    packer.look_at(frame_files(folder));
+    const std::size_t used = parts.size() + page_reserve;
+    const std::size_t budget =
+        std::max(least_scene_bytes, report_limit - std::min(report_limit, used));
+    packer.fit(budget);
+    run = packer.head();
+    run["live"] = false;
+    run["frames"] = viewer_frames(packer, budget);
+    remark = scene_remark(packer, run["frames"].size());
+  }
+  write_file(folder / "report.html", parts.page(description.title, std::move(run), remark));
+}
+
+std::string report_page(const fs::path& folder, const Case& description, Json run) {
+  const Parts parts = or_refused(folder, [&] { return parts_of(folder, description); });
+  const bool has_viewer = !run.is_null() && !viewer_text("script").empty();
+  return parts.page(description.title, std::move(run), has_viewer ? "" : no_viewer);
 }
 
 }  // namespace kerf

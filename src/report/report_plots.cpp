@@ -125,10 +125,12 @@ void add_momentum(Figures& figures) {
   figures.add("Vertical momentum (up is positive)", {"momentum", figures.unit("N s")}, lines);
 }
 
-void add_force(Figures& figures, int dimension) {
-  std::vector<Figures::Line> lines = {{"force_plate_y", "vertical"}, {"force_plate_x", "across"}};
-  if (dimension == 3) lines.push_back({"force_plate_z", "along z"});
-  figures.add("Force on the plate", {"force", figures.unit("N")}, lines);
+// `term`: force_water or force_plate.
+void add_force(Figures& figures, int dimension, const std::string& title, const std::string& term) {
+  if (!figures.moves(term + "_y")) return;
+  std::vector<Figures::Line> lines = {{term + "_y", "vertical"}, {term + "_x", "across"}};
+  if (dimension == 3) lines.push_back({term + "_z", "along z"});
+  figures.add(title, {"force", figures.unit("N")}, lines);
 }
 
 void add_probes(Figures& figures, const Case& description) {
@@ -151,7 +153,8 @@ std::vector<ReportFigure> report_figures(const SeriesTable& series, const Case& 
   if (!description.jets.empty()) add_cut(figures);
   add_energy(figures);
   add_momentum(figures);
-  if (figures.moves("force_plate_y")) add_force(figures, description.dimension);
+  add_force(figures, description.dimension, "Force of the water on the workpiece", "force_water");
+  add_force(figures, description.dimension, "Force on the plate", "force_plate");
   add_probes(figures, description);
   figures.add_time_step();
   return std::move(figures).result();

@@ -41,16 +41,19 @@ std::string case_table(const Json& result) {
 }
 
 std::string cut_table(const Json& result) {
-  const auto metres = [&](const char* key) {
-    return html::quantity(value_of(result.at(key)), "m");
+  const auto metres = [&](const char* name, const char* key, const char* remark) {
+    return Row{name, html::quantity(value_of(result.at(key)), "m"), remark, key};
+  };
+  const auto number = [&](const char* name, const char* key) {
+    return Row{name, html::count(value_of(result.at(key))), "", key};
   };
   return html::table(
       "Cut",
-      {{"front depth", metres("front_depth"), ""},
-       {"kerf width at half the front depth", metres("kerf_width"), ""},
-       {"fractured width there", metres("fractured_width"), ""},
-       {"pieces over 5% of the workpiece", html::count(value_of(result.at("pieces"))), ""},
-       {"connected pieces of any size", html::count(value_of(result.at("fragment_count"))), ""}});
+      {metres("depth of the water front", "front_depth", "below the point aimed at, along the jet"),
+       metres("opening at half that depth", "kerf_width", "at the end, without whole solid"),
+       metres("fractured width there", "fractured_width", ""),
+       number("pieces over 5% of the workpiece", "pieces"),
+       number("connected pieces of any size", "fragment_count")});
 }
 
 std::string ledger_table(const Json& result, int dimension) {

@@ -27,10 +27,12 @@ h2 { font-size: 1.2rem; font-weight: 650; margin: 3rem 0 1rem; padding-top: .9re
 .figures div { background: #fff; padding: .8rem 1rem; flex: 1 1 14rem; }
 .figures dt { color: var(--soft); font-size: .85rem; }
 .figures dd { margin: .1rem 0 0; font-size: 1.25rem; font-weight: 600; }
+.figures .note { font-size: .8rem; font-weight: 400; color: var(--soft); line-height: 1.35; }
+p.remark { color: var(--soft); margin: 0 0 1rem; }
 ul.validity { margin: .6rem 0 0; padding-left: 0; list-style: none; }
-ul.validity b { display: inline-block; width: 1.2rem; color: var(--none); }
+ul.validity b { flex: none; width: 1.2rem; color: var(--none); }
 ul.validity .good b { color: var(--yes); } ul.validity .warning b { color: var(--no); }
-ul.validity li { margin: .25rem 0; max-width: 62rem; }
+ul.validity li { margin: .25rem 0; max-width: 62rem; display: flex; }
 h3 { font-size: 1rem; margin: 1.8rem 0 0; font-weight: 650; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(26rem, 1fr)); gap: 1.5rem; }
 .pictures.wide { grid-template-columns: 1fr; }
@@ -38,9 +40,9 @@ figure { margin: 0; break-inside: avoid; }
 figure img { width: 100%; height: auto; display: block; border: 1px solid var(--line); }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(28rem, 1fr)); gap: 2rem 1.75rem; }
 .plots figcaption { font-weight: 600; margin-bottom: .2rem; }
-.plots .legend { font-weight: 400; font-size: .85rem; color: var(--soft); display: flex;
+.legend { font-weight: 400; font-size: .85rem; color: var(--soft); display: flex;
                  flex-wrap: wrap; gap: .1rem 1rem; min-height: 1.3rem; }
-.plots .legend span { white-space: nowrap; }
+.legend span { white-space: nowrap; }
 .swatch { display: inline-block; width: 1.4rem; margin-right: .4rem; vertical-align: middle; }
 sub, sup { line-height: 0; }
 svg { width: 100%; height: auto; display: block; }
@@ -53,6 +55,10 @@ th, td { text-align: left; font-weight: 400; padding: .28rem .5rem .28rem 0; ver
          border-bottom: 1px solid var(--line); }
 td { text-align: right; white-space: nowrap; } td.remark { text-align: left; white-space: normal;
      color: var(--soft); padding-left: .75rem; }
+details.case summary { cursor: pointer; }
+details.case pre { margin: .8rem 0 0; padding: .8rem 1rem; background: var(--wash); max-height: 32rem;
+                   overflow: auto; font-family: ui-monospace, "DejaVu Sans Mono", monospace;
+                   font-size: .8rem; line-height: 1.4; }
 code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em; }
 footer { color: var(--soft); font-size: .88rem; margin-top: 3rem; border-top: 1px solid var(--line);
          padding-top: 1rem; }
@@ -62,6 +68,7 @@ footer { color: var(--soft); font-size: .88rem; margin-top: 3rem; border-top: 1p
   .pictures, .plots { grid-template-columns: 1fr 1fr; } .pictures.wide { grid-template-columns: 1fr; }
   .verdict, .figures div, .swatch { -webkit-print-color-adjust: exact; print-color-adjust: exact; }
   h2 { break-after: avoid; }
+  details.case pre { max-height: none; overflow: visible; white-space: pre-wrap; overflow-wrap: anywhere; }
 }
 )css";
 

@@ -12,73 +12,13 @@
 #include "report/base64.hpp"
 #include "report/html.hpp"
 #include "report/palette.hpp"
+#include "report/viewer_fields.hpp"
 #include "report/viewer_files.hpp"
 
 namespace kerf {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double outliers = 0.002;  // of the particles, on either side of a field
-
-struct FieldText {
-  const char *key, *label, *unit;
-};
-constexpr FieldText all_fields[] = {
-    {"speed", "speed", "m/s"},
-    {"pressure", "pressure", "Pa"},
-    {"equivalent_stress", "equivalent stress (von Mises)", "Pa"},
-    {"equivalent_strain", "equivalent strain", "1"},
-    {"damage", "damage", "1"},
-    {"flaw_damage", "damage by flaws", "1"},
-    {"plastic_strain", "plastic strain", "1"},
-    {"temperature_rise", "rise of temperature", "K"},
-};
-
-const Column* find_column(const Frame& frame, const std::string& name) {
-  for (const Column& column : frame.columns)
-    if (column.name == name) return &column;
-  return nullptr;
-}
-
-std::vector<float> speeds(const Frame& frame) {
-  std::vector<float> values;
-  for (const auto& v : frame.velocity)
-    values.push_back(static_cast<float>(std::hypot(v[0], v[1], v[2])));
-  return values;
-}
-
-// Von Mises' stress of the deviator (xx yy zz xy yz xz), Pa.
-std::vector<float> equivalent_stress(const Column& column) {
-  std::vector<float> values;
-  for (std::size_t k = 0; k + 5 < column.values.size(); k += 6) {
-    const float* s = &column.values[k];
-    const double normal = double(s[0]) * s[0] + double(s[1]) * s[1] + double(s[2]) * s[2];
-    const double shear = double(s[3]) * s[3] + double(s[4]) * s[4] + double(s[5]) * s[5];
-    values.push_back(static_cast<float>(std::sqrt(1.5 * (normal + 2.0 * shear))));
-  }
-  return values;
-}
-
-std::vector<float> field_values(const std::string& key, const Frame& frame) {
-  if (key == "speed") return speeds(frame);
-  if (key == "pressure") return frame.pressure;
-  const Column* column = find_column(frame, key == "equivalent_stress" ? "deviatoric_stress" : key);
-  if (column == nullptr) return std::vector<float>(frame.position.size(), 0.0f);
-  return key == "equivalent_stress" ? equivalent_stress(*column) : column->values;
-}
-
-// The bounds of values but for outliers; 0 is between them.
-std::pair<double, double> bounds_of(std::vector<float>& values) {
-  if (values.empty()) return {0.0, 0.0};
-  const auto count = static_cast<std::ptrdiff_t>(values.size());
-  const auto rank = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(count));
-  const auto at = [&](std::ptrdiff_t n) {
-    std::nth_element(values.begin(), values.begin() + n, values.end());
-    return static_cast<double>(values[static_cast<std::size_t>(n)]);
-  };
-  return {std::min(0.0, at(rank)), std::max(0.0, at(count - 1 - rank))};
-}
 
 template <class T>
 void append(std::string& bytes, T value) {
@@ -101,6 +41,20 @@ std::string deflated(const std::string& bytes) {
   require(status == Z_OK, "deflate a frame");
   packed.resize(size);
   return packed;
+}
+
+// A number from 0 to 1 that belongs to a particle, so that the same ones are left out of all frames
+// and no row of a lattice as a whole.
+double lot_of(std::uint32_t id) {
+  std::uint32_t bits = id + 0x9e3779b9u;
+  bits = (bits ^ (bits >> 16)) * 0x85ebca6bu;
+  bits = (bits ^ (bits >> 13)) * 0xc2b2ae35u;
+  return (bits ^ (bits >> 16)) / 4294967296.0;
+}
+
+// In the page: base64 and the rest of the entry.
+std::size_t size_in_page(const Json& entry) {
+  return entry.dump().size() + 1;
 }
 
 // Null where a value is no number.
@@ -136,7 +90,7 @@ void ViewerPacker::look_at(const std::vector<FrameFile>& files) {
       if (std::find(spacings_.begin(), spacings_.end(), spacing) == spacings_.end())
         spacings_.push_back(spacing);
     Look look{files[n], frame.position.size(), {}};
-    for (const FieldText& field : all_fields) {
+    for (const ViewerField& field : viewer_fields) {
       std::vector<float> values = field_values(field.key, frame);
       const auto [low, high] = bounds_of(values);
       look.ranges.push_back({low, high});
@@ -156,7 +110,7 @@ ViewerPacker::Range ViewerPacker::range_of(std::size_t field) const {
 
 std::vector<std::size_t> ViewerPacker::fields() const {
   std::vector<std::size_t> numbers;
-  for (std::size_t f = 0; f < std::size(all_fields); ++f)
+  for (std::size_t f = 0; f < viewer_fields.size(); ++f)
     if (const Range range = range_of(f); range.maximum > range.minimum) numbers.push_back(f);
   return numbers;
 }
@@ -173,12 +127,16 @@ Json ViewerPacker::head() const {
         std::pair{"fractured", Category::fractured}, std::pair{"rigid", Category::rigid}})
     head["categories"].push_back(
         {{"label", label}, {"colour", colour_text(colour_of(category, false))}});
-  head["spacings"] = spacings_;
+  // What is left of thinned particles is drawn larger, so that bodies stay closed.
+  head["spacings"] = Json::array();
+  for (const float spacing : spacings_)
+    head["spacings"].push_back(spacing *
+                               static_cast<float>(std::pow(share_, -1.0 / description_.dimension)));
   head["fields"] = Json::array();
   for (const std::size_t f : fields())
-    head["fields"].push_back({{"key", all_fields[f].key},
-                              {"label", all_fields[f].label},
-                              {"unit", all_fields[f].unit},
+    head["fields"].push_back({{"key", viewer_fields[f].key},
+                              {"label", viewer_fields[f].label},
+                              {"unit", viewer_fields[f].unit},
                               {"minimum", range_of(f).minimum},
                               {"maximum", range_of(f).maximum}});
   return head;
@@ -193,46 +151,79 @@ Json ViewerPacker::entry(std::size_t number) const {
   return entry;
 }
 
-std::string ViewerPacker::pack(std::size_t number) const {
+std::vector<std::size_t> ViewerPacker::kept(const Frame& frame) const {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < frame.position.size(); ++i)
+    if (share_ >= 1.0 || lot_of(frame.id[i]) < share_) rows.push_back(i);
+  return rows;
+}
+
+ViewerPacker::Packed ViewerPacker::packed(std::size_t number) const {
   const Look& look = looks_.at(number);
   const Frame frame = read_frame(look.file.path, description_.dimension);
+  const std::vector<std::size_t> rows = kept(frame);
   const Box& box = description_.domain;
   std::string bytes;
   for (std::size_t a = 0; a < static_cast<std::size_t>(description_.dimension); ++a)
-    for (const auto& place : frame.position)
-      append(bytes, static_cast<std::uint16_t>(
-                        quantized(place[a], {box.minimum[a], box.maximum[a]}, 65535.0)));
-  for (const Category category : frame.category) bytes += static_cast<char>(category);
-  for (const float spacing : frame.spacing)
-    bytes += static_cast<char>(std::find(spacings_.begin(), spacings_.end(), spacing) -
+    for (const std::size_t i : rows)
+      append(bytes, static_cast<std::uint16_t>(quantized(
+                        frame.position[i][a], {box.minimum[a], box.maximum[a]}, 65535.0)));
+  for (const std::size_t i : rows) bytes += static_cast<char>(frame.category[i]);
+  for (const std::size_t i : rows)
+    bytes += static_cast<char>(std::find(spacings_.begin(), spacings_.end(), frame.spacing[i]) -
                                spacings_.begin());
   for (const std::size_t f : fields()) {
     const Range& range = look.ranges[f];
-    for (const float value : field_values(all_fields[f].key, frame))
+    const std::vector<float> values = field_values(viewer_fields[f].key, frame);
+    for (const std::size_t i : rows)
       bytes += static_cast<char>(
-          quantized(static_cast<double>(value), {range.minimum, range.maximum}, 255.0));
+          quantized(static_cast<double>(values[i]), {range.minimum, range.maximum}, 255.0));
   }
-  return deflated(bytes);
+  return {rows.size(), deflated(bytes)};
+}
+
+Json ViewerPacker::whole_entry(std::size_t number) const {
+  Json whole = entry(number);
+  Packed frame = packed(number);
+  whole["count"] = frame.count;
+  whole["data"] = base64(frame.data);
+  return whole;
+}
+
+std::size_t ViewerPacker::largest() const {
+  return static_cast<std::size_t>(
+      std::max_element(looks_.begin(), looks_.end(),
+                       [](const Look& a, const Look& b) { return a.count < b.count; }) -
+      looks_.begin());
+}
+
+void ViewerPacker::fit(std::size_t budget) {
+  constexpr std::size_t fewest_frames = 8;  // fewer do not move
+  constexpr double reserve = 0.9;           // frames of as many particles differ in size
+  if (looks_.empty()) return;
+  const std::size_t wanted = std::min(fewest_frames, looks_.size());
+  const double size = static_cast<double>(wanted * size_in_page(whole_entry(largest())));
+  if (size > static_cast<double>(budget)) share_ *= reserve * static_cast<double>(budget) / size;
 }
 
 Json viewer_frames(const ViewerPacker& packer, std::size_t budget) {
   Json frames = Json::array();
   if (packer.frames() == 0) return frames;
-  const auto entry = [&](std::size_t number) {
-    Json frame = packer.entry(number);
-    frame["data"] = base64(packer.pack(number));
-    return frame;
-  };
-  // The last one is about the largest.
-  const std::size_t last_number = packer.frames() - 1;
-  Json last = entry(last_number);
-  const std::size_t size = std::max<std::size_t>(1, last.at("data").get_ref<std::string&>().size());
-  const std::size_t most = std::max<std::size_t>(2, budget / size);
-  const std::size_t stride = last_number / (most - 1) + (last_number % (most - 1) != 0 ? 1 : 0);
-  for (std::size_t n = 0; n < last_number; n += std::max<std::size_t>(1, stride))
-    frames.push_back(entry(n));
-  frames.push_back(std::move(last));
-  return frames;
+  const std::size_t size = size_in_page(packer.whole_entry(packer.largest()));
+  std::size_t most = std::max<std::size_t>(2, budget / size);
+  const std::size_t last = packer.frames() - 1;
+  for (;; most = std::max<std::size_t>(2, most * 3 / 4)) {
+    const std::size_t stride = last / (most - 1) + (last % (most - 1) != 0 ? 1 : 0);
+    frames = Json::array();
+    std::size_t sum = 0;
+    const auto add = [&](std::size_t number) {
+      frames.push_back(packer.whole_entry(number));
+      sum += size_in_page(frames.back());
+    };
+    for (std::size_t n = 0; n < last; n += std::max<std::size_t>(1, stride)) add(n);
+    add(last);
+    if (sum <= budget || most == 2) return frames;
+  }
 }
 
 std::string viewer_script(const Json& run) {

@@ -25,14 +25,28 @@ class ViewerPacker {
   void look_at(const std::vector<FrameFile>& files);
   std::size_t frames() const { return looks_.size(); }
 
+  // Leaves particles out of all frames, the same ones, where not even some eight frames of all of
+  // them would fit in `budget` bytes of a page.
+  void fit(std::size_t budget);
+  double share() const { return share_; }  // of the particles that are shown
+  std::size_t largest() const;             // number of a frame with most particles
+
   // title, dimension, minimum, maximum, categories, spacings, fields.
   nlohmann::ordered_json head() const;
   // time, count and ranges of a frame.
   nlohmann::ordered_json entry(std::size_t number) const;
   // zlib data of the bytes that web/README.md describes, for the fields of head() as it is now.
-  std::string pack(std::size_t number) const;
+  std::string pack(std::size_t number) const { return packed(number).data; }
+  // entry() with these bytes as text, for a page without a server.
+  nlohmann::ordered_json whole_entry(std::size_t number) const;
 
  private:
+  struct Packed {
+    std::size_t count = 0;
+    std::string data;
+  };
+  Packed packed(std::size_t number) const;
+  std::vector<std::size_t> kept(const Frame& frame) const;
   struct Range {
     double minimum = 0.0, maximum = 0.0;
   };
@@ -48,6 +62,7 @@ class ViewerPacker {
   const Case& description_;
   std::vector<Look> looks_;
   std::vector<float> spacings_;  // m
+  double share_ = 1.0;
 };
 
 // Frames as text within `budget` bytes: fewer of them, evenly spread, where there are too many.

@@ -10,5 +10,5 @@ file(SIZE ${FOLDER}/report.html size)
 if(size GREATER 15000000)
   message(FATAL_ERROR "report.html has ${size} bytes")
 endif()
-execute_process(COMMAND ${NODE} ${WEB}/test/page.mjs ${FOLDER}/report.html
+execute_process(COMMAND ${NODE} ${WEB}/test/page.mjs ${FOLDER}/report.html --result ${FOLDER}/result.json
   COMMAND_ERROR_IS_FATAL ANY)

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Uses a report as a reader would:
-//   node test/page.mjs REPORT.html [--screenshot FILE.png]
-// Fails on the first thing that does not do what it should, and on any error or network request.
+//   node test/page.mjs REPORT.html [--result result.json] [--screenshot FILE.png]
+// Fails on the first thing that does not do what it should, on any error or network request, and on any
+// number that is not that of the result.
 
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
+import { parseArgs } from "node:util";
 
 import { openBrowser, openPage } from "./browser.mjs";
+import { checkNumbers } from "./numbers.mjs";
 
 const hash = (bytes) => createHash("sha256").update(bytes).digest("hex");
 
@@ -178,7 +181,7 @@ async function prints(page) {
   await page.emulateMedia({ media: "screen" });
 }
 
-export async function usePage(path, screenshot) {
+export async function usePage(path, { result, screenshot } = {}) {
   const browser = await openBrowser();
   try {
     const { page, faults } = await openPage(browser, resolve(path));
@@ -186,6 +189,8 @@ export async function usePage(path, screenshot) {
       await part(page);
       assert.deepEqual(faults, [], `after "${part.name}"`);
     }
+    if (result) await checkNumbers(page, result);
+    assert.deepEqual(faults, [], "after its numbers");
     if (screenshot) await page.screenshot({ path: screenshot, fullPage: true });
   } finally {
     await browser.close();
@@ -193,11 +198,15 @@ export async function usePage(path, screenshot) {
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
-  const [path, flag, screenshot] = process.argv.slice(2);
-  if (!path || (flag && flag !== "--screenshot")) {
-    console.error("usage: node test/page.mjs REPORT.html [--screenshot FILE.png]");
-    process.exit(2);
+  const usage = "usage: node test/page.mjs REPORT.html [--result result.json] [--screenshot FILE.png]";
+  try {
+    const options = { result: { type: "string" }, screenshot: { type: "string" } };
+    const { values, positionals } = parseArgs({ options, allowPositionals: true });
+    assert.equal(positionals.length, 1, usage);
+    await usePage(positionals[0], values);
+    console.log(`${positionals[0]}: as it should be`);
+  } catch (error) {
+    console.error(error);
+    process.exit(1);
   }
-  await usePage(path, screenshot);
-  console.log(`${path}: as it should be`);
 }

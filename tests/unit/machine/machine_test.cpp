@@ -141,6 +141,18 @@ TEST(Machine, FansOpenAndKeepTheirFlow) {
   EXPECT_NEAR(nozzle_area(jet, 3) * jet.speed, numbers.flow_rate, 1e-9 * numbers.flow_rate);
 }
 
+TEST(Machine, InThePlaneTheLeadAngleLeansToEitherSide) {
+  for (const double lead : {20.0, -20.0})
+    for (const double forward : {1.0, -1.0}) {
+      Machine machine = plain_machine();
+      machine.lead_angle = lead * degree;
+      machine.traverse_direction = {forward, 0.0, 0.0};
+      const JetAxis axis(machine_jet(machine, water(), 2), 2);
+      EXPECT_NEAR(axis.along[0], forward * std::sin(lead * degree), 1e-12);
+      EXPECT_NEAR(axis.along[1], -std::cos(lead * degree), 1e-12);
+    }
+}
+
 // The angles are those between the vertical and the projections of the jet.
 TEST(Machine, LeadAndTiltLeanAlongAndRightOfTheTraverse) {
   Machine machine = plain_machine();

@@ -45,6 +45,31 @@ TEST(Html, NumbersReadWell) {
   EXPECT_EQ(html::count(123), "123");
 }
 
+// A prefix would be raised to the power too.
+TEST(Html, UnitsThatBeginWithAPowerGetNoPrefix) {
+  const std::string thin = "\u202f";
+  EXPECT_EQ(html::quantity(0.011976, "m²/s"), "0.01198" + thin + "m²/s");
+  EXPECT_EQ(html::quantity(2e-7, "m³"), "2 · 10<sup>-7</sup>" + thin + "m³");
+  EXPECT_EQ(html::quantity(4000.0, "m2"), "4000" + thin + "m2");
+  EXPECT_EQ(html::quantity(4000.0, "J/m³"), "4" + thin + "kJ/m³");
+  EXPECT_EQ(html::quantity(0.004, "N s/m"), "4" + thin + "mN s/m");
+}
+
+TEST(Html, FlowIsInLitresPerMinute) {
+  const std::string thin = "\u202f";
+  EXPECT_EQ(html::flow_rate(0.011976, 2), "718.6" + thin + "L/min/m");
+  EXPECT_EQ(html::flow_rate(1e-4, 3), "6" + thin + "L/min");
+  EXPECT_EQ(html::flow_rate(2e-7, 3), "12" + thin + "mL/min");
+}
+
+TEST(Html, NumbersThatRoundUpHaveNoExponent) {
+  const std::string thin = "\u202f";
+  EXPECT_EQ(html::quantity(0.9996e-3, "m", 3), "1" + thin + "mm");
+  EXPECT_EQ(html::quantity(0.9994e-3, "m", 3), "999" + thin + "µm");
+  EXPECT_EQ(html::number(12345.0), "12345");
+  EXPECT_EQ(html::number(99999.9), "1 · 10<sup>5</sup>");
+}
+
 TEST(Prefix, BringsNumbersBetweenOneAndAThousand) {
   for (double size = 1e-9; size < 1e14; size *= 3.7) {
     const double shown = size * prefix_for(size).factor;

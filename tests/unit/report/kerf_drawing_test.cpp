@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <regex>
 
 namespace kerf {
@@ -46,10 +49,70 @@ TEST(KerfDrawing, IsToScale) {
   EXPECT_NEAR((face[1] - face[0]) / (bottom[0] - top[0]), 0.004 / 0.01, 0.002);
 }
 
+// Ends of the lines whose style holds `style`: x1 y1 x2 y2.
+std::vector<std::array<double, 4>> lines(const std::string& svg, const std::string& style) {
+  const std::regex line(
+      "<path d=\"M([-0-9.]+) ([-0-9.]+)L([-0-9.]+) ([-0-9.]+)\" fill=\"none\" ([^>]*)/>");
+  std::vector<std::array<double, 4>> found;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), line), end; it != end; ++it)
+    if ((*it)[5].str().find(style) != std::string::npos)
+      found.push_back(
+          {std::stod((*it)[1]), std::stod((*it)[2]), std::stod((*it)[3]), std::stod((*it)[4])});
+  return found;
+}
+constexpr const char* crack = "data-line=\"crack\"";
+constexpr const char* jet = "12 3 2 3";
+
+// 4 mm of the 10 mm came apart by a crack: it goes from the bottom of the kerf to the far face.
+TEST(KerfDrawing, ShowsTheCrackOfAPartedWorkpiece) {
+  const Json kerf = slot(0.002, 0.001, false);
+  EXPECT_TRUE(lines(draw_kerf(kerf), crack).empty());
+  EXPECT_TRUE(lines(draw_kerf(slot(0.002, 0.001, true), {0.0, true}), crack).empty());
+  const std::string svg = draw_kerf(kerf, {0.0, true});
+  const auto cracks = lines(svg, crack), axes = lines(svg, jet);
+  ASSERT_EQ(cracks.size(), 1u);
+  ASSERT_EQ(axes.size(), 1u);
+  const auto [x, y, end_x, end_y] = cracks[0];
+  EXPECT_EQ(x, end_x);
+  EXPECT_EQ(y, axes[0][3]);
+  EXPECT_NEAR((end_y - y) / (end_y - 40.0), 0.4, 0.002);
+}
+
+TEST(KerfDrawing, ShowsTheLeanOfTheJet) {
+  const double lean = 0.3;
+  const auto axes = lines(draw_kerf(slot(0.002, 0.001, false), {lean, false}), jet);
+  ASSERT_EQ(axes.size(), 1u);
+  const auto [x, y, end_x, end_y] = axes[0];
+  EXPECT_NEAR(std::atan2(end_x - x, end_y - y), lean, 0.001);
+  EXPECT_LT(y, 40.0);  // from above the workpiece
+}
+
+TEST(KerfDrawing, LeansAsTheJetIsSeenAlongItsWay) {
+  Jet leaning;
+  leaning.angle = 0.4;
+  EXPECT_EQ(lean_of(leaning, 2), 0.4);
+  EXPECT_EQ(lean_of(leaning, 3), 0.4);  // at rest: seen from its side
+  leaning.traverse = {2.0, 0.0, 0.0};
+  EXPECT_NEAR(lean_of(leaning, 3), 0.0, 1e-15);  // forwards
+  leaning.azimuth = 0.5 * std::numbers::pi;      // towards z, the right of x
+  EXPECT_NEAR(lean_of(leaning, 3), 0.4, 1e-15);
+  leaning.traverse = {-2.0, 0.0, 0.0};
+  EXPECT_NEAR(lean_of(leaning, 3), -0.4, 1e-15);
+}
+
+TEST(KerfDrawing, WritesALevelOnce) {
+  Json flat = slot(0.002, 0.002, false);
+  flat["middle"] = flat["bottom"] = flat["top"];
+  const std::string svg = draw_kerf(flat), words = ">2\u202fmm at";
+  EXPECT_NE(svg.find(words), std::string::npos);
+  EXPECT_EQ(svg.find(words), svg.rfind(words));
+}
+
 TEST(KerfDrawing, IsEmptyWithoutAKerf) {
   Json nothing = slot(0.0, 0.0, false);
   nothing["depth"] = 0.0;
   EXPECT_EQ(draw_kerf(nothing), "");
+  EXPECT_NE(draw_kerf(nothing, {0.0, true}), "");  // parted by a crack alone
 }
 
 }  // namespace

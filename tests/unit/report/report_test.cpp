@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/report.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +11,8 @@
 #include "app/run_loop.hpp"
 #include "case/write_used.hpp"
 #include "core/error.hpp"
+#include "report/html.hpp"
+#include "report/viewer_files.hpp"
 #include "support/fake_run.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -19,6 +22,7 @@ namespace {
 using test::message_of;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 // A whole run of the made-up simulation, and the page it ends with.
 class Report : public testing::Test {
@@ -50,7 +54,7 @@ TEST_F(Report, HoldsVerdictPicturesCurvesAndTables) {
                            HasSubstr("Taken away, as laid out")));
   EXPECT_EQ(count(page_, "src=\"data:image/png;base64,iVBOR"), 3u);
   EXPECT_EQ(count(page_, "<svg"), 9u);
-  EXPECT_EQ(count(page_, "<table>"), 8u);
+  EXPECT_EQ(count(page_, "<table>"), 9u);
 }
 
 TEST_F(Report, NeedsNothingFromOutside) {
@@ -71,6 +75,119 @@ TEST_F(Report, IdsAreUnique) {
     ids.insert((*it)[1]);
   EXPECT_EQ(ids.size(), found);
   EXPECT_GT(found, 0u);
+}
+
+TEST_F(Report, HoldsTheCaseAsItWasRun) {
+  const std::size_t begin = page_.find("<details class=\"case\">");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string part = page_.substr(begin, page_.find("</details>", begin) - begin);
+  EXPECT_THAT(part, HasSubstr("<pre>" + html::escape(write_used(description_)) + "</pre>"));
+  EXPECT_THAT(part, HasSubstr("Cut &lt;of&gt; &amp;"));
+}
+
+// Chosen numbers in the result of that run.
+class ChangedReport : public Report {
+ protected:
+  void SetUp() override {
+    Report::SetUp();
+    result_ = nlohmann::ordered_json::parse(read_file(out_ / "result.json"));
+  }
+  std::string page() {
+    write_file(out_ / "result.json", result_.dump());
+    return report_page(out_, description_, {});
+  }
+  nlohmann::ordered_json result_;
+};
+
+TEST_F(ChangedReport, TellsACrackFromAKerf) {
+  const std::string words = "parted without loss of material";
+  result_["cut_through"] = true;
+  result_["cut_through_time"] = 0.003;
+  auto& kerf = result_["kerf"];
+  kerf["thickness"] = 0.01;
+  kerf["depth"] = 0.00534;
+  kerf["through"] = true;
+  EXPECT_THAT(page(), Not(HasSubstr(words)));
+  kerf["through"] = false;
+  EXPECT_THAT(page(), AllOf(HasSubstr("Below 5.34\u202fmm it " + words + "."),
+                            HasSubstr("data-line=\"crack\""), HasSubstr("crack, without loss"),
+                            HasSubstr("below it " + words)));
+  result_["cut_through"] = false;
+  EXPECT_THAT(page(), Not(HasSubstr(words)));
+}
+
+TEST_F(ChangedReport, SaysOfWhatEveryDepthAndWidthIs) {
+  result_["front_depth"] = 0.00626;
+  result_["kerf"]["depth"] = 0.00534;
+  result_["kerf"]["middle"]["width"] = 0.00119;
+  result_["kerf_width"] = 0.0103;
+  const auto figure = [](const char* name, const char* key, const char* value) {
+    return fmt::format("<dt>{}</dt><dd data-key=\"{}\">{}\u202fmm</dd>", name, key, value);
+  };
+  EXPECT_THAT(page(), AllOf(HasSubstr(figure("depth of the water front", "front_depth", "6.26")),
+                            HasSubstr(figure("depth of the cut", "kerf.depth", "5.34")),
+                            HasSubstr(figure("width of the cut", "kerf.middle.width", "1.19")),
+                            HasSubstr(figure("opening at the end", "kerf_width", "10.3"))));
+}
+
+TEST_F(ChangedReport, SaysThatItHasNoViewer) {
+  const std::string without = report_page(out_, description_, {});
+  const char* words =
+      "This Kerf was built without the viewer: pictures instead of the moving scene";
+  EXPECT_EQ(count(without, words), 1u);
+  EXPECT_EQ(without.find("kerf-run"), std::string::npos);
+  EXPECT_EQ(count(without, "src=\"data:image/png;base64,iVBOR"), 3u);
+  EXPECT_EQ(count(page_, words), viewer_text("script").empty() ? 1u : 0u);
+}
+
+// A great many pictures: the page shows some, evenly spread, and says so.
+TEST_F(ChangedReport, HasRoomForSomePicturesOnly) {
+  const std::string png(900'000, 'x');
+  auto& list = result_["pictures"];
+  list.clear();
+  for (int i = 0; i < 40; ++i) {
+    const std::string name = fmt::format("pictures/fake_{:02}.png", i);
+    write_file(out_ / name, png);
+    list.push_back({{"file", name}, {"time", 1e-3 * i}});
+  }
+  const std::string text = page();
+  EXPECT_LT(text.size(), report_limit);
+  EXPECT_EQ(count(text, "<img "), 5u);
+  EXPECT_THAT(text, AllOf(HasSubstr("The particles at 0 ms"), HasSubstr("The particles at 39 ms"),
+                          HasSubstr("Some of 40 pictures")));
+}
+
+// All that result.json has of the machine is in the report.
+TEST(MachineReport, ShowsTheWholeSetting) {
+  std::string text = test::fake_case_text;
+  const std::size_t begin = text.find("[[jet]]"), end = text.find("[[probe]]");
+  text.replace(begin, end - begin, R"([machine]
+pressure = "0.05 MPa"
+orifice_diameter = "4 mm"
+standoff = "6 mm"
+position = ["-5 mm", "10 mm"]
+spacing = "1 mm"
+lead_angle = "15 deg"
+traverse_speed = "100 mm/s"
+dwell = "2 ms"
+pulse_frequency = "300 Hz"
+duty = 0.5
+)");
+  const Case description = parse_case(text, "fake.toml");
+  const test::TemporaryFolder folder;
+  test::run_fake(description, folder / "out");
+  const std::string page = read_file(folder / "out/report.html");
+  const auto result = nlohmann::json::parse(read_file(folder / "out/result.json"));
+  for (const auto& [key, value] : result.at("machine").items()) {
+    if (!value.is_number()) continue;
+    EXPECT_EQ(count(page, "data-key=\"machine." + key + "\""), 1u) << key;
+  }
+  const std::string thin = "\u202f";
+  EXPECT_THAT(page,
+              AllOf(HasSubstr(">15°<"), HasSubstr(">300" + thin + "Hz<"), HasSubstr("L/min/m<"),
+                    HasSubstr("L/min per mm of depth"), HasSubstr(">100" + thin + "mm/s<"),
+                    HasSubstr("<th scope=\"row\">block</th><td>tofu</td>"),
+                    HasSubstr("15° from the vertical")));
 }
 
 TEST_F(Report, MadeAgainItIsTheSame) {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/viewer_fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+namespace {
+
+constexpr double outliers = 0.002;  // of the particles, on either side of a field
+
+const Column* find_column(const Frame& frame, const std::string& name) {
+  for (const Column& column : frame.columns)
+    if (column.name == name) return &column;
+  return nullptr;
+}
+
+std::vector<float> speeds(const Frame& frame) {
+  std::vector<float> values;
+  for (const auto& v : frame.velocity)
+    values.push_back(static_cast<float>(std::hypot(v[0], v[1], v[2])));
+  return values;
+}
+
+// Von Mises' stress of the deviator (xx yy zz xy yz xz), Pa.
+std::vector<float> equivalent_stress(const Column& column) {
+  std::vector<float> values;
+  for (std::size_t k = 0; k + 5 < column.values.size(); k += 6) {
+    const float* s = &column.values[k];
+    const double normal = double(s[0]) * s[0] + double(s[1]) * s[1] + double(s[2]) * s[2];
+    const double shear = double(s[3]) * s[3] + double(s[4]) * s[4] + double(s[5]) * s[5];
+    values.push_back(static_cast<float>(std::sqrt(1.5 * (normal + 2.0 * shear))));
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<float> field_values(const std::string& key, const Frame& frame) {
+  if (key == "speed") return speeds(frame);
+  if (key == "pressure") return frame.pressure;
+  const Column* column = find_column(frame, key == "equivalent_stress" ? "deviatoric_stress" : key);
+  if (column == nullptr) return std::vector<float>(frame.position.size(), 0.0f);
+  return key == "equivalent_stress" ? equivalent_stress(*column) : column->values;
+}
+
+// The bounds of values but for outliers; 0 is between them.
+std::pair<double, double> bounds_of(std::vector<float>& values) {
+  if (values.empty()) return {0.0, 0.0};
+  const auto count = static_cast<std::ptrdiff_t>(values.size());
+  const auto rank = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(count));
+  const auto at = [&](std::ptrdiff_t n) {
+    std::nth_element(values.begin(), values.begin() + n, values.end());
+    return static_cast<double>(values[static_cast<std::size_t>(n)]);
+  };
+  return {std::min(0.0, at(rank)), std::max(0.0, at(count - 1 - rank))};
+}
+
+}  // namespace kerf
