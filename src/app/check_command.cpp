@@ -16,6 +16,7 @@
 #include "case/schema.hpp"
 #include "machine/machine_jet.hpp"
 #include "measure/derived.hpp"
+#include "output/readable.hpp"
 #include "particles/closed_surface.hpp"
 #include "particles/fill.hpp"
 #include "particles/graded_fill.hpp"
@@ -35,20 +36,6 @@ struct CheckOptions {
 
 void row(const std::string& name, const std::string& value) {
   fmt::print("  {:<34} {}\n", name, value);
-}
-
-// With a prefix where it helps to read: 12.5 kPa, 6.7 us.
-std::string readable(double value, const std::string& unit) {
-  struct Prefix {
-    double factor;
-    const char* name;
-  };
-  static constexpr Prefix prefixes[] = {{1e9, "G"},  {1e6, "M"},  {1e3, "k"}, {1.0, ""},
-                                        {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}};
-  for (const Prefix& prefix : prefixes)
-    if (std::abs(value) >= prefix.factor)
-      return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.name, unit);
-  return fmt::format("{:.4g} {}", value, unit);
 }
 
 void print_speeds(const DerivedNumbers& numbers) {

@@ -3,19 +3,19 @@
 
 #include <algorithm>
 
+#include "output/readable.hpp"
 #include "output/result.hpp"
 
 namespace kerf {
 namespace {
 
 std::string depth_sentence(const RunOutcome& outcome) {
-  const double end = 1e3 * outcome.time, front = 1e3 * outcome.cut.last.front_depth;
+  const std::string end = readable(outcome.time, "s");
+  const std::string front = readable(outcome.cut.last.front_depth, "m");
   if (outcome.cut.last.fractured_mass == 0.0)
-    return fmt::format(
-        "The jet breaks nothing within {:.4g} ms; its front presses {:.3g} mm into the workpiece.",
-        end, front);
-  return fmt::format("The jet does not cut through within {:.4g} ms; its front is {:.3g} mm deep.",
-                     end, front);
+    return fmt::format("The jet breaks nothing within {}; its front presses {} into the workpiece.",
+                       end, front);
+  return fmt::format("The jet does not cut through within {}; its front is {} deep.", end, front);
 }
 
 // Of a nozzle that travels: one hole is no cut.
@@ -28,16 +28,15 @@ std::string way_clause(const RunOutcome& outcome) {
 
 std::string cut_sentence(const RunOutcome& outcome) {
   const CutSummary& cut = outcome.cut;
-  const double time = 1e3 * cut.cut_through_time;
+  const std::string time = readable(cut.cut_through_time, "s");
   const int pieces = cut.last.pieces;
   if (pieces == 0)
     return fmt::format(
-        "The jet cuts through after {:.4g} ms{}; at the end no piece of the workpiece is left that "
+        "The jet cuts through after {}{}; at the end no piece of the workpiece is left that "
         "is larger than 5% of it.",
         time, way_clause(outcome));
-  return fmt::format(
-      "The jet cuts through after {:.4g} ms{}; at the end the workpiece is in {} {}.", time,
-      way_clause(outcome), pieces, pieces == 1 ? "piece" : "pieces");
+  return fmt::format("The jet cuts through after {}{}; at the end the workpiece is in {} {}.", time,
+                     way_clause(outcome), pieces, pieces == 1 ? "piece" : "pieces");
 }
 
 }  // namespace
@@ -53,8 +52,8 @@ bool still_cutting(const std::vector<CutState>& history) {
 
 std::string verdict_of(const RunOutcome& outcome) {
   if (outcome.description.jets.empty())
-    return fmt::format("The run reached {:.4g} ms; it has no jet, so there is nothing to cut.",
-                       1e3 * outcome.time);
+    return fmt::format("The run reached {}; it has no jet, so there is nothing to cut.",
+                       readable(outcome.time, "s"));
   return outcome.cut.cut_through ? cut_sentence(outcome) : depth_sentence(outcome);
 }
 

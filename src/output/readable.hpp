@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Quantities in sentences and in a terminal, with the prefix that makes them easy to read.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+namespace kerf {
+
+// `value` of an SI `unit`: 12.5 kPa, 6.7 us.
+inline std::string readable(double value, const std::string& unit) {
+  struct Prefix {
+    double factor;
+    const char* name;
+  };
+  static constexpr Prefix prefixes[] = {{1e9, "G"},  {1e6, "M"},  {1e3, "k"}, {1.0, ""},
+                                        {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}};
+  for (const Prefix& prefix : prefixes)
+    if (std::abs(value) >= prefix.factor)
+      return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.name, unit);
+  return fmt::format("{:.4g} {}", value, unit);
+}
+
+}  // namespace kerf
