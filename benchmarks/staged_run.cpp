@@ -50,7 +50,6 @@ class StagesOf final : public StagedRun, private Standard<D, P> {
   void integrate() override {
     Run::drift_half(instant);
     Run::kick_and_drift(instant);
-    Run::close_density(instant);
   }
 
   void scatter() override {

@@ -20,6 +20,11 @@ struct Vector {
     for (int a = 0; a < D; ++a) v[a] = T(0);
     return v;
   }
+  KERF_FUNCTION static Vector filled(T value) {
+    Vector v;
+    for (int a = 0; a < D; ++a) v[a] = value;
+    return v;
+  }
   // From another number type, or from the first D entries of anything indexable.
   template <class Other>
   KERF_FUNCTION static Vector from(const Other& other) {

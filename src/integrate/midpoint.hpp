@@ -17,6 +17,7 @@ struct KeepStart {
     particles.start_position[i] = particles.position[i];
     particles.start_velocity[i] = particles.velocity[i];
     particles.start_compression[i] = particles.compression[i];
+    if (particles.shear == nullptr) return;
     particles.start_shear[i] = particles.shear[i];
     particles.fracture_loss[i] = typename P::Real(0);
   }

@@ -121,7 +121,7 @@ struct ParticleStepLimit {
     double sum = speed + double(particles.compression[i]);
     for (int a = 0; a < D; ++a) sum += particles.position[i][a];
     // That of water is worked out from the rates.
-    if (particles.medium(i).phase == Phase::solid)
+    if (particles.shear != nullptr && particles.medium(i).phase == Phase::solid)
       sum += double(contract(particles.shear[i], particles.shear[i]));
     if (particles.compression[i] <= Real(-1)) return Limit::negative_density;
     if (!is_number(sum)) return Limit::not_a_number;

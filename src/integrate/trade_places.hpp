@@ -15,8 +15,8 @@ struct TradePlaces {
   double dt;  // s, of the step
 
   KERF_FUNCTION void operator()(Index i) const {
-    if (!particles.is_fluid(i) || particles.is_constrained(i)) return;
     const auto& mirrors = particles.mirrors;
+    if (mirrors.faces == 0 || !particles.is_fluid(i) || particles.is_constrained(i)) return;
     const auto& x = particles.position[i];
     MirrorCode passed = 0;
     for (int a = 0; a < D; ++a) {

@@ -3,7 +3,7 @@
 // fluid_continuity.hpp, water_viscosity.hpp, filling.hpp and crowding.hpp for two particles of one
 // fluid. With d = r_i - r_j, in units of places, and q = |d| / h, the sums of i lack until their
 // end that unit and the factors of
-//   nabla W = - K s d,  s = (1 - q/2)^3,  K = 5 alpha / h^2,   W = alpha s (1 - q/2) (2 q + 1).
+//   nabla W = - K s d,  s = w^3,  w = 1 - q/2,  K = 5 alpha / h^2,   W = alpha s w (5 - 4 w).
 // Compiled once for each instruction set.
 #pragma once
 
@@ -27,18 +27,16 @@ class WalkOfOne {
   using Index = std::uint32_t;
 
  public:
-  [[gnu::always_inline]] static void run(const FluidWalkTask<D, Real>& task, Index i) {
+  [[gnu::always_inline]] static void run(const FluidWalkTask<D, Real>& task, Index i,
+                                         FluidSums<D, Real>& result) {
     const FluidLaw<Real>& law = task.laws[task.source[i]];
     const Fixed fixed(task.fluid[i], law, task.unit);
-    const T sound(law.sound_speed);  // what hangs on it alone is worked out once
     Sums sums;
-    const Index begin = task.begin[i];
     // The particle itself adds nothing.
-    for_each_block<width>({task.neighbour, begin, begin + task.alike[i]}, i,
-                          [&](const Index* neighbours, Index, int) {
-                            add(task.fluid, neighbours, sound, &fixed, sums);
-                          });
-    finish(task, law, std::abs(task.fluid[i].volume), sums, task.sums[i]);
+    for_each_block<width>(
+        {task.neighbour, task.begin[i], task.begin[i] + task.alike[i]}, i,
+        [&](const Index* neighbours, Index, int) { add(task.fluid, neighbours, &fixed, sums); });
+    finish(task, law, fixed.volume, sums, result);
   }
 
  private:
@@ -51,45 +49,53 @@ class WalkOfOne {
   struct Fixed {
     typename Record::Place place[D];
     Real velocity[D];
-    RiemannSide<Real> own;
-    Real reach_squared, per_smoothing_length, viscosity;
-    Real impedance_times_volume, rest_volume, slope;
+    Real volume, pressure;
+    Real reach_squared, per_diameter, viscosity;  // 1 / (2 h)
+    Real mass, sound_speed, mass_times_sound_speed, per_mass_times_sound_speed;
+    Real rest_volume, slope;              // of fluids with shocks
+    Real own_impedance, own_sound_speed;  // likewise
 
     [[gnu::always_inline]] Fixed(const Record& record, const FluidLaw<Real>& law, Real unit)
-        : per_smoothing_length(unit * law.per_smoothing_length),
+        : volume(std::abs(record.volume)),
+          pressure(record.pressure),
+          per_diameter(unit * law.per_smoothing_length / Real(WendlandC2<D>::support)),
           viscosity(law.viscosity / unit),
-          impedance_times_volume(law.mass * (shocks ? Real(1) : law.sound_speed)),
+          mass(law.mass),
+          sound_speed(law.sound_speed),
+          mass_times_sound_speed(law.mass * law.sound_speed),
+          per_mass_times_sound_speed(Real(1) / mass_times_sound_speed),
           rest_volume(law.volume),
           slope(law.hugoniot_slope) {
       for (int a = 0; a < D; ++a) {
         place[a] = record.place[a];
         velocity[a] = record.velocity[a];
       }
-      const Real reach = Real(WendlandC2<D>::support) * law.smoothing_length / unit;
-      reach_squared = reach * reach;
-      const Real inverse = Real(1) / std::abs(record.volume);
-      own = {impedance_times_volume * inverse, record.pressure, Real(0), law.sound_speed};
+      reach_squared = Real(1) / (per_diameter * per_diameter);
       if constexpr (shocks) {
-        own.sound_speed =
-            ShockHugoniot::sound_speed(law.sound_speed, slope, rest_volume * inverse - Real(1));
-        own.impedance *= own.sound_speed;
+        const Real inverse = Real(1) / volume;
+        own_sound_speed =
+            ShockHugoniot::sound_speed(sound_speed, slope, rest_volume * inverse - Real(1));
+        own_impedance = mass * inverse * own_sound_speed;
       }
     }
-    // `sound`: at rest.
-    [[gnu::always_inline]] RiemannSide<T> own_side(T sound) const {
-      return {T(own.impedance), T(own.pressure), T(0), shocks ? T(own.sound_speed) : sound};
-    }
-    [[gnu::always_inline]] RiemannSide<T> other_side(T sound, T other_pressure, T speed,
-                                                     T volume) const {
-      const T inverse = reciprocal(volume);
-      const T per_sound = T(impedance_times_volume) * inverse;
-      if constexpr (!shocks) return {per_sound, other_pressure, speed, sound};
-      const T now = ShockHugoniot::sound_speed(sound, T(slope), T(rest_volume) * inverse - T(1));
-      return {per_sound * now, other_pressure, speed, now};
+    // With a neighbour that moves at `speed` beside the particle.
+    [[gnu::always_inline]] RiemannStar<T> exchange(T other_volume, T other_pressure,
+                                                   T speed) const {
+      if constexpr (!shocks)
+        return solve_riemann(VolumeSide<T>{T(volume), T(pressure)},
+                             VolumeSide<T>{other_volume, other_pressure}, speed,
+                             ParticlesOfOneFluid<T>{T(mass), T(mass_times_sound_speed),
+                                                    T(per_mass_times_sound_speed)});
+      const RiemannSide<T> own{T(own_impedance), T(pressure), T(0), T(own_sound_speed)};
+      const T inverse = reciprocal(other_volume);
+      const T sound =
+          ShockHugoniot::sound_speed(T(sound_speed), T(slope), T(rest_volume) * inverse - T(1));
+      const RiemannSide<T> other{T(mass) * inverse * sound, other_pressure, speed, sound};
+      return solve_riemann(own, other, shock_smoothing(own, other));
     }
   };
 
-  [[gnu::always_inline]] static void add(const Record* records, const Index* neighbours, T sound,
+  [[gnu::always_inline]] static void add(const Record* records, const Index* neighbours,
                                          const Fixed* from, Sums& sums) {
     asm("" : "+r"(from));  // it may be anything: not to be kept in registers
     const Fixed& fixed = *from;
@@ -108,60 +114,54 @@ class WalkOfOne {
     const auto seen = distance_squared < T(fixed.reach_squared) && distance_squared > T(0);
     const T inverse = reciprocal_square_root(select(seen, distance_squared, T(1)));
     const T distance = distance_squared * inverse;
-    const T q = distance * T(fixed.per_smoothing_length);
-    const T rest = select(seen, T(1) - T(Real(0.5)) * q, T(0));
+    const T rest = select(seen, T(1) - distance * T(fixed.per_diameter), T(0));
     const T s = rest * rest * rest;
     const T volume = magnitude(slot[Record::volume_slot]);
 
-    const T approach = -along * inverse;
-    auto star = exchange(fixed.own_side(sound),
-                         fixed.other_side(sound, slot[Record::pressure_slot], -approach, volume));
+    const T speed = along * inverse;  // < 0 where the two approach
+    const auto star = fixed.exchange(volume, slot[Record::pressure_slot], speed);
     const T viscosity(fixed.viscosity);
-    star.dissipation = beyond_viscosity(star.dissipation, viscosity * inverse * approach);
+    // What beyond_viscosity does, of dissipation that is never negative.
+    const T viscous = viscosity * inverse * maximum(-speed, T(0));
+    const T damped = maximum(star.dissipation - viscous, T(0));
 
     const T weight = volume * s;
-    const T pressing = weight * star.mean_pressure, damping = weight * star.dissipation;
+    const T pressing = weight * star.mean_pressure, damping = weight * damped;
     const T drag = weight * viscosity;
     for (int a = 0; a < D; ++a) {
       sums.pressing[a] += pressing * d[a];
-      sums.damping[a] += damping * d[a] - drag * v[a];
+      sums.damping[a] += damping * d[a];
+      sums.damping[a] -= drag * v[a];
       sums.crowd[a] += s * d[a];
     }
     sums.opening -= weight * distance * star.speed;
-    sums.filling += s * rest * (T(2) * q + T(1));
+    sums.filling += s * rest * (T(5) - T(4) * rest);
     sums.fastest_squared =
         select(seen, maximum(sums.fastest_squared, speed_squared), sums.fastest_squared);
     const auto surface = seen && slot[Record::volume_slot] < T(0);
     sums.sees_surface = sums.sees_surface || surface;
   }
-  [[gnu::always_inline]] static RiemannStar<T> exchange(const RiemannSide<T>& own,
-                                                        const RiemannSide<T>& other) {
-    if constexpr (shocks) return solve_riemann(own, other, shock_smoothing(own, other));
-    return solve_riemann(own, other);
-  }
 
   [[gnu::always_inline]] static void finish(const FluidWalkTask<D, Real>& task,
                                             const FluidLaw<Real>& law, Real volume,
                                             const Sums& sums, FluidSums<D, Real>& result) {
-    constexpr int count = 3 * D + 2;
-    T parts[count];
-    for (int a = 0; a < D; ++a) {
-      parts[a] = sums.pressing[a];
-      parts[D + a] = sums.damping[a];
-      parts[2 * D + a] = sums.crowd[a];
-    }
-    parts[3 * D] = sums.opening;
-    parts[3 * D + 1] = sums.filling;
-    Real total[count];
-    sum_each(parts, total);
+    using Result = FluidSums<D, Real>;
     const Real slope = law.kernel_slope * task.unit, push = Real(2) * law.steepening * slope;
+    T parts[Result::count];
+    Real factor[Result::count];
     for (int a = 0; a < D; ++a) {
-      result.pressing[a] = push * volume * total[a];
-      result.damping[a] = push * volume * total[D + a];
-      result.crowd[a] = -law.volume * slope * total[2 * D + a];
+      parts[Result::pressing_at + a] = sums.pressing[a];
+      parts[Result::damping_at + a] = sums.damping[a];
+      parts[Result::crowd_at + a] = sums.crowd[a];
+      factor[Result::pressing_at + a] = push * volume;
+      factor[Result::damping_at + a] = push * volume;
+      factor[Result::crowd_at + a] = -law.volume * slope;
     }
-    result.strain_rate = push * total[3 * D];
-    result.filling = law.volume * law.kernel_scale * total[3 * D + 1];
+    parts[Result::strain_rate_at] = sums.opening;
+    parts[Result::filling_at] = sums.filling;
+    factor[Result::strain_rate_at] = push;
+    factor[Result::filling_at] = law.volume * law.kernel_scale;
+    sum_each(parts, factor, result.sum);
     result.fastest_squared = simd::hmax(sums.fastest_squared);
     result.sees_surface = simd::any_of(sums.sees_surface) ? Real(1) : Real(0);
   }
@@ -171,12 +171,13 @@ template <int D, class Real>
 [[gnu::flatten]] void walk_fluid(const FluidWalkTask<D, Real>& task, std::uint32_t first,
                                  std::uint32_t last) {
   for (std::uint32_t i = first; i < last; ++i) {
+    FluidSums<D, Real>& result = task.sums[i - first];
     if (task.alike[i] == 0 || task.fluid[i].volume == Real(0)) {
-      task.sums[i] = {};
+      result = {};
     } else if (task.laws[task.source[i]].has_shocks != 0) {
-      WalkOfOne<D, Real, true>::run(task, i);
+      WalkOfOne<D, Real, true>::run(task, i, result);
     } else {
-      WalkOfOne<D, Real, false>::run(task, i);
+      WalkOfOne<D, Real, false>::run(task, i, result);
     }
   }
 }

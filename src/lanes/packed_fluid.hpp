@@ -23,12 +23,25 @@ struct alignas(8 * sizeof(Real)) PackedFluid {
 // The sums over the neighbours of one kind.
 template <int D, class Real>
 struct FluidSums {
-  Vector<D, Real> pressing, damping;  // sum of the pushes on i, N
-  Vector<D, Real> crowd;              // 1/m, sum V_0 nabla W
-  Real strain_rate;                   // 1/s
-  Real filling;                       // 1, without the particle itself
-  Real fastest_squared;               // m^2/s^2
-  Real sees_surface;                  // 0 or 1
+  static constexpr int count = 3 * D + 2;
+  static constexpr int pressing_at = 0, damping_at = D, crowd_at = 2 * D, strain_rate_at = 3 * D,
+                       filling_at = 3 * D + 1;
+  Real sum[count];
+  Real fastest_squared;  // m^2/s^2
+  Real sees_surface;     // 0 or 1
+
+  KERF_FUNCTION Vector<D, Real> pressing() const { return vector(pressing_at); }  // N, on i
+  KERF_FUNCTION Vector<D, Real> damping() const { return vector(damping_at); }    // N, on i
+  KERF_FUNCTION Vector<D, Real> crowd() const { return vector(crowd_at); }  // 1/m, sum V_0 nabla W
+  KERF_FUNCTION Real strain_rate() const { return sum[strain_rate_at]; }    // 1/s
+  KERF_FUNCTION Real filling() const { return sum[filling_at]; }  // 1, without the particle itself
+
+ private:
+  KERF_FUNCTION Vector<D, Real> vector(int first) const {
+    Vector<D, Real> result;
+    for (int a = 0; a < D; ++a) result[a] = sum[first + a];
+    return result;
+  }
 };
 
 // A fluid as the walk needs it, one per medium.
@@ -50,7 +63,7 @@ struct FluidWalkTask {
   const std::uint32_t* neighbour = nullptr;
   const std::uint16_t* source = nullptr;  // number of the law of each particle
   const FluidLaw<Real>* laws = nullptr;
-  FluidSums<D, Real>* sums = nullptr;  // out
+  FluidSums<D, Real>* sums = nullptr;  // out, of the first particle of the walk and those after it
   Real unit = 1;                       // m, of places
 };
 

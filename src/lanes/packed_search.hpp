@@ -14,6 +14,17 @@ struct SearchRows {
   std::uint32_t begin[most], end[most];
   int count = 0;
   std::uint32_t candidates = 0;
+
+  bool is_full() const { return count == most || candidates == most_candidates; }
+  // Takes of the row `first` .. `last` - 1 what there is room for; returns how many.
+  std::uint32_t take(std::uint32_t first, std::uint32_t last) {
+    const std::uint32_t room = most_candidates - candidates;
+    const std::uint32_t taken = last - first < room ? last - first : room;
+    begin[count] = first;
+    end[count++] = first + taken;
+    candidates += taken;
+    return taken;
+  }
 };
 
 template <int D>
@@ -24,8 +35,9 @@ struct SearchTask {
   std::uint32_t own, own_kind;
   float limit_squared, same_squared;  // how far others may be seen, and those of its own kind
   const SearchRows* rows;
-  std::uint32_t* same;    // out: those of its own kind; null: they are counted only
-  std::uint32_t* others;  // out: whom to ask one by one, up to SearchRows::most_candidates and 16
+  // Out, with room for all candidates and 16 more: those of its own kind, and whom to ask one by
+  // one.
+  std::uint32_t *same, *others;
 };
 
 struct Seen {

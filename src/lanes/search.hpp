@@ -32,9 +32,7 @@ template <int D>
   const __mmask16 same =
       _mm512_mask_cmpneq_epi32_mask(close, number, _mm512_set1_epi32(int(task.own)));
   const auto found = std::uint32_t(__builtin_popcount(same));
-  if (task.same != nullptr)
-    _mm512_mask_storeu_epi32(task.same + seen.same, __mmask16((1u << found) - 1u),
-                             _mm512_maskz_compress_epi32(same, number));
+  _mm512_storeu_si512(task.same + seen.same, _mm512_maskz_compress_epi32(same, number));
   seen.same += found;
   const __mmask16 others = near & static_cast<__mmask16>(~alike);
   if (others == 0) return;
@@ -63,8 +61,7 @@ template <int D>
       if (task.kind[j] != task.own_kind) {
         task.others[seen.others++] = j;
       } else if (square < task.same_squared && j != task.own) {
-        if (task.same != nullptr) task.same[seen.same] = j;
-        ++seen.same;
+        task.same[seen.same++] = j;
       }
     }
 #endif

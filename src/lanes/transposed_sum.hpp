@@ -34,22 +34,30 @@ struct SumOf16 {
 };
 #endif
 
-// total[n] = the sum of the lanes of parts[n].
+// total[n] = factor[n] times the sum of the lanes of parts[n].
 template <class T, int count>
 [[gnu::always_inline]] inline void sum_each(const T (&parts)[count],
+                                            const typename T::value_type (&factor)[count],
                                             typename T::value_type (&total)[count]) {
 #if defined(__AVX512F__)
   if constexpr (sizeof(typename T::value_type) == 4 && T::size() == 16 && count <= 16) {
+    constexpr auto wanted = static_cast<__mmask16>((1u << count) - 1u);
     __m512 rows[16];
     for (int n = 0; n < 16; ++n)
       rows[n] = n < count ? static_cast<__m512>(parts[n]) : _mm512_setzero_ps();
-    alignas(64) float sums[16];
-    _mm512_store_ps(sums, SumOf16::of(rows));
-    for (int n = 0; n < count; ++n) total[n] = sums[n];
+    const __m512 factors = _mm512_maskz_loadu_ps(wanted, factor);
+    _mm512_mask_storeu_ps(total, wanted, _mm512_mul_ps(factors, SumOf16::of(rows)));
     return;
   }
 #endif
-  for (int n = 0; n < count; ++n) total[n] = simd::reduce(parts[n]);
+  for (int n = 0; n < count; ++n) total[n] = factor[n] * simd::reduce(parts[n]);
+}
+template <class T, int count>
+[[gnu::always_inline]] inline void sum_each(const T (&parts)[count],
+                                            typename T::value_type (&total)[count]) {
+  typename T::value_type ones[count];
+  for (int n = 0; n < count; ++n) ones[n] = 1;
+  sum_each(parts, ones, total);
 }
 
 }  // namespace kerf::lanes

@@ -6,13 +6,6 @@
 
 namespace kerf {
 
-// Walks are for processors; on a GPU the general loops do all.
-#if defined(KERF_CUDA)
-inline constexpr bool lanes_exist = false;
-#else
-inline constexpr bool lanes_exist = true;
-#endif
-
 // `Task` as in lanes/packed_fluid.hpp and packed_bonds.hpp.
 template <class Task>
 struct WalkInBlocks {

@@ -10,6 +10,13 @@
 
 namespace kerf {
 
+// Walks are for processors; on a GPU the general loops do all.
+#if defined(KERF_CUDA)
+inline constexpr bool lanes_exist = false;
+#else
+inline constexpr bool lanes_exist = true;
+#endif
+
 template <int D, class Real>
 struct WalksOf {
   FluidWalk<D, Real> fluid;

@@ -16,8 +16,7 @@ namespace kerf {
 struct Tait {
   template <class T>
   KERF_FUNCTION static T pressure(const Medium<T>& water, T compression) {  // Pa
-    // expm1 and log1p keep the digits of a compression of 1e-5 in single precision.
-    return water.tait_coefficient * std::expm1(water.tait_exponent * std::log1p(compression));
+    return water.tait_coefficient * power_less_one(compression, water.tait_exponent);
   }
 
   // The compression at which the pressure is this, Pa; 0 for none.
@@ -30,8 +29,9 @@ struct Tait {
   // Speed of sound at this density, m/s: c^2 = dp/drho.
   template <class T>
   KERF_FUNCTION static T sound_speed(const Medium<T>& water, T compression) {
-    return water.sound_speed *
-           std::exp(T(0.5) * (water.tait_exponent - T(1)) * std::log1p(compression));
+    const T ratio = T(1) + compression;
+    if (water.tait_exponent == usual_exponent) return water.sound_speed * ratio * ratio * ratio;
+    return water.sound_speed * std::pow(ratio, T(0.5) * (water.tait_exponent - T(1)));
   }
 
   // Stored energy per mass, J/kg: the integral of p / rho^2 d rho from rho_0.
@@ -41,6 +41,16 @@ struct Tait {
     const double ratio = 1.0 + compression;
     return water.tait_coefficient / water.density *
            ((std::pow(ratio, n - 1.0) - 1.0) / (n - 1.0) + 1.0 / ratio - 1.0);
+  }
+
+ private:
+  static constexpr int usual_exponent = 7;  // of water: powers of it are products
+
+  // (1 + x)^n - 1, with all digits of an x of 1e-5 in single precision.
+  template <class T>
+  KERF_FUNCTION static T power_less_one(T x, T n) {
+    if (n != usual_exponent) return std::expm1(n * std::log1p(x));
+    return x * (T(7) + x * (T(21) + x * (T(35) + x * (T(35) + x * (T(21) + x * (T(7) + x))))));
   }
 };
 

@@ -207,19 +207,22 @@ double particles_within(double spacings, int dimension) {
 
 // Fields and what walks keep; 4 bytes for every neighbour within 2 h and the skin of the list, and
 // an eighth to spare. What bonds hold together lists no neighbours but has fields of its own, and 8
-// bytes for every bond (12 in double precision). A test compares with the heap.
+// bytes for every bond (12 in double precision); where there are solids everything has fields for
+// contact. A test compares with the heap.
 double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const int dimension = description.dimension;
   const bool plane = dimension == 2, bonds = description.formulation == Formulation::standard;
   const double reach = 2.0 * description.smoothing_ratio, skin = 0.35;  // spacings
   const bool single = description.precision == PrecisionKind::mixed;
   const double wider = single ? 1.0 : 1.75;  // places are in double precision anyway
-  const double particle = wider * (bonds ? (plane ? 416.0 : 560.0) : (plane ? 332.0 : 460.0));
+  const auto all = static_cast<double>(numbers.particles_expected);
+  const double held = bonds ? static_cast<double>(numbers.particles_elastic) : 0.0;
+  const double contact = held > 0.0 ? (plane ? 48.0 : 64.0) : 0.0;
+  const double particle =
+      wider * (contact + (bonds ? (plane ? 248.0 : 318.0) : (plane ? 278.0 : 396.0)));
   const double list = 4.5 * particles_within(reach + skin, dimension);
   const double solid =
       wider * (plane ? 268.0 : 420.0) + (single ? 8.0 : 12.0) * particles_within(reach, dimension);
-  const auto all = static_cast<double>(numbers.particles_expected);
-  const double held = bonds ? static_cast<double>(numbers.particles_elastic) : 0.0;
   return all * particle + (all - held) * list + held * solid;
 }
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "lanes/walks.hpp"
+#include "neighbours/found_sections.hpp"
 #include "neighbours/level_grids.hpp"
-#include "neighbours/pair_range.hpp"
 
 namespace kerf {
 
@@ -54,40 +54,52 @@ struct PackForSearch {
   }
 };
 
-// Walks the candidates of particle i; counts them, or writes them where `neighbour` is given.
+// The rows of cells that the particles of one cell look into: they are looked up once for all.
+struct CellRows {
+  static constexpr Index no_cell = ~Index(0);
+
+  Index cell = no_cell;  // where one search takes all their rows
+  SearchRows rows;
+};
+
+// What one thread keeps from particle to particle.
+struct SearchMemory {
+  CellRows of_level[most_levels];
+
+  void forget() {
+    for (CellRows& rows : of_level) rows.cell = CellRows::no_cell;
+  }
+};
+
+// Walks the candidates of particle i and puts them into sections (found_sections.hpp).
 template <int D, class P, class Scheme>
 struct FindNeighbours {
   ParticleView<D, P> particles;
   LevelGrids<D> grids;
-  const Index* cell_begin;
+  const Index *cell, *cell_begin;  // of each particle; where a cell begins
   double skin;
   bool splits;           // kin is listed first
-  Index* count;          // out when neighbour is null
-  Index *alike, *own;    // likewise
   SearchView<D> packed;  // null: one by one
-  const Index* begin;
-  Index* neighbour;
 
-  KERF_FUNCTION void operator()(Index i) const {
+  // `memory`: null, or of earlier calls with the same particles.
+  template <class Sections>
+  KERF_FUNCTION void operator()(Index i, Sections& found, SearchMemory* memory = nullptr) const {
+    if (!(Scheme::reach(particles, i, i) > 0.0)) return;  // it sees nothing
     const auto& x = particles.build_position[i];
-    Found found{};
-    if (neighbour != nullptr) found = {0, alike[i], alike[i] + own[i]};
-    if (Scheme::reach(particles, i, i) > 0.0) {  // else it sees nothing
-      for (int level = 0; level < grids.levels; ++level)
-        found = walk({i, 0, x, limit_of(i, level)}, level, found);
-      if (particles.mirrors.faces != 0) found = walk_images(i, found);
+    for (int level = 0; level < grids.levels; ++level) {
+      const Viewer from{i, 0, x, limit_of(i, level)};
+      if constexpr (lanes_exist) {
+        if (memory != nullptr && packed.search != nullptr) {
+          search_level(from, level, memory->of_level[level], found);
+          continue;
+        }
+      }
+      scan_level(from, level, found);
     }
-    if (neighbour != nullptr) return;
-    count[i] = found.alike + found.own + found.others;
-    alike[i] = found.alike;
-    own[i] = found.own;
+    if (particles.mirrors.faces != 0) walk_images(i, found);
   }
 
  private:
-  // Where the next one goes, in the list of i; when counting, how many there are so far.
-  struct Found {
-    Index alike, own, others;
-  };
   // Particle i seen from where it is, or from its image x.
   struct Viewer {
     Index i;
@@ -95,9 +107,13 @@ struct FindNeighbours {
     Vector<D, double> x;
     double limit;  // m, how far anything of a level can be seen
   };
+  struct Places {
+    Index begin, end;
+  };
 
   // An image of j is as far from i as j from that image of i.
-  KERF_FUNCTION Found walk_images(Index i, Found found) const {
+  template <class Sections>
+  KERF_FUNCTION void walk_images(Index i, Sections& found) const {
     const auto& mirrors = particles.mirrors;
     const auto& x = particles.build_position[i];
     for (int image = 1; image < MirrorPlanes<D>::images; ++image) {
@@ -106,35 +122,31 @@ struct FindNeighbours {
       for (int level = 0; level < grids.levels; ++level) {
         const double limit = limit_of(i, level);
         if (mirrors.is_near(code, x, limit))
-          found = walk({i, code, mirrors.image_place(code, x), limit}, level, found);
+          scan_level({i, code, mirrors.image_place(code, x), limit}, level, found);
       }
     }
-    return found;
   }
   KERF_FUNCTION double limit_of(Index i, int level) const {
     return grids.limit[particles.medium(i).level][level];
   }
 
-  // The cells of a level that can be seen into.
-  KERF_FUNCTION Found walk(const Viewer& from, int level, Found found) const {
+  // take(places) for each row of the cells of a level that meet the box.
+  template <class Take>
+  KERF_FUNCTION void for_each_row(const Vector<D, double>& minimum,
+                                  const Vector<D, double>& maximum, int level,
+                                  const Take& take) const {
     const auto& grid = grids.grid[level];
     const Index* const begin_of = cell_begin + grids.first[level];
     int low[D], high[D], row[D];
     for (int a = 0; a < D; ++a) {
-      low[a] = grid.coordinate(from.x[a] - from.limit, a);
-      high[a] = grid.coordinate(from.x[a] + from.limit, a);
+      low[a] = grid.coordinate(minimum[a], a);
+      high[a] = grid.coordinate(maximum[a], a);
       row[a] = low[a];
     }
-    const bool at_once = packed.search != nullptr && from.code == 0;
-    SearchRows rows;
     while (true) {
-      row[0] = low[0];
       const Index first = grid.number(row);
       const Index last = first + static_cast<Index>(high[0] - low[0]);
-      if (at_once)
-        found = add_row(from, {begin_of[first], begin_of[last + 1]}, rows, found);
-      else
-        found = scan(from, begin_of[first], begin_of[last + 1], found);
+      take(Places{begin_of[first], begin_of[last + 1]});
       int a = 1;
       while (a < D && row[a] == high[a]) {
         row[a] = low[a];
@@ -143,34 +155,57 @@ struct FindNeighbours {
       if (a >= D) break;
       ++row[a];
     }
-    return at_once ? search(from, rows, found) : found;
   }
 
-  // Collects rows until they are many enough to look at.
-  struct Places {
-    Index begin, end;
+  // One by one.
+  template <class Sections>
+  struct ScanRow {
+    const FindNeighbours& find;
+    const Viewer& from;
+    Sections& found;
+    KERF_FUNCTION void operator()(Places row) const { find.scan(from, row, found); }
   };
-  KERF_FUNCTION Found add_row(const Viewer& from, Places row, SearchRows& rows, Found found) const {
-    while (row.begin < row.end) {
-      const Index room = SearchRows::most_candidates - rows.candidates;
-      const Index taken = row.end - row.begin < room ? row.end - row.begin : room;
-      rows.begin[rows.count] = row.begin;
-      rows.end[rows.count++] = row.begin + taken;
-      rows.candidates += taken;
-      row.begin += taken;
-      if (rows.count < SearchRows::most && rows.candidates < SearchRows::most_candidates) continue;
-      found = search(from, rows, found);
-      rows.count = 0;
-      rows.candidates = 0;
+  template <class Sections>
+  KERF_FUNCTION void scan_level(const Viewer& from, int level, Sections& found) const {
+    const auto reach = Vector<D, double>::filled(from.limit);
+    for_each_row(from.x - reach, from.x + reach, level, ScanRow<Sections>{*this, from, found});
+  }
+
+  // Several at a time.
+  template <class Sections>
+  void search_level(const Viewer& from, int level, CellRows& known, Sections& found) const {
+    if (known.cell == cell[from.i]) {
+      search(from, known.rows, found);
+      return;
     }
-    return found;
+    const auto reach = Vector<D, double>::filled(from.limit);
+    auto minimum = from.x, maximum = from.x;
+    const int own_level = particles.medium(from.i).level;
+    const bool of_cell = grids.grid[own_level].find_box(from.x, minimum, maximum);
+    known.rows.count = 0;
+    known.rows.candidates = 0;
+    bool fits = true;
+    for_each_row(minimum - reach, maximum + reach, level, [&](Places row) {
+      while (row.begin < row.end) {
+        if (known.rows.is_full()) {
+          search(from, known.rows, found);
+          known.rows.count = 0;
+          known.rows.candidates = 0;
+          fits = false;
+        }
+        row.begin += known.rows.take(row.begin, row.end);
+      }
+    });
+    search(from, known.rows, found);
+    known.cell = of_cell && fits ? cell[from.i] : CellRows::no_cell;
   }
 
   // Those of its own kind come out of the search as they are; others are asked one by one.
-  KERF_FUNCTION Found search(const Viewer& from, const SearchRows& rows, Found found) const {
-    if (rows.count == 0) return found;
+  template <class Sections>
+  KERF_FUNCTION void search(const Viewer& from, const SearchRows& rows, Sections& found) const {
+    if (rows.count == 0) return;
     const Index i = from.i;
-    Index others[SearchRows::most_candidates + 16];
+    Index others[SearchRows::most_candidates + room_beside];
     SearchTask<D> task;
     for (int a = 0; a < D; ++a) {
       task.place[a] = packed.place[a];
@@ -186,22 +221,19 @@ struct FindNeighbours {
     task.limit_squared = static_cast<float>(limit * limit);
     task.same_squared = static_cast<float>(same * same);
     task.rows = &rows;
-    Index& section = section_of(splits ? Scheme::kinship(particles, i, i) : Kinship::other, found);
-    task.same = neighbour != nullptr ? neighbour + begin[i] + section : nullptr;
+    const Kinship kin = splits ? Scheme::kinship(particles, i, i) : Kinship::other;
+    task.same = found.room(kin, rows.candidates);
     task.others = others;
     const auto seen = packed.search(task);
-    section += seen.same;
-    for (Index n = 0; n < seen.others; ++n) found = scan(from, others[n], others[n] + 1, found);
-    return found;
-  }
-  KERF_FUNCTION static Index& section_of(Kinship kin, Found& found) {
-    return kin == Kinship::alike ? found.alike : kin == Kinship::own ? found.own : found.others;
+    found.took(kin, seen.same);
+    for (Index n = 0; n < seen.others; ++n) scan(from, {others[n], others[n] + 1}, found);
   }
 
-  // Places `begin_at` to `end`, in the order of cells.
-  KERF_FUNCTION Found scan(const Viewer& from, Index begin_at, Index end, Found found) const {
+  // In the order of cells.
+  template <class Sections>
+  KERF_FUNCTION void scan(const Viewer& from, Places places, Sections& found) const {
     const Index i = from.i;
-    for (Index j = begin_at; j < end; ++j) {
+    for (Index j = places.begin; j < places.end; ++j) {
       const auto r = from.x - particles.build_position[j];
       const double square = dot(r, r);
       if (square >= from.limit * from.limit) continue;
@@ -210,11 +242,9 @@ struct FindNeighbours {
       if (reach == 0.0 || square >= (reach + skin) * (reach + skin)) continue;
       const Kinship kin =
           splits && from.code == 0 ? Scheme::kinship(particles, i, j) : Kinship::other;
-      Index& place = section_of(kin, found);
-      if (neighbour != nullptr) neighbour[begin[i] + place] = j | from.code;
-      ++place;
+      if (Index* const next = found.room(kin, 1)) *next = j | from.code;
+      found.took(kin, 1);
     }
-    return found;
   }
 };
 

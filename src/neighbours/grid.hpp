@@ -14,7 +14,8 @@ namespace kerf {
 template <int D>
 struct Grid {
   Vector<D, double> origin;
-  double cell = 0.0;  // m
+  double cell = 0.0;      // m
+  double per_cell = 0.0;  // 1/m
   int cells[D];
 
   // `cell` grows when the table would pass `most` cells.
@@ -30,11 +31,12 @@ struct Grid {
       }
     }
     grid.origin = minimum;
+    grid.per_cell = 1.0 / grid.cell;
     return grid;
   }
 
   KERF_FUNCTION int coordinate(double x, int a) const {
-    const double c = std::floor((x - origin[a]) / cell);
+    const double c = std::floor((x - origin[a]) * per_cell);
     if (!(c > 0.0)) return 0;  // what lies outside is counted to the edge
     return c < cells[a] - 1 ? static_cast<int>(c) : cells[a] - 1;
   }
@@ -42,6 +44,17 @@ struct Grid {
     Index n = static_cast<Index>(coordinates[D - 1]);
     for (int a = D - 2; a >= 0; --a) n = n * static_cast<Index>(cells[a]) + coordinates[a];
     return n;
+  }
+  // The cell of x, as a box; false at the edge, where cells go on for ever.
+  KERF_FUNCTION bool find_box(const Vector<D, double>& x, Vector<D, double>& minimum,
+                              Vector<D, double>& maximum) const {
+    for (int a = 0; a < D; ++a) {
+      const int c = coordinate(x[a], a);
+      if (c == 0 || c == cells[a] - 1) return false;
+      minimum[a] = origin[a] + cell * c;
+      maximum[a] = minimum[a] + cell;
+    }
+    return true;
   }
   KERF_FUNCTION Index number(const Vector<D, double>& x) const {
     int coordinates[D];

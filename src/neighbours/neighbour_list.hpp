@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/error.hpp"
-#include "neighbours/find_neighbours.hpp"
+#include "neighbours/list_in_passes.hpp"
 
 namespace kerf {
 
@@ -14,15 +14,19 @@ namespace kerf {
 enum class Skips : std::uint8_t { nothing, alike, alike_and_own };
 
 struct NeighbourView {
-  const Index* begin;      // begin[i] .. begin[i + 1] of `neighbour` are particle i's
-  const Index* neighbour;  // places, with a mirror code in the highest bits
-  const Index* alike;      // how many of them, the first, are alike (neighbours/pair_range.hpp)
-  const Index* own;        // and how many after those are of its own solid
+  const Index *begin, *end;  // begin[i] .. end[i] of `neighbour` are particle i's
+  const Index* neighbour;    // places, with a mirror code in the highest bits
+  const Index* alike;        // how many of them, the first, are alike (neighbours/pair_range.hpp)
+  const Index* own;          // and how many after those are of its own solid
   Skips skips;
+  // 1 where bonds hold all that a particle lists of its own solid, which then do nothing more to
+  // it: a walk that skips kin skips them as well. Or null.
+  const std::uint8_t* held;
 
   KERF_FUNCTION Index first(Index i) const {
     if (skips == Skips::nothing) return begin[i];
-    return begin[i] + alike[i] + (skips == Skips::alike_and_own ? own[i] : 0);
+    const bool skips_own = skips == Skips::alike_and_own || (held != nullptr && held[i] != 0);
+    return begin[i] + alike[i] + (skips_own ? own[i] : 0);
   }
 };
 
@@ -71,26 +75,15 @@ class NeighbourList {
     cell_begin_.resize(cells + 1);
     for_each_index(n + 1, BeginCells{pointer(key_), n, cells, pointer(cell_begin_)});
     begin_.resize(n + 1);
-    alike_.resize(n);
-    own_.resize(n);
-    FindNeighbours<D, P, Scheme> find{particles.view(),
-                                      grids_,
-                                      pointer(cell_begin_),
-                                      skin_,
-                                      splits_,
-                                      pointer(begin_),
-                                      pointer(alike_),
-                                      pointer(own_),
-                                      pack_for_search(particles),
-                                      pointer(begin_),
-                                      nullptr};
-    for_each_index(n, find);
-    thrust::fill_n(begin_.begin() + n, 1, Index(0));
-    thrust::exclusive_scan(thrust::device, begin_.begin(), begin_.end(), begin_.begin());
-    pairs_ = begin_[n];
-    if (neighbour_.size() < pairs_) neighbour_.resize(pairs_ + pairs_ / 8);
-    find.neighbour = pointer(neighbour_);
-    if (n > 0) for_each_index(n, find);
+    for (auto* array : {&end_, &alike_, &own_}) array->resize(n);
+    const FindNeighbours<D, P, Scheme> find{particles.view(),          grids_, pointer(key_),
+                                            pointer(cell_begin_),      skin_,  splits_,
+                                            pack_for_search(particles)};
+    const ListPlaces places{pointer(begin_), pointer(end_), pointer(alike_), pointer(own_)};
+    if constexpr (lanes_exist)
+      list_in_blocks(find, places, n);
+    else
+      list_in_passes(find, places, n);
   }
 
   // Will a particle have moved more than half the skin within the next `horizon` seconds?
@@ -102,17 +95,45 @@ class NeighbourList {
   }
 
   NeighbourView view() const {
-    return {pointer(begin_), pointer(neighbour_), pointer(alike_), pointer(own_), Skips::nothing};
+    return {pointer(begin_), pointer(end_), pointer(neighbour_), pointer(alike_), pointer(own_),
+            Skips::nothing,  nullptr};
   }
   Index pairs() const { return pairs_; }  // list entries, each pair twice
   std::size_t bytes() const {
-    std::size_t entries = neighbour_.size() + begin_.size() + alike_.size() + own_.size() +
-                          cell_begin_.size() + key_.size() + packed_kind_.size();
+    std::size_t entries = neighbour_.size() + begin_.size() + end_.size() + alike_.size() +
+                          own_.size() + cell_begin_.size() + key_.size() + packed_kind_.size();
     for (const auto& place : packed_place_) entries += place.size();
     return sizeof(Index) * entries;  // places are as long
   }
 
  private:
+  using Find = FindNeighbours<D, P, Scheme>;
+
+  void list_in_blocks(const Find& find, const ListPlaces& places, Index count) {
+    using Block = ListBlock<D, P, Scheme>;
+    std::atomic<Index> used = 0;
+    const auto list = [&] {
+      used = 0;
+      const auto room = static_cast<Index>(neighbour_.size());
+      for_each_index((count + Block::length - 1) / Block::length,
+                     Block{find, count, places, pointer(neighbour_), room, &used});
+      pairs_ = used;
+      return pairs_ <= room;
+    };
+    if (list()) return;
+    neighbour_.resize(pairs_ + pairs_ / 8);
+    list();
+  }
+
+  void list_in_passes(const Find& find, const ListPlaces& places, Index count) {
+    for_each_index(count, CountNeighbours<D, P, Scheme>{find, places});
+    thrust::fill_n(begin_.begin() + count, 1, Index(0));
+    thrust::exclusive_scan(thrust::device, begin_.begin(), begin_.end(), begin_.begin());
+    pairs_ = begin_[count];
+    if (neighbour_.size() < pairs_) neighbour_.resize(pairs_ + pairs_ / 8);
+    for_each_index(count, WriteNeighbours<D, P, Scheme>{find, places, pointer(neighbour_)});
+  }
+
   // Null where cells are so wide that places, which are counted round, would not be told apart.
   SearchView<D> pack_for_search(Particles<D, P>& particles) {
     SearchView<D> packed;
@@ -140,7 +161,7 @@ class NeighbourList {
   double skin_ = 0.0;
   Index pairs_ = 0;
   bool splits_ = false;
-  Array<Index> key_, cell_begin_, begin_, alike_, own_, neighbour_;
+  Array<Index> key_, cell_begin_, begin_, end_, alike_, own_, neighbour_;
   std::vector<std::int32_t> packed_place_[D];
   std::vector<std::uint32_t> packed_kind_;
 };

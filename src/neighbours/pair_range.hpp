@@ -22,7 +22,7 @@ enum class Kinship : std::uint8_t { other, own, alike };
 struct JointPairs {
   template <int D>
   using Kernel = CubicSpline<D>;
-  static constexpr bool rigid_repels = true;
+  static constexpr bool rigid_repels = true, stress_by_rate = true;
 
   template <class Real, class T>
   KERF_FUNCTION static Real smoothing_length(const Medium<T>& a, const Medium<T>& b) {
@@ -62,7 +62,7 @@ struct JointPairs {
 struct ContactPairs {
   template <int D>
   using Kernel = WendlandC2<D>;
-  static constexpr bool rigid_repels = false;
+  static constexpr bool rigid_repels = false, stress_by_rate = false;
 
   template <class Real, class T>
   KERF_FUNCTION static Real smoothing_length(const Medium<T>& a, const Medium<T>& b) {

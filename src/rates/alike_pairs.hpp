@@ -8,9 +8,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "lanes/walk_in_blocks.hpp"
+#include "exec/in_turn.hpp"
 #include "lanes/walks.hpp"
 #include "neighbours/neighbour_list.hpp"
+#include "rates/fluid_pressure.hpp"
 
 namespace kerf {
 
@@ -31,23 +32,24 @@ class AlikePairs {
     unit_ = PlaceUnit<Real>::of_spacing(finest);
   }
 
-  // The sums of particles; valid until the next call. Pressures must be at hand.
-  const FluidSums<D, Real>* walk(const ParticleView<D, P>& view, Index count,
-                                 const NeighbourView& list) {
-    if constexpr (!lanes_exist) return nullptr;
+  // Works the pressures out and packs the particles.
+  FluidWalkTask<D, Real> pack(const ParticleView<D, P>& view, Index count,
+                              const NeighbourView& list) {
     fluid_.resize(count);
-    sums_.resize(count);
-    for_each_index(count, Pack{view, unit_, fluid_.data()});
-    const FluidWalkTask<D, Real> task{
-        fluid_.data(), list.begin,   list.alike,   list.neighbour,
-        view.source,   laws_.data(), sums_.data(), static_cast<Real>(unit_.unit)};
-    walk_in_blocks(task, walk_, count);
-    return sums_.data();
+    for_each_index(count, InTurn(FluidPressure<D, P>{view}, Pack{view, unit_, fluid_.data()}));
+    return {fluid_.data(), list.begin,   list.alike, list.neighbour,
+            view.source,   laws_.data(), nullptr,    static_cast<Real>(unit_.unit)};
   }
 
-  std::size_t bytes() const {
-    return fluid_.size() * sizeof(fluid_[0]) + sums_.size() * sizeof(sums_[0]);
+  // `loop(i)` for all particles, a block of them at a time: first the sums over neighbours of their
+  // own kind, then the general loop, which takes them up.
+  template <class Loop>
+  void walk(const FluidWalkTask<D, Real>& task, Index count, const Loop& loop) const {
+    constexpr Index length = Block<Loop>::length;
+    for_each_index((count + length - 1) / length, Block<Loop>{task, walk_, loop, count});
   }
+
+  std::size_t bytes() const { return fluid_.size() * sizeof(fluid_[0]); }
 
  private:
   static FluidLaw<Real> law_of(const Medium<double>& medium, double steepening) {
@@ -68,6 +70,27 @@ class AlikePairs {
   }
 
  public:  // nvcc has no loop bodies that are private
+  template <class Loop>
+  struct Block {
+    static constexpr Index length = 64;  // particles
+
+    FluidWalkTask<D, Real> task;
+    FluidWalk<D, Real> walk;
+    Loop loop;
+    Index count;
+
+    KERF_FUNCTION void operator()(Index number) const {
+      const Index first = number * length;
+      const Index last = first + length < count ? first + length : count;
+      FluidSums<D, Real> sums[length];
+      auto of_block = task;
+      of_block.sums = sums;
+      walk(of_block, first, last);
+      Loop loop_of_block = loop;
+      loop_of_block.take({sums, first});
+      for (Index i = first; i < last; ++i) loop_of_block(i);
+    }
+  };
   struct Pack {
     ParticleView<D, P> particles;
     PlaceUnit<Real> unit;
@@ -95,7 +118,6 @@ class AlikePairs {
   PlaceUnit<Real> unit_{};
   // Not Array: records lie on their own alignment.
   std::vector<PackedFluid<D, Real>> fluid_;
-  std::vector<FluidSums<D, Real>> sums_;
   std::vector<FluidLaw<Real>> laws_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body force f of the momentum equation (26): gravity. It starts the sum of accelerations.
+// Body force f of the momentum equation (26): gravity. It starts the sum of accelerations, and
+// those of what other terms add to.
 #pragma once
 
 #include "rates/pair.hpp"
@@ -17,6 +18,7 @@ struct BodyForce {
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum&) const {
     particles.acceleration[i] = gravity;
     particles.artificial_power[i] = Real(0);
+    particles.repulsion_potential[i] = Real(0);
   }
 };
 

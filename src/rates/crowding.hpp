@@ -4,7 +4,7 @@
 // and whether one of its fluid neighbours was in a free surface at the end of the last step.
 #pragma once
 
-#include "lanes/packed_fluid.hpp"
+#include "rates/alike_sums.hpp"
 #include "rates/pair.hpp"
 
 namespace kerf {
@@ -24,11 +24,11 @@ struct Crowding {
     bool sees_surface = false;
   };
   Crowd<D, Real>* result;
-  const FluidSums<D, Real>* alike = nullptr;  // over neighbours of its own kind
+  AlikeSums<D, Real> alike{};
 
   KERF_FUNCTION void start(const ParticleView<D, P>& particles, Index i, Sum& sum) const {
-    if (alike == nullptr) return;
-    sum.gradient = alike[i].crowd;
+    if (!alike.are_known()) return;
+    sum.gradient = alike[i].crowd();
     sum.sees_surface = particles.is_fluid(i) && alike[i].sees_surface > Real(0);
   }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,

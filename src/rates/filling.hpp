@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-#include "lanes/packed_fluid.hpp"
+#include "rates/alike_sums.hpp"
 #include "rates/pair.hpp"
 
 namespace kerf {
@@ -40,11 +40,11 @@ struct Filling {
     Real filling{};
     Real fastest_squared{};  // m^2/s^2
   };
-  const FluidSums<D, Real>* alike = nullptr;  // over neighbours of its own kind
+  AlikeSums<D, Real> alike{};
 
   KERF_FUNCTION void start(const ParticleView<D, P>& particles, Index i, Sum& sum) const {
-    if (alike == nullptr) return;
-    sum.filling = alike[i].filling;
+    if (!alike.are_known()) return;
+    sum.filling = alike[i].filling();
     if (particles.is_fluid(i)) sum.fastest_squared = alike[i].fastest_squared;
   }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,

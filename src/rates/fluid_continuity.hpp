@@ -6,7 +6,7 @@
 // it finds the normal of the wall that a fluid particle is at, for the next step.
 #pragma once
 
-#include "lanes/packed_fluid.hpp"
+#include "rates/alike_sums.hpp"
 #include "rates/fluid_pair.hpp"
 
 namespace kerf {
@@ -20,12 +20,12 @@ struct FluidContinuity {
     Vector<D, Real> wall{};  // 1/m, - sum V nabla W over the wall: its normal
   };
   FluidPair<D, P> fluid_pair;
-  const FluidSums<D, Real>* alike = nullptr;  // over neighbours of its own kind
+  AlikeSums<D, Real> alike{};
   // h |sum V nabla W| is about 1/2 at a wall; much less between two that face each other.
   static constexpr double least_wall = 0.02;
 
   KERF_FUNCTION void start(const ParticleView<D, P>&, Index i, Sum& sum) const {
-    if (alike != nullptr) sum.strain_rate = alike[i].strain_rate;
+    if (alike.are_known()) sum.strain_rate = alike[i].strain_rate();
   }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {

@@ -5,7 +5,7 @@
 // the ledger.
 #pragma once
 
-#include "lanes/packed_fluid.hpp"
+#include "rates/alike_sums.hpp"
 #include "rates/fluid_pair.hpp"
 
 namespace kerf {
@@ -18,12 +18,12 @@ struct FluidForce {
     Vector<D, Real> pressing{}, dissipation{}, wall{};
   };
   FluidPair<D, P> fluid_pair;
-  const FluidSums<D, Real>* alike = nullptr;  // over neighbours of its own kind
+  AlikeSums<D, Real> alike{};
 
   KERF_FUNCTION void start(const ParticleView<D, P>&, Index i, Sum& sum) const {
-    if (alike == nullptr) return;
-    sum.pressing = alike[i].pressing;
-    sum.dissipation = alike[i].damping;
+    if (!alike.are_known()) return;
+    sum.pressing = alike[i].pressing();
+    sum.dissipation = alike[i].damping();
   }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {

@@ -4,12 +4,15 @@
 //   void add(const View&, const Pair&, Sum&) const    for each pair,
 //   void finish(const View&, Index i, const Sum&) const   once per particle,
 //   void start(const View&, Index i, Sum&) const   where a part of the sum is known already,
+//   static constexpr bool only_adds = true   where `finish` does nothing for a sum over no pairs,
+//   AlikeSums alike   where that part is over neighbours of the particle's own kind,
 //   static Vector force(const Sum&)   where it adds a force that is to be booked when mirror images
 //     exert it: N so far, without that of rigid bodies, which has a book of its own;
 // each particle sums its own neighbours in the order of the list.
 #pragma once
 
 #include "neighbours/neighbour_list.hpp"
+#include "rates/alike_sums.hpp"
 #include "rates/pair.hpp"
 
 namespace kerf {
@@ -48,13 +51,16 @@ struct FilteredPairLoop : Terms... {
                    const Filter& chosen, const Terms&... terms)
       : Terms(terms)..., particles(view), list(neighbours), filter(chosen) {}
 
+  // For the particles of the block that `known` is of.
+  KERF_FUNCTION void take(const AlikeSums<D, Real>& known) { (take_for<Terms>(known), ...); }
+
   KERF_FLAT KERF_FUNCTION void operator()(Index i) const {
     Sums sums{};
     (start<Terms>(i, sums), ...);
     const auto& medium_i = particles.medium(i);
     auto by_particles = Vector<D, Real>::zero();
     bool is_mirrored = false;
-    for (Index k = list.first(i); k < list.begin[i + 1]; ++k) {
+    for (Index k = list.first(i); k < list.end[i]; ++k) {
       Pair<D, P> pair;
       pair.i = i;
       pair.j = particles.mirrors.place(list.neighbour[k]);
@@ -77,9 +83,8 @@ struct FilteredPairLoop : Terms... {
       if (pair.distance >= Scheme::template cutoff<Kernel>(particles, pair)) continue;
       add_pair(pair, sums);
     }
-    (static_cast<const Terms&>(*this).finish(particles, i,
-                                             static_cast<const typename Terms::Sum&>(sums)),
-     ...);
+    const bool is_alone = list.first(i) == list.end[i];
+    (finish<Terms>(i, is_alone, sums), ...);
     if constexpr (adds_forces)
       if (particles.mirrors.faces != 0)
         particles.mirror_acceleration[i] =
@@ -89,10 +94,24 @@ struct FilteredPairLoop : Terms... {
 
  private:
   template <class Term>
+  KERF_FUNCTION void take_for(const AlikeSums<D, Real>& known) {
+    if constexpr (requires(Term & term) { term.alike = known; })
+      static_cast<Term&>(*this).alike = known;
+  }
+
+  template <class Term>
   KERF_FUNCTION void start(Index i, Sums& sums) const {
     auto& sum = static_cast<typename Term::Sum&>(sums);
     if constexpr (requires(const Term& term) { term.start(particles, i, sum); })
       static_cast<const Term&>(*this).start(particles, i, sum);
+  }
+
+  template <class Term>
+  KERF_FUNCTION void finish(Index i, bool is_alone, const Sums& sums) const {
+    if constexpr (requires { Term::only_adds; })
+      if (is_alone) return;
+    static_cast<const Term&>(*this).finish(particles, i,
+                                           static_cast<const typename Term::Sum&>(sums));
   }
 
   KERF_FUNCTION static Vector<D, Real> force(const Sums& sums) {

@@ -18,7 +18,7 @@ namespace kerf {
 template <int D, class P, class Bonds>
 struct SolidContact {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool feels_rigid = false, only_adds = true;
   struct Sum {
     Vector<D, Real> contact{};
     Real contact_energy{};
@@ -48,7 +48,7 @@ struct SolidContact {
     if (medium.phase == Phase::rigid) return;
     const Real inverse = Real(1) / medium.mass;
     particles.acceleration[i] += inverse * sum.contact;
-    particles.repulsion_potential[i] = inverse * sum.contact_energy;
+    particles.repulsion_potential[i] += inverse * sum.contact_energy;
   }
 
  private:

@@ -14,6 +14,7 @@
 #include "rates/filling.hpp"
 #include "rates/fluid_continuity.hpp"
 #include "rates/fluid_force.hpp"
+#include "rates/fluid_pressure.hpp"
 #include "rates/lattice_sums.hpp"
 #include "rates/pair_loop.hpp"
 #include "rates/solid_contact.hpp"
@@ -21,23 +22,6 @@
 #include "rates/water_viscosity.hpp"
 
 namespace kerf {
-
-// Pressure by the density: all of it in fluids, that of the excess of K in nearly incompressible
-// solids, none in others.
-template <int D, class P>
-struct FluidPressure {
-  using Real = typename P::Real;
-  ParticleView<D, P> particles;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    const auto& medium = particles.medium(i);
-    const bool fluid = particles.is_fluid(i);
-    particles.pressure[i] = particles.has_density(i)
-                                ? medium.template share_by_density<Real>(fluid) *
-                                      pressure_at(medium, particles.compression[i])
-                                : Real(0);
-  }
-};
 
 // A loop over the particles of solids alone.
 template <int D, class P, class Loop>
@@ -83,36 +67,36 @@ class StandardRates {
   template <class Bonds>
   void evaluate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                 const Bonds& bonds, Crowd<D, Real>* crowd) const {
-    prepare(view, count, list);
+    if (has_solids_) look_at_surfaces(view, count, list, {touch()});
+    const Walkers walkers{view, count, list};
     if (fluid_pair_.scheme == WaterScheme::riemann) {
-      const auto* alike = walk_alike(view, count, list);
-      walk({view, count, others_of(list)}, bonds, EveryPair{}, gravity_, alike,
-           FluidContinuity<D, P>{fluid_pair_, alike}, Full{alike}, Crowding<D, P>{crowd, alike});
+      walk_alike_apart(walkers, bonds, FluidContinuity<D, P>{fluid_pair_}, Full{},
+                       Crowding<D, P>{crowd});
       return;
     }
+    press(walkers);
     density_gradient_.resize(count);
     for_each_index(count, PairLoop<D, P, ContactPairs, DensityGradient<D, P>>(
                               view, list, {}, {pointer(density_gradient_)}));
-    walk({view, count, list}, bonds, EveryPair{}, gravity_, nullptr,
-         FluidContinuity<D, P>{fluid_pair_}, Full{}, Crowding<D, P>{crowd},
-         DensityDiffusion<D, P>{pointer(density_gradient_)});
+    walk(walkers, bonds, EveryPair{}, gravity_, FluidContinuity<D, P>{fluid_pair_}, Full{},
+         Crowding<D, P>{crowd}, DensityDiffusion<D, P>{pointer(density_gradient_)});
   }
 
   // Pressures and accelerations only, for those who look at the run.
   template <class Bonds>
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                   const Bonds& bonds) const {
-    prepare(view, count, list);
-    const auto* alike = walk_alike(view, count, list);
-    walk({view, count, others_of(list)}, bonds, EveryPair{}, gravity_, alike);
+    if (has_solids_) look_at_surfaces(view, count, list, {touch()});
+    walk_alike_apart({view, count, list}, bonds);
   }
   // Those by the pairs that `filter` chooses and a body force of one's own.
   template <class Bonds, class Filter>
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                   const Bonds& bonds, const Filter& filter,
                   const BodyForce<D, P>& body_force) const {
-    prepare(view, count, list);
-    walk({view, count, list}, bonds, filter, body_force, nullptr);
+    if (has_solids_) look_at_surfaces(view, count, list, {touch()});
+    press({view, count, list});
+    walk({view, count, list}, bonds, filter, body_force);
   }
 
   // Bodies as they are laid out do not push. Once, at the start of a run.
@@ -127,41 +111,46 @@ class StandardRates {
  private:
   using Full = Filling<D, P, ContactPairs::Kernel<D>>;
 
-  void prepare(const ParticleView<D, P>& view, Index count, const NeighbourView& list) const {
-    for_each_index(count, FluidPressure<D, P>{view});
-    if (has_solids_) look_at_surfaces(view, count, list, {touch()});
-  }
-
-  // The sums over neighbours of a particle's own kind, or null where the general walk is to do it.
-  const FluidSums<D, Real>* walk_alike(const ParticleView<D, P>& view, Index count,
-                                       const NeighbourView& list) const {
-    return takes_alike_apart() ? alike_.walk(view, count, list) : nullptr;
-  }
-  NeighbourView others_of(NeighbourView list) const {
-    if (takes_alike_apart()) list.skips = Skips::alike;
-    return list;
-  }
-
   struct Walkers {
     ParticleView<D, P> view;
     Index count;
     NeighbourView list;
   };
 
-  // The forces, and what more is wanted of the same walk. `alike`: sums over the neighbours that
-  // the list skips, or null.
+  static void press(const Walkers& walkers) {
+    for_each_index(walkers.count, FluidPressure<D, P>{walkers.view});
+  }
+
+  // The forces, and what more is wanted of the same walk.
+  template <class Bonds, class Filter, class... More>
+  auto loop_of(const Walkers& walkers, const Bonds& bonds, const Filter& filter,
+               const BodyForce<D, P>& body_force, const More&... more) const {
+    return FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, FluidForce<D, P>,
+                            WaterViscosity<D, P>, SolidContact<D, P, Bonds>, SurfaceContact<D, P>,
+                            More...>(
+        walkers.view, walkers.list, filter, body_force, FluidForce<D, P>{fluid_pair_},
+        WaterViscosity<D, P>{fluid_pair_.steepening}, SolidContact<D, P, Bonds>{bonds},
+        SurfaceContact<D, P>{touch()}, more...);
+  }
   template <class Bonds, class Filter, class... More>
   void walk(const Walkers& walkers, const Bonds& bonds, const Filter& filter,
-            const BodyForce<D, P>& body_force, const FluidSums<D, Real>* alike,
-            const More&... more) const {
-    for_each_index(
-        walkers.count,
-        FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, FluidForce<D, P>,
-                         WaterViscosity<D, P>, SolidContact<D, P, Bonds>, SurfaceContact<D, P>,
-                         More...>(
-            walkers.view, walkers.list, filter, body_force, FluidForce<D, P>{fluid_pair_, alike},
-            WaterViscosity<D, P>{fluid_pair_.steepening}, SolidContact<D, P, Bonds>{bonds},
-            SurfaceContact<D, P>{touch()}, more...));
+            const BodyForce<D, P>& body_force, const More&... more) const {
+    for_each_index(walkers.count, loop_of(walkers, bonds, filter, body_force, more...));
+  }
+  // The same over every pair, those of neighbours of one kind several at a time where that is
+  // possible.
+  template <class Bonds, class... More>
+  void walk_alike_apart(Walkers walkers, const Bonds& bonds, const More&... more) const {
+    if constexpr (lanes_exist) {
+      if (takes_alike_apart()) {
+        walkers.list.skips = Skips::alike;
+        alike_.walk(alike_.pack(walkers.view, walkers.count, walkers.list), walkers.count,
+                    loop_of(walkers, bonds, EveryPair{}, gravity_, more...));
+        return;
+      }
+    }
+    press(walkers);
+    walk(walkers, bonds, EveryPair{}, gravity_, more...);
   }
 
   void look_at_surfaces(const ParticleView<D, P>& view, Index count, const NeighbourView& list,

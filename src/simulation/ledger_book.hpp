@@ -23,8 +23,6 @@ class LedgerBook {
   }
 
   void book_step(Particles<D, P>& particles, const Vector<D, double>& gravity, double dt) {
-    for_each_index(particles.size(),
-                   AddPressureWork<D, P>{particles.view(), static_cast<typename P::Real>(dt)});
     using Change = StepChange<D, P>;
     const auto sum =
         change_sum_(particles.size(), Change{particles.view(), pointer(mass_of_), gravity, dt});

@@ -48,7 +48,8 @@ KERF_FUNCTION Vector<D, double> push_of_others(const ParticleView<D, P>& particl
   return mass * acceleration;
 }
 
-// Changes over one step, from the rates at its middle and the states at both ends.
+// Changes over one step, from the rates at its middle and the states at both ends. What each
+// particle has done against pressure so far takes its share as well.
 template <int D, class P>
 struct StepChange {
   enum Slot {
@@ -71,6 +72,7 @@ struct StepChange {
   KERF_FUNCTION void add(Index i, Terms<slots>& sum) const {
     const auto& medium = particles.medium(i);
     if (medium.phase == Phase::rigid) return;
+    particles.pressure_work[i] += static_cast<typename P::Real>(dt) * particles.pressure_power[i];
     const double m = mass_of[particles.source[i]];
     const auto moved = particles.position[i] - particles.start_position[i];
     const auto acceleration = Vector<D, double>::from(particles.acceleration[i]);
@@ -81,12 +83,14 @@ struct StepChange {
     sum.value[mass] += m;
     sum.value[gravity_work] += m * dot(gravity, moved);
     sum.value[artificial] += m * dt * double(particles.artificial_power[i]);
-    sum.value[fracture] += double(particles.fracture_loss[i]);
+    if (particles.fracture_loss != nullptr)
+      sum.value[fracture] += double(particles.fracture_loss[i]);
     if (medium.phase == Phase::water) {
       const auto push = push_of_others(particles, i, m, gravity);
       for (int a = 0; a < D; ++a) sum.value[water + a] -= dt * push[a];
-      sum.value[viscous] += m * dt / double(particles.density(i)) *
-                            double(contract(particles.shear[i], particles.velocity_gradient[i]));
+      if (particles.shear != nullptr)
+        sum.value[viscous] += m * dt / double(particles.density(i)) *
+                              double(contract(particles.shear[i], particles.velocity_gradient[i]));
     }
     if (!particles.is_constrained(i)) return;
     const auto before = Vector<D, double>::from(particles.start_velocity[i]);
@@ -95,18 +99,6 @@ struct StepChange {
       sum.value[constraint + a] += m * (after[a] - before[a] - dt * acceleration[a]);
     sum.value[constraint_work] +=
         m * (0.5 * (dot(after, after) - dot(before, before)) - dot(acceleration, moved));
-  }
-};
-
-// Adds one step's work against pressure to what the particles have done so far.
-template <int D, class P>
-struct AddPressureWork {
-  ParticleView<D, P> particles;
-  typename P::Real dt;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    if (particles.medium(i).phase != Phase::rigid)
-      particles.pressure_work[i] += dt * particles.pressure_power[i];
   }
 };
 

@@ -36,6 +36,11 @@ ParticleRun<D, P, Scheme>::ParticleRun(const Case& description)
       minimum_(Place::from(description.domain.minimum)),
       maximum_(Place::from(description.domain.maximum)) {
   particles_.mirrors = mirror_planes<D>(description);
+  const bool has_solids = std::any_of(media_.begin(), media_.end(), [](const auto& medium) {
+    return medium.phase == Phase::solid;
+  });
+  particles_.groups = {Scheme::stress_by_rate, !Scheme::stress_by_rate && has_solids,
+                       particles_.mirrors.faces != 0};
   const std::vector<NewParticle> laid_out = initial_particles(case_, nozzles_);
   join_mirrors(particles_.mirrors, laid_out, media_);
   std::vector<Medium<Real>> media;
@@ -103,9 +108,12 @@ void ParticleRun<D, P, Scheme>::append(const std::vector<NewParticle>& newcomers
   thrust::fill_n(particles_.compression_rate.begin() + before, count, Real(0));
   thrust::fill_n(particles_.wall_normal.begin() + before, count, Vector<D, Real>::zero());
   thrust::fill_n(particles_.last_acceleration.begin() + before, count, Vector<D, Real>::zero());
-  thrust::fill_n(particles_.solid_fit.begin() + before, count, Real(1));
-  thrust::fill_n(particles_.rigid_fit.begin() + before, count, Real(1));
-  thrust::fill_n(particles_.shear.begin() + before, count, SymmetricTensor<D, Real>::zero());
+  if (particles_.groups.touch) {
+    thrust::fill_n(particles_.solid_fit.begin() + before, count, Real(1));
+    thrust::fill_n(particles_.rigid_fit.begin() + before, count, Real(1));
+  }
+  if (particles_.groups.rate_stress)
+    thrust::fill_n(particles_.shear.begin() + before, count, SymmetricTensor<D, Real>::zero());
   thrust::fill_n(particles_.fractured.begin() + before, count, std::uint8_t(0));
 }
 

@@ -59,7 +59,7 @@ double ParticleRun<D, P, Scheme>::neighbours_per_particle() const {
 template <int D, class P, class Scheme>
 double ParticleRun<D, P, Scheme>::bytes_per_particle() const {
   const double n = std::max<double>(1.0, particles_.size());
-  return static_cast<double>(Particles<D, P>::bytes_per_particle()) +
+  return static_cast<double>(particles_.bytes_per_particle()) +
          static_cast<double>(list_.bytes()) / n;
 }
 

@@ -36,7 +36,8 @@ Frame make_frame(const Particles<D, P>& particles, const std::vector<Medium<doub
   const auto flags = to_host(particles.flags);
   const auto compression = to_host(particles.compression);
   const auto pressure = to_host(particles.pressure);
-  const auto shear = to_host(particles.shear);
+  auto shear = to_host(particles.shear);
+  shear.resize(position.size(), SymmetricTensor<D, typename P::Real>::zero());
   frame.id = to_host(particles.id);
   for (const std::uint16_t medium : source) frame.source.push_back(origins[medium].source);
   Column stress{"deviatoric_stress", "Pa", 6, {}};

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "materials/equation_of_state.hpp"
+#include "neighbours/neighbour_list.hpp"
 #include "particles/fields.hpp"
 #include "rates/pair.hpp"
 #include "solid/bond_between.hpp"
@@ -133,6 +134,42 @@ struct WholeBonds {
     const Index a = link.number(particles.id[pair.i]), b = link.number(particles.id[pair.j]);
     if (a == no_index || b == no_index) return typename P::Real(1e30);
     return norm(solid.reference_bond(a, BondEnd{b, pair.mirror}));
+  }
+};
+
+// Whether the bonds of a particle that has lost none hold all that it lists of its own solid: what
+// it touches besides, another arm of a folded piece, must be looked at.
+template <int D, class P>
+struct FindHeld {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  SolidView<D, P> solid;
+  NeighbourView list;
+  std::uint8_t* held;  // of particles; out
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i == no_index) return;
+    const Index first = list.begin[i] + list.alike[i], last = first + list.own[i];
+    bool holds = !solid.torn[s];
+    for (Index k = first; k < last && holds; ++k) {
+      const Index other = link.number(particles.id[list.neighbour[k]]);
+      holds =
+          other != no_index && bond_between(solid.bond_begin, solid.neighbour, s, other) != no_bond;
+    }
+    held[i] = holds ? 1 : 0;
+  }
+};
+// Where bonds broke since.
+template <int D, class P>
+struct LetGoOfTorn {
+  SolidIndexView link;
+  SolidView<D, P> solid;
+  std::uint8_t* held;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i != no_index && solid.torn[s]) held[i] = 0;
   }
 };
 

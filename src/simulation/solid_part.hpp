@@ -66,12 +66,21 @@ class SolidPart {
     to_device(absorbing_sites<D>(description, media, position, source, number), sites_);
   }
 
-  // Finds the solid's particles in their new order.
-  void find(Particles<D, P>& particles) {
+  // Finds the solid's particles in their new order, of which there is a new list.
+  void find(Particles<D, P>& particles, const NeighbourView& list) {
     if (!solid_) return;
     thrust::fill(particle_of_.begin(), particle_of_.end(), no_index);
     for_each_index(particles.size(), FindSolids<D, P>{particles.view(), link()});
     show_loose(particles);
+    held_.resize(particles.size());
+    thrust::fill(held_.begin(), held_.end(), std::uint8_t(0));
+    for_each_index(solid_->size(),
+                   FindHeld<D, P>{particles.view(), link(), solid_->view(), list, pointer(held_)});
+  }
+  // The list without what bonds hold, in walks that skip kin.
+  NeighbourView without_held(NeighbourView list) const {
+    list.held = solid_ ? pointer(held_) : nullptr;
+    return list;
   }
 
   // `dt` after the last end_step().
@@ -173,7 +182,8 @@ class SolidPart {
   std::size_t bytes() const {
     const std::size_t links = (number_of_id_.size() + particle_of_.size()) * sizeof(Index);
     const std::size_t copies = position_.size() * sizeof(Vector<D, double>) +
-                               velocity_.size() * sizeof(Vector<D, Real>) + gone_.size();
+                               velocity_.size() * sizeof(Vector<D, Real>) + gone_.size() +
+                               held_.size();
     return links + copies + sites_.size() * sizeof(AbsorbingSite<D>) +
            (solid_ ? solid_->bytes() : 0);
   }
@@ -243,6 +253,8 @@ class SolidPart {
   }
   void take(const FractureBook& book, Particles<D, P>& particles) {
     losses_.released += book.released;
+    if (book.bonds > 0)
+      for_each_index(solid_->size(), LetGoOfTorn<D, P>{link(), solid_->view(), pointer(held_)});
     if (book.loosened == 0) return;
     loosened_ = true;
     show_loose(particles);
@@ -260,7 +272,7 @@ class SolidPart {
   Array<Index> number_of_id_, particle_of_;
   Array<Vector<D, double>> position_;
   Array<Vector<D, Real>> velocity_;
-  Array<std::uint8_t> gone_;
+  Array<std::uint8_t> gone_, held_;
   Array<AbsorbingSite<D>> sites_;
   OrderedSum<D> force_sum_;
   SolidLosses losses_;

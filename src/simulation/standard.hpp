@@ -3,6 +3,7 @@
 // contact between them where they are now; `advance` is the order of a step.
 #pragma once
 
+#include "exec/in_turn.hpp"
 #include "integrate/midpoint.hpp"
 #include "integrate/regain_density.hpp"
 #include "integrate/shift_particles.hpp"
@@ -41,7 +42,6 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
     break_bonds(dt);
     evaluate();
     kick_and_drift(dt);
-    close_density(dt);
     Run::book_step(dt);
     if (case_.numerics.shifting) shift_water(dt);
     Run::mark_leavers();
@@ -83,8 +83,9 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
   void drift_half(double dt) {
     const auto timer = timers_.stage("integrate");
     Run::load_drives(time_ + 0.5 * dt);
-    for_each_index(particles_.size(), KeepStart<D, P>{particles_.view()});
-    for_each_index(particles_.size(), DriftHalf<D, P>{particles_.view(), pointer(drives_), dt});
+    for_each_index(particles_.size(),
+                   InTurn(KeepStart<D, P>{particles_.view()},
+                          DriftHalf<D, P>{particles_.view(), pointer(drives_), dt}));
   }
 
   void deform(double dt) {
@@ -106,8 +107,8 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
   void push_by_neighbours() {
     const auto timer = timers_.stage("water and contact");
     crowd_.resize(particles_.size());
-    rates_.evaluate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(),
-                    pointer(crowd_));
+    rates_.evaluate(particles_.view(), particles_.size(), solid_.without_held(list_.view()),
+                    solid_.bonds(), pointer(crowd_));
     pair_interactions_ += static_cast<double>(list_.pairs());
   }
 
@@ -117,20 +118,17 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
     pair_interactions_ += static_cast<double>(solid_.bond_entries());
   }
 
+  // Velocities, places and densities to the end of the step.
   void kick_and_drift(double dt) {
     const auto timer = timers_.stage("integrate");
     Run::load_drives(time_ + dt);
-    for_each_index(particles_.size(), KickAndDrift<D, P>{particles_.view(), pointer(drives_), dt});
-    if (particles_.mirrors.faces != 0)
-      for_each_index(particles_.size(), TradePlaces<D, P>{particles_.view(), dt});
+    const auto view = particles_.view();
+    for_each_index(
+        particles_.size(),
+        InTurn(KickAndDrift<D, P>{view, pointer(drives_), dt}, TradePlaces<D, P>{view, dt},
+               KeepSurroundings<D, P>{view}, CloseDensity<D, P>{view, dt},
+               RegainDensity<D, P>{view, dt, lattice_.filling}));
     solid_.end_step(dt);
-  }
-
-  void close_density(double dt) {
-    const auto timer = timers_.stage("integrate");
-    for_each_index(particles_.size(), KeepSurroundings<D, P>{particles_.view()});
-    for_each_index(particles_.size(), CloseDensity<D, P>{particles_.view(), dt});
-    for_each_index(particles_.size(), RegainDensity<D, P>{particles_.view(), dt, lattice_.filling});
   }
 
   void shift_water(double dt) {
@@ -139,10 +137,11 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
   }
 
  private:
-  void after_reorder() override { solid_.find(particles_); }
+  void after_reorder() override { solid_.find(particles_, list_.view()); }
 
   void evaluate_now() const override {
-    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds());
+    rates_.accelerate(particles_.view(), particles_.size(), solid_.without_held(list_.view()),
+                      solid_.bonds());
     solid_.deform(particles_, since_step());
     solid_.accelerate(particles_);
     solid_.show_pressure(particles_);

@@ -61,7 +61,7 @@ class Loaded {
     const NeighbourView view = list.view();
     std::vector<std::vector<std::size_t>> result(id.size());
     for (std::size_t k = 0; k < id.size(); ++k)
-      for (Index n = view.begin[k]; n < view.begin[k + 1]; ++n)
+      for (Index n = view.begin[k]; n < view.end[k]; ++n)
         result[id[k]].push_back(id[view.neighbour[n]]);
     return result;
   }

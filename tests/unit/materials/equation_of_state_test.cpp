@@ -43,6 +43,19 @@ TEST(Tait, PressureAsPrinted) {
   EXPECT_EQ(Tait::pressure(water, 0.0), 0.0);
 }
 
+// Water's exponent of 7 is a product, others are powers.
+TEST(Tait, OtherExponents) {
+  auto water = bag_water(1e-3, 2);
+  for (double n : {1.4, 4.0, 7.0, 7.15})
+    for (double x : compressions) {
+      water.tait_exponent = n;
+      const double due = water.tait_coefficient * (std::pow(1.0 + x, n) - 1.0);
+      EXPECT_NEAR(Tait::pressure(water, x), due, 1e-12 * std::abs(due));
+      const double speed = water.sound_speed * std::pow(1.0 + x, 0.5 * (n - 1.0));
+      EXPECT_NEAR(Tait::sound_speed(water, x), speed, 1e-14 * speed);
+    }
+}
+
 TEST(Tait, SinglePrecisionKeepsSmallCompressions) {
   const auto water = bag_water(1e-3, 2);
   Medium<float> single;

@@ -79,6 +79,17 @@ TEST_P(Memory, IsWhatIsCountedAndExpected) {
   EXPECT_NEAR(derive(description).memory, held, 0.15 * held);
 }
 
+// What a water particle in 3D may take in single precision, besides the list of its neighbours.
+TEST(MemoryBudget, OfWater) {
+  constexpr double budget = 400.0, entry = 4.0;  // bytes
+  const auto simulation = make_simulation(case_of({"standard", "still_water", 3}));
+  simulation->advance();
+  const double spare = 1.0 + 1.0 / 8.0;  // of the list
+  EXPECT_LE(
+      simulation->bytes_per_particle() - entry * spare * simulation->neighbours_per_particle(),
+      budget);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Blocks, Memory,
     ::testing::Values(Block{"standard", "still_water", 2}, Block{"standard", "still_water", 3},

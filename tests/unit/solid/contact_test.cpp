@@ -2,6 +2,8 @@
 // Contact beside bonds: what is bonded does not also push, what has come apart does.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "rates/standard_rates.hpp"
 #include "simulation/solid_link.hpp"
 #include "support/loaded.hpp"
@@ -27,7 +29,8 @@ class ContactOfBonds : public testing::Test {
   using Precision = typename K::P;
   using Real = typename Precision::Real;
 
-  static ReferenceState squeezed(const SolidLayout<dimension>& layout) {
+  // `gap`: by how much less than laid out the particles beyond the cut are away, m.
+  static ReferenceState squeezed(const SolidLayout<dimension>& layout, double gap) {
     ReferenceState state;
     state.dimension = dimension;
     const SolidMedium<double>& from = layout.media[0];
@@ -44,16 +47,19 @@ class ContactOfBonds : public testing::Test {
     for (const auto& x : layout.reference) {
       ReferenceParticle particle;
       particle.position = 0.95 * as_eigen(x);
+      if (x[0] > cut_at) particle.position[0] -= 0.95 * gap;
       state.particles.push_back(particle);
     }
     return state;
   }
 
-  // Contact force on each particle of the layout by the bonds of `solid`, N.
+  // Contact force on each particle of the layout by the bonds of `solid`, N: the same with and
+  // without those that bonds hold. `held`: how many of the particles are passed over.
   static std::vector<Vector3> forces(const SolidLayout<dimension>& layout,
-                                     TotalLagrangian<dimension, Precision>& solid) {
-    const ReferenceState state = squeezed(layout);
-    Loaded<dimension, Precision, ContactPairs> loaded(state, {});
+                                     TotalLagrangian<dimension, Precision>& solid,
+                                     std::size_t& held, double gap = 0.0) {
+    const ReferenceState state = squeezed(layout, gap);
+    Loaded<dimension, Precision, ContactPairs> loaded(state, {.splits = true});
     std::vector<Index> number(layout.reference.size()), particle_of(number.size());
     const auto place = loaded.places();
     for (std::size_t s = 0; s < number.size(); ++s) {
@@ -62,12 +68,26 @@ class ContactOfBonds : public testing::Test {
     }
     const SolidIndexView link{number.data(), static_cast<Index>(number.size()), particle_of.data()};
     const StandardRates<dimension, Precision> rates(Vector<dimension, double>::zero(), state.media);
-    rates.accelerate(loaded.particles.view(), loaded.particles.size(), loaded.list.view(),
-                     WholeBonds<dimension, Precision>{link, solid.view()});
+    NeighbourView list = loaded.list.view();
+    const auto accelerate = [&] {
+      rates.accelerate(loaded.particles.view(), loaded.particles.size(), list,
+                       WholeBonds<dimension, Precision>{link, solid.view()});
+      return to_host(loaded.particles.acceleration);
+    };
+    const auto by_all = accelerate();
+    std::vector<std::uint8_t> is_held(number.size(), 0);
+    const FindHeld<dimension, Precision> find{loaded.particles.view(), link, solid.view(), list,
+                                              is_held.data()};
+    for (Index s = 0; s < number.size(); ++s) find(s);
+    list.held = is_held.data();
+    held = static_cast<std::size_t>(std::count(is_held.begin(), is_held.end(), 1));
+    const auto by_others = accelerate();
     std::vector<Vector3> result;
-    for (std::size_t s = 0; s < number.size(); ++s)
-      result.push_back(layout.media[0].mass *
-                       as_eigen(Vector<dimension, Real>(loaded.particles.acceleration[place[s]])));
+    for (std::size_t s = 0; s < number.size(); ++s) {
+      for (int a = 0; a < dimension; ++a)
+        EXPECT_EQ(by_all[place[s]][a], by_others[place[s]][a]) << s;
+      result.push_back(layout.media[0].mass * as_eigen(Vector<dimension, Real>(by_all[place[s]])));
+    }
     return result;
   }
 };
@@ -77,7 +97,10 @@ TYPED_TEST(ContactOfBonds, WholeBondsDoNotPush) {
   constexpr int D = TypeParam::D;
   const auto layout = block<D>({.cells = {6, 4, 4}});
   TotalLagrangian<D, typename TypeParam::P> solid(layout);
-  for (const Vector3& force : TestFixture::forces(layout, solid)) EXPECT_EQ(force.norm(), 0.0);
+  std::size_t held = 0;
+  for (const Vector3& force : TestFixture::forces(layout, solid, held))
+    EXPECT_EQ(force.norm(), 0.0);
+  EXPECT_EQ(held, layout.reference.size());
 }
 
 // Across the cut only nearest neighbours overlap: each of the two rows at it is pushed away from
@@ -87,7 +110,8 @@ TYPED_TEST(ContactOfBonds, BrokenBondsPush) {
   const auto layout = block<D>({.cells = {6, 4, 4}});
   TotalLagrangian<D, typename TypeParam::P> solid(layout);
   solid.cut(ApartAt<D>{});
-  const auto forces = TestFixture::forces(layout, solid);
+  std::size_t held = 0;
+  const auto forces = TestFixture::forces(layout, solid, held);
   const auto& medium = layout.media[0];
   const double modulus = medium.bulk_modulus + 4.0 / 3.0 * medium.shear_modulus;
   const double due = modulus * std::pow(1e-3, D - 2) * 0.05 * 1e-3;
@@ -101,6 +125,27 @@ TYPED_TEST(ContactOfBonds, BrokenBondsPush) {
     EXPECT_LE((forces[s] - expected).norm(), 20.0 * TypeParam::rounding * due) << s;
   }
   EXPECT_EQ(pushed, D == 2 ? 8u : 32u);
+  EXPECT_LT(held, layout.reference.size());  // bonds reach further than contact
+}
+
+// Two arms of one piece that were laid out further apart than bonds reach, and have closed in.
+TYPED_TEST(ContactOfBonds, ArmsThatMeetPush) {
+  constexpr int D = TypeParam::D;
+  auto layout = block<D>({.cells = {6, 4, 4}});
+  const double gap = 4e-3;  // m
+  for (auto& x : layout.reference)
+    if (x[0] > cut_at) x[0] += gap;
+  TotalLagrangian<D, typename TypeParam::P> solid(layout);
+  std::size_t held = 0, pushed = 0;
+  const auto forces = TestFixture::forces(layout, solid, held, gap);
+  for (std::size_t s = 0; s < forces.size(); ++s) {
+    const double x = layout.reference[s][0] - (layout.reference[s][0] > cut_at ? gap : 0.0);
+    const bool is_at_gap = std::abs(x - cut_at) < 1e-3;
+    EXPECT_EQ(forces[s].norm() > 0.0, is_at_gap) << s;
+    pushed += is_at_gap;
+  }
+  EXPECT_EQ(pushed, D == 2 ? 8u : 32u);
+  EXPECT_EQ(held, forces.size() - pushed);
 }
 
 }  // namespace

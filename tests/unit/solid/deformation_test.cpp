@@ -71,6 +71,24 @@ TYPED_TEST(Deformation, TenTurnsStoreNothing) {
   }
 }
 
+// The shortest time of a wave and the particle that sets it, though most are passed over.
+TYPED_TEST(Deformation, ShortestWaveOfAll) {
+  constexpr int D = TypeParam::D;
+  typename TestFixture::Trial trial(block<D>({.jitter = 0.25}));
+  for (int n = 0; n < 5; ++n) {
+    trial.map(rotation<D>(0.4 * n) * (Square<D>::Identity() + 0.1 * n * some_map<D>()), 0.0);
+    for (auto& x : trial.position)  // not the same everywhere
+      for (int a = 0; a < D; ++a) x[a] *= 1.0 - 20.0 * n * x[a];
+    trial.deform();
+    const StretchLimit<D, typename TypeParam::P> limit{trial.solid.view()};
+    WaveTime due = limit(0);
+    for (Index i = 1; i < trial.solid.size(); ++i) due = ShorterWave{}(due, limit(i));
+    const WaveTime is = trial.solid.wave_time();
+    EXPECT_EQ(is.time, due.time);
+    EXPECT_EQ(is.particle, due.particle);
+  }
+}
+
 // Bonds: all pairs closer than 2 h, by brute force.
 TYPED_TEST(Deformation, BondsAreAllClosePairs) {
   constexpr int D = TypeParam::D;
