@@ -117,13 +117,14 @@ class BondsOfOne {
   template <class Body>
   [[gnu::always_inline]] static void each(const Task& task, Index i, const Body& body) {
     const auto take = [&](const Index* neighbours, Index k, int count) {
-      if (count == width) {
-        body(neighbours, T(task.weight + k, simd::element_aligned));
-        return;
+      alignas(64) Real last[width];
+      const Real* weights = task.weight + k;
+      if (count < width) {  // the particle itself has none
+        for (int lane = 0; lane < width; ++lane)
+          last[lane] = lane < count ? weights[lane] : Real(0);
+        weights = last;
       }
-      alignas(64) Real weight[width] = {};  // the particle itself has none
-      for (int lane = 0; lane < count; ++lane) weight[lane] = task.weight[k + Index(lane)];
-      body(neighbours, T(weight, simd::vector_aligned));
+      body(neighbours, T(weights, simd::element_aligned));
     };
     for_each_block<width>({task.neighbour, task.begin[i], task.begin[i + 1]}, i, take);
   }

@@ -138,7 +138,9 @@ class TotalLagrangian {
   }
 
   // The shortest time in which a wave crosses a kernel at the deformation in force.
-  WaveTime wave_time() { return shortest_wave(view(), size()); }
+  WaveTime wave_time() {
+    return reduce_unordered(size(), StretchLimit<D, P>{view()}, WaveTime{1e300, 0}, ShorterWave{});
+  }
 
   // Power that the viscosity of the bonds dissipates now, W.
   double viscous_power() {
