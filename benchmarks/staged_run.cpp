@@ -49,7 +49,7 @@ class StagesOf final : public StagedRun, private Standard<D, P> {
   void break_bonds() override { Run::break_bonds(step_length()); }
   void integrate() override {
     Run::drift_half(instant);
-    Run::kick_and_drift(instant);
+    Run::close_step(instant);
   }
 
   void scatter() override {

@@ -32,6 +32,12 @@ namespace kerf {
 
 using Index = std::uint32_t;
 
+#if defined(KERF_CUDA)
+inline constexpr bool on_gpu = true;
+#else
+inline constexpr bool on_gpu = false;
+#endif
+
 template <class T>
 using Array = thrust::device_vector<T>;
 

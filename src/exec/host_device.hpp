@@ -12,6 +12,10 @@
 // would do so by itself hangs on its size.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define KERF_FLAT [[gnu::flatten]]
+// Before a part of one that is to stay apart: what it keeps on the stack is not set up where it is
+// not needed.
+#define KERF_APART [[gnu::noinline]]
 #else
 #define KERF_FLAT
+#define KERF_APART
 #endif

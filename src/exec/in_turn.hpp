@@ -17,4 +17,10 @@ struct InTurn : Bodies... {
   }
 };
 
+// Does nothing.
+struct Idle {
+  template <class Index>
+  KERF_FUNCTION void operator()(Index) const {}
+};
+
 }  // namespace kerf

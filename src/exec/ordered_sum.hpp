@@ -18,33 +18,40 @@ struct Terms {
     for (int k = 0; k < N; ++k) t.value[k] = 0.0;
     return t;
   }
+  void join(const Terms& other) {
+    for (int k = 0; k < N; ++k) value[k] += other.value[k];
+  }
 };
 
-template <int N, class Value>
+template <class Sum, class Value>
 struct SumBlock {
   static constexpr Index length = 512;
   Index count;
   Value value;
-  Terms<N>* partial;
+  Sum* partial;
 
   KERF_FUNCTION void operator()(Index block) const {
-    Terms<N> sum = Terms<N>::zero();
+    Sum sum = Sum::zero();
     const Index begin = block * length;
     const Index end = begin + length < count ? begin + length : count;
-    for (Index i = begin; i < end; ++i) value.add(i, sum);
+    if constexpr (requires { value.add_all(begin, end, sum); })
+      value.add_all(begin, end, sum);
+    else
+      for (Index i = begin; i < end; ++i) value.add(i, sum);
     partial[block] = sum;
   }
 };
 
-// Keeps its scratch space, so that summing in a step does not allocate.
-template <int N>
-class OrderedSum {
+// Keeps its scratch space, so that summing in a step does not allocate. `Sum` has a static zero()
+// and join(Sum), of which the right-hand one is of particles further on.
+template <class Sum>
+class OrderedFold {
  public:
-  // `Value` has `void add(Index i, Terms<N>& sum) const`.
+  // `Value` has `void add(Index i, Sum& sum) const`, or add_all(begin, end, sum) for a block.
   template <class Value>
-  Terms<N> operator()(Index count, const Value& value) {
-    if (count == 0) return Terms<N>::zero();
-    using Block = SumBlock<N, Value>;
+  Sum operator()(Index count, const Value& value) {
+    if (count == 0) return Sum::zero();
+    using Block = SumBlock<Sum, Value>;
     const Index blocks = (count + Block::length - 1) / Block::length;
     if (partial_.size() < blocks) {
       partial_.resize(blocks);
@@ -52,15 +59,17 @@ class OrderedSum {
     }
     for_each_index(blocks, Block{count, value, pointer(partial_)});
     thrust::copy(partial_.begin(), partial_.begin() + blocks, host_.begin());
-    Terms<N> total = Terms<N>::zero();
-    for (Index block = 0; block < blocks; ++block)
-      for (int k = 0; k < N; ++k) total.value[k] += host_[block].value[k];
+    Sum total = Sum::zero();
+    for (Index block = 0; block < blocks; ++block) total.join(host_[block]);
     return total;
   }
 
  private:
-  Array<Terms<N>> partial_;
-  std::vector<Terms<N>> host_;
+  Array<Sum> partial_;
+  std::vector<Sum> host_;
 };
+
+template <int N>
+using OrderedSum = OrderedFold<Terms<N>>;
 
 }  // namespace kerf

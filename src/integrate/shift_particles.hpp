@@ -21,13 +21,14 @@ template <int D, class P>
 struct ShiftParticles {
   using Real = typename P::Real;
   ParticleView<D, P> particles;
-  const Crowd<D, Real>* crowd;
+  const Crowd<D, Real>* crowd;            // null: nothing is shifted
   double dt;                              // s
   static constexpr double rate = 20.0;    // of `stir`
   static constexpr double most = 0.25;    // of h^2; more would take particles past one another
   static constexpr double longest = 0.1;  // of the spacing, in one step
 
   KERF_FUNCTION void operator()(Index i) const {
+    if (crowd == nullptr) return;
     const auto& medium = particles.medium(i);
     if (medium.phase != Phase::water || particles.is_constrained(i)) return;
     if (crowd[i].sees_surface || particles.filling[i] < Real(whole_filling)) return;

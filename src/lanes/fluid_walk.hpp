@@ -19,88 +19,139 @@
 namespace kerf::lanes::KERF_LANES {
 
 template <int D, class Real, bool shocks>
-class WalkOfOne {
+class WalkOfLaw {
   using T = Numbers<Real>;
   static constexpr int width = static_cast<int>(T::size());
   using Record = PackedFluid<D, Real>;
   using Place = simd::rebind_simd_t<typename Record::Place, T>;
   using Index = std::uint32_t;
+  using Result = FluidSums<D, Real>;
 
  public:
-  [[gnu::always_inline]] static void run(const FluidWalkTask<D, Real>& task, Index i,
-                                         FluidSums<D, Real>& result) {
-    const FluidLaw<Real>& law = task.laws[task.source[i]];
-    const Fixed fixed(task.fluid[i], law, task.unit);
+  WalkOfLaw(const FluidWalkTask<D, Real>& task, const FluidLaw<Real>& law)
+      : task_(task), fixed_(law, task.unit) {}
+
+  // While a block of neighbours is worked out the next one is on its way already: what takes most
+  // of the time is not work but waiting for numbers.
+  [[gnu::always_inline]] void run(Index i, Result& result) {
+    fixed_.set(task_.fluid[i]);
     Sums sums;
-    // The particle itself adds nothing.
-    for_each_block<width>(
-        {task.neighbour, task.begin[i], task.begin[i] + task.alike[i]}, i,
-        [&](const Index* neighbours, Index, int) { add(task.fluid, neighbours, &fixed, sums); });
-    finish(task, law, fixed.volume, sums, result);
+    Row row{task_.neighbour + task_.begin[i], task_.alike[i], i};
+    T slot[Record::slots];
+    load_block(row, slot);
+    while (row.left > 0) {
+      T next[Record::slots];
+      load_block(row, next);
+      add(slot, &fixed_, sums);
+      for (int n = 0; n < Record::slots; ++n) slot[n] = next[n];
+    }
+    add(slot, &fixed_, sums);
+    finish(sums, result);
   }
 
  private:
+  // What is left of the neighbours of a particle.
+  struct Row {
+    const Index* list;
+    Index left, self;
+  };
+  // The next of them; the last block is filled up with the particle itself, which adds nothing.
+  [[gnu::always_inline]] void load_block(Row& row, T (&slot)[Record::slots]) const {
+    alignas(64) Index filled[width];
+    const Index* indices = row.list;
+    if (row.left < Index(width)) {
+      fill_up<width>(row.list, static_cast<int>(row.left), row.self, filled);
+      indices = filled;
+    }
+    row.list += width;
+    row.left -= std::min(row.left, Index(width));
+    load_transposed<Record, 0, Record::slots>(task_.fluid, indices, slot);
+  }
   struct Sums {
     T pressing[D] = {}, damping[D] = {}, crowd[D] = {};
     T opening = T(0), filling = T(0), fastest_squared = T(0);
     typename T::mask_type sees_surface{false};
   };
+  // What the two do to one another, all but the speed with one factor.
+  struct Exchange {
+    T factor;
+    T pressing, damping;  // Pa: pressures, without and with loss
+    T speed;              // m/s, U*; without shocks that factor times the volume of the particle
+  };
   // What is the same for all neighbours, as plain numbers in memory: registers are for sums.
   struct Fixed {
+    // Of the law.
+    Real reach_squared, per_diameter, viscosity;  // 1 / (2 h)
+    Real mass, triple_mass, sound_speed, mass_times_sound_speed, per_mass_times_sound_speed;
+    Real per_rest_density, slope;            // of fluids with shocks
+    alignas(64) Real factor[Result::count];  // of the sums; those of forces lack the volume
+    // Of the particle.
     typename Record::Place place[D];
     Real velocity[D];
     Real volume, pressure;
-    Real reach_squared, per_diameter, viscosity;  // 1 / (2 h)
-    Real mass, sound_speed, mass_times_sound_speed, per_mass_times_sound_speed;
-    Real rest_volume, slope;              // of fluids with shocks
-    Real own_impedance, own_sound_speed;  // likewise
+    Real own_impedance, own_sound_speed;  // of fluids with shocks
 
-    [[gnu::always_inline]] Fixed(const Record& record, const FluidLaw<Real>& law, Real unit)
-        : volume(std::abs(record.volume)),
-          pressure(record.pressure),
-          per_diameter(unit * law.per_smoothing_length / Real(WendlandC2<D>::support)),
+    Fixed(const FluidLaw<Real>& law, Real unit)
+        : per_diameter(unit * law.per_smoothing_length / Real(WendlandC2<D>::support)),
           viscosity(law.viscosity / unit),
           mass(law.mass),
+          triple_mass(Real(3) * law.mass),
           sound_speed(law.sound_speed),
           mass_times_sound_speed(law.mass * law.sound_speed),
           per_mass_times_sound_speed(Real(1) / mass_times_sound_speed),
-          rest_volume(law.volume),
+          per_rest_density(law.volume / law.mass),
           slope(law.hugoniot_slope) {
+      reach_squared = Real(1) / (per_diameter * per_diameter);
+      const Real bare = law.kernel_slope * unit, push = Real(2) * law.steepening * bare;
+      for (int a = 0; a < D; ++a) {
+        factor[Result::pressing_at + a] = push;
+        factor[Result::damping_at + a] = push;
+        factor[Result::crowd_at + a] = -law.volume * bare;
+      }
+      factor[Result::strain_rate_at] = push;
+      factor[Result::filling_at] = law.volume * law.kernel_scale;
+    }
+    [[gnu::always_inline]] void set(const Record& record) {
+      volume = std::abs(record.volume);
+      pressure = record.pressure;
       for (int a = 0; a < D; ++a) {
         place[a] = record.place[a];
         velocity[a] = record.velocity[a];
       }
-      reach_squared = Real(1) / (per_diameter * per_diameter);
       if constexpr (shocks) {
-        const Real inverse = Real(1) / volume;
+        const Real density = mass / volume;
         own_sound_speed =
-            ShockHugoniot::sound_speed(sound_speed, slope, rest_volume * inverse - Real(1));
-        own_impedance = mass * inverse * own_sound_speed;
+            ShockHugoniot::sound_speed(sound_speed, slope, density * per_rest_density - Real(1));
+        own_impedance = density * own_sound_speed;
       }
     }
-    // With a neighbour that moves at `speed` beside the particle.
-    [[gnu::always_inline]] RiemannStar<T> exchange(T other_volume, T other_pressure,
-                                                   T speed) const {
-      if constexpr (!shocks)
-        return solve_riemann(VolumeSide<T>{T(volume), T(pressure)},
-                             VolumeSide<T>{other_volume, other_pressure}, speed,
-                             ParticlesOfOneFluid<T>{T(mass), T(mass_times_sound_speed),
-                                                    T(per_mass_times_sound_speed)});
+    // With a neighbour that moves at `speed` beside the particle; `inverse`: one over its distance.
+    [[gnu::always_inline]] Exchange exchange(const VolumeSide<T>& other, T speed, T inverse) const {
+      // What beyond_viscosity does, of dissipation that is never negative.
+      const T viscous = T(viscosity) * inverse;
+      if constexpr (!shocks) {
+        const auto parts =
+            riemann_parts(VolumeSide<T>{T(volume), T(pressure)}, other, speed,
+                          ParticlesOfOneFluid<T>{T(triple_mass), T(mass_times_sound_speed),
+                                                 T(per_mass_times_sound_speed)});
+        const T damping = maximum(parts.damping - viscous * parts.volume, T(0));
+        return {reciprocal(parts.volume), parts.pressing, parts.approach * damping, parts.speed};
+      }
       const RiemannSide<T> own{T(own_impedance), T(pressure), T(0), T(own_sound_speed)};
-      const T inverse = reciprocal(other_volume);
-      const T sound =
-          ShockHugoniot::sound_speed(T(sound_speed), T(slope), T(rest_volume) * inverse - T(1));
-      const RiemannSide<T> other{T(mass) * inverse * sound, other_pressure, speed, sound};
-      return solve_riemann(own, other, shock_smoothing(own, other));
+      const T density = T(mass) * reciprocal(other.volume);
+      const T sound = ShockHugoniot::sound_speed(T(sound_speed), T(slope),
+                                                 density * T(per_rest_density) - T(1));
+      const RiemannSide<T> side{density * sound, other.pressure, speed, sound};
+      const auto star = solve_riemann(own, side, shock_smoothing(own, side));
+      const T damping = maximum(star.dissipation - viscous * maximum(-speed, T(0)), T(0));
+      return {T(1), star.mean_pressure, damping, star.speed};
     }
   };
 
-  [[gnu::always_inline]] static void add(const Record* records, const Index* neighbours,
-                                         const Fixed* from, Sums& sums) {
+  [[gnu::always_inline]] static void add(const T (&slot)[Record::slots], const Fixed* from,
+                                         Sums& sums) {
     asm("" : "+r"(from));  // it may be anything: not to be kept in registers
     const Fixed& fixed = *from;
-    T slot[Record::slots];
-    load_transposed<Record, 0, Record::slots>(records, neighbours, slot);
     T d[D], v[D];
     T distance_squared(0), along(0), speed_squared(0);
     for (int a = 0; a < D; ++a) {
@@ -119,22 +170,17 @@ class WalkOfOne {
     const T volume = magnitude(slot[Record::volume_slot]);
 
     const T speed = along * inverse;  // < 0 where the two approach
-    const auto star = fixed.exchange(volume, slot[Record::pressure_slot], speed);
-    const T viscosity(fixed.viscosity);
-    // What beyond_viscosity does, of dissipation that is never negative.
-    const T viscous = viscosity * inverse * maximum(-speed, T(0));
-    const T damped = maximum(star.dissipation - viscous, T(0));
-
-    const T weight = volume * s;
-    const T pressing = weight * star.mean_pressure, damping = weight * damped;
-    const T drag = weight * viscosity;
+    const auto star = fixed.exchange({volume, slot[Record::pressure_slot]}, speed, inverse);
+    const T weight = volume * s, shared = weight * star.factor;
+    const T pressing = shared * star.pressing, damping = shared * star.damping;
+    const T drag = weight * T(fixed.viscosity);
     for (int a = 0; a < D; ++a) {
       sums.pressing[a] += pressing * d[a];
       sums.damping[a] += damping * d[a];
       sums.damping[a] -= drag * v[a];
       sums.crowd[a] += s * d[a];
     }
-    sums.opening -= weight * distance * star.speed;
+    sums.opening -= shared * distance * star.speed;
     sums.filling += s * rest * (T(5) - T(4) * rest);
     sums.fastest_squared =
         select(seen, maximum(sums.fastest_squared, speed_squared), sums.fastest_squared);
@@ -142,43 +188,51 @@ class WalkOfOne {
     sums.sees_surface = sums.sees_surface || surface;
   }
 
-  [[gnu::always_inline]] static void finish(const FluidWalkTask<D, Real>& task,
-                                            const FluidLaw<Real>& law, Real volume,
-                                            const Sums& sums, FluidSums<D, Real>& result) {
-    using Result = FluidSums<D, Real>;
-    const Real slope = law.kernel_slope * task.unit, push = Real(2) * law.steepening * slope;
+  [[gnu::always_inline]] void finish(const Sums& sums, Result& result) const {
     T parts[Result::count];
-    Real factor[Result::count];
     for (int a = 0; a < D; ++a) {
       parts[Result::pressing_at + a] = sums.pressing[a];
       parts[Result::damping_at + a] = sums.damping[a];
       parts[Result::crowd_at + a] = sums.crowd[a];
-      factor[Result::pressing_at + a] = push * volume;
-      factor[Result::damping_at + a] = push * volume;
-      factor[Result::crowd_at + a] = -law.volume * slope;
     }
     parts[Result::strain_rate_at] = sums.opening;
     parts[Result::filling_at] = sums.filling;
-    factor[Result::strain_rate_at] = push;
-    factor[Result::filling_at] = law.volume * law.kernel_scale;
-    sum_each(parts, factor, result.sum);
+    static_assert(Result::pressing_at == 0 && Result::damping_at == D);
+    sum_each<shocks ? 2 * D : 2 * D + 1>(parts, fixed_.factor, fixed_.volume, result.sum);
     result.fastest_squared = simd::hmax(sums.fastest_squared);
     result.sees_surface = simd::any_of(sums.sees_surface) ? Real(1) : Real(0);
   }
+
+  const FluidWalkTask<D, Real>& task_;
+  Fixed fixed_;
 };
+
+// The particles `first` .. `last` - 1, which are of one law.
+template <int D, class Real, bool shocks>
+void walk_alike(const FluidWalkTask<D, Real>& task, std::uint32_t first, std::uint32_t last,
+                FluidSums<D, Real>* sums) {
+  WalkOfLaw<D, Real, shocks> walk(task, task.laws[task.source[first]]);
+  for (std::uint32_t i = first; i < last; ++i, ++sums) {
+    if (task.alike[i] == 0 || task.fluid[i].volume == Real(0))
+      *sums = {};
+    else
+      walk.run(i, *sums);
+  }
+}
 
 template <int D, class Real>
 [[gnu::flatten]] void walk_fluid(const FluidWalkTask<D, Real>& task, std::uint32_t first,
                                  std::uint32_t last) {
-  for (std::uint32_t i = first; i < last; ++i) {
-    FluidSums<D, Real>& result = task.sums[i - first];
-    if (task.alike[i] == 0 || task.fluid[i].volume == Real(0)) {
-      result = {};
-    } else if (task.laws[task.source[i]].has_shocks != 0) {
-      WalkOfOne<D, Real, true>::run(task, i, result);
-    } else {
-      WalkOfOne<D, Real, false>::run(task, i, result);
-    }
+  FluidSums<D, Real>* sums = task.sums;
+  while (first < last) {
+    std::uint32_t end = first + 1;
+    while (end < last && task.source[end] == task.source[first]) ++end;
+    if (task.laws[task.source[first]].has_shocks != 0)
+      walk_alike<D, Real, true>(task, first, end, sums);
+    else
+      walk_alike<D, Real, false>(task, first, end, sums);
+    sums += end - first;
+    first = end;
   }
 }
 

@@ -24,8 +24,8 @@ struct alignas(8 * sizeof(Real)) PackedFluid {
 template <int D, class Real>
 struct FluidSums {
   static constexpr int count = 3 * D + 2;
-  static constexpr int pressing_at = 0, damping_at = D, crowd_at = 2 * D, strain_rate_at = 3 * D,
-                       filling_at = 3 * D + 1;
+  static constexpr int pressing_at = 0, damping_at = D, strain_rate_at = 2 * D,
+                       crowd_at = 2 * D + 1, filling_at = 3 * D + 1;
   Real sum[count];
   Real fastest_squared;  // m^2/s^2
   Real sees_surface;     // 0 or 1

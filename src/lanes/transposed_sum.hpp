@@ -34,30 +34,35 @@ struct SumOf16 {
 };
 #endif
 
-// total[n] = factor[n] times the sum of the lanes of parts[n].
-template <class T, int count>
+// total[n] = factor[n] times the sum of the lanes of parts[n], the first `scaled` of them times
+// `scale` as well. `factor` stands on 64 bytes.
+template <int scaled, class T, int count>
 [[gnu::always_inline]] inline void sum_each(const T (&parts)[count],
                                             const typename T::value_type (&factor)[count],
+                                            typename T::value_type scale,
                                             typename T::value_type (&total)[count]) {
 #if defined(__AVX512F__)
   if constexpr (sizeof(typename T::value_type) == 4 && T::size() == 16 && count <= 16) {
     constexpr auto wanted = static_cast<__mmask16>((1u << count) - 1u);
+    constexpr auto to_scale = static_cast<__mmask16>((1u << scaled) - 1u);
     __m512 rows[16];
     for (int n = 0; n < 16; ++n)
       rows[n] = n < count ? static_cast<__m512>(parts[n]) : _mm512_setzero_ps();
-    const __m512 factors = _mm512_maskz_loadu_ps(wanted, factor);
-    _mm512_mask_storeu_ps(total, wanted, _mm512_mul_ps(factors, SumOf16::of(rows)));
+    __m512 sums = _mm512_mul_ps(_mm512_maskz_load_ps(wanted, factor), SumOf16::of(rows));
+    sums = _mm512_mask_mul_ps(sums, to_scale, sums, _mm512_set1_ps(scale));
+    _mm512_mask_storeu_ps(total, wanted, sums);
     return;
   }
 #endif
-  for (int n = 0; n < count; ++n) total[n] = factor[n] * simd::reduce(parts[n]);
+  for (int n = 0; n < count; ++n)
+    total[n] = factor[n] * simd::reduce(parts[n]) * (n < scaled ? scale : 1);
 }
 template <class T, int count>
 [[gnu::always_inline]] inline void sum_each(const T (&parts)[count],
                                             typename T::value_type (&total)[count]) {
-  typename T::value_type ones[count];
+  alignas(64) typename T::value_type ones[count];
   for (int n = 0; n < count; ++n) ones[n] = 1;
-  sum_each(parts, ones, total);
+  sum_each<0>(parts, ones, 1, total);
 }
 
 }  // namespace kerf::lanes

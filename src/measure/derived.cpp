@@ -17,6 +17,7 @@
 
 #include "case/scales.hpp"
 #include "fracture/fracture_limits.hpp"
+#include "neighbours/skin.hpp"
 #include "particles/graded_fill.hpp"
 #include "particles/nozzle.hpp"
 #include "particles/shapes.hpp"
@@ -212,7 +213,7 @@ double particles_within(double spacings, int dimension) {
 double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const int dimension = description.dimension;
   const bool plane = dimension == 2, bonds = description.formulation == Formulation::standard;
-  const double reach = 2.0 * description.smoothing_ratio, skin = 0.35;  // spacings
+  const double reach = 2.0 * description.smoothing_ratio, skin = list_skin(dimension);  // spacings
   const bool single = description.precision == PrecisionKind::mixed;
   const double wider = single ? 1.0 : 1.75;  // places are in double precision anyway
   const auto all = static_cast<double>(numbers.particles_expected);

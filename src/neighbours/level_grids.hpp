@@ -50,12 +50,14 @@ struct LevelGrids {
   static LevelGrids covering(const Vector<D, double>& minimum, const Vector<D, double>& maximum,
                              const LevelReach& reach, double skin) {
     constexpr double most_cells = 1.6e7;
+    // A hair wider than a half, so that two limits never touch on a cell more by rounding.
+    constexpr double half_limit = 0.5 * (1.0 + 1e-6);
     LevelGrids grids;
     grids.levels = reach.levels;
     grids.first[0] = 0;
     for (int a = 0; a < reach.levels; ++a) {
-      grids.grid[a] =
-          Grid<D>::covering(minimum, maximum, 0.5 * (reach.longest[a][a] + skin), most_cells);
+      grids.grid[a] = Grid<D>::covering(minimum, maximum, half_limit * (reach.longest[a][a] + skin),
+                                        most_cells);
       grids.first[a + 1] = grids.first[a] + grids.grid[a].count();
       for (int b = 0; b < reach.levels; ++b) grids.limit[a][b] = reach.longest[a][b] + skin;
     }

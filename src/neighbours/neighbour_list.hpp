@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Verlet list with a skin: for each particle the others within reach + skin of where the list was
-// built. It holds until a particle has moved half the skin. Each particle lists its own neighbours
+// built. How long it holds: list_validity.hpp. Each particle lists its own neighbours
 // in a fixed order, so sums over them do not depend on the number of threads: kin first, if it
 // is asked for; then the others; then mirror images (core/mirror_planes.hpp).
 #pragma once
 
 #include "core/error.hpp"
 #include "neighbours/list_in_passes.hpp"
+#include "neighbours/list_validity.hpp"
 
 namespace kerf {
 
@@ -30,19 +31,6 @@ struct NeighbourView {
   }
 };
 
-template <int D, class P>
-struct HasMovedFar {
-  ParticleView<D, P> particles;
-  double limit_square;  // m^2
-  double horizon;       // s, looked ahead
-
-  KERF_FUNCTION bool operator()(Index i) const {
-    auto moved = particles.position[i] - particles.build_position[i];
-    moved += horizon * Vector<D, double>::from(particles.velocity[i]);
-    return !(dot(moved, moved) <= limit_square);
-  }
-};
-
 template <int D, class P, class Scheme>
 class NeighbourList {
  public:
@@ -53,7 +41,9 @@ class NeighbourList {
       : NeighbourList(minimum, maximum, LevelReach::one(longest), skin) {}
   NeighbourList(const Vector<D, double>& minimum, const Vector<D, double>& maximum,
                 const LevelReach& reach, double skin)
-      : grids_(LevelGrids<D>::covering(minimum, maximum, reach, skin)), skin_(skin) {}
+      : grids_(LevelGrids<D>::covering(minimum, maximum, reach, skin)),
+        validity_(grids_, skin),
+        skin_(skin) {}
 
   // Lists kin first.
   void put_kin_first() { splits_ = true; }
@@ -84,14 +74,14 @@ class NeighbourList {
       list_in_blocks(find, places, n);
     else
       list_in_passes(find, places, n);
+    validity_.restart(cell_begin_);
   }
 
-  // Will a particle have moved more than half the skin within the next `horizon` seconds?
-  bool is_outdated(Particles<D, P>& particles, double horizon) const {
-    const double half = 0.5 * skin_;
-    return reduce_unordered(particles.size(),
-                            HasMovedFar<D, P>{particles.view(), half * half, horizon}, false,
-                            Either{});
+  // To be told of each step.
+  void note(const StepMotion& motion) { validity_.note(motion); }
+  // May a pair that is not listed come within reach in the next `horizon` seconds?
+  bool is_outdated(Particles<D, P>& particles, double horizon) {
+    return !validity_.holds(particles, cell_begin_, horizon);
   }
 
   NeighbourView view() const {
@@ -103,7 +93,7 @@ class NeighbourList {
     std::size_t entries = neighbour_.size() + begin_.size() + end_.size() + alike_.size() +
                           own_.size() + cell_begin_.size() + key_.size() + packed_kind_.size();
     for (const auto& place : packed_place_) entries += place.size();
-    return sizeof(Index) * entries;  // places are as long
+    return sizeof(Index) * entries + validity_.bytes();  // places are as long
   }
 
  private:
@@ -158,6 +148,7 @@ class NeighbourList {
   }
 
   LevelGrids<D> grids_{};
+  ListValidity<D, P> validity_;
   double skin_ = 0.0;
   Index pairs_ = 0;
   bool splits_ = false;

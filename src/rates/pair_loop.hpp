@@ -55,8 +55,22 @@ struct FilteredPairLoop : Terms... {
   KERF_FUNCTION void take(const AlikeSums<D, Real>& known) { (take_for<Terms>(known), ...); }
 
   KERF_FLAT KERF_FUNCTION void operator()(Index i) const {
-    Sums sums{};
-    (start<Terms>(i, sums), ...);
+    if (list.first(i) == list.end[i])
+      finish_alone(i);
+    else
+      walk(i);
+  }
+
+ private:
+  // Apart from the walk, and term by term: the sums are numbers in registers, most of them 0.
+  KERF_FUNCTION void finish_alone(Index i) const {
+    (finish_alone<Terms>(i), ...);
+    if constexpr (adds_forces)
+      if (particles.mirrors.faces != 0) particles.mirror_acceleration[i] = Vector<D, Real>::zero();
+  }
+
+  KERF_FLAT KERF_APART KERF_FUNCTION void walk(Index i) const {
+    Sums sums{start<Terms>(i)...};
     const auto& medium_i = particles.medium(i);
     auto by_particles = Vector<D, Real>::zero();
     bool is_mirrored = false;
@@ -83,8 +97,7 @@ struct FilteredPairLoop : Terms... {
       if (pair.distance >= Scheme::template cutoff<Kernel>(particles, pair)) continue;
       add_pair(pair, sums);
     }
-    const bool is_alone = list.first(i) == list.end[i];
-    (finish<Terms>(i, is_alone, sums), ...);
+    (finish<Terms>(i, sums), ...);
     if constexpr (adds_forces)
       if (particles.mirrors.faces != 0)
         particles.mirror_acceleration[i] =
@@ -92,7 +105,6 @@ struct FilteredPairLoop : Terms... {
                         : Vector<D, Real>::zero();
   }
 
- private:
   template <class Term>
   KERF_FUNCTION void take_for(const AlikeSums<D, Real>& known) {
     if constexpr (requires(Term & term) { term.alike = known; })
@@ -100,16 +112,20 @@ struct FilteredPairLoop : Terms... {
   }
 
   template <class Term>
-  KERF_FUNCTION void start(Index i, Sums& sums) const {
-    auto& sum = static_cast<typename Term::Sum&>(sums);
+  KERF_FUNCTION typename Term::Sum start(Index i) const {
+    typename Term::Sum sum{};
     if constexpr (requires(const Term& term) { term.start(particles, i, sum); })
       static_cast<const Term&>(*this).start(particles, i, sum);
+    return sum;
   }
 
   template <class Term>
-  KERF_FUNCTION void finish(Index i, bool is_alone, const Sums& sums) const {
-    if constexpr (requires { Term::only_adds; })
-      if (is_alone) return;
+  KERF_FUNCTION void finish_alone(Index i) const {
+    if constexpr (requires { Term::only_adds; }) return;
+    static_cast<const Term&>(*this).finish(particles, i, start<Term>(i));
+  }
+  template <class Term>
+  KERF_FUNCTION void finish(Index i, const Sums& sums) const {
     static_cast<const Term&>(*this).finish(particles, i,
                                            static_cast<const typename Term::Sum&>(sums));
   }

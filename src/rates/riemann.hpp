@@ -36,8 +36,9 @@ KERF_FUNCTION T approach_of(const RiemannSide<T>& left, const RiemannSide<T>& ri
          reciprocal(minimum(left.sound_speed, right.sound_speed));
 }
 
-// The same beside a particle of a fluid whose speed of sound is c everywhere, so that Z = m c / V:
-//   P* = (V_l p_l + V_r p_r) / (V_l + V_r) + m U min(3 U, c) / (V_l + V_r),   U = max(- U_r, 0),
+// The same beside a particle of a fluid whose speed of sound is c everywhere, so that Z = m c / V,
+// without what the parts share:
+//   P* = (V_l p_l + V_r p_r + U D) / (V_l + V_r),   U = max(- U_r, 0),   D = m min(3 U, c),
 //   U* = V_l (U_r + V_r (p_l - p_r) / (m c)) / (V_l + V_r),   with speeds beside the left one.
 template <class T>
 struct VolumeSide {
@@ -46,19 +47,25 @@ struct VolumeSide {
 };
 template <class T>
 struct ParticlesOfOneFluid {
-  T mass, mass_times_sound_speed, per_mass_times_sound_speed;  // kg, kg m/s, s/(kg m)
+  T triple_mass, mass_times_sound_speed, per_mass_times_sound_speed;  // kg, kg m/s, s/(kg m)
 };
 template <class T>
-KERF_FUNCTION RiemannStar<T> solve_riemann(const VolumeSide<T>& left, const VolumeSide<T>& right,
-                                           T right_speed, const ParticlesOfOneFluid<T>& of) {
-  const T inverse = reciprocal(left.volume + right.volume);
+struct RiemannParts {
+  T volume;    // V_l + V_r
+  T approach;  // U
+  T pressing;  // V_l p_l + V_r p_r
+  T damping;   // D
+  T speed;     // U* (V_l + V_r) / V_l
+};
+template <class T>
+KERF_FUNCTION RiemannParts<T> riemann_parts(const VolumeSide<T>& left, const VolumeSide<T>& right,
+                                            T right_speed, const ParticlesOfOneFluid<T>& of) {
   const T approach = maximum(-right_speed, T(0));
-  const T limited = minimum(of.mass * (T(3) * approach), of.mass_times_sound_speed);
-  const T drop = left.pressure - right.pressure;
-  return {
-      inverse * (left.volume * left.pressure + right.volume * right.pressure),
-      inverse * approach * limited,
-      inverse * left.volume * (right_speed + right.volume * of.per_mass_times_sound_speed * drop)};
+  return {left.volume + right.volume, approach,
+          left.volume * left.pressure + right.volume * right.pressure,
+          minimum(of.triple_mass * approach, of.mass_times_sound_speed),
+          right_speed +
+              right.volume * of.per_mass_times_sound_speed * (left.pressure - right.pressure)};
 }
 
 // `smoothing`: the share of the difference in pressure that U* takes.

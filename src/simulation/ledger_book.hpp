@@ -22,10 +22,15 @@ class LedgerBook {
     ledger_.energy_initial = now.energy_total();
   }
 
-  void book_step(Particles<D, P>& particles, const Vector<D, double>& gravity, double dt) {
+  // Calls before(i) and after(i) around the booking of each particle, in the same pass through
+  // memory. Returns how far they moved in the step.
+  template <class Before, class After>
+  StepMotion book_step(Particles<D, P>& particles, const Vector<D, double>& gravity, double dt,
+                       const Before& before, const After& after) {
     using Change = StepChange<D, P>;
+    const Change change{particles.view(), pointer(mass_of_), gravity, dt};
     const auto sum =
-        change_sum_(particles.size(), Change{particles.view(), pointer(mass_of_), gravity, dt});
+        add_up(particles.size(), BookedStep<D, P, Before, After>{before, change, after});
     for (int a = 0; a < D; ++a) {
       const auto axis = static_cast<std::size_t>(a);
       ledger_.impulse_plate[axis] += sum.value[Change::plate + a];
@@ -38,6 +43,7 @@ class LedgerBook {
     ledger_.dissipated_artificial += sum.value[Change::artificial];
     ledger_.dissipated_viscous += sum.value[Change::viscous];
     ledger_.dissipated_fracture += sum.value[Change::fracture];
+    return sum.motion.roots();
   }
 
   void book_leavers(Particles<D, P>& particles) {
@@ -95,10 +101,22 @@ class LedgerBook {
   void restore(const Ledger& ledger) { ledger_ = ledger; }
 
  private:
+  // A block is one thread's: on a GPU what is more than a sum goes over all particles by itself.
+  template <class Booked>
+  typename Booked::Sum add_up(Index count, const Booked& booked) {
+    if constexpr (!on_gpu) return change_sum_(count, booked);
+    for_each_index(count, booked.before);
+    auto sum = change_sum_(count, booked.change);
+    for_each_index(count, booked.after);
+    sum.motion = reduce_unordered(count, MotionOf<D, P>{booked.change.particles}, MotionSquares{},
+                                  FartherMotion{});
+    return sum;
+  }
+
   Ledger ledger_;
   Array<double> mass_of_;
   std::vector<double> mass_on_host_;
-  OrderedSum<StepChange<D, P>::slots> change_sum_;
+  OrderedFold<typename StepChange<D, P>::Sum> change_sum_;
   OrderedSum<StateSum<D, P>::slots> state_sum_;
   OrderedSum<LeaverSum<D, P>::slots> leaver_sum_;
 };

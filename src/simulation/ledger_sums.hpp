@@ -5,6 +5,7 @@
 #include "exec/ordered_sum.hpp"
 #include "materials/equation_of_state.hpp"
 #include "materials/hooke_solid.hpp"
+#include "neighbours/step_motion.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -64,6 +65,15 @@ struct StepChange {
     fracture,
     slots
   };
+  struct Sum : Terms<slots> {
+    MotionSquares motion;
+
+    KERF_FUNCTION static Sum zero() { return {Terms<slots>::zero(), {}}; }
+    void join(const Sum& other) {
+      Terms<slots>::join(other);
+      motion.join(other.motion);
+    }
+  };
   ParticleView<D, P> particles;
   const double* mass_of;  // kg, per source
   Vector<D, double> gravity;
@@ -99,6 +109,28 @@ struct StepChange {
       sum.value[constraint + a] += m * (after[a] - before[a] - dt * acceleration[a]);
     sum.value[constraint_work] +=
         m * (0.5 * (dot(after, after) - dot(before, before)) - dot(acceleration, moved));
+  }
+};
+
+// The end of a step, block by block: what ends it for each particle, the booking, and what comes
+// after that. Loops of their own, over a few particles that stay in the cache between them.
+template <int D, class P, class Before, class After>
+struct BookedStep {
+  using Sum = typename StepChange<D, P>::Sum;
+  static constexpr Index length = 64;  // particles
+
+  Before before;
+  StepChange<D, P> change;
+  After after;
+
+  KERF_FUNCTION void add_all(Index begin, Index end, Sum& sum) const {
+    for (; begin < end; begin += length) {
+      const Index last = end - begin < length ? end : begin + length;
+      for (Index i = begin; i < last; ++i) before(i);
+      for (Index i = begin; i < last; ++i) change.add(i, sum);
+      for (Index i = begin; i < last; ++i) after(i);
+      for (Index i = begin; i < last; ++i) sum.motion.include(change.particles, i);
+    }
   }
 };
 

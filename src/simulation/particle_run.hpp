@@ -54,12 +54,15 @@ class ParticleRun : public Simulation {
   template <class LayOut>
   void open(const LayOut& lay_out);
   void renew_neighbours();
+  void renew_list();  // without what has left
   void rebuild_list();
   // `other`: a limit that particles do not know of.
   double choose_step(StepRates rates, const StepLimit& other = {1e300, Limit::end_of_run, 0});
   void load_drives(double now);
-  void book_step(double dt);
-  void mark_leavers();
+  // Books the step in one pass with what ends it, before(i), and what comes after, after(i).
+  template <class Before, class After>
+  void book_step(double dt, const Before& before, const After& after);
+  MarkLeavers<D, P> mark_leavers();  // for each particle
   void tick(double dt);
 
   Case case_;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "neighbours/skin.hpp"
 #include "simulation/media.hpp"
 #include "simulation/particle_run.hpp"
 #include "simulation/populate.hpp"
@@ -57,7 +58,7 @@ ParticleRun<D, P, Scheme>::ParticleRun(const Case& description)
   to_device(media, particles_.media);
   book_.set_masses(masses);
   shortest_step_ = 1e-6 * case_.time.courant * shortest;
-  const double skin = 0.35 * finest;  // shorter: more searches; longer: more to walk over
+  const double skin = list_skin(D) * finest;
   list_ = NeighbourList<D, P, Scheme>(minimum_, maximum_, LevelReach::of<D, Scheme>(media_), skin);
   append(laid_out);
   close_planes();

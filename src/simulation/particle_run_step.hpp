@@ -16,7 +16,11 @@ void ParticleRun<D, P, Scheme>::renew_neighbours() {
   if (case_.eraser) list_is_due_ |= any_has(flag::erased);
   // Half a step more than the last one took, so that the list holds to the end of this step.
   if (!list_is_due_) list_is_due_ = list_.is_outdated(particles_, 1.5 * last_step_.dt);
-  if (!list_is_due_) return;
+  if (list_is_due_) renew_list();
+}
+
+template <int D, class P, class Scheme>
+void ParticleRun<D, P, Scheme>::renew_list() {
   remove_marked();
   rebuild_list();
   list_is_due_ = false;
@@ -96,16 +100,14 @@ void ParticleRun<D, P, Scheme>::load_drives(double now) {
 }
 
 template <int D, class P, class Scheme>
-void ParticleRun<D, P, Scheme>::book_step(double dt) {
-  const auto timer = timers_.stage("ledger");
-  book_.book_step(particles_, gravity_, dt);
+template <class Before, class After>
+void ParticleRun<D, P, Scheme>::book_step(double dt, const Before& before, const After& after) {
+  list_.note(book_.book_step(particles_, gravity_, dt, before, after));
 }
 
 template <int D, class P, class Scheme>
-void ParticleRun<D, P, Scheme>::mark_leavers() {
-  const auto timer = timers_.stage("outflow");
-  for_each_index(particles_.size(),
-                 MarkLeavers<D, P>{particles_.view(), pointer(drives_), minimum_, maximum_});
+MarkLeavers<D, P> ParticleRun<D, P, Scheme>::mark_leavers() {
+  return {particles_.view(), pointer(drives_), minimum_, maximum_};
 }
 
 template <int D, class P, class Scheme>

@@ -2,6 +2,7 @@
 // The formulation of Shinohara et al. (2004): `advance` is the order of a step.
 #pragma once
 
+#include "exec/in_turn.hpp"
 #include "fracture/break_particles.hpp"
 #include "integrate/midpoint.hpp"
 #include "rates/rates.hpp"
@@ -29,8 +30,7 @@ class Shinohara2004 final : public ParticleRun<D, P, JointPairs> {
     evaluate_rates();
     advance_to(dt);
     break_particles();
-    Run::book_step(dt);
-    Run::mark_leavers();
+    close_step(dt);
     Run::tick(dt);
   }
 
@@ -62,6 +62,11 @@ class Shinohara2004 final : public ParticleRun<D, P, JointPairs> {
   void break_particles() {
     const auto timer = timers_.stage("fracture");
     for_each_index(particles_.size(), BreakParticles<D, P>{particles_.view()});
+  }
+
+  void close_step(double dt) {
+    const auto timer = timers_.stage("integrate");
+    Run::book_step(dt, Idle{}, Run::mark_leavers());
   }
 
   Rates<D, P> rates_;

@@ -41,12 +41,9 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
     deform(dt);
     break_bonds(dt);
     evaluate();
-    kick_and_drift(dt);
-    Run::book_step(dt);
-    if (case_.numerics.shifting) shift_water(dt);
-    Run::mark_leavers();
+    close_step(dt);
     solid_.let_go_of_leavers(particles_);
-    if (solid_.take_loosened()) Run::rebuild_list();  // what is loose sees further
+    if (solid_.take_loosened()) Run::renew_list();  // what is loose sees further
     Run::tick(dt);
   }
 
@@ -118,22 +115,20 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
     pair_interactions_ += static_cast<double>(solid_.bond_entries());
   }
 
-  // Velocities, places and densities to the end of the step.
-  void kick_and_drift(double dt) {
+  // Velocities, places and densities to the end of the step, which is booked; then water is shifted
+  // and what has left is marked.
+  void close_step(double dt) {
     const auto timer = timers_.stage("integrate");
     Run::load_drives(time_ + dt);
     const auto view = particles_.view();
-    for_each_index(
-        particles_.size(),
+    const Crowd<D, typename P::Real>* crowd = case_.numerics.shifting ? pointer(crowd_) : nullptr;
+    Run::book_step(
+        dt,
         InTurn(KickAndDrift<D, P>{view, pointer(drives_), dt}, TradePlaces<D, P>{view, dt},
                KeepSurroundings<D, P>{view}, CloseDensity<D, P>{view, dt},
-               RegainDensity<D, P>{view, dt, lattice_.filling}));
+               RegainDensity<D, P>{view, dt, lattice_.filling}),
+        InTurn(ShiftParticles<D, P>{view, crowd, dt}, Run::mark_leavers()));
     solid_.end_step(dt);
-  }
-
-  void shift_water(double dt) {
-    const auto timer = timers_.stage("shifting");
-    for_each_index(particles_.size(), ShiftParticles<D, P>{particles_.view(), pointer(crowd_), dt});
   }
 
  private:

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// How long a neighbour list holds: until a pair that is not in it may have come within reach. What
+// counts is how far the two have moved relative to one another, not how far each has: the water
+// of a jet flies on together. Of each patch (patch_grids.hpp) bounds of its particles' motion are
+// taken. The list holds while
+//   - no two particles of patches beside one another have moved apart by more than the skin, and
+//   - no two particles at all, nor one and a place at rest, by more than the `slack`: what a pair
+//     that is not in patches beside one another has left before it comes within reach.
+#pragma once
+
+#include "neighbours/motion_bounds.hpp"
+#include "neighbours/patch_grids.hpp"
+#include "neighbours/step_motion.hpp"
+#include "particles/fields.hpp"
+
+namespace kerf {
+
+// Patches within this many limits of sight of one another are beside one another: half a limit
+// and the skin is the slack. A little less than a patch is wide, lest rounding add a neighbour.
+inline constexpr double patch_margin = 1.5 * (1.0 - 1e-6);
+
+template <int D>
+struct HasParticles {
+  LevelGrids<D> cells;
+  PatchGrids<D> patches;
+  const Index* cell_begin;
+
+  struct Count {
+    Index* particles;
+    KERF_FUNCTION void operator()(Index begin, Index end) const { *particles += end - begin; }
+  };
+  KERF_FUNCTION bool operator()(Index number) const {
+    Index particles = 0;
+    for_each_run(cells, cell_begin, patches.find(number), Count{&particles});
+    return particles > 0;
+  }
+};
+
+// Bounds of the motion of the particles of a patch, till `horizon` from now.
+template <int D, class P>
+struct BoundMotion {
+  ParticleView<D, P> particles;
+  LevelGrids<D> cells;
+  PatchGrids<D> patches;
+  const Index *cell_begin, *occupied;
+  double horizon;           // s
+  MotionBounds<D>* bounds;  // out, of each patch
+
+  KERF_FUNCTION MotionBounds<D> operator()(Index k) const {
+    const auto patch = patches.find(occupied[k]);
+    auto sum = MotionBounds<D>::none();
+    double farthest_squared = 0.0;
+    for_each_run(cells, cell_begin, patch, Include{*this, &sum, &farthest_squared});
+    sum.farthest = std::sqrt(farthest_squared);
+    for (int a = 0; a < D; ++a)
+      if (sees_plane(patch, a)) sum.include_mirrored(a);
+    return bounds[occupied[k]] = sum;
+  }
+
+ private:
+  struct Include {
+    const BoundMotion& bound;
+    MotionBounds<D>* sum;
+    double* farthest_squared;
+
+    KERF_FUNCTION void operator()(Index begin, Index end) const {
+      const auto& particles = bound.particles;
+      for (Index i = begin; i < end; ++i) {
+        auto moved = particles.position[i] - particles.build_position[i];
+        moved += bound.horizon * Vector<D, double>::from(particles.velocity[i]);
+        for (int a = 0; a < D; ++a) {
+          sum->least[a] = moved[a] < sum->least[a] ? moved[a] : sum->least[a];
+          sum->most[a] = moved[a] > sum->most[a] ? moved[a] : sum->most[a];
+        }
+        const double square = dot(moved, moved);
+        if (!(square <= *farthest_squared)) *farthest_squared = square;
+      }
+    }
+  };
+
+  // An image moves as the mirror shows it; those far from a plane have none within reach.
+  KERF_FUNCTION bool sees_plane(const typename PatchGrids<D>::Patch& patch, int a) const {
+    const auto& mirrors = particles.mirrors;
+    const double margin = patches.grid[patch.level].cell;
+    const bool low = (mirrors.faces & mirrors.low_face(a)) != 0;
+    const bool high = (mirrors.faces & mirrors.high_face(a)) != 0;
+    return (low && patches.low_side(patch, a) - mirrors.low[a] < margin) ||
+           (high && mirrors.high[a] - patches.high_side(patch, a) < margin);
+  }
+};
+
+// How far particles of a patch may have moved relative to some beside them, m.
+template <int D>
+struct FarthestApart {
+  LevelGrids<D> cells;
+  PatchGrids<D> patches;
+  const Index* occupied;
+  const MotionBounds<D>* bounds;
+
+  KERF_FUNCTION double operator()(Index k) const {
+    const auto patch = patches.find(occupied[k]);
+    double result = 0.0;
+    for (int level = 0; level < patches.levels; ++level)
+      result = std::fmax(result, from_level(occupied[k], patch, level));
+    return result;
+  }
+
+ private:
+  KERF_FUNCTION double from_level(Index own, const typename PatchGrids<D>::Patch& patch,
+                                  int level) const {
+    const auto& grid = patches.grid[level];
+    const double margin = patch_margin * cells.limit[patch.level][level];
+    int low[D], high[D], at[D];
+    for (int a = 0; a < D; ++a) {
+      low[a] = grid.coordinate(patches.low_side(patch, a) - margin, a);
+      high[a] = grid.coordinate(patches.high_side(patch, a) + margin, a);
+      at[a] = low[a];
+    }
+    double result = 0.0;
+    while (true) {
+      const Index other = patches.first[level] + grid.number(at);
+      // Of two of one level one looks.
+      if (level != patch.level || other >= own)
+        result = std::fmax(result, bounds[own].apart(bounds[other]));
+      int a = 0;
+      while (a < D && at[a] == high[a]) {
+        at[a] = low[a];
+        ++a;
+      }
+      if (a >= D) return result;
+      ++at[a];
+    }
+  }
+};
+
+struct Larger {
+  KERF_FUNCTION double operator()(double a, double b) const { return std::fmax(a, b); }
+};
+
+template <int D, class P>
+class ListValidity {
+ public:
+  ListValidity() = default;
+  ListValidity(const LevelGrids<D>& cells, double skin)
+      : cells_(cells), patches_(PatchGrids<D>::of(cells)), skin_(skin) {
+    double nearest = cells.limit[0][0];
+    for (int a = 0; a < cells.levels; ++a)
+      for (int b = 0; b < cells.levels; ++b) nearest = std::min(nearest, cells.limit[a][b]);
+    slack_ = (patch_margin - 1.0) * nearest + skin;
+  }
+
+  // Of a list that was built just now. `cell_begin`: where the particles of each cell begin.
+  void restart(const Array<Index>& cell_begin) {
+    occupied_.resize(patches_.count());
+    const thrust::counting_iterator<Index> first(0);
+    const HasParticles<D> has_particles{cells_, patches_, pointer(cell_begin)};
+    const auto end = thrust::copy_if(thrust::device, first, first + patches_.count(),
+                                     occupied_.begin(), has_particles);
+    count_ = static_cast<Index>(end - occupied_.begin());
+    bounds_.resize(patches_.count());
+    thrust::fill(bounds_.begin(), bounds_.end(), MotionBounds<D>::none());
+    left_ = -1.0;  // of a run that goes on the particles may have moved already
+  }
+
+  // To be told of each step.
+  void note(const StepMotion& motion) {
+    travelled_ += motion.farthest;
+    fastest_ = motion.fastest;
+  }
+
+  // Will it still hold when all have flown on for `horizon` seconds? The particles are looked at
+  // only where what was noted leaves that open, so that the answer does not hang on the notes.
+  bool holds(Particles<D, P>& particles, const Array<Index>& cell_begin, double horizon) {
+    constexpr double rounding = 1.0 + 1e-5;
+    if (2.0 * rounding * (travelled_ + horizon * fastest_) <= left_) return true;
+    const double left = left_at(particles, cell_begin, horizon);
+    left_ = left - 2.0 * rounding * horizon * fastest_;  // without that look ahead
+    travelled_ = 0.0;
+    return left >= 0.0;
+  }
+
+  std::size_t bytes() const {
+    return occupied_.size() * sizeof(Index) + bounds_.size() * sizeof(MotionBounds<D>);
+  }
+
+ private:
+  // How much farther particles may move apart then, m.
+  double left_at(Particles<D, P>& particles, const Array<Index>& cell_begin, double horizon) {
+    const BoundMotion<D, P> bound{particles.view(),   cells_,  patches_,        pointer(cell_begin),
+                                  pointer(occupied_), horizon, pointer(bounds_)};
+    auto all = reduce_unordered(count_, bound, MotionBounds<D>::at_rest(), UniteBounds{});
+    for (int a = 0; a < D; ++a)
+      if (MirrorPlanes<D>::flips(particles.mirrors.faces, a)) all.include_mirrored(a);
+    const FarthestApart<D> farthest{cells_, patches_, pointer(occupied_), pointer(bounds_)};
+    return std::min(slack_ - all.apart(all),
+                    skin_ - reduce_unordered(count_, farthest, 0.0, Larger{}));
+  }
+
+  LevelGrids<D> cells_{};
+  PatchGrids<D> patches_{};
+  double skin_ = 0.0, slack_ = 0.0;
+  // What is known since the last look.
+  double left_ = -1.0;      // m, that particles may have moved apart
+  double travelled_ = 0.0;  // m, that none has gone farther than
+  double fastest_ = 1e300;  // m/s
+  Index count_ = 0;         // of the patches that have particles
+  Array<Index> occupied_;
+  Array<MotionBounds<D>> bounds_;
+};
+
+}  // namespace kerf

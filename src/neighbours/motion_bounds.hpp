@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bounds of how far the particles of some place have moved since a list was built.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "core/vector.hpp"
+#include "exec/host_device.hpp"
+
+namespace kerf {
+
+template <int D>
+struct MotionBounds {
+  Vector<D, double> least, most;  // m, of each component of a displacement
+  double farthest = 0.0;          // m, of its length
+
+  KERF_FUNCTION static MotionBounds none() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {Vector<D, double>::filled(infinity), Vector<D, double>::filled(-infinity), 0.0};
+  }
+  KERF_FUNCTION static MotionBounds at_rest() {
+    return {Vector<D, double>::zero(), Vector<D, double>::zero(), 0.0};
+  }
+
+  KERF_FUNCTION void include(const MotionBounds& other) {
+    for (int a = 0; a < D; ++a) {
+      least[a] = std::fmin(least[a], other.least[a]);
+      most[a] = std::fmax(most[a], other.most[a]);
+    }
+    farthest = std::fmax(farthest, other.farthest);
+  }
+  // What is mirrored in a plane across an axis as well.
+  KERF_FUNCTION void include_mirrored(int axis) {
+    const double largest = std::fmax(-least[axis], most[axis]);
+    least[axis] = -largest;
+    most[axis] = largest;
+  }
+
+  // No particle of the one has moved farther than this, in m, relative to one of the other. Where
+  // one of them has no particles it is 0.
+  KERF_FUNCTION double apart(const MotionBounds& other) const {
+    double square = 0.0;
+    for (int a = 0; a < D; ++a) {
+      const double widest = std::fmax(most[a] - other.least[a], other.most[a] - least[a]);
+      if (!(widest > 0.0)) continue;
+      square += widest * widest;
+    }
+    return std::fmin(std::sqrt(square), farthest + other.farthest);
+  }
+};
+
+// For sums in any order.
+struct UniteBounds {
+  template <int D>
+  KERF_FUNCTION MotionBounds<D> operator()(MotionBounds<D> a, const MotionBounds<D>& b) const {
+    a.include(b);
+    return a;
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Patches: of each grid of cells (level_grids.hpp) three by three (by three) cells, half as wide
+// again as particles of its level look. Numbered through, level after level.
+#pragma once
+
+#include "neighbours/level_grids.hpp"
+
+namespace kerf {
+
+template <int D>
+struct PatchGrids {
+  static constexpr int cells_across = 3;
+
+  int levels = 0;
+  Grid<D> grid[most_levels];
+  Index first[most_levels + 1];  // number of the first patch of a level
+
+  static PatchGrids of(const LevelGrids<D>& cells) {
+    PatchGrids patches;
+    patches.levels = cells.levels;
+    patches.first[0] = 0;
+    for (int level = 0; level < cells.levels; ++level) {
+      auto& grid = patches.grid[level];
+      grid = cells.grid[level];
+      grid.cell *= cells_across;
+      grid.per_cell /= cells_across;
+      for (int& count : grid.cells) count = (count + cells_across - 1) / cells_across;
+      patches.first[level + 1] = patches.first[level] + grid.count();
+    }
+    return patches;
+  }
+  Index count() const { return first[levels]; }
+
+  struct Patch {
+    int level;
+    int at[D];
+  };
+  KERF_FUNCTION Patch find(Index number) const {
+    Patch patch{0, {}};
+    while (number >= first[patch.level + 1]) ++patch.level;
+    number -= first[patch.level];
+    for (int a = 0; a < D; ++a) {
+      const auto across = static_cast<Index>(grid[patch.level].cells[a]);
+      patch.at[a] = static_cast<int>(number % across);
+      number /= across;
+    }
+    return patch;
+  }
+  // Where it lies; what lies outside the domain belongs to those at its edge.
+  KERF_FUNCTION double low_side(const Patch& patch, int a) const {
+    return grid[patch.level].origin[a] + patch.at[a] * grid[patch.level].cell;
+  }
+  KERF_FUNCTION double high_side(const Patch& patch, int a) const {
+    return low_side(patch, a) + grid[patch.level].cell;
+  }
+};
+
+// take(begin, end) for each run of particles of a patch. `cell_begin`: where each cell begins.
+template <int D, class Take>
+KERF_FUNCTION void for_each_run(const LevelGrids<D>& cells, const Index* cell_begin,
+                                const typename PatchGrids<D>::Patch& patch, const Take& take) {
+  constexpr int across = PatchGrids<D>::cells_across;
+  const auto& grid = cells.grid[patch.level];
+  const Index* const begin_of = cell_begin + cells.first[patch.level];
+  int row[D], last[D];
+  for (int a = 0; a < D; ++a) {
+    row[a] = across * patch.at[a];
+    last[a] = row[a] + across < grid.cells[a] ? row[a] + across - 1 : grid.cells[a] - 1;
+  }
+  const auto cells_of_row = static_cast<Index>(last[0] - row[0] + 1);
+  while (true) {
+    const Index begin = grid.number(row);
+    take(begin_of[begin], begin_of[begin + cells_of_row]);
+    int a = 1;
+    while (a < D && row[a] == last[a]) {
+      row[a] = across * patch.at[a];
+      ++a;
+    }
+    if (a >= D) break;
+    ++row[a];
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// A list that says that it holds has every pair that is within reach, however the particles got
+// there: against all pairs. And it says so for as long as it should.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+#include <set>
+
+#include "support/bag.hpp"
+#include "support/loaded.hpp"
+#include "support/mirrored.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr double skin = 5e-4, width = 0.06;  // m
+using Motion =
+    std::function<Vector3(const Vector3&, double)>;  // displacement at a place, of a time
+
+// Particles far enough spread that there are many patches, none of them rigid.
+ReferenceState spread(int dimension, unsigned seed) {
+  BagChoice choice;
+  choice.dimension = dimension;
+  choice.seed = seed;
+  choice.jitter = 0.45;
+  choice.per_side = dimension == 2 ? 40 : 14;
+  ReferenceState state = random_bag(choice);
+  double extent = 0.0;
+  for (const auto& particle : state.particles)
+    extent = std::max(extent, particle.position.maxCoeff());
+  for (auto& particle : state.particles) {
+    particle.position *= 0.9 * width / extent;
+    for (int a = 0; a < dimension; ++a) particle.position[a] += 0.05 * width;
+    if (state.medium(&particle - state.particles.data()).phase == Phase::rigid) particle.source = 0;
+  }
+  return state;
+}
+
+template <int D>
+struct Flight {
+  ReferenceState state;
+  Loaded<D, Double> loaded;
+  std::vector<Vector3> start;
+  MirrorPlanes<D> mirrors{};
+
+  Flight(const ReferenceState& from, const std::string& faces)
+      : state(from), loaded(from, {0.0, width, skin}), mirrors(planes_of<D>(faces, width)) {
+    loaded.particles.mirrors = mirrors;
+    loaded.rebuild();
+    for (const auto& particle : state.particles) start.push_back(particle.position);
+  }
+  // Moves all of them, and tells the list how far; without `notes` that it must look.
+  void move(const Motion& motion, double time, bool notes) {
+    const auto place = loaded.places();
+    MotionSquares moved;
+    for (std::size_t k = 0; k < start.size(); ++k) {
+      auto& particle = state.particles[k];
+      particle.position = start[k] + motion(start[k], time);
+      const auto i = static_cast<Index>(place[k]);
+      loaded.particles.start_position[i] = loaded.particles.position[i];
+      loaded.particles.position[i] = Vector<D, double>::from(particle.position);
+      loaded.particles.velocity[i] = Vector<D, double>::zero();
+      moved.include(loaded.particles.view(), i);
+    }
+    loaded.list.note(notes ? moved.roots() : StepMotion{1e300, 1e300});
+  }
+  // Pairs within reach that are not in the list.
+  int missing() const {
+    const auto id = to_host(loaded.particles.id);
+    const NeighbourView view = loaded.list.view();
+    std::set<std::tuple<std::size_t, std::size_t, MirrorCode>> listed;
+    for (std::size_t i = 0; i < id.size(); ++i)
+      for (Index n = view.begin[i]; n < view.end[i]; ++n)
+        listed.insert(
+            {id[i], id[mirrors.place(view.neighbour[n])], mirrors.code(view.neighbour[n])});
+    int result = 0;
+    for (const MirrorCode code : images_of(mirrors))
+      for (std::size_t i = 0; i < id.size(); ++i)
+        for (std::size_t j = 0; j < id.size(); ++j)
+          result += sees(i, j, code) && listed.count({i, j, code}) == 0 ? 1 : 0;
+    return result;
+  }
+  bool sees(std::size_t i, std::size_t j, MirrorCode code) const {
+    if (i == j && code == 0) return false;
+    const double reach = state.medium(i).smoothing_length + state.medium(j).smoothing_length;
+    const Vector3 other = mirrored_place(mirrors, code, state.particles[j].position);
+    return (state.particles[i].position - other).norm() < reach;
+  }
+};
+
+template <class Dimension>
+class ListValidity : public testing::Test {
+ protected:
+  static constexpr int D = Dimension::value;
+
+  // Moves in small steps until the list no longer holds; it must have had every pair until then.
+  // How long that took.
+  static double last(const Motion& motion, double step, bool notes, const std::string& faces = "") {
+    Flight<D> flight(spread(D, 3), faces);
+    EXPECT_EQ(flight.missing(), 0);
+    for (int n = 1; n < 2000; ++n) {
+      flight.move(motion, n * step, notes);
+      if (flight.loaded.list.is_outdated(flight.loaded.particles, 0.0)) return n * step;
+      if (n % 7 != 0) continue;
+      EXPECT_EQ(flight.missing(), 0) << "after " << n;
+    }
+    return 1e300;
+  }
+};
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(ListValidity, Dimensions);
+
+// What flies on together keeps its neighbours: till it has come half a limit of sight, and the
+// skin.
+TYPED_TEST(ListValidity, IsLongOfWhatFliesTogether) {
+  const Motion flight = [](const Vector3&, double t) { return Vector3(0.6 * t, 0.8 * t, 0.0); };
+  const double longest = TestFixture::last(flight, 1e-4, true);
+  EXPECT_GT(longest, 5.0 * skin);
+  EXPECT_LT(longest, 1e300);
+}
+
+// Whirls, shear and jitter: whatever is asked, and whether or not steps are noted.
+TYPED_TEST(ListValidity, HasEveryPair) {
+  std::mt19937 engine(4);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int kind = 0; kind < 6; ++kind) {
+    const Vector3 k(300.0 * uniform(engine), 300.0 * uniform(engine), 0.0);
+    const double rate = 40.0 * uniform(engine);
+    const Motion motion = [k, rate](const Vector3& x, double t) {
+      const double wave = std::sin(k.dot(x));
+      return Vector3(t * (1.0 + 0.3 * wave), t * (rate * x[0] + 0.1 * wave), 0.0);
+    };
+    const double plain = TestFixture::last(motion, 2e-5, false);
+    EXPECT_LT(plain, 1e300);
+    EXPECT_EQ(TestFixture::last(motion, 2e-5, true), plain);
+  }
+}
+
+// Towards and along planes of symmetry, where images come to meet what they are of.
+TYPED_TEST(ListValidity, SeesImages) {
+  for (const double angle : {0.0, 0.7, 1.57, 2.5, 3.9, 5.2}) {
+    const Motion motion = [angle](const Vector3&, double t) {
+      return Vector3(t * std::cos(angle), t * std::sin(angle), 0.0);
+    };
+    const double longest = TestFixture::last(motion, 2e-5, true, "x- y+");
+    EXPECT_LT(longest, 3.0 * skin) << angle;  // they come together at twice the speed
+    EXPECT_EQ(longest, TestFixture::last(motion, 2e-5, false, "x- y+"));
+  }
+}
+
+// Two bodies that are out of sight of one another when the list is built, one of them fast.
+TYPED_TEST(ListValidity, SeesWhatComesFromAfar) {
+  const Motion motion = [](const Vector3& x, double t) {
+    return x[0] > 0.6 * width ? Vector3(-t, 0.0, 0.0) : Vector3(0.0, 0.0, 0.0);
+  };
+  constexpr int dimension = TestFixture::D;
+  ReferenceState state = spread(dimension, 5);
+  std::erase_if(state.particles, [](const auto& particle) {
+    return particle.position[0] > 0.3 * width && particle.position[0] < 0.7 * width;
+  });
+  Flight<dimension> flight(state, "");
+  int built = 0;
+  for (int n = 1; n < 600; ++n) {
+    flight.move(motion, n * 5e-5, true);
+    if (flight.loaded.list.is_outdated(flight.loaded.particles, 0.0)) {
+      flight.loaded.rebuild();
+      ++built;
+    }
+    if (n % 20 != 0) continue;
+    ASSERT_EQ(flight.missing(), 0) << "after " << n;
+  }
+  EXPECT_GT(built, 2);
+}
+
+}  // namespace
+}  // namespace kerf::test
