@@ -130,31 +130,13 @@ struct FindNeighbours {
     return grids.limit[particles.medium(i).level][level];
   }
 
-  // take(places) for each row of the cells of a level that meet the box.
+  // take(begin, end) for each row of the cells of a level that meet the box.
   template <class Take>
   KERF_FUNCTION void for_each_row(const Vector<D, double>& minimum,
                                   const Vector<D, double>& maximum, int level,
                                   const Take& take) const {
-    const auto& grid = grids.grid[level];
-    const Index* const begin_of = cell_begin + grids.first[level];
-    int low[D], high[D], row[D];
-    for (int a = 0; a < D; ++a) {
-      low[a] = grid.coordinate(minimum[a], a);
-      high[a] = grid.coordinate(maximum[a], a);
-      row[a] = low[a];
-    }
-    while (true) {
-      const Index first = grid.number(row);
-      const Index last = first + static_cast<Index>(high[0] - low[0]);
-      take(Places{begin_of[first], begin_of[last + 1]});
-      int a = 1;
-      while (a < D && row[a] == high[a]) {
-        row[a] = low[a];
-        ++a;
-      }
-      if (a >= D) break;
-      ++row[a];
-    }
+    grids.grid[level].for_each_row(minimum, maximum,
+                                   ParticlesOfRow<Take>{cell_begin + grids.first[level], take});
   }
 
   // One by one.
@@ -163,7 +145,9 @@ struct FindNeighbours {
     const FindNeighbours& find;
     const Viewer& from;
     Sections& found;
-    KERF_FUNCTION void operator()(Places row) const { find.scan(from, row, found); }
+    KERF_FUNCTION void operator()(Index begin, Index end) const {
+      find.scan(from, {begin, end}, found);
+    }
   };
   template <class Sections>
   KERF_FUNCTION void scan_level(const Viewer& from, int level, Sections& found) const {
@@ -185,15 +169,15 @@ struct FindNeighbours {
     known.rows.count = 0;
     known.rows.candidates = 0;
     bool fits = true;
-    for_each_row(minimum - reach, maximum + reach, level, [&](Places row) {
-      while (row.begin < row.end) {
+    for_each_row(minimum - reach, maximum + reach, level, [&](Index begin, Index end) {
+      while (begin < end) {
         if (known.rows.is_full()) {
           search(from, known.rows, found);
           known.rows.count = 0;
           known.rows.candidates = 0;
           fits = false;
         }
-        row.begin += known.rows.take(row.begin, row.end);
+        begin += known.rows.take(begin, end);
       }
     });
     search(from, known.rows, found);

@@ -61,6 +61,34 @@ struct Grid {
     for (int a = 0; a < D; ++a) coordinates[a] = coordinate(x[a], a);
     return number(coordinates);
   }
+  // take(first, last), the numbers of its cells, for each row of a block of cells.
+  template <class Take>
+  KERF_FUNCTION void for_each_row(const int* low, const int* high, const Take& take) const {
+    int row[D];
+    for (int a = 0; a < D; ++a) row[a] = low[a];
+    while (true) {
+      const Index first = number(row);
+      take(first, first + static_cast<Index>(high[0] - low[0]));
+      int a = 1;
+      while (a < D && row[a] == high[a]) {
+        row[a] = low[a];
+        ++a;
+      }
+      if (a >= D) break;
+      ++row[a];
+    }
+  }
+  // The same for the cells that meet a box.
+  template <class Take>
+  KERF_FUNCTION void for_each_row(const Vector<D, double>& minimum,
+                                  const Vector<D, double>& maximum, const Take& take) const {
+    int low[D], high[D];
+    for (int a = 0; a < D; ++a) {
+      low[a] = coordinate(minimum[a], a);
+      high[a] = coordinate(maximum[a], a);
+    }
+    for_each_row(low, high, take);
+  }
   Index count() const {
     Index total = 1;
     for (int a = 0; a < D; ++a) total *= static_cast<Index>(cells[a]);

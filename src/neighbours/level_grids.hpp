@@ -70,4 +70,15 @@ struct LevelGrids {
   Index count() const { return first[levels]; }
 };
 
+// Of rows of cells: take(begin, end) of the particles in them, from where the cells begin.
+template <class Take>
+struct ParticlesOfRow {
+  const Index* begin_of;
+  const Take& take;
+
+  KERF_FUNCTION void operator()(Index first, Index last) const {
+    take(begin_of[first], begin_of[last + 1]);
+  }
+};
+
 }  // namespace kerf

@@ -106,30 +106,30 @@ struct FarthestApart {
   }
 
  private:
+  // The patches of a row, numbered within their level.
+  struct LookAtRow {
+    const MotionBounds<D>* bounds;
+    Index own, least, first_of_level;  // patches; none before the `least` is looked at
+    double* farthest;
+
+    KERF_FUNCTION void operator()(Index first, Index last) const {
+      for (Index other = first_of_level + first; other <= first_of_level + last; ++other)
+        if (other >= least) *farthest = std::fmax(*farthest, bounds[own].apart(bounds[other]));
+    }
+  };
   KERF_FUNCTION double from_level(Index own, const typename PatchGrids<D>::Patch& patch,
                                   int level) const {
-    const auto& grid = patches.grid[level];
     const double margin = patch_margin * cells.limit[patch.level][level];
-    int low[D], high[D], at[D];
+    Vector<D, double> minimum, maximum;
     for (int a = 0; a < D; ++a) {
-      low[a] = grid.coordinate(patches.low_side(patch, a) - margin, a);
-      high[a] = grid.coordinate(patches.high_side(patch, a) + margin, a);
-      at[a] = low[a];
+      minimum[a] = patches.low_side(patch, a) - margin;
+      maximum[a] = patches.high_side(patch, a) + margin;
     }
-    double result = 0.0;
-    while (true) {
-      const Index other = patches.first[level] + grid.number(at);
-      // Of two of one level one looks.
-      if (level != patch.level || other >= own)
-        result = std::fmax(result, bounds[own].apart(bounds[other]));
-      int a = 0;
-      while (a < D && at[a] == high[a]) {
-        at[a] = low[a];
-        ++a;
-      }
-      if (a >= D) return result;
-      ++at[a];
-    }
+    double farthest = 0.0;
+    const Index least = level == patch.level ? own : 0;  // of two of one level one looks
+    patches.grid[level].for_each_row(
+        minimum, maximum, LookAtRow{bounds, own, least, patches.first[level], &farthest});
+    return farthest;
   }
 };
 

@@ -61,24 +61,12 @@ KERF_FUNCTION void for_each_run(const LevelGrids<D>& cells, const Index* cell_be
                                 const typename PatchGrids<D>::Patch& patch, const Take& take) {
   constexpr int across = PatchGrids<D>::cells_across;
   const auto& grid = cells.grid[patch.level];
-  const Index* const begin_of = cell_begin + cells.first[patch.level];
-  int row[D], last[D];
+  int low[D], high[D];
   for (int a = 0; a < D; ++a) {
-    row[a] = across * patch.at[a];
-    last[a] = row[a] + across < grid.cells[a] ? row[a] + across - 1 : grid.cells[a] - 1;
+    low[a] = across * patch.at[a];
+    high[a] = low[a] + across < grid.cells[a] ? low[a] + across - 1 : grid.cells[a] - 1;
   }
-  const auto cells_of_row = static_cast<Index>(last[0] - row[0] + 1);
-  while (true) {
-    const Index begin = grid.number(row);
-    take(begin_of[begin], begin_of[begin + cells_of_row]);
-    int a = 1;
-    while (a < D && row[a] == last[a]) {
-      row[a] = across * patch.at[a];
-      ++a;
-    }
-    if (a >= D) break;
-    ++row[a];
-  }
+  grid.for_each_row(low, high, ParticlesOfRow<Take>{cell_begin + cells.first[patch.level], take});
 }
 
 }  // namespace kerf
