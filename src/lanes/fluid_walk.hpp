@@ -9,7 +9,7 @@
 
 #include "core/select.hpp"
 #include "kernels/wendland_c2.hpp"
-#include "lanes/blocks_of.hpp"
+#include "lanes/fill_up.hpp"
 #include "lanes/packed_fluid.hpp"
 #include "lanes/transposed_load.hpp"
 #include "lanes/transposed_sum.hpp"
@@ -223,7 +223,7 @@ void walk_alike(const FluidWalkTask<D, Real>& task, std::uint32_t first, std::ui
 template <int D, class Real>
 [[gnu::flatten]] void walk_fluid(const FluidWalkTask<D, Real>& task, std::uint32_t first,
                                  std::uint32_t last) {
-  FluidSums<D, Real>* sums = task.sums;
+  FluidSums<D, Real>* sums = task.results;
   while (first < last) {
     std::uint32_t end = first + 1;
     while (end < last && task.source[end] == task.source[first]) ++end;

@@ -23,6 +23,9 @@ using Numbers = simd::native_simd<Real>;
 }  // namespace lanes
 
 #define KERF_LANE_FUNCTION [[gnu::always_inline]] inline
+// After the parameters of a loop body that is to be one piece of code with its loop: what it sums
+// up stays in registers.
+#define KERF_LANE_BODY __attribute__((always_inline))
 
 template <class R, class A>
 KERF_LANE_FUNCTION std::experimental::simd<R, A> select(

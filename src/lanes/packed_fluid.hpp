@@ -63,8 +63,8 @@ struct FluidWalkTask {
   const std::uint32_t* neighbour = nullptr;
   const std::uint16_t* source = nullptr;  // number of the law of each particle
   const FluidLaw<Real>* laws = nullptr;
-  FluidSums<D, Real>* sums = nullptr;  // out, of the first particle of the walk and those after it
-  Real unit = 1;                       // m, of places
+  FluidSums<D, Real>* results = nullptr;  // out, of the first of the walk and those after it
+  Real unit = 1;                          // m, of places
 };
 
 // Works out the sums of particles `first` .. `last` - 1.

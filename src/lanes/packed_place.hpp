@@ -28,6 +28,10 @@ struct PlaceUnit {
   static PlaceUnit of_spacing(double finest) {
     return {std::is_same_v<Real, float> ? std::exp2(std::floor(std::log2(finest)) - 24.0) : 1.0};
   }
+  // A difference of places; that of the opposite sign is the opposite.
+  Real rounded(double apart) const {
+    return static_cast<Real>(std::is_same_v<Real, float> ? unit * std::round(apart / unit) : apart);
+  }
   KERF_FUNCTION typename PackedNumber<Real>::Place pack(double x) const {
     if constexpr (std::is_same_v<Real, float>)
       return static_cast<std::int32_t>(

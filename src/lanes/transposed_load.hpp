@@ -11,8 +11,9 @@ namespace kerf::lanes {
 #if defined(__AVX512F__)
 // Eight numbers of each of 16 records; `from` is the first of them in record 0. With half the loads
 // of two quarters.
-[[gnu::always_inline]] inline void load_half(const char* from, std::size_t stride,
-                                             const std::uint32_t* index, __m512* slot) {
+template <class Index>
+[[gnu::always_inline]] inline void load_half(const char* from, std::ptrdiff_t stride,
+                                             const Index* index, __m512* slot) {
   const auto at = [&](int lane) {
     return _mm256_loadu_ps(reinterpret_cast<const float*>(from + stride * index[lane]));
   };
@@ -39,8 +40,9 @@ namespace kerf::lanes {
   }
 }
 // Four numbers of each of 16 records; `from` is the first of them in record 0.
-[[gnu::always_inline]] inline void load_quarter(const char* from, std::size_t stride,
-                                                const std::uint32_t* index, __m512* slot) {
+template <class Index>
+[[gnu::always_inline]] inline void load_quarter(const char* from, std::ptrdiff_t stride,
+                                                const Index* index, __m512* slot) {
   const auto at = [&](int lane) {
     return _mm_load_ps(reinterpret_cast<const float*>(from + stride * index[lane]));
   };
@@ -61,8 +63,9 @@ namespace kerf::lanes {
   slot[3] = _mm512_castpd_ps(_mm512_unpackhi_pd(high01, high23));
 }
 // Two doubles of each of 8 records.
-[[gnu::always_inline]] inline void load_pair(const char* from, std::size_t stride,
-                                             const std::uint32_t* index, __m512d* slot) {
+template <class Index>
+[[gnu::always_inline]] inline void load_pair(const char* from, std::ptrdiff_t stride,
+                                             const Index* index, __m512d* slot) {
   const auto at = [&](int lane) {
     return _mm_load_pd(reinterpret_cast<const double*>(from + stride * index[lane]));
   };
@@ -78,8 +81,9 @@ namespace kerf::lanes {
 }
 #elif defined(__AVX2__)
 // Four numbers of each of 8 records.
-[[gnu::always_inline]] inline void load_quarter(const char* from, std::size_t stride,
-                                                const std::uint32_t* index, __m256* slot) {
+template <class Index>
+[[gnu::always_inline]] inline void load_quarter(const char* from, std::ptrdiff_t stride,
+                                                const Index* index, __m256* slot) {
   const auto at = [&](int lane) {
     return _mm_load_ps(reinterpret_cast<const float*>(from + stride * index[lane]));
   };
@@ -96,8 +100,9 @@ namespace kerf::lanes {
   slot[3] = _mm256_castpd_ps(_mm256_unpackhi_pd(high01, high23));
 }
 // Two doubles of each of 4 records.
-[[gnu::always_inline]] inline void load_pair(const char* from, std::size_t stride,
-                                             const std::uint32_t* index, __m256d* slot) {
+template <class Index>
+[[gnu::always_inline]] inline void load_pair(const char* from, std::ptrdiff_t stride,
+                                             const Index* index, __m256d* slot) {
   const auto at = [&](int lane) {
     return _mm_load_pd(reinterpret_cast<const double*>(from + stride * index[lane]));
   };
@@ -109,10 +114,10 @@ namespace kerf::lanes {
 }
 #endif
 
-// slot[s][lane] = number s of records[index[lane]], for s from `first` up to `end`, and a few more.
-template <class Record, int first, int end, class T>
-[[gnu::always_inline]] inline void load_transposed(const Record* records,
-                                                   const std::uint32_t* index, T* slot) {
+// slot[s][lane] = number s of records[index[lane]] for s from `first` up to `end`, and a few more.
+template <class Record, int first, int end, class T, class Index>
+[[gnu::always_inline]] inline void load_transposed(const Record* records, const Index* index,
+                                                   T* slot) {
   using Real = typename T::value_type;
   const char* from = reinterpret_cast<const char*>(records);
 #if defined(__AVX2__)
@@ -121,7 +126,7 @@ template <class Record, int first, int end, class T>
     constexpr int halves = (end - first) / 8;
     __m512 raw[8];
     for (int s = first; s < first + 8 * halves; s += 8) {
-      load_half(from + 4 * s, sizeof(Record), index, raw);
+      load_half(from + 4 * s, static_cast<std::ptrdiff_t>(sizeof(Record)), index, raw);
       for (int r = 0; r < 8; ++r) slot[s + r] = T(raw[r]);
     }
 #else
@@ -129,7 +134,7 @@ template <class Record, int first, int end, class T>
     __m256 raw[4];
 #endif
     for (int s = first + 8 * halves; s < end; s += 4) {
-      load_quarter(from + 4 * s, sizeof(Record), index, raw);
+      load_quarter(from + 4 * s, static_cast<std::ptrdiff_t>(sizeof(Record)), index, raw);
       for (int r = 0; r < 4; ++r) slot[s + r] = T(raw[r]);
     }
   } else {
@@ -139,7 +144,7 @@ template <class Record, int first, int end, class T>
     __m256d raw[2];
 #endif
     for (int s = first; s < end; s += 2) {
-      load_pair(from + 8 * s, sizeof(Record), index, raw);
+      load_pair(from + 8 * s, static_cast<std::ptrdiff_t>(sizeof(Record)), index, raw);
       for (int r = 0; r < 2; ++r) slot[s + r] = T(raw[r]);
     }
   }
@@ -147,8 +152,10 @@ template <class Record, int first, int end, class T>
   for (int s = first; s < end; ++s) {
     alignas(64) Real numbers[T::size()];
     for (std::size_t lane = 0; lane < T::size(); ++lane)
-      __builtin_memcpy(&numbers[lane], from + sizeof(Record) * index[lane] + sizeof(Real) * s,
-                       sizeof(Real));
+      __builtin_memcpy(
+          &numbers[lane],
+          from + static_cast<std::ptrdiff_t>(sizeof(Record)) * index[lane] + sizeof(Real) * s,
+          sizeof(Real));
     slot[s].copy_from(numbers, simd::vector_aligned);
   }
 #endif

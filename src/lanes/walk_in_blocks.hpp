@@ -1,30 +1,51 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a walk of lanes/ over all particles, a block of them at a time by whichever thread is free.
+// Runs a walk of lanes/ over all particles, a block of them at a time by whichever thread is free,
+// and after each block the loop that takes its results up, while they are at hand.
 #pragma once
 
 #include "exec/exec.hpp"
 
 namespace kerf {
 
-// `Task` as in lanes/packed_fluid.hpp and packed_bonds.hpp.
-template <class Task>
+// What a walk found of a block of particles.
+template <class Result>
+struct BlockResults {
+  const Result* of_first = nullptr;
+  Index first = 0;
+
+  KERF_FUNCTION bool are_known() const { return of_first != nullptr; }
+  KERF_FUNCTION const Result& operator[](Index i) const { return of_first[i - first]; }
+};
+
+// `Task` as in lanes/packed_fluid.hpp and packed_bonds.hpp; `Loop` has take(BlockResults).
+template <class Task, class Result, class Loop>
 struct WalkInBlocks {
-  static constexpr Index block = 64;  // particles that one thread takes at a time
+  static constexpr Index length = 64;  // particles that one thread takes at a time
 
   Task task;
   void (*walk)(const Task& task, Index first, Index last);
+  Loop loop;
   Index count;
 
   KERF_FUNCTION void operator()(Index number) const {
-    const Index first = number * block;
-    walk(task, first, first + block < count ? first + block : count);
+    const Index first = number * length;
+    const Index last = first + length < count ? first + length : count;
+    Result results[length];
+    auto of_block = task;
+    of_block.results = results;
+    walk(of_block, first, last);
+    Loop loop_of_block = loop;
+    loop_of_block.take(BlockResults<Result>{results, first});
+    for (Index i = first; i < last; ++i) loop_of_block(i);
   }
 };
 
-template <class Task>
-void walk_in_blocks(const Task& task, void (*walk)(const Task&, Index, Index), Index count) {
-  constexpr Index block = WalkInBlocks<Task>::block;
-  for_each_index((count + block - 1) / block, WalkInBlocks<Task>{task, walk, count});
+// `loop(i)` for all particles, each after its walk.
+template <class Result, class Task, class Loop>
+void walk_in_blocks(const Task& task, void (*walk)(const Task&, Index, Index), Index count,
+                    const Loop& loop) {
+  using Block = WalkInBlocks<Task, Result, Loop>;
+  for_each_index((count + Block::length - 1) / Block::length, Block{task, walk, loop, count});
 }
 
 }  // namespace kerf

@@ -20,7 +20,8 @@ inline constexpr bool lanes_exist = true;
 template <int D, class Real>
 struct WalksOf {
   FluidWalk<D, Real> fluid;
-  BondWalk<D, Real> gather_bonds, push_bonds;
+  BondWalk<D, Real, BondGradient> gather_bonds;
+  BondWalk<D, Real, BondPush> push_bonds;
 };
 
 struct Walks {

@@ -40,7 +40,7 @@ struct NeoHookean {
       c(a, a) += T(1);
     }
     const SymmetricTensor<D, T> c_inverse = inverse(c);
-    const T isochoric = solid.shear_modulus * std::exp(-std::log1p(growth) / T(3));
+    const T isochoric = solid.shear_modulus / std::cbrt(T(1) + growth);
     return isochoric * coaxial_product(deviator, c_inverse) +
            (T(0.5) * solid.bulk_modulus * growth) * c_inverse;
   }

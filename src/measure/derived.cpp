@@ -207,9 +207,10 @@ double particles_within(double spacings, int dimension) {
 }
 
 // Fields and what walks keep; 4 bytes for every neighbour within 2 h and the skin of the list, and
-// an eighth to spare. What bonds hold together lists no neighbours but has fields of its own, and 8
-// bytes for every bond (12 in double precision); where there are solids everything has fields for
-// contact. A test compares with the heap.
+// an eighth to spare. What bonds hold together lists no neighbours but has fields of its own; its
+// lists of bonds count for nothing where bodies are laid out in rows, which share them, and for 4
+// bytes a bond where they are not. Where there are solids everything has fields for contact. A test
+// compares with the heap.
 double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const int dimension = description.dimension;
   const bool plane = dimension == 2, bonds = description.formulation == Formulation::standard;
@@ -222,8 +223,7 @@ double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const double particle =
       wider * (contact + (bonds ? (plane ? 248.0 : 318.0) : (plane ? 278.0 : 396.0)));
   const double list = 4.5 * particles_within(reach + skin, dimension);
-  const double solid =
-      wider * (plane ? 268.0 : 420.0) + (single ? 8.0 : 12.0) * particles_within(reach, dimension);
+  const double solid = wider * (plane ? 195.0 : 280.0);
   return all * particle + (all - held) * list + held * solid;
 }
 

@@ -19,7 +19,7 @@ namespace {
 using hdf5::Handle;
 
 // Raised whenever the meaning or the layout of what is stored changes.
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 constexpr const char* remedy = "Start the run again with --force.";
 
 [[noreturn]] void refuse_damaged(const std::filesystem::path& path) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exec/in_turn.hpp"
+#include "lanes/walk_in_blocks.hpp"
 #include "lanes/walks.hpp"
 #include "neighbours/neighbour_list.hpp"
 #include "rates/fluid_pressure.hpp"
@@ -45,8 +46,7 @@ class AlikePairs {
   // own kind, then the general loop, which takes them up.
   template <class Loop>
   void walk(const FluidWalkTask<D, Real>& task, Index count, const Loop& loop) const {
-    constexpr Index length = Block<Loop>::length;
-    for_each_index((count + length - 1) / length, Block<Loop>{task, walk_, loop, count});
+    walk_in_blocks<FluidSums<D, Real>>(task, walk_, count, loop);
   }
 
   std::size_t bytes() const { return fluid_.size() * sizeof(fluid_[0]); }
@@ -70,27 +70,6 @@ class AlikePairs {
   }
 
  public:  // nvcc has no loop bodies that are private
-  template <class Loop>
-  struct Block {
-    static constexpr Index length = 64;  // particles
-
-    FluidWalkTask<D, Real> task;
-    FluidWalk<D, Real> walk;
-    Loop loop;
-    Index count;
-
-    KERF_FUNCTION void operator()(Index number) const {
-      const Index first = number * length;
-      const Index last = first + length < count ? first + length : count;
-      FluidSums<D, Real> sums[length];
-      auto of_block = task;
-      of_block.sums = sums;
-      walk(of_block, first, last);
-      Loop loop_of_block = loop;
-      loop_of_block.take({sums, first});
-      for (Index i = first; i < last; ++i) loop_of_block(i);
-    }
-  };
   struct Pack {
     ParticleView<D, P> particles;
     PlaceUnit<Real> unit;

@@ -7,8 +7,8 @@
 #include "neighbours/neighbour_list.hpp"
 #include "particles/fields.hpp"
 #include "rates/pair.hpp"
-#include "solid/bond_between.hpp"
 #include "solid/respond.hpp"
+#include "solid/take_motion.hpp"
 
 namespace kerf {
 
@@ -36,19 +36,18 @@ struct FindSolids {
   }
 };
 
-// A particle that has left stays where it was last seen.
+// The motion of the solid (solid/take_motion.hpp). A particle that has left stays where it was last
+// seen.
 template <int D, class P>
-struct GatherSolids {
+struct MotionOfParticles {
   ParticleView<D, P> particles;
   SolidIndexView link;
-  Vector<D, double>* position;
-  Vector<D, typename P::Real>* velocity;
 
-  KERF_FUNCTION void operator()(Index s) const {
+  KERF_FUNCTION void take(const SolidView<D, P>& solid, Index s) const {
     const Index i = link.particle_of[s];
     if (i == no_index) return;
-    position[s] = particles.position[i];
-    velocity[s] = particles.velocity[i];
+    set_displacement(solid, s, particles.position[i]);
+    solid.ends[s].velocity = particles.velocity[i];
   }
 };
 
@@ -62,7 +61,7 @@ struct AddSolidAcceleration {
     const Index i = link.particle_of[s];
     if (i == no_index) return;
     particles.acceleration[i] += solid.acceleration[s];
-    if (solid.mirrors.faces != 0) particles.mirror_acceleration[i] += solid.mirror_acceleration[s];
+    if (solid.has_mirrors()) particles.mirror_acceleration[i] += solid.mirror_acceleration[s];
   }
 };
 
@@ -124,8 +123,8 @@ struct WholeBonds {
     if (!pair.is_one_piece()) return false;
     const Index a = link.number(particles.id[pair.i]), b = link.number(particles.id[pair.j]);
     if (a == no_index || b == no_index) return false;
-    const Index bond = bond_between(solid.bond_begin, solid.neighbour, a, b | pair.mirror);
-    return bond != no_bond && solid.weight[bond] > typename P::Real(0);
+    const Index bond = bond_between(solid.bonds, a, b | pair.mirror);
+    return bond != no_bond && solid.is_whole(a, bond);
   }
 
   // m; that of particles which are not of the start is without bounds.
@@ -154,8 +153,7 @@ struct FindHeld {
     bool holds = !solid.torn[s];
     for (Index k = first; k < last && holds; ++k) {
       const Index other = link.number(particles.id[list.neighbour[k]]);
-      holds =
-          other != no_index && bond_between(solid.bond_begin, solid.neighbour, s, other) != no_bond;
+      holds = other != no_index && bond_between(solid.bonds, s, other) != no_bond;
     }
     held[i] = holds ? 1 : 0;
   }

@@ -59,8 +59,6 @@ class SolidPart {
     particle_of_.resize(layout.reference.size());
     if (layout.reference.empty()) return;
     solid_ = std::make_unique<TotalLagrangian<D, P>>(layout);
-    to_device(layout.reference, position_);
-    velocity_.resize(layout.reference.size());
     gone_.resize(layout.reference.size());
     mark_fitted(number, particles);
     to_device(absorbing_sites<D>(description, media, position, source, number), sites_);
@@ -86,15 +84,14 @@ class SolidPart {
   // `dt` after the last end_step().
   void deform(Particles<D, P>& particles, double dt) {
     if (!solid_) return;
-    for_each_index(solid_->size(), GatherSolids<D, P>{particles.view(), link(), pointer(position_),
-                                                      pointer(velocity_)});
-    solid_->deform(position_, dt);
+    solid_->take(MotionOfParticles<D, P>{particles.view(), link()});
+    solid_->deform(dt);
   }
 
   // Breaks what is strained too far; the deformation must be in force, in the middle of a step.
   void break_bonds(Particles<D, P>& particles, double dt) {
     if (!solid_) return;
-    const FractureBook book = solid_->fracture(velocity_);
+    const FractureBook book = solid_->fracture();
     // The whole kick of the step is without the broken bonds, as if they broke at its start, when
     // they had stored less by what they took up since.
     losses_.released -= 0.5 * dt * book.power_gain;
@@ -141,7 +138,7 @@ class SolidPart {
   PairFit<D, P> pair_fit() {
     if (!solid_ || solid_->fitted().empty()) return {};
     const auto solid = solid_->view();
-    return {solid.pair_fit, pointer(number_of_id_), solid.bond_begin, solid.neighbour};
+    return {solid.pair_fit, pointer(number_of_id_), solid.bonds};
   }
 
   void end_step(double dt) {
@@ -178,13 +175,10 @@ class SolidPart {
     if (solid_) show_solid(solid_->fields(), number_of_id_, frame);
   }
 
-  std::uint64_t bond_entries() const { return solid_ ? solid_->fields().neighbour.size() : 0; }
+  std::uint64_t bond_entries() const { return solid_ ? solid_->entries() : 0; }
   std::size_t bytes() const {
     const std::size_t links = (number_of_id_.size() + particle_of_.size()) * sizeof(Index);
-    const std::size_t copies = position_.size() * sizeof(Vector<D, double>) +
-                               velocity_.size() * sizeof(Vector<D, Real>) + gone_.size() +
-                               held_.size();
-    return links + copies + sites_.size() * sizeof(AbsorbingSite<D>) +
+    return links + gone_.size() + held_.size() + sites_.size() * sizeof(AbsorbingSite<D>) +
            (solid_ ? solid_->bytes() : 0);
   }
 
@@ -196,7 +190,7 @@ class SolidPart {
     if (!solid_) return;
     const SolidState<D, P> state = solid_->save();
     archive.arrays["solid/wave"] = std::vector<double>{wave_.time, double(wave_.particle)};
-    archive.arrays["solid/bonds"] = state.weight;
+    archive.arrays["solid/bonds"] = state.whole;
     archive.arrays["solid/flow"] = flat<Real>(state.flow);
     archive.arrays["solid/softening"] = state.strain;
     archive.arrays["solid/flaws"] = flat<Real>(state.flaws);
@@ -210,7 +204,7 @@ class SolidPart {
     const auto& wave = find_array<double>(archive, "solid/wave");
     wave_ = {wave.at(0), static_cast<Index>(wave.at(1))};
     // Accelerations are worked out before a step uses them.
-    solid_->restore({find_array<Real>(archive, "solid/bonds"),
+    solid_->restore({find_array<std::uint32_t>(archive, "solid/bonds"),
                      std::vector<Vector<D, Real>>(solid_->size(), Vector<D, Real>::zero()),
                      unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow")),
                      find_array<Real>(archive, "solid/softening"),
@@ -247,9 +241,8 @@ class SolidPart {
   }
   template <class ChosenBonds>
   void accelerate_by(Particles<D, P>& particles, const ChosenBonds& chosen) {
-    solid_->accelerate(velocity_, chosen);
-    for_each_index(solid_->size(),
-                   AddSolidAcceleration<D, P>{particles.view(), link(), solid_->view()});
+    solid_->accelerate(chosen,
+                       AddSolidAcceleration<D, P>{particles.view(), link(), solid_->view()});
   }
   void take(const FractureBook& book, Particles<D, P>& particles) {
     losses_.released += book.released;
@@ -270,8 +263,6 @@ class SolidPart {
 
   std::unique_ptr<TotalLagrangian<D, P>> solid_;
   Array<Index> number_of_id_, particle_of_;
-  Array<Vector<D, double>> position_;
-  Array<Vector<D, Real>> velocity_;
   Array<std::uint8_t> gone_, held_;
   Array<AbsorbingSite<D>> sites_;
   OrderedSum<D> force_sum_;

@@ -18,7 +18,8 @@ class SolidOnHost {
       : media_(to_host(fields.media)),
         medium_index_(to_host(fields.medium_index)),
         begin_(to_host(fields.bond_begin)),
-        weight_(to_host(fields.weight)),
+        count_(to_host(fields.bond_count)),
+        whole_(to_host(fields.whole)),
         gradient_(to_host(fields.gradient)),
         loose_(to_host(fields.loose)),
         plastic_(to_host(fields.plastic)),
@@ -31,6 +32,9 @@ class SolidOnHost {
     view_.any_flows = fields.any_flows;
     view_.any_flaws = fields.any_flaws;
     view_.flaws = flaws_.data();
+    view_.bonds = {begin_.data(), count_.data(), nullptr, {}};
+    view_.words = fields.words;
+    view_.whole = whole_.data();
     view_.media = media_.data();
     view_.medium_index = medium_index_.data();
     view_.plastic = plastic_.data();
@@ -49,9 +53,10 @@ class SolidOnHost {
   float plastic_strain(Index s) const { return static_cast<float>(flow_[s].plastic_strain); }
   float temperature_rise(Index s) const { return static_cast<float>(flow_[s].temperature_rise); }
   float damage(Index s) const {
-    const Index all = begin_[s + 1] - begin_[s];
+    const Index all = count_[s];
     Index broken = 0;
-    for (Index k = begin_[s]; k < begin_[s + 1]; ++k) broken += weight_[k] > Real(0) ? 0 : 1;
+    for (Index k = view_.bonds.first(s); k < view_.bonds.last(s); ++k)
+      broken += view_.is_whole(s, k) ? 0 : 1;
     return all > 0 ? static_cast<float>(broken) / static_cast<float>(all) : 1.0f;
   }
 
@@ -59,7 +64,8 @@ class SolidOnHost {
   std::vector<SolidMedium<Real>> media_;
   std::vector<std::uint16_t> medium_index_;
   std::vector<Index> begin_;
-  std::vector<Real> weight_;
+  std::vector<std::uint16_t> count_;
+  std::vector<std::uint32_t> whole_;
   std::vector<Matrix<D, Real>> gradient_;
   std::vector<std::uint8_t> loose_;
   std::vector<PlasticParameters<Real>> plastic_;

@@ -10,7 +10,7 @@
 // to one that the general walk sums, where it is to rounding.
 #pragma once
 
-#include "lanes/packed_bonds.hpp"
+#include "lanes/walk_in_blocks.hpp"
 #include "solid/hourglass_viscosity.hpp"
 
 namespace kerf {
@@ -22,19 +22,18 @@ namespace kerf {
 template <int D, class P>
 struct BondViscosity {
   using Real = typename P::Real;
-  static constexpr bool acts = true;
-  const Vector<D, Real>* velocity;
+  static constexpr bool acts = true, in_lanes = true;
 
   // Adds the force on i and half of the power that the pair dissipates.
   template <class End>
-  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, const End& j,
+  KERF_FUNCTION void add(const SolidView<D, P>& solid, const ChosenBond<D, Real, End>& chosen,
                          Vector<D, Real>& force, Real& power) const {
+    const auto& [i, j, bond, weight] = chosen;
     const auto& a = solid.medium(i);
     const auto& b = solid.medium(j.particle);
-    const Vector<D, Real> bond = solid.reference_bond(i, j);
     const Vector<D, Real> line = bond + solid.displacement_bond(i, j);
     const Real reference_length = norm(bond), length = norm(line);
-    const Real approach = -dot(solid.of(j, velocity) - velocity[i], line);  // m^2/s
+    const Real approach = -dot(solid.velocity_bond(i, j), line);  // m^2/s
     if (!(approach > Real(0)) || !(length > Real(0))) return;
     const Real speed = approach / length;
     const Real theta =
@@ -44,7 +43,7 @@ struct BondViscosity {
     const Real quadratic = std::sqrt(a.artificial_quadratic * b.artificial_quadratic);
     const Real pressure =
         Real(0.5) * (a.density + b.density) * theta * (linear * wave + quadratic * theta);
-    const Real push = solid.weight[k] * reference_length * pressure;  // N
+    const Real push = weight * reference_length * pressure;  // N
     force -= (push / length) * line;
     power += Real(0.5) * push * speed;
   }
@@ -53,22 +52,22 @@ struct BondViscosity {
 template <int D, class P>
 struct NoViscosity {
   using Real = typename P::Real;
-  static constexpr bool acts = false;
+  static constexpr bool acts = false, in_lanes = true;
 };
 
 // Of solids that flow.
 template <int D, class P>
 struct FlowViscosity {
   using Real = typename P::Real;
-  static constexpr bool acts = true;
+  static constexpr bool acts = true, in_lanes = false;
   BondViscosity<D, P> bonds;
   HourglassViscosity<D, P> hourglass;
 
   template <class End>
-  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, const End& j,
+  KERF_FUNCTION void add(const SolidView<D, P>& solid, const ChosenBond<D, Real, End>& chosen,
                          Vector<D, Real>& force, Real& power) const {
-    bonds.add(solid, i, k, j, force, power);
-    hourglass.add(solid, i, k, j, force, power);
+    bonds.add(solid, chosen, force, power);
+    hourglass.add(solid, chosen, force, power);
   }
 };
 
@@ -79,56 +78,66 @@ struct EveryBond {
   }
 };
 
-// `Filter` chooses bonds, e.g. those across a plane.
-template <int D, class P, class Viscosity, class Filter>
+// `Filter` chooses bonds, e.g. those across a plane; then(i) comes after each particle.
+template <int D, class P, class Viscosity, class Filter, class Then>
 struct BondForce {
   using Real = typename P::Real;
+  using Push = BondPush<D, Real>;
   SolidView<D, P> solid;
   Viscosity viscosity;
   Filter filter;
-  const BondPush<D, Real>* pushed = nullptr;  // by bonds that are not mixed; or null
+  Then then;
+  BlockResults<Push> pushed{};  // by bonds that are not mixed
+
+  KERF_FUNCTION void take(const BlockResults<Push>& known) { pushed = known; }
 
   KERF_FUNCTION void operator()(Index i) const {
-    if (pushed != nullptr && !solid.mixed[i]) {
-      solid.acceleration[i] = (Real(1) / solid.medium(i).mass) * pushed[i].force;
-      solid.viscous_power[i] = pushed[i].power;
-      if (solid.mirrors.faces != 0) solid.mirror_acceleration[i] = Vector<D, Real>::zero();
-      return;
-    }
-    const Index end = solid.bond_begin[i + 1], images = solid.first_image(i);
-    Sum sum = add_up<DirectEnd>(i, solid.bond_begin[i], images);
-    const Real inverse = Real(1) / solid.medium(i).mass;
-    if (solid.mirrors.faces != 0) {
-      const Sum mirrored = add_up<BondEnd>(i, images, end);
-      solid.mirror_acceleration[i] = inverse * mirrored.force;
-      sum.force += mirrored.force;
-      sum.power += mirrored.power;
-    }
-    solid.acceleration[i] = inverse * sum.force;
-    solid.viscous_power[i] = sum.power;
+    set(i);
+    then(i);
   }
 
  private:
-  struct Sum {
-    Vector<D, Real> force;  // N
-    Real power;             // W
-  };
+  KERF_FUNCTION void set(Index i) const {
+    if (solid.has_mirrors()) solid.mirror_acceleration[i] = Vector<D, Real>::zero();
+    Push sum{Vector<D, Real>::zero(), Real(0)};
+    if (pushed.are_known() && !solid.mixed[i]) {
+      if (!solid.loose[i]) sum = pushed[i];
+    } else {
+      sum = add_all(i);
+    }
+    solid.acceleration[i] = (Real(1) / solid.medium(i).mass) * sum.force;
+    solid.viscous_power[i] = sum.power;
+  }
+
+  KERF_APART KERF_FUNCTION Push add_all(Index i) const {
+    const Index end = solid.bonds.last(i), images = solid.first_image(i);
+    Push sum = add_up<DirectEnd>(i, solid.bonds.first(i), images);
+    if (solid.has_mirrors()) {
+      const Push mirrored = add_up<BondEnd>(i, images, end);
+      solid.mirror_acceleration[i] = (Real(1) / solid.medium(i).mass) * mirrored.force;
+      sum.force += mirrored.force;
+      sum.power += mirrored.power;
+    }
+    return sum;
+  }
 
   // Over bonds k of particle i.
   template <class End>
-  KERF_FUNCTION Sum add_up(Index i, Index k, Index end) const {
-    Sum sum{Vector<D, Real>::zero(), Real(0)};
-    const Real modulus = solid.hourglass[i];
-    const Matrix<D, Real> traction = solid.traction[i];
+  KERF_FUNCTION Push add_up(Index i, Index k, Index end) const {
+    Push sum{Vector<D, Real>::zero(), Real(0)};
+    const auto& own = solid.ends[i];
+    const Matrix<D, Real> traction = own.traction;
     for (; k < end; ++k) {
-      const Real weight = solid.weight[k];
-      if (!(weight > Real(0))) continue;
-      const End j = solid.template bond_end<End>(k);
+      if (!solid.is_whole(i, k)) continue;
+      const End j = solid.template bond_end<End>(i, k);
       if (!filter(i, j)) continue;
-      const Real stiffness = modulus + solid.hourglass[j.particle];
-      sum.force += weight * ((traction + solid.of(j, solid.traction)) * solid.reference_bond(i, j) +
-                             stiffness * solid.displacement_bond(i, j));
-      if constexpr (Viscosity::acts) viscosity.add(solid, i, k, j, sum.force, sum.power);
+      const auto& other = solid.ends[j.particle];
+      const Vector<D, Real> bond = solid.reference_bond(i, j);
+      const ChosenBond<D, Real, End> chosen{i, j, bond, solid.weight(i, k, j, bond)};
+      const Real stiffness = own.hourglass + other.hourglass;
+      sum.force += chosen.weight * ((traction + solid.seen(j, other.traction)) * bond +
+                                    stiffness * solid.displacement_bond(i, j));
+      if constexpr (Viscosity::acts) viscosity.add(solid, chosen, sum.force, sum.power);
     }
     return sum;
   }

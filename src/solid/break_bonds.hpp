@@ -55,8 +55,8 @@ struct BondTest {
   SolidView<D, P> solid;
 
   KERF_FUNCTION bool breaks(Index i, Index k, const SymmetricTensor<D, Real>& green) const {
-    if (!(solid.weight[k] > Real(0))) return false;
-    const BondEnd end = solid.bond_end(k);
+    if (!solid.is_whole(i, k)) return false;
+    const BondEnd end = solid.bond_end(i, k);
     return end.mirror == 0 ? passes(i, DirectEnd{end.particle}, green) : passes(i, end, green);
   }
 
@@ -79,14 +79,17 @@ struct BondTest {
     const bool same = solid.medium_index[i] == solid.medium_index[j.particle];
     strain.prepared = Real(0.5) * (solid.criterion[i] + solid.criterion[j.particle]);
     if (place_passes(strain.prepared, a) || (!same && place_passes(strain.prepared, b)))
-      strain.mean = dot(bond, (green + green_strain(solid.of(j, solid.gradient))) * bond) / square;
+      strain.mean =
+          dot(bond, (green + green_strain(solid.seen(j, solid.gradient[j.particle]))) * bond) /
+          square;
     return bond_breaks(strain, a) || (!same && bond_breaks(strain, b));
   }
 
   template <class End>
   KERF_FUNCTION Real misfit_squared(Index i, const End& j, const Vector<D, Real>& bond,
                                     const Vector<D, Real>& change) const {
-    const auto fitted = Real(0.5) * ((solid.gradient[i] + solid.of(j, solid.gradient)) * bond);
+    const auto fitted =
+        Real(0.5) * ((solid.gradient[i] + solid.seen(j, solid.gradient[j.particle])) * bond);
     return dot(fitted - change, fitted - change);
   }
 };
@@ -102,10 +105,10 @@ struct MarkBreaking {
     if (!solid.strained[i]) return;
     if (!(solid.criterion[i] < crushed<Real>)) mark(i);
     const auto green = green_strain(solid.gradient[i]);
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k)
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
       if (test.breaks(i, k, green)) {
         mark(i);
-        mark(solid.bond_end(k).particle);
+        mark(solid.bond_end(i, k).particle);
       }
   }
 
@@ -127,8 +130,8 @@ struct FindMixed {
 
   KERF_FUNCTION void operator()(Index i) const {
     bool mixed = false;
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-      const BondEnd j = solid.bond_end(k);
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
+      const BondEnd j = solid.bond_end(i, k);
       mixed = mixed || j.mirror != 0 || solid.medium_index[j.particle] != solid.medium_index[i];
     }
     solid.mixed[i] = mixed;
@@ -148,8 +151,8 @@ struct BreakMarked {
       return;
     }
     const auto green = green_strain(solid.gradient[i]);
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k)
-      if (test.breaks(i, k, green)) solid.weight[k] = Real(0);
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
+      if (test.breaks(i, k, green)) solid.break_bond(i, k);
   }
 };
 
@@ -174,11 +177,11 @@ struct CutBonds {
   Separates separates;
 
   KERF_FUNCTION void operator()(Index i) const {
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-      const BondEnd j = solid.bond_end(k);
-      const auto place = solid.mirrors.image_place(j.mirror, solid.reference[j.particle]);
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
+      const BondEnd j = solid.bond_end(i, k);
+      const auto place = solid.bonds.mirrors.image_place(j.mirror, solid.reference[j.particle]);
       if (!separates(solid.reference[i], place)) continue;
-      solid.weight[k] = Real(0);
+      solid.break_bond(i, k);
       solid.changed[i] = 1;
     }
   }
@@ -191,8 +194,8 @@ struct CountTerms {
   SolidView<D, P> solid;
 
   KERF_FUNCTION void add(Index i, Terms<2>& sum) const {
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k)
-      sum.value[0] += solid.weight[k] > Real(0) ? 1.0 : 0.0;
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
+      sum.value[0] += solid.is_whole(i, k) ? 1.0 : 0.0;
     sum.value[1] += solid.loose[i];
   }
 };

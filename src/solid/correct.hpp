@@ -6,7 +6,6 @@
 // loose.
 #pragma once
 
-#include "solid/find_bonds.hpp"
 #include "solid/solid_fields.hpp"
 
 namespace kerf {
@@ -17,21 +16,6 @@ template <int D>
 inline constexpr Index least_bonds = D + 1;
 // Least pivot of the moment, which is near 1 inside, 1/2 on a face, 0.2 in the corner of a cube.
 inline constexpr double least_pivot = 0.1;
-
-template <int D, class P>
-struct SetWholeWeights {
-  using Real = typename P::Real;
-  SolidView<D, P> solid;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-      const BondEnd j = solid.bond_end(k);
-      const Real distance = norm(solid.reference_bond(i, j));
-      solid.weight[k] = whole_weight<D>(solid.medium(i), solid.medium(j.particle), distance);
-      if (solid.bond_fit != nullptr) solid.weight[k] *= solid.bond_fit[k];
-    }
-  }
-};
 
 template <int D, class P>
 struct Correct {
@@ -51,14 +35,15 @@ struct Correct {
     const double volume = solid.medium(i).volume();
     auto moment = Matrix<D, double>::zero();
     Index whole = 0;
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-      const Real weight = solid.weight[k];
-      if (!(weight > Real(0))) continue;
-      const auto bond = solid.template reference_bond<double>(i, solid.bond_end(k));
-      add_outer(moment, (double(weight) / volume) * bond, bond);
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
+      if (!solid.is_whole(i, k)) continue;
+      const BondEnd j = solid.bond_end(i, k);
+      const double weight = solid.weight(i, k, j, solid.reference_bond(i, j));
+      const auto bond = solid.template reference_bond<double>(i, j);
+      add_outer(moment, (weight / volume) * bond, bond);
       ++whole;
     }
-    solid.torn[i] = whole < solid.bond_begin[i + 1] - solid.bond_begin[i];
+    solid.torn[i] = whole < solid.bonds.count[i];
     auto correction = identity<D, double>();
     if (whole < least_bonds<D> || !divide(correction, moment, least_pivot)) {
       solid.loose[i] = 1;
@@ -72,15 +57,14 @@ struct Correct {
 // Takes away the bonds in which a particle of `dropped` has a part, on this particle's side.
 template <int D, class P>
 struct DropBonds {
-  using Real = typename P::Real;
   SolidView<D, P> solid;
   const std::uint8_t* dropped;  // 1: holds on to nothing
 
   KERF_FUNCTION void operator()(Index i) const {
-    for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-      if (!(solid.weight[k] > Real(0))) continue;
-      if (!dropped[i] && !dropped[solid.bond_end(k).particle]) continue;
-      solid.weight[k] = Real(0);
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
+      if (!solid.is_whole(i, k)) continue;
+      if (!dropped[i] && !dropped[solid.bond_end(i, k).particle]) continue;
+      solid.break_bond(i, k);
       solid.changed[i] = 1;
     }
   }

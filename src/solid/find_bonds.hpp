@@ -9,10 +9,9 @@
 
 #include "core/mirror_planes.hpp"
 #include "fracture/grady_kipp.hpp"
-#include "kernels/wendland_c2.hpp"
 #include "materials/plastic_law.hpp"
 #include "neighbours/grid.hpp"
-#include "solid/solid_medium.hpp"
+#include "solid/bond_weight.hpp"
 
 namespace kerf {
 
@@ -32,15 +31,6 @@ struct SolidLayout {
 struct BondLists {
   std::vector<Index> begin, neighbour;
 };
-
-// w_ij of a whole bond (solid_fields.hpp), the same number in both directions; 0 where there is
-// none.
-template <int D, class T>
-KERF_FUNCTION T whole_weight(const SolidMedium<T>& a, const SolidMedium<T>& b, T distance) {
-  if (a.piece != b.piece) return T(0);
-  const T h = T(0.5) * (a.smoothing_length + b.smoothing_length);
-  return a.volume() * b.volume() * WendlandC2<D>::slope_per_distance(distance, h);
-}
 
 template <int D>
 class BondFinder {

@@ -37,7 +37,7 @@ KERF_FUNCTION typename P::Real hourglass_of(const SolidView<D, P>& solid, Index 
 template <int D, class P>
 struct SetHourglassModulus {
   SolidView<D, P> solid;
-  KERF_FUNCTION void operator()(Index i) const { solid.hourglass[i] = hourglass_of(solid, i); }
+  KERF_FUNCTION void operator()(Index i) const { solid.ends[i].hourglass = hourglass_of(solid, i); }
 };
 
 // Once the state of a step's end is that of the next one's start: mu falls to what that allows. The
@@ -45,9 +45,9 @@ struct SetHourglassModulus {
 template <int D, class P>
 KERF_FUNCTION double lower_hourglass(const SolidView<D, P>& solid, Index i) {
   const auto modulus = hourglass_of(solid, i);
-  if (!(modulus < solid.hourglass[i])) return 0.0;
-  const double lost = 0.5 * double(solid.hourglass[i] - modulus) * misfit(solid, i);
-  solid.hourglass[i] = modulus;
+  if (!(modulus < solid.ends[i].hourglass)) return 0.0;
+  const double lost = 0.5 * double(solid.ends[i].hourglass - modulus) * misfit(solid, i);
+  solid.ends[i].hourglass = modulus;
   return lost;
 }
 

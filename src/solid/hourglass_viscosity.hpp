@@ -21,7 +21,7 @@ KERF_FUNCTION typename P::Real hourglass_viscosity(const SolidView<D, P>& solid,
   using Real = typename P::Real;
   if (!solid.flows(i)) return Real(0);
   const auto& medium = solid.medium(i);
-  const Real lost = medium.hourglass_modulus() - solid.hourglass[i];
+  const Real lost = medium.hourglass_modulus() - solid.ends[i].hourglass;
   return Real(hourglass_damping) * lost * medium.smoothing_length / medium.longitudinal_speed();
 }
 
@@ -30,17 +30,17 @@ template <int D, class P>
 struct RateTraction {
   using Real = typename P::Real;
   SolidView<D, P> solid;
-  const Vector<D, Real>* velocity;
 
   KERF_FUNCTION void operator()(Index i) const {
     const Real viscosity = solid.loose[i] ? Real(0) : hourglass_viscosity(solid, i);
     solid.hourglass_viscosity[i] = viscosity;
     auto sum = Matrix<D, Real>::zero();
     if (viscosity > Real(0))
-      for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-        const BondEnd j = solid.bond_end(k);
-        add_outer(sum, solid.of(j, velocity) - velocity[i],
-                  solid.weight[k] * solid.reference_bond(i, j));
+      for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
+        if (!solid.is_whole(i, k)) continue;
+        const BondEnd j = solid.bond_end(i, k);
+        const Vector<D, Real> bond = solid.reference_bond(i, j);
+        add_outer(sum, solid.velocity_bond(i, j), solid.weight(i, k, j, bond) * bond);
       }
     solid.rate_traction[i] = viscosity * (sum * solid.correction[i]);
   }
@@ -49,20 +49,18 @@ struct RateTraction {
 template <int D, class P>
 struct HourglassViscosity {
   using Real = typename P::Real;
-  const Vector<D, Real>* velocity;
 
   // Adds the force on i and the power of its own share.
   template <class End>
-  KERF_FUNCTION void add(const SolidView<D, P>& solid, Index i, Index k, const End& j,
+  KERF_FUNCTION void add(const SolidView<D, P>& solid, const ChosenBond<D, Real, End>& chosen,
                          Vector<D, Real>& force, Real& power) const {
+    const auto& [i, j, bond, weight] = chosen;
     const Real own = solid.hourglass_viscosity[i];
     const Real both = own + solid.hourglass_viscosity[j.particle];
     if (!(both > Real(0))) return;
-    const Real weight = solid.weight[k];
-    const Vector<D, Real> bond = solid.reference_bond(i, j);
-    const Vector<D, Real> speed = solid.of(j, velocity) - velocity[i];
+    const Vector<D, Real> speed = solid.velocity_bond(i, j);
     const Vector<D, Real> seen = solid.rate_traction[i] * bond;
-    force += weight * (both * speed - seen - solid.of(j, solid.rate_traction) * bond);
+    force += weight * (both * speed - seen - solid.seen(j, solid.rate_traction[j.particle]) * bond);
     if (!(own > Real(0))) return;
     const Vector<D, Real> unseen = seen - own * speed;
     power += weight / own * dot(unseen, unseen);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the total Lagrangian solid keeps per particle and per bond. State: the weights, `loose`,
-// `strain_start`, `flow_start` and `flaws`; all else follows from these and from where the
+// What the total Lagrangian solid keeps per particle and per bond. State: which bonds are whole,
+// `loose`, `strain_start`, `flow_start` and `flaws`; all else follows from these and from where the
 // particles are.
 #pragma once
 
@@ -11,30 +11,31 @@
 #include "core/precision.hpp"
 #include "exec/exec.hpp"
 #include "fracture/grady_kipp.hpp"
+#include "lanes/packed_bonds.hpp"
 #include "materials/plastic_law.hpp"
-#include "solid/solid_medium.hpp"
+#include "solid/bond_ends.hpp"
+#include "solid/bond_table.hpp"
+#include "solid/bond_weight.hpp"
 
 namespace kerf {
 
 // Fields with one entry per particle that are not given at set-up. FIELD(type, name): meaning.
-#define KERF_SOLID_RESULTS(FIELD)                                                   \
-  FIELD(std::uint8_t, loose)        /* 1: holds on to nothing, carries no stress */ \
-  FIELD(std::uint8_t, torn)         /* 1: has lost bonds */                         \
-  FIELD(std::uint8_t, changed)      /* 1: its correction is outdated */             \
-  FIELD(std::uint8_t, mixed)        /* 1: has bonds to other media, or to images */ \
-  FIELD(std::uint8_t, strained)     /* 1: one of its bonds may break */             \
-  FIELD(Real, stretch)              /* largest lambda^2 - 1 of its bonds */         \
-  FIELD(Place, displacement)        /* u = x - X, m */                              \
-  FIELD(Tensor, correction)         /* B_i / V_i, 1/m^D */                          \
-  FIELD(Tensor, gradient)           /* H = F - 1 */                                 \
-  FIELD(Tensor, traction)           /* A = (P B) - mu H, Pa; see deform.hpp */      \
-  FIELD(Real, hourglass)            /* mu, Pa; see hourglass_modulus.hpp */         \
-  FIELD(Real, criterion)            /* of the fracture criterion */                 \
-  FIELD(Speed, acceleration)        /* m/s^2 */                                     \
-  FIELD(Speed, mirror_acceleration) /* m/s^2, the part due to mirror images */      \
-  FIELD(Real, viscous_power)        /* W, dissipated by the bond viscosity */       \
-  FIELD(double, elastic_energy)     /* J (2D: J/m) */                               \
-  FIELD(double, hourglass_energy)   /* J (2D: J/m) */
+#define KERF_SOLID_RESULTS(FIELD)                                                      \
+  FIELD(std::uint8_t, loose)    /* 1: holds on to nothing, carries no stress */        \
+  FIELD(std::uint8_t, torn)     /* 1: has lost bonds */                                \
+  FIELD(std::uint8_t, changed)  /* 1: its correction is outdated */                    \
+  FIELD(std::uint8_t, mixed)    /* 1: has bonds to other media, or to images */        \
+  FIELD(std::uint8_t, strained) /* 1: one of its bonds may break */                    \
+  FIELD(Real, stretch)          /* largest lambda^2 - 1 of its bonds, if they break */ \
+  FIELD(Packed, ends)           /* displacement, velocity, traction and others */      \
+  FIELD(Tensor, correction)     /* B_i / V_i, 1/m^D */                                 \
+  FIELD(Tensor, gradient)       /* H = F - 1 */                                        \
+  FIELD(Real, criterion)        /* of the fracture criterion */                        \
+  FIELD(Speed, acceleration)    /* m/s^2 */                                            \
+  FIELD(Real, viscous_power)    /* W, dissipated by the bond viscosity */
+// Those that only solids beside planes of symmetry have.
+#define KERF_SOLID_MIRRORED(FIELD) \
+  FIELD(Speed, mirror_acceleration) /* m/s^2, the part due to mirror images */
 // Those that only solids have of which some part softens (fracture/softening.hpp).
 #define KERF_SOLID_SOFTENING(FIELD)                                 \
   FIELD(Real, strain_start)     /* k at the start of the step, 1 */ \
@@ -53,24 +54,12 @@ namespace kerf {
 #define KERF_SOLID_FLAWS(FIELD)                                \
   FIELD(Flaws, flaws)        /* cracks that grow from flaws */ \
   FIELD(double, damage_loss) /* set free in the last step, J (2D: J/m) */
-
-// Every pair i, j of one piece that is closer than 2 h in the reference configuration is a bond. It
-// stands in the lists of both, with one weight,
-//   w_ij = f_ij V_i V_j |W'(R_ij)| / R_ij,   R_ij = |X_i - X_j|,   in m (2D: 1),
-// in which f_ij is the share of the bond that is whole: 1 (where the spacing jumps the s_ij of
-// fit_levels.hpp), or 0 where it broke. A weight is all that the sums need, since V_i V_j grad_0
-// W_ij = w_ij (X_j - X_i): gradients cost no memory. A bond to a mirror image
-// (core/mirror_planes.hpp) stands in the lists of both particles too, or once in that of a particle
-// that is bound to its own image.
-struct BondEnd {
-  Index particle;     // j
-  MirrorCode mirror;  // 0: j itself, else its image
-};
-// The same where it is known that j itself is meant: all that mirrors do is then left out.
-struct DirectEnd {
-  Index particle;
-  static constexpr MirrorCode mirror = 0;
-};
+#define KERF_SOLID_FIELDS(FIELD) \
+  KERF_SOLID_RESULTS(FIELD)      \
+  KERF_SOLID_MIRRORED(FIELD)     \
+  KERF_SOLID_SOFTENING(FIELD)    \
+  KERF_SOLID_FLOW(FIELD)         \
+  KERF_SOLID_FLAWS(FIELD)
 
 template <int D, class P>
 struct SolidView {
@@ -78,6 +67,7 @@ struct SolidView {
   using Place = Vector<D, double>;
   using Speed = Vector<D, Real>;
   using Tensor = Matrix<D, Real>;
+  using Packed = PackedBondEnd<D, Real>;
   using State = PlasticState<D, Real>;
   using Flaws = FlawState<Real>;
 
@@ -89,18 +79,16 @@ struct SolidView {
   const PlasticParameters<Real>* plastic;  // per medium
   const GradyKipp<Real>* flaw_law;         // per medium
   const std::uint16_t* medium_index;
-  const Place* reference;   // X, m
-  const Index* bond_begin;  // bonds of i: bond_begin[i] .. bond_begin[i + 1]
-  const Index* neighbour;   // with a mirror code in the highest bits
-  Real* weight;             // w_ij
+  const Place* reference;  // X, m
+  BondTable<D> bonds;
+  std::uint32_t* whole;  // a bit per bond, from the lowest on in words of each particle's own
+  Index words;           // of each particle
   // s of fit_levels.hpp, per bond; null: 1.
   const Real *bond_fit, *pair_fit;
-  MirrorPlanes<D> mirrors;
+  const BondScale<Real>* scale;  // per pair of media
+  Index media_count;
 #define KERF_FIELD(type, name) type* name;
-  KERF_SOLID_RESULTS(KERF_FIELD)
-  KERF_SOLID_SOFTENING(KERF_FIELD)
-  KERF_SOLID_FLOW(KERF_FIELD)
-  KERF_SOLID_FLAWS(KERF_FIELD)
+  KERF_SOLID_FIELDS(KERF_FIELD)
 #undef KERF_FIELD
 
   KERF_FUNCTION const SolidMedium<Real>& medium(Index i) const {
@@ -122,19 +110,38 @@ struct SolidView {
   KERF_FUNCTION Real damage(Index i) const {
     return any_flaws ? flaws[i].damage : Real(0);
   }
+  // What bond k of particle i leads to.
   template <class End = BondEnd>
-  KERF_FUNCTION End bond_end(Index k) const {
+  KERF_FUNCTION End bond_end(Index i, Index k) const {
+    const Index end = bonds.end(i, k);
     if constexpr (std::is_same_v<End, DirectEnd>)
-      return {neighbour[k]};
+      return {end};
     else
-      return {mirrors.place(neighbour[k]), mirrors.code(neighbour[k])};
+      return {bonds.mirrors.place(end), bonds.mirrors.code(end)};
   }
   // Of particle i, the first bond that is one to a mirror image; the end of its bonds for none.
   KERF_FUNCTION Index first_image(Index i) const {
-    Index k = bond_begin[i + 1];
-    if (mirrors.faces != 0)
-      while (k > bond_begin[i] && mirrors.code(neighbour[k - 1]) != 0) --k;
+    Index k = bonds.last(i);
+    if (has_mirrors())
+      while (k > bonds.first(i) && bond_end(i, k - 1).mirror != 0) --k;
     return k;
+  }
+  KERF_FUNCTION bool has_mirrors() const {
+    return bonds.mirrors.faces != 0;
+  }
+  // Whether bond k of particle i is unbroken.
+  KERF_FUNCTION bool is_whole(Index i, Index k) const {
+    return (whole[word(i, k)] & bit(i, k)) != 0;
+  }
+  KERF_FUNCTION void break_bond(Index i, Index k) const {
+    whole[word(i, k)] &= ~bit(i, k);
+  }
+  // w_ij of bond k of particle i, if it is unbroken; `bond` = X_j - X_i.
+  template <class End>
+  KERF_FUNCTION Real weight(Index i, Index k, const End& j, const Vector<D, Real>& bond) const {
+    const Real w =
+        scale[medium_index[i] * media_count + medium_index[j.particle]].weight(norm(bond));
+    return bond_fit == nullptr ? w : bond_fit[k] * w;
   }
   // X_j - X_i, m.
   template <class T = Real, class End>
@@ -142,17 +149,34 @@ struct SolidView {
     const auto& x = reference[i];
     const auto& y = reference[j.particle];
     if (j.mirror == 0) return Vector<D, T>::from(y - x);
-    return T(-1) * Vector<D, T>::from(mirrors.separation(j.mirror, x, y));
+    return T(-1) * Vector<D, T>::from(bonds.mirrors.separation(j.mirror, x, y));
   }
-  // u_j - u_i, m: differences in double, so that a body far from home loses no digits.
+  // u_j - u_i, m: differences of both parts, so that a body far from home loses no digits.
   template <class T = Real, class End>
   KERF_FUNCTION Vector<D, T> displacement_bond(Index i, const End& j) const {
-    return Vector<D, T>::from(of(j, displacement) - displacement[i]);
+    using Change = Vector<D, T>;
+    const auto &own = ends[i], &other = ends[j.particle];
+    const auto first = Change::from(seen(j, other.displacement)) - Change::from(own.displacement);
+    return first + (Change::from(seen(j, other.remainder)) - Change::from(own.remainder));
   }
-  // A vector or tensor of particle j as particle i sees it: of its image, where it is one.
+  // v_j - v_i, m/s.
+  template <class End>
+  KERF_FUNCTION Speed velocity_bond(Index i, const End& j) const {
+    return seen(j, ends[j.particle].velocity) - ends[i].velocity;
+  }
+  // A vector or tensor of particle j as one sees it who is bound to it: of its image, where it is
+  // one.
   template <class T, class End>
-  KERF_FUNCTION T of(const End& j, const T* values) const {
-    return MirrorPlanes<D>::image(j.mirror, values[j.particle]);
+  KERF_FUNCTION static T seen(const End& j, const T& value) {
+    return MirrorPlanes<D>::image(j.mirror, value);
+  }
+
+ private:
+  KERF_FUNCTION Index word(Index i, Index k) const {
+    return i * words + (k - bonds.first(i)) / bonds_per_word;
+  }
+  KERF_FUNCTION std::uint32_t bit(Index i, Index k) const {
+    return std::uint32_t(1) << ((k - bonds.first(i)) % bonds_per_word);
   }
 };
 
@@ -163,6 +187,7 @@ struct SolidFields {
   using Place = typename View::Place;
   using Speed = typename View::Speed;
   using Tensor = typename View::Tensor;
+  using Packed = typename View::Packed;
   using State = typename View::State;
   using Flaws = typename View::Flaws;
 
@@ -172,14 +197,15 @@ struct SolidFields {
   Array<GradyKipp<Real>> flaw_law;
   Array<std::uint16_t> medium_index;
   Array<Place> reference;
-  Array<Index> bond_begin, neighbour;
+  Array<Index> bond_begin, bond_entry;
+  Array<std::uint16_t> bond_count;
   MirrorPlanes<D> mirrors{};
-  Array<Real> weight, bond_fit, pair_fit;
+  Array<std::uint32_t> whole;
+  Index words = 0;
+  Array<Real> bond_fit, pair_fit;
+  Array<BondScale<Real>> scale;
 #define KERF_FIELD(type, name) Array<type> name;
-  KERF_SOLID_RESULTS(KERF_FIELD)
-  KERF_SOLID_SOFTENING(KERF_FIELD)
-  KERF_SOLID_FLOW(KERF_FIELD)
-  KERF_SOLID_FLAWS(KERF_FIELD)
+  KERF_SOLID_FIELDS(KERF_FIELD)
 #undef KERF_FIELD
 
   Index size() const {
@@ -188,9 +214,12 @@ struct SolidFields {
 
   // Makes room for all that is not given at set-up.
   void make_room() {
-    weight.resize(neighbour.size());
+    whole.resize(words * reference.size());
 #define KERF_FIELD(type, name) name.resize(reference.size());
     KERF_SOLID_RESULTS(KERF_FIELD)
+    if (mirrors.faces != 0) {
+      KERF_SOLID_MIRRORED(KERF_FIELD)
+    }
     if (any_softens) {
       KERF_SOLID_SOFTENING(KERF_FIELD)
     }
@@ -206,13 +235,10 @@ struct SolidFields {
   std::size_t bytes() const {
     std::size_t sum = bytes_of(media) + bytes_of(plastic) + bytes_of(flaw_law) +
                       bytes_of(medium_index) + bytes_of(reference) + bytes_of(bond_begin) +
-                      bytes_of(neighbour) + bytes_of(weight) + bytes_of(bond_fit) +
-                      bytes_of(pair_fit);
+                      bytes_of(bond_entry) + bytes_of(bond_count) + bytes_of(scale) +
+                      bytes_of(whole) + bytes_of(bond_fit) + bytes_of(pair_fit);
 #define KERF_FIELD(type, name) sum += bytes_of(name);
-    KERF_SOLID_RESULTS(KERF_FIELD)
-    KERF_SOLID_SOFTENING(KERF_FIELD)
-    KERF_SOLID_FLOW(KERF_FIELD)
-    KERF_SOLID_FLAWS(KERF_FIELD)
+    KERF_SOLID_FIELDS(KERF_FIELD)
 #undef KERF_FIELD
     return sum;
   }
@@ -228,17 +254,15 @@ struct SolidFields {
     view.flaw_law = pointer(flaw_law);
     view.medium_index = pointer(medium_index);
     view.reference = pointer(reference);
-    view.bond_begin = pointer(bond_begin);
-    view.neighbour = pointer(neighbour);
-    view.weight = pointer(weight);
+    view.bonds = {pointer(bond_begin), pointer(bond_count), pointer(bond_entry), mirrors};
+    view.whole = pointer(whole);
+    view.words = words;
+    view.scale = pointer(scale);
+    view.media_count = static_cast<Index>(media.size());
     view.bond_fit = bond_fit.empty() ? nullptr : pointer(bond_fit);
     view.pair_fit = pair_fit.empty() ? nullptr : pointer(pair_fit);
-    view.mirrors = mirrors;
 #define KERF_FIELD(type, name) view.name = pointer(name);
-    KERF_SOLID_RESULTS(KERF_FIELD)
-    KERF_SOLID_SOFTENING(KERF_FIELD)
-    KERF_SOLID_FLOW(KERF_FIELD)
-    KERF_SOLID_FLAWS(KERF_FIELD)
+    KERF_SOLID_FIELDS(KERF_FIELD)
 #undef KERF_FIELD
     return view;
   }

@@ -25,7 +25,7 @@ struct FractureBook {
 // the acceleration, because the kick of a step may come before accelerate().
 template <int D, class P>
 struct SolidState {
-  std::vector<typename P::Real> weight;
+  std::vector<std::uint32_t> whole;  // bits
   std::vector<Vector<D, typename P::Real>> acceleration;
   std::vector<PlasticState<D, typename P::Real>> flow;  // empty where nothing flows
   std::vector<typename P::Real> strain;                 // empty where nothing softens

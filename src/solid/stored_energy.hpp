@@ -14,36 +14,30 @@ template <int D, class P>
 KERF_FUNCTION double misfit(const SolidView<D, P>& solid, Index i) {
   const auto h = Matrix<D, double>::from(solid.gradient[i]);
   double sum = 0.0;
-  for (Index k = solid.bond_begin[i]; k < solid.bond_begin[i + 1]; ++k) {
-    const BondEnd j = solid.bond_end(k);
+  for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
+    if (!solid.is_whole(i, k)) continue;
+    const BondEnd j = solid.bond_end(i, k);
     auto gamma = h * solid.template reference_bond<double>(i, j);  // H R - u
     gamma -= solid.template displacement_bond<double>(i, j);
-    sum += double(solid.weight[k]) * dot(gamma, gamma);
+    sum += double(solid.weight(i, k, j, solid.reference_bond(i, j))) * dot(gamma, gamma);
   }
   return sum;
 }
 
-template <int D, class P>
-struct StoreEnergy {
-  using Real = typename P::Real;
-  SolidView<D, P> solid;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    solid.elastic_energy[i] = solid.hourglass_energy[i] = 0.0;
-    if (solid.loose[i]) return;
-    const auto& medium = solid.medium(i);
-    solid.elastic_energy[i] =
-        double(medium.mass) / double(medium.density) * energy_density_now(solid, i);
-    solid.hourglass_energy[i] = 0.5 * double(solid.hourglass[i]) * misfit(solid, i);
-  }
-};
-
-// Sums of a solid, in a fixed order.
+// What is stored by one particle, or by all.
 struct SolidEnergy {
   double elastic = 0.0;    // J (2D: J/m)
   double hourglass = 0.0;  // J (2D: J/m)
-  double total() const { return elastic + hourglass; }
+  KERF_FUNCTION double total() const { return elastic + hourglass; }
 };
+
+template <int D, class P>
+KERF_FUNCTION SolidEnergy energy_of(const SolidView<D, P>& solid, Index i) {
+  if (solid.loose[i]) return {};
+  const auto& medium = solid.medium(i);
+  return {double(medium.mass) / double(medium.density) * energy_density_now(solid, i),
+          0.5 * double(solid.ends[i].hourglass) * misfit(solid, i)};
+}
 
 template <int D, class P>
 struct PowerTerm {
@@ -56,14 +50,12 @@ struct PowerTerm {
 // Of the accelerations that are in force.
 template <int D, class P>
 struct ElasticPowerTerm {
-  using Real = typename P::Real;
   SolidView<D, P> solid;
-  const Vector<D, Real>* velocity;
 
   KERF_FUNCTION void add(Index i, Terms<1>& sum) const {
     const auto acceleration = Vector<D, double>::from(solid.acceleration[i]);
-    sum.value[0] +=
-        double(solid.medium(i).mass) * dot(acceleration, Vector<D, double>::from(velocity[i]));
+    const auto velocity = Vector<D, double>::from(solid.ends[i].velocity);
+    sum.value[0] += double(solid.medium(i).mass) * dot(acceleration, velocity);
   }
 };
 
@@ -71,8 +63,9 @@ template <int D, class P>
 struct EnergyTerms {
   SolidView<D, P> solid;
   KERF_FUNCTION void add(Index i, Terms<2>& sum) const {
-    sum.value[0] += solid.elastic_energy[i];
-    sum.value[1] += solid.hourglass_energy[i];
+    const SolidEnergy energy = energy_of(solid, i);
+    sum.value[0] += energy.elastic;
+    sum.value[1] += energy.hourglass;
   }
 };
 

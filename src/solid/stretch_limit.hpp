@@ -23,25 +23,49 @@ struct ShorterWave {
   }
 };
 
+// Of a block of particles. Most of them are done with by a bound: principal values cost ten times
+// as much.
 template <int D, class P>
 struct StretchLimit {
   using Real = typename P::Real;
+  static constexpr Index length = on_gpu ? 1 : 1024;  // particles
   SolidView<D, P> solid;
 
-  KERF_FUNCTION WaveTime operator()(Index i) const {
+  static Index blocks(Index count) { return (count + length - 1) / length; }
+
+  KERF_FUNCTION WaveTime operator()(Index block) const {
+    WaveTime shortest{1e300, 0};
+    const Index first = block * length;
+    const Index last = first + length < solid.count ? first + length : solid.count;
+    for (Index i = first; i < last; ++i) {
+      const WaveTime own = of_particle(i, shortest.time);
+      if (own.time < shortest.time) shortest = own;
+    }
+    return shortest;
+  }
+
+ private:
+  // Its time, if that may be less than `shortest`.
+  KERF_FUNCTION WaveTime of_particle(Index i, double shortest) const {
     const auto& medium = solid.medium(i);
     const double wave =
         double(medium.longitudinal_speed()) * (1.0 + 1.2 * double(medium.artificial_linear));
     const double unsqueezed = double(medium.smoothing_length) / wave;
     if (solid.loose[i]) return {unsqueezed, i};
-    const auto strain = principal_values(green_strain(solid.gradient[i]));
+    const auto green = green_strain(solid.gradient[i]);
+    const double most_squeezed = shortest / unsqueezed;
+    if (double(square_of(least_possible(green))) > most_squeezed * most_squeezed + 1e-5)
+      return {1e300, i};
+    const auto strain = principal_values(green);
     Real least = strain[0] < strain[1] ? strain[0] : strain[1];
     least = least < strain[2] ? least : strain[2];
     if (!(least < Real(0))) return {unsqueezed, i};
-    const Real square = Real(1) + Real(2) * least;
+    const Real square = square_of(least);
     // A deformation that is not one any more is left to those who look for it.
     return {unsqueezed * (square > Real(1e-4) ? std::sqrt(double(square)) : 0.01), i};
   }
+  // lambda^2 of a principal value of Green's strain.
+  KERF_FUNCTION static Real square_of(Real strain) { return Real(1) + Real(2) * strain; }
 };
 
 }  // namespace kerf

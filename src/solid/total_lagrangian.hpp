@@ -4,13 +4,14 @@
 // Particles keep the order of set-up; neighbours in memory should be neighbours in space. After
 // set-up nothing allocates.
 //
-// A step:  deform(positions, dt);  fracture();  accelerate(velocities);  keep_flow();
-// keep_softening().
+// A step:  take(motion);  deform(dt);  fracture();  accelerate();  keep_flow();  keep_softening().
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "core/error.hpp"
+#include "exec/in_turn.hpp"
 #include "solid/bond_force.hpp"
 #include "solid/bond_lanes.hpp"
 #include "solid/break_bonds.hpp"
@@ -23,6 +24,8 @@
 #include "solid/solid_state.hpp"
 #include "solid/stored_energy.hpp"
 #include "solid/stretch_limit.hpp"
+#include "solid/take_media.hpp"
+#include "solid/take_motion.hpp"
 
 namespace kerf {
 
@@ -36,32 +39,52 @@ class TotalLagrangian {
   explicit TotalLagrangian(const SolidLayout<D>& layout) {
     const std::size_t n = layout.reference.size();
     require(n > 0 && layout.medium_index.size() == n, "a solid has one medium per particle");
-    take_media(layout);
-    const BondLists bonds = BondFinder<D>(layout).find();
+    const auto traits = take_media(layout, fields_);
+    is_viscous_ = traits.is_viscous;
+    can_break_ = traits.can_break;
+    const BondLists lists = BondFinder<D>(layout).find();
+    const BondFit fit = LevelFit<D>(layout, lists).solve();
+    const StoredBonds bonds = ListSharing<D>(layout, lists, fit.fitted).store();
+    fitted_ = fit.fitted;
     fields_.mirrors = layout.mirrors;
     to_device(layout.medium_index, fields_.medium_index);
     to_device(layout.reference, fields_.reference);
     to_device(bonds.begin, fields_.bond_begin);
-    to_device(bonds.neighbour, fields_.neighbour);
+    to_device(bonds.count, fields_.bond_count);
+    to_device(bonds.entry, fields_.bond_entry);
+    to_device(stored_factor(fit.of_bond, bonds), fields_.bond_fit);
+    to_device(stored_factor(fit.of_pair, bonds), fields_.pair_fit);
+    const Index most = *std::max_element(bonds.count.begin(), bonds.count.end());
+    fields_.words = (most + bonds_per_word - 1) / bonds_per_word;
+    entries_ = lists.neighbour.size();
     fields_.make_room();
-    fit_levels(layout, bonds);
-    for_each_index(size(), SetWholeWeights<D, P>{view()});
+    thrust::fill(fields_.whole.begin(), fields_.whole.end(), ~std::uint32_t(0));
     for_each_index(size(), FindMixed<D, P>{view()});
     if (fields_.any_softens) for_each_index(size(), StartWhole<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartUnflown<D, P>{view()});
     if (fields_.any_flaws) for_each_index(size(), StartFlaws<D, P>{view()});
-    lanes_.set_up(layout.media, view());
+    lanes_.set_up(layout, bonds, view());
     correct_all();
     count();  // makes room for sums
   }
 
-  // Deformation and stress at these positions, `dt` after the last keep_flow(). dt counts where
-  // strength depends on the rate of strain; 0 = so slow that it does not.
+  // Where the particles are and how fast they move: motion.take(view, i) for each of them
+  // (take_motion.hpp).
+  template <class Motion>
+  void take(const Motion& motion) {
+    for_each_index(size(), TakeMotion<D, P, Motion>{view(), motion});
+  }
+
+  // Deformation and stress where the particles are, `dt` after the last keep_flow(). dt counts
+  // where strength depends on the rate of strain; 0 = so slow that it does not.
+  void deform(double dt = 0.0) {
+    dt_ = dt;
+    respond();
+  }
   void deform(const Positions& position, double dt = 0.0) {
     require(position.size() == size(), "positions of every particle of the solid");
-    dt_ = dt;
-    for_each_index(size(), Displace<D, P>{view(), pointer(position)});
-    respond(lanes_.gather(view()));
+    take(MotionInOrder<D, P>{pointer(position), nullptr});
+    deform(dt);
   }
 
   // Ends a step: the next one starts from the plastic state of the deformation in force. The energy
@@ -92,37 +115,33 @@ class TotalLagrangian {
     return fields_.any_flows ? power_sum_(size(), FlowWorkTerm<D, P>{view()}).value[0] : 0.0;
   }
 
-  // Acceleration and viscous power of the deformation in force.
-  void accelerate(const Velocities& velocity) { accelerate(velocity, EveryBond{}); }
-  // By the bonds that `filter` chooses, e.g. those across a plane.
-  template <class Filter>
-  void accelerate(const Velocities& velocity, const Filter& filter) {
-    require(!is_viscous_ || velocity.size() == size(), "velocities of every particle");
+  // Acceleration and viscous power of the deformation in force, by the bonds that `filter` chooses,
+  // e.g. those across a plane. then(i) comes after each particle.
+  template <class Filter = EveryBond, class Then = Idle>
+  void accelerate(const Filter& filter = {}, const Then& then = {}) {
     if (fields_.any_flows) {
-      for_each_index(size(), RateTraction<D, P>{view(), pointer(velocity)});
-      accelerate_with(FlowViscosity<D, P>{{pointer(velocity)}, {pointer(velocity)}}, filter);
+      for_each_index(size(), RateTraction<D, P>{view()});
+      accelerate_with(FlowViscosity<D, P>{}, filter, then);
     } else if (is_viscous_) {
-      accelerate_with(BondViscosity<D, P>{pointer(velocity)}, filter,
-                      push_all(filter, pointer(velocity)));
+      accelerate_with(BondViscosity<D, P>{}, filter, then);
     } else {
-      accelerate_with(NoViscosity<D, P>{}, filter, push_all(filter, nullptr));
+      accelerate_with(NoViscosity<D, P>{}, filter, then);
     }
   }
-
-  void evaluate(const Positions& position, const Velocities& velocity) {
-    deform(position);
-    accelerate(velocity);
+  void accelerate(const Velocities& velocity) {
+    require(velocity.size() == size(), "velocities of every particle of the solid");
+    take(MotionInOrder<D, P>{nullptr, pointer(velocity)});
+    accelerate();
   }
 
   // Breaks the bonds that pass their limit at the deformation in force, and deforms what is left
-  // anew. To be called between deform() and accelerate(). Without velocities no power is worked
-  // out.
-  FractureBook fracture(const Velocities& velocity = {}) {
+  // anew. To be called between deform() and accelerate().
+  FractureBook fracture() {
     if (!can_break_) return {};
     for_each_index(size(), PrepareCriterion<D, P>{view()});
     for_each_index(size(), MarkBreaking<D, P>{{view()}});
     if (!any_changed()) return {};
-    return book(BreakMarked<D, P>{{view()}}, velocity);
+    return book(BreakMarked<D, P>{{view()}}, true);
   }
 
   // Breaks bonds for good before the run: a notch. See CutBonds.
@@ -134,12 +153,14 @@ class TotalLagrangian {
 
   // Breaks all bonds of the particles that are `gone`.
   FractureBook let_go(const Array<std::uint8_t>& gone) {
-    return book(DropBonds<D, P>{view(), pointer(gone)}, {});
+    return book(DropBonds<D, P>{view(), pointer(gone)}, false);
   }
 
   // The shortest time in which a wave crosses a kernel at the deformation in force.
   WaveTime wave_time() {
-    return reduce_unordered(size(), StretchLimit<D, P>{view()}, WaveTime{1e300, 0}, ShorterWave{});
+    using Shortest = StretchLimit<D, P>;
+    return reduce_unordered(Shortest::blocks(size()), Shortest{view()}, WaveTime{1e300, 0},
+                            ShorterWave{});
   }
 
   // Power that the viscosity of the bonds dissipates now, W.
@@ -147,9 +168,8 @@ class TotalLagrangian {
     return is_viscous_ ? power_sum_(size(), PowerTerm<D, P>{view()}).value[0] : 0.0;
   }
 
-  // Works out the energies per particle at the deformation in force; their totals.
+  // What is stored at the deformation in force.
   SolidEnergy energy() {
-    for_each_index(size(), StoreEnergy<D, P>{view()});
     const Terms<2> sum = sum_(size(), EnergyTerms<D, P>{view()});
     return {sum.value[0], sum.value[1]};
   }
@@ -161,19 +181,21 @@ class TotalLagrangian {
     const Terms<2> sum = sum_(size(), CountTerms<D, P>{view()});
     return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1])};
   }
+  // Bonds, each counted from both ends, whether they are broken or not.
+  std::uint64_t entries() const { return entries_; }
   std::size_t bytes() const { return fields_.bytes() + lanes_.bytes(); }
   // Per particle: 1 where the factor of a pair may differ from 1; empty where all are 1.
   const std::vector<std::uint8_t>& fitted() const { return fitted_; }
 
   SolidState<D, P> save() const {
-    return {to_host(fields_.weight), to_host(fields_.acceleration), to_host(fields_.flow_start),
+    return {to_host(fields_.whole), to_host(fields_.acceleration), to_host(fields_.flow_start),
             to_host(fields_.strain_start), to_host(fields_.flaws)};
   }
   // Goes on from a state saved by a solid of the same layout. deform() comes next.
   void restore(const SolidState<D, P>& state) {
-    require(state.weight.size() == fields_.weight.size() && state.acceleration.size() == size(),
+    require(state.whole.size() == fields_.whole.size() && state.acceleration.size() == size(),
             "a saved solid has the particles and bonds of its layout");
-    to_device(state.weight, fields_.weight);
+    to_device(state.whole, fields_.whole);
     to_device(state.acceleration, fields_.acceleration);
     require(state.flow.size() == fields_.flow_start.size(), "a saved solid flows as its layout");
     to_device(state.flow, fields_.flow_start);
@@ -187,85 +209,59 @@ class TotalLagrangian {
   }
 
  private:
-  void take_media(const SolidLayout<D>& layout) {
-    std::vector<SolidMedium<Real>> media;
-    for (const auto& medium : layout.media) {
-      media.push_back(SolidMedium<Real>::from(medium));
-      is_viscous_ |= medium.artificial_linear > 0.0 || medium.artificial_quadratic > 0.0;
-      can_break_ |= medium.can_break();
-      fields_.any_softens |= medium.softens();
-    }
-    std::vector<PlasticParameters<Real>> plastic;
-    for (const auto& parameters : layout.plastic) {
-      plastic.push_back(PlasticParameters<Real>::from(parameters));
-      fields_.any_flows |= parameters.flows();
-      is_viscous_ |= parameters.flows();
-      can_break_ |= parameters.flows() && parameters.damage.is_on();
-    }
-    std::vector<GradyKipp<Real>> flaw_law;
-    for (const auto& law : layout.flaws) {
-      flaw_law.push_back(GradyKipp<Real>::from(law));
-      fields_.any_flaws |= law.is_on();
-    }
-    require(flaw_law.empty() || flaw_law.size() == media.size(), "laws of flaws for every medium");
-    to_device(flaw_law, fields_.flaw_law);
-    require(plastic.empty() || plastic.size() == media.size(), "laws of flow for every medium");
-    to_device(media, fields_.media);
-    to_device(plastic, fields_.plastic);
+  // Factors of the bonds that were found, in the order in which they are stored; none where there
+  // are no levels.
+  static std::vector<Real> stored_factor(const std::vector<double>& found,
+                                         const StoredBonds& bonds) {
+    std::vector<Real> stored;
+    if (found.empty()) return stored;
+    for (const Index k : bonds.found_at)
+      stored.push_back(k == no_bond ? Real(1) : static_cast<Real>(found[k]));
+    return stored;
   }
 
-  void fit_levels(const SolidLayout<D>& layout, const BondLists& bonds) {
-    const BondFit fit = LevelFit<D>(layout, bonds).solve();
-    to_device(std::vector<Real>(fit.of_bond.begin(), fit.of_bond.end()), fields_.bond_fit);
-    to_device(std::vector<Real>(fit.of_pair.begin(), fit.of_pair.end()), fields_.pair_fit);
-    fitted_ = fit.fitted;
-  }
-
-  void respond(const BondGradient<D, Real>* gathered) {
+  void respond() {
     if (fields_.any_flows) {
       using Response = FlowingResponse<D, P>;
-      for_each_index(size(), Deform<D, P, Response>{view(), {static_cast<Real>(dt_)}, gathered});
+      lanes_.gather(view(), Deform<D, P, Response>{view(), {static_cast<Real>(dt_)}});
     } else {
-      for_each_index(size(), Deform<D, P, ElasticResponse<D, P>>{view(), {}, gathered});
+      lanes_.gather(view(), Deform<D, P, ElasticResponse<D, P>>{view(), {}});
     }
   }
 
-  template <class Viscosity, class Filter>
-  void accelerate_with(const Viscosity& viscosity, const Filter& filter,
-                       const BondPush<D, Real>* pushed = nullptr) {
-    for_each_index(size(), BondForce<D, P, Viscosity, Filter>{view(), viscosity, filter, pushed});
-  }
-  // By all bonds at once, where no bond is left out.
-  template <class Filter>
-  const BondPush<D, Real>* push_all(const Filter&, const Vector<D, Real>* velocity) {
-    if constexpr (!std::is_same_v<Filter, EveryBond>) return nullptr;
-    return lanes_.push(view(), velocity);
+  // By way of lanes where no bond is left out and their viscosity is all.
+  template <class Viscosity, class Filter, class Then>
+  void accelerate_with(const Viscosity& viscosity, const Filter& filter, const Then& then) {
+    const BondForce<D, P, Viscosity, Filter, Then> loop{view(), viscosity, filter, then};
+    if constexpr (std::is_same_v<Filter, EveryBond> && Viscosity::in_lanes)
+      lanes_.push(view(), loop, Viscosity::acts);
+    else
+      for_each_index(size(), loop);
   }
 
   // Breaks bonds by `breaker`, deforms what is left anew and says what that made of the solid.
   template <class Breaker>
-  FractureBook book(const Breaker& breaker, const Velocities& velocity) {
-    const double held = held_energy(), power = elastic_power(velocity);
+  FractureBook book(const Breaker& breaker, bool with_power) {
+    const double held = held_energy(), power = with_power ? elastic_power() : 0.0;
     const auto [bonds, loose] = count();
     for_each_index(size(), breaker);
     do {
       settle();
-      respond(lanes_.gather_again(view()));
+      respond();
       if (can_break_) for_each_index(size(), Crush<D, P>{view()});
     } while (any_changed());
     const auto [bonds_left, loose_now] = count();
     return {bonds - bonds_left, loose_now - loose, held - held_energy(),
-            elastic_power(velocity) - power};
+            with_power ? elastic_power() - power : 0.0};
   }
 
   // What is stored, and what the step in hand took from it.
   double held_energy() { return energy().total() + flow_work() + softening_work(); }
 
-  // Power of the bonds on particles that move like this, without viscosity, W.
-  double elastic_power(const Velocities& velocity) {
-    if (velocity.empty()) return 0.0;
-    accelerate_with(NoViscosity<D, P>{}, EveryBond{}, push_all(EveryBond{}, nullptr));
-    return power_sum_(size(), ElasticPowerTerm<D, P>{view(), pointer(velocity)}).value[0];
+  // Power of the bonds on the particles as they move, without viscosity, W.
+  double elastic_power() {
+    accelerate_with(NoViscosity<D, P>{}, EveryBond{}, Idle{});
+    return power_sum_(size(), ElasticPowerTerm<D, P>{view()}).value[0];
   }
 
   void correct_all() {
@@ -290,6 +286,7 @@ class TotalLagrangian {
   SolidFields<D, P> fields_;
   BondLanes<D, P> lanes_;
   std::vector<std::uint8_t> fitted_;
+  std::uint64_t entries_ = 0;
   OrderedSum<2> sum_;
   OrderedSum<1> power_sum_;
   double dt_ = 0.0;

@@ -90,6 +90,13 @@ TEST(MemoryBudget, OfWater) {
       budget);
 }
 
+// And a particle of a solid with all its bonds.
+TEST(MemoryBudget, OfSolid) {
+  const auto simulation = make_simulation(case_of({"standard", "tofu", 3}));
+  simulation->advance();
+  EXPECT_LE(simulation->bytes_per_particle(), 1024.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Blocks, Memory,
     ::testing::Values(Block{"standard", "still_water", 2}, Block{"standard", "still_water", 3},

@@ -88,10 +88,10 @@ TYPED_TEST(SolidFracture, OnlyBondsAcrossTheGapBreak) {
     }
     EXPECT_GT(broken, 0u);
     EXPECT_EQ(trial.solid.count().second, 0u);
-    const auto& fields = trial.solid.fields();
+    const auto solid = trial.solid.view();
     for (Index i = 0; i < trial.size(); ++i)
-      for (Index k = fields.bond_begin[i]; k < fields.bond_begin[i + 1]; ++k)
-        ASSERT_EQ(fields.weight[k] == 0, is_upper(i) != is_upper(fields.neighbour[k]));
+      for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
+        ASSERT_EQ(!solid.is_whole(i, k), is_upper(i) != is_upper(solid.bonds.end(i, k)));
     // Both halves are at rest again.
     EXPECT_LE(trial.solid.energy().total(), 1e-9);
   }
@@ -126,11 +126,11 @@ TYPED_TEST(SolidFracture, SlidingFacesLetGo) {
       }
     trial.deform();
     for (FractureBook book{.bonds = 1}; book.bonds > 0;) book = trial.solid.fracture();
-    const auto& fields = trial.solid.fields();
+    const auto solid = trial.solid.view();
     std::uint64_t across = 0;
     for (Index i = 0; i < trial.size(); ++i)
-      for (Index k = fields.bond_begin[i]; k < fields.bond_begin[i + 1]; ++k)
-        across += is_upper(i) != is_upper(fields.neighbour[k]) && fields.weight[k] > 0;
+      for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
+        across += is_upper(i) != is_upper(solid.bonds.end(i, k)) && solid.is_whole(i, k);
     if (turn < 0.1)
       EXPECT_EQ(trial.solid.count().first, before);
     else
@@ -165,17 +165,17 @@ TYPED_TEST(SolidFracture, LooseParticles) {
 
 // Which piece each particle is part of, by its intact bonds.
 template <int D, class P>
-std::vector<Index> pieces_of(const SolidOnTrial<D, P>& trial) {
+std::vector<Index> pieces_of(SolidOnTrial<D, P>& trial) {
   std::vector<Index> root(trial.size());
   std::iota(root.begin(), root.end(), Index(0));
   const auto find = [&](Index i) {
     while (root[i] != i) i = root[i] = root[root[i]];
     return i;
   };
-  const auto& fields = trial.solid.fields();
+  const auto solid = trial.solid.view();
   for (Index i = 0; i < trial.size(); ++i)
-    for (Index k = fields.bond_begin[i]; k < fields.bond_begin[i + 1]; ++k)
-      if (fields.weight[k] > 0) root[find(i)] = find(fields.neighbour[k]);
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
+      if (solid.is_whole(i, k)) root[find(i)] = find(solid.bonds.end(i, k));
   for (Index i = 0; i < trial.size(); ++i) root[i] = find(i);
   return root;
 }

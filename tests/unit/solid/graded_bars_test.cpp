@@ -138,15 +138,14 @@ struct LongNotch {
   }
 };
 // The furthest middle of a broken bond along x, m.
-double crack_tip(const SolidOnTrial<2, Mixed>& trial) {
-  const auto begin = to_host(trial.solid.fields().bond_begin);
-  const auto neighbour = to_host(trial.solid.fields().neighbour);
-  const auto weight = to_host(trial.solid.fields().weight);
+double crack_tip(SolidOnTrial<2, Mixed>& trial) {
+  const auto solid = trial.solid.view();
   const auto& place = trial.layout.reference;
   double tip = 0.0;
-  for (std::size_t i = 0; i < place.size(); ++i)
-    for (Index k = begin[i]; k < begin[i + 1]; ++k)
-      if (!(weight[k] > 0.0f)) tip = std::max(tip, 0.5 * (place[i][0] + place[neighbour[k]][0]));
+  for (Index i = 0; i < place.size(); ++i)
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
+      if (!solid.is_whole(i, k))
+        tip = std::max(tip, 0.5 * (place[i][0] + place[solid.bonds.end(i, k)][0]));
   return tip;
 }
 // The crack runs along a strip that is pulled ever further, when the energy ahead of it is Gc; the

@@ -146,11 +146,11 @@ TYPED_TEST(GradedSlope, FactorsStayNearOne) {
   const auto choice = some_block<D>();
   SolidOnTrial<D, Double> trial(graded_block<D>(choice));
   const auto factors = to_host(trial.solid.fields().bond_fit);
-  const auto begin = to_host(trial.solid.fields().bond_begin);
-  for (std::size_t i = 0; i < trial.size(); ++i) {
+  const auto bonds = trial.solid.view().bonds;
+  for (Index i = 0; i < trial.size(); ++i) {
     const double from_jump =
         std::abs(trial.layout.reference[i][0] / choice.spacing - choice.cells[0]);
-    for (Index k = begin[i]; k < begin[i + 1]; ++k) {
+    for (Index k = bonds.first(i); k < bonds.last(i); ++k) {
       EXPECT_GT(factors[k], 0.4);
       EXPECT_LT(factors[k], 2.0);
       if (from_jump > 11.0) {  // the kernels of one coarse particle that sees the jump and of its

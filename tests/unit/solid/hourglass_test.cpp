@@ -64,7 +64,7 @@ TYPED_TEST(Hourglass, CheckerboardIsNoStrainButStoresEnergy) {
     }
     const double stored =
         0.5 * medium.hourglass_modulus() * medium.volume() * sum * 4.0 * amplitude * amplitude;
-    EXPECT_NEAR(trial.solid.fields().hourglass_energy[k], stored, 1e-5 * stored);
+    EXPECT_NEAR(energy_of(trial.solid.view(), k).hourglass, stored, 1e-5 * stored);
     // It pulls back: all particles share one amplitude and one energy, f = -
     // d(stored)/d(amplitude).
     const double moved = trial.position[k][0] - trial.layout.reference[k][0];

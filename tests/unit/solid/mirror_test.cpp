@@ -154,17 +154,17 @@ class MirroredSolid : public testing::Test {
   // The bonds of each particle of the part: those of the whole, in whatever order, and as whole.
   static void expect_same_bonds(Pair& both) {
     const auto n = static_cast<Index>(both.part.size());
-    const auto &a = both.part.solid.fields(), &b = both.whole.solid.fields();
+    const auto a = both.part.solid.view(), b = both.whole.solid.view();
     std::map<MirrorCode, Index> copy;
     for (std::size_t c = 0; c < both.codes.size(); ++c) copy[both.codes[c]] = static_cast<Index>(c);
     for (Index i = 0; i < n; ++i) {
       std::map<Index, bool> own, due;
-      for (Index k = a.bond_begin[i]; k < a.bond_begin[i + 1]; ++k) {
-        const Index entry = a.neighbour[k];
-        own[copy.at(both.planes.code(entry)) * n + both.planes.place(entry)] = a.weight[k] > 0;
+      for (Index k = a.bonds.first(i); k < a.bonds.last(i); ++k) {
+        const Index entry = a.bonds.end(i, k);
+        own[copy.at(both.planes.code(entry)) * n + both.planes.place(entry)] = a.is_whole(i, k);
       }
-      for (Index k = b.bond_begin[i]; k < b.bond_begin[i + 1]; ++k)
-        due[b.neighbour[k]] = b.weight[k] > 0;
+      for (Index k = b.bonds.first(i); k < b.bonds.last(i); ++k)
+        due[b.bonds.end(i, k)] = b.is_whole(i, k);
       EXPECT_EQ(own, due) << "particle " << i;
     }
   }

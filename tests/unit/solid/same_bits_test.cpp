@@ -55,7 +55,7 @@ class SameBits : public testing::Test {
   static void expect_same(Trial& a, Trial& b) {
     EXPECT_TRUE(are_same(a.position, b.position));
     EXPECT_TRUE(are_same(a.velocity, b.velocity));
-    EXPECT_TRUE(are_same(a.solid.save().weight, b.solid.save().weight));
+    EXPECT_TRUE(are_same(a.solid.save().whole, b.solid.save().whole));
     EXPECT_TRUE(are_same(a.solid.save().acceleration, b.solid.save().acceleration));
     EXPECT_TRUE(are_same(to_host(a.solid.fields().loose), to_host(b.solid.fields().loose)));
     EXPECT_TRUE(are_same(a.solid.save().strain, b.solid.save().strain));

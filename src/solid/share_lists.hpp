@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which particles can share one list of bonds: those of one medium whose bonds are all within it,
+// to no mirror image and without factors of their own (fit_levels.hpp), and whose other ends are at
+// the same distances, both in number and in space. On the host, once.
+#pragma once
+
+#include <algorithm>
+#include <boost/container_hash/hash.hpp>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+#include "core/error.hpp"
+#include "solid/bond_table.hpp"
+#include "solid/find_bonds.hpp"
+
+namespace kerf {
+
+// The lists as a BondTable has them. Those that are shared come first, filled up with zeros to
+// whole blocks, so that walks over them come to an end with one.
+struct StoredBonds {
+  static constexpr Index block = 16;
+
+  std::vector<Index> begin;
+  std::vector<std::uint16_t> count;
+  std::vector<Index> entry;
+  std::vector<Index> found_at;  // of each entry, where it is in the lists it comes from; or no_bond
+  std::vector<Index> owner;     // of each shared list, the first particle that has it
+  Index shared = 0;             // entries of shared lists
+};
+
+template <int D>
+class ListSharing {
+ public:
+  ListSharing(const SolidLayout<D>& layout, const BondLists& lists,
+              const std::vector<std::uint8_t>& fitted)
+      : layout_(layout),
+        lists_(lists),
+        fitted_(fitted),
+        n_(static_cast<Index>(layout.reference.size())) {
+    double largest = 0.0;
+    for (const auto& x : layout.reference) largest = std::max(largest, norm(x));
+    rounding_ = 8.0 * std::numeric_limits<double>::epsilon() * largest;
+  }
+
+  StoredBonds store() {
+    find_alike();
+    StoredBonds stored;
+    stored.begin.resize(n_);
+    for (Index i = 0; i < n_; ++i) {
+      require(length(i) <= std::numeric_limits<std::uint16_t>::max(),
+              "a particle of a solid has 65535 bonds at most");
+      stored.count.push_back(static_cast<std::uint16_t>(length(i)));
+    }
+    for (Index i = 0; i < n_; ++i)
+      if (is_shared(i) && model_[i] == i) append(i, stored);
+    stored.shared = static_cast<Index>(stored.entry.size());
+    for (Index i = 0; i < n_; ++i) {
+      if (is_shared(i))
+        stored.begin[i] = stored.begin[model_[i]];
+      else
+        append(i, stored);
+    }
+    return stored;
+  }
+
+ private:
+  static constexpr Index least_users = 8;
+
+  Index length(Index i) const { return lists_.begin[i + 1] - lists_.begin[i]; }
+  bool is_shared(Index i) const { return users_[model_[i]] >= least_users; }
+
+  void append(Index i, StoredBonds& stored) const {
+    stored.begin[i] = static_cast<Index>(stored.entry.size());
+    if (is_shared(i)) stored.owner.push_back(i);
+    for (Index k = lists_.begin[i]; k < lists_.begin[i + 1]; ++k) {
+      const Index end = lists_.neighbour[k];
+      require(layout_.mirrors.faces == 0 || layout_.mirrors.code(end) != 0 ||
+                  std::max(i, end) - std::min(i, end) < BondEntry<D>::most_apart,
+              "a solid beside planes of symmetry has too many particles");
+      stored.entry.push_back(BondEntry<D>::pack(i, end, layout_.mirrors));
+      stored.found_at.push_back(k);
+    }
+    while (is_shared(i) && stored.entry.size() % StoredBonds::block != 0) {
+      stored.entry.push_back(0);
+      stored.found_at.push_back(no_bond);
+    }
+  }
+
+  // Of each particle the first one whose list it could have, and of those how many have it.
+  void find_alike() {
+    model_.resize(n_);
+    users_.assign(n_, 0);
+    std::unordered_map<std::size_t, std::vector<Index>> models;  // by hash
+    Index last = no_bond;
+    for (Index i = 0; i < n_; ++i) {
+      model_[i] = i;
+      if (!may_share(i)) continue;
+      if (last == no_bond || !are_alike(i, last)) {
+        auto& candidates = models[hash(i)];
+        const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                        [&](Index j) { return are_alike(i, j); });
+        last = found == candidates.end() ? i : *found;
+        if (last == i) candidates.push_back(i);
+      }
+      model_[i] = last;
+      ++users_[last];
+    }
+  }
+  bool may_share(Index i) const {
+    if (!fitted_.empty() && fitted_[i] != 0) return false;
+    for (Index k = lists_.begin[i]; k < lists_.begin[i + 1]; ++k) {
+      const Index end = lists_.neighbour[k];
+      if (layout_.mirrors.code(end) != 0 || layout_.medium_index[end] != layout_.medium_index[i])
+        return false;
+    }
+    return length(i) > 0;
+  }
+  std::size_t hash(Index i) const {
+    std::size_t seed = layout_.medium_index[i];
+    for (Index k = lists_.begin[i]; k < lists_.begin[i + 1]; ++k)
+      boost::hash_combine(seed, lists_.neighbour[k] - i);
+    return seed;
+  }
+  bool are_alike(Index i, Index j) const {
+    if (length(i) != length(j) || layout_.medium_index[i] != layout_.medium_index[j]) return false;
+    const auto& x = layout_.reference;
+    for (Index a = lists_.begin[i], b = lists_.begin[j]; a < lists_.begin[i + 1]; ++a, ++b) {
+      const Index end = lists_.neighbour[a], other = lists_.neighbour[b];
+      if (end - i != other - j) return false;
+      const auto apart = (x[end] - x[i]) - (x[other] - x[j]);
+      for (int c = 0; c < D; ++c)
+        if (std::abs(apart[c]) > rounding_) return false;
+    }
+    return true;
+  }
+
+  const SolidLayout<D>& layout_;
+  const BondLists& lists_;
+  const std::vector<std::uint8_t>& fitted_;  // per particle: 1 where a bond may have a factor
+  Index n_;
+  double rounding_ = 0.0;  // m, of differences of places
+  std::vector<Index> model_, users_;
+};
+
+}  // namespace kerf
