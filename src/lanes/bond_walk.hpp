@@ -66,10 +66,10 @@ class BondsOfOne {
     result.stretch = stretches ? simd::hmax(stretch) : Real(0);
   }
 
-  // sum_j w [(A_i + A_j) R + (mu_i + mu_j) (u_j - u_i)], A_i taken out of the sum.
+  // sum_j w [(A_i + A_j) R + (mu_i + mu_j) (u_j - u_i)].
   template <bool shared, bool viscous>
   [[gnu::always_inline]] void push(BondPush<D, Real>& result) const {
-    T sum[2 * D + 1] = {};  // by the others; power; sum w R
+    T sum[D + 1] = {};  // force, power
     each<shared>([&](Some& some) KERF_LANE_BODY {
       load_transposed<End, 0, shared ? End::reference_slot : End::slots>(own_, some.ends,
                                                                          some.slot);
@@ -78,22 +78,19 @@ class BondsOfOne {
       for (int a = 0; a < D; ++a) {
         change[a] = change_of(some, a);
         weighted[a] = some.weight * some.bond[a];
-        sum[D + 1 + a] += weighted[a];
       }
       const T stiffness = some.weight * (T(own_->hourglass) + some.slot[End::hourglass_slot]);
       for (int a = 0; a < D; ++a) {
         sum[a] += stiffness * change[a];
         for (int b = 0; b < D; ++b)
-          sum[a] += some.slot[End::traction_slot + D * a + b] * weighted[b];
+          sum[a] +=
+              (T(own_->traction(a, b)) + some.slot[End::traction_slot + D * a + b]) * weighted[b];
       }
       if constexpr (viscous) damp(some, change, sum);
     });
-    Real total[2 * D + 1];
+    Real total[D + 1];
     sum_each(sum, total);
-    for (int a = 0; a < D; ++a) {
-      result.force[a] = total[a];
-      for (int b = 0; b < D; ++b) result.force[a] += own_->traction(a, b) * total[D + 1 + b];
-    }
+    for (int a = 0; a < D; ++a) result.force[a] = total[a];
     result.power = total[D];
   }
 
@@ -126,8 +123,7 @@ class BondsOfOne {
       square += some.bond[a] * some.bond[a];
     }
     some.per_length = reciprocal_square_root(select(square > T(0), square, T(1)));
-    const T rest = maximum(T(1) - square * some.per_length * T(law_.per_diameter), T(Real(0)));
-    some.weight = T(law_.largest_weight) * (rest * rest * rest);
+    some.weight = law_.scale.weight(square * some.per_length);
     if (task_.fit != nullptr) some.weight *= fit(some.first);
   }
   [[gnu::always_inline]] static T load(const Real* from) { return T(from, simd::element_aligned); }

@@ -6,6 +6,7 @@
 
 #include "core/matrix.hpp"
 #include "lanes/packed_place.hpp"
+#include "solid/bond_weight.hpp"
 
 namespace kerf {
 
@@ -29,14 +30,14 @@ struct alignas(16) PackedBondEnd {
 
 inline constexpr std::uint32_t bonds_per_word = 32;
 
-// The bonds within one medium: their weight (solid/bond_weight.hpp), and their viscosity q =
+// The bonds within one medium: their weight, and their viscosity q =
 // density (linear theta + quadratic theta^2), with theta = length v_n / R (solid/bond_force.hpp).
 template <class Real>
 struct BondLaw {
-  Real largest_weight, per_diameter;  // m (2D: 1); 1/m
-  Real density, length;               // kg/m^3; m
-  Real linear;                        // A c, m/s
-  Real quadratic;                     // B, 1
+  BondScale<Real> scale;
+  Real density, length;  // kg/m^3; m
+  Real linear;           // A c, m/s
+  Real quadratic;        // B, 1
 };
 
 // sum w (u_j - u_i) (x) R, and the largest |x|^2 / R^2 - 1.

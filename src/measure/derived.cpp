@@ -165,7 +165,9 @@ void derive_particles(DerivedNumbers& numbers, const Case& description) {
   for (const Body& body : description.bodies)
     for (const std::size_t count : count_levels(body, description.dimension)) {
       numbers.particles_initial += count;
-      if (body.role == Role::elastic) numbers.particles_elastic += count;
+      if (body.role != Role::elastic) continue;
+      numbers.particles_elastic += count;
+      if (body.jitter > 0.0) numbers.particles_jittered += count;
     }
   double added = 0.0;
   for (const Jet& jet : description.jets)
@@ -208,9 +210,9 @@ double particles_within(double spacings, int dimension) {
 
 // Fields and what walks keep; 4 bytes for every neighbour within 2 h and the skin of the list, and
 // an eighth to spare. What bonds hold together lists no neighbours but has fields of its own; its
-// lists of bonds count for nothing where bodies are laid out in rows, which share them, and for 4
-// bytes a bond where they are not. Where there are solids everything has fields for contact. A test
-// compares with the heap.
+// lists of bonds count for little in bodies laid out in rows, which share them, and for 4 bytes a
+// bond in others. Where there are solids everything has fields for contact. A test compares with
+// the heap.
 double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const int dimension = description.dimension;
   const bool plane = dimension == 2, bonds = description.formulation == Formulation::standard;
@@ -224,7 +226,9 @@ double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
       wider * (contact + (bonds ? (plane ? 248.0 : 318.0) : (plane ? 278.0 : 396.0)));
   const double list = 4.5 * particles_within(reach + skin, dimension);
   const double solid = wider * (plane ? 195.0 : 280.0);
-  return all * particle + (all - held) * list + held * solid;
+  const double jittered = bonds ? static_cast<double>(numbers.particles_jittered) : 0.0;
+  const double bond_list = 4.0 * particles_within(reach, dimension);
+  return all * particle + (all - held) * list + held * solid + jittered * bond_list;
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ struct DerivedNumbers {
   double solid_to_water_spacing = 0.0;       // largest solid spacing over smallest water spacing
   std::size_t particles_initial = 0;
   std::size_t particles_elastic = 0;   // of them, in solids
+  std::size_t particles_jittered = 0;  // and of these, off the lattice
   std::size_t particles_expected = 0;  // with everything the jets add until the end
   double time_step = 0.0;              // s, estimate from the acoustic limit
   double steps = 0.0;

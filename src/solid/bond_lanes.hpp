@@ -20,14 +20,14 @@ class BondLanes {
  public:
   using Real = typename P::Real;
 
-  void set_up(const SolidLayout<D>& layout, const StoredBonds& bonds,
-              const SolidView<D, P>& solid) {
+  void set_up(const SolidLayout<D>& layout, const StoredBonds& bonds, const SolidView<D, P>& solid,
+              bool can_break) {
     if constexpr (!lanes_exist) return;
+    can_break_ = can_break;
     walks_ = walks().template get<D, Real>();
     double longest = 0.0;  // m, of bonds
     for (const auto& medium : layout.media) {
       laws_.push_back(law_of(medium));
-      can_break_ |= medium.can_break();
       longest = std::max(longest, 2.0 * medium.smoothing_length);
     }
     unit_ = PlaceUnit<Real>::of_spacing(longest / 16.0);  // differences up to eight bonds
@@ -54,8 +54,7 @@ class BondLanes {
   // The bonds of a shared list, as its owner has them. Rounded to the unit of places, so that they
   // are the same in both directions but for their sign.
   void measure(Index i, const SolidLayout<D>& layout, const SolidView<D, P>& solid) {
-    const auto& law = laws_[layout.medium_index[i]];
-    const BondScale<Real> scale{law.largest_weight, law.per_diameter};
+    const auto& scale = laws_[layout.medium_index[i]].scale;
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
       const auto apart = layout.reference[solid.bonds.end(i, k)] - layout.reference[i];
       Vector<D, Real> bond;
@@ -70,10 +69,7 @@ class BondLanes {
     return all;
   }
   static BondLaw<Real> law_of(const SolidMedium<double>& medium) {
-    const auto scale = BondScale<Real>::template of<D>(medium, medium);
-    return {scale.largest,
-            scale.per_diameter,
-            static_cast<Real>(medium.density),
+    return {BondScale<Real>::template of<D>(medium, medium), static_cast<Real>(medium.density),
             static_cast<Real>(medium.smoothing_length),
             static_cast<Real>(medium.artificial_linear * medium.longitudinal_speed()),
             static_cast<Real>(medium.artificial_quadratic)};

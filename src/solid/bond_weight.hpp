@@ -6,6 +6,7 @@
 // out than to fetch from memory.
 #pragma once
 
+#include "core/select.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "solid/solid_medium.hpp"
 
@@ -17,10 +18,12 @@ struct BondScale {
   T largest;       // K, m (2D: 1); 0 where there are no bonds between the two
   T per_diameter;  // 1 / (2 h), 1/m
 
-  // Of an unbroken bond, the same number in both directions; 0 beyond the kernel.
-  KERF_FUNCTION T weight(T distance) const {
-    const T rest = T(1) - distance * per_diameter;
-    return rest > T(0) ? largest * (rest * rest * rest) : T(0);
+  // Of an unbroken bond, or of several side by side; the same number in both directions, 0 beyond
+  // the kernel.
+  template <class Number>
+  KERF_FUNCTION Number weight(Number distance) const {
+    const Number rest = maximum(Number(1) - distance * Number(per_diameter), Number(0));
+    return Number(largest) * (rest * rest * rest);
   }
 
   template <int D>

@@ -123,21 +123,6 @@ struct MarkBreaking {
   }
 };
 
-// Whose bonds go to other media or to mirror images. Once, at set-up.
-template <int D, class P>
-struct FindMixed {
-  SolidView<D, P> solid;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    bool mixed = false;
-    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
-      const BondEnd j = solid.bond_end(i, k);
-      mixed = mixed || j.mirror != 0 || solid.medium_index[j.particle] != solid.medium_index[i];
-    }
-    solid.mixed[i] = mixed;
-  }
-};
-
 template <int D, class P>
 struct BreakMarked {
   using Real = typename P::Real;

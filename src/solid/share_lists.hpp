@@ -26,7 +26,8 @@ struct StoredBonds {
   std::vector<Index> entry;
   std::vector<Index> found_at;  // of each entry, where it is in the lists it comes from; or no_bond
   std::vector<Index> owner;     // of each shared list, the first particle that has it
-  Index shared = 0;             // entries of shared lists
+  std::vector<std::uint8_t> mixed;  // per particle: 1 with bonds to other media, or to images
+  Index shared = 0;                 // entries of shared lists
 };
 
 template <int D>
@@ -44,8 +45,9 @@ class ListSharing {
   }
 
   StoredBonds store() {
-    find_alike();
     StoredBonds stored;
+    for (Index i = 0; i < n_; ++i) stored.mixed.push_back(is_mixed(i));
+    find_alike(stored.mixed);
     stored.begin.resize(n_);
     for (Index i = 0; i < n_; ++i) {
       require(length(i) <= std::numeric_limits<std::uint16_t>::max(),
@@ -88,14 +90,15 @@ class ListSharing {
   }
 
   // Of each particle the first one whose list it could have, and of those how many have it.
-  void find_alike() {
+  void find_alike(const std::vector<std::uint8_t>& mixed) {
     model_.resize(n_);
     users_.assign(n_, 0);
     std::unordered_map<std::size_t, std::vector<Index>> models;  // by hash
     Index last = no_bond;
     for (Index i = 0; i < n_; ++i) {
       model_[i] = i;
-      if (!may_share(i)) continue;
+      const bool has_factors = !fitted_.empty() && fitted_[i] != 0;
+      if (length(i) == 0 || mixed[i] != 0 || has_factors) continue;
       if (last == no_bond || !are_alike(i, last)) {
         auto& candidates = models[hash(i)];
         const auto found = std::find_if(candidates.begin(), candidates.end(),
@@ -107,14 +110,13 @@ class ListSharing {
       ++users_[last];
     }
   }
-  bool may_share(Index i) const {
-    if (!fitted_.empty() && fitted_[i] != 0) return false;
+  bool is_mixed(Index i) const {
     for (Index k = lists_.begin[i]; k < lists_.begin[i + 1]; ++k) {
       const Index end = lists_.neighbour[k];
       if (layout_.mirrors.code(end) != 0 || layout_.medium_index[end] != layout_.medium_index[i])
-        return false;
+        return true;
     }
-    return length(i) > 0;
+    return false;
   }
   std::size_t hash(Index i) const {
     std::size_t seed = layout_.medium_index[i];

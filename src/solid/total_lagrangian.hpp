@@ -39,9 +39,7 @@ class TotalLagrangian {
   explicit TotalLagrangian(const SolidLayout<D>& layout) {
     const std::size_t n = layout.reference.size();
     require(n > 0 && layout.medium_index.size() == n, "a solid has one medium per particle");
-    const auto traits = take_media(layout, fields_);
-    is_viscous_ = traits.is_viscous;
-    can_break_ = traits.can_break;
+    traits_ = take_media(layout, fields_);
     const BondLists lists = BondFinder<D>(layout).find();
     const BondFit fit = LevelFit<D>(layout, lists).solve();
     const StoredBonds bonds = ListSharing<D>(layout, lists, fit.fitted).store();
@@ -59,11 +57,11 @@ class TotalLagrangian {
     entries_ = lists.neighbour.size();
     fields_.make_room();
     thrust::fill(fields_.whole.begin(), fields_.whole.end(), ~std::uint32_t(0));
-    for_each_index(size(), FindMixed<D, P>{view()});
+    to_device(bonds.mixed, fields_.mixed);
     if (fields_.any_softens) for_each_index(size(), StartWhole<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartUnflown<D, P>{view()});
     if (fields_.any_flaws) for_each_index(size(), StartFlaws<D, P>{view()});
-    lanes_.set_up(layout, bonds, view());
+    lanes_.set_up(layout, bonds, view(), traits_.can_break);
     correct_all();
     count();  // makes room for sums
   }
@@ -122,7 +120,7 @@ class TotalLagrangian {
     if (fields_.any_flows) {
       for_each_index(size(), RateTraction<D, P>{view()});
       accelerate_with(FlowViscosity<D, P>{}, filter, then);
-    } else if (is_viscous_) {
+    } else if (traits_.is_viscous) {
       accelerate_with(BondViscosity<D, P>{}, filter, then);
     } else {
       accelerate_with(NoViscosity<D, P>{}, filter, then);
@@ -137,7 +135,7 @@ class TotalLagrangian {
   // Breaks the bonds that pass their limit at the deformation in force, and deforms what is left
   // anew. To be called between deform() and accelerate().
   FractureBook fracture() {
-    if (!can_break_) return {};
+    if (!traits_.can_break) return {};
     for_each_index(size(), PrepareCriterion<D, P>{view()});
     for_each_index(size(), MarkBreaking<D, P>{{view()}});
     if (!any_changed()) return {};
@@ -165,7 +163,7 @@ class TotalLagrangian {
 
   // Power that the viscosity of the bonds dissipates now, W.
   double viscous_power() {
-    return is_viscous_ ? power_sum_(size(), PowerTerm<D, P>{view()}).value[0] : 0.0;
+    return traits_.is_viscous ? power_sum_(size(), PowerTerm<D, P>{view()}).value[0] : 0.0;
   }
 
   // What is stored at the deformation in force.
@@ -248,7 +246,7 @@ class TotalLagrangian {
     do {
       settle();
       respond();
-      if (can_break_) for_each_index(size(), Crush<D, P>{view()});
+      if (traits_.can_break) for_each_index(size(), Crush<D, P>{view()});
     } while (any_changed());
     const auto [bonds_left, loose_now] = count();
     return {bonds - bonds_left, loose_now - loose, held - held_energy(),
@@ -290,8 +288,7 @@ class TotalLagrangian {
   OrderedSum<2> sum_;
   OrderedSum<1> power_sum_;
   double dt_ = 0.0;
-  bool is_viscous_ = false;
-  bool can_break_ = false;
+  SolidTraits traits_;
 };
 
 }  // namespace kerf

@@ -28,6 +28,7 @@ name = "block"
 material = "{material}"
 shape = {{ type = "box", minimum = [{minimum}], maximum = [{maximum}] }}
 spacing = "1 mm"
+{jitter}
 )toml";
 
 struct Block {
@@ -35,10 +36,12 @@ struct Block {
   const char* material;
   int dimension;
   const char* precision = "mixed";
+  double jitter = 0.0;
 };
 
 void PrintTo(const Block& of, std::ostream* out) {
-  *out << of.material << " " << of.dimension << "D, " << of.formulation << ", " << of.precision;
+  *out << of.material << " " << of.dimension << "D, " << of.formulation << ", " << of.precision
+       << (of.jitter > 0.0 ? ", jittered" : "");
 }
 
 Case case_of(const Block& of) {
@@ -47,6 +50,7 @@ Case case_of(const Block& of) {
       fmt::format(
           block, fmt::arg("dimension", of.dimension), fmt::arg("formulation", of.formulation),
           fmt::arg("precision", of.precision), fmt::arg("material", of.material),
+          fmt::arg("jitter", of.jitter > 0.0 ? fmt::format("jitter = {}", of.jitter) : ""),
           fmt::arg("minimum", plane ? R"("0 mm", "0 mm")" : R"("0 mm", "0 mm", "0 mm")"),
           fmt::arg("maximum", plane ? R"("200 mm", "200 mm")" : R"("34 mm", "34 mm", "34 mm")")),
       "block");
@@ -90,11 +94,13 @@ TEST(MemoryBudget, OfWater) {
       budget);
 }
 
-// And a particle of a solid with all its bonds.
+// And a particle of a solid with all its bonds, in rows or off them.
 TEST(MemoryBudget, OfSolid) {
-  const auto simulation = make_simulation(case_of({"standard", "tofu", 3}));
-  simulation->advance();
-  EXPECT_LE(simulation->bytes_per_particle(), 1024.0);
+  for (const double jitter : {0.0, 0.2}) {
+    const auto simulation = make_simulation(case_of({"standard", "tofu", 3, "mixed", jitter}));
+    simulation->advance();
+    EXPECT_LE(simulation->bytes_per_particle(), 1024.0) << jitter;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -102,6 +108,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Block{"standard", "still_water", 2}, Block{"standard", "still_water", 3},
                       Block{"standard", "tofu", 2}, Block{"standard", "tofu", 3},
                       Block{"standard", "tofu", 3, "double"},
+                      Block{"standard", "tofu", 2, "mixed", 0.2},
+                      Block{"standard", "tofu", 3, "mixed", 0.2},
                       Block{"standard", "still_water", 3, "double"},
                       Block{"shinohara2004", "still_water", 2}, Block{"shinohara2004", "tofu", 3}));
 
