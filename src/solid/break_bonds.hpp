@@ -7,7 +7,7 @@
 #include "fracture/bond_criterion.hpp"
 #include "fracture/crushing.hpp"
 #include "fracture/severed.hpp"
-#include "solid/respond.hpp"
+#include "solid/break_account.hpp"
 
 namespace kerf {
 
@@ -127,10 +127,12 @@ template <int D, class P>
 struct BreakMarked {
   using Real = typename P::Real;
   BondTest<D, P> test;
+  BreakAccounts<D, P> accounts;
 
   KERF_FUNCTION void operator()(Index i) const {
     const auto& solid = test.solid;
     if (!solid.changed[i]) return;
+    accounts.open(solid, i);
     if (!(solid.criterion[i] < crushed<Real>)) {  // or failed
       solid.loose[i] = 1;
       return;
@@ -145,9 +147,12 @@ struct BreakMarked {
 template <int D, class P>
 struct Crush {
   SolidView<D, P> solid;
+  BreakAccounts<D, P> accounts;
 
   KERF_FUNCTION void operator()(Index i) const {
-    if (solid.loose[i] || !is_crushed(solid.medium(i), solid.gradient[i])) return;
+    if (!accounts.of[i].is_open || solid.loose[i] ||
+        !is_crushed(solid.medium(i), solid.gradient[i]))
+      return;
     solid.loose[i] = 1;
     solid.changed[i] = 1;
   }
@@ -179,8 +184,7 @@ struct CountTerms {
   SolidView<D, P> solid;
 
   KERF_FUNCTION void add(Index i, Terms<2>& sum) const {
-    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
-      sum.value[0] += solid.is_whole(i, k) ? 1.0 : 0.0;
+    sum.value[0] += solid.whole_bonds(i);
     sum.value[1] += solid.loose[i];
   }
 };

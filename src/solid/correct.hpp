@@ -6,7 +6,7 @@
 // loose.
 #pragma once
 
-#include "solid/solid_fields.hpp"
+#include "solid/break_account.hpp"
 
 namespace kerf {
 
@@ -26,31 +26,32 @@ struct Correct {
     if (!solid.changed[i]) return;
     solid.changed[i] = 0;
     solid.torn[i] = 1;
-    if (solid.loose[i]) {
-      solid.correction[i] = Matrix<D, Real>::zero();
-      return;
-    }
+    if (solid.loose[i]) return let_go(i);
     // In double: the sums of deform.hpp are rounded in another order, and must not find its
     // roundings here.
     const double volume = solid.medium(i).volume();
     auto moment = Matrix<D, double>::zero();
-    Index whole = 0;
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
       if (!solid.is_whole(i, k)) continue;
       const BondEnd j = solid.bond_end(i, k);
       const double weight = solid.weight(i, k, j, solid.reference_bond(i, j));
       const auto bond = solid.template reference_bond<double>(i, j);
       add_outer(moment, (weight / volume) * bond, bond);
-      ++whole;
     }
+    const Index whole = solid.whole_bonds(i);
     solid.torn[i] = whole < solid.bonds.count[i];
     auto correction = identity<D, double>();
     if (whole < least_bonds<D> || !divide(correction, moment, least_pivot)) {
       solid.loose[i] = 1;
-      solid.correction[i] = Matrix<D, Real>::zero();
-      return;
+      return let_go(i);
     }
     solid.correction[i] = Matrix<D, Real>::from((1.0 / volume) * correction);
+  }
+
+ private:
+  KERF_FUNCTION void let_go(Index i) const {
+    solid.correction[i] = Matrix<D, Real>::zero();
+    solid.changed[i] = solid.whole_bonds(i) > 0;
   }
 };
 
@@ -59,11 +60,13 @@ template <int D, class P>
 struct DropBonds {
   SolidView<D, P> solid;
   const std::uint8_t* dropped;  // 1: holds on to nothing
+  BreakAccounts<D, P> accounts = {};
 
   KERF_FUNCTION void operator()(Index i) const {
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
       if (!solid.is_whole(i, k)) continue;
       if (!dropped[i] && !dropped[solid.bond_end(i, k).particle]) continue;
+      accounts.open(solid, i);
       solid.break_bond(i, k);
       solid.changed[i] = 1;
     }

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "lanes/walk_in_blocks.hpp"
-#include "solid/respond.hpp"
+#include "solid/break_account.hpp"
 
 namespace kerf {
 
@@ -61,6 +61,17 @@ struct Deform {
       add_outer(sum, change, solid.weight(i, k, j, bond) * bond);
     }
     return sum;
+  }
+};
+
+// Of those alone that lost bonds.
+template <int D, class P, class Response>
+struct DeformBroken {
+  Deform<D, P, Response> deform;
+  BreakAccounts<D, P> accounts;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (accounts.of[i].is_open) deform(i);
   }
 };
 

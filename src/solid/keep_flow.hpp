@@ -35,14 +35,16 @@ struct KeepFlow {
   }
 };
 
-// Plastic work of the step in hand, J.
+// Plastic work of particle i in the step in hand, J.
+template <int D, class P>
+KERF_FUNCTION double flow_work_of(const SolidView<D, P>& solid, Index i) {
+  if (!solid.any_flows || solid.loose[i]) return 0.0;
+  return double(solid.medium(i).volume()) * double(solid.flow_work[i]);
+}
 template <int D, class P>
 struct FlowWorkTerm {
   SolidView<D, P> solid;
-  KERF_FUNCTION void add(Index i, Terms<1>& sum) const {
-    if (!solid.loose[i])
-      sum.value[0] += double(solid.medium(i).volume()) * double(solid.flow_work[i]);
-  }
+  KERF_FUNCTION void add(Index i, Terms<1>& sum) const { sum.value[0] += flow_work_of(solid, i); }
 };
 // What the last KeepFlow dissipated, J.
 template <int D, class P>

@@ -37,15 +37,19 @@ struct SofteningLossTerm {
   KERF_FUNCTION void add(Index i, Terms<1>& sum) const { sum.value[0] += solid.softening_loss[i]; }
 };
 
-// Taken by softening since the start of the run, up to the deformation in force, J.
+// Taken from particle i by softening since the start of the run, up to the deformation in force, J.
+template <int D, class P>
+KERF_FUNCTION double softening_work_of(const SolidView<D, P>& solid, Index i) {
+  if (!solid.softens(i)) return 0.0;
+  const auto medium = SolidMedium<double>::from(solid.medium(i));
+  const auto strain = solid.loose[i] ? solid.strain_start[i] : solid.strain_now[i];
+  return medium.volume() * softening_loss(medium, double(strain));
+}
 template <int D, class P>
 struct SofteningTerm {
   SolidView<D, P> solid;
   KERF_FUNCTION void add(Index i, Terms<1>& sum) const {
-    if (!solid.softens(i)) return;
-    const auto medium = SolidMedium<double>::from(solid.medium(i));
-    const auto strain = solid.loose[i] ? solid.strain_start[i] : solid.strain_now[i];
-    sum.value[0] += medium.volume() * softening_loss(medium, double(strain));
+    sum.value[0] += softening_work_of(solid, i);
   }
 };
 

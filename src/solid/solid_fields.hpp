@@ -133,6 +133,11 @@ struct SolidView {
   KERF_FUNCTION bool is_whole(Index i, Index k) const {
     return (whole[word(i, k)] & bit(i, k)) != 0;
   }
+  KERF_FUNCTION Index whole_bonds(Index i) const {
+    Index sum = 0;
+    for (Index k = bonds.first(i); k < bonds.last(i); ++k) sum += is_whole(i, k);
+    return sum;
+  }
   KERF_FUNCTION void break_bond(Index i, Index k) const {
     whole[word(i, k)] &= ~bit(i, k);
   }

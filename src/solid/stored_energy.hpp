@@ -47,18 +47,6 @@ struct PowerTerm {
   }
 };
 
-// Of the accelerations that are in force.
-template <int D, class P>
-struct ElasticPowerTerm {
-  SolidView<D, P> solid;
-
-  KERF_FUNCTION void add(Index i, Terms<1>& sum) const {
-    const auto acceleration = Vector<D, double>::from(solid.acceleration[i]);
-    const auto velocity = Vector<D, double>::from(solid.ends[i].velocity);
-    sum.value[0] += double(solid.medium(i).mass) * dot(acceleration, velocity);
-  }
-};
-
 template <int D, class P>
 struct EnergyTerms {
   SolidView<D, P> solid;

@@ -64,6 +64,7 @@ class TotalLagrangian {
     lanes_.set_up(layout, bonds, view(), traits_.can_break);
     correct_all();
     count();  // makes room for sums
+    if (traits_.can_break) accounts_.resize(size());
   }
 
   // Where the particles are and how fast they move: motion.take(view, i) for each of them
@@ -77,7 +78,7 @@ class TotalLagrangian {
   // where strength depends on the rate of strain; 0 = so slow that it does not.
   void deform(double dt = 0.0) {
     dt_ = dt;
-    respond();
+    respond([&](const auto& loop) { lanes_.gather(view(), loop); });
   }
   void deform(const Positions& position, double dt = 0.0) {
     require(position.size() == size(), "positions of every particle of the solid");
@@ -139,19 +140,20 @@ class TotalLagrangian {
     for_each_index(size(), PrepareCriterion<D, P>{view()});
     for_each_index(size(), MarkBreaking<D, P>{{view()}});
     if (!any_changed()) return {};
-    return book(BreakMarked<D, P>{{view()}}, true);
+    return book(BreakMarked<D, P>{{view()}, accounts()});
   }
 
   // Breaks bonds for good before the run: a notch. See CutBonds.
   template <class Separates>
   void cut(const Separates& separates) {
     for_each_index(size(), CutBonds<D, P, Separates>{view(), separates});
-    settle();
+    settle({});
   }
 
   // Breaks all bonds of the particles that are `gone`.
   FractureBook let_go(const Array<std::uint8_t>& gone) {
-    return book(DropBonds<D, P>{view(), pointer(gone)}, false);
+    accounts_.resize(size());
+    return book(DropBonds<D, P>{view(), pointer(gone), accounts()});
   }
 
   // The shortest time in which a wave crosses a kernel at the deformation in force.
@@ -181,7 +183,9 @@ class TotalLagrangian {
   }
   // Bonds, each counted from both ends, whether they are broken or not.
   std::uint64_t entries() const { return entries_; }
-  std::size_t bytes() const { return fields_.bytes() + lanes_.bytes(); }
+  std::size_t bytes() const {
+    return fields_.bytes() + lanes_.bytes() + accounts_.size() * sizeof(BreakAccount);
+  }
   // Per particle: 1 where the factor of a pair may differ from 1; empty where all are 1.
   const std::vector<std::uint8_t>& fitted() const { return fitted_; }
 
@@ -218,13 +222,13 @@ class TotalLagrangian {
     return stored;
   }
 
-  void respond() {
-    if (fields_.any_flows) {
-      using Response = FlowingResponse<D, P>;
-      lanes_.gather(view(), Deform<D, P, Response>{view(), {static_cast<Real>(dt_)}});
-    } else {
-      lanes_.gather(view(), Deform<D, P, ElasticResponse<D, P>>{view(), {}});
-    }
+  // act(loop of deform.hpp).
+  template <class Act>
+  void respond(const Act& act) {
+    if (fields_.any_flows)
+      act(Deform<D, P, FlowingResponse<D, P>>{view(), {static_cast<Real>(dt_)}});
+    else
+      act(Deform<D, P, ElasticResponse<D, P>>{view(), {}});
   }
 
   // By way of lanes where no bond is left out and their viscosity is all.
@@ -237,44 +241,36 @@ class TotalLagrangian {
       for_each_index(size(), loop);
   }
 
-  // Breaks bonds by `breaker`, deforms what is left anew and says what that made of the solid.
+  // Breaks bonds by `breaker`, deforms those anew that lost some and says what that made of the
+  // solid.
   template <class Breaker>
-  FractureBook book(const Breaker& breaker, bool with_power) {
-    const double held = held_energy(), power = with_power ? elastic_power() : 0.0;
-    const auto [bonds, loose] = count();
+  FractureBook book(const Breaker& breaker) {
     for_each_index(size(), breaker);
     do {
-      settle();
-      respond();
-      if (traits_.can_break) for_each_index(size(), Crush<D, P>{view()});
+      settle(accounts());
+      respond([&](const auto& loop) { for_each_index(size(), DeformBroken{loop, accounts()}); });
+      if (traits_.can_break) for_each_index(size(), Crush<D, P>{view(), accounts()});
     } while (any_changed());
-    const auto [bonds_left, loose_now] = count();
-    return {bonds - bonds_left, loose_now - loose, held - held_energy(),
-            with_power ? elastic_power() - power : 0.0};
+    const Terms<4> sum = break_sum_(size(), BreakTerms<D, P>{view(), accounts()});
+    return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1]),
+            sum.value[2], sum.value[3]};
   }
-
-  // What is stored, and what the step in hand took from it.
-  double held_energy() { return energy().total() + flow_work() + softening_work(); }
-
-  // Power of the bonds on the particles as they move, without viscosity, W.
-  double elastic_power() {
-    accelerate_with(NoViscosity<D, P>{}, EveryBond{}, Idle{});
-    return power_sum_(size(), ElasticPowerTerm<D, P>{view()}).value[0];
-  }
+  BreakAccounts<D, P> accounts() { return {pointer(accounts_)}; }
 
   void correct_all() {
     thrust::fill(fields_.loose.begin(), fields_.loose.end(), std::uint8_t(0));
     thrust::fill(fields_.changed.begin(), fields_.changed.end(), std::uint8_t(1));
     for_each_index(size(), SetHourglassModulus<D, P>{view()});
-    settle();
+    settle({});
   }
 
   // A particle that comes loose takes bonds from others, which may come loose in turn.
-  void settle() {
-    do {
+  void settle(const BreakAccounts<D, P>& accounts) {
+    for_each_index(size(), Correct<D, P>{view()});
+    while (any_changed()) {
+      for_each_index(size(), DropBonds<D, P>{view(), pointer(fields_.loose), accounts});
       for_each_index(size(), Correct<D, P>{view()});
-      for_each_index(size(), DropBonds<D, P>{view(), pointer(fields_.loose)});
-    } while (any_changed());
+    }
   }
 
   bool any_changed() {
@@ -287,6 +283,8 @@ class TotalLagrangian {
   std::uint64_t entries_ = 0;
   OrderedSum<2> sum_;
   OrderedSum<1> power_sum_;
+  OrderedSum<4> break_sum_;
+  Array<BreakAccount> accounts_;
   double dt_ = 0.0;
   SolidTraits traits_;
 };
