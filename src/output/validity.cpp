@@ -100,6 +100,17 @@ ValidityFlag drift_flag(double drift) {
                              percent, 100.0 * small_drift)};
 }
 
+// Of solids by bonds: the fit over the bonds that are left may store more than that over all.
+ValidityFlag break_flag(double gain) {
+  const bool good = gain <= small_drift;
+  return {"energy_from_breaks", good_if(good), gain, small_drift,
+          good ? fmt::format("Breaks put {:.2g}% of all energy into the motion.", 100.0 * gain)
+               : fmt::format("Breaks put {:.2g}% of all energy into the motion, more than {:g}%, "
+                             "where they should take some: fragments and debris are too fast, and "
+                             "the cut may be too easy.",
+                             100.0 * gain, 100.0 * small_drift)};
+}
+
 ValidityFlag leak_flag(const Leak& leak) {
   const bool good = leak.share() <= small_leak;
   return {"leak", good_if(good), leak.share(), small_leak,
@@ -199,6 +210,8 @@ std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
                                  "between the solid's particles.",
                                  derived.solid_to_water_spacing)});
   flags.push_back(drift_flag(outcome.ledger.energy_drift()));
+  if (outcome.ledger.dissipated_fracture != 0.0)
+    flags.push_back(break_flag(outcome.ledger.energy_from_breaks()));
   add_of_models(outcome, flags);
   return flags;
 }

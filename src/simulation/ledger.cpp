@@ -46,6 +46,11 @@ double Ledger::energy_drift() const {
   return scale > 0.0 ? (energy_total() - due) / scale : 0.0;
 }
 
+double Ledger::energy_from_breaks() const {
+  const double scale = energy_supplied(*this);
+  return scale > 0.0 ? std::max(0.0, -dissipated_fracture) / scale : 0.0;
+}
+
 double Ledger::pressure_energy_gap() const {
   const double scale = energy_supplied(*this);
   return scale > 0.0 ? (stored_water + stored_solid - pressure_work) / scale : 0.0;

@@ -57,6 +57,7 @@ struct Ledger {
   double momentum_error() const;       // relative to the largest momentum or impulse term
   double energy_drift() const;         // relative to all energy that ever came in
   double energy_total() const;         // now, stored + dissipated
+  double energy_from_breaks() const;   // what breaks put in rather than took, relative likewise
   double pressure_energy_gap() const;  // (stored by eq. of state - pressure work) / energy come in
 };
 

@@ -179,6 +179,18 @@ TEST(Validity, NamesWhatIsWeakAndOnlyThat) {
   EXPECT_THAT(weak, flag("leak", State::warning, "5% of the jet's water"));
 }
 
+// Breaks should take energy. One joule came into the outcome.
+TEST(Validity, BreaksThatPutEnergyInAreNamed) {
+  RunOutcome outcome = outcome_with_jet();
+  EXPECT_THAT(validity_of(outcome), Not(named("energy_from_breaks")));  // nothing broke
+  for (const auto& [dissipated, state, part] : {std::tuple{0.3, State::good, "Breaks put 0%"},
+                                                {-0.01, State::good, "Breaks put 1%"},
+                                                {-0.3, State::warning, "Breaks put 30%"}}) {
+    outcome.ledger.dissipated_fracture = dissipated;
+    EXPECT_THAT(validity_of(outcome), flag("energy_from_breaks", state, part)) << dissipated;
+  }
+}
+
 TEST(Validity, WavesComeBackFromEdges) {
   RunOutcome outcome = outcome_with_jet();
   outcome.derived.reflection_time = 0.01;
