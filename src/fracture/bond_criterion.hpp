@@ -32,6 +32,14 @@ KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTe
   return T(0);
 }
 
+// Whether a look shows that what prepare_criterion() would say does not pass.
+template <int D, class T>
+KERF_FUNCTION bool place_stays_below(const SolidMedium<T>& solid,
+                                     const SymmetricTensor<D, T>& green) {
+  return solid.criterion == BondCriterion::principal_strain &&
+         PrincipalStrain::stays_below(solid, green);
+}
+
 template <class T>
 KERF_FUNCTION bool place_passes(T prepared, const SolidMedium<T>& solid) {
   switch (solid.criterion) {

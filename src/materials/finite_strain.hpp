@@ -83,12 +83,17 @@ KERF_FUNCTION SymmetricTensor<D, T> coaxial_product(const SymmetricTensor<D, T>&
   return product;
 }
 
-// What no principal value is less than, but for rounding: mean - 2 sqrt(s':s' / 6).
+// What no principal value is less or more than, but for rounding: mean -+ 2 sqrt(s':s' / 6).
+template <class T>
+struct PossibleValues {
+  T least, most;
+};
 template <int D, class T>
-KERF_FUNCTION T least_possible(SymmetricTensor<D, T> s) {
+KERF_FUNCTION PossibleValues<T> possible_values(SymmetricTensor<D, T> s) {
   const T mean = trace(s) / T(3);
   for (int a = 0; a < 3; ++a) s(a, a) -= mean;
-  return mean - T(2) * std::sqrt(contract(s, s) / T(6));
+  const T farthest = T(2) * std::sqrt(contract(s, s) / T(6));
+  return {mean - farthest, mean + farthest};
 }
 
 // The three principal values, in no order: closed form in the plane, by the angle of the cubic's

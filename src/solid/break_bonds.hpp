@@ -11,6 +11,11 @@
 
 namespace kerf {
 
+// Stands among the numbers that criteria prepare for one that is too low to pass, and was not
+// worked out.
+template <class T>
+inline constexpr T too_low = T(-1e30);
+
 template <int D, class P>
 struct PrepareCriterion {
   using Real = typename P::Real;
@@ -41,6 +46,7 @@ struct PrepareCriterion {
     if (medium.criterion == BondCriterion::principal_stress && solid.flows(i))
       return std::sqrt(Real(1) + volume_square_less_one(green)) *
              PrincipalStress::largest(cauchy_now(solid, i));
+    if (place_stays_below(medium, green)) return too_low<Real>;
     return prepare_criterion(medium, green, solid.damage(i));
   }
   // By ductile damage.
@@ -77,12 +83,20 @@ struct BondTest {
     strain.own = dot(Real(2) * bond + change, change) / square;
     if (!(strain.own > Real(0))) return false;  // no bond breaks that is not stretched
     const bool same = solid.medium_index[i] == solid.medium_index[j.particle];
-    strain.prepared = Real(0.5) * (solid.criterion[i] + solid.criterion[j.particle]);
+    strain.prepared = Real(0.5) * (criterion_of(i) + criterion_of(j.particle));
     if (place_passes(strain.prepared, a) || (!same && place_passes(strain.prepared, b)))
       strain.mean =
           dot(bond, (green + green_strain(solid.seen(j, solid.gradient[j.particle]))) * bond) /
           square;
     return bond_breaks(strain, a) || (!same && bond_breaks(strain, b));
+  }
+
+  KERF_FUNCTION Real criterion_of(Index i) const {
+    const Real known = solid.criterion[i];
+    return known > too_low<Real>
+               ? known
+               : prepare_criterion(solid.medium(i), green_strain(solid.gradient[i]),
+                                   solid.damage(i));
   }
 
   template <class End>

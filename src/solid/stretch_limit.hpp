@@ -54,7 +54,7 @@ struct StretchLimit {
     if (solid.loose[i]) return {unsqueezed, i};
     const auto green = green_strain(solid.gradient[i]);
     const double most_squeezed = shortest / unsqueezed;
-    if (double(square_of(least_possible(green))) > most_squeezed * most_squeezed + 1e-5)
+    if (double(square_of(possible_values(green).least)) > most_squeezed * most_squeezed + 1e-5)
       return {1e300, i};
     const auto strain = principal_values(green);
     Real least = strain[0] < strain[1] ? strain[0] : strain[1];

@@ -2,6 +2,7 @@
 // Which bonds break, what becomes of the pieces, and the energy of it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "support/notched_strip.hpp"
@@ -15,6 +16,9 @@ TYPED_TEST_SUITE(SolidFracture, BothPrecisions);
 template <class Chosen>
 class PlaneFracture : public testing::Test {};
 TYPED_TEST_SUITE(PlaneFracture, PlaneOnly);
+template <class Chosen>
+class FractureByHand : public testing::Test {};
+TYPED_TEST_SUITE(FractureByHand, DoubleOnly);
 
 template <int D, class P>
 SolidOnTrial<D, P> brittle_block(BondCriterion criterion, double limit) {
@@ -66,6 +70,46 @@ TYPED_TEST(SolidFracture, CrushedBelowAFifthOfTheVolume) {
       for (Index i = 0; i < trial.size(); ++i) EXPECT_EQ(norm(trial.force(i)), 0.0);
       EXPECT_EQ(trial.solid.energy().total(), 0.0);
     }
+}
+
+// Which bonds break by the largest principal strain, worked out for all pairs with Eigen's
+// principal values: some by the mean of two ends of which one is strained little.
+TYPED_TEST(FractureByHand, PrincipalStrain) {
+  constexpr int D = TypeParam::D;
+  const double limit = 0.1, above = std::expm1(2.0 * limit);
+  auto trial = brittle_block<D, Double>(BondCriterion::principal_strain, limit);
+  const double swelling = D == 2 ? 0.35 : 0.25, width = D == 2 ? 1.5e-3 : 2e-3;
+  for (auto& x : trial.position) {
+    auto arm = x;
+    for (int a = 0; a < D; ++a) arm[a] -= 4e-3;
+    x += swelling * std::exp(-dot(arm, arm) / (width * width)) * arm;
+  }
+  trial.deform();
+  const auto green = [&](Index i) -> Square<D> {
+    const Square<D> h = as_square<D>(trial.gradient(i));
+    return 0.5 * (h + h.transpose() + h.transpose() * h);
+  };
+  const auto largest = [&](Index i) {
+    return 2.0 *
+           std::max(0.0,
+                    Eigen::SelfAdjointEigenSolver<Square<D>>(green(i)).eigenvalues().maxCoeff());
+  };
+  std::uint64_t expected = 0, of_mean = 0;
+  for (Index i = 0; i < trial.size(); ++i)
+    for (Index j = i + 1; j < trial.size(); ++j) {
+      const auto bond = as_column(trial.layout.reference[j] - trial.layout.reference[i]);
+      if (!(bond.norm() < 2.0 * trial.layout.media[0].smoothing_length)) continue;
+      const double length = norm(trial.position[j] - trial.position[i]) / bond.norm();
+      const double own = length * length - 1.0, prepared = 0.5 * (largest(i) + largest(j));
+      const double mean = bond.normalized().dot((green(i) + green(j)) * bond.normalized());
+      const bool by_place = prepared > above && mean > 0.25 * prepared && own > 0.5 * mean;
+      expected += own > above || by_place;
+      of_mean += own <= above && by_place && std::min(largest(i), largest(j)) < 0.8 * above;
+    }
+  EXPECT_GT(of_mean, 3u);
+  const FractureBook book = trial.solid.fracture();
+  EXPECT_EQ(book.loosened, 0u);
+  EXPECT_EQ(book.bonds, expected);
 }
 
 // One half is moved away: the tensors of a band seem strained, but only bonds across the gap break.
