@@ -104,10 +104,10 @@ ValidityFlag drift_flag(double drift) {
 ValidityFlag break_flag(double gain) {
   const bool good = gain <= small_drift;
   return {"energy_from_breaks", good_if(good), gain, small_drift,
-          good ? fmt::format("Breaks put {:.2g}% of all energy into the motion.", 100.0 * gain)
-               : fmt::format("Breaks put {:.2g}% of all energy into the motion, more than {:g}%, "
-                             "where they should take some: fragments and debris are too fast, and "
-                             "the cut may be too easy.",
+          good ? fmt::format("Breaks put {:.2g}% of all energy in.", 100.0 * gain)
+               : fmt::format("Breaks put {:.2g}% of all energy in, more than {:g}%, where they "
+                             "should take some: fragments and debris may be too fast, and the cut "
+                             "too easy.",
                              100.0 * gain, 100.0 * small_drift)};
 }
 
