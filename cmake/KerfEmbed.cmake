@@ -18,6 +18,8 @@ function(kerf_embed target function)
     DEPENDS ${ARG_UNPARSED_ARGUMENTS} ${KERF_EMBED_SCRIPT}
     COMMENT "Embedding ${function}"
     VERBATIM)
+  # All that a standard asks of compilers is 65536 characters.
+  set_source_files_properties(${output} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)
   target_sources(${target} PRIVATE ${output})
 endfunction()
 

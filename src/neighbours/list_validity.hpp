@@ -64,10 +64,10 @@ struct BoundMotion {
     double* farthest_squared;
 
     KERF_FUNCTION void operator()(Index begin, Index end) const {
-      const auto& particles = bound.particles;
+      const auto& all = bound.particles;
       for (Index i = begin; i < end; ++i) {
-        auto moved = particles.position[i] - particles.build_position[i];
-        moved += bound.horizon * Vector<D, double>::from(particles.velocity[i]);
+        auto moved = all.position[i] - all.build_position[i];
+        moved += bound.horizon * Vector<D, double>::from(all.velocity[i]);
         for (int a = 0; a < D; ++a) {
           sum->least[a] = moved[a] < sum->least[a] ? moved[a] : sum->least[a];
           sum->most[a] = moved[a] > sum->most[a] ? moved[a] : sum->most[a];

@@ -64,10 +64,10 @@ struct Deform {
   }
 };
 
-// Of those alone that lost bonds.
-template <int D, class P, class Response>
+// `Loop`, a Deform, of those alone that lost bonds.
+template <int D, class P, class Loop>
 struct DeformBroken {
-  Deform<D, P, Response> deform;
+  Loop deform;
   BreakAccounts<D, P> accounts;
 
   KERF_FUNCTION void operator()(Index i) const {

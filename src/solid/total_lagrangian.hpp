@@ -248,7 +248,9 @@ class TotalLagrangian {
     for_each_index(size(), breaker);
     do {
       settle(accounts());
-      respond([&](const auto& loop) { for_each_index(size(), DeformBroken{loop, accounts()}); });
+      respond([&]<class Loop>(const Loop& loop) {
+        for_each_index(size(), DeformBroken<D, P, Loop>{loop, accounts()});
+      });
       if (traits_.can_break) for_each_index(size(), Crush<D, P>{view(), accounts()});
     } while (any_changed());
     const Terms<4> sum = break_sum_(size(), BreakTerms<D, P>{view(), accounts()});

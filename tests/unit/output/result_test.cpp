@@ -86,7 +86,7 @@ TEST(Result, SaysByWhatAndWhereItWasCutThrough) {
   outcome.cut.cut_through = outcome.cut.severed = true;
   outcome.cut.cut_through_place = {0.01, -0.02, 0.0};
   EXPECT_EQ(result_of(outcome).at("cut_through_by"), "severed");
-  EXPECT_EQ(result_of(outcome).at("cut_through_place"), nlohmann::json({0.01, -0.02, 0.0}));
+  EXPECT_EQ(result_of(outcome).at("cut_through_place"), nlohmann::ordered_json({0.01, -0.02, 0.0}));
   outcome.cut.severed = false;
   EXPECT_EQ(result_of(outcome).at("cut_through_by"), "holed");
 }
@@ -98,10 +98,11 @@ TEST(Result, HasTheProfileOfTheKerfAndOfTheOpening) {
   outcome.kerf->opening.profile = {{0.0, 4e-3}};
   const auto result = result_of(outcome);
   const auto& profile = result.at("kerf").at("profile");
-  EXPECT_EQ(profile.at("position"), nlohmann::json({-1e-3, 0.0, 1e-3}));
-  EXPECT_EQ(profile.at("depth"), nlohmann::json({2e-3, 3e-3, 2.5e-3}));
-  EXPECT_EQ(result.at("opening").at("profile").at("position"), nlohmann::json::array({0.0}));
-  EXPECT_EQ(result.at("opening").at("profile").at("depth"), nlohmann::json::array({4e-3}));
+  EXPECT_EQ(profile.at("position"), nlohmann::ordered_json({-1e-3, 0.0, 1e-3}));
+  EXPECT_EQ(profile.at("depth"), nlohmann::ordered_json({2e-3, 3e-3, 2.5e-3}));
+  EXPECT_EQ(result.at("opening").at("profile").at("position"),
+            nlohmann::ordered_json::array({0.0}));
+  EXPECT_EQ(result.at("opening").at("profile").at("depth"), nlohmann::ordered_json::array({4e-3}));
 }
 
 TEST(Result, IsJsonWhateverTheNumbers) {
