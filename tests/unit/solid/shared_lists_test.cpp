@@ -129,12 +129,11 @@ TYPED_TEST(SharedLists, BreakAlike) {
   both.expect_same_forces();
 }
 
-// Neither a force nor a torque on the whole. Rounding is the same for all the inner particles here,
-// and adds up: to less than one rounding of all forces.
+// Neither a force nor a torque on the whole, though rounding is the same for all the inner
+// particles here, and adds up.
 TYPED_TEST(SharedLists, LeaveNothingOnTheWhole) {
   constexpr int dimension = TypeParam::D;
   using Place = Vector<dimension, double>;
-  const double bound = std::is_same_v<typename TypeParam::Real, float> ? 6e-8 : 1e-14;
   typename TestFixture::Both both(this->body());
   const auto stretch = [](Place x) {
     for (int a = 0; a < dimension; ++a) x[a] *= 1.05 + 0.05 * a;
@@ -156,8 +155,8 @@ TYPED_TEST(SharedLists, LeaveNothingOnTheWhole) {
       torque += x[0] * f[1] - x[1] * f[0];
       arm += norm(x) * norm(f);
     }
-    EXPECT_LE(norm(sum), bound * scale);
-    EXPECT_LE(std::abs(torque), bound * arm);
+    EXPECT_LE(norm(sum), TypeParam::rounding * scale);
+    EXPECT_LE(std::abs(torque), TypeParam::rounding * arm);
   }
 }
 
