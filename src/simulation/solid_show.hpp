@@ -54,9 +54,7 @@ class SolidOnHost {
   float temperature_rise(Index s) const { return static_cast<float>(flow_[s].temperature_rise); }
   float damage(Index s) const {
     const Index all = count_[s];
-    Index broken = 0;
-    for (Index k = view_.bonds.first(s); k < view_.bonds.last(s); ++k)
-      broken += view_.is_whole(s, k) ? 0 : 1;
+    const Index broken = all - view_.whole_bonds(s);
     return all > 0 ? static_cast<float>(broken) / static_cast<float>(all) : 1.0f;
   }
 

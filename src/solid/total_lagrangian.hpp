@@ -64,7 +64,9 @@ class TotalLagrangian {
     lanes_.set_up(layout, bonds, view(), traits_.can_break);
     correct_all();
     count();  // makes room for sums
-    if (traits_.can_break) accounts_.resize(size());
+    if (!traits_.can_break) return;
+    accounts_.resize(size());
+    break_sum_(size(), BreakTerms<D, P>{view(), accounts()});
   }
 
   // Where the particles are and how fast they move: motion.take(view, i) for each of them
