@@ -29,9 +29,24 @@ add_library(udunits2 INTERFACE)
 target_include_directories(udunits2 SYSTEM INTERFACE ${UDUNITS2_INCLUDE})
 target_link_libraries(udunits2 INTERFACE ${UDUNITS2_LIBRARY})
 
-# Particle loops: Thrust on TBB here, on CUDA with the toolkit's own Thrust.
+# Particle loops: Debian's Thrust on TBB threads.
 add_library(kerf_thrust INTERFACE)
-if(KERF_CUDA)
+find_path(THRUST_INCLUDE thrust/version.h REQUIRED)
+target_include_directories(kerf_thrust SYSTEM INTERFACE ${THRUST_INCLUDE})
+# ThreadSanitizer cannot look into Debian's TBB: exec/watched_threads.hpp.
+if(KERF_SANITIZE MATCHES thread)
+  target_compile_definitions(kerf_thrust INTERFACE
+    THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_CPP KERF_WATCHED_THREADS=1)
+else()
+  target_compile_definitions(kerf_thrust INTERFACE THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_TBB)
+endif()
+target_compile_definitions(kerf_thrust INTERFACE THRUST_IGNORE_DEPRECATED_CPP_DIALECT=1)
+target_link_libraries(kerf_thrust INTERFACE TBB::tbb)
+
+# Those of a GPU: the CUDA toolkit's own Thrust; or, emulated, those of this machine.
+add_library(kerf_thrust_emulated INTERFACE)
+target_link_libraries(kerf_thrust_emulated INTERFACE kerf_thrust)
+if(KERF_GPU STREQUAL cuda)
   if(NOT CMAKE_CUDA_ARCHITECTURES)
     set(CMAKE_CUDA_ARCHITECTURES 90)
   endif()
@@ -42,21 +57,9 @@ if(KERF_CUDA)
     set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION "-std=c++20")
   endif()
   find_package(CUDAToolkit REQUIRED)
-  target_compile_definitions(kerf_thrust INTERFACE KERF_CUDA=1)
-  # Eigen's headers mark more functions for the device than nvcc can use: not our warnings.
-  target_compile_options(kerf_thrust INTERFACE $<$<COMPILE_LANGUAGE:CUDA>:
-    --expt-relaxed-constexpr -diag-suppress=20011,20012,20013,20014,20015>)
-  target_link_libraries(kerf_thrust INTERFACE CUDA::cudart TBB::tbb)
-else()
-  find_path(THRUST_INCLUDE thrust/version.h REQUIRED)
-  target_include_directories(kerf_thrust SYSTEM INTERFACE ${THRUST_INCLUDE})
-  # ThreadSanitizer cannot look into Debian's TBB: exec/watched_threads.hpp.
-  if(KERF_SANITIZE MATCHES thread)
-    target_compile_definitions(kerf_thrust INTERFACE
-      THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_CPP KERF_WATCHED_THREADS=1)
-  else()
-    target_compile_definitions(kerf_thrust INTERFACE THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_TBB)
-  endif()
-  target_compile_definitions(kerf_thrust INTERFACE THRUST_IGNORE_DEPRECATED_CPP_DIALECT=1)
-  target_link_libraries(kerf_thrust INTERFACE TBB::tbb)
+  add_library(kerf_thrust_cuda INTERFACE)
+  # A loop body that calls what is for the host alone would fail on the GPU only.
+  target_compile_options(kerf_thrust_cuda INTERFACE $<$<COMPILE_LANGUAGE:CUDA>:
+    --expt-relaxed-constexpr --Werror=cross-execution-space-call>)
+  target_link_libraries(kerf_thrust_cuda INTERFACE CUDA::cudart_static)
 endif()

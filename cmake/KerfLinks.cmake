@@ -2,7 +2,8 @@
 # Who may know whom.
 target_link_libraries(kerf_case PUBLIC fmt::fmt PRIVATE tomlplusplus::tomlplusplus udunits2
   PkgConfig::muparser Boost::headers assimp::assimp)
-target_link_libraries(kerf_engine PUBLIC kerf_case kerf_thrust Eigen3::Eigen)
+target_link_libraries(kerf_engine PUBLIC kerf_case kerf_thrust Eigen3::Eigen
+  PRIVATE Boost::headers Boost::filesystem)
 target_link_libraries(kerf_measure PUBLIC kerf_case Boost::headers)
 target_include_directories(kerf_output SYSTEM PRIVATE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(kerf_output PUBLIC kerf_engine kerf_measure nlohmann_json::nlohmann_json
@@ -18,7 +19,3 @@ target_link_libraries(kerf_study PUBLIC kerf_case kerf_measure kerf_output kerf_
 target_link_libraries(kerf_app PUBLIC kerf_engine kerf_measure kerf_report kerf_study kerf_verify
   CLI11::CLI11 spdlog::spdlog
   PRIVATE httplib)
-if(KERF_CUDA)
-  file(GLOB kerf_device_sources ${CMAKE_SOURCE_DIR}/src/simulation/instantiate_*.cpp)
-  set_source_files_properties(${kerf_device_sources} PROPERTIES LANGUAGE CUDA)
-endif()

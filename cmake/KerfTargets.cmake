@@ -57,3 +57,21 @@ function(kerf_library name)
   add_library(kerf_${name} STATIC ${sources})
   target_link_libraries(kerf_${name} PUBLIC kerf_flags)
 endfunction()
+
+# kerf_gpu_engine(target kind sources...): the engine with its loops for a GPU, as a library that the
+# program loads (src/gpu/gpu_engine.hpp). kind: cuda or emulated. It shows the linker nothing else of
+# Kerf, so that its code and that of the program, from the same sources, are never mixed.
+function(kerf_gpu_engine target kind)
+  set(own ${CMAKE_SOURCE_DIR}/src/gpu/gpu_engine.cpp ${CMAKE_SOURCE_DIR}/src/gpu/${kind}_gpu.cpp)
+  add_library(${target} MODULE ${ARGN} ${own})
+  target_link_libraries(${target} PRIVATE kerf_case kerf_thrust_${kind} Eigen3::Eigen)
+  target_compile_definitions(${target} PRIVATE KERF_ON_GPU=1)
+  set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden
+    CUDA_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_link_options(${target} PRIVATE -Wl,--exclude-libs,ALL)
+  if(kind STREQUAL cuda)  # nvcc takes the sources with particle loops; it stumbles over fmt in others
+    list(FILTER ARGN INCLUDE REGEX "/instantiate_")
+    set_source_files_properties(${ARGN} ${CMAKE_SOURCE_DIR}/src/gpu/cuda_gpu.cpp
+      PROPERTIES LANGUAGE CUDA)
+  endif()
+endfunction()

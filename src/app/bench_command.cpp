@@ -2,7 +2,6 @@
 // How fast this build runs on this machine: whole steps of cubes and of the tofu case in both
 // formulations.
 #include <fmt/format.h>
-#include <oneapi/tbb/info.h>
 
 #include <chrono>
 #include <fstream>
@@ -13,9 +12,9 @@
 
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
+#include "app/machine_options.hpp"
 #include "case/read.hpp"
 #include "core/error.hpp"
-#include "core/processor.hpp"
 #include "core/version.hpp"
 #include "lanes/walks.hpp"
 #include "simulation/simulation.hpp"
@@ -25,7 +24,7 @@ namespace {
 
 struct BenchOptions {
   double seconds = 5.0;  // per load
-  int threads = 0;
+  MachineOptions machine;
   std::string json;
   std::vector<std::string> cases;  // instead of the loads of the program
 };
@@ -132,16 +131,16 @@ nlohmann::json to_json(const Result& result) {
 }
 
 void bench(const BenchOptions& options) {
-  set_threads(options.threads);
-  const int threads =
-      options.threads > 0 ? options.threads : oneapi::tbb::info::default_concurrency();
+  take_machine(options.machine);
+  const int threads = threads_of(options.machine);
+  const char* const walks_name = options.machine.device == Device::gpu ? "general" : walks().name;
   fmt::print("Kerf {}, {}, {} threads on {}\n", program_version, compiler_name(), threads,
-             processor_name());
+             device_name());
   fmt::print(
       "Rates per step: one in the standard formulation, two (midpoint) in that of the paper. "
       "Walks: "
       "{}.\n\n",
-      walks().name);
+      walks_name);
   fmt::print("{:<25} {:>10} {:>7} {:>16} {:>18} {:>11} {:>11}\n", "load", "particles", "steps",
              "particle-steps/s", "pair interact./s", "neighbours", "bytes/part.");
   nlohmann::json results;
@@ -158,8 +157,9 @@ void bench(const BenchOptions& options) {
   std::ofstream file(options.json);
   file << nlohmann::json{{"version", program_version},
                          {"compiler", compiler_name()},
-                         {"processor", processor_name()},
-                         {"walks", walks().name},
+                         {"device", word_of(options.machine.device)},
+                         {"processor", device_name()},
+                         {"walks", walks_name},
                          {"threads", threads},
                          {"loads", results}}
               .dump(2)
@@ -180,8 +180,7 @@ void add_bench_command(CLI::App& program) {
   command->add_option("--seconds", options->seconds, "Time per load, s")
       ->check(CLI::Range(0.1, 600.0))
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "Threads; 0 = all cores")
-      ->check(CLI::Range(0, 1024));
+  add_machine_options(*command, options->machine);
   command->add_option("--json", options->json, "Write the figures to this file as well");
   command->callback([options] { bench(*options); });
 }

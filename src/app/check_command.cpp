@@ -12,6 +12,7 @@
 #include "app/check_resolution.hpp"
 #include "app/check_warnings.hpp"
 #include "app/commands.hpp"
+#include "app/machine_options.hpp"
 #include "case/read.hpp"
 #include "case/schema.hpp"
 #include "machine/machine_jet.hpp"
@@ -31,7 +32,7 @@ struct CheckOptions {
   std::string file;
   bool keys = false;
   bool no_timing = false;
-  int threads = 0;
+  MachineOptions machine;
 };
 
 void row(const std::string& name, const std::string& value) {
@@ -161,6 +162,7 @@ void print_run_time(const Case& description, const DerivedNumbers& numbers) {
 }
 
 void check(const CheckOptions& options) {
+  take_machine(options.machine);
   const Case description = read_case(options.file);
   const DerivedNumbers numbers = derive(description);
   fmt::print("{}: the case is good.\n", options.file);
@@ -171,10 +173,7 @@ void check(const CheckOptions& options) {
   print_loads(numbers);
   print_meshes(description);
   print_cost(description, numbers);
-  if (!options.no_timing) {
-    set_threads(options.threads);
-    print_run_time(description, numbers);
-  }
+  if (!options.no_timing) print_run_time(description, numbers);
   auto warnings = check_warnings(description, numbers);
   for (const auto& warning : resolution_warnings(description))
     warnings.push_back(fmt::format("{}: {}", options.file, warning));
@@ -190,8 +189,7 @@ void add_check_command(CLI::App& program) {
   auto options = std::make_shared<CheckOptions>();
   auto* file = command->add_option("case", options->file, "Case file (TOML)");
   command->add_flag("--no-timing", options->no_timing, "Do not time a few steps");
-  command->add_option("--threads", options->threads, "Threads of the trial, 0 = every core")
-      ->check(CLI::NonNegativeNumber);
+  add_machine_options(*command, options->machine);
   auto* keys =
       command->add_flag("--keys", options->keys, "Print the reference of all keys instead");
   keys->excludes(file);

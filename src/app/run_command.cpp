@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "app/commands.hpp"
+#include "app/machine_options.hpp"
 #include "app/run_loop.hpp"
 #include "case/read.hpp"
 #include "case/write_used.hpp"
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 struct RunOptions {
   std::string case_file;
   std::string folder;
-  int threads = 0;
+  MachineOptions machine;
   bool resume = false;
   bool force = false;
   bool quiet = false;
@@ -35,7 +35,10 @@ std::string shell_word(const std::string& path) {
 std::string resume_command(const RunOptions& options, const fs::path& folder) {
   std::string command = fmt::format("kerf run {} --out {}", shell_word(options.case_file),
                                     shell_word(folder.string()));
-  if (options.threads > 0) command += fmt::format(" --threads {}", options.threads);
+  const MachineOptions& machine = options.machine;
+  if (machine.threads > 0) command += fmt::format(" --threads {}", machine.threads);
+  if (machine.device != Device::cpu)
+    command += fmt::format(" --device {}", word_of(machine.device));
   return command + " --resume";
 }
 
@@ -50,8 +53,8 @@ RunSettings settings_of(const RunOptions& options) {
                       : options.force ? Existing::replace
                                       : Existing::refuse;
   settings.quiet = options.quiet;
-  settings.threads =
-      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+  settings.threads = threads_of(options.machine);
+  settings.device = device_name();
   settings.resume_command = resume_command(options, settings.folder);
   return settings;
 }
@@ -68,7 +71,7 @@ void say_where_to_look(const RunSettings& settings) {
 }
 
 void run(const RunOptions& options) {
-  set_threads(options.threads);
+  take_machine(options.machine);
   const RunSettings settings = settings_of(options);
   const RunEnd end = RunLoop(settings, make_simulation).run();
   // As a shell has it: 128 and the number of the signal.
@@ -83,8 +86,7 @@ void add_run_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("run", "Run a case and report on it");
   command->add_option("CASE", options->case_file, "the case file")->required();
   command->add_option("--out", options->folder, "folder for the results; default out/<case>");
-  command->add_option("--threads", options->threads, "threads to use; default every core")
-      ->check(CLI::Range(1, 4096));
+  add_machine_options(*command, options->machine);
   CLI::Option* resume =
       command->add_flag("--resume", options->resume, "go on from the last checkpoint");
   command->add_flag("--force", options->force, "replace the run that the folder holds")

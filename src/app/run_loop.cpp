@@ -76,11 +76,11 @@ RunEnd RunLoop::start_and_run() {
   if (!folder_.has_checkpoint()) {
     write_file(folder_.used_case(), settings_.case_text);
     keep_meshes(settings_.description, folder_.path());
-    log_ = open_log(folder_.log());
+    start_log();
     begin();
     return steps();
   }
-  log_ = open_log(folder_.log());
+  start_log();
   const Checkpoint checkpoint = read_checkpoint(folder_.checkpoint(), settings_.case_text);
   before_ = record_from(checkpoint.run);
   if (!already_finished()) {
@@ -92,14 +92,18 @@ RunEnd RunLoop::start_and_run() {
   return {};
 }
 
+void RunLoop::start_log() {
+  log_ = open_log(folder_.log());
+  log_->info("kerf {}, {}, {} threads, {}: {}", program_version, compiler_name(), settings_.threads,
+             settings_.device, settings_.description.title);
+}
+
 bool RunLoop::already_finished() const {
   return before_.finished && std::filesystem::exists(folder_.result()) &&
          std::filesystem::exists(folder_.report());
 }
 
 void RunLoop::begin() {
-  log_->info("kerf {}, {}, {} threads: {}", program_version, compiler_name(), settings_.threads,
-             settings_.description.title);
   simulation_ = maker_(settings_.description);
   cut_.emplace(settings_.description, frame());
   tell(fmt::format("{}: {} particles to begin with, results in {}", settings_.case_name,

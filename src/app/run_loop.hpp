@@ -36,6 +36,7 @@ struct RunSettings {
   Existing existing = Existing::refuse;
   bool quiet = false;
   int threads = 0;             // as shown in the results
+  std::string device;          // likewise
   std::string resume_command;  // what a user types to go on
 };
 
@@ -57,6 +58,7 @@ class RunLoop {
   using Clock = std::chrono::steady_clock;
 
   RunEnd start_and_run();
+  void start_log();
   bool already_finished() const;
   void begin();
   void resume(const Archive& state);

@@ -83,6 +83,7 @@ void RunLoop::write_result() {
   outcome.pair_interactions = simulation_->pair_interactions();
   outcome.time_step_limits = limits_;
   outcome.wall_time = wall_time();
+  outcome.device = settings_.device;
   outcome.threads = settings_.threads;
   outcome.stage_times = stage_times();
   auto result = result_of(outcome);

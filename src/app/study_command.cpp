@@ -9,6 +9,7 @@
 #include "app/bar.hpp"
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
+#include "app/machine_options.hpp"
 #include "app/progress.hpp"
 #include "app/signals.hpp"
 #include "core/error.hpp"
@@ -33,6 +34,7 @@ struct StudyOptions {
   int cores = 0;
   double memory = 0.0;  // GiB
   std::string where = "local";
+  Device device = Device::cpu;
   bool retry = false;
   bool quiet = false;
 };
@@ -45,15 +47,20 @@ LocalBudget budget_of(const StudyOptions& options) {
   constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
   LocalBudget budget = budget_of_machine();
   if (options.cores > 0) budget.cores = options.cores;
-  budget.jobs = options.jobs > 0 ? options.jobs : budget.cores;
+  budget.device = word_of(options.device);
+  const int at_once = options.device == Device::gpu ? 1 : budget.cores;
+  budget.jobs = options.jobs > 0 ? options.jobs : at_once;
   if (options.memory > 0.0) budget.memory = options.memory * gibibyte;
   return budget;
 }
 
 std::unique_ptr<Executor> executor_of(const StudyOptions& options, const fs::path& folder) {
-  if (options.where == "local")
+  if (options.where == "local") {
+    set_device(options.device);  // is it there?
     return std::make_unique<LocalExecutor>(this_program, budget_of(options));
+  }
   SlurmBudget budget;
+  budget.device = word_of(options.device);
   if (options.jobs > 0) budget.jobs = options.jobs;
   if (options.cores > 0) budget.cores = options.cores;
   return std::make_unique<SlurmExecutor>(fs::read_symlink(this_program), folder, budget);
@@ -213,7 +220,9 @@ void add_study_command(CLI::App& program) {
       program.add_subcommand("study", "Run a case at many settings, or find the setting");
   command->add_option("STUDY", options->file, "the study file")->required();
   command->add_option("--out", options->folder, "folder for the results; default out/<study>");
-  command->add_option("--jobs", options->jobs, "runs at once, at most; default one for each core")
+  command
+      ->add_option("--jobs", options->jobs,
+                   "runs at once, at most; default one for each core, on a GPU one")
       ->check(CLI::Range(1, 4096));
   command
       ->add_option(
@@ -227,6 +236,7 @@ void add_study_command(CLI::App& program) {
   command->add_option("--on", options->where, "where runs are made: this machine, or Slurm")
       ->check(CLI::IsMember({"local", "slurm"}))
       ->capture_default_str();
+  add_device_option(*command, options->device);
   command->add_flag("--retry", options->retry, "run again what failed before");
   command->add_flag("--quiet", options->quiet, "show the results only");
   command->callback([options] { study(*options); });

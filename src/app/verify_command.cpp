@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
+#include "app/machine_options.hpp"
 #include "app/unknown_name.hpp"
 #include "app/verify_page.hpp"
 #include "output/files.hpp"
@@ -26,7 +27,7 @@ struct VerifyOptions {
   std::string json;
   std::string page;
   std::string keep;
-  int threads = 0;
+  MachineOptions machine;
 };
 
 std::vector<VerificationCase> chosen_cases(const std::vector<std::string>& names) {
@@ -111,7 +112,7 @@ void run_verification(const VerifyOptions& options) {
     print_list(cases);
     return;
   }
-  set_threads(options.threads);
+  take_machine(options.machine);
   const KeptRuns kept(options.keep);
   for (VerificationCase& entry : cases) take_up_kept(entry, kept);
   const Findings findings = verify_and_print(cases, options.all, kept);
@@ -143,8 +144,7 @@ void add_verify_command(CLI::App& program) {
   command->add_option("--keep", options->keep,
                       "Keep each run in this folder, show those that it holds, long ones too, and "
                       "make none of them again; empty it after a change of the program");
-  command->add_option("--threads", options->threads, "Threads, 0 = every core")
-      ->check(CLI::NonNegativeNumber);
+  add_machine_options(*command, options->machine);
   command->callback([options] { run_verification(*options); });
 }
 

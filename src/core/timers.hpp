@@ -11,30 +11,39 @@ namespace kerf {
 
 class Timers {
  public:
+  // `settle` comes before the end of a stage is read: loops of a GPU go on after their call.
+  explicit Timers(void (*settle)() noexcept) : settle_(settle) {}
+
   // Adds the time until the returned object dies to the stage.
   class Running {
    public:
-    explicit Running(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
+    Running(double& seconds, void (*settle)() noexcept)
+        : seconds_(seconds), settle_(settle), start_(Clock::now()) {}
     Running(const Running&) = delete;
     Running& operator=(const Running&) = delete;
-    ~Running() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+    ~Running() {
+      settle_();
+      seconds_ += std::chrono::duration<double>(Clock::now() - start_).count();
+    }
 
    private:
     using Clock = std::chrono::steady_clock;
     double& seconds_;
+    void (*settle_)() noexcept;
     Clock::time_point start_;
   };
 
   Running stage(const char* name) {
     for (StageTime& stage : stages_)
-      if (stage.name == name) return Running(stage.seconds);
+      if (stage.name == name) return Running(stage.seconds, settle_);
     stages_.reserve(16);  // references into it stay valid
     stages_.push_back({name, 0.0});
-    return Running(stages_.back().seconds);
+    return Running(stages_.back().seconds, settle_);
   }
   std::vector<StageTime> times() const { return stages_; }
 
  private:
+  void (*settle_)() noexcept;
   std::vector<StageTime> stages_;
 };
 

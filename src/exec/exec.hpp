@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where particle loops run: a thin layer on Thrust, whose device is TBB threads in the host build
-// and an NVIDIA GPU in the CUDA build. Loop bodies are named functors (nvcc refuses extended
-// lambdas inside generic code, and a named functor gives each profile a label).
+// How particle loops run: a thin layer on Thrust, whose device is TBB threads in the program and an
+// NVIDIA GPU in the engine for GPUs (src/gpu/). Loop bodies are named functors (nvcc refuses
+// extended lambdas inside generic code, and a named functor gives each profile a label).
 #pragma once
 
 #include <thrust/binary_search.h>
@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "exec/host_device.hpp"
+#include "exec/loop_policy.hpp"
 #if defined(KERF_WATCHED_THREADS)
 #include "exec/watched_threads.hpp"
 #endif
@@ -32,7 +33,8 @@ namespace kerf {
 
 using Index = std::uint32_t;
 
-#if defined(KERF_CUDA)
+// Is this compiled for a GPU, or to go the ways of one (KERF_GPU in CMakeLists.txt)?
+#if defined(KERF_ON_GPU)
 inline constexpr bool on_gpu = true;
 #else
 inline constexpr bool on_gpu = false;
@@ -56,7 +58,7 @@ void for_each_index(Index count, const Body& body) {
 #if defined(KERF_WATCHED_THREADS)
   for_each_index_watched(count, body);
 #else
-  thrust::for_each(thrust::device, thrust::counting_iterator<Index>(0),
+  thrust::for_each(loop_policy(), thrust::counting_iterator<Index>(0),
                    thrust::counting_iterator<Index>(count), body);
 #endif
 }
@@ -65,7 +67,7 @@ void for_each_index(Index count, const Body& body) {
 // (minimum, maximum, or): exact for any number of threads.
 template <class T, class Value, class Combine>
 T reduce_unordered(Index count, const Value& value, T initial, const Combine& combine) {
-  return thrust::transform_reduce(thrust::device, thrust::counting_iterator<Index>(0),
+  return thrust::transform_reduce(loop_policy(), thrust::counting_iterator<Index>(0),
                                   thrust::counting_iterator<Index>(count), value, initial, combine);
 }
 

@@ -18,14 +18,14 @@ struct Terms {
     for (int k = 0; k < N; ++k) t.value[k] = 0.0;
     return t;
   }
-  void join(const Terms& other) {
+  KERF_FUNCTION void join(const Terms& other) {
     for (int k = 0; k < N; ++k) value[k] += other.value[k];
   }
 };
 
 template <class Sum, class Value>
 struct SumBlock {
-  static constexpr Index length = 512;
+  static constexpr Index length = on_gpu ? 32 : 512;  // a thread's
   Index count;
   Value value;
   Sum* partial;
@@ -42,6 +42,22 @@ struct SumBlock {
   }
 };
 
+template <class Sum>
+struct JoinBlock {
+  static constexpr Index length = 32;
+  Index count;
+  const Sum* partial;
+  Sum* joined;
+
+  KERF_FUNCTION void operator()(Index block) const {
+    const Index begin = block * length;
+    const Index end = begin + length < count ? begin + length : count;
+    Sum sum = partial[begin];
+    for (Index i = begin + 1; i < end; ++i) sum.join(partial[i]);
+    joined[block] = sum;
+  }
+};
+
 // Keeps its scratch space, so that summing in a step does not allocate. `Sum` has a static zero()
 // and join(Sum), of which the right-hand one is of particles further on.
 template <class Sum>
@@ -52,12 +68,10 @@ class OrderedFold {
   Sum operator()(Index count, const Value& value) {
     if (count == 0) return Sum::zero();
     using Block = SumBlock<Sum, Value>;
-    const Index blocks = (count + Block::length - 1) / Block::length;
-    if (partial_.size() < blocks) {
-      partial_.resize(blocks);
-      host_.resize(blocks);
-    }
+    Index blocks = blocks_of(count, Block::length);
+    make_room(blocks);
     for_each_index(blocks, Block{count, value, pointer(partial_)});
+    if constexpr (on_gpu) blocks = join_there(blocks);
     thrust::copy(partial_.begin(), partial_.begin() + blocks, host_.begin());
     Sum total = Sum::zero();
     for (Index block = 0; block < blocks; ++block) total.join(host_[block]);
@@ -65,7 +79,27 @@ class OrderedFold {
   }
 
  private:
-  Array<Sum> partial_;
+  static Index blocks_of(Index count, Index length) { return (count + length - 1) / length; }
+
+  void make_room(Index blocks) {
+    if (partial_.size() >= blocks) return;
+    partial_.resize(blocks);
+    host_.resize(blocks);
+    if (on_gpu) joined_.resize(blocks);
+  }
+
+  // What comes to the host is one sum only.
+  Index join_there(Index blocks) {
+    while (blocks > 1) {
+      const JoinBlock<Sum> join{blocks, pointer(partial_), pointer(joined_)};
+      blocks = blocks_of(blocks, JoinBlock<Sum>::length);
+      for_each_index(blocks, join);
+      partial_.swap(joined_);
+    }
+    return blocks;
+  }
+
+  Array<Sum> partial_, joined_;
   std::vector<Sum> host_;
 };
 

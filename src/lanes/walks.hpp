@@ -4,6 +4,7 @@
 // when it is first asked for.
 #pragma once
 
+#include "exec/exec.hpp"
 #include "lanes/packed_bonds.hpp"
 #include "lanes/packed_fluid.hpp"
 #include "lanes/packed_search.hpp"
@@ -11,11 +12,7 @@
 namespace kerf {
 
 // Walks are for processors; on a GPU the general loops do all.
-#if defined(KERF_CUDA)
-inline constexpr bool lanes_exist = false;
-#else
-inline constexpr bool lanes_exist = true;
-#endif
+inline constexpr bool lanes_exist = !on_gpu;
 
 template <int D, class Real>
 struct WalksOf {

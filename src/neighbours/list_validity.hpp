@@ -154,7 +154,7 @@ class ListValidity {
     occupied_.resize(patches_.count());
     const thrust::counting_iterator<Index> first(0);
     const HasParticles<D> has_particles{cells_, patches_, pointer(cell_begin)};
-    const auto end = thrust::copy_if(thrust::device, first, first + patches_.count(),
+    const auto end = thrust::copy_if(loop_policy(), first, first + patches_.count(),
                                      occupied_.begin(), has_particles);
     count_ = static_cast<Index>(end - occupied_.begin());
     bounds_.resize(patches_.count());

@@ -118,7 +118,7 @@ class NeighbourList {
   void list_in_passes(const Find& find, const ListPlaces& places, Index count) {
     for_each_index(count, CountNeighbours<D, P, Scheme>{find, places});
     thrust::fill_n(begin_.begin() + count, 1, Index(0));
-    thrust::exclusive_scan(thrust::device, begin_.begin(), begin_.end(), begin_.begin());
+    thrust::exclusive_scan(loop_policy(), begin_.begin(), begin_.end(), begin_.begin());
     pairs_ = begin_[count];
     if (neighbour_.size() < pairs_) neighbour_.resize(pairs_ + pairs_ / 8);
     for_each_index(count, WriteNeighbours<D, P, Scheme>{find, places, pointer(neighbour_)});
@@ -127,7 +127,7 @@ class NeighbourList {
   // Null where cells are so wide that places, which are counted round, would not be told apart.
   SearchView<D> pack_for_search(Particles<D, P>& particles) {
     SearchView<D> packed;
-#if !defined(KERF_CUDA)
+    if constexpr (!lanes_exist) return packed;
     constexpr double widest = 8.0;  // finest limits that a cell and its view may span
     const double finest = grids_.limit[0][0];
     for (int level = 0; level < grids_.levels; ++level)
@@ -143,7 +143,6 @@ class NeighbourList {
     packed.unit = PlaceUnit<float>::of_spacing(finest / widest);
     packed.search = search_of<D>(walks());
     for_each_index(particles.size(), PackForSearch<D, P, Scheme>{particles.view(), packed});
-#endif
     return packed;
   }
 

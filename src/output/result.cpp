@@ -19,6 +19,7 @@ void add_run(Json& result, const RunOutcome& outcome) {
   result["precision"] = description.precision == PrecisionKind::mixed ? "mixed" : "double";
   result["version"] = program_version;
   result["compiler"] = compiler_name();
+  result["device"] = outcome.device;
   result["threads"] = outcome.threads;
 }
 

@@ -35,6 +35,7 @@ struct RunOutcome {
   std::map<std::string, std::uint64_t> time_step_limits;  // steps that each limit set
   double wall_time = 0.0;                                 // s, over all parts of the run
   int threads = 0;
+  std::string device;  // its name
   std::vector<StageTime> stage_times;
 };
 

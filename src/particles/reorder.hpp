@@ -13,7 +13,7 @@ template <int D, class P>
 void gather_particles(Particles<D, P>& particles, const Array<Index>& order) {
   particles.for_each_state([&](const char*, auto& field) {
     std::remove_reference_t<decltype(field)> sorted(order.size());
-    thrust::gather(thrust::device, order.begin(), order.end(), field.begin(), sorted.begin());
+    thrust::gather(loop_policy(), order.begin(), order.end(), field.begin(), sorted.begin());
     field.swap(sorted);
   });
   particles.resize(static_cast<Index>(order.size()));
@@ -31,7 +31,7 @@ struct StaysIn {
 template <int D, class P>
 void remove_leavers(Particles<D, P>& particles) {
   Array<Index> order(particles.size());
-  const auto last = thrust::copy_if(thrust::device, thrust::counting_iterator<Index>(0),
+  const auto last = thrust::copy_if(loop_policy(), thrust::counting_iterator<Index>(0),
                                     thrust::counting_iterator<Index>(particles.size()),
                                     order.begin(), StaysIn<D, P>{particles.view()});
   order.resize(static_cast<std::size_t>(last - order.begin()));
@@ -41,8 +41,8 @@ void remove_leavers(Particles<D, P>& particles) {
 template <int D, class P>
 void sort_particles(Particles<D, P>& particles, Array<Index> key) {
   Array<Index> order(particles.size());
-  thrust::sequence(thrust::device, order.begin(), order.end());
-  thrust::stable_sort_by_key(thrust::device, key.begin(), key.end(), order.begin());
+  thrust::sequence(loop_policy(), order.begin(), order.end());
+  thrust::stable_sort_by_key(loop_policy(), key.begin(), key.end(), order.begin());
   gather_particles(particles, order);
 }
 

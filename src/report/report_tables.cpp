@@ -96,6 +96,8 @@ std::string stages_table(const Json& result) {
     rows.push_back({html::escape(name), html::quantity(value_of(seconds), "s"),
                     fmt::format("{:.3g}%", 100.0 * value_of(seconds) / std::max(sum, 1e-300))});
   rows.push_back({"whole run", html::quantity(value_of(result.at("wall_time")), "s"), ""});
+  if (result.contains("device"))  // not in folders of earlier versions
+    rows.push_back({"computed on", html::escape(result.at("device").get<std::string>()), ""});
   rows.push_back({"threads", html::count(value_of(result.at("threads"))), ""});
   rows.push_back({"pair interactions", html::number(value_of(result.at("pair_interactions"))), ""});
   return html::table("Computing time", rows);

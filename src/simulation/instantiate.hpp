@@ -26,4 +26,8 @@ KERF_MAKE(standard, 3, Mixed)
 KERF_MAKE(standard, 3, Double)
 #undef KERF_MAKE
 
+// One of them, as the case wants it: the engine that this is compiled into, for processors or for a
+// GPU (src/gpu/), makes the run.
+std::unique_ptr<Simulation> make_here(const Case& description);
+
 }  // namespace kerf

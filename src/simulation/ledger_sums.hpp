@@ -69,7 +69,7 @@ struct StepChange {
     MotionSquares motion;
 
     KERF_FUNCTION static Sum zero() { return {Terms<slots>::zero(), {}}; }
-    void join(const Sum& other) {
+    KERF_FUNCTION void join(const Sum& other) {
       Terms<slots>::join(other);
       motion.join(other.motion);
     }

@@ -73,7 +73,7 @@ class ParticleRun : public Simulation {
   mutable Particles<D, P> particles_;
   mutable LedgerBook<D, P> book_;
   mutable Probes<D, P> probes_;
-  mutable Timers timers_;
+  mutable Timers timers_{wait_for_loops};
   mutable double pair_interactions_ = 0.0;
   NeighbourList<D, P, Scheme> list_;
   Array<Drive<D>> drives_;

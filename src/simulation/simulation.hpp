@@ -54,7 +54,8 @@ class Simulation {
   virtual void restore(const Archive& archive) = 0;
 };
 
-// Builds the run a case describes. Throws UserError when the case cannot be built.
+// Builds the run a case describes, on the device of this process (exec/device.hpp). Throws
+// UserError when the case cannot be built.
 std::unique_ptr<Simulation> make_simulation(const Case& description);
 
 // Threads used by all runs of this process; 0 = every core.

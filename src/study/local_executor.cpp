@@ -107,11 +107,12 @@ class LocalQueue {
     const int takers = std::max(1, std::min(slots, static_cast<int>(waiting_.size())));
     const int threads = std::max(1, free_cores() / takers);
     watcher_.started(job);
-    at_work_.push_back({job, threads,
-                        ChildProcess(program_,
-                                     {"run", job.case_file.string(), "--out", job.folder.string(),
-                                      "--threads", std::to_string(threads), "--resume"},
-                                     job.output)});
+    at_work_.push_back(
+        {job, threads,
+         ChildProcess(program_,
+                      {"run", job.case_file.string(), "--out", job.folder.string(), "--threads",
+                       std::to_string(threads), "--device", budget_.device, "--resume"},
+                      job.output)});
   }
 
   void reap() {

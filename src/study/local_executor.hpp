@@ -2,14 +2,17 @@
 // Runs as child processes of this one, as many at once as cores and memory allow.
 #pragma once
 
+#include <string>
+
 #include "study/executor.hpp"
 
 namespace kerf {
 
 struct LocalBudget {
   int cores = 1;
-  int jobs = 1;         // at once, at most
-  double memory = 0.0;  // bytes for all runs at once
+  int jobs = 1;                // at once, at most
+  double memory = 0.0;         // bytes for all runs at once
+  std::string device = "cpu";  // of kerf run
 };
 
 class LocalExecutor : public Executor {

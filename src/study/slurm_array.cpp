@@ -30,12 +30,13 @@ std::string quoted_for_shell(const std::string& text) {
 
 // A task that is cancelled or loses its node is ended by a signal, or with its shell: it leaves no
 // exit code.
-std::string script_of(const fs::path& study_folder, const fs::path& list, const fs::path& program) {
+std::string script_of(const fs::path& study_folder, const fs::path& list,
+                      const ArrayRequest& request) {
   return fmt::format(R"(#!/bin/sh
 # Made by kerf study: each task is one run of the list.
 cd {} || exit 1
 id=$(sed -n "$((SLURM_ARRAY_TASK_ID + 1))p" {})
-{} run "runs/$id.toml" --out "runs/$id" --threads "${{SLURM_CPUS_PER_TASK:-1}}" --resume \
+{} run "runs/$id.toml" --out "runs/$id" --threads "${{SLURM_CPUS_PER_TASK:-1}}" --device {} --resume \
   > "runs/$id.txt" 2>&1
 code=$?
 if [ "$code" -lt 128 ]; then
@@ -44,7 +45,7 @@ fi
 exit "$code"
 )",
                      quoted_for_shell(study_folder.string()), quoted_for_shell(list.string()),
-                     quoted_for_shell(program.string()));
+                     quoted_for_shell(request.program.string()), request.device);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -88,14 +89,17 @@ void SlurmArrays::submit_one(const std::vector<std::string>& ids, const ArrayReq
   const fs::path list = folder_ / fmt::format("{}.list", number);
   const fs::path script = folder_ / fmt::format("{}.sh", number);
   write_file(list, fmt::format("{}\n", fmt::join(ids, "\n")));
-  write_file(script, script_of(study_folder_, list, request.program));
-  const CommandOutput answer = output_of(
-      "sbatch",
-      {"--parsable", fmt::format("--job-name={}{}", name_, number),
-       fmt::format("--array=0-{}%{}", ids.size() - 1, request.at_once),
-       fmt::format("--cpus-per-task={}", request.cores),
-       fmt::format("--mem={:.0f}M", std::ceil(factor * request.memory / mebibyte + spare)),
-       fmt::format("--output={}", (folder_ / "%A_%a.txt").string()), script.string()});
+  write_file(script, script_of(study_folder_, list, request));
+  std::vector<std::string> words{
+      "--parsable",
+      fmt::format("--job-name={}{}", name_, number),
+      fmt::format("--array=0-{}%{}", ids.size() - 1, request.at_once),
+      fmt::format("--cpus-per-task={}", request.cores),
+      fmt::format("--mem={:.0f}M", std::ceil(factor * request.memory / mebibyte + spare)),
+      fmt::format("--output={}", (folder_ / "%A_%a.txt").string())};
+  if (request.device == "gpu") words.push_back("--gres=gpu:1");
+  words.push_back(script.string());
+  const CommandOutput answer = output_of("sbatch", words);
   if (answer.exit_code == 0) return;
   throw UserError(
       fmt::format("--on slurm: sbatch refused the runs: {} Options for this cluster, such "

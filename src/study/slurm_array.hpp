@@ -15,8 +15,9 @@ namespace kerf {
 struct ArrayRequest {
   std::filesystem::path program;
   int at_once = 1;
-  int cores = 1;        // of each task
-  double memory = 0.0;  // bytes, of each task
+  int cores = 1;               // of each task
+  double memory = 0.0;         // bytes, of each task
+  std::string device = "cpu";  // of kerf run
 };
 
 class SlurmArrays {

@@ -139,7 +139,7 @@ class SlurmQueue {
 
 void SlurmExecutor::run(const std::vector<Job>& jobs, JobWatcher& watcher) {
   SlurmArrays arrays(study_folder_);
-  SlurmQueue(arrays, {program_, budget_.jobs, budget_.cores, 0.0}, watcher, jobs)
+  SlurmQueue(arrays, {program_, budget_.jobs, budget_.cores, 0.0, budget_.device}, watcher, jobs)
       .run(std::chrono::duration<double>(budget_.poll_pause));
 }
 

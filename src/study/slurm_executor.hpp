@@ -9,9 +9,10 @@
 namespace kerf {
 
 struct SlurmBudget {
-  int jobs = 16;            // at once, at most
-  int cores = 1;            // of each
-  double poll_pause = 2.0;  // s, between two questions to Slurm
+  int jobs = 16;               // at once, at most
+  int cores = 1;               // of each
+  double poll_pause = 2.0;     // s, between two questions to Slurm
+  std::string device = "cpu";  // of kerf run; "gpu" asks for one GPU for each
 };
 
 class SlurmExecutor : public Executor {

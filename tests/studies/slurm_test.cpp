@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "core/error.hpp"
 #include "faults/program.hpp"
 #include "small_study.hpp"
 #include "study/slurm_array.hpp"
@@ -81,6 +82,15 @@ TEST_F(SlurmStudy, AKilledStudyTakesUpItsArray) {
   ASSERT_EQ(ending.exit_code, 0) << ending.output;
   EXPECT_EQ(count(RunState::done), 16u);
   EXPECT_EQ(arrays(), 1u) << "what was in the queue was submitted again";
+}
+
+TEST_F(SlurmStudy, AsksForAGpuWhereTheClusterHasNone) {
+  std::vector<std::string> words = arguments();
+  words.insert(words.end(), {"--device", "gpu"});
+  const test::Ending ending = Program(words, folder_ / "output.txt").wait();
+  EXPECT_EQ(ending.exit_code, exit_files);
+  EXPECT_THAT(ending.output, HasSubstr("generic resource"));
+  EXPECT_THAT(read_file(out() / "slurm/1.sh"), HasSubstr("--device gpu --resume"));
 }
 
 TEST(SlurmStudyWithoutSlurm, SaysThatNobodyAnswers) {

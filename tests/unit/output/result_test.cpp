@@ -56,6 +56,7 @@ TEST(Result, HasEveryPromisedKey) {
                           "precision",
                           "version",
                           "compiler",
+                          "device",
                           "threads",
                           "end_time",
                           "front_depth",

@@ -102,6 +102,14 @@ TEST_F(LocalExecutorTest, CoresAreSharedAmongWhatRuns) {
   for (const char* id : {"0", "3", "5"}) EXPECT_EQ(threads_of(id), 1);
 }
 
+TEST_F(LocalExecutorTest, RunsAreToldTheirDevice) {
+  const auto words = [&] { return read_file(folder_ / "0.txt"); };
+  LocalExecutor(program(), {1, 1, 1e9}).run(jobs(1), watcher_);
+  EXPECT_THAT(words(), testing::HasSubstr("--device cpu"));
+  LocalExecutor(program(), {1, 1, 1e9, "gpu"}).run(jobs(1), watcher_);
+  EXPECT_THAT(words(), testing::HasSubstr("--device gpu"));
+}
+
 TEST_F(LocalExecutorTest, AFolderThatAnotherProcessHoldsIsWaitedFor) {
   make_folder(folder_ / "held");
   std::optional<FolderLock> lock(folder_ / "held");

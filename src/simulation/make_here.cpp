@@ -14,7 +14,7 @@ std::unique_ptr<Simulation> make_of(const Case& description) {
 
 }  // namespace
 
-std::unique_ptr<Simulation> make_simulation(const Case& description) {
+std::unique_ptr<Simulation> make_here(const Case& description) {
   return description.formulation == Formulation::standard
              ? make_of<Formulation::standard>(description)
              : make_of<Formulation::shinohara2004>(description);

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+// A library for GPUs that cannot be used: of another version, or on a machine without a GPU.
+#include "gpu/gpu_engine.hpp"
+
+extern "C" const kerf::GpuEngine kerf_gpu_engine;
+const kerf::GpuEngine kerf_gpu_engine{
+    KERF_ENGINE_VERSION, [] { return std::string("there is no NVIDIA GPU"); },
+    [] { return std::string("none"); },
+    [](const kerf::Case&) -> std::unique_ptr<kerf::Simulation> { return nullptr; }};
