@@ -46,7 +46,7 @@ class StagesOf final : public StagedRun, private Standard<D, P> {
     Run::deform(step_length());
     Run::push_by_bonds();
   }
-  void break_bonds() override { Run::break_bonds(step_length()); }
+  void break_bonds() override { Run::break_bonds(); }
   void integrate() override {
     Run::drift_half(instant);
     Run::close_step(instant);

@@ -166,6 +166,7 @@ struct ArtificialStress {  // Gray, Monaghan & Swift (2001)
 struct Numerics {  // of the `standard` formulation
   WaterScheme water = WaterScheme::riemann;
   bool shifting = true;  // of water's particles, away from its surfaces
+  int subcycles = 8;     // steps that go on with the same forces of bonds, at most
   bool operator==(const Numerics&) const = default;
 };
 

@@ -82,6 +82,7 @@ void read_numerics(Draft& draft, Section& top) {
   Numerics& numerics = draft.result.numerics;
   numerics.water = law_of<WaterScheme>(section.text("water"), water_scheme_words);
   numerics.shifting = section.flag("shifting");
+  numerics.subcycles = section.integer("subcycles");
   section.refuse_unknown();
 }
 

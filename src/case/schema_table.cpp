@@ -42,7 +42,7 @@ constexpr Key table_of_keys[] = {
 {"", "backflow_eraser", table, "", "(off)", any, "", "", "Erases jet water that flows back"},
 {"", "probe", tables, "", "(none)", any, "", "", "Places where the run is measured"},
 {"", "artificial_stress", table, "", "(off)", any, "", "shinohara2004", "Cure of the tensile instability"},
-{"", "numerics", table, "", "(all defaults)", any, "", "standard", "How the equations of water are summed"},
+{"", "numerics", table, "", "(all defaults)", any, "", "standard", "How the equations of water are summed, and which steps solids take"},
 {"", "output", table, "", "(all defaults)", any, "", "", "What is written, and when"},
 
 {"time", "end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, or 4 jet widths of traverse)", up_to(1e6), "", "", "When the run ends"},
@@ -205,6 +205,7 @@ constexpr Key table_of_keys[] = {
 
 {"numerics", "water", word, "", "riemann", any, "riemann delta_sph", "", "What acts between particles of water: Riemann solutions, or mean pressures with a diffusion of density and an artificial viscosity"},
 {"numerics", "shifting", flag, "", "true", any, "", "", "Particles of water in motion are moved to where their neighbours are as dense on every side, but for three rows at its surfaces"},
+{"numerics", "subcycles", integer, "", "8", {1, 64}, "", "", "How many steps of water and contact go on, at most, with the same forces within solids, which are looked at as often as their own waves ask for; 1 = at every step"},
 
 {"output", "frame_interval", quantity, "s", "(end / 20)", positive, "", "", "Time between frames"},
 {"output", "frame_times", quantities, "s", "(every frame_interval)", not_negative, "", "", "Times of the frames, instead of an interval"},

@@ -141,6 +141,7 @@ void write_control(TomlWriter& writer, const Case& description) {
     writer.open("[numerics]", "numerics");
     writer.text("water", word_of(description.numerics.water, water_scheme_words));
     writer.raw("shifting", description.numerics.shifting ? "true" : "false");
+    writer.raw("subcycles", std::to_string(description.numerics.subcycles));
   }
   writer.open("[output]", "output");
   writer.numbers("frame_times", description.output.frame_times);

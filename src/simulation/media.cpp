@@ -129,4 +129,24 @@ std::vector<Medium<double>> make_media(const Case& description,
   return media;
 }
 
+SolidMedium<double> solid_medium(const Medium<double>& medium) {
+  SolidMedium<double> solid;
+  solid.law = medium.elasticity;
+  solid.criterion = medium.criterion;
+  solid.piece = medium.piece;
+  solid.joined_mirrors = medium.joined_mirrors;
+  solid.density = medium.density;
+  solid.spacing = medium.spacing;
+  solid.smoothing_length = medium.smoothing_length;
+  solid.mass = medium.mass;
+  solid.bulk_modulus = medium.bulk_modulus - medium.excess_bulk_modulus;
+  solid.shear_modulus = medium.shear_modulus;
+  solid.artificial_linear = medium.artificial_linear;
+  solid.artificial_quadratic = medium.artificial_quadratic;
+  solid.failure_strain = medium.failure_strain;
+  solid.softening_strain = medium.softening_strain;
+  solid.tensile_strength = medium.tensile_strength;
+  return solid;
+}
+
 }  // namespace kerf

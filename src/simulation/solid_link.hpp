@@ -36,17 +36,20 @@ struct FindSolids {
   }
 };
 
-// The motion of the solid (solid/take_motion.hpp). A particle that has left stays where it was last
-// seen.
+// The motion of the solid (solid/take_motion.hpp), as it will be `ahead` seconds from now if it
+// goes on as it does. A particle that has left stays where it was last seen.
 template <int D, class P>
 struct MotionOfParticles {
   ParticleView<D, P> particles;
   SolidIndexView link;
+  double ahead = 0.0;
 
   KERF_FUNCTION void take(const SolidView<D, P>& solid, Index s) const {
     const Index i = link.particle_of[s];
     if (i == no_index) return;
-    set_displacement(solid, s, particles.position[i]);
+    auto position = particles.position[i];
+    if (ahead > 0.0) position += ahead * Vector<D, double>::from(particles.velocity[i]);
+    set_displacement(solid, s, position);
     solid.ends[s].velocity = particles.velocity[i];
   }
 };
@@ -101,15 +104,18 @@ struct MarkLoose {
   }
 };
 
+// Those that are about to be removed and still hold on to others.
 template <int D, class P>
 struct FindLeavers {
   ParticleView<D, P> particles;
   SolidIndexView link;
+  SolidView<D, P> solid;
   std::uint8_t* gone;
 
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
-    gone[s] = i != no_index && particles.has(i, flag::outside | flag::erased) ? 1 : 0;
+    const bool leaves = i != no_index && particles.has(i, flag::outside | flag::erased);
+    gone[s] = leaves && solid.whole_bonds(s) > 0 ? 1 : 0;
   }
 };
 

@@ -7,12 +7,13 @@
 #include <memory>
 #include <utility>
 
-#include "integrate/time_step.hpp"
+#include "integrate/solid_cycle.hpp"
 #include "rates/pair_fit.hpp"
 #include "simulation/absorbing_sites.hpp"
 #include "simulation/flaw_media.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/levels.hpp"
+#include "simulation/media.hpp"
 #include "simulation/plastic_media.hpp"
 #include "simulation/solid_link.hpp"
 #include "simulation/solid_show.hpp"
@@ -36,7 +37,8 @@ class SolidPart {
 
   // The particles of the start, in the order of their ids.
   SolidPart(const Case& description, const std::vector<Medium<double>>& media,
-            Particles<D, P>& particles) {
+            Particles<D, P>& particles)
+      : cycle_(description.numerics.subcycles) {
     SolidLayout<D> layout;
     const auto origins = medium_origins(description);
     const auto is_level = [](const MediumOrigin& origin) { return origin.level > 0; };
@@ -81,35 +83,51 @@ class SolidPart {
     return list;
   }
 
-  // `dt` after the last end_step().
-  void deform(Particles<D, P>& particles, double dt) {
-    if (!solid_) return;
-    solid_->take(MotionOfParticles<D, P>{particles.view(), link()});
-    solid_->deform(dt);
+  // Does the step in hand begin one of the solid (integrate/solid_cycle.hpp)?
+  bool begins() const { return solid_ && cycle_.begins(); }
+
+  // In the middle of the first step, of `dt`, of one of the solid: as it will be in the middle of
+  // that.
+  void begin(Particles<D, P>& particles, double dt) {
+    if (!begins()) return;
+    cycle_.begin(dt, longest_);
+    deform(particles, cycle_.length(), cycle_.ahead(dt));
+  }
+  // Where the particles are now.
+  void deform_now(Particles<D, P>& particles) {
+    if (solid_) deform(particles, std::max(0.0, cycle_.since_middle()), 0.0);
   }
 
-  // Breaks what is strained too far; the deformation must be in force, in the middle of a step.
-  void break_bonds(Particles<D, P>& particles, double dt) {
-    if (!solid_) return;
+  // Breaks what is strained too far; the deformation must be that of begin().
+  void break_bonds(Particles<D, P>& particles) {
+    if (!begins()) return;
     const FractureBook book = solid_->fracture();
     // The whole kick of the step is without the broken bonds, as if they broke at its start, when
     // they had stored less by what they took up since.
-    losses_.released -= 0.5 * dt * book.power_gain;
+    losses_.released -= 0.5 * cycle_.length() * book.power_gain;
     take(book, particles);
   }
 
-  // Adds the accelerations by all bonds and by absorbing faces.
+  // Adds the accelerations by all bonds, which in a step that goes on are those of its beginning,
+  // and by absorbing faces.
   void accelerate(Particles<D, P>& particles) {
     if (!solid_) return;
-    accelerate_by(particles, EveryBond{});
+    const AddSolidAcceleration<D, P> add{particles.view(), link(), solid_->view()};
+    if (cycle_.begins())
+      solid_->accelerate(EveryBond{}, add);
+    else
+      for_each_index(solid_->size(), add);
     for_each_index(sites(), Absorb<D, P>{particles.view(), pointer(particle_of_), no_index,
                                          pointer(solid_->fields().loose), pointer(sites_)});
   }
-  // Those by the bonds that `filter` chooses by their particles.
+  // Those by the bonds that `filter` chooses by their particles, at the deformation in force.
   template <class Filter>
   void accelerate(Particles<D, P>& particles, const Filter& filter) {
-    if (solid_)
-      accelerate_by(particles, BondFilter<D, P, Filter>{particles.view(), link(), filter});
+    if (!solid_) return;
+    solid_->keeping_accelerations([&] {
+      solid_->accelerate(BondFilter<D, P, Filter>{particles.view(), link(), filter},
+                         AddSolidAcceleration<D, P>{particles.view(), link(), solid_->view()});
+    });
   }
 
   // Puts the pressure of the solid at the deformation in force on its particles, for probes.
@@ -118,12 +136,15 @@ class SolidPart {
     for_each_index(solid_->size(), ShowPressure<D, P>{particles.view(), link(), solid_->view()});
   }
 
-  // Particles that are about to be removed let go of the others.
+  // Particles that are about to be removed let go of the others, at the end of a step.
   void let_go_of_leavers(Particles<D, P>& particles) {
     if (!solid_) return;
-    for_each_index(solid_->size(), FindLeavers<D, P>{particles.view(), link(), pointer(gone_)});
+    for_each_index(solid_->size(),
+                   FindLeavers<D, P>{particles.view(), link(), solid_->view(), pointer(gone_)});
     if (!reduce_unordered(solid_->size(), IsSet{pointer(gone_)}, false, Either{})) return;
+    if (!cycle_.has_just_begun()) deform_now(particles);
     take(solid_->let_go(gone_), particles);
+    if (!cycle_.begins()) solid_->accelerate();  // by the bonds that are left
   }
 
   // Whether particles came loose since the last call.
@@ -143,21 +164,22 @@ class SolidPart {
 
   void end_step(double dt) {
     if (!solid_) return;
-    losses_.viscous += dt * solid_->viscous_power();
-    losses_.plastic += solid_->keep_flow();
-    losses_.released += solid_->keep_softening();
-    losses_.released += solid_->keep_damage(dt);
+    if (cycle_.begins()) book_bonds();
+    losses_.viscous += dt * viscous_power_;
     const Terms<D> force = force_sum_(sites(), AbsorbingForce<D>{pointer(sites_)});
     for (int a = 0; a < D; ++a)
       losses_.absorbed[static_cast<std::size_t>(a)] += dt * force.value[a];
-    wave_ = solid_->wave_time();
+    cycle_.end_step(dt);
   }
-  // What the waves of the solid allow for the next step, by its shape in the middle of the last
-  // one.
-  StepLimit step_limit(double courant) const {
+  // What the waves of the solid allow for the next step, by its shape in the middle of its last
+  // one. None of its steps takes longer than `most`, s.
+  StepLimit step_limit(double courant, double most) {
     if (!solid_) return {wave_.time, Limit::acoustic_solid, 0};
+    const bool is_known = wave_.time < not_known_yet.time;
+    longest_ = is_known ? std::min(courant * wave_.time, most) : 0.0;
     const Index particle = particle_of_[wave_.particle];
-    return {courant * wave_.time, Limit::acoustic_solid, particle == no_index ? 0 : particle};
+    return cycle_.limit(
+        {courant * wave_.time, Limit::acoustic_solid, particle == no_index ? 0 : particle});
   }
   void book(Ledger& ledger) {
     ledger.dissipated_artificial += losses_.viscous;
@@ -190,6 +212,10 @@ class SolidPart {
     if (!solid_) return;
     const SolidState<D, P> state = solid_->save();
     archive.arrays["solid/wave"] = std::vector<double>{wave_.time, double(wave_.particle)};
+    archive.arrays["solid/cycle"] = cycle_.save();
+    archive.arrays["solid/viscous_power"] = std::vector<double>{viscous_power_};
+    archive.arrays["solid/acceleration"] = flat<Real>(state.acceleration);
+    archive.arrays["solid/mirror_acceleration"] = flat<Real>(state.mirror_acceleration);
     archive.arrays["solid/bonds"] = state.whole;
     archive.arrays["solid/flow"] = flat<Real>(state.flow);
     archive.arrays["solid/softening"] = state.strain;
@@ -203,9 +229,13 @@ class SolidPart {
     if (!solid_) return;
     const auto& wave = find_array<double>(archive, "solid/wave");
     wave_ = {wave.at(0), static_cast<Index>(wave.at(1))};
-    // Accelerations are worked out before a step uses them.
+    cycle_.restore(find_array<double>(archive, "solid/cycle"));
+    viscous_power_ = find_array<double>(archive, "solid/viscous_power").at(0);
+    const auto speeds = [&](const char* name) {
+      return unflat<Vector<D, Real>>(find_array<Real>(archive, name));
+    };
     solid_->restore({find_array<std::uint32_t>(archive, "solid/bonds"),
-                     std::vector<Vector<D, Real>>(solid_->size(), Vector<D, Real>::zero()),
+                     speeds("solid/acceleration"), speeds("solid/mirror_acceleration"),
                      unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow")),
                      find_array<Real>(archive, "solid/softening"),
                      unflat<FlawState<Real>>(find_array<Real>(archive, "solid/flaws"))});
@@ -220,29 +250,19 @@ class SolidPart {
         flags[id] |= flag::fitted;
     to_device(flags, particles.flags);
   }
-  static SolidMedium<double> solid_medium(const Medium<double>& medium) {
-    SolidMedium<double> solid;
-    solid.law = medium.elasticity;
-    solid.criterion = medium.criterion;
-    solid.piece = medium.piece;
-    solid.joined_mirrors = medium.joined_mirrors;
-    solid.density = medium.density;
-    solid.spacing = medium.spacing;
-    solid.smoothing_length = medium.smoothing_length;
-    solid.mass = medium.mass;
-    solid.bulk_modulus = medium.bulk_modulus - medium.excess_bulk_modulus;
-    solid.shear_modulus = medium.shear_modulus;
-    solid.artificial_linear = medium.artificial_linear;
-    solid.artificial_quadratic = medium.artificial_quadratic;
-    solid.failure_strain = medium.failure_strain;
-    solid.softening_strain = medium.softening_strain;
-    solid.tensile_strength = medium.tensile_strength;
-    return solid;
+  // Books the step of the solid that begins, and lets it flow, soften and take damage for it.
+  void book_bonds() {
+    viscous_power_ = solid_->viscous_power();
+    losses_.plastic += solid_->keep_flow();
+    losses_.released += solid_->keep_softening();
+    losses_.released += solid_->keep_damage(cycle_.length_to_book());
+    wave_ = solid_->wave_time();
   }
-  template <class ChosenBonds>
-  void accelerate_by(Particles<D, P>& particles, const ChosenBonds& chosen) {
-    solid_->accelerate(chosen,
-                       AddSolidAcceleration<D, P>{particles.view(), link(), solid_->view()});
+
+  // `dt` after the last book_bonds().
+  void deform(Particles<D, P>& particles, double dt, double ahead) {
+    solid_->take(MotionOfParticles<D, P>{particles.view(), link(), ahead});
+    solid_->deform(dt);
   }
   void take(const FractureBook& book, Particles<D, P>& particles) {
     losses_.released += book.released;
@@ -267,7 +287,11 @@ class SolidPart {
   Array<AbsorbingSite<D>> sites_;
   OrderedSum<D> force_sum_;
   SolidLosses losses_;
-  WaveTime wave_{1e300, 0};
+  SolidCycle cycle_;
+  double longest_ = 0.0;        // s, what a step of the solid may take
+  double viscous_power_ = 0.0;  // W, of the bonds in the step of the solid in hand
+  static constexpr WaveTime not_known_yet{1e300, 0};
+  WaveTime wave_ = not_known_yet;
   bool loosened_ = false;
 };
 

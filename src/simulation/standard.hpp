@@ -36,10 +36,10 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
 
   void advance() override {
     Run::renew_neighbours();
-    const double dt = Run::choose_step(StepRates::to_come, solid_.step_limit(case_.time.courant));
+    const double dt = Run::choose_step(StepRates::to_come, solid_limit());
     drift_half(dt);
     deform(dt);
-    break_bonds(dt);
+    break_bonds();
     evaluate();
     close_step(dt);
     solid_.let_go_of_leavers(particles_);
@@ -87,13 +87,13 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
 
   void deform(double dt) {
     const auto timer = timers_.stage("solid");
-    solid_.deform(particles_, dt);
-    pair_interactions_ += static_cast<double>(solid_.bond_entries());
+    solid_.begin(particles_, dt);
+    count_bonds();
   }
 
-  void break_bonds(double dt) {
+  void break_bonds() {
     const auto timer = timers_.stage("fracture");
-    solid_.break_bonds(particles_, dt);
+    solid_.break_bonds(particles_);
   }
 
   void evaluate() {
@@ -112,7 +112,7 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
   void push_by_bonds() {
     const auto timer = timers_.stage("solid");
     solid_.accelerate(particles_);
-    pair_interactions_ += static_cast<double>(solid_.bond_entries());
+    count_bonds();
   }
 
   // Velocities, places and densities to the end of the step, which is booked; then water is shifted
@@ -137,7 +137,7 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
   void evaluate_now() const override {
     rates_.accelerate(particles_.view(), particles_.size(), solid_.without_held(list_.view()),
                       solid_.bonds());
-    solid_.deform(particles_, since_step());
+    solid_.deform_now(particles_);
     solid_.accelerate(particles_);
     solid_.show_pressure(particles_);
   }
@@ -145,12 +145,17 @@ class Standard : public ParticleRun<D, P, ContactPairs> {
   void accelerate_across(const AcrossPlane<D>& across) const override {
     rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(), across,
                       BodyForce<D, P>{});
-    solid_.deform(particles_, since_step());
+    solid_.deform_now(particles_);
     solid_.accelerate(particles_, across);
   }
 
-  // What flows last stood at the middle of the last step.
-  double since_step() const { return 0.5 * Run::last_step().dt; }
+  StepLimit solid_limit() {
+    const double most = case_.time.maximum_step;
+    return solid_.step_limit(case_.time.courant, most > 0.0 ? most : 1e300);
+  }
+  void count_bonds() {
+    if (solid_.begins()) pair_interactions_ += static_cast<double>(solid_.bond_entries());
+  }
 
   LatticeSums lattice_;
   StandardRates<D, P> rates_;

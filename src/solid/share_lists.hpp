@@ -28,6 +28,16 @@ struct StoredBonds {
   std::vector<Index> owner;     // of each shared list, the first particle that has it
   std::vector<std::uint8_t> mixed;  // per particle: 1 with bonds to other media, or to images
   Index shared = 0;                 // entries of shared lists
+
+  // Numbers of the bonds that were found, in the order in which these are stored; none of none.
+  template <class Real>
+  std::vector<Real> in_order(const std::vector<double>& found) const {
+    std::vector<Real> stored;
+    if (found.empty()) return stored;
+    for (const Index k : found_at)
+      stored.push_back(k == no_bond ? Real(1) : static_cast<Real>(found[k]));
+    return stored;
+  }
 };
 
 template <int D>

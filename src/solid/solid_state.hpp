@@ -27,9 +27,10 @@ template <int D, class P>
 struct SolidState {
   std::vector<std::uint32_t> whole;  // bits
   std::vector<Vector<D, typename P::Real>> acceleration;
-  std::vector<PlasticState<D, typename P::Real>> flow;  // empty where nothing flows
-  std::vector<typename P::Real> strain;                 // empty where nothing softens
-  std::vector<FlawState<typename P::Real>> flaws;       // empty where nothing has flaws
+  std::vector<Vector<D, typename P::Real>> mirror_acceleration;  // empty without such planes
+  std::vector<PlasticState<D, typename P::Real>> flow;           // empty where nothing flows
+  std::vector<typename P::Real> strain;                          // empty where nothing softens
+  std::vector<FlawState<typename P::Real>> flaws;                // empty where nothing has flaws
 };
 
 }  // namespace kerf

@@ -50,8 +50,8 @@ class TotalLagrangian {
     to_device(bonds.begin, fields_.bond_begin);
     to_device(bonds.count, fields_.bond_count);
     to_device(bonds.entry, fields_.bond_entry);
-    to_device(stored_factor(fit.of_bond, bonds), fields_.bond_fit);
-    to_device(stored_factor(fit.of_pair, bonds), fields_.pair_fit);
+    to_device(bonds.in_order<Real>(fit.of_bond), fields_.bond_fit);
+    to_device(bonds.in_order<Real>(fit.of_pair), fields_.pair_fit);
     const Index most = *std::max_element(bonds.count.begin(), bonds.count.end());
     fields_.words = (most + bonds_per_word - 1) / bonds_per_word;
     entries_ = lists.neighbour.size();
@@ -135,6 +135,15 @@ class TotalLagrangian {
     accelerate();
   }
 
+  // Calls look(), which may work out accelerations, and has those back that were there.
+  template <class Look>
+  void keeping_accelerations(const Look& look) {
+    const Velocities kept = fields_.acceleration, mirrored = fields_.mirror_acceleration;
+    look();
+    fields_.acceleration = kept;
+    fields_.mirror_acceleration = mirrored;
+  }
+
   // Breaks the bonds that pass their limit at the deformation in force, and deforms what is left
   // anew. To be called between deform() and accelerate().
   FractureBook fracture() {
@@ -192,15 +201,21 @@ class TotalLagrangian {
   const std::vector<std::uint8_t>& fitted() const { return fitted_; }
 
   SolidState<D, P> save() const {
-    return {to_host(fields_.whole), to_host(fields_.acceleration), to_host(fields_.flow_start),
-            to_host(fields_.strain_start), to_host(fields_.flaws)};
+    return {to_host(fields_.whole),
+            to_host(fields_.acceleration),
+            to_host(fields_.mirror_acceleration),
+            to_host(fields_.flow_start),
+            to_host(fields_.strain_start),
+            to_host(fields_.flaws)};
   }
   // Goes on from a state saved by a solid of the same layout. deform() comes next.
   void restore(const SolidState<D, P>& state) {
-    require(state.whole.size() == fields_.whole.size() && state.acceleration.size() == size(),
-            "a saved solid has the particles and bonds of its layout");
+    require(state.whole.size() == fields_.whole.size() && state.acceleration.size() == size() &&
+                state.mirror_acceleration.size() == fields_.mirror_acceleration.size(),
+            "a saved solid has the particles, bonds and planes of symmetry of its layout");
     to_device(state.whole, fields_.whole);
     to_device(state.acceleration, fields_.acceleration);
+    to_device(state.mirror_acceleration, fields_.mirror_acceleration);
     require(state.flow.size() == fields_.flow_start.size(), "a saved solid flows as its layout");
     to_device(state.flow, fields_.flow_start);
     fields_.flow_now = fields_.flow_start;
@@ -213,17 +228,6 @@ class TotalLagrangian {
   }
 
  private:
-  // Factors of the bonds that were found, in the order in which they are stored; none where there
-  // are no levels.
-  static std::vector<Real> stored_factor(const std::vector<double>& found,
-                                         const StoredBonds& bonds) {
-    std::vector<Real> stored;
-    if (found.empty()) return stored;
-    for (const Index k : bonds.found_at)
-      stored.push_back(k == no_bond ? Real(1) : static_cast<Real>(found[k]));
-    return stored;
-  }
-
   // act(loop of deform.hpp).
   template <class Act>
   void respond(const Act& act) {

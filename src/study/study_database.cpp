@@ -4,9 +4,11 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "core/error.hpp"
 
@@ -112,20 +114,47 @@ RunRow row_of(SQLite::Statement& query) {
                   exit_files);
 }
 
+int version_of(SQLite::Database& database) {
+  return database.execAndGet("PRAGMA user_version").getInt();
+}
+
+void set_up(SQLite::Database& database) {
+  // A writer does not keep readers out.
+  database.exec("PRAGMA journal_mode = WAL");
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  if (version_of(database) != 0) return;  // by somebody else, since
+  database.exec(tables);
+  database.exec(fmt::format("PRAGMA user_version = {}", version));
+  transaction.commit();
+}
+
+// Those who open one that is set up already only read. Of two that set it up at once SQLite lets
+// one wait, or sends it away where it could wait for ever: it comes again.
+void open_or_set_up(SQLite::Database& database) {
+  const auto start = std::chrono::steady_clock::now();
+  while (true) {
+    try {
+      if (version_of(database) == 0) set_up(database);
+      return;
+    } catch (const SQLite::Exception& error) {
+      const bool is_busy = error.getErrorCode() == SQLITE_BUSY;
+      const auto waited = std::chrono::steady_clock::now() - start;
+      if (!is_busy || waited > std::chrono::milliseconds(patience)) throw;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+}
+
 }  // namespace
 
 StudyDatabase::StudyDatabase(const std::filesystem::path& file) try
     : database_(std::make_unique<SQLite::Database>(
           file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, patience)) {
-  // A writer does not keep readers out; FULL: what is written survives a loss of power too.
-  database_->exec("PRAGMA journal_mode = WAL");
-  database_->exec("PRAGMA synchronous = FULL");
-  const int found = database_->execAndGet("PRAGMA user_version").getInt();
-  if (found != 0 && found != version)
+  open_or_set_up(*database_);
+  if (const int found = version_of(*database_); found != version)
     fail(file,
          fmt::format("it has version {} of the tables and this program knows {}", found, version));
-  database_->exec(tables);
-  database_->exec(fmt::format("PRAGMA user_version = {}", version));
+  database_->exec("PRAGMA synchronous = FULL");  // what is written survives a loss of power too
 } catch (const SQLite::Exception& error) {
   fail(file, error.what());
 }

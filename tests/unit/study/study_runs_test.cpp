@@ -5,7 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <atomic>
 #include <csignal>
+#include <thread>
 
 #include "core/error.hpp"
 #include "output/files.hpp"
@@ -179,6 +183,30 @@ TEST_F(StudyRunsTest, TheSameRunUnderTwoKeysAnswersToBoth) {
 TEST(StudyDatabase, AFolderThatCannotHoldItIsNamed) {
   EXPECT_THAT(test::message_of<UserError>([] { StudyDatabase("/proc/nowhere/study.db"); }),
               testing::AllOf(HasSubstr("/proc/nowhere/study.db"), HasSubstr("--out")));
+}
+
+// Looks into it some times; whether that went well.
+bool looks_into(const std::filesystem::path& file) {
+  try {
+    for (int look = 0; look < 3; ++look) StudyDatabase(file).runs();
+    return true;
+  } catch (const UserError&) {
+    return false;
+  }
+}
+
+// A study that begins, and others that look at it already.
+TEST(StudyDatabase, SeveralOpenANewOneAtOnce) {
+  const test::TemporaryFolder folder;
+  std::atomic<int> failures = 0;
+  for (int round = 0; round < 50; ++round) {
+    const auto file = folder / fmt::format("{}.db", round);
+    std::vector<std::thread> programs;
+    for (int program = 0; program < 4; ++program)
+      programs.emplace_back([&] { failures += looks_into(file) ? 0 : 1; });
+    for (std::thread& program : programs) program.join();
+  }
+  EXPECT_EQ(failures, 0);
 }
 
 RunRow verdict(double speed, double width, bool cuts) {

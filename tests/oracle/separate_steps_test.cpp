@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Separate steps for water and solids (integrate/solid_cycle.hpp).
+#include <cmath>
+
+#include "support/runs.hpp"
+#include "support/small_cases.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr int subcycles = 4;
+
+// A block of tofu that quivers, by itself or with still water far from it, whose waves ask for
+// shorter steps.
+Case quivering(int dimension, bool with_water) {
+  Case c = empty_case(dimension, PrecisionKind::double_precision);
+  c.formulation = Formulation::standard;
+  c.smoothing_ratio = 1.3;
+  c.materials[0].failure_strain = 0.0;  // does not break
+  c.materials[0].artificial_linear = c.materials[0].artificial_quadratic = 0.0;
+  c.materials[1].sound_speed = 100.0;
+  c.numerics.subcycles = subcycles;
+  const double z = dimension == 3 ? 3e-3 : 0.0;
+  c.bodies = {body("block", Role::elastic, box({-3e-3, -3e-3, -z}, {3e-3, 3e-3, z}), 1e-3)};
+  c.bodies[0].velocity = {"0.3*sin(700*y)", "0.2*sin(400*x)", "0"};
+  if (with_water)
+    c.bodies.push_back(body("water", Role::water, box({0.05, 0.05, -z}, {0.053, 0.053, z}), 1e-3));
+  return c;
+}
+
+// With constant forces within the solid's step its place and velocity at the end of it are those of
+// position Verlet with that step, to the last term.
+class SeparateSteps : public testing::TestWithParam<int> {};
+
+TEST_P(SeparateSteps, ASolidByItselfGoesOnAsByVerlet) {
+  const Case with_water = quivering(GetParam(), true);
+  const auto apart = make_simulation(with_water);
+  take_steps(*apart, 1);  // of which the solid's waves are known
+  const double dt = apart->last_step().dt;
+  take_steps(*apart, 40 * subcycles);
+  EXPECT_EQ(apart->last_step().limit, "acoustic (water)");
+  EXPECT_NEAR(apart->time(), (1 + 40 * subcycles) * dt, 1e-9 * apart->time());
+
+  Case alone = quivering(GetParam(), false);
+  alone.time.maximum_step = dt;
+  const auto verlet = make_simulation(alone);
+  take_steps(*verlet, 1);
+  alone.time.maximum_step = subcycles * dt;
+  const auto longer = make_simulation(alone);
+  longer->restore(saved(*verlet));
+  take_steps(*longer, 40);
+  EXPECT_NEAR(longer->last_step().dt, subcycles * dt, 1e-12 * dt);
+  EXPECT_NEAR(longer->time(), apart->time(), 1e-9 * apart->time());
+
+  const Frame a = apart->frame(), b = longer->frame();
+  const auto place = by_id(a);
+  double distance = 0.0, moved = 0.0;
+  const Frame start = make_simulation(alone)->frame();
+  const auto place_at_start = by_id(start);
+  for (std::size_t k = 0; k < b.id.size(); ++k)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double now = b.position[k][axis];
+      distance = std::max(distance, std::abs(a.position[place.at(b.id[k])][axis] - now));
+      moved = std::max(moved, std::abs(start.position[place_at_start.at(b.id[k])][axis] - now));
+    }
+  EXPECT_GT(moved, 0.05e-3);
+  EXPECT_LT(distance, 1e-9 * moved);
+}
+
+// What a jet does to a free block of gel is much the same, and what one loses the other takes up.
+TEST_P(SeparateSteps, AJetPushesABlockAsWithOneStepForAll) {
+  Case c = standard_jet_on_block(GetParam(), PrecisionKind::double_precision);
+  c.materials[0].failure_strain = 0.0;
+  c.materials[1].sound_speed = 100.0;
+  c.gravity = {0.0, 0.0, 0.0};
+  c.bodies.pop_back();  // the plate
+  c.numerics.subcycles = 1;
+  const auto together = make_simulation(c);
+  c.numerics.subcycles = 8;
+  const auto apart = make_simulation(c);
+  const double end = 2e-3;
+  while (together->time() < end) together->advance();
+  while (apart->time() < end) apart->advance();
+  EXPECT_LT(apart->pair_interactions(), together->pair_interactions());
+  const Ledger a = apart->ledger(), b = together->ledger();
+  EXPECT_LE(a.momentum_error(), 1e-10);
+  EXPECT_LE(std::abs(a.energy_drift()), 2e-3);
+  // 10 MPa s / m of the water's impulse went into the block by then.
+  EXPECT_GT(std::abs(b.impulse_water[1]), 0.0);
+  EXPECT_NEAR(a.impulse_water[1], b.impulse_water[1], 0.01 * std::abs(b.impulse_water[1]));
+  EXPECT_NEAR(a.elastic_strain, b.elastic_strain, 0.03 * b.elastic_strain);
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, SeparateSteps, testing::Values(2, 3));
+
+}  // namespace
+}  // namespace kerf::test
