@@ -41,7 +41,7 @@ const GpuEngine& load() {
   const fs::path file = library_file();
   const std::string build =
       "To compute on a GPU build with `cmake --preset cuda && cmake --build "
-      "--preset cuda`, which needs nvcc (docs/development.md)";
+      "--preset cuda`, which needs nvcc (docs/gpu.md)";
   if (!fs::exists(file))
     refuse(fmt::format("this program has no engine for GPUs ({} is not there)", file.string()),
            build);
