@@ -33,10 +33,11 @@ struct FluidForce {
     const auto push = Real(-2) * fluid_pair.steepness(particles, pair) *
                       volume_of(particles, pair.i, *pair.medium_i) *
                       volume_of(particles, pair.j, *pair.medium_j) * pair.gradient;
-    sum.pressing += star.mean_pressure * push;
-    sum.dissipation += star.dissipation * push;
-    if (pair.medium_j->phase == Phase::rigid)
-      sum.wall += (star.mean_pressure + star.dissipation) * push;
+    const auto pressing = star.mean_pressure * push;
+    const auto damping = star.dissipation * fluid_pair.damped(particles, pair, kind, push);
+    sum.pressing += pressing;
+    sum.dissipation += damping;
+    if (pair.medium_j->phase == Phase::rigid) sum.wall += pressing + damping;
   }
   KERF_FUNCTION static Vector<D, Real> force(const Sum& sum) {
     return sum.pressing + sum.dissipation - sum.wall;

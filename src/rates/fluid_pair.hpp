@@ -67,8 +67,7 @@ struct FluidPair {
     const Real rise = (fluid_i ? Real(-1) : Real(1)) * particles.density(fluid) * fall;
     auto star = solve_riemann_at_wall(side(particles, fluid, medium, fluid_i ? u_i : -u_j),
                                       fluid_i ? u_j : -u_i, rise);
-    const auto normal =
-        fluid_i ? particles.wall_normal[fluid] : pair.of_j(particles.wall_normal[fluid]);
+    const auto normal = wall_normal(particles, pair, kind);
     if (!(dot(normal, normal) > Real(0))) return star;
     // Towards the wall, not towards each of its particles: sliding along it dissipates nothing.
     const Real into = (fluid_i ? Real(-1) : Real(1)) * dot(normal, pair.velocity);
@@ -77,7 +76,25 @@ struct FluidPair {
     return star;
   }
 
+  // Of a push on i, the part along which the pair is damped: beside a wall along its normal, as the
+  // speed that is damped, so that what is damped loses energy whichever way the two lie.
+  KERF_FUNCTION Vector<D, Real> damped(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
+                                       Meeting kind, const Vector<D, Real>& push) const {
+    if (kind == Meeting::alike) return push;
+    const auto normal = wall_normal(particles, pair, kind);
+    if (!(dot(normal, normal) > Real(0))) return push;
+    const Real along = dot(push, normal);
+    const bool parts = kind == Meeting::wall_of_i ? along > Real(0) : along < Real(0);
+    return (parts ? along : Real(0)) * normal;
+  }
+
  private:
+  // Of the wall that the fluid of the two is at, into the fluid; zero where it is at none.
+  KERF_FUNCTION static Vector<D, Real> wall_normal(const ParticleView<D, P>& particles,
+                                                   const Pair<D, P>& pair, Meeting kind) {
+    return kind == Meeting::wall_of_i ? particles.wall_normal[pair.i]
+                                      : pair.of_j(particles.wall_normal[pair.j]);
+  }
   // Tait's matter is hardly compressed and has no strong shocks.
   KERF_FUNCTION static Real smoothing(const Pair<D, P>& pair, const RiemannSide<Real>& left,
                                       const RiemannSide<Real>& right) {

@@ -148,7 +148,11 @@ class ReferenceStandard {
                                .dissipation;
       }
     }
-    add_forces(w, o, e, star, slope);
+    const Vector3 unit = -2.0 * volume(w) * volume(o) * slope * e;
+    const bool at_wall = !both && normal_[w].norm() > 0.0;
+    add_forces(w, o, star.mean * unit,
+               star.dissipation *
+                   (at_wall ? Vector3(std::max(0.0, unit.dot(normal_[w])) * normal_[w]) : unit));
     add_friction(w, o, slope / r);
     // rho' / rho = 2 sum V (v - v*) . e W', where v* . e = - U*.
     const double growth_w = 2.0 * volume(o) * slope * (at(w).velocity.dot(e) + star.speed);
@@ -158,14 +162,12 @@ class ReferenceStandard {
     rates_[o].compression_rate += (1.0 + at(o).compression) * growth_o;
   }
 
-  void add_forces(std::size_t w, std::size_t o, const Vector3& e, const StarState& star,
-                  double slope) {
-    const Vector3 unit = -2.0 * volume(w) * volume(o) * slope * e;
-    rates_[w].pressing += star.mean * unit;
-    rates_[o].pressing -= star.mean * unit;
-    rates_[w].damping += star.dissipation * unit;
-    rates_[o].damping -= star.dissipation * unit;
-    if (is(o, Phase::rigid)) rates_[w].from_rigid += (star.mean + star.dissipation) * unit;
+  void add_forces(std::size_t w, std::size_t o, const Vector3& pressing, const Vector3& damping) {
+    rates_[w].pressing += pressing;
+    rates_[o].pressing -= pressing;
+    rates_[w].damping += damping;
+    rates_[o].damping -= damping;
+    if (is(o, Phase::rigid)) rates_[w].from_rigid += pressing + damping;
   }
 
   double viscosity(std::size_t w, std::size_t o) const {
