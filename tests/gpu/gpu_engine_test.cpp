@@ -2,6 +2,7 @@
 // The engine for GPUs beside that of the program, on the same cases. Emulated: what a GPU goes
 // through (general walks, lists in passes, sums in a tree), on threads of this machine.
 #include "exec/device.hpp"
+#include "support/farthest.hpp"
 #include "support/runs.hpp"
 #include "support/small_cases.hpp"
 
@@ -26,20 +27,6 @@ class GpuEngineTest : public testing::TestWithParam<Run> {
     return make_simulation(c);
   }
 };
-
-// The largest difference of a vector of the particles, by id.
-template <class Column>
-double farthest(const Frame& a, const Frame& b, const Column& column) {
-  const auto place = by_id(b);
-  double most = 0.0;
-  for (std::size_t k = 0; k < a.id.size(); ++k) {
-    const auto& x = column(a)[k];
-    const auto& y = column(b)[place.at(a.id[k])];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      most = std::max(most, std::abs(double(x[axis]) - double(y[axis])));
-  }
-  return most;
-}
 
 // Sums in another order round in another way: after 60 steps, in which the jet meets the block,
 // what single precision leaves (6e-8) has grown by the steps and by the stiffness of the contact.

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far apart two runs are.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/runs.hpp"
+
+namespace kerf::test {
+
+// The largest difference of a vector of the particles of a, which b has as well, by id.
+template <class Column>
+double farthest(const Frame& a, const Frame& b, const Column& column) {
+  const auto place = by_id(b);
+  double most = 0.0;
+  for (std::size_t k = 0; k < a.id.size(); ++k) {
+    const auto& x = column(a)[k];
+    const auto& y = column(b)[place.at(a.id[k])];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      most = std::max(most, std::abs(double(x[axis]) - double(y[axis])));
+  }
+  return most;
+}
+
+}  // namespace kerf::test
