@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "case/read.hpp"
+#include "input/read.hpp"
 
 namespace kerf {
 namespace {

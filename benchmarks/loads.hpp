@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "case/case.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

@@ -12,8 +12,9 @@
 #include "commit.hpp"
 #include "core/processor.hpp"
 #include "core/version.hpp"
-#include "lanes/walks.hpp"
 #include "measure.hpp"
+#include "parallel/threads.hpp"
+#include "simd/instruction_set.hpp"
 
 namespace kerf {
 namespace {
@@ -56,7 +57,7 @@ void add_context(int threads) {
   benchmark::AddCustomContext("compiler", compiler_name());
   benchmark::AddCustomContext("flags", KERF_BENCHMARK_FLAGS);
   benchmark::AddCustomContext("processor", processor_name());
-  benchmark::AddCustomContext("walks", walks().name);
+  benchmark::AddCustomContext("instruction_set", instruction_set_name());
   benchmark::AddCustomContext("threads", std::to_string(used));
 }
 

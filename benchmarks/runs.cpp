@@ -7,7 +7,8 @@
 #include <filesystem>
 #include <functional>
 
-#include "case/read.hpp"
+#include "engine/device.hpp"
+#include "input/read.hpp"
 #include "loads.hpp"
 #include "measure.hpp"
 

@@ -6,7 +6,9 @@
 #include <numeric>
 #include <random>
 
-#include "simulation/standard.hpp"
+#include "model/case.hpp"
+#include "simulation/run_settings.hpp"
+#include "standard/standard.hpp"
 
 namespace kerf {
 namespace {
@@ -29,7 +31,7 @@ class StagesOf final : public StagedRun, private Standard<D, P> {
   static constexpr double instant = 1e-12;  // s
 
  public:
-  explicit StagesOf(const Case& description) : Run(description) {
+  explicit StagesOf(const Case& description) : Run(run_settings(description)) {
     for (int step = 0; step < warm_up_steps; ++step) Run::advance();
     Run::rebuild_list();
     Run::save(as_made_);
@@ -41,15 +43,15 @@ class StagesOf final : public StagedRun, private Standard<D, P> {
   void reorder() override {
     sort_particles(Run::particles_, Run::list_.cell_numbers(Run::particles_));
   }
-  void push_by_neighbours() override { Run::push_by_neighbours(); }
+  void compute_pair_forces() override { Run::compute_pair_forces(); }
   void sum_over_bonds() override {
     Run::deform(step_length());
-    Run::push_by_bonds();
+    Run::compute_bond_forces();
   }
   void break_bonds() override { Run::break_bonds(); }
   void integrate() override {
     Run::drift_half(instant);
-    Run::close_step(instant);
+    Run::finalize_step(instant);
   }
 
   void scatter() override {

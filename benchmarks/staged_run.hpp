@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A run of the `standard` formulation whose stages can be called one by one, as often as one likes:
-// none of them moves the run on. What each does is the engine's own (simulation/standard.hpp).
+// none of them moves the run on. What each does is the engine's own (standard/standard.hpp).
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ class StagedRun {
 
   virtual void find_neighbours() = 0;  // of particles in the order of their cells
   virtual void reorder() = 0;          // into that order, without the list
-  virtual void push_by_neighbours() = 0;
+  virtual void compute_pair_forces() = 0;
   virtual void sum_over_bonds() = 0;  // deformation and forces of solids
   virtual void break_bonds() = 0;
   virtual void integrate() = 0;  // a step too short to be seen

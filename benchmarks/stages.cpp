@@ -19,24 +19,24 @@ struct Stage {
   const char* name;
   Load load;
   Call call;
-  Call prepare = nullptr;              // before each call, not timed
-  double Ledger::*evidence = nullptr;  // what is not zero where the stage had work
+  Call prepare = nullptr;               // before each call, not timed
+  double Balance::*evidence = nullptr;  // what is not zero where the stage had work
 };
 
 constexpr Stage stages[] = {
     {"neighbours", Load::water, &StagedRun::find_neighbours},
     {"reorder_sorted", Load::water, &StagedRun::reorder},
     {"reorder_scattered", Load::water, &StagedRun::reorder, &StagedRun::scatter},
-    {"fluid", Load::water, &StagedRun::push_by_neighbours},
+    {"fluid", Load::water, &StagedRun::compute_pair_forces},
     {"integrate", Load::water, &StagedRun::integrate},
     {"neighbours", Load::solid, &StagedRun::find_neighbours},
     {"bonds", Load::solid, &StagedRun::sum_over_bonds},
     {"fracture_look", Load::solid, &StagedRun::break_bonds},
     {"fracture_break", Load::solid, &StagedRun::break_bonds, &StagedRun::pull_apart,
-     &Ledger::dissipated_fracture},
+     &Balance::dissipated_fracture},
     {"integrate", Load::solid, &StagedRun::integrate},
-    {"contact", Load::slabs, &StagedRun::push_by_neighbours, nullptr, &Ledger::plate_potential},
-    {"contact", Load::soaked, &StagedRun::push_by_neighbours},
+    {"contact", Load::slabs, &StagedRun::compute_pair_forces, nullptr, &Balance::plate_potential},
+    {"contact", Load::soaked, &StagedRun::compute_pair_forces},
 };
 
 struct Size {
@@ -69,7 +69,7 @@ void measure_stage(benchmark::State& state, const Stage& stage, const Size& size
     (run.*stage.call)();
     particle_steps += static_cast<double>(run.simulation().particles());
   }
-  if (stage.evidence && run.simulation().ledger().*stage.evidence == 0.0)
+  if (stage.evidence && run.simulation().balance().*stage.evidence == 0.0)
     fail(state, "the stage found nothing to do");
   run.settle();
   report(state, run.simulation(), particle_steps);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Run at build time: writes OUTPUT, a header that names the commit of SOURCE, with "+" where files
-# were changed since. It is left as it is where nothing new is to be said.
+# Runs at build time and writes OUTPUT, a header that names the commit of SOURCE, with "+" if files
+# have uncommitted changes. It does not touch a header that is up to date.
 cmake_minimum_required(VERSION 3.25)
 find_package(Git QUIET)
 set(commit "unknown")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Every library Kerf stands on; docs/dependencies.md says why each was chosen.
+# Every library that Kerf uses; docs/dependencies.md gives the reason for each choice.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
@@ -17,7 +17,6 @@ pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 find_package(SQLiteCpp REQUIRED)
 pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt_cxx)
-pkg_check_modules(plplot REQUIRED IMPORTED_TARGET plplot)
 find_path(HTTPLIB_INCLUDE httplib.h REQUIRED)
 find_library(HTTPLIB_LIBRARY cpp-httplib REQUIRED)
 add_library(httplib INTERFACE)
@@ -29,21 +28,21 @@ add_library(udunits2 INTERFACE)
 target_include_directories(udunits2 SYSTEM INTERFACE ${UDUNITS2_INCLUDE})
 target_link_libraries(udunits2 INTERFACE ${UDUNITS2_LIBRARY})
 
-# Particle loops: Debian's Thrust on TBB threads.
+# Particle loops on CPU threads: Debian's Thrust with TBB.
 add_library(kerf_thrust INTERFACE)
 find_path(THRUST_INCLUDE thrust/version.h REQUIRED)
 target_include_directories(kerf_thrust SYSTEM INTERFACE ${THRUST_INCLUDE})
-# ThreadSanitizer cannot look into Debian's TBB: exec/watched_threads.hpp.
+# Debian's TBB is not instrumented for ThreadSanitizer: parallel/tsan_threads.hpp.
 if(KERF_SANITIZE MATCHES thread)
   target_compile_definitions(kerf_thrust INTERFACE
-    THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_CPP KERF_WATCHED_THREADS=1)
+    THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_CPP KERF_TSAN_THREADS=1)
 else()
   target_compile_definitions(kerf_thrust INTERFACE THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_TBB)
 endif()
 target_compile_definitions(kerf_thrust INTERFACE THRUST_IGNORE_DEPRECATED_CPP_DIALECT=1)
 target_link_libraries(kerf_thrust INTERFACE TBB::tbb)
 
-# Those of a GPU: the CUDA toolkit's own Thrust; or, emulated, those of this machine.
+# Particle loops on a GPU: the Thrust of the CUDA toolkit, or that of the CPU in the emulation.
 add_library(kerf_thrust_emulated INTERFACE)
 target_link_libraries(kerf_thrust_emulated INTERFACE kerf_thrust)
 if(KERF_GPU STREQUAL cuda)
@@ -52,13 +51,13 @@ if(KERF_GPU STREQUAL cuda)
   endif()
   enable_language(CUDA)
   set(CMAKE_CUDA_STANDARD 20)
-  if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)  # CMake 3.25 does not know nvcc's flag
+  if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)  # CMake 3.25 does not know this flag of nvcc
     set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION "-std=c++20")
     set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION "-std=c++20")
   endif()
   find_package(CUDAToolkit REQUIRED)
   add_library(kerf_thrust_cuda INTERFACE)
-  # A loop body that calls what is for the host alone would fail on the GPU only.
+  # Without this flag a loop body that calls a host function would fail on the GPU at run time.
   target_compile_options(kerf_thrust_cuda INTERFACE $<$<COMPILE_LANGUAGE:CUDA>:
     --expt-relaxed-constexpr --Werror=cross-execution-space-call>)
   target_link_libraries(kerf_thrust_cuda INTERFACE CUDA::cudart_static)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# Puts text files into a program, so that it needs no data folder:
+# Embeds text files in a program, so that it needs no data folder:
 #   kerf_embed(target function files...)
 # adds to `target` a source file that defines, in namespace kerf,
 #   std::span<const EmbeddedText> function();
-# of the files' names (without extension) and contents, as core/embedded_text.hpp has them; after
-# WITH_FOLDER, names begin with that of the file's folder ("rod-wave/case").
+# with the names (without extension) and contents of the files (core/embedded_text.hpp). With
+# WITH_FOLDER a name starts with that of the folder of the file ("rod-wave/case").
 set(KERF_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/KerfEmbedScript.cmake)
 
 function(kerf_embed target function)
@@ -18,13 +18,13 @@ function(kerf_embed target function)
     DEPENDS ${ARG_UNPARSED_ARGUMENTS} ${KERF_EMBED_SCRIPT}
     COMMENT "Embedding ${function}"
     VERBATIM)
-  # All that a standard asks of compilers is 65536 characters.
+  # The C++ standard requires compilers to support only 65536 characters.
   set_source_files_properties(${output} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)
   target_sources(${target} PRIVATE ${output})
 endfunction()
 
 file(GLOB kerf_material_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/materials/*.toml)
-kerf_embed(kerf_case material_files ${kerf_material_files})
+kerf_embed(kerf_input material_files ${kerf_material_files})
 file(GLOB kerf_case_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cases/*.toml
   ${CMAKE_SOURCE_DIR}/cases/machine/*.toml)
 kerf_embed(kerf_app case_templates ${kerf_case_files})

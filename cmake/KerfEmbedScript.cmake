@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Run by kerf_embed at build time: writes OUTPUT, a C++ file that holds FILES as texts.
+# kerf_embed runs this script at build time. It writes OUTPUT, a C++ file that contains FILES as texts.
 set(texts "")
 set(entries "")
 set(number 0)
@@ -15,7 +15,7 @@ foreach(file IN LISTS FILES)
   if(length GREATER 8000000 OR text MATCHES "\\)embedded\"")
     message(FATAL_ERROR "${file} cannot be embedded")
   endif()
-  # With its length, which compilers do not like to count.
+  # The length is explicit because compilers count long texts slowly.
   string(APPEND texts "constexpr char text_${number}[] = R\"embedded(${text})embedded\";\n")
   string(APPEND entries
     "    {\"${name}\", {text_${number}, sizeof(text_${number}) - 1}},\n")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Builds web/, the parts of reports and of the pages of studies that move, with npm and Vite, and puts it into the program. The
-# program is whole without: where npm is missing, or cannot reach its packages, reports have
-# pictures that stand still, and studies a table and a plain map.
+# Builds web/, the scripts of reports and study pages, with npm and Vite, and embeds it in the program. The
+# program is complete without it: where npm is missing or cannot reach its packages, reports have
+# still pictures, and studies a table and a plain map.
 find_program(KERF_NPM npm)
 set(kerf_web_folder ${CMAKE_BINARY_DIR}/generated/web)
 file(GLOB_RECURSE kerf_web_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/web/src/*)

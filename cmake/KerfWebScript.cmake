@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Run by KerfWeb.cmake at build time: leaves script.js and style.css (of reports), study_script.js and
-# study_style.css in FOLDER, built by NPM from a copy of SOURCE, or empty ones where that is not possible.
+# KerfWeb.cmake runs this script at build time. It writes script.js and style.css (of reports), study_script.js and
+# study_style.css into FOLDER, built by NPM from a copy of SOURCE, or empty files where that is not possible.
 function(leave_empty why)
   message("Reports are built without their viewer: ${why}. They will have static pictures.")
   foreach(name script.js style.css study_script.js study_style.css)
@@ -14,7 +14,7 @@ if(NOT NPM OR NPM MATCHES "NOTFOUND")
 endif()
 set(work ${FOLDER}/build)
 file(COPY ${SOURCE}/ DESTINATION ${work} PATTERN node_modules EXCLUDE PATTERN dist EXCLUDE)
-# Not "npm ci": with Rollup it asks the lock file for packages of other systems.
+# "npm ci" fails here: with Rollup it requires packages of other systems from the lock file.
 foreach(step "install;--no-audit;--no-fund" "run;build")
   execute_process(COMMAND ${NPM} ${step} WORKING_DIRECTORY ${work} RESULT_VARIABLE status
     OUTPUT_VARIABLE said ERROR_VARIABLE said)

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks the budgets of CONTRIBUTING.md: lines of a file and of a function, arguments, nesting.
+"""Checks the size budgets: lines of a file and of a function, arguments, nesting (CONTRIBUTING.md).
 
     scripts/check_budgets.py [folder or file ...]
 
-C++ functions are found by Universal Ctags, Python ones by the standard library. An exception needs
-its reason in the source, on a line in or up to three lines above what it excuses:
+Universal Ctags finds the C++ functions, the standard library the Python functions. An exception needs
+a reason in the source, inside the function or up to three lines above it:
 
     // budget: function: the table of all keys reads best in one place
 """
@@ -36,7 +36,7 @@ def tokens_of(text):
 
 
 class Nesting:
-    """Depth of control statements in a function body, whether they are braced or not."""
+    """Computes the depth of control statements in a function body, with or without braces."""
 
     def __init__(self, tokens):
         self.tokens, self.at, self.deepest = tokens, 0, 0
@@ -45,7 +45,7 @@ class Nesting:
         return self.tokens[self.at] if self.at < len(self.tokens) else ""
 
     def skip_group(self, open_mark, close_mark, depth):
-        """Steps over a bracketed group; blocks in it (lambdas) are read as statements."""
+        """Skips a bracketed group; blocks in it (lambdas) count as statements."""
         self.at += 1
         while self.peek() not in ("", close_mark):
             self.piece(depth)
@@ -85,7 +85,7 @@ class Nesting:
             self.body(depth + 1)
             if token == "if" and self.peek() == "else":
                 self.at += 1
-                # "else if" goes on at the depth of its "if".
+                # "else if" has the depth of its "if".
                 self.statement(depth) if self.peek() == "if" else self.body(depth + 1)
         elif token in ("do", "try", "catch"):
             self.at += 1
@@ -99,7 +99,7 @@ class Nesting:
         while self.peek() not in ("", ";", "}"):
             colon = self.peek() == ":"
             self.piece(depth)
-            # After a label of a switch a statement begins.
+            # A statement begins after a label of a switch.
             if colon and self.peek() in ("if", "for", "while", "switch", "do", "try"):
                 return
         if self.peek() == ";":
@@ -133,7 +133,7 @@ def cpp_functions(path):
         if "end" not in entry or entry["name"].startswith("__anon"):
             continue
         body = "\n".join(lines[entry["line"] - 1 : entry["end"]])
-        # The parameters come before the body: what ctags calls a signature never holds a brace.
+        # The parameters precede the body, because a signature of ctags never contains a brace.
         after = body[body.find(")") :] if "(" in body else body
         yield (entry["name"], entry["line"], entry["end"],
                count_arguments(entry.get("signature", "")), nesting_of(after))

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that the documentation says what is.
+"""Checks that the documentation agrees with the tree and the program.
 
-    scripts/check_docs.py links              every file that a page names is there
+    scripts/check_docs.py links              every file that a page names exists
     scripts/check_docs.py packages           docs/dependencies.md has every package, and no other
     scripts/check_docs.py commands PROGRAM   README.md has every command of the program, and no other
     scripts/check_docs.py --root FOLDER ...  the same for another tree
@@ -13,7 +13,7 @@ import re
 import subprocess
 import sys
 
-# Folders whose files a page may name although a run or a build makes them.
+# Folders whose files a page may name although a run or a build creates them.
 MADE = ("out/", "build/", "frames/")
 NAMED_FOLDERS = "src|docs|cases|tests|scripts|cmake|benchmarks|validation|\\.ci"
 
@@ -24,7 +24,7 @@ def pages(root):
 
 
 def names_in(text):
-    """(target, is_link) of markdown links and of paths in backquotes, outside of code blocks."""
+    """Yields (target, is_link) of Markdown links and of paths in backquotes outside code blocks."""
     text = re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
     for target in re.findall(r"\]\(([^)\s]+)\)", text):
         if not re.match(r"[a-z]+:|#", target):
@@ -38,7 +38,7 @@ def names_in(text):
 def exists(root, page, target, is_link):
     if is_link:
         return (page.parent / target).exists()
-    # A name in running text starts at the root of the tree, or at src/ as an #include does.
+    # A path in running text starts at the root of the tree, or at src/ like an #include.
     return any(
         any(base.glob(spelling))
         for base in (root, root / "src")
@@ -47,7 +47,7 @@ def exists(root, page, target, is_link):
 
 
 def expand(target):
-    """a/{b,c}.hpp -> a/b.hpp, a/c.hpp"""
+    """Expands a/{b,c}.hpp to a/b.hpp and a/c.hpp."""
     braces = re.search(r"\{([^}]*)\}", target)
     if not braces:
         return [target]
@@ -60,7 +60,7 @@ def check_links(root):
         for target, is_link in names_in(text):
             seen += 1
             if not exists(root, page, target, is_link):
-                yield f"{page.relative_to(root)}: names {target}, which is not there"
+                yield f"{page.relative_to(root)}: names {target}, which does not exist"
     if not seen:
         yield "no page names any file"
 
@@ -69,7 +69,7 @@ def differences(expected, found, where):
     for name in sorted(expected - found):
         yield f"{where} lacks {name}"
     for name in sorted(found - expected):
-        yield f"{where} has {name}, which there is not"
+        yield f"{where} has {name}, which does not exist"
 
 
 def check_packages(root):
@@ -102,7 +102,7 @@ def main():
     else:
         check = {"links": check_links, "packages": check_packages}[options.what]
         problems = list(check(options.root))
-    print("\n".join(problems) or "nothing amiss")
+    print("\n".join(problems) or "no problem found")
     return 1 if problems else 0
 
 

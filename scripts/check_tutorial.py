@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Types docs/tutorial.md: writes its files and runs its commands in an empty folder.
+"""Follows docs/tutorial.md: writes its files and runs its commands in an empty folder.
 
 scripts/check_tutorial.py KERF
 """
@@ -19,14 +19,14 @@ FENCE = re.compile(r"^```(\w+)(?: +(\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTAL
 def type_in(program, line, folder):
     words = line.split()
     if words[0] != "kerf":
-        sys.exit(f"tutorial.md: \"{line}\" is no command of kerf")
+        sys.exit(f"tutorial.md: \"{line}\" is not a command of kerf")
     ended = subprocess.run([program, *words[1:]], cwd=folder, capture_output=True, text=True)
     if ended.returncode != 0:
         sys.exit(f"tutorial.md: \"{line}\" ended with {ended.returncode}:\n{ended.stderr}")
 
 
 def view(program, line, folder):
-    """A command that serves a page until it is stopped: the page must be there."""
+    """Runs a command that serves a page until it is stopped, and requests the page."""
     server = subprocess.Popen([program, *line.split()[1:]], cwd=folder, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     try:
@@ -46,7 +46,7 @@ def view(program, line, folder):
 
 
 def type_page(program, page, folder):
-    """Writes the page's files and types its commands, those of `sh view` at the end."""
+    """Writes the files of the page and runs its commands, those of `sh view` last."""
     lines, views = [], []
     for kind, name, text in FENCE.findall(page.read_text()):
         if kind == "toml":

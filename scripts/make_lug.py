@@ -4,9 +4,9 @@
 
     scripts/make_lug.py > cases/machine/lug.stl
 
-Units are millimetres. The outline in x and y is a strip with round ends, 40 long and 20 high; a bore of
-diameter 10 runs through its middle along z, 24 deep. Corners of outline and bore lie on the same rays from
-the middle, so that four triangles for each pair of rays and each side close the surface.
+Units are millimetres. The outline in x and y is a strip with round ends, 40 long and 20 high. A bore of
+diameter 10 passes through its middle along z, 24 deep. The corners of outline and bore are on the same rays from
+the middle, so four triangles for each pair of rays and each side close the surface.
 """
 import math
 
@@ -15,7 +15,7 @@ HALF_STRAIGHT, END_RADIUS, BORE_RADIUS, HALF_DEPTH = 10.0, 10.0, 5.0, 12.0
 
 
 def outline(angle):
-    """Where the ray at that angle leaves the strip."""
+    """Returns the point where the ray at this angle leaves the strip."""
     c, s = math.cos(angle), math.sin(angle)
     if abs(c) * END_RADIUS <= HALF_STRAIGHT * abs(s):
         reach = END_RADIUS / abs(s)

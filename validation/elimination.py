@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Small dense systems of linear equations, for the scripts of the folders beside this file."""
+"""Solves small dense systems of linear equations for the scripts of the neighbouring folders."""
 
 
 def solved(matrix, vector):
-    """Gaussian elimination with pivots."""
+    """Returns the solution by Gaussian elimination with pivots."""
     rows = [line[:] + [value] for line, value in zip(matrix, vector)]
     size = len(rows)
     for c in range(size):

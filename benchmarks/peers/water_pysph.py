@@ -4,9 +4,9 @@
 
 Usage: water_pysph.py STEPS
 
-Same particles, support (2 h = 2.6 mm), kernel, speed of sound and time step; its scheme for weakly
-compressible water with one walk over the neighbours per step. Prints as JSON what the last STEPS
-steps came to; what it compiles and its first steps are left out of the time.
+It has the same particles, support (2 h = 2.6 mm), kernel, sound speed and time step, and uses the scheme of PySPH
+for weakly compressible water with one pair loop per step. It prints the figures of the last STEPS
+steps as JSON; the time excludes compilation and the first steps.
 """
 import importlib.metadata
 import json
@@ -29,7 +29,7 @@ WARM_UP = 3  # steps
 
 
 class Cube(Application):
-    """A cube of water at 1 m/s; notes when each step has ended."""
+    """A cube of water at 1 m/s that records the end of each step."""
 
     def __init__(self, steps: int, folder: str):
         self.steps = steps
@@ -57,7 +57,7 @@ class Cube(Application):
         self.ends.append(time.perf_counter())
 
     def neighbours(self) -> float:
-        """Neighbours per particle, itself not counted: the mean over every 50th particle."""
+        """Returns the neighbours per particle without itself: the mean over every 50th particle."""
         from cyarray.api import UIntArray
         found = UIntArray()
         counts = []

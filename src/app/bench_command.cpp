@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast this build runs on this machine: whole steps of cubes and of the tofu case in both
-// formulations.
+// This file implements kerf bench, which measures the speed of whole steps of cubes and of the tofu
+// case in both formulations.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -10,28 +10,28 @@
 #include <string>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
-#include "app/machine_options.hpp"
-#include "case/read.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
-#include "lanes/walks.hpp"
-#include "simulation/simulation.hpp"
+#include "engine/device.hpp"
+#include "input/read.hpp"
+#include "simd/instruction_set.hpp"
 
 namespace kerf {
 namespace {
 
 struct BenchOptions {
-  double seconds = 5.0;  // per load
+  double seconds = 5.0;  // for each load
   MachineOptions machine;
   std::string json;
-  std::vector<std::string> cases;  // instead of the loads of the program
+  std::vector<std::string> cases;  // files to time instead of the loads of the program
 };
 
 struct Load {
   std::string name;
-  std::string text;  // a case
+  std::string text;  // of a case
 };
 
 struct Result {
@@ -133,7 +133,8 @@ nlohmann::json to_json(const Result& result) {
 void bench(const BenchOptions& options) {
   take_machine(options.machine);
   const int threads = threads_of(options.machine);
-  const char* const walks_name = options.machine.device == Device::gpu ? "general" : walks().name;
+  const char* const walks_name =
+      options.machine.device == Device::gpu ? "general" : instruction_set_name();
   fmt::print("Kerf {}, {}, {} threads on {}\n", program_version, compiler_name(), threads,
              device_name());
   fmt::print(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kerf check: validates a case and prints what follows from it before it runs.
+// This file implements kerf check, which validates a case and prints the numbers that follow from
+// it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,20 +10,20 @@
 #include <string>
 #include <vector>
 
-#include "app/check_resolution.hpp"
+#include "analysis/derived.hpp"
 #include "app/check_warnings.hpp"
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
-#include "app/machine_options.hpp"
-#include "case/read.hpp"
-#include "case/schema.hpp"
+#include "engine/device.hpp"
+#include "geometry/closed_surface.hpp"
+#include "geometry/fill.hpp"
+#include "geometry/graded_fill.hpp"
+#include "input/read.hpp"
+#include "input/schema.hpp"
 #include "machine/machine_jet.hpp"
-#include "measure/derived.hpp"
 #include "output/readable.hpp"
-#include "particles/closed_surface.hpp"
-#include "particles/fill.hpp"
-#include "particles/graded_fill.hpp"
+#include "output/result_reference.hpp"
 #include "report/html.hpp"
-#include "simulation/simulation.hpp"
 
 namespace kerf {
 
@@ -30,7 +31,7 @@ namespace {
 
 struct CheckOptions {
   std::string file;
-  bool keys = false;
+  bool keys = false, metrics = false, schema = false;  // references to be printed instead
   bool no_timing = false;
   MachineOptions machine;
 };
@@ -106,7 +107,7 @@ void print_cost(const Case& description, const DerivedNumbers& numbers) {
   row("memory", readable(numbers.memory, "B"));
 }
 
-// Of the particles as laid out, m^3.
+// Returns the volume of the particles as laid out, m^3.
 double filled_volume(const Body& body) {
   double volume = 0.0;
   for (const GradedParticle& particle : fill_levels(body, 3))
@@ -133,8 +134,8 @@ std::string duration(double seconds) {
   return fmt::format("about {:.1f} h", seconds / 3600.0);
 }
 
-// Some 30 steps of the run itself, at most 3 s of them, scaled to its steps and to the mean of its
-// particles at the start and at the end.
+// Measures about 30 steps of the run, for 3 s at most, and scales the time to all its steps and to
+// the mean of its particles at the start and at the end.
 void print_run_time(const Case& description, const DerivedNumbers& numbers) {
   constexpr std::size_t most_particles = 4'000'000;
   constexpr int steps_wanted = 30;
@@ -145,7 +146,8 @@ void print_run_time(const Case& description, const DerivedNumbers& numbers) {
   }
   using Clock = std::chrono::steady_clock;
   const auto simulation = make_simulation(description);
-  if (!simulation->finished()) simulation->advance();  // the first step also builds the lists
+  if (!simulation->finished())
+    simulation->advance();  // the first step also builds the neighbour lists
   const auto start = Clock::now();
   const std::uint64_t first = simulation->step();
   double seconds = 0.0, particle_steps = 0.0;
@@ -192,10 +194,18 @@ void add_check_command(CLI::App& program) {
   add_machine_options(*command, options->machine);
   auto* keys =
       command->add_flag("--keys", options->keys, "Print the reference of all keys instead");
-  keys->excludes(file);
+  auto* metrics = command->add_flag("--metrics", options->metrics,
+                                    "Print the table of all metrics of result.json instead");
+  auto* schema = command->add_flag("--result-schema", options->schema,
+                                   "Print the JSON Schema of result.json instead");
+  for (auto* reference : {keys, metrics, schema}) reference->excludes(file);
   command->callback([options] {
     if (options->keys)
       fmt::print("{}", keys_page());
+    else if (options->metrics)
+      fmt::print("{}", metrics_table());
+    else if (options->schema)
+      fmt::print("{}\n", result_schema().dump(2));
     else if (options->file.empty())
       throw CLI::RequiredError("case");
     else

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/check_resolution.hpp"
+#include "app/check_warnings.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "measure/jet_axis.hpp"
-#include "particles/graded_fill.hpp"
+#include "analysis/jet_axis.hpp"
+#include "geometry/graded_fill.hpp"
 
 namespace kerf {
 
@@ -16,8 +16,8 @@ namespace {
 using Warnings = std::vector<std::string>;
 
 constexpr double least_across_jet = 10.0;  // particles
-constexpr double near_jet = 2.0;           // jet widths from its axis, in which a cut forms
-constexpr double cut_reach = 1.5;          // jet widths: a slot's water flows back beside it
+constexpr double near_jet = 2.0;           // jet widths from the axis within which a cut forms
+constexpr double cut_reach = 1.5;  // jet widths; the water in a slot flows back beside the jet
 constexpr double least_level_width = 2.0;  // smoothing lengths of the coarser level
 constexpr double rounding = 1.0 + 1e-6;
 
@@ -44,7 +44,7 @@ void warn_of_narrow_jets(const Case& description, Warnings& warnings) {
   }
 }
 
-// The coarsest particle of a body no further from the axis of a jet than `reach`.
+// Returns the largest spacing of a body within `reach` of the axis of a jet.
 double coarsest_near(const std::vector<GradedParticle>& particles, const Body& body,
                      const JetAxis& axis, double reach) {
   int level = -1;

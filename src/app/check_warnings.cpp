@@ -5,16 +5,16 @@
 
 #include <cmath>
 
-#include "case/scales.hpp"
-#include "fracture/fracture_limits.hpp"
-#include "particles/fill.hpp"
-#include "particles/shapes.hpp"
+#include "geometry/fill.hpp"
+#include "geometry/shapes.hpp"
+#include "machine/characteristic_speed.hpp"
+#include "model/material_laws.hpp"
 
 namespace kerf {
 
 namespace {
 
-// The mass of a body differs from that of its shape where the lattice does not fit.
+// Warns where the mass of a body differs from that of its shape, as the lattice does not fit.
 void warn_of_misfits(const Case& description, std::vector<std::string>& warnings) {
   constexpr double noticeable = 0.02;
   for (const Body& body : description.bodies) {
@@ -37,7 +37,7 @@ void warn_of_misfits(const Case& description, std::vector<std::string>& warnings
 }
 
 void warn_of_band(const Material& material, const Body& body, std::vector<std::string>& warnings) {
-  const SofteningBand limits = fracture_limits(material, body.spacing);
+  const FractureLimits limits = fracture_limits(material, body.spacing);
   if (limits.softens()) return;
   const double ratio = limits.end / material.failure_strain;
   warnings.push_back(fmt::format(
@@ -46,8 +46,8 @@ void warn_of_band(const Material& material, const Body& body, std::vector<std::s
       body.name, material.name, ratio, body.spacing * ratio * ratio));
 }
 
-// At ten times a high speed sound would be faster than in real water, and so is every impact
-// harder.
+// Warns where ten times the jet speed exceeds the sound speed of real water, so that impacts are
+// too hard.
 void warn_of_fast_water(const Case& description, const DerivedNumbers& numbers,
                         std::vector<std::string>& warnings) {
   constexpr double same = 0.05;
@@ -63,7 +63,7 @@ void warn_of_fast_water(const Case& description, const DerivedNumbers& numbers,
                : fmt::format("sound_speed = \"{:g} m/s\"", real_water_sound_speed)));
 }
 
-// A case with a jet is there to cut something.
+// Warns where a case with a jet has nothing that can be cut.
 void warn_of_nothing_to_cut(const Case& description, std::vector<std::string>& warnings) {
   if (description.jets.empty()) return;
   bool has_workpiece = false;
@@ -71,7 +71,7 @@ void warn_of_nothing_to_cut(const Case& description, std::vector<std::string>& w
     if (body.role != Role::elastic) continue;
     has_workpiece = true;
     const Material& material = description.materials[static_cast<std::size_t>(body.material)];
-    if (!body.fixed && !can_break(material))
+    if (!body.fixed && !material.can_break())
       warnings.push_back(fmt::format(
           "\"{}\" never breaks: its material \"{}\" has no failure_strain, fracture_energy or "
           "tensile_strength. The jet can only dent it, beyond what real matter bears; give the "
@@ -91,7 +91,7 @@ void warn_of_materials(const Case& description, std::vector<std::string>& warnin
       warn_of_band(material, body, warnings);
       continue;
     }
-    if (material.failure_strain <= 0.0) continue;  // those with an energy have a length scale
+    if (material.failure_strain <= 0.0) continue;  // a fracture energy sets a length scale
     warnings.push_back(fmt::format(
         "\"{}\" fractures at a strain without a length scale: what it takes to cut it depends on "
         "the spacing",
@@ -105,19 +105,20 @@ void warn_of_materials(const Case& description, std::vector<std::string>& warnin
 std::vector<std::string> check_warnings(const Case& description, const DerivedNumbers& numbers) {
   constexpr double weakly_compressible = 0.11;
   std::vector<std::string> warnings;
-  // Beside jets: check_resolution.hpp.
   if (numbers.solid_to_water_spacing > 1.0 && description.jets.empty())
     warnings.push_back(fmt::format(
         "the solid's spacing is {:.3g} x the water's: water can slip between solid particles",
         numbers.solid_to_water_spacing));
-  const bool may_be_stiffer = numbers.jet_speed <= fast_water;  // else it has the real speed
+  const bool may_be_stiffer =
+      numbers.jet_speed <= fast_water;  // otherwise it has the real sound speed
   if (may_be_stiffer && numbers.water_is_weakly_compressible && numbers.mach > weakly_compressible)
     warnings.push_back(
         fmt::format("the Mach number is {:.3g}: above 0.1 the water is compressed noticeably, "
                     "give it a higher speed of sound",
                     numbers.mach));
   warn_of_fast_water(description, numbers, warnings);
-  if (description.eraser) warnings.push_back("the back-flow eraser takes mass and momentum away");
+  if (description.back_flow_removal)
+    warnings.push_back("the back-flow removal takes mass and momentum away");
   warn_of_nothing_to_cut(description, warnings);
   warn_of_materials(description, warnings);
   warn_of_misfits(description, warnings);

@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
+// This header declares what `kerf check` prints besides derived numbers: the particles of each
+// body, and warnings.
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "case/case.hpp"
-#include "measure/derived.hpp"
+#include "analysis/derived.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 
-// What a run of the case will not resolve or should not be trusted for, one sentence each.
+// Returns a sentence for each thing that a run of the case will not resolve or represent correctly.
 std::vector<std::string> check_warnings(const Case& description, const DerivedNumbers& numbers);
+
+// Returns a row for each body: its name and its particles level by level.
+std::vector<std::pair<std::string, std::string>> particle_rows(const Case& description);
+
+// Returns a sentence for each spacing that is too coarse and each grading that is too steep or too
+// near to the cut, with key, value, range and remedy.
+std::vector<std::string> resolution_warnings(const Case& description);
 
 }  // namespace kerf

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One function per command of the program: adds its options to the command line and, when it is
-// chosen, does it. Each lives in <name>_command.cpp. Errors leave as UserError.
+// This header declares one function for each command of the program, which adds its options to the
+// command line and runs it when it is chosen. Each is in <name>_command.cpp and throws UserError.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -2,13 +2,15 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
-#include "app/unknown_name.hpp"
-#include "case/material_library.hpp"
-#include "case/units.hpp"
+#include "input/material_library.hpp"
+#include "input/schema.hpp"
+#include "input/units.hpp"
 
 namespace kerf {
 
@@ -32,13 +34,16 @@ void print_values(const std::vector<LibraryValue>& values) {
   }
 }
 
-// What the library leaves out and a case file therefore takes from its defaults.
+// Returns the keys that the library leaves out and a case takes from the defaults.
 void print_defaults(const LibraryMaterial& entry) {
   const Material material = entry.material();
-  for (const MaterialField& field : material_fields(entry.conditions()))
-    if (!entry.find(field.key))
-      fmt::print("  {:<21} {:<14} default of a case file\n", field.key,
-                 shortest(material.*field.member));
+  std::set<std::string> conditions{formulation_name(Formulation::standard)};
+  for (const Key* key : keys_stored_in("materials", material, conditions)) {
+    const bool number = key->kind == ValueKind::number || key->kind == ValueKind::quantity;
+    if (number && !key->computed() && !entry.find(key->name))
+      fmt::print("  {:<21} {:<14} default of a case file\n", key->name,
+                 shortest(standard_number(*key)));
+  }
 }
 
 void print_material(const std::string& name) {

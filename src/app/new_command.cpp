@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
-#include "app/unknown_name.hpp"
 #include "output/files.hpp"
 
 namespace kerf {
 
 namespace {
 
-// The first line of a template says what it is: "# name: what it is".
+// Returns the description of a template from its first line, "# name: description".
 std::string_view first_sentence(std::string_view text) {
   const std::string_view line = text.substr(0, text.find('\n'));
   const auto colon = line.find(": ");
@@ -33,8 +33,8 @@ void list_templates() {
   list(study_templates());
 }
 
-// The meshes that a template names go into the present folder, where its copy will look for them,
-// unless files of these names are there.
+// Writes the meshes that a template names into the current folder, where its copy looks for them,
+// unless files of these names exist.
 void write_meshes(std::string_view text) {
   for (const EmbeddedText& mesh : case_meshes()) {
     const std::string file = fmt::format("{}.stl", mesh.name);

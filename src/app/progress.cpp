@@ -2,6 +2,7 @@
 #include "app/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,13 +11,21 @@
 #include <limits>
 
 namespace kerf {
+
 namespace {
 
-constexpr double bar_pause = 0.1;    // s, between two pictures of the bar
-constexpr double line_pause = 5.0;   // s, at most, between two lines
-constexpr double line_share = 0.02;  // of the run, or that
-constexpr double pace_window = 3.0;  // s, between two looks at the pace
-constexpr double pace_weight = 0.4;  // of the newest look
+constexpr int bar_cells = 24;
+
+int terminal_width() {
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+constexpr double bar_pause = 0.1;    // s, between two updates of the bar
+constexpr double line_pause = 5.0;   // s, between two lines at most
+constexpr double line_share = 0.02;  // share of the run between two lines at most
+constexpr double pace_window = 3.0;  // s, between two measurements of the pace
+constexpr double pace_weight = 0.4;  // weight of the newest measurement
 
 double seconds_between(std::chrono::steady_clock::time_point from,
                        std::chrono::steady_clock::time_point to) {
@@ -24,6 +33,24 @@ double seconds_between(std::chrono::steady_clock::time_point from,
 }
 
 }  // namespace
+
+void Bar::show(double share, const std::string& words) {
+  const int filled = static_cast<int>(share * bar_cells);
+  std::string bar;
+  for (int i = 0; i < bar_cells; ++i) bar += i < filled ? "█" : "░";
+  const int room = terminal_width() - bar_cells - 2;
+  const std::string seen = room > 0 ? words.substr(0, static_cast<std::size_t>(room)) : "";
+  fmt::print("\r{} {}\033[K", bar, seen);
+  std::fflush(stdout);
+  is_shown_ = true;
+}
+
+void Bar::clear() {
+  if (!is_shown_) return;
+  fmt::print("\r\033[K");
+  std::fflush(stdout);
+  is_shown_ = false;
+}
 
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds)) return "?";

@@ -5,7 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/run_folder.hpp"
-#include "report/movie.hpp"
+#include "report/picture.hpp"
 #include "report/report.hpp"
 
 namespace kerf {

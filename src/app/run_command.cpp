@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
-#include "app/machine_options.hpp"
 #include "app/run_loop.hpp"
-#include "case/read.hpp"
-#include "case/write_used.hpp"
 #include "core/error.hpp"
+#include "input/read.hpp"
+#include "input/write_used.hpp"
 
 namespace kerf {
 namespace {
@@ -24,7 +24,7 @@ struct RunOptions {
   bool quiet = false;
 };
 
-// A path as a shell takes it.
+// Returns a path quoted for a shell.
 std::string shell_word(const std::string& path) {
   if (path.find_first_of(" \t'\"\\$&;()*?<>|`!#~") == std::string::npos) return path;
   std::string word = "'";
@@ -42,8 +42,8 @@ std::string resume_command(const RunOptions& options, const fs::path& folder) {
   return command + " --resume";
 }
 
-RunSettings settings_of(const RunOptions& options) {
-  RunSettings settings;
+RunLoopSettings settings_of(const RunOptions& options) {
+  RunLoopSettings settings;
   settings.description = read_case(options.case_file);
   settings.case_name = fs::path(options.case_file).stem().string();
   settings.case_text = write_used(settings.description);
@@ -59,7 +59,7 @@ RunSettings settings_of(const RunOptions& options) {
   return settings;
 }
 
-void say_where_to_look(const RunSettings& settings) {
+void say_where_to_look(const RunLoopSettings& settings) {
   const auto result = nlohmann::json::parse(read_file(settings.folder / "result.json"));
   fmt::print("{}\n", result.at("verdict").get<std::string>());
   if (settings.quiet) return;
@@ -72,9 +72,9 @@ void say_where_to_look(const RunSettings& settings) {
 
 void run(const RunOptions& options) {
   take_machine(options.machine);
-  const RunSettings settings = settings_of(options);
+  const RunLoopSettings settings = settings_of(options);
   const RunEnd end = RunLoop(settings, make_simulation).run();
-  // As a shell has it: 128 and the number of the signal.
+  // The exit code is 128 plus the number of the signal, as in a shell.
   if (end.signal != 0) throw CLI::RuntimeError(128 + end.signal);
   say_where_to_look(settings);
 }

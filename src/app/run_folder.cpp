@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "case/read.hpp"
 #include "core/error.hpp"
+#include "input/read.hpp"
 
 namespace kerf {
 namespace {
@@ -20,7 +20,7 @@ fs::path made(const fs::path& path) {
   return path;
 }
 
-// What a write that was cut short leaves behind.
+// Returns whether the file was left by an interrupted write.
 bool is_leftover(const fs::path& path) {
   const std::string name = path.filename().string();
   return name.starts_with('.') && name.ends_with(".tmp");
@@ -81,7 +81,7 @@ void RunFolder::check(const std::string& case_text, Existing existing) const {
                                 "--force, or choose another folder with --out.",
                                 path_.string()),
                     exit_files);
-  // A checkpoint tells itself which case it is of.
+  // A checkpoint contains the case that it belongs to.
   if (existing == Existing::resume && !fs::exists(checkpoint()) &&
       read_file(used_case()) != case_text)
     throw UserError(fmt::format("{} holds a run of another case and no checkpoint. Replace it by "
@@ -90,7 +90,7 @@ void RunFolder::check(const std::string& case_text, Existing existing) const {
                     exit_files);
 }
 
-// Only what a run of Kerf writes; the case goes last, as the mark of a folder that is Kerf's.
+// Removes only what a run of Kerf writes; the case is removed last, as it marks a folder of a run.
 void RunFolder::clear() const {
   for (const char* inner : {"frames", "pictures", "."})
     for (const fs::path& file : results_in(path_ / inner)) fs::remove(file);

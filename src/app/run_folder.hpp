@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// The folder that holds a run's results.
+// This header declares the folder of a run's results.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
-#include "case/case.hpp"
+#include "model/case.hpp"
 #include "output/files.hpp"
 
 namespace kerf {
 
-// What to do with a folder that holds a run already.
+// What is done with a folder that holds a run already.
 enum class Existing { refuse, resume, replace };
 
-// What ran in a result folder. Throws UserError (exit_files) when it holds no run.
+// Returns the case of a result folder. Throws UserError (exit_files) when it holds no run.
 Case case_of_run(const std::filesystem::path& folder);
 
-// Lays the meshes of a case into a folder, under the names that case.used.toml has for them. Throws
-// UserError (exit_files).
+// Writes the meshes of a case into a folder, with the names that case.used.toml has for them.
+// Throws UserError (exit_files).
 void keep_meshes(const Case& description, const std::filesystem::path& folder);
 
 class RunFolder {
  public:
-  // Makes the folder when missing and holds it for this process. Throws UserError (exit_files) when
-  // it holds something that `existing` does not allow to be touched; nothing is changed then.
+  // Creates the folder if it is missing and locks it for this process. Throws UserError
+  // (exit_files) and changes nothing when it holds something that `existing` does not allow to be
+  // changed.
   RunFolder(std::filesystem::path path, const std::string& case_text, Existing existing);
 
-  // True when there is a checkpoint to go on from; otherwise the folder is empty now.
+  // Returns true when there is a checkpoint to continue from; otherwise the folder is empty.
   bool has_checkpoint() const { return has_checkpoint_; }
 
   const std::filesystem::path& path() const { return path_; }

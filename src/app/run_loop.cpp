@@ -19,7 +19,7 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path) {
   try {
     auto sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path.string());
     auto log = std::make_shared<spdlog::logger>("run", sink);
-    // A log that cannot be written must not drown what the run itself has to say.
+    // An error of the log must not hide messages of the run.
     log->set_error_handler([](const std::string&) {});
     log->flush_on(spdlog::level::info);
     return log;
@@ -43,7 +43,7 @@ const char* signal_name(int signal) {
 
 }  // namespace
 
-RunLoop::RunLoop(RunSettings settings, SimulationMaker maker)
+RunLoop::RunLoop(RunLoopSettings settings, SimulationMaker maker)
     : settings_(std::move(settings)),
       maker_(std::move(maker)),
       folder_(settings_.folder, settings_.case_text, settings_.existing),
@@ -62,7 +62,7 @@ RunEnd RunLoop::run() {
     std::string message = error.what();
     try {
       writing_.wait();
-    } catch (const UserError&) {  // one cause is enough
+    } catch (const UserError&) {  // the first error is reported
     }
     if (saved_time_ >= 0.0)
       message += fmt::format(" The run is safe up to {:.6g} ms; go on from there with: {}",
@@ -127,7 +127,7 @@ void RunLoop::resume(const Archive& state) {
   rows_due_.restore(before_.rows_due);
   limits_ = before_.limits;
   if (!before_.cut_history.empty()) row_time_ = before_.cut_history.back().time;
-  energy_drift_ = simulation_->ledger().energy_drift();
+  energy_drift_ = simulation_->balance().energy_drift();
   tell(fmt::format("{}: going on from {:.6g} ms, step {}", settings_.case_name,
                    1e3 * simulation_->time(), simulation_->step()));
 }
@@ -148,7 +148,7 @@ RunEnd RunLoop::steps() {
   return {};
 }
 
-// At the end everything up to the end is due, whatever the last bit of the sum of all steps.
+// At the end all output up to the end is due, whatever the rounding of the sum of all steps.
 void RunLoop::write_due() {
   const double now = simulation_->finished()
                          ? std::max(simulation_->time(), settings_.description.time.end)
@@ -175,10 +175,10 @@ void RunLoop::write_row() {
   sample.particles = simulation_->particles();
   sample.last_step = simulation_->last_step();
   sample.cut = cut_->observe(frame());
-  sample.ledger = simulation_->ledger();
+  sample.balance = simulation_->balance();
   sample.probes = simulation_->probe_values();
   series_.append(sample);
-  energy_drift_ = sample.ledger.energy_drift();
+  energy_drift_ = sample.balance.energy_drift();
   row_time_ = sample.time;
 }
 
@@ -211,8 +211,8 @@ RunEnd RunLoop::stop(int signal) {
 }
 
 void RunLoop::save_checkpoint(bool finished) {
-  writing_.wait();  // the checkpoint counts on the frames written
-  series_.sync();   // and on its rows
+  writing_.wait();  // the checkpoint refers to the frames written
+  series_.sync();   // and to its rows
   auto checkpoint = std::make_shared<Checkpoint>();
   simulation_->save(checkpoint->simulation);
   checkpoint->run = to_archive(record(finished));

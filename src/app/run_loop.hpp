@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run from its first step, or from its last checkpoint, to its report. Nothing it writes changes
-// what is computed; frames, pictures and checkpoints are written while it is computed.
+// This header declares the loop of a run, from its first step or last checkpoint to its report.
+// Output does not change what is computed; frames, pictures and checkpoints are written in the
+// background.
 #pragma once
 
 #include <chrono>
@@ -12,46 +13,47 @@
 
 #include <spdlog/logger.h>
 
+#include "analysis/cut.hpp"
 #include "app/progress.hpp"
 #include "app/run_folder.hpp"
 #include "app/run_record.hpp"
 #include "app/schedule.hpp"
 #include "app/signals.hpp"
-#include "case/case.hpp"
-#include "measure/cut.hpp"
+#include "model/case.hpp"
 #include "output/background.hpp"
 #include "output/result.hpp"
 #include "output/series.hpp"
 #include "output/vtkhdf.hpp"
-#include "report/pictures.hpp"
+#include "report/picture.hpp"
 #include "simulation/simulation.hpp"
 
 namespace kerf {
 
-struct RunSettings {
+struct RunLoopSettings {
   Case description;
   std::string case_name;  // the stem of the case file; names frames and pictures
   std::string case_text;  // of case.used.toml
   std::filesystem::path folder;
   Existing existing = Existing::refuse;
   bool quiet = false;
-  int threads = 0;             // as shown in the results
-  std::string device;          // likewise
-  std::string resume_command;  // what a user types to go on
+  int threads = 0;             // for the results
+  std::string device;          // for the results
+  std::string resume_command;  // the command that continues the run
 };
 
 using SimulationMaker = std::function<std::unique_ptr<Simulation>(const Case&)>;
 
-// How a run was left.
+// How a run ended.
 struct RunEnd {
-  int signal = 0;  // 0 = at its end; else the signal that asked it to stop
+  int signal = 0;  // 0 = the run is complete; otherwise the signal that stopped it
 };
 
 class RunLoop {
  public:
-  RunLoop(RunSettings settings, SimulationMaker maker);
+  RunLoop(RunLoopSettings settings, SimulationMaker maker);
 
-  // Throws UserError; what was safe on the disk stays so, and the message says how to go on.
+  // Runs to the end. Throws UserError, whose message says how to continue; what is on the disk
+  // remains valid.
   RunEnd run();
 
  private:
@@ -81,7 +83,7 @@ class RunLoop {
   std::vector<StageTime> stage_times() const;
   void tell(const std::string& line);
 
-  RunSettings settings_;
+  RunLoopSettings settings_;
   SimulationMaker maker_;
   RunFolder folder_;
   std::shared_ptr<spdlog::logger> log_;
@@ -92,17 +94,17 @@ class RunLoop {
 
   std::unique_ptr<Simulation> simulation_;
   std::optional<CutMonitor> cut_;
-  std::shared_ptr<const Frame> frame_;  // of the present step, made when first asked for
+  std::shared_ptr<const Frame> frame_;  // of the current step, made on first use
   SeriesWriter series_;
   FrameWriter frames_;
   PictureWriter pictures_;
   Schedule frames_due_, pictures_due_, rows_due_;
-  RunRecord before_;  // of the parts of the run before this one
+  RunRecord before_;  // of the earlier parts of the run
   std::map<std::string, std::uint64_t> limits_;
   double energy_drift_ = 0.0;
   double row_time_ = -1.0;    // s, of the last row of the series
   double saved_time_ = -1.0;  // s, of the last checkpoint; negative = none; set by `writing_`
-  Background writing_;  // frames, pictures and checkpoints; last, so that it ends before they do
+  Background writing_;        // the last member, so that it ends before the others
 };
 
 }  // namespace kerf

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the run loop must remember beside the simulation, to go on as if never stopped.
+// This header declares what a checkpoint keeps of the run loop beside the simulation, so that a
+// resumed run continues as if it had not been stopped.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "measure/cut.hpp"
+#include "analysis/cut.hpp"
 #include "simulation/archive.hpp"
 #include "simulation/simulation.hpp"
 
@@ -17,11 +18,11 @@ struct RunRecord {
   std::string case_name;
   bool finished = false;
   double wall_time = 0.0;                                        // s, of all parts of the run
-  std::vector<double> frame_times, picture_times;                // s, of what was written
-  std::uint64_t frames_due = 0, pictures_due = 0, rows_due = 0;  // places in the schedules
+  std::vector<double> frame_times, picture_times;                // s, of the files written
+  std::uint64_t frames_due = 0, pictures_due = 0, rows_due = 0;  // positions in the schedules
   std::uint64_t rows = 0;                                        // of series.csv
-  std::map<std::string, std::uint64_t> limits;                   // steps that each limit set
-  std::vector<StageTime> stage_times;                            // of all parts of the run
+  std::map<std::string, std::uint64_t> limits;  // number of steps that each limit set
+  std::vector<StageTime> stage_times;           // of all parts of the run
   std::vector<CutState> cut_history;
 };
 

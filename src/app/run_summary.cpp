@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run knows about itself: for the screen, for the checkpoint and for result.json.
+// This file collects the numbers of a run for the terminal, the checkpoint and result.json.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "analysis/derived.hpp"
 #include "app/run_loop.hpp"
-#include "measure/derived.hpp"
 #include "output/result.hpp"
 
 namespace kerf {
@@ -61,7 +61,7 @@ ProgressNumbers RunLoop::numbers() const {
   return numbers;
 }
 
-// What the last frame says of the kerf.
+// Measures the kerf in the last frame.
 void RunLoop::measure(RunOutcome& outcome) {
   if (settings_.description.jets.empty()) return;
   outcome.kerf =
@@ -76,7 +76,7 @@ void RunLoop::write_result() {
   outcome.cut = cut_->summary();
   measure(outcome);
   outcome.still_cutting = still_cutting(cut_->history());
-  outcome.ledger = simulation_->ledger();
+  outcome.balance = simulation_->balance();
   outcome.time = simulation_->time();
   outcome.steps = simulation_->step();
   outcome.particles = simulation_->particles();
@@ -86,12 +86,10 @@ void RunLoop::write_result() {
   outcome.device = settings_.device;
   outcome.threads = settings_.threads;
   outcome.stage_times = stage_times();
-  auto result = result_of(outcome);
-  result["frames"] = frames_.times().size();
-  result["pictures"] = nlohmann::ordered_json::array();
+  outcome.frames = frames_.times().size();
   for (std::size_t i = 0; i < pictures_.times().size(); ++i)
-    result["pictures"].push_back({{"file", pictures_.file(i)}, {"time", pictures_.times()[i]}});
-  write_file(folder_.result(), result.dump(2) + "\n");
+    outcome.pictures.push_back({pictures_.file(i), pictures_.times()[i]});
+  write_file(folder_.result(), result_of(outcome).dump(2) + "\n");
 }
 
 }  // namespace kerf

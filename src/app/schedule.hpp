@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// When something is due: at the first step at or after each of its times. The loop never shortens a
-// step to meet a time, so that what is written does not change what is computed.
+// This header declares a schedule: output is due at the first step at or after each of its times. A
+// step is never shortened to meet a time, so that output does not change what is computed.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@ namespace kerf {
 
 class Schedule {
  public:
-  // At these times, s, ascending.
+  // The schedule has these times, s, in ascending order.
   explicit Schedule(std::vector<double> times) : times_(std::move(times)) {}
-  // At 0, interval, 2 interval, ...; never when the interval is 0.
+  // The schedule has the times 0, interval, 2 interval, ...; none if the interval is 0.
   explicit Schedule(double interval) : interval_(interval) {}
 
-  // True when one or more times have come since the last call.
+  // Returns true when one or more times have passed since the last call.
   bool due(double now) {
     const std::uint64_t before = next_;
     if (interval_ > 0.0) {
@@ -28,7 +28,7 @@ class Schedule {
     return next_ != before;
   }
 
-  // How many times have passed; a resumed run goes on from there.
+  // The number of times that have passed, from which a resumed run continues.
   std::uint64_t passed() const { return next_; }
   void restore(std::uint64_t passed) { next_ = passed; }
 

@@ -17,7 +17,7 @@ StopSignals::StopSignals() {
   noted = 0;
   struct sigaction action = {};
   action.sa_handler = note;
-  // The handler is used once, so that a second signal meets the default action.
+  // The handler is used once; a second signal has the default action.
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigemptyset(&action.sa_mask);
   for (int i = 0; i < count_; ++i) sigaction(watched[i], &action, &before_[i]);

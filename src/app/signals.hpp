@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests to stop: Ctrl-C (SIGINT), SIGTERM, SIGHUP.
+// This header declares the signals that ask a run to stop: Ctrl-C (SIGINT), SIGTERM, SIGHUP.
 #pragma once
 
 #include <csignal>
 
 namespace kerf {
 
-// While it lives, the first such signal is only noted, for the run to end in good order; a second
-// one ends the process at once, as ever. One at a time.
+// While the object exists, the first signal is noted, so that the run ends in good order; a second
+// one ends the process. Only one object may exist at a time.
 class StopSignals {
  public:
   StopSignals();

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// kerf study: many runs of a case, the map they make, and the setting that is looked for.
+// This file implements kerf study: many runs of a case, their map and the search for a setting.
 #include <fmt/format.h>
 
 #include <chrono>
 #include <filesystem>
 #include <memory>
 
-#include "app/bar.hpp"
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
-#include "app/machine_options.hpp"
 #include "app/progress.hpp"
 #include "app/signals.hpp"
 #include "core/error.hpp"
 #include "output/files.hpp"
 #include "study/local_executor.hpp"
+#include "study/run_table.hpp"
 #include "study/slurm_executor.hpp"
 #include "study/study_answers.hpp"
 #include "study/study_page.hpp"
 #include "study/study_runs.hpp"
-#include "study/study_table.hpp"
 
 namespace kerf {
 
@@ -39,8 +38,8 @@ struct StudyOptions {
   bool quiet = false;
 };
 
-// This program, for the runs: of a child of this process that is the one that runs now, even when
-// its file was replaced since.
+// The program that makes the runs. A child process gets the program that is running, even if its
+// file was replaced.
 constexpr const char* this_program = "/proc/self/exe";
 
 LocalBudget budget_of(const StudyOptions& options) {
@@ -56,7 +55,7 @@ LocalBudget budget_of(const StudyOptions& options) {
 
 std::unique_ptr<Executor> executor_of(const StudyOptions& options, const fs::path& folder) {
   if (options.where == "local") {
-    set_device(options.device);  // is it there?
+    set_device(options.device);  // throws when it is not available
     return std::make_unique<LocalExecutor>(this_program, budget_of(options));
   }
   SlurmBudget budget;
@@ -66,7 +65,7 @@ std::unique_ptr<Executor> executor_of(const StudyOptions& options, const fs::pat
   return std::make_unique<SlurmExecutor>(fs::read_symlink(this_program), folder, budget);
 }
 
-// What a user sees while runs go on.
+// Shows the progress of the runs.
 class StudyDisplay {
  public:
   explicit StudyDisplay(ProgressStyle style) : style_(style) {}
@@ -124,7 +123,7 @@ void find_answers(const StudyPlan& plan, StudyRuns& runs, StudyAnswers& answers)
   if (plan.calibration) answers.calibration = calibrate(*plan.calibration, plan.refinement, runs);
 }
 
-// What follows from the runs that were made, be they all or not.
+// Computes the model and the boundary from the runs that were made, whether all of them or not.
 void conclude(const StudyPlan& plan, const StudyRuns& runs, StudyAnswers& answers) {
   answers.runs = runs.asked();
   if (plan.model)
@@ -144,14 +143,14 @@ void write_results(const StudyPlan& plan, const StudyAnswers& answers, const fs:
     write_file(folder / "model.csv", answers.model->table_csv([&](const std::string& name) {
       return unit_of(plan, name);
     }));
-  fmt::print("{}{}", study_text(plan, answers.runs), answers_text(plan, answers));
+  fmt::print("{}{}", study_text(plan, answers.runs), answers_text(describe_answers(plan, answers)));
   const std::string place = folder.string();
   fmt::print("  table      {0}/study.csv, {0}/study.json, {0}/study.h5{1}\n", place,
              has_model ? fmt::format(", {}/model.csv", place) : "");
   fmt::print("  page       {}/study.html\n", place);
 }
 
-// The exit code says that some runs have no result, after everything else is written.
+// Lists failed runs and sets the exit code, after everything else is written.
 void tell_failures(const std::vector<RunRow>& runs) {
   std::size_t failed = 0;
   for (const RunRow& row : runs) {

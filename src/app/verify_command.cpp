@@ -6,15 +6,14 @@
 #include <iterator>
 #include <memory>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
-#include "app/machine_options.hpp"
-#include "app/unknown_name.hpp"
 #include "app/verify_page.hpp"
 #include "output/files.hpp"
 #include "simulation/simulation.hpp"
-#include "verify/table.hpp"
-#include "verify/verify.hpp"
+#include "verification/table.hpp"
+#include "verification/verify.hpp"
 
 namespace kerf {
 
@@ -68,7 +67,7 @@ void print_list(const std::vector<VerificationCase>& cases) {
   }
 }
 
-// A line on the terminal that goes when the case is done.
+// A line on the terminal that is removed when the case is done.
 class VerifyLine {
  public:
   void show(const std::string& name, const std::string& run, double share) const {

@@ -12,30 +12,30 @@
 #include "output/files.hpp"
 #include "report/picture.hpp"
 #include "report/plot.hpp"
-#include "verify/table.hpp"
+#include "verification/table.hpp"
 
 namespace kerf {
 
 namespace {
 
-// The part of a page between these lines is the program's.
+// The program writes the part of the page between these lines.
 constexpr std::string_view table_begin = "<!-- kerf verify: begin -->\n";
 constexpr std::string_view table_end = "<!-- kerf verify: end -->";
 constexpr std::string_view image_folder = "images/validation";
 constexpr int plot_points = 400;
 constexpr double picture_scale = 0.5;
-// As palette::curves has them.
+// The names of palette::curves.
 constexpr const char* colour_names[] = {"blue",   "vermilion", "green",  "purple",
                                         "orange", "sky blue",  "yellow", "black"};
 
-std::string draw_curves(const CheckCurves& curves, const std::string& name) {
+std::string draw_curves(const CheckCurves& curves) {
   double first = std::numeric_limits<double>::infinity(), last = 0.0;
   for (const TimeSeries& series : curves.series) {
     if (series.time.empty()) continue;
     first = std::min(first, series.time.front());
     last = std::max(last, series.time.back());
   }
-  Plot plot{{"time", "s"}, {curves.quantity, curves.unit}, {}, {}, -1.0};
+  Plot plot{{"time", "s"}, {curves.quantity, curves.unit}};
   for (int i = 0; i < plot_points; ++i)
     plot.x.push_back(first + (last - first) * i / (plot_points - 1));
   for (std::size_t run = 0; run < curves.runs.size(); ++run) {
@@ -46,7 +46,7 @@ std::string draw_curves(const CheckCurves& curves, const std::string& name) {
   if (curves.reference)
     plot.curves.push_back({"reference", std::vector<double>(plot.x.size(), *curves.reference),
                            palette::ink, Stroke::dashed});
-  return draw_plot(plot, name);
+  return draw_plot(plot);
 }
 
 std::string caption_of(const CheckCurves& curves) {
@@ -57,7 +57,7 @@ std::string caption_of(const CheckCurves& curves) {
   return caption + (curves.reference ? "; dashed: the reference" : "");
 }
 
-// Writes figures and gives the Markdown that shows them, by case.
+// Writes figures and returns the Markdown that shows them, by case.
 class Figures {
  public:
   explicit Figures(std::filesystem::path folder) : folder_(std::move(folder)) {
@@ -66,7 +66,7 @@ class Figures {
 
   void add(const CheckCurves& curves) {
     const std::string name = file_name_of(curves.case_name + " " + curves.quantity);
-    add(curves.case_name, name + ".svg", caption_of(curves), draw_curves(curves, name));
+    add(curves.case_name, name + ".svg", caption_of(curves), draw_curves(curves));
   }
   void add(const RunLook& look) {
     const std::string name = file_name_of(look.case_name + " " + look.run);
@@ -74,7 +74,7 @@ class Figures {
         fmt::format("{}, {:.4g} ms", look.run, 1e3 * look.frame.time),
         draw_picture(look.frame, look.description, picture_scale));
   }
-  // Of cases that were not looked at now, `page` says what to keep.
+  // Removes the figures that `page` does not show.
   void remove_all_but_those_of(const std::string& page) const {
     for (const auto& entry : std::filesystem::directory_iterator(folder_))
       if (page.find(entry.path().filename().string()) == std::string::npos)

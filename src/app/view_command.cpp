@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kerf view: the report of a run in a browser, with all its frames, also while it goes on.
+// This file implements kerf view, which shows a run in a browser with all its frames, also while it
+// proceeds.
 #include <fmt/format.h>
 
 #include <csignal>

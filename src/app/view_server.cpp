@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// When the cut is through, by the series; -1 if it is not.
+// Returns the time of cut-through from the series, s; -1 if there is none.
 double cut_time_of(const SeriesTable& series) {
   const auto time = series.numbers("time"), cut = series.numbers("cut_through");
   for (std::size_t i = 0; i < cut.size(); ++i)
@@ -29,8 +29,8 @@ double cut_time_of(const SeriesTable& series) {
   return -1.0;
 }
 
-// Looks, whenever nobody has asked anything for a moment, whether the server is to end. Asked to
-// end in any other way, a server that has not begun to listen would forget it.
+// Tests between requests whether the server is to stop. A request to stop in another way would be
+// lost if the server does not listen yet.
 class WatchfulPool : public httplib::ThreadPool {
  public:
   WatchfulPool(httplib::Server& server, const std::atomic<bool>& ends)
@@ -61,7 +61,7 @@ struct ViewServer::State {
     run["frames"] = Json::array();
     for (std::size_t n = 0; n < packer.frames(); ++n) {
       Json entry = packer.entry(n);
-      // The fields are part of the address: with others the bytes are others.
+      // The fields are part of the address, as the bytes depend on them.
       entry["url"] = fmt::format("frame/{}?fields={}", n, run.at("fields").size());
       run["frames"].push_back(std::move(entry));
     }
@@ -113,7 +113,7 @@ struct ViewServer::State {
   fs::path folder;
   Case description;
   ViewerPacker packer;
-  std::mutex mutex;  // one request at a time looks into the folder
+  std::mutex mutex;  // one request at a time reads the folder
   std::atomic<bool> ends = false;
   httplib::Server server;
 };

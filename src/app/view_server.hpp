@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Serves the report of a result folder, with all its frames, to this machine alone; while the run
-// goes on, the page follows it.
+// This header declares the server of kerf view: it serves the report of a result folder with all
+// its frames to this machine alone. The page follows a run that proceeds.
 #pragma once
 
 #include <filesystem>
@@ -15,10 +15,10 @@ class ViewServer {
   explicit ViewServer(const std::filesystem::path& folder);
   ~ViewServer();
 
-  // Takes a port of the loopback interface, any free one for 0; the port. Throws UserError when it
-  // is taken.
+  // Binds a port of the loopback interface, any free one for 0, and returns it. Throws UserError
+  // when it is in use.
   int bind(int port);
-  // Answers until stop(), which may be called by another thread or a signal, and also before.
+  // Serves until stop() is called by another thread or a signal, also before serve().
   void serve();
   void stop();
 

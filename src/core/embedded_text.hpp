@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text file that the build puts into the program (cmake/KerfEmbed.cmake).
+// A text file that the build embeds in the program (cmake/KerfEmbed.cmake).
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two kinds of error: a user's (a sentence that says what, where and what to do) and a developer's.
+// The program throws two kinds of error: one that the user can put right, with a sentence that says
+// what is wrong, where, and what to do; and one of the program itself.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +8,7 @@
 
 namespace kerf {
 
-// Something the user can put right. The message is shown as it is; the program ends with
+// An error that the user can put right. The message is shown as it is; the program ends with
 // `exit_code()` (1 = bad input, 3 = the run failed, 4 = files or folders).
 class UserError : public std::runtime_error {
  public:

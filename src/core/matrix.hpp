@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Products of the tensors of tensor.hpp.
+// These functions multiply the tensors of core/tensor.hpp.
 #pragma once
 
 #include "core/tensor.hpp"

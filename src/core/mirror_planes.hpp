@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Symmetry planes: faces of the domain in which everything is seen mirrored. A list of neighbours
-// names the mirror image of particle j by j's place with a code in the highest bits, two for each
-// axis: mirrored in the lower face, in the upper one, or in neither; at an edge or a corner several
-// axes are. Without planes there are no codes and an entry is a place. docs/theory/symmetry.md.
+// A symmetry plane is a face of the domain that mirrors the particles beside it. A neighbour list
+// names the mirror image of particle j by its index j with a code in the highest bits, two bits for
+// each axis: mirrored at the lower face, at the upper one, or at neither; at an edge or a corner
+// several axes are mirrored. Without planes there are no codes, and an entry is an index. The
+// theory is in docs/theory/symmetry.md.
 #pragma once
 
 #include <cmath>
@@ -17,12 +18,12 @@ using MirrorCode = std::uint32_t;
 
 template <int D>
 struct MirrorPlanes {
-  Vector<D, double> low, high;  // m, where the faces are
-  MirrorCode faces = 0;         // codes of the faces that are planes, together
+  Vector<D, double> low, high;  // m, coordinates of the faces
+  MirrorCode faces = 0;         // codes of all faces that are planes
 
   static constexpr int shift = 32 - 2 * D;
   static constexpr std::uint32_t most_particles = std::uint32_t(1) << shift;
-  static constexpr int images = D == 3 ? 27 : 9;  // of one particle, itself among them
+  static constexpr int images = D == 3 ? 27 : 9;  // of one particle, with itself
 
   KERF_FUNCTION static MirrorCode low_face(int axis) { return MirrorCode(1) << (shift + 2 * axis); }
   KERF_FUNCTION static MirrorCode high_face(int axis) {
@@ -45,13 +46,13 @@ struct MirrorPlanes {
     return (result & ~faces) == 0;
   }
 
-  // Where the image of a point is.
+  // Position of the image of a point.
   KERF_FUNCTION Vector<D, double> image_place(MirrorCode code, Vector<D, double> x) const {
     for (int a = 0; a < D; ++a)
       if (flips(code, a)) x[a] = 2.0 * face(code, a) - x[a];
     return x;
   }
-  // From the image of y to x; the same bits but for signs when x and y change places.
+  // The vector from the image of y to x. Exchange of x and y changes signs only.
   KERF_FUNCTION Vector<D, double> separation(MirrorCode code, const Vector<D, double>& x,
                                              const Vector<D, double>& y) const {
     auto r = x - y;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Principal axes of a symmetric tensor, by Eigen's closed forms.
+// These functions find the principal axes of a symmetric tensor by Eigen's closed forms.
 #pragma once
 
 #include <Eigen/Dense>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Principal values and axes of a symmetric tensor by Jacobi's rotations (Golub & Van Loan, Matrix
-// Computations, section 8.5), to a few roundings of its largest value, however close the values
-// are. The closed forms of principal_axes.hpp are faster, but lose a digit or more where values are
-// close, and elastic strains of 1e-3 in single precision have none to give away.
+// PrincipalFrame holds the principal values and axes of a symmetric tensor. Jacobi's rotations
+// (Golub & Van Loan, Matrix Computations, section 8.5) give them to a few roundings of the largest
+// value, however close the values are. The closed forms of principal_axes.hpp are faster, but lose
+// a digit or more where values are close, which elastic strains of 1e-3 in single precision cannot
+// afford.
 #pragma once
 
 #include <cmath>

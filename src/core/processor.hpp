@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processor that this program runs on, for those who tell how fast it is.
+// processor_name() returns the name of the processor that the program runs on.
 #pragma once
 
 #include <fstream>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers by their number: the n-th of a seed is the same on every machine, whoever asks and
-// in whichever order. Steele, Lea & Flood, "Fast splittable pseudorandom number generators", OOPSLA
+// random_number() returns the n-th random number of a seed, the same on every machine and in every
+// order of calls. Steele, Lea & Flood, "Fast splittable pseudorandom number generators", OOPSLA
 // 2014, 453: SplitMix64, whose n-th state is seed + n gamma.
 #pragma once
 
 #include <cstdint>
 
-#include "exec/host_device.hpp"
+#include "core/host_device.hpp"
 
 namespace kerf {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choices without a branch, so that a formula written once runs on one number, or on several side
-// by side (lanes/lane_numbers.hpp has the same functions for those).
+// These functions choose without a branch, so that a formula written once runs on one number or on
+// a SIMD register (core/simd_numbers.hpp has the same functions for registers).
 #pragma once
 
 #include <cmath>
 
-#include "exec/host_device.hpp"
+#include "core/host_device.hpp"
 
 namespace kerf {
 
@@ -33,9 +33,13 @@ template <class T>
 KERF_FUNCTION T reciprocal(T a) {
   return T(1) / a;
 }
+template <class T>
+KERF_FUNCTION T reciprocal_square_root(T a) {
+  return T(1) / std::sqrt(a);
+}
 
 }  // namespace kerf
 
-#if defined(KERF_LANES)
-#include "lanes/lane_numbers.hpp"
+#if defined(KERF_SIMD)
+#include "core/simd_numbers.hpp"
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Second-order tensors. In two dimensions a symmetric tensor keeps its out-of-plane component: in
-// plane strain the deviatoric stress s_zz is not zero.
+// These are second-order tensors. In two dimensions a symmetric tensor keeps its out-of-plane
+// component: in plane strain the deviatoric stress s_zz is not zero.
 #pragma once
 
 #include "core/vector.hpp"
@@ -91,8 +91,8 @@ struct SkewTensor {
   }
 };
 
-// Solves X m = y for X, where m is symmetric and not negative; y becomes X. False, with y as it
-// was, when a pivot of m is below `least`.
+// Solves X m = y for X, where m is symmetric and positive semidefinite; y becomes X. Returns false
+// and leaves y unchanged when a pivot of m is below `least`.
 template <int D, class T>
 KERF_FUNCTION bool divide(Matrix<D, T>& y, Matrix<D, T> m, T least) {
   Matrix<D, T> x = y;

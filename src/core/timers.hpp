@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wall time by named stage.
+// Timers measures wall time by named stage.
 #pragma once
 
 #include <chrono>
+#include <string>
 #include <vector>
-
-#include "simulation/simulation.hpp"
 
 namespace kerf {
 
+struct StageTime {
+  std::string name;
+  double seconds = 0.0;
+};
+
 class Timers {
  public:
-  // `settle` comes before the end of a stage is read: loops of a GPU go on after their call.
+  // `settle` is called before the end of a stage is read: loops on a GPU run on after their call.
   explicit Timers(void (*settle)() noexcept) : settle_(settle) {}
 
-  // Adds the time until the returned object dies to the stage.
+  // Adds the lifetime of the returned object to the stage.
   class Running {
    public:
     Running(double& seconds, void (*settle)() noexcept)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A vector of D components: with tensor.hpp the only place that loops over components.
+// Vector has D components; this file and tensor.hpp alone loop over components.
 #pragma once
 
 #include <cmath>
 
-#include "exec/host_device.hpp"
+#include "core/host_device.hpp"
 
 namespace kerf {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What this program is: its version and the compiler that made it.
+// This file states the version of the program and the compiler that built it.
 #pragma once
 
 #include <string>

@@ -1,81 +1,99 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fracture criteria of bonds, chosen per medium while the program runs.
+// The fracture criteria of bonds. A medium chooses one of them by the word of the case file. Each
+// has (core/law_list.hpp)
+//   keys                      how it goes with the other keys of a material (CriterionKeys)
+//   limits(input)             the strains at which a material begins to fail and has failed
+//   can_break(has_limit)      whether it ever breaks a bond; has_limit: a failure strain or
+//   fracture
+//                             energy is given
+//   prepare(particle)         a number per particle, worked out once; its mean is in the bond. It
+//   may
+//                             ask the particle for solid, green, damage, largest_stress() and
+//                             tensile_strain()
+//   passes(prepared, solid)   whether this number asks for the tensors along the bond
+//   breaks(bond, solid)       whether a bond of this solid breaks (bond_strain.hpp)
+// and may have
+//   stays_below(solid, green)   whether a cheap bound shows that prepare() does not pass
+// A criterion gets the same numbers of a bond from either end, so that both ends decide alike.
 #pragma once
 
-#include "fracture/crack_band_strain.hpp"
-#include "fracture/damaged_bond.hpp"
+#include "fracture/bond_strain.hpp"
+#include "fracture/crack_band_criterion.hpp"
+#include "fracture/criteria.hpp"
 #include "fracture/equivalent_total_strain.hpp"
+#include "fracture/grady_kipp.hpp"
 #include "fracture/principal_strain.hpp"
 #include "fracture/principal_stress.hpp"
 #include "fracture/strain_energy.hpp"
 
 namespace kerf {
 
-// `damage`: of the criterion grady_kipp.
-template <int D, class T>
-KERF_FUNCTION T prepare_criterion(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green,
-                                  T damage = T(0)) {
-  switch (solid.criterion) {
-    case BondCriterion::principal_strain:
-      return PrincipalStrain::prepare(solid, green);
-    case BondCriterion::equivalent_strain:
-      return EquivalentTotalStrain::prepare(solid, green);
-    case BondCriterion::principal_stress:
-      return PrincipalStress::prepare(solid, green);
-    case BondCriterion::strain_energy:
-      return StrainEnergy::prepare(solid, green);
-    case BondCriterion::crack_band:  // by what the place remembers (break_bonds.hpp)
-      break;
-    case BondCriterion::grady_kipp:
-      return DamagedBond::prepare(damage);
-  }
-  return T(0);
+KERF_DEFINE_LAW_SET(BondCriterionSet, BondCriterion, KERF_BOND_CRITERIA)
+
+// Whether a criterion ever breaks a bond; `has_limit`: a failure strain or fracture energy is
+// given.
+template <class T>
+KERF_FUNCTION bool can_break_bonds(const BondCriterionSet<T>& criteria, BondCriterion criterion,
+                                   bool has_limit) {
+  return BondCriterionSet<T>::visit(
+      criteria, criterion, [&](const auto& chosen) { return chosen.can_break(has_limit); });
 }
 
-// Whether a look shows that what prepare_criterion() would say does not pass.
+// A solid whose bonds may break.
+template <class T>
+struct BondedSolid : BreakableSolid<T>, BondCriterionSet<T> {
+  BondCriterion criterion = BondCriterion::principal_strain;
+
+  KERF_FUNCTION bool bonds_can_break() const {
+    return can_break_bonds(*this, criterion, this->failure_strain > T(0));
+  }
+
+  template <class Other>
+  KERF_FUNCTION static BondedSolid from(const BondedSolid<Other>& other) {
+    BondedSolid solid;
+    static_cast<BreakableSolid<T>&>(solid) = BreakableSolid<T>::from(other);
+    static_cast<BondCriterionSet<T>&>(solid) = BondCriterionSet<T>::from(other);
+    solid.criterion = other.criterion;
+    return solid;
+  }
+};
+
+// The number of the criterion for a particle, whose `solid` is a BondedSolid.
+template <class T, class Particle>
+KERF_FUNCTION T prepare_criterion(const BondedSolid<T>& solid, const Particle& particle) {
+  return BondCriterionSet<T>::visit(
+      solid, solid.criterion, [&](const auto& chosen) { return T(chosen.prepare(particle)); });
+}
+
 template <int D, class T>
-KERF_FUNCTION bool place_stays_below(const SolidMedium<T>& solid,
+struct StaysBelow {
+  const BreakableSolid<T>& solid;
+  const SymmetricTensor<D, T>& green;
+  template <class Law>
+  KERF_FUNCTION bool operator()(const Law& law) const {
+    if constexpr (requires { law.stays_below(solid, green); })
+      return law.stays_below(solid, green);
+    else
+      return false;
+  }
+};
+// Whether a cheap bound shows that the number of prepare_criterion() does not pass.
+template <int D, class T>
+KERF_FUNCTION bool stays_below_limit(const BondedSolid<T>& solid,
                                      const SymmetricTensor<D, T>& green) {
-  return solid.criterion == BondCriterion::principal_strain &&
-         PrincipalStrain::stays_below(solid, green);
+  return BondCriterionSet<T>::visit(solid, solid.criterion, StaysBelow<D, T>{solid, green});
 }
 
 template <class T>
-KERF_FUNCTION bool place_passes(T prepared, const SolidMedium<T>& solid) {
-  switch (solid.criterion) {
-    case BondCriterion::principal_strain:
-      return PrincipalStrain::passes(prepared, solid);
-    case BondCriterion::equivalent_strain:
-      return EquivalentTotalStrain::passes(prepared, solid);
-    case BondCriterion::principal_stress:
-      return PrincipalStress::passes(prepared, solid);
-    case BondCriterion::strain_energy:
-      return StrainEnergy::passes(prepared, solid);
-    case BondCriterion::crack_band:
-      return CrackBandStrain::passes(prepared, solid);
-    case BondCriterion::grady_kipp:
-      return DamagedBond::passes(prepared);
-  }
-  return false;
+KERF_FUNCTION bool criterion_passes(T prepared, const BondedSolid<T>& solid) {
+  return BondCriterionSet<T>::visit(
+      solid, solid.criterion, [&](const auto& chosen) { return chosen.passes(prepared, solid); });
 }
 
 template <class T>
-KERF_FUNCTION bool bond_breaks(const BondStrain<T>& bond, const SolidMedium<T>& solid) {
-  switch (solid.criterion) {
-    case BondCriterion::principal_strain:
-      return PrincipalStrain::breaks(bond, solid);
-    case BondCriterion::equivalent_strain:
-      return EquivalentTotalStrain::breaks(bond, solid);
-    case BondCriterion::principal_stress:
-      return PrincipalStress::breaks(bond, solid);
-    case BondCriterion::strain_energy:
-      return StrainEnergy::breaks(bond, solid);
-    case BondCriterion::crack_band:
-      return CrackBandStrain::breaks(bond, solid);
-    case BondCriterion::grady_kipp:
-      return DamagedBond::breaks(bond);
-  }
-  return false;
+KERF_FUNCTION bool bond_breaks(const BondStrain<T>& bond, const BondedSolid<T>& solid) {
+  return BondCriterionSet<T>::visit(solid, solid.criterion,
+                                    [&](const auto& chosen) { return chosen.breaks(bond, solid); });
 }
 
 }  // namespace kerf

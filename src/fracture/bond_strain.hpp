@@ -1,32 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a bond of the total Lagrangian solid is strained: what a fracture criterion looks at. A
-// criterion is a struct with
-//   prepare(medium, green)     a number per particle, worked out once; its mean is in the bond
-//   passes(prepared, medium)   whether this number asks for a look at the tensors along the bond
-//   breaks(bond, medium)       whether a bond of this medium breaks
-// It sees a bond from either end with the same numbers, so that both ends decide alike.
-//
-// Two measures go together. The tensors of both particles say how the neighbourhood is strained,
+// BondStrain is the strain of a bond of the total Lagrangian solid, by two measures that a fracture
+// criterion combines. The strain tensors of both particles give the strain of the neighbourhood,
 // free of hourglass noise but smeared over the kernel: beside a crack that opens, all bonds of a
-// band seem strained, and at its tip none is strained as much as it should. The bond's own change
-// of length tells those that cross the crack from those that do not. In a uniform strain both
+// band seem strained, and at its tip none is strained as much as it should be. The bond's own
+// change of length distinguishes the bonds that cross the crack. In a uniform strain both measures
 // agree.
 #pragma once
 
 #include <cmath>
 
-#include "exec/host_device.hpp"
+#include "core/host_device.hpp"
 
 namespace kerf {
 
 // Stretches as lambda^2 - 1.
 template <class T>
 struct BondStrain {
-  T mean = 0;      // N . (E_i + E_j) N: along the bond, by the tensors of its ends; 0 unless passed
-  T own = 0;       // |x_ij|^2 / R^2 - 1: of the bond itself
-  T prepared = 0;  // mean of the numbers prepared for its ends
+  T mean = 0;      // N . (E_i + E_j) N, by the tensors of its ends; 0 where passes() is false
+  T own = 0;       // |x_ij|^2 / R^2 - 1: by its own length
+  T prepared = 0;  // mean of prepare() of its ends
 
-  // It is stretched, and takes at least half of what the tensors say of its direction.
+  // Whether it is stretched, by its own length at least half as much as by the tensors.
   KERF_FUNCTION bool is_opening() const { return mean > T(0) && own > T(0.5) * mean; }
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cubic spline kernel, eqs. (5) and (6) of Shinohara et al. (2004), after Monaghan (1992):
+// The cubic spline kernel, eqs. (5) and (6) of Shinohara et al. (2004), after Monaghan (1992), is
 //   W(r, h) = h^-D sigma f(s),  s = r / h,  support 2 h,
-//   f = 2/3 - s^2 + s^3/2   for s < 1,      f = (2 - s)^3 / 6   for 1 <= s < 2.
-// Normalisation sigma = 15/(7 pi) in 2D, 3/(2 pi) in 3D.
+//   f = 2/3 - s^2 + s^3/2   for s < 1,      f = (2 - s)^3 / 6   for 1 <= s < 2,
+// with the normalisation sigma = 15/(7 pi) in 2D, 3/(2 pi) in 3D.
 #pragma once
 
 #include "core/vector.hpp"

@@ -6,8 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "case/scales.hpp"
-#include "case/schema.hpp"
+#include "machine/characteristic_speed.hpp"
 #include "machine/contraction.hpp"
 #include "machine/jet_speed.hpp"
 #include "machine/standoff.hpp"
@@ -66,7 +65,7 @@ double standard_contraction(const Machine& machine) {
 }
 
 MachineNumbers machine_numbers(const Machine& machine, const Material& water, int dimension) {
-  const double hugoniot_slope = standard_number(*find_key("materials", "hugoniot_slope", {}));
+  const double hugoniot_slope = real_water_hugoniot_slope;
   MachineNumbers numbers;
   numbers.speed = machine.velocity_coefficient * jet_speed(machine.pressure, water.density);
   numbers.contraction = contraction_of(machine);

@@ -2,7 +2,7 @@
 // The jet of a machine: what leaves its orifice, and what of it reaches the workpiece.
 #pragma once
 
-#include "case/case.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// An elastic solid that damage D has robbed of a part of its tension:
+// Damage D takes a part of the tension off an elastic solid:
 //   psi = psi_elastic - D psi_+,   psi_+ = (K - 2/3 G)/2 <tr e>^2 + G sum <e_k>^2,  e = ln(C)/2,
 // psi_+ the energy that tension stores (Miehe, Hofacker & Welschinger, Comput. Methods Appl. Mech.
-// Engrg. 199 (2010) 2765), <x> = max(x, 0). In compression it is whole. The stress is the slope of
-// psi, so that what the damage of a step takes from the energy, psi_+ dD, is all that is lost.
+// Engrg. 199 (2010) 2765), <x> = max(x, 0). Damage takes nothing off compression. The stress is the
+// slope of psi, so that the energy that the damage of a step dissipates is psi_+ dD.
 #pragma once
 
 #include <cmath>
@@ -17,8 +17,8 @@ template <class T>
 struct TensionLaw {
   T lame, shear;  // K - 2/3 G, G
 
-  template <class Medium>
-  KERF_FUNCTION static TensionLaw of(const Medium& solid) {
+  template <class Other>
+  KERF_FUNCTION static TensionLaw of(const ElasticModuli<Other>& solid) {
     return {T(solid.bulk_modulus) - T(2) / T(3) * T(solid.shear_modulus), T(solid.shear_modulus)};
   }
 
@@ -48,8 +48,8 @@ struct TensionLaw {
     return frame.tensor(stress);
   }
 
-  // The local scalar strain of Benz & Asphaug (1995): the largest principal stress, as if there was
-  // no damage, over Young's modulus.
+  // The local scalar strain of Benz & Asphaug (1995): the largest principal stress without damage
+  // over Young's modulus.
   KERF_FUNCTION T scalar_strain(const Vector<3, T>& green) const {
     T sum = T(0), largest = hencky(green[0]);
     for (int k = 0; k < 3; ++k) {
@@ -67,7 +67,7 @@ struct TensionLaw {
 
 // Second Piola-Kirchhoff stress, Pa.
 template <int D, class T>
-KERF_FUNCTION SymmetricTensor<D, T> second_piola(const SolidMedium<T>& solid,
+KERF_FUNCTION SymmetricTensor<D, T> second_piola(const ElasticSolid<T>& solid,
                                                  const SymmetricTensor<D, T>& green, T damage) {
   auto stress = second_piola(solid, green);
   if (damage > T(0)) stress += (-damage) * TensionLaw<T>::of(solid).stress(green);
@@ -76,7 +76,7 @@ KERF_FUNCTION SymmetricTensor<D, T> second_piola(const SolidMedium<T>& solid,
 
 // psi, J/m^3.
 template <int D, class T>
-KERF_FUNCTION T energy_density(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green,
+KERF_FUNCTION T energy_density(const ElasticSolid<T>& solid, const SymmetricTensor<D, T>& green,
                                T damage) {
   const T elastic = energy_density(solid, green);
   if (!(damage > T(0))) return elastic;

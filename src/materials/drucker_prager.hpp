@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rock and soil: strength grows with pressure (Drucker & Prager, Q. Appl. Math. 10 (1952) 157), and
-// tension has a cap. In q = sqrt(3/2 s : s) and the mean stress p, tension positive,
+// The strength of rock and soil grows with pressure (Drucker & Prager, Q. Appl. Math. 10 (1952)
+// 157), and tension has a cap. In q = sqrt(3/2 s : s) and the mean stress p, tension positive,
 //   q + friction p <= strength,   p <= tension,
 // with flow along q + dilation p on the cone and along p on the cap; both act where they meet,
 // which is the apex if the cap lies there. The cone touches the pyramid of Mohr & Coulomb along
-// meridians of one's choice (de Souza Neto, Peric & Owen, Computational Methods for Plasticity
+// the meridians of `ConeMatch` (de Souza Neto, Peric & Owen, Computational Methods for Plasticity
 // (2008), 6.4.4).
 #pragma once
 
 #include <cmath>
 #include <cstdint>
+#include <string_view>
+#include <vector>
 
+#include "core/case_key.hpp"
+#include "materials/law_arguments.hpp"
 #include "materials/return_mapping.hpp"
 
 namespace kerf {
@@ -27,6 +31,62 @@ struct DruckerPrager {
   T friction = 0;  // slopes of the cone and of its flow
   T dilation = 0;
   T tension = 0;  // Pa, no further out than the apex
+  // The parameters of Mohr & Coulomb, from which those of the cone follow.
+  T cohesion = 0;         // Pa
+  T friction_angle = 0;   // rad
+  T dilation_angle = 0;   // rad
+  T tension_cut_off = 0;  // Pa; infinity = the apex of the cone
+
+  static constexpr std::string_view sentence =
+      "Rock and soil, whose strength grows with pressure: the cone of Drucker & Prager with a cap "
+      "on tension";
+  static constexpr bool is_metal = false;
+  static constexpr bool feels_temperature = false;
+  static std::vector<Key> rows() {
+    using Law = DruckerPrager<double>;
+    return {
+        {"cohesion",
+         ValueKind::quantity,
+         "Pa",
+         "",
+         key_range::not_negative,
+         {},
+         "",
+         "Cohesion of Mohr & Coulomb, which the cone is fitted to: in plane strain in 2D, along "
+         "the compressive meridian in 3D",
+         stored_in<&Law::cohesion>},
+        {"friction_angle",
+         ValueKind::quantity,
+         "rad",
+         "",
+         {0.0, 1.5, false, true},
+         {},
+         "",
+         "Angle of internal friction",
+         stored_in<&Law::friction_angle>},
+        {"dilation_angle",
+         ValueKind::quantity,
+         "rad",
+         "0 deg",
+         {0.0, 1.5, false, true},
+         {},
+         "",
+         "Angle of dilation",
+         stored_in<&Law::dilation_angle>},
+        {"tension_cut_off",
+         ValueKind::quantity,
+         "Pa",
+         "none",
+         key_range::not_negative,
+         {},
+         "",
+         "Mean tension that it bears; none = the apex of the cone",
+         stored_in<&Law::tension_cut_off>}};
+  }
+  void derive(const BodyNumbers& body) {
+    const ConeMatch match = body.dimension == 2 ? ConeMatch::plane_strain : ConeMatch::compression;
+    *this = of(cohesion, friction_angle, dilation_angle, tension_cut_off, match);
+  }
 
   // Slope of the cone over the sine of the angle of friction, or of the flow over that of dilation.
   KERF_FUNCTION static T steepness(T sine, ConeMatch match) {
@@ -41,11 +101,11 @@ struct DruckerPrager {
     return T(0);
   }
 
-  // From cohesion and tension cut-off, Pa, and angles of friction and dilation, rad, below a right
-  // angle. A cut-off beyond the apex is none.
+  // The cone from cohesion and tension cut-off, Pa, and the angles of friction and dilation, rad,
+  // below a right angle. A cut-off beyond the apex has no effect.
   KERF_FUNCTION static DruckerPrager of(T cohesion, T friction_angle, T dilation_angle, T cut_off,
                                         ConeMatch match) {
-    DruckerPrager law;
+    DruckerPrager law{T(0), T(0), T(0), T(0), cohesion, friction_angle, dilation_angle, cut_off};
     const T sine = std::sin(friction_angle), flow_sine = std::sin(dilation_angle);
     law.friction = steepness(sine, match) * sine;
     law.dilation = steepness(flow_sine, match) * flow_sine;
@@ -54,7 +114,9 @@ struct DruckerPrager {
     return law;
   }
 
-  KERF_FUNCTION PlasticFlow<T> flow(const SolidMedium<T>& solid,
+  KERF_FUNCTION T first_strength() const { return strength; }
+
+  KERF_FUNCTION PlasticFlow<T> flow(const ElasticModuli<T>& solid,
                                     const MeridianStress<T>& trial) const {
     const T shear_modulus = T(3) * solid.shear_modulus, bulk_modulus = solid.bulk_modulus;
     const T excess = trial.equivalent + friction * trial.mean - strength;
@@ -74,6 +136,7 @@ struct DruckerPrager {
     return {static_cast<T>(other.strength), static_cast<T>(other.friction),
             static_cast<T>(other.dilation), static_cast<T>(other.tension)};
   }
+  bool operator==(const DruckerPrager&) const = default;
 };
 
 }  // namespace kerf

@@ -1,48 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elastic laws of the total Lagrangian solid, chosen per medium while the program runs. A law
-// is a function of Green's strain, so a rotation changes nothing whatever the law.
+// The elastic laws of the total Lagrangian solid. A medium chooses one of them by the word of the
+// case file. A law is a function of Green's strain, so that a rotation changes nothing. Each has
+// (core/law_list.hpp)
+//   energy_density(moduli, green)   stored energy per reference volume, J/m^3
+//   second_piola(moduli, green)     its derivative by Green's strain, Pa
+//   is_expanded(green)              whether the part that the bulk modulus scales is in tension
 #pragma once
 
+#include "materials/laws.hpp"
 #include "materials/neo_hookean.hpp"
 #include "materials/st_venant_kirchhoff.hpp"
 
 namespace kerf {
 
+KERF_DEFINE_LAW_SET(ElasticLawSet, ElasticLaw, KERF_ELASTIC_LAWS)
+
+// Moduli and elastic law of a solid.
+template <class T>
+struct ElasticSolid : ElasticModuli<T>, ElasticLawSet<T> {
+  ElasticLaw elasticity = ElasticLaw::neo_hookean;
+
+  template <class Other>
+  KERF_FUNCTION static ElasticSolid from(const ElasticSolid<Other>& other) {
+    ElasticSolid solid;
+    static_cast<ElasticLawSet<T>&>(solid) = ElasticLawSet<T>::from(other);
+    solid.elasticity = other.elasticity;
+    solid.bulk_modulus = static_cast<T>(other.bulk_modulus);
+    solid.shear_modulus = static_cast<T>(other.shear_modulus);
+    return solid;
+  }
+};
+
 // Stored energy per reference volume, J/m^3.
 template <int D, class T>
-KERF_FUNCTION T energy_density(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green) {
-  switch (solid.law) {
-    case ElasticLaw::neo_hookean:
-      return NeoHookean::energy_density(solid, green);
-    case ElasticLaw::st_venant_kirchhoff:
-      return StVenantKirchhoff::energy_density(solid, green);
-  }
-  return T(0);
+KERF_FUNCTION T energy_density(const ElasticSolid<T>& solid, const SymmetricTensor<D, T>& green) {
+  return ElasticLawSet<T>::visit(solid, solid.elasticity,
+                                 [&](const auto& law) { return law.energy_density(solid, green); });
 }
 
 // Whether the part of the law that K scales is in tension.
 template <int D, class T>
-KERF_FUNCTION bool is_expanded(const SolidMedium<T>& solid, const SymmetricTensor<D, T>& green) {
-  switch (solid.law) {
-    case ElasticLaw::neo_hookean:
-      return volume_square_less_one(green) > T(0);
-    case ElasticLaw::st_venant_kirchhoff:
-      return trace(green) > T(0);
-  }
-  return false;
+KERF_FUNCTION bool is_expanded(const ElasticSolid<T>& solid, const SymmetricTensor<D, T>& green) {
+  return ElasticLawSet<T>::visit(solid, solid.elasticity,
+                                 [&](const auto& law) { return law.is_expanded(green); });
 }
 
 // Second Piola-Kirchhoff stress S = dpsi/dE, Pa.
 template <int D, class T>
-KERF_FUNCTION SymmetricTensor<D, T> second_piola(const SolidMedium<T>& solid,
+KERF_FUNCTION SymmetricTensor<D, T> second_piola(const ElasticSolid<T>& solid,
                                                  const SymmetricTensor<D, T>& green) {
-  switch (solid.law) {
-    case ElasticLaw::neo_hookean:
-      return NeoHookean::second_piola(solid, green);
-    case ElasticLaw::st_venant_kirchhoff:
-      return StVenantKirchhoff::second_piola(solid, green);
-  }
-  return SymmetricTensor<D, T>::zero();
+  return ElasticLawSet<T>::visit(solid, solid.elasticity,
+                                 [&](const auto& law) { return law.second_piola(solid, green); });
 }
 
 // First Piola-Kirchhoff stress P = F S at the displacement gradient H = F - 1, Pa.
@@ -50,11 +58,6 @@ template <int D, class T>
 KERF_FUNCTION Matrix<D, T> first_piola(const SymmetricTensor<D, T>& second, const Matrix<D, T>& h) {
   const Matrix<D, T> stress = in_plane(second);
   return stress + h * stress;
-}
-// That of an elastic solid, dpsi/dF.
-template <int D, class T>
-KERF_FUNCTION Matrix<D, T> piola(const SolidMedium<T>& solid, const Matrix<D, T>& h) {
-  return first_piola(second_piola(solid, green_strain(h)), h);
 }
 
 // Cauchy stress F S F^T / J, Pa, with its component out of the plane.
@@ -73,8 +76,9 @@ KERF_FUNCTION SymmetricTensor<D, T> cauchy(const SymmetricTensor<D, T>& second,
     }
   return stress;
 }
+// Cauchy stress of an elastic solid, Pa.
 template <int D, class T>
-KERF_FUNCTION SymmetricTensor<D, T> cauchy(const SolidMedium<T>& solid, const Matrix<D, T>& h) {
+KERF_FUNCTION SymmetricTensor<D, T> cauchy(const ElasticSolid<T>& solid, const Matrix<D, T>& h) {
   return cauchy(second_piola(solid, green_strain(h)), h);
 }
 

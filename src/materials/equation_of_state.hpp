@@ -1,70 +1,99 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equations of state of matter that has a density, chosen per medium while the program runs:
-// pressure, speed of sound and stored energy by the compression rho/rho_0 - 1. All are barotropic.
+// The equations of state of matter that has a density. A medium chooses one of them by the word of
+// the case file. All are barotropic: they depend on the compression rho/rho_0 - 1 alone. Each has
+// (core/law_list.hpp)
+//   pressure(rest, compression)      Pa
+//   sound_speed(rest, compression)   m/s, of one number or of a SIMD register
+//   energy(rest, compression)        stored, J/kg
+//   is_beyond(compression)           whether no pressure reaches this density
+//   is_weakly_compressible           whether the sound speed at rest does for all pairs
 // Matter that cavitates opens where the pressure would be negative: p = 0, and no energy is stored.
 #pragma once
 
+#include "materials/laws.hpp"
 #include "materials/shock_hugoniot.hpp"
 #include "materials/tait.hpp"
 
 namespace kerf {
 
+KERF_DEFINE_LAW_SET(EquationOfStateSet, EquationOfState, KERF_EQUATIONS_OF_STATE)
+
+// Matter with an equation of state.
+template <class T>
+struct BarotropicMatter : RestState<T>, EquationOfStateSet<T> {
+  EquationOfState equation_of_state = EquationOfState::tait;
+  bool cavitates = false;  // opens instead of bearing tension
+
+  template <class Other>
+  KERF_FUNCTION static BarotropicMatter from(const BarotropicMatter<Other>& other) {
+    BarotropicMatter matter;
+    static_cast<EquationOfStateSet<T>&>(matter) = EquationOfStateSet<T>::from(other);
+    matter.equation_of_state = other.equation_of_state;
+    matter.cavitates = other.cavitates;
+    matter.density = static_cast<T>(other.density);
+    matter.sound_speed = static_cast<T>(other.sound_speed);
+    return matter;
+  }
+};
+
+struct IsWeaklyCompressible {
+  template <class Law>
+  KERF_FUNCTION bool operator()(const Law&) const {
+    return Law::is_weakly_compressible;
+  }
+};
+template <class T>
+KERF_FUNCTION bool is_weakly_compressible(const EquationOfStateSet<T>& laws, EquationOfState law) {
+  return EquationOfStateSet<T>::visit(laws, law, IsWeaklyCompressible{});
+}
+template <class T>
+KERF_FUNCTION bool is_weakly_compressible(const BarotropicMatter<T>& matter) {
+  return is_weakly_compressible(matter, matter.equation_of_state);
+}
+
 template <class T, class Number>
-KERF_FUNCTION bool is_opened(const Medium<T>& medium, Number compression) {
-  return medium.cavitates && compression < Number(0);
+KERF_FUNCTION bool is_opened(const BarotropicMatter<T>& matter, Number compression) {
+  return matter.cavitates && compression < Number(0);
 }
 
-// Pa.
+// Pressure, Pa.
 template <class T>
-KERF_FUNCTION T pressure_at(const Medium<T>& medium, T compression) {
-  if (is_opened(medium, compression)) return T(0);
-  switch (medium.equation_of_state) {
-    case EquationOfState::tait:
-      return Tait::pressure(medium, compression);
-    case EquationOfState::shock_hugoniot:
-      return ShockHugoniot::pressure(medium, compression);
-  }
-  return T(0);
+KERF_FUNCTION T pressure_at(const BarotropicMatter<T>& matter, T compression) {
+  if (is_opened(matter, compression)) return T(0);
+  return EquationOfStateSet<T>::visit(matter, matter.equation_of_state, [&](const auto& law) {
+    return law.pressure(matter, compression);
+  });
 }
 
-// m/s, at this density.
+// Sound speed at this density, m/s.
 template <class T>
-KERF_FUNCTION T sound_speed_at(const Medium<T>& medium, T compression) {
-  switch (medium.equation_of_state) {
-    case EquationOfState::tait:
-      return Tait::sound_speed(medium, compression);
-    case EquationOfState::shock_hugoniot:
-      return ShockHugoniot::sound_speed(medium, compression);
-  }
-  return medium.sound_speed;
+KERF_FUNCTION T sound_speed_at(const BarotropicMatter<T>& matter, T compression) {
+  return EquationOfStateSet<T>::visit(matter, matter.equation_of_state, [&](const auto& law) {
+    return law.sound_speed(matter, compression);
+  });
 }
 
-// That of the impedance between two particles, m/s. Tait's water is hardly compressed: that at
+// Sound speed of the impedance between two particles, m/s. In weakly compressible matter that at
 // rest does, and costs no power per pair.
 template <class T>
-KERF_FUNCTION T impedance_speed_at(const Medium<T>& medium, T compression) {
-  return medium.equation_of_state == EquationOfState::tait ? medium.sound_speed
-                                                           : sound_speed_at(medium, compression);
+KERF_FUNCTION T impedance_speed_at(const BarotropicMatter<T>& matter, T compression) {
+  return is_weakly_compressible(matter) ? matter.sound_speed : sound_speed_at(matter, compression);
 }
 
-// J/kg, stored.
+// Stored energy, J/kg.
 template <class T>
-KERF_FUNCTION double energy_at(const Medium<T>& medium, double compression) {
-  if (is_opened(medium, compression)) return 0.0;
-  switch (medium.equation_of_state) {
-    case EquationOfState::tait:
-      return Tait::energy(medium, compression);
-    case EquationOfState::shock_hugoniot:
-      return ShockHugoniot::energy(medium, compression);
-  }
-  return 0.0;
+KERF_FUNCTION double energy_at(const BarotropicMatter<T>& matter, double compression) {
+  if (is_opened(matter, compression)) return 0.0;
+  return EquationOfStateSet<T>::visit(matter, matter.equation_of_state, [&](const auto& law) {
+    return law.energy(matter, compression);
+  });
 }
 
-// Whether it is denser than any pressure makes it.
+// Whether no pressure reaches this density.
 template <class T>
-KERF_FUNCTION bool is_too_dense(const Medium<T>& medium, T compression) {
-  return medium.equation_of_state == EquationOfState::shock_hugoniot &&
-         ShockHugoniot::is_beyond(medium, compression);
+KERF_FUNCTION bool is_too_dense(const BarotropicMatter<T>& matter, T compression) {
+  return EquationOfStateSet<T>::visit(matter, matter.equation_of_state,
+                                      [&](const auto& law) { return law.is_beyond(compression); });
 }
 
 }  // namespace kerf

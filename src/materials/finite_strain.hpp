@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures of large deformation. They start from the displacement gradient H = F - 1, not from F:
-// in single precision F has lost every digit of a strain below 1e-7, and half of those of 1e-4.
+// These functions compute measures of large deformation. They start from the displacement gradient
+// H = F - 1, not from F: in single precision F has lost every digit of a strain below 1e-7, and
+// half of the digits of a strain of 1e-4.
 #pragma once
 
 #include <cmath>
@@ -27,7 +28,7 @@ KERF_FUNCTION T trace(const SymmetricTensor<D, T>& s) {
   return s.component[0] + s.component[1] + s.component[2];
 }
 
-// Of the tensor in three-dimensional space.
+// Determinant of the tensor in three-dimensional space.
 template <int D, class T>
 KERF_FUNCTION T determinant(const SymmetricTensor<D, T>& s) {
   const T plane = s(0, 0) * s(1, 1) - s(0, 1) * s(0, 1);
@@ -83,7 +84,7 @@ KERF_FUNCTION SymmetricTensor<D, T> coaxial_product(const SymmetricTensor<D, T>&
   return product;
 }
 
-// What no principal value is less or more than, but for rounding: mean -+ 2 sqrt(s':s' / 6).
+// Bounds of the principal values, but for rounding: mean -+ 2 sqrt(s':s' / 6).
 template <class T>
 struct PossibleValues {
   T least, most;
@@ -96,8 +97,8 @@ KERF_FUNCTION PossibleValues<T> possible_values(SymmetricTensor<D, T> s) {
   return {mean - farthest, mean + farthest};
 }
 
-// The three principal values, in no order: closed form in the plane, by the angle of the cubic's
-// roots in space (Smith, Commun. ACM 4 (1961) 168).
+// The three principal values, in no order: by the closed form in 2D, by the angle of the cubic's
+// roots in 3D (Smith, Commun. ACM 4 (1961) 168).
 template <int D, class T>
 KERF_FUNCTION Vector<3, T> principal_values(const SymmetricTensor<D, T>& s) {
   Vector<3, T> values;

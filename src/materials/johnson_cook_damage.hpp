@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Damage of a ductile metal (Johnson & Cook, Engng Fract. Mech. 21 (1985) 31): D grows by
+// The damage D of a ductile metal (Johnson & Cook, Engng Fract. Mech. 21 (1985) 31) grows by
 // d eps_p / eps_f, and at D = 1 the metal fails.
 //   eps_f = [D1 + D2 exp(D3 sigma*)] (1 + D4 ln rate*) (1 + D5 T*),   sigma* = mean stress / q.
 // The formula was measured up to sigma* = 1.5 and is held there; rate* as for the strength. Damage
@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "materials/johnson_cook_strength.hpp"
 
@@ -21,6 +22,65 @@ struct JohnsonCookDamage {
   T thermal_coefficient = 0;   // D5
   T reference_rate = 1;        // rate_0, 1/s
   T least_failure_strain = 0;  // eps_f is not below this; 0 = no damage at all
+
+  // The keys of every metal.
+  static std::vector<Key> rows() {
+    using Law = JohnsonCookDamage<double>;
+    return {{"damage_d1",
+             ValueKind::number,
+             "",
+             "0",
+             key_range::any,
+             {},
+             "",
+             "D1 of Johnson & Cook's plastic strain at failure",
+             stored_in<&Law::constant>},
+            {"damage_d2",
+             ValueKind::number,
+             "",
+             "0",
+             key_range::any,
+             {},
+             "",
+             "D2 of Johnson & Cook, before exp(D3 p/q)",
+             stored_in<&Law::triaxial>},
+            {"damage_d3",
+             ValueKind::number,
+             "",
+             "0",
+             key_range::any,
+             {},
+             "",
+             "D3 of Johnson & Cook, of the triaxiality",
+             stored_in<&Law::triaxial_exponent>},
+            {"damage_d4",
+             ValueKind::number,
+             "",
+             "0",
+             key_range::any,
+             {},
+             "",
+             "D4 of Johnson & Cook, of the rate",
+             stored_in<&Law::rate_coefficient>},
+            {"damage_d5",
+             ValueKind::number,
+             "",
+             "0",
+             key_range::any,
+             {},
+             "",
+             "D5 of Johnson & Cook, of the temperature",
+             stored_in<&Law::thermal_coefficient>},
+            {"least_plastic_failure",
+             ValueKind::number,
+             "",
+             "0",
+             key_range::from_zero_to(100.0),
+             {},
+             "",
+             "Least plastic strain at failure that the D1 to D5 may give; 0 = no damage",
+             stored_in<&Law::least_failure_strain>}};
+  }
 
   KERF_FUNCTION bool is_on() const { return least_failure_strain > T(0); }
 
@@ -46,6 +106,7 @@ struct JohnsonCookDamage {
             static_cast<T>(other.reference_rate),
             static_cast<T>(other.least_failure_strain)};
   }
+  bool operator==(const JohnsonCookDamage&) const = default;
 };
 
 }  // namespace kerf

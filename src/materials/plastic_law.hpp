@@ -1,51 +1,98 @@
 // SPDX-License-Identifier: Apache-2.0
-// The laws of solids that flow, chosen per medium while the program runs. Equations and limits:
-// docs/theory/plasticity.md.
+// The laws of solids that flow. A medium chooses one of them by the word of the case file;
+// equations and limits are in docs/theory/plasticity.md. Each has (core/law_list.hpp)
+//   first_strength()                            strength q at first flow, cold, slow and without
+//                                               pressure, Pa
+//   is_metal                                    whether flow keeps the volume, and heat and ductile
+//                                               damage apply
+//   feels_temperature                           whether the temperature changes the strength
+//   strength(plastic strain, rate, T*)          of a metal, Pa (return_mapping.hpp)
+//   flow(solid, trial stress)                   of other solids: the flow of a step
 #pragma once
 
 #include "materials/drucker_prager.hpp"
 #include "materials/j2_hardening.hpp"
 #include "materials/johnson_cook_damage.hpp"
 #include "materials/johnson_cook_strength.hpp"
+#include "materials/laws.hpp"
 
 namespace kerf {
 
+// The law of solids that do not flow.
 template <class T>
-struct PlasticParameters {
+struct NoPlasticity {
+  static constexpr std::string_view sentence = "No flow: the elastic law alone";
+  static constexpr bool is_metal = true;  // the volume is that of the whole deformation
+  static constexpr bool feels_temperature = false;
+
+  KERF_FUNCTION T first_strength() const { return T(0); }
+  KERF_FUNCTION PlasticFlow<T> flow(const ElasticModuli<T>&, const MeridianStress<T>&) const {
+    return PlasticFlow<T>::none();
+  }
+
+  template <class Other>
+  KERF_FUNCTION static NoPlasticity from(const NoPlasticity<Other>&) {
+    return {};
+  }
+  bool operator==(const NoPlasticity&) const = default;
+};
+
+KERF_DEFINE_LAW_SET(PlasticLawSet, PlasticLaw, KERF_PLASTIC_LAWS)
+
+struct IsMetal {
+  template <class Law>
+  KERF_FUNCTION bool operator()(const Law&) const {
+    return Law::is_metal;
+  }
+};
+struct FirstStrength {
+  template <class Law>
+  KERF_FUNCTION auto operator()(const Law& law) const {
+    return law.first_strength();
+  }
+};
+
+template <class T>
+struct PlasticParameters : PlasticLawSet<T> {
   PlasticLaw law = PlasticLaw::none;  // none: Hencky's elasticity
-  J2Hardening<T> hardening;           // of von_mises
-  JohnsonCookStrength<T> strength;    // of johnson_cook
-  DruckerPrager<T> cone;              // of drucker_prager
-  JohnsonCookDamage<T> damage;        // of any
-  PlasticHeat<T> heat;                // of any
+  JohnsonCookDamage<T> damage;        // of metals
+  PlasticHeat<T> heat;                // of metals
 
   KERF_FUNCTION bool flows() const { return law != PlasticLaw::none; }
   // Strength q at first flow, cold, slow and free of pressure, Pa.
   KERF_FUNCTION T first_strength() const {
-    switch (law) {
-      case PlasticLaw::none:
-        break;
-      case PlasticLaw::von_mises:
-        return hardening.yield_stress;
-      case PlasticLaw::johnson_cook:
-        return strength.yield_stress;
-      case PlasticLaw::drucker_prager:
-        return cone.strength;
-    }
-    return T(0);
+    return PlasticLawSet<T>::visit(*this, law, FirstStrength{});
   }
   // Flow keeps the volume.
-  KERF_FUNCTION bool is_metal() const { return law != PlasticLaw::drucker_prager; }
+  KERF_FUNCTION bool is_metal() const { return PlasticLawSet<T>::visit(*this, law, IsMetal{}); }
+  // Whether ductile damage ends the material.
+  KERF_FUNCTION bool can_break() const { return flows() && is_metal() && damage.is_on(); }
+
+  // Works out what follows from the body: parameters of the law, heat capacity per volume.
+  void derive(const BodyNumbers& body) {
+    PlasticLawSet<T>::visit(*this, law, DeriveParameters{body});
+    if (!flows() || !is_metal()) {
+      heat = {};
+      damage = {};
+      return;
+    }
+    heat.capacity = body.density * heat.specific_capacity;
+    PlasticLawSet<T>::visit(*this, law, [this](const auto& chosen) {
+      if constexpr (requires { chosen.reference_rate; })
+        damage.reference_rate = chosen.reference_rate;
+    });
+  }
 
   template <class Other>
   KERF_FUNCTION static PlasticParameters from(const PlasticParameters<Other>& other) {
-    return {other.law,
-            J2Hardening<T>::from(other.hardening),
-            JohnsonCookStrength<T>::from(other.strength),
-            DruckerPrager<T>::from(other.cone),
-            JohnsonCookDamage<T>::from(other.damage),
-            PlasticHeat<T>::from(other.heat)};
+    PlasticParameters parameters;
+    static_cast<PlasticLawSet<T>&>(parameters) = PlasticLawSet<T>::from(other);
+    parameters.law = other.law;
+    parameters.damage = JohnsonCookDamage<T>::from(other.damage);
+    parameters.heat = PlasticHeat<T>::from(other.heat);
+    return parameters;
   }
+  bool operator==(const PlasticParameters&) const = default;
 };
 
 // The elastic strain if nothing flows from the start of the step on. The volume of a metal is that
@@ -60,32 +107,37 @@ KERF_FUNCTION ElasticStrain<D, T> trial_strain(const PlasticParameters<T>& param
 }
 
 template <int D, class T>
-KERF_FUNCTION PlasticFlow<T> flow_of(const SolidMedium<T>& solid,
+struct FlowOfLaw {
+  const ElasticModuli<T>& solid;
+  const PlasticHeat<T>& heat;
+  const MeridianStress<T>& trial;
+  T dt;  // s
+  const PlasticState<D, T>& start;
+
+  template <class Law>
+  KERF_FUNCTION PlasticFlow<T> operator()(const Law& law) const {
+    if constexpr (requires { law.flow(solid, trial); })
+      return law.flow(solid, trial);
+    else
+      return metal_flow(ExcessStress<T, Law>{law, heat, trial.equivalent,
+                                             T(3) * solid.shear_modulus, dt, start.plastic_strain,
+                                             start.temperature_rise});
+  }
+};
+// The flow of a step of `dt` from a state.
+template <int D, class T>
+KERF_FUNCTION PlasticFlow<T> flow_of(const ElasticModuli<T>& solid,
                                      const PlasticParameters<T>& parameters,
                                      const MeridianStress<T>& trial, T dt,
                                      const PlasticState<D, T>& start) {
-  const T modulus = T(3) * solid.shear_modulus;
-  switch (parameters.law) {
-    case PlasticLaw::none:
-      break;
-    case PlasticLaw::von_mises:
-      return metal_flow(ExcessStress<T, J2Hardening<T>>{
-          parameters.hardening, parameters.heat, trial.equivalent, modulus, dt,
-          start.plastic_strain, start.temperature_rise});
-    case PlasticLaw::johnson_cook:
-      return metal_flow(ExcessStress<T, JohnsonCookStrength<T>>{
-          parameters.strength, parameters.heat, trial.equivalent, modulus, dt, start.plastic_strain,
-          start.temperature_rise});
-    case PlasticLaw::drucker_prager:
-      return parameters.cone.flow(solid, trial);
-  }
-  return PlasticFlow<T>::none();
+  return PlasticLawSet<T>::visit(parameters, parameters.law,
+                                 FlowOfLaw<D, T>{solid, parameters.heat, trial, dt, start});
 }
 
-// What the flow at the stress reached does to the scalars of the state; the plastic work, J/m^3.
+// Adds a flow at the stress reached to the scalars of the state; returns the plastic work, J/m^3.
 template <int D, class T>
-KERF_FUNCTION T wear(const PlasticParameters<T>& parameters, const PlasticFlow<T>& flow,
-                     const MeridianStress<T>& stress, T dt, PlasticState<D, T>& state) {
+KERF_FUNCTION T add_flow(const PlasticParameters<T>& parameters, const PlasticFlow<T>& flow,
+                         const MeridianStress<T>& stress, T dt, PlasticState<D, T>& state) {
   const T work = stress.equivalent * flow.shear + stress.mean * flow.volume;
   state.plastic_strain += flow.shear;
   state.temperature_rise += parameters.heat.rise(work);
@@ -101,12 +153,13 @@ KERF_FUNCTION T wear(const PlasticParameters<T>& parameters, const PlasticFlow<T
 
 // Stored energy, J/m^3, and second Piola-Kirchhoff stress, Pa, at a state that flows no further.
 template <int D, class T>
-KERF_FUNCTION T energy_density(const SolidMedium<T>& solid, const PlasticParameters<T>& parameters,
-                               const Matrix<D, T>& h, const SymmetricTensor<D, T>& metric) {
+KERF_FUNCTION T energy_density(const ElasticModuli<T>& solid,
+                               const PlasticParameters<T>& parameters, const Matrix<D, T>& h,
+                               const SymmetricTensor<D, T>& metric) {
   return trial_strain(parameters, h, metric).energy_density(solid);
 }
 template <int D, class T>
-KERF_FUNCTION SymmetricTensor<D, T> second_piola(const SolidMedium<T>& solid,
+KERF_FUNCTION SymmetricTensor<D, T> second_piola(const ElasticModuli<T>& solid,
                                                  const PlasticParameters<T>& parameters,
                                                  const Matrix<D, T>& h,
                                                  const SymmetricTensor<D, T>& metric) {
@@ -115,9 +168,9 @@ KERF_FUNCTION SymmetricTensor<D, T> second_piola(const SolidMedium<T>& solid,
 }
 
 // A step of `dt` (s; 0 = so slow that no rate counts) from the state `start` to the displacement
-// gradient H = F - 1. A function of its arguments alone: to look at a step changes nothing.
+// gradient H = F - 1. It depends on its arguments alone and changes nothing else.
 template <int D, class T>
-KERF_FUNCTION PlasticResult<D, T> advance(const SolidMedium<T>& solid,
+KERF_FUNCTION PlasticResult<D, T> advance(const ElasticModuli<T>& solid,
                                           const PlasticParameters<T>& parameters,
                                           const Matrix<D, T>& h, T dt,
                                           const PlasticState<D, T>& start) {
@@ -129,9 +182,9 @@ KERF_FUNCTION PlasticResult<D, T> advance(const SolidMedium<T>& solid,
   const MeridianStress<T> trial{strain.equivalent_stress(solid), strain.mean_stress(solid)};
   const PlasticFlow<T> flow = flow_of(solid, parameters, trial, dt, start);
   if (flow.shear > T(0) || flow.volume != T(0)) {
-    let_flow(flow, inverse_gradient, strain, result.state.metric);
+    apply_flow(flow, inverse_gradient, strain, result.state.metric);
     const MeridianStress<T> stress{strain.equivalent_stress(solid), strain.mean_stress(solid)};
-    result.plastic_work = wear(parameters, flow, stress, dt, result.state);
+    result.plastic_work = add_flow(parameters, flow, stress, dt, result.state);
   }
   result.stored_energy = strain.energy_density(solid);
   result.stress = congruence(inverse_gradient, strain.kirchhoff(solid));  // S = F^-1 tau F^-T

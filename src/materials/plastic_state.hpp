@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a particle of a solid that flows remembers.
+// PlasticState is the history of a particle of a solid that flows.
 #pragma once
 
 #include "core/tensor.hpp"
@@ -13,7 +13,7 @@ struct PlasticState {
   SymmetricTensor<D, T> metric;  // A, 1
   T plastic_strain;              // 1, the sum of sqrt(2/3 d : d) dt of the flow's deviator d
   T temperature_rise;            // K, since the start, by plastic work without conduction
-  T damage;                      // 1; 0 = sound, 1 = failed
+  T damage;                      // 1; 0 = undamaged, 1 = failed
 
   KERF_FUNCTION static PlasticState virgin() {
     return {SymmetricTensor<D, T>::zero(), T(0), T(0), T(0)};

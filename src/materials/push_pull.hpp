@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Carries tensors between the reference and the current configuration.
+// These functions carry tensors between the reference and the current configuration.
 #pragma once
 
 #include "core/matrix.hpp"

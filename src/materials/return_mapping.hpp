@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plastic flow in a step, by the backward Euler rule along an exponential map in principal axes
-// (Simo, Comput. Methods Appl. Mech. Engrg. 99 (1992) 61; de Souza Neto, Peric & Owen,
-// Computational Methods for Plasticity (2008), chapter 14). The step is first taken as elastic. If
-// that stress is too much for the material, it flows along the deviator of the stress and, if the
-// law says so, in volume:
-//   e = e_trial - shear (3/2) s/q - volume/3 1,   q = q_trial - 3 G shear,   p = p_trial - K
-//   volume.
+// The return mapping computes the plastic flow of a step by the backward Euler rule along an
+// exponential map in principal axes (Simo, Comput. Methods Appl. Mech. Engrg. 99 (1992) 61; de
+// Souza Neto, Peric & Owen, Computational Methods for Plasticity (2008), chapter 14). The step is
+// first taken as elastic. If that stress exceeds the strength, the solid flows along the deviator
+// of the stress and, if the law says so, in volume:
+//   e = e_trial - shear (3/2) s/q - volume/3 1,   q = q_trial - 3 G shear,
+//   p = p_trial - K volume.
 #pragma once
 
 #include <limits>
@@ -32,8 +32,8 @@ struct PlasticFlow {
   KERF_FUNCTION static PlasticFlow none() { return {T(0), T(0)}; }
 };
 
-// What the equivalent stress has more than the strength after a flow of `shear`; zero once it has
-// flown enough. Rate and heat of the flow count.
+// The equivalent stress minus the strength after a flow of `shear`, with the rate and heat of that
+// flow; its root is the flow of the step.
 template <class T, class Law>
 struct ExcessStress {
   const Law& law;
@@ -52,20 +52,21 @@ struct ExcessStress {
   }
 };
 
-// Of a metal: flow keeps the volume. Excess within the rounding of its terms is none.
+// The flow of a metal, which keeps the volume. An excess within the rounding of its terms counts as
+// zero.
 template <class T, class Law>
 KERF_FUNCTION PlasticFlow<T> metal_flow(const ExcessStress<T, Law>& excess) {
   const T accuracy = T(4) * std::numeric_limits<T>::epsilon() * excess.trial;
   return {falling_root(excess, excess.trial / excess.modulus, accuracy), T(0)};
 }
 
-// Takes the flow off the elastic strain, and adds it to the metric:
+// Subtracts the flow from the elastic strain and adds it to the metric:
 //   A = A_trial + F^-1 (b_e - b_e_trial) F^-T.
 // The difference of b_e is formed first, so that a small flow is not lost in rounding, and where
 // there is no flow the metric keeps its last bit.
 template <int D, class T>
-KERF_FUNCTION void let_flow(const PlasticFlow<T>& flow, const Matrix<D, T>& inverse_gradient,
-                            ElasticStrain<D, T>& strain, SymmetricTensor<D, T>& metric) {
+KERF_FUNCTION void apply_flow(const PlasticFlow<T>& flow, const Matrix<D, T>& inverse_gradient,
+                              ElasticStrain<D, T>& strain, SymmetricTensor<D, T>& metric) {
   const T size = std::sqrt(T(2) / T(3) * dot(strain.deviator, strain.deviator));
   T share = size > T(0) ? flow.shear / size : T(0);  // of the deviator
   if (share > T(1)) share = T(1);

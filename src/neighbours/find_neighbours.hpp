@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the neighbours of each particle in the rows of cells around it, several candidates at a
-// time where lanes/ can, else one by one.
+// FindNeighbours finds the neighbours of each particle in the rows of cells around it, by the SIMD
+// search where there is one, else one candidate after another.
 #pragma once
 
-#include "lanes/walks.hpp"
-#include "neighbours/found_sections.hpp"
 #include "neighbours/level_grids.hpp"
+#include "neighbours/neighbour_sections.hpp"
+#include "neighbours/simd/search_kernels.hpp"
 
 namespace kerf {
 
@@ -20,8 +20,8 @@ struct CellNumber {
   }
 };
 
-// Where each cell begins in the order of particles, from their sorted cell numbers: particle i, or
-// the end of them all, begins those after its predecessor's up to its own.
+// Sets where each cell begins in the order of particles, from their sorted cell numbers: particle
+// i, or the end of the particles, begins the cells after its predecessor's up to its own.
 struct BeginCells {
   const Index* number;
   Index particles, cells;
@@ -34,13 +34,19 @@ struct BeginCells {
   }
 };
 
-// What the search of lanes/packed_search.hpp asks of particles.
+// What the SIMD search (neighbours/simd/packed_search.hpp) needs of the particles.
 template <int D>
 struct SearchView {
   Search<D> search = nullptr;
-  std::int32_t* place[D] = {};
+  std::int32_t* position[D] = {};
   std::uint32_t* kind = nullptr;
-  PlaceUnit<float> unit;
+  FixedPointScale<float> unit;
+};
+// Component a of the difference of two positions.
+template <int D>
+struct DifferenceTo {
+  const Vector<D, double>&x, &y;
+  KERF_FUNCTION double operator()(int a) const { return x[a] - y[a]; }
 };
 template <int D, class P, class Scheme>
 struct PackForSearch {
@@ -49,16 +55,16 @@ struct PackForSearch {
 
   KERF_FUNCTION void operator()(Index i) const {
     for (int a = 0; a < D; ++a)
-      packed.place[a][i] = packed.unit.pack(particles.build_position[i][a]);
+      packed.position[a][i] = packed.unit.pack(particles.build_position[i][a]);
     packed.kind[i] = Scheme::kind(particles, i);
   }
 };
 
-// The rows of cells that the particles of one cell look into: they are looked up once for all.
+// The rows of cells around the particles of one cell, which are looked up once for all of them.
 struct CellRows {
   static constexpr Index no_cell = ~Index(0);
 
-  Index cell = no_cell;  // where one search takes all their rows
+  Index cell = no_cell;  // set where one search takes all their rows
   SearchRows rows;
 };
 
@@ -71,24 +77,25 @@ struct SearchMemory {
   }
 };
 
-// Walks the candidates of particle i and puts them into sections (found_sections.hpp).
+// Tests the candidates of particle i and puts its neighbours into sections
+// (neighbours/neighbour_sections.hpp).
 template <int D, class P, class Scheme>
 struct FindNeighbours {
   ParticleView<D, P> particles;
   LevelGrids<D> grids;
   const Index *cell, *cell_begin;  // of each particle; where a cell begins
   double skin;
-  bool splits;           // kin is listed first
-  SearchView<D> packed;  // null: one by one
+  bool splits;           // neighbours are listed class by class
+  SearchView<D> packed;  // without a search: one by one
 
-  // `memory`: null, or of earlier calls with the same particles.
+  // `memory`: null, or that of earlier calls with the same particles.
   template <class Sections>
   KERF_FUNCTION void operator()(Index i, Sections& found, SearchMemory* memory = nullptr) const {
-    if (!(Scheme::reach(particles, i, i) > 0.0)) return;  // it sees nothing
+    if (!(Scheme::reach(particles, i, i) > 0.0)) return;  // it has no neighbours
     const auto& x = particles.build_position[i];
     for (int level = 0; level < grids.levels; ++level) {
       const Viewer from{i, 0, x, limit_of(i, level)};
-      if constexpr (lanes_exist) {
+      if constexpr (simd_exists) {
         if (memory != nullptr && packed.search != nullptr) {
           search_level(from, level, memory->of_level[level], found);
           continue;
@@ -96,24 +103,24 @@ struct FindNeighbours {
       }
       scan_level(from, level, found);
     }
-    if (particles.mirrors.faces != 0) walk_images(i, found);
+    if (particles.mirrors.faces != 0) find_among_images(i, found);
   }
 
  private:
-  // Particle i seen from where it is, or from its image x.
+  // Particle i at its position x, or its mirror image at x.
   struct Viewer {
     Index i;
     MirrorCode code;
     Vector<D, double> x;
-    double limit;  // m, how far anything of a level can be seen
+    double limit;  // m, the largest cutoff to particles of a level
   };
-  struct Places {
+  struct Range {
     Index begin, end;
   };
 
-  // An image of j is as far from i as j from that image of i.
+  // The image of j is as far from i as j is from the image of i.
   template <class Sections>
-  KERF_FUNCTION void walk_images(Index i, Sections& found) const {
+  KERF_FUNCTION void find_among_images(Index i, Sections& found) const {
     const auto& mirrors = particles.mirrors;
     const auto& x = particles.build_position[i];
     for (int image = 1; image < MirrorPlanes<D>::images; ++image) {
@@ -130,7 +137,7 @@ struct FindNeighbours {
     return grids.limit[particles.medium(i).level][level];
   }
 
-  // take(begin, end) for each row of the cells of a level that meet the box.
+  // Calls take(begin, end) for each row of the cells of a level that meet the box.
   template <class Take>
   KERF_FUNCTION void for_each_row(const Vector<D, double>& minimum,
                                   const Vector<D, double>& maximum, int level,
@@ -139,7 +146,7 @@ struct FindNeighbours {
                                    ParticlesOfRow<Take>{cell_begin + grids.first[level], take});
   }
 
-  // One by one.
+  // Tests the candidates of a level one by one.
   template <class Sections>
   struct ScanRow {
     const FindNeighbours& find;
@@ -155,7 +162,7 @@ struct FindNeighbours {
     for_each_row(from.x - reach, from.x + reach, level, ScanRow<Sections>{*this, from, found});
   }
 
-  // Several at a time.
+  // Tests the candidates of a level by the SIMD search.
   template <class Sections>
   void search_level(const Viewer& from, int level, CellRows& known, Sections& found) const {
     if (known.cell == cell[from.i]) {
@@ -184,7 +191,8 @@ struct FindNeighbours {
     known.cell = of_cell && fits ? cell[from.i] : CellRows::no_cell;
   }
 
-  // Those of its own kind come out of the search as they are; others are asked one by one.
+  // The neighbours of its own kind come from the SIMD search; other candidates are tested one by
+  // one.
   template <class Sections>
   KERF_FUNCTION void search(const Viewer& from, const SearchRows& rows, Sections& found) const {
     if (rows.count == 0) return;
@@ -192,12 +200,12 @@ struct FindNeighbours {
     Index others[SearchRows::most_candidates + room_beside];
     SearchTask<D> task;
     for (int a = 0; a < D; ++a) {
-      task.place[a] = packed.place[a];
-      task.own_place[a] = packed.place[a][i];
+      task.position[a] = packed.position[a];
+      task.own_position[a] = packed.position[a][i];
     }
     task.kind = packed.kind;
     task.own = i;
-    // Those of no kind are all others to one another.
+    // Particles of no kind have no neighbours of their own kind.
     task.own_kind = packed.kind[i] != 0 ? packed.kind[i] : ~std::uint32_t(0);
     const double limit = from.limit / packed.unit.unit;
     const double reach = Scheme::reach(particles, i, i);
@@ -205,29 +213,29 @@ struct FindNeighbours {
     task.limit_squared = static_cast<float>(limit * limit);
     task.same_squared = static_cast<float>(same * same);
     task.rows = &rows;
-    const Kinship kin = splits ? Scheme::kinship(particles, i, i) : Kinship::other;
-    task.same = found.room(kin, rows.candidates);
+    const PairClass same_class = splits ? Scheme::pair_class(particles, i, i) : PairClass::other;
+    task.same = found.room(same_class, rows.candidates);
     task.others = others;
-    const auto seen = packed.search(task);
-    found.took(kin, seen.same);
-    for (Index n = 0; n < seen.others; ++n) scan(from, {others[n], others[n] + 1}, found);
+    const auto counts = packed.search(task);
+    found.took(same_class, counts.same);
+    for (Index n = 0; n < counts.others; ++n) scan(from, {others[n], others[n] + 1}, found);
   }
 
-  // In the order of cells.
+  // Tests the candidates of a range one by one, in their order.
   template <class Sections>
-  KERF_FUNCTION void scan(const Viewer& from, Places places, Sections& found) const {
+  KERF_FUNCTION void scan(const Viewer& from, Range range, Sections& found) const {
     const Index i = from.i;
-    for (Index j = places.begin; j < places.end; ++j) {
-      const auto r = from.x - particles.build_position[j];
-      const double square = dot(r, r);
+    for (Index j = range.begin; j < range.end; ++j) {
+      const auto& x = particles.build_position[j];
+      const double square = squared_distance<D, double>(DifferenceTo<D>{from.x, x});
       if (square >= from.limit * from.limit) continue;
       if (j == i && from.code == 0) continue;
       const double reach = Scheme::reach(particles, i, j, from.code);
       if (reach == 0.0 || square >= (reach + skin) * (reach + skin)) continue;
-      const Kinship kin =
-          splits && from.code == 0 ? Scheme::kinship(particles, i, j) : Kinship::other;
-      if (Index* const next = found.room(kin, 1)) *next = j | from.code;
-      found.took(kin, 1);
+      const PairClass same_class =
+          splits && from.code == 0 ? Scheme::pair_class(particles, i, j) : PairClass::other;
+      if (Index* const next = found.room(same_class, 1)) *next = j | from.code;
+      found.took(same_class, 1);
     }
   }
 };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A grid of square (cubic) cells over the domain. Cells are numbered row by row along x, so that
-// the three cells beside one another in x are one run of numbers.
+// Grid divides the domain into square (cubic) cells. They are numbered row by row along x, so that
+// adjacent cells in x have consecutive numbers.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 
 #include "core/vector.hpp"
-#include "exec/exec.hpp"
+#include "parallel/loops.hpp"
 
 namespace kerf {
 
@@ -37,7 +37,7 @@ struct Grid {
 
   KERF_FUNCTION int coordinate(double x, int a) const {
     const double c = std::floor((x - origin[a]) * per_cell);
-    if (!(c > 0.0)) return 0;  // what lies outside is counted to the edge
+    if (!(c > 0.0)) return 0;  // what lies outside belongs to the edge
     return c < cells[a] - 1 ? static_cast<int>(c) : cells[a] - 1;
   }
   KERF_FUNCTION Index number(const int* coordinates) const {
@@ -45,7 +45,7 @@ struct Grid {
     for (int a = D - 2; a >= 0; --a) n = n * static_cast<Index>(cells[a]) + coordinates[a];
     return n;
   }
-  // The cell of x, as a box; false at the edge, where cells go on for ever.
+  // Sets the box of the cell of x; returns false at the edge, where cells are unbounded.
   KERF_FUNCTION bool find_box(const Vector<D, double>& x, Vector<D, double>& minimum,
                               Vector<D, double>& maximum) const {
     for (int a = 0; a < D; ++a) {
@@ -61,7 +61,7 @@ struct Grid {
     for (int a = 0; a < D; ++a) coordinates[a] = coordinate(x[a], a);
     return number(coordinates);
   }
-  // take(first, last), the numbers of its cells, for each row of a block of cells.
+  // Calls take(first, last) with the numbers of the cells of each row of a block of cells.
   template <class Take>
   KERF_FUNCTION void for_each_row(const int* low, const int* high, const Take& take) const {
     int row[D];

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// One grid for each level of resolution (docs/theory/graded_resolution.md), each with cells half as
-// wide as the kernels of its level reach: in a grid for the longest kernel a small particle would
-// look at hundreds of others in vain, and with cells as wide as the reach it would look at seven
-// for each that it sees (half as wide: four). Cells are numbered through, level after level; a
-// particle looks into each grid as far as any particle of that level can be seen by one of its own.
+// LevelGrids has one grid for each level of resolution (docs/theory/graded_resolution.md), each
+// with cells half as wide as the cutoff of its level: in a grid for the longest cutoff a small
+// particle would test hundreds of others in vain, and with cells as wide as the cutoff it would
+// test seven candidates for each neighbour (half as wide: four). The numbers of cells run on from
+// level to level. A particle searches each grid up to the longest cutoff between its level and that
+// one.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
+#include "model/medium.hpp"
 #include "neighbours/grid.hpp"
-#include "particles/medium.hpp"
 
 namespace kerf {
 
 inline constexpr int most_levels = 5;
 
-// m, without the skin: how far particles of two levels see one another at most.
+// The longest cutoff between particles of two levels, m, without the skin.
 struct LevelReach {
   int levels = 1;
   double longest[most_levels][most_levels] = {};
@@ -45,12 +46,12 @@ struct LevelGrids {
   int levels = 0;
   Grid<D> grid[most_levels];
   Index first[most_levels + 1];            // number of the first cell of a level
-  double limit[most_levels][most_levels];  // m, how far the first looks for the second
+  double limit[most_levels][most_levels];  // m, the cutoff between the two with the skin
 
   static LevelGrids covering(const Vector<D, double>& minimum, const Vector<D, double>& maximum,
                              const LevelReach& reach, double skin) {
     constexpr double most_cells = 1.6e7;
-    // A hair wider than a half, so that two limits never touch on a cell more by rounding.
+    // A little wider than a half, so that rounding never adds a cell to two cutoffs.
     constexpr double half_limit = 0.5 * (1.0 + 1e-6);
     LevelGrids grids;
     grids.levels = reach.levels;
@@ -70,7 +71,7 @@ struct LevelGrids {
   Index count() const { return first[levels]; }
 };
 
-// Of rows of cells: take(begin, end) of the particles in them, from where the cells begin.
+// Calls take(begin, end) for the particles of a row of cells, given where the cells begin.
 template <class Take>
 struct ParticlesOfRow {
   const Index* begin_of;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lists of a block of particles, found once by one thread and then put wherever there is room:
-// where in memory a list lies depends on which block was ready first, what it holds does not.
+// ListBlock finds the neighbour lists of a block of particles on one thread and copies them to the
+// end of the used memory. The memory of a list depends on which block was ready first, its entries
+// do not.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +11,9 @@
 
 namespace kerf {
 
-// Where the lists are and what of them is kin; indices into one array.
+// Where each list begins and ends, and how many entries are of the same fluid and the same body.
 struct ListPlaces {
-  Index *begin, *end, *alike, *own;
+  Index *begin, *end, *same_fluid, *same_body;
 };
 
 template <int D, class P, class Scheme>
@@ -22,9 +23,9 @@ struct ListBlock {
   FindNeighbours<D, P, Scheme> find;
   Index count;
   ListPlaces places;
-  Index* neighbour;  // room for `room` of them
+  Index* neighbour;  // room for `room` entries
   Index room;
-  std::atomic<Index>* used;  // out: how many there are, also where there is no room for them all
+  std::atomic<Index>* used;  // out: number of entries, also where there is no room for all
 
   void operator()(Index block) const {
     thread_local GrownSections found;
@@ -37,8 +38,8 @@ struct ListBlock {
       find(i, found, &memory);
       found.end_particle();
       places.end[i] = found.size();
-      places.alike[i] = found.alike();
-      places.own[i] = found.own();
+      places.same_fluid[i] = found.same_fluid();
+      places.same_body[i] = found.same_body();
     }
     const Index at = used->fetch_add(found.size());
     if (at + found.size() > room) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lists of a GPU: found once to be counted and once more to be written, since its threads have
-// no lists of their own that could grow.
+// These loops build the neighbour lists on a GPU in two passes, one that counts the neighbours and
+// one that writes them, since the threads of a GPU have no lists of their own that could grow.
 #pragma once
 
 #include "neighbours/find_neighbours.hpp"
@@ -16,10 +16,10 @@ struct CountNeighbours {
   KERF_FUNCTION void operator()(Index i) const {
     CountedSections found;
     find(i, found);
-    places.alike[i] = found.count[static_cast<int>(Kinship::alike)];
-    places.own[i] = found.count[static_cast<int>(Kinship::own)];
-    places.begin[i] =
-        places.alike[i] + places.own[i] + found.count[static_cast<int>(Kinship::other)];
+    places.same_fluid[i] = found.count[static_cast<int>(PairClass::same_fluid)];
+    places.same_body[i] = found.count[static_cast<int>(PairClass::same_body)];
+    places.begin[i] = places.same_fluid[i] + places.same_body[i] +
+                      found.count[static_cast<int>(PairClass::other)];
   }
 };
 
@@ -30,12 +30,12 @@ struct WriteNeighbours {
   Index* neighbour;
 
   KERF_FUNCTION void operator()(Index i) const {
-    Index* const alike = neighbour + places.begin[i];
-    Index* const own = alike + places.alike[i];
+    Index* const same_fluid = neighbour + places.begin[i];
+    Index* const same_body = same_fluid + places.same_fluid[i];
     PlacedSections found;
-    found.next[static_cast<int>(Kinship::alike)] = alike;
-    found.next[static_cast<int>(Kinship::own)] = own;
-    found.next[static_cast<int>(Kinship::other)] = own + places.own[i];
+    found.next[static_cast<int>(PairClass::same_fluid)] = same_fluid;
+    found.next[static_cast<int>(PairClass::same_body)] = same_body;
+    found.next[static_cast<int>(PairClass::other)] = same_body + places.same_body[i];
     find(i, found);
     places.end[i] = places.begin[i + 1];
   }

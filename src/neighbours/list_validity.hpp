@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long a neighbour list holds: until a pair that is not in it may have come within reach. What
-// counts is how far the two have moved relative to one another, not how far each has: the water
-// of a jet flies on together. Of each patch (patch_grids.hpp) bounds of its particles' motion are
-// taken. The list holds while
-//   - no two particles of patches beside one another have moved apart by more than the skin, and
-//   - no two particles at all, nor one and a place at rest, by more than the `slack`: what a pair
-//     that is not in patches beside one another has left before it comes within reach.
+// ListValidity decides how long a neighbour list is valid: until a pair that is not in it may have
+// come within reach. The relative displacement of the two counts, not that of each: the water of a
+// jet moves as one. The displacements of the particles of each patch (neighbours/patch_grids.hpp)
+// are bounded. The list is valid while the relative displacement
+//   - of any two particles of adjacent patches is at most the skin, and
+//   - of any two particles, and of any particle and a point at rest, is at most the `slack`, the
+//     distance by which a pair of patches that are not adjacent must approach to come within reach.
 #pragma once
 
 #include "neighbours/motion_bounds.hpp"
@@ -15,8 +15,8 @@
 
 namespace kerf {
 
-// Patches within this many limits of sight of one another are beside one another: half a limit
-// and the skin is the slack. A little less than a patch is wide, lest rounding add a neighbour.
+// Patches within this many cutoffs of one another are adjacent, so that the slack is half a cutoff
+// and the skin. It is a little less than the width of a patch, so that rounding adds no patch.
 inline constexpr double patch_margin = 1.5 * (1.0 - 1e-6);
 
 template <int D>
@@ -36,7 +36,7 @@ struct HasParticles {
   }
 };
 
-// Bounds of the motion of the particles of a patch, till `horizon` from now.
+// Computes bounds of the displacements of the particles of a patch until the end of the `horizon`.
 template <int D, class P>
 struct BoundMotion {
   ParticleView<D, P> particles;
@@ -53,7 +53,7 @@ struct BoundMotion {
     for_each_run(cells, cell_begin, patch, Include{*this, &sum, &farthest_squared});
     sum.farthest = std::sqrt(farthest_squared);
     for (int a = 0; a < D; ++a)
-      if (sees_plane(patch, a)) sum.include_mirrored(a);
+      if (is_near_plane(patch, a)) sum.include_mirrored(a);
     return bounds[occupied[k]] = sum;
   }
 
@@ -78,8 +78,8 @@ struct BoundMotion {
     }
   };
 
-  // An image moves as the mirror shows it; those far from a plane have none within reach.
-  KERF_FUNCTION bool sees_plane(const typename PatchGrids<D>::Patch& patch, int a) const {
+  // Mirror images move too; particles far from a plane have none within reach.
+  KERF_FUNCTION bool is_near_plane(const typename PatchGrids<D>::Patch& patch, int a) const {
     const auto& mirrors = particles.mirrors;
     const double margin = patches.grid[patch.level].cell;
     const bool low = (mirrors.faces & mirrors.low_face(a)) != 0;
@@ -89,9 +89,9 @@ struct BoundMotion {
   }
 };
 
-// How far particles of a patch may have moved relative to some beside them, m.
+// Returns the largest relative displacement of particles of a patch and those of adjacent ones, m.
 template <int D>
-struct FarthestApart {
+struct LargestRelativeDisplacement {
   LevelGrids<D> cells;
   PatchGrids<D> patches;
   const Index* occupied;
@@ -106,15 +106,15 @@ struct FarthestApart {
   }
 
  private:
-  // The patches of a row, numbered within their level.
-  struct LookAtRow {
+  // Visits the patches of a row, numbered within their level.
+  struct VisitRow {
     const MotionBounds<D>* bounds;
-    Index own, least, first_of_level;  // patches; none before the `least` is looked at
+    Index own, least, first_of_level;  // patches; those before `least` are skipped
     double* farthest;
 
     KERF_FUNCTION void operator()(Index first, Index last) const {
       for (Index other = first_of_level + first; other <= first_of_level + last; ++other)
-        if (other >= least) *farthest = std::fmax(*farthest, bounds[own].apart(bounds[other]));
+        if (other >= least) *farthest = std::fmax(*farthest, bounds[own].relative(bounds[other]));
     }
   };
   KERF_FUNCTION double from_level(Index own, const typename PatchGrids<D>::Patch& patch,
@@ -126,9 +126,9 @@ struct FarthestApart {
       maximum[a] = patches.high_side(patch, a) + margin;
     }
     double farthest = 0.0;
-    const Index least = level == patch.level ? own : 0;  // of two of one level one looks
-    patches.grid[level].for_each_row(
-        minimum, maximum, LookAtRow{bounds, own, least, patches.first[level], &farthest});
+    const Index least = level == patch.level ? own : 0;  // each pair of one level once
+    patches.grid[level].for_each_row(minimum, maximum,
+                                     VisitRow{bounds, own, least, patches.first[level], &farthest});
     return farthest;
   }
 };
@@ -149,7 +149,7 @@ class ListValidity {
     slack_ = (patch_margin - 1.0) * nearest + skin;
   }
 
-  // Of a list that was built just now. `cell_begin`: where the particles of each cell begin.
+  // Starts with a new list. `cell_begin`: where the particles of each cell begin.
   void restart(const Array<Index>& cell_begin) {
     occupied_.resize(patches_.count());
     const thrust::counting_iterator<Index> first(0);
@@ -159,22 +159,23 @@ class ListValidity {
     count_ = static_cast<Index>(end - occupied_.begin());
     bounds_.resize(patches_.count());
     thrust::fill(bounds_.begin(), bounds_.end(), MotionBounds<D>::none());
-    left_ = -1.0;  // of a run that goes on the particles may have moved already
+    left_ = -1.0;  // in a resumed run the particles may have moved already
   }
 
-  // To be told of each step.
+  // Must be called for each step.
   void note(const StepMotion& motion) {
     travelled_ += motion.farthest;
     fastest_ = motion.fastest;
   }
 
-  // Will it still hold when all have flown on for `horizon` seconds? The particles are looked at
-  // only where what was noted leaves that open, so that the answer does not hang on the notes.
+  // Returns whether the list will be valid after all particles have moved on for `horizon` seconds.
+  // The particles are visited only where the noted steps leave that open, so that the answer does
+  // not depend on the notes.
   bool holds(Particles<D, P>& particles, const Array<Index>& cell_begin, double horizon) {
     constexpr double rounding = 1.0 + 1e-5;
     if (2.0 * rounding * (travelled_ + horizon * fastest_) <= left_) return true;
     const double left = left_at(particles, cell_begin, horizon);
-    left_ = left - 2.0 * rounding * horizon * fastest_;  // without that look ahead
+    left_ = left - 2.0 * rounding * horizon * fastest_;  // without the prediction
     travelled_ = 0.0;
     return left >= 0.0;
   }
@@ -184,26 +185,27 @@ class ListValidity {
   }
 
  private:
-  // How much farther particles may move apart then, m.
+  // Returns the relative displacement that is left then, m.
   double left_at(Particles<D, P>& particles, const Array<Index>& cell_begin, double horizon) {
     const BoundMotion<D, P> bound{particles.view(),   cells_,  patches_,        pointer(cell_begin),
                                   pointer(occupied_), horizon, pointer(bounds_)};
     auto all = reduce_unordered(count_, bound, MotionBounds<D>::at_rest(), UniteBounds{});
     for (int a = 0; a < D; ++a)
       if (MirrorPlanes<D>::flips(particles.mirrors.faces, a)) all.include_mirrored(a);
-    const FarthestApart<D> farthest{cells_, patches_, pointer(occupied_), pointer(bounds_)};
-    return std::min(slack_ - all.apart(all),
+    const LargestRelativeDisplacement<D> farthest{cells_, patches_, pointer(occupied_),
+                                                  pointer(bounds_)};
+    return std::min(slack_ - all.relative(all),
                     skin_ - reduce_unordered(count_, farthest, 0.0, Larger{}));
   }
 
   LevelGrids<D> cells_{};
   PatchGrids<D> patches_{};
   double skin_ = 0.0, slack_ = 0.0;
-  // What is known since the last look.
-  double left_ = -1.0;      // m, that particles may have moved apart
-  double travelled_ = 0.0;  // m, that none has gone farther than
+  // Since the particles were last visited.
+  double left_ = -1.0;      // m, relative displacement that was left
+  double travelled_ = 0.0;  // m, bound of every displacement
   double fastest_ = 1e300;  // m/s
-  Index count_ = 0;         // of the patches that have particles
+  Index count_ = 0;         // number of patches with particles
   Array<Index> occupied_;
   Array<MotionBounds<D>> bounds_;
 };

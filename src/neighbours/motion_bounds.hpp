@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds of how far the particles of some place have moved since a list was built.
+// MotionBounds are bounds of the displacements of some particles since a list was built.
 #pragma once
 
 #include <cmath>
 #include <limits>
 
+#include "core/host_device.hpp"
 #include "core/vector.hpp"
-#include "exec/host_device.hpp"
 
 namespace kerf {
 
@@ -30,16 +30,16 @@ struct MotionBounds {
     }
     farthest = std::fmax(farthest, other.farthest);
   }
-  // What is mirrored in a plane across an axis as well.
+  // Includes the mirror images in a plane across an axis.
   KERF_FUNCTION void include_mirrored(int axis) {
     const double largest = std::fmax(-least[axis], most[axis]);
     least[axis] = -largest;
     most[axis] = largest;
   }
 
-  // No particle of the one has moved farther than this, in m, relative to one of the other. Where
-  // one of them has no particles it is 0.
-  KERF_FUNCTION double apart(const MotionBounds& other) const {
+  // Returns a bound of the relative displacement of a particle of the one and a particle of the
+  // other, m; 0 where one of them has no particles.
+  KERF_FUNCTION double relative(const MotionBounds& other) const {
     double square = 0.0;
     for (int a = 0; a < D; ++a) {
       const double widest = std::fmax(most[a] - other.least[a], other.most[a] - least[a]);
@@ -50,7 +50,7 @@ struct MotionBounds {
   }
 };
 
-// For sums in any order.
+// For reductions in any order.
 struct UniteBounds {
   template <int D>
   KERF_FUNCTION MotionBounds<D> operator()(MotionBounds<D> a, const MotionBounds<D>& b) const {

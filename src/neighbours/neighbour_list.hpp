@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verlet list with a skin: for each particle the others within reach + skin of where the list was
-// built. How long it holds: list_validity.hpp. Each particle lists its own neighbours
-// in a fixed order, so sums over them do not depend on the number of threads: kin first, if it
-// is asked for; then the others; then mirror images (core/mirror_planes.hpp).
+// NeighbourList is a Verlet list with a skin: for each particle the others within the cutoff and
+// the skin, at the positions where the list was built. neighbours/list_validity.hpp decides how
+// long it is valid. Each particle has its neighbours in a fixed order, so that sums over them do
+// not depend on the number of threads: on request first those of the same fluid, then those of the
+// same body; then the others; then mirror images (core/mirror_planes.hpp).
 #pragma once
 
 #include "core/error.hpp"
@@ -11,23 +12,24 @@
 
 namespace kerf {
 
-// What a walk over the list leaves out of it.
-enum class Skips : std::uint8_t { nothing, alike, alike_and_own };
+// The neighbours that a pair loop skips.
+enum class Skips : std::uint8_t { nothing, same_fluid, same_fluid_and_body };
 
 struct NeighbourView {
   const Index *begin, *end;  // begin[i] .. end[i] of `neighbour` are particle i's
-  const Index* neighbour;    // places, with a mirror code in the highest bits
-  const Index* alike;        // how many of them, the first, are alike (neighbours/pair_range.hpp)
-  const Index* own;          // and how many after those are of its own solid
+  const Index* neighbour;    // indices, with a mirror code in the highest bits
+  const Index* same_fluid;   // how many of them, the first, are of the same fluid
+  const Index* same_body;  // and how many after those of the same body (neighbours/pair_range.hpp)
   Skips skips;
-  // 1 where bonds hold all that a particle lists of its own solid, which then do nothing more to
-  // it: a walk that skips kin skips them as well. Or null.
-  const std::uint8_t* held;
+  // 1 where a particle has intact bonds to all its neighbours of the same body, which then have no
+  // contact with it: a pair loop that skips the same fluid skips them too. Or null.
+  const std::uint8_t* fully_bonded;
 
   KERF_FUNCTION Index first(Index i) const {
     if (skips == Skips::nothing) return begin[i];
-    const bool skips_own = skips == Skips::alike_and_own || (held != nullptr && held[i] != 0);
-    return begin[i] + alike[i] + (skips_own ? own[i] : 0);
+    const bool skips_body =
+        skips == Skips::same_fluid_and_body || (fully_bonded != nullptr && fully_bonded[i] != 0);
+    return begin[i] + same_fluid[i] + (skips_body ? same_body[i] : 0);
   }
 };
 
@@ -35,7 +37,7 @@ template <int D, class P, class Scheme>
 class NeighbourList {
  public:
   NeighbourList() = default;
-  // `longest`: the longest pair reach there is; `skin` in m.
+  // `longest`: the longest cutoff of a pair, m; `skin` in m.
   NeighbourList(const Vector<D, double>& minimum, const Vector<D, double>& maximum, double longest,
                 double skin)
       : NeighbourList(minimum, maximum, LevelReach::one(longest), skin) {}
@@ -45,10 +47,10 @@ class NeighbourList {
         validity_(grids_, skin),
         skin_(skin) {}
 
-  // Lists kin first.
-  void put_kin_first() { splits_ = true; }
+  // Makes the lists begin with the same fluid and the same body.
+  void sort_neighbours_by_class() { splits_ = true; }
 
-  // Cell numbers of the build positions, the sort key of the particles.
+  // Returns the cell numbers of the build positions, the sort key of the particles.
   const Array<Index>& cell_numbers(Particles<D, P>& particles) {
     key_.resize(particles.size());
     for_each_index(particles.size(), CellNumber<D, P>{particles.view(), grids_, pointer(key_)});
@@ -59,41 +61,48 @@ class NeighbourList {
   void build(Particles<D, P>& particles) {
     const Index n = particles.size();
     require(particles.mirrors.faces == 0 || n <= MirrorPlanes<D>::most_particles,
-            "as many particles as have places beside the codes of mirrors");
+            "as many particles as have indices beside the codes of mirrors");
     cell_numbers(particles);
     const Index cells = grids_.count();
     cell_begin_.resize(cells + 1);
     for_each_index(n + 1, BeginCells{pointer(key_), n, cells, pointer(cell_begin_)});
     begin_.resize(n + 1);
-    for (auto* array : {&end_, &alike_, &own_}) array->resize(n);
+    for (auto* array : {&end_, &same_fluid_, &same_body_}) array->resize(n);
     const FindNeighbours<D, P, Scheme> find{particles.view(),          grids_, pointer(key_),
                                             pointer(cell_begin_),      skin_,  splits_,
                                             pack_for_search(particles)};
-    const ListPlaces places{pointer(begin_), pointer(end_), pointer(alike_), pointer(own_)};
-    if constexpr (lanes_exist)
+    const ListPlaces places{pointer(begin_), pointer(end_), pointer(same_fluid_),
+                            pointer(same_body_)};
+    if constexpr (simd_exists)
       list_in_blocks(find, places, n);
     else
       list_in_passes(find, places, n);
     validity_.restart(cell_begin_);
   }
 
-  // To be told of each step.
+  // Must be called for each step.
   void note(const StepMotion& motion) { validity_.note(motion); }
-  // May a pair that is not listed come within reach in the next `horizon` seconds?
+  // Returns whether a pair that is not listed may come within reach in the next `horizon` seconds.
   bool is_outdated(Particles<D, P>& particles, double horizon) {
     return !validity_.holds(particles, cell_begin_, horizon);
   }
 
   NeighbourView view() const {
-    return {pointer(begin_), pointer(end_), pointer(neighbour_), pointer(alike_), pointer(own_),
-            Skips::nothing,  nullptr};
+    return {pointer(begin_),
+            pointer(end_),
+            pointer(neighbour_),
+            pointer(same_fluid_),
+            pointer(same_body_),
+            Skips::nothing,
+            nullptr};
   }
   Index pairs() const { return pairs_; }  // list entries, each pair twice
   std::size_t bytes() const {
-    std::size_t entries = neighbour_.size() + begin_.size() + end_.size() + alike_.size() +
-                          own_.size() + cell_begin_.size() + key_.size() + packed_kind_.size();
-    for (const auto& place : packed_place_) entries += place.size();
-    return sizeof(Index) * entries + validity_.bytes();  // places are as long
+    std::size_t entries = neighbour_.size() + begin_.size() + end_.size() + same_fluid_.size() +
+                          same_body_.size() + cell_begin_.size() + key_.size() +
+                          packed_kind_.size();
+    for (const auto& coordinates : packed_position_) entries += coordinates.size();
+    return sizeof(Index) * entries + validity_.bytes();  // packed coordinates are as long
   }
 
  private:
@@ -124,24 +133,24 @@ class NeighbourList {
     for_each_index(count, WriteNeighbours<D, P, Scheme>{find, places, pointer(neighbour_)});
   }
 
-  // Null where cells are so wide that places, which are counted round, would not be told apart.
+  // Has no search where cells are so wide that wrapping fixed-point coordinates would be ambiguous.
   SearchView<D> pack_for_search(Particles<D, P>& particles) {
     SearchView<D> packed;
-    if constexpr (!lanes_exist) return packed;
-    constexpr double widest = 8.0;  // finest limits that a cell and its view may span
+    if constexpr (!simd_exists) return packed;
+    constexpr double widest = 8.0;  // finest cutoffs that a cell and its cutoff may span
     const double finest = grids_.limit[0][0];
     for (int level = 0; level < grids_.levels; ++level)
       if (grids_.grid[level].cell + grids_.limit[level][level] > widest * finest) return packed;
-    constexpr std::size_t beyond = 64;  // what a load may touch past the end
+    constexpr std::size_t beyond = 64;  // entries that a load may read past the end
     const std::size_t room = particles.size() + beyond;
     for (int a = 0; a < D; ++a) {
-      packed_place_[a].resize(room);
-      packed.place[a] = packed_place_[a].data();
+      packed_position_[a].resize(room);
+      packed.position[a] = packed_position_[a].data();
     }
     packed_kind_.resize(room);
     packed.kind = packed_kind_.data();
-    packed.unit = PlaceUnit<float>::of_spacing(finest / widest);
-    packed.search = search_of<D>(walks());
+    packed.unit = FixedPointScale<float>::of_spacing(finest / widest);
+    packed.search = search_kernels().template get<D>();
     for_each_index(particles.size(), PackForSearch<D, P, Scheme>{particles.view(), packed});
     return packed;
   }
@@ -151,8 +160,8 @@ class NeighbourList {
   double skin_ = 0.0;
   Index pairs_ = 0;
   bool splits_ = false;
-  Array<Index> key_, cell_begin_, begin_, end_, alike_, own_, neighbour_;
-  std::vector<std::int32_t> packed_place_[D];
+  Array<Index> key_, cell_begin_, begin_, end_, same_fluid_, same_body_, neighbour_;
+  std::vector<std::int32_t> packed_position_[D];
   std::vector<std::uint32_t> packed_kind_;
 };
 

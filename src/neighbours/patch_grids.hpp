@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Patches: of each grid of cells (level_grids.hpp) three by three (by three) cells, half as wide
-// again as particles of its level look. Numbered through, level after level.
+// PatchGrids joins three by three (by three) cells of each grid (neighbours/level_grids.hpp) to a
+// patch, one and a half times as wide as the cutoff of its level. The numbers of patches run on
+// from level to level.
 #pragma once
 
 #include "neighbours/level_grids.hpp"
@@ -46,7 +47,7 @@ struct PatchGrids {
     }
     return patch;
   }
-  // Where it lies; what lies outside the domain belongs to those at its edge.
+  // Its sides; what lies outside the domain belongs to the patches at its edge.
   KERF_FUNCTION double low_side(const Patch& patch, int a) const {
     return grid[patch.level].origin[a] + patch.at[a] * grid[patch.level].cell;
   }
@@ -55,7 +56,8 @@ struct PatchGrids {
   }
 };
 
-// take(begin, end) for each run of particles of a patch. `cell_begin`: where each cell begins.
+// Calls take(begin, end) for each run of particles of a patch. `cell_begin`: where each cell
+// begins.
 template <int D, class Take>
 KERF_FUNCTION void for_each_run(const LevelGrids<D>& cells, const Index* cell_begin,
                                 const typename PatchGrids<D>::Patch& patch, const Take& take) {

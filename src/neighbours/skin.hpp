@@ -3,9 +3,9 @@
 
 namespace kerf {
 
-// How much farther than they reach particles list their neighbours, in the finest spacings. A
-// shorter one asks for more searches, a longer one for more to walk over: in 3D it is the third
-// power of the reach that counts.
+// Returns the skin of the neighbour list in units of the finest spacing. A shorter skin needs more
+// searches, a longer one more pairs per pair loop: in 3D their number grows with the cube of the
+// cutoff.
 constexpr double list_skin(int dimension) {
   return dimension == 3 ? 0.22 : 0.35;
 }

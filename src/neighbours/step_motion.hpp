@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far particles moved in a step at most, and how fast they are at its end: as long as that is
-// little, a neighbour list holds without a look at every particle (list_validity.hpp).
+// StepMotion is the largest displacement of a particle in a step and the largest speed at its end.
+// As long as they are small, a neighbour list is valid without a visit to every particle
+// (neighbours/list_validity.hpp).
 #pragma once
 
 #include <cmath>
@@ -13,7 +14,7 @@ struct StepMotion {
   double farthest, fastest;  // m, m/s
 };
 
-// What is added up for it, over particles in any order.
+// Its squares, for a reduction over particles in any order.
 struct MotionSquares {
   double farthest = 0.0, fastest = 0.0;  // m^2, m^2/s^2
 
@@ -23,7 +24,7 @@ struct MotionSquares {
     const auto velocity = Vector<D, double>::from(particles.velocity[i]);
     join({dot(moved, moved), dot(velocity, velocity)});
   }
-  // What is no number stays so.
+  // A NaN is kept.
   KERF_FUNCTION void join(const MotionSquares& other) {
     if (!(other.farthest <= farthest)) farthest = other.farthest;
     if (!(other.fastest <= fastest)) fastest = other.fastest;

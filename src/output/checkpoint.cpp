@@ -18,7 +18,8 @@ namespace {
 
 using hdf5::Handle;
 
-// Raised whenever the meaning or the layout of what is stored changes.
+// The version of the format; it increases whenever the meaning or the layout of the content
+// changes.
 constexpr int format_version = 2;
 constexpr const char* remedy = "Start the run again with --force.";
 
@@ -84,7 +85,7 @@ Archive read_archive(const Handle& file, const std::string& name) {
   return archive;
 }
 
-// The first line in which two cases differ, in words.
+// Describes the first line in which two cases differ.
 std::string difference(const std::string& stored, const std::string& now) {
   std::istringstream stored_lines(stored), now_lines(now);
   std::string was, is;
@@ -97,8 +98,8 @@ std::string difference(const std::string& stored, const std::string& now) {
   }
 }
 
-// The last line of the file, after what HDF5 reads: it is there only when all before it is, and a
-// changed byte anywhere disagrees with it.
+// Returns the last line of the file, which HDF5 does not read: it is present only if all preceding
+// bytes are, and it changes with any byte.
 std::string seal_of(std::string_view content, int version) {
   boost::crc_32_type sum;
   sum.process_bytes(content.data(), content.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// checkpoint.h5: everything a run needs to go on bitwise as if never stopped. The file is replaced
-// atomically, ends with a checksum over all before, and holds the case it is of. To HDF5's own
-// tools it is a plain HDF5 file.
+// A checkpoint, checkpoint.h5, contains everything that a run needs to continue bit for bit as if
+// never stopped. The file is replaced atomically, ends with a checksum over all preceding bytes,
+// and contains its case. For the tools of HDF5 it is a plain HDF5 file.
 #pragma once
 
 #include <filesystem>
@@ -16,13 +16,13 @@ struct Checkpoint {
   Archive run;         // of the run loop: clocks, counts, the history of the cut
 };
 
-// `case_text` is the content of case.used.toml. Throws UserError (exit_files); an older checkpoint
-// at `path` is then still there.
+// Writes a checkpoint. `case_text` is the content of case.used.toml. Throws UserError (exit_files);
+// an older checkpoint at `path` then remains.
 void write_checkpoint(const std::filesystem::path& path, const std::string& case_text,
                       const Checkpoint& checkpoint);
 
-// Throws UserError (exit_files) with one sentence for a file that is missing, torn, not a
-// checkpoint, of another version of the format, or of a case other than `case_text`.
+// Reads a checkpoint. Throws UserError (exit_files) with one sentence for a file that is missing,
+// damaged, not a checkpoint, of another version of the format, or of a case other than `case_text`.
 Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& case_text);
 
 }  // namespace kerf

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts in tables of comma-separated values.
+// This function writes texts in tables of comma-separated values.
 #pragma once
 
 #include <string>
 
 namespace kerf {
 
-// As it is, or quoted as RFC 4180 has it where it holds commas, quotes or ends of lines.
+// Returns the text, quoted by RFC 4180 where it contains commas, quotes or line ends.
 inline std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string result = "\"";

@@ -44,7 +44,7 @@ const char* remedy_of(int error) {
       exit_files);
 }
 
-// An open file; write errors become UserErrors that name `shown`, the file the user knows.
+// An open file. Write errors become UserErrors that name `shown`, the file that the user knows.
 class OpenFile {
  public:
   OpenFile(const fs::path& path, int flags, fs::path shown) : shown_(std::move(shown)) {
@@ -69,7 +69,7 @@ class OpenFile {
     if (::fsync(descriptor_) != 0) fail("cannot write", shown_, errno);
   }
   void close() {
-    // Network file systems report a full disk only here.
+    // Network file systems report a full disk only at this call.
     if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot write", shown_, errno);
   }
 
@@ -88,7 +88,7 @@ void sync_folder(const fs::path& folder) {
   const int result = ::fsync(descriptor);
   const int error = errno;
   ::close(descriptor);
-  // Some file systems have no such call for folders and need none.
+  // Some file systems do not support this call for folders and do not need it.
   if (result != 0 && error != EINVAL && error != ENOTSUP) fail("cannot write to", folder, error);
 }
 
@@ -103,7 +103,7 @@ void write_file(const fs::path& path, std::string_view content) {
     file.close();
     if (::rename(beside.c_str(), path.c_str()) != 0) fail("cannot write", path, errno);
   } catch (...) {
-    ::unlink(beside.c_str());  // a part of a file must not keep a full disk full
+    ::unlink(beside.c_str());  // the incomplete file would occupy a full disk
     throw;
   }
   sync_folder(folder_of(path));

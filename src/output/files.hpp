@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are either old or new, never torn; and the sentences for when the disk says no.
+// These functions write files atomically: a path holds either the old content or the new. Their
+// errors say what the user can do about the disk.
 #pragma once
 
 #include <filesystem>
@@ -8,29 +9,30 @@
 
 namespace kerf {
 
-// Replaces the file by `content`: written beside it, brought to the disk, renamed, and the folder
-// brought to the disk. At any instant the path holds the old content or the new. Throws UserError
-// (exit_files); the old content is then still there.
+// Replaces the file by `content`: it is written beside the file, synchronised with the disk and
+// renamed, and the folder is synchronised. At any instant the path holds the old content or the
+// new. Throws UserError (exit_files); the old content then remains.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-// Adds to the end of a file that is there. Throws UserError (exit_files).
+// Appends to a file that exists. Throws UserError (exit_files).
 void append_to_file(const std::filesystem::path& path, std::string_view content);
 
-// Brings a file that was added to to the disk. Throws UserError (exit_files).
+// Synchronises a file with the disk. Throws UserError (exit_files).
 void sync_file(const std::filesystem::path& path);
 
-// Throws UserError (exit_files) when there is no such file or it cannot be read.
+// Returns the content of a file. Throws UserError (exit_files) when there is no such file or it
+// cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-// Makes a folder in one that is there: a result folder that vanished must not come back empty.
-// Throws UserError (exit_files).
+// Makes a folder in an existing one, so that a result folder that was deleted does not come back
+// empty. Throws UserError (exit_files).
 void make_inner_folder(const std::filesystem::path& folder);
 
-// Makes a folder and those around it. Throws UserError (exit_files).
+// Makes a folder and its parents. Throws UserError (exit_files).
 void make_folder(const std::filesystem::path& folder);
 
-// Holds a folder for this process as long as it lives; the system lets go of it when the process
-// ends in any way. Throws UserError (exit_files) when another process holds it.
+// Locks a folder for this process; the system removes the lock when the process ends in any way.
+// Throws UserError (exit_files) when another process has it.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t memory_growth = 1 << 22;  // bytes
 
-// The library prints its errors by default; here they are reported once, by what is thrown.
+// The library prints its errors by default; here each is reported once, by the exception.
 void silence() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -83,7 +83,7 @@ Handle write(const Handle& parent, const std::string& name, const Block& block) 
   const int rank = block.components == 1 ? 1 : 2;
   const Handle space(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose, "make a space");
   const Handle properties = property_list(H5P_DATASET_CREATE);
-  // Without times of their own, equal data make equal bytes.
+  // Times are not stored, so that equal data make equal bytes.
   check(H5Pset_obj_track_times(properties.get(), false), "set a property");
   const Handle link = property_list(H5P_LINK_CREATE);
   check(H5Pset_create_intermediate_group(link.get(), 1), "set a property");
@@ -105,6 +105,16 @@ void write_text_attribute(const Handle& object, const std::string& name, const s
       H5Acreate2(object.get(), name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose, "make an attribute");
   check(H5Awrite(attribute.get(), type.get(), text.c_str()), "write an attribute");
+}
+
+std::string read_text_attribute(const Handle& object, const std::string& name) {
+  if (H5Aexists(object.get(), name.c_str()) <= 0) return "";
+  const Handle attribute(H5Aopen(object.get(), name.c_str(), H5P_DEFAULT), H5Aclose,
+                         "open an attribute");
+  const Handle type(H5Aget_type(attribute.get()), H5Tclose, "read the type of an attribute");
+  std::string text(H5Tget_size(type.get()), '\0');
+  check(H5Aread(attribute.get(), type.get(), text.data()), "read an attribute");
+  return text.substr(0, text.find('\0'));
 }
 
 void write_attribute(const Handle& object, const std::string& name,

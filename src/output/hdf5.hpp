@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A thin layer on the HDF5 C library. Files are made in memory and leave as bytes, so that a full
-// disk is met by one plain write (output/files.hpp) and never inside the library.
+// A thin layer on the HDF5 C library. Files are made in memory and returned as bytes, so that a
+// full disk is found by one plain write (output/files.hpp) and not inside the library.
 #pragma once
 
 #include <hdf5.h>
@@ -14,7 +14,7 @@
 
 namespace kerf::hdf5 {
 
-// What the library refuses: a file that is not HDF5, or does not hold what is asked for.
+// An error of the library: a file is not HDF5, or does not contain what is asked for.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -24,7 +24,7 @@ class Error : public std::runtime_error {
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
-  // Throws Error when `id` says that the library refused; `what` names the attempt.
+  // Throws Error when `id` reports a failure; `what` names the attempt.
   Handle(hid_t id, Close close, const char* what);
   ~Handle();
   Handle(Handle&& other) noexcept
@@ -78,7 +78,7 @@ Handle open(const std::filesystem::path& path);
 
 Handle create_group(const Handle& parent, const std::string& name);
 Handle open_group(const Handle& parent, const std::string& name);
-// Every array below a group, by its path from there, "inner/name", in order of name.
+// Visits every array below a group, by its path from there, "inner/name", in order of name.
 std::vector<std::string> arrays_in(const Handle& group);
 
 // An array in memory, rows of `components` numbers; components = 1 makes it one-dimensional.
@@ -94,18 +94,20 @@ Block block(const std::vector<T>& values) {
   return {values.data(), type_of<T>(), values.size(), 1};
 }
 
-// A name may be a path, "inner/name"; the groups on the way are made.
+// Writes an array. A name may be a path, "inner/name"; the groups on the path are made.
 Handle write(const Handle& parent, const std::string& name, const Block& block);
 
-// Fixed-length ASCII, as the VTKHDF format asks for.
+// Writes fixed-length ASCII, as the VTKHDF format requires.
 void write_text_attribute(const Handle& object, const std::string& name, const std::string& text);
+// Returns the text of an attribute; empty where the object has none of that name.
+std::string read_text_attribute(const Handle& object, const std::string& name);
 void write_attribute(const Handle& object, const std::string& name,
                      const std::vector<std::int64_t>& values);
 
 Handle open_dataset(const Handle& parent, const std::string& name);
 std::size_t size_of(const Handle& dataset);
 void read(const Handle& dataset, hid_t type, void* values);
-// True when the array is stored as the type of T.
+// Returns whether the array is stored as the type of T.
 bool stored_as(const Handle& dataset, hid_t type);
 
 template <class T>

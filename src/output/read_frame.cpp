@@ -30,37 +30,44 @@ std::vector<std::array<double, 3>> triples(const std::vector<T>& values) {
   return rows;
 }
 
+template <class T>
+void read_column(const hdf5::Handle& group, const char* name, std::vector<T>& values) {
+  values = hdf5::read_array<T>(group, name);
+}
+void read_column(const hdf5::Handle& group, const char* name,
+                 std::vector<std::array<double, 3>>& values) {
+  values = triples(hdf5::read_array<float>(group, name));
+}
+void read_column(const hdf5::Handle& group, const char* name, std::vector<Category>& values) {
+  for (const std::uint8_t code : hdf5::read_array<std::uint8_t>(group, name))
+    values.push_back(static_cast<Category>(std::min<std::uint8_t>(code, 3)));
+}
+
 void read_fields(const hdf5::Handle& group, Frame& frame) {
-  frame.velocity = triples(hdf5::read_array<float>(group, "velocity"));
-  for (const std::uint8_t code : hdf5::read_array<std::uint8_t>(group, "category"))
-    frame.category.push_back(static_cast<Category>(std::min<std::uint8_t>(code, 3)));
-  frame.id = hdf5::read_array<std::uint32_t>(group, "id");
-  frame.source = hdf5::read_array<std::uint16_t>(group, "source");
-  frame.spacing = hdf5::read_array<float>(group, "spacing");
-  frame.mass = hdf5::read_array<float>(group, "mass");
-  frame.density = hdf5::read_array<float>(group, "density");
-  frame.pressure = hdf5::read_array<float>(group, "pressure");
-  frame.upstream = hdf5::read_array<std::uint8_t>(group, "upstream");
-  const std::set<std::string> known{"velocity", "category", "id",       "source",  "spacing",
-                                    "mass",     "density",  "pressure", "upstream"};
+  std::set<std::string> known;
+  for_each_column(frame, [&](const char* name, const char*, auto& values) {
+    read_column(group, name, values);
+    known.insert(name);
+  });
   const std::size_t count = frame.position.size();
   for (const std::string& name : hdf5::arrays_in(group)) {
     if (known.count(name) != 0 || count == 0) continue;
+    const hdf5::Handle dataset = hdf5::open_dataset(group, name);
     auto values = hdf5::read_array<float>(group, name);
     const int components = static_cast<int>(values.size() / count);
-    frame.columns.push_back({name, "", components, std::move(values)});
+    frame.columns.push_back({name, hdf5::read_text_attribute(dataset, "unit"), components,
+                             std::move(values), hdf5::read_text_attribute(dataset, "label")});
   }
 }
 
 // Every field has an entry for each particle.
-bool is_whole(const Frame& frame) {
+bool is_intact(const Frame& frame) {
   const std::size_t count = frame.position.size();
-  const bool fields = frame.velocity.size() == count && frame.category.size() == count &&
-                      frame.id.size() == count && frame.source.size() == count &&
-                      frame.spacing.size() == count && frame.mass.size() == count &&
-                      frame.density.size() == count && frame.pressure.size() == count &&
-                      frame.upstream.size() == count;
-  return fields && std::all_of(frame.columns.begin(), frame.columns.end(), [&](const Column& c) {
+  bool intact = true;
+  for_each_column(frame, [&](const char*, const char*, const auto& values) {
+    intact = intact && values.size() == count;
+  });
+  return intact && std::all_of(frame.columns.begin(), frame.columns.end(), [&](const Column& c) {
            return c.values.size() == count * static_cast<std::size_t>(c.components);
          });
 }
@@ -99,7 +106,7 @@ Frame read_frame(const fs::path& file, int dimension) {
   } catch (const std::out_of_range& error) {
     damaged(file, error.what());
   }
-  if (!is_whole(frame)) damaged(file, "fields of different lengths");
+  if (!is_intact(frame)) damaged(file, "fields of different lengths");
   return frame;
 }
 

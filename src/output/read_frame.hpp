@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of a run, read back from its folder.
+// These functions read the frames of a run from its folder.
 #pragma once
 
 #include <filesystem>
@@ -15,12 +15,12 @@ struct FrameFile {
   double time = 0.0;  // s
 };
 
-// The frames that a run has written into `folder` so far, in order of time; none when there is no
-// series. Throws UserError (exit_files) where the series is damaged.
+// Returns the frames that a run has written into `folder` so far, in order of time; none when there
+// is no series. Throws UserError (exit_files) where the series is damaged.
 std::vector<FrameFile> frame_files(const std::filesystem::path& folder);
 
-// A frame as output/vtkhdf.hpp writes it; units of columns are not read. Throws UserError
-// (exit_files) where the file is missing or damaged.
+// Reads a frame that output/vtkhdf.hpp wrote. Throws UserError (exit_files) where the file is
+// missing or damaged.
 Frame read_frame(const std::filesystem::path& file, int dimension);
 
 }  // namespace kerf

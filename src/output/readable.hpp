@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quantities in sentences and in a terminal, with the prefix that makes them easy to read.
+// This function writes quantities in sentences and in a terminal, with a suitable prefix.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-// `value` of an SI `unit`: 12.5 kPa, 6.7 us.
+// Returns `value` with its SI `unit`: 12.5 kPa, 6.7 us.
 inline std::string readable(double value, const std::string& unit) {
   struct Prefix {
     double factor;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// result.json: the verdict of a run and its numbers, in SI units.
+// The outcome of a run becomes result.json: the verdict and its numbers, in SI units.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,25 @@
 #include <string>
 #include <vector>
 
-#include "case/case.hpp"
-#include "measure/cut.hpp"
-#include "measure/derived.hpp"
-#include "measure/kerf.hpp"
+#include "analysis/cut.hpp"
+#include "analysis/derived.hpp"
+#include "analysis/kerf.hpp"
+#include "model/case.hpp"
 #include "output/validity.hpp"
-#include "simulation/ledger.hpp"
+#include "simulation/balance.hpp"
 #include "simulation/simulation.hpp"
 
 namespace kerf {
 
-// How a run ended.
+// A picture that a run has written.
+struct RunPicture {
+  std::string file;   // in the folder of the run
+  double time = 0.0;  // s
+
+  static const MetricList<RunPicture>& metrics();
+};
+
+// Everything that result.json says about a run.
 struct RunOutcome {
   Case description;
   std::string case_name;
@@ -27,7 +35,7 @@ struct RunOutcome {
   CutSummary cut;
   std::optional<Kerf> kerf;    // of runs with a jet
   bool still_cutting = false;  // the front was moving when the run ended
-  Ledger ledger;
+  Balance balance;
   double time = 0.0;  // s
   std::uint64_t steps = 0;
   std::size_t particles = 0;
@@ -37,12 +45,19 @@ struct RunOutcome {
   int threads = 0;
   std::string device;  // its name
   std::vector<StageTime> stage_times;
+  std::size_t frames = 0;  // that were written
+  std::vector<RunPicture> pictures;
+
+  // How large the run was, what it ran on, and the files besides.
+  static const MetricList<RunOutcome>& run_metrics();
+  static const MetricList<RunOutcome>& file_metrics();
 };
 
-// True when something broke and the front went deeper in the last tenth of the history.
+// Returns whether solid broke and the front went deeper in the last tenth of the history.
 bool still_cutting(const std::vector<CutState>& history);
 
-// One sentence: did the jet cut through, and when, how deep it came, or that it broke nothing.
+// Returns one sentence: whether and when the jet cut through, how deep it came, or that it broke
+// nothing.
 std::string verdict_of(const RunOutcome& outcome);
 
 nlohmann::ordered_json result_of(const RunOutcome& outcome);

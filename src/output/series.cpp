@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-// The cells of one line; quoted cells keep their commas (RFC 4180).
+// Returns the cells of one line; quoted cells keep their commas (RFC 4180).
 std::vector<std::string> cells_of(std::string_view line) {
   std::vector<std::string> cells(1);
   bool inside = false;
@@ -30,7 +30,7 @@ std::vector<std::string> cells_of(std::string_view line) {
   return cells;
 }
 
-// Whole lines only: what a killed run left of a line is not one.
+// Returns the complete lines; the incomplete last line of a killed run is left out.
 std::vector<std::string_view> lines_of(std::string_view content) {
   std::vector<std::string_view> lines;
   for (std::size_t end; (end = content.find('\n')) != std::string_view::npos;) {

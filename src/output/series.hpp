@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// series.csv: the numbers of a run over time, one row per output time. No column depends on the
-// clock of the machine, so a resumed run ends with the same bytes as an uninterrupted one.
+// The table series.csv has the numbers of a run over time, one row per output time. No column
+// depends on the clock of the machine, so a resumed run ends with the same bytes as an
+// uninterrupted one.
 #pragma once
 
 #include <filesystem>
@@ -9,34 +10,34 @@
 #include <string>
 #include <vector>
 
-#include "case/case.hpp"
-#include "measure/cut.hpp"
-#include "simulation/ledger.hpp"
+#include "analysis/cut.hpp"
+#include "model/case.hpp"
+#include "simulation/balance.hpp"
 #include "simulation/simulation.hpp"
 
 namespace kerf {
 
-// What a row is made of.
+// The data of a row.
 struct SeriesSample {
   double time = 0.0;  // s
   std::uint64_t step = 0;
   std::size_t particles = 0;
   StepInfo last_step;
-  Ledger ledger;
+  Balance balance;
   CutState cut;
   std::vector<double> probes;  // as Simulation::probe_values
 };
 
-// One column: what it is called, its unit ("1" = a number or a text) and its entry in a row.
+// A column: its name, its unit ("1" = a number or a text) and its entry in a row.
 struct SeriesColumn {
   std::string name;
   std::string unit;
   std::function<std::string(const SeriesSample&)> text;
 };
 
-// The columns of a case's series in order. This is the only list of them.
+// Returns the columns of a case's series in order. This is the only list of them.
 std::vector<SeriesColumn> series_columns(const Case& description);
-// Name and unit as one word, "front_depth_m", "momentum_now_x_N_s_per_m".
+// Returns name and unit as one word, "front_depth_m", "momentum_now_x_N_s_per_m".
 std::string header_of(const SeriesColumn& column);
 
 class SeriesWriter {
@@ -46,10 +47,10 @@ class SeriesWriter {
   // Begins an empty table. Throws UserError (exit_files), as all that follow.
   void start();
   void append(const SeriesSample& sample);
-  // Keeps the rows up to `step`, of which there must be `rows`, and drops what a killed run wrote
-  // after them. Refuses a table of another run.
+  // Keeps the rows up to `step`, of which there must be `rows`, and drops those that a killed run
+  // wrote after them. Refuses a table of another run.
   void cut_back(std::uint64_t step, std::size_t rows);
-  // Brings the rows to the disk; to be called before a checkpoint counts on them.
+  // Synchronises the rows with the disk; to be called before a checkpoint relies on them.
   void sync() const;
   std::size_t rows() const { return rows_; }
 
@@ -61,10 +62,11 @@ class SeriesWriter {
   std::size_t rows_ = 0;
 };
 
-// A table read back: entries by the column's name without its unit.
+// A table that was read: entries by the name of the column without its unit.
 class SeriesTable {
  public:
-  // Throws UserError (exit_files) when the file is missing or not a series of this case.
+  // Reads the table. Throws UserError (exit_files) when the file is missing or not a series of this
+  // case.
   SeriesTable(const std::filesystem::path& path, const Case& description);
   std::size_t rows() const { return rows_; }
   std::vector<double> numbers(const std::string& name) const;

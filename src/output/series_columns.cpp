@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "output/balance_metrics.hpp"
 #include "output/csv.hpp"
-#include "output/ledger_table.hpp"
 #include "output/series.hpp"
 
 namespace kerf {
@@ -10,9 +10,19 @@ namespace {
 
 using Columns = std::vector<SeriesColumn>;
 
-// Shortest text that reads back to the same bits.
-std::string text_of(double value) {
-  return fmt::format("{}", value);
+// The shortest text that reads back to the same bits; of several numbers the one at `index`.
+template <class Value>
+std::string text_of(const Value& value, std::size_t index = 0) {
+  if constexpr (std::is_same_v<Value, std::vector<double>>)
+    return text_of(value.at(index));
+  else if constexpr (std::is_same_v<Value, bool>)
+    return value ? "1" : "0";
+  else if constexpr (std::is_same_v<Value, std::string>)
+    return csv_text(value);
+  else if constexpr (std::is_same_v<Value, std::monostate>)
+    return "";
+  else
+    return fmt::format("{}", value);
 }
 
 template <class Value>
@@ -39,45 +49,20 @@ void add_clock(Columns& columns) {
   columns.push_back(count("particles", [](const SeriesSample& s) { return s.particles; }));
 }
 
-void add_cut(Columns& columns, const std::string& mass_unit) {
-  const auto add = [&](const char* name, const std::string& unit, double CutState::*place) {
-    columns.push_back(
-        column(name, unit, [place](const SeriesSample& sample) { return sample.cut.*place; }));
-  };
-  add("front_depth", "m", &CutState::front_depth);
-  add("fractured_mass", mass_unit, &CutState::fractured_mass);
-  add("fractured_fraction", "1", &CutState::fractured_fraction);
-  add("fractured_width", "m", &CutState::fractured_width);
-  add("kerf_width", "m", &CutState::kerf_width);
-  columns.push_back(count(
-      "pieces", [](const SeriesSample& s) { return static_cast<std::uint64_t>(s.cut.pieces); }));
-  columns.push_back(
-      count("cut_through", [](const SeriesSample& s) { return s.cut.cut_through ? 1u : 0u; }));
-  columns.push_back(column("removed_mass", mass_unit, [](const SeriesSample& s) {
-    return s.ledger.mass_out + s.ledger.mass_erased;
-  }));
-}
-
-void add_ledger(Columns& columns, int dimension) {
-  for (const LedgerTerm& term : ledger_terms()) {
-    const std::string unit = extensive_unit(term.unit, dimension);
-    if (term.scalar != nullptr)
-      columns.push_back(column(term.name, unit, [place = term.scalar](const SeriesSample& s) {
-        return s.ledger.*place;
-      }));
-    for (std::size_t k = 0; term.vector != nullptr && k < 3; ++k)
-      columns.push_back(
-          column(fmt::format("{}_{}", term.name, "xyz"[k]), unit,
-                 [place = term.vector, k](const SeriesSample& s) { return (s.ledger.*place)[k]; }));
+// One column for a number, three for a vector.
+template <class Record>
+void add_metrics(Columns& columns, const MetricList<Record>& metrics, int dimension,
+                 Record SeriesSample::*record) {
+  for (const Metric<Record>& metric : metrics) {
+    const std::string unit = metric.unit.in(dimension);
+    const bool is_vector = metric.kind == MetricKind::numbers;
+    for (std::size_t k = 0; k < (is_vector ? 3 : 1); ++k)
+      columns.push_back({is_vector ? fmt::format("{}_{}", metric.name, "xyz"[k]) : metric.name,
+                         unit, [record, k, read = metric.value](const SeriesSample& sample) {
+                           return std::visit([k](const auto& value) { return text_of(value, k); },
+                                             read(sample.*record));
+                         }});
   }
-  columns.push_back(
-      column("mass_error", "1", [](const SeriesSample& s) { return s.ledger.mass_error(); }));
-  columns.push_back(column("momentum_error", "1",
-                           [](const SeriesSample& s) { return s.ledger.momentum_error(); }));
-  columns.push_back(column("pressure_energy_gap", "1",
-                           [](const SeriesSample& s) { return s.ledger.pressure_energy_gap(); }));
-  columns.push_back(
-      column("energy_drift", "1", [](const SeriesSample& s) { return s.ledger.energy_drift(); }));
 }
 
 void add_probes(Columns& columns, const Case& description) {
@@ -94,8 +79,7 @@ void add_probes(Columns& columns, const Case& description) {
       if (point)
         add(fmt::format("{}_velocity_{}", probe.name, axis), "m/s");
       else
-        add(fmt::format("{}_force_{}", probe.name, axis),
-            extensive_unit("N", description.dimension));
+        add(fmt::format("{}_force_{}", probe.name, axis), extensive("N").in(description.dimension));
     }
   }
 }
@@ -105,8 +89,13 @@ void add_probes(Columns& columns, const Case& description) {
 std::vector<SeriesColumn> series_columns(const Case& description) {
   Columns columns;
   add_clock(columns);
-  add_cut(columns, extensive_unit("kg", description.dimension));
-  add_ledger(columns, description.dimension);
+  const int dimension = description.dimension;
+  add_metrics(columns, CutState::metrics(), dimension, &SeriesSample::cut);
+  columns.push_back(
+      column("removed_mass", extensive("kg").in(dimension),
+             [](const SeriesSample& s) { return s.balance.mass_out + s.balance.mass_erased; }));
+  add_metrics(columns, balance_terms(), dimension, &SeriesSample::balance);
+  add_metrics(columns, balance_errors(), dimension, &SeriesSample::balance);
   add_probes(columns, description);
   return columns;
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fracture/fracture_limits.hpp"
 #include "output/result.hpp"
 
 namespace kerf {
@@ -24,7 +23,8 @@ State good_if(bool good) {
   return good ? State::good : State::warning;
 }
 
-// Where a machine is given, what happens on the way is modelled; the particles fly the last bit.
+// With a machine a model describes the jet in the air; the particles fly the last part of the
+// standoff.
 ValidityFlag standoff_flag(const Machine& machine) {
   const bool whole = machine.standoff <= machine.coherent_length;
   return {"standoff", State::note, machine.standoff, machine.coherent_length,
@@ -48,7 +48,7 @@ const Material* unbreakable_material(const Case& description) {
   for (const Body& body : description.bodies) {
     if (body.role != Role::elastic || body.fixed) continue;
     const Material& material = description.materials.at(static_cast<std::size_t>(body.material));
-    if (!can_break(material)) return &material;
+    if (!material.can_break()) return &material;
   }
   return nullptr;
 }
@@ -94,13 +94,14 @@ ValidityFlag drift_flag(double drift) {
   const double percent = 100.0 * std::abs(drift);
   const bool good = std::abs(drift) <= small_drift;
   return {"energy_drift", good_if(good), drift, small_drift,
-          good ? fmt::format("The energy ledger closes to {:.2g}%.", percent)
-               : fmt::format("The energy ledger is off by {:.2g}%, more than {:g}%: trust trends "
+          good ? fmt::format("The energy balance closes to {:.2g}%.", percent)
+               : fmt::format("The energy balance is off by {:.2g}%, more than {:g}%: trust trends "
                              "only.",
                              percent, 100.0 * small_drift)};
 }
 
-// Of solids by bonds: the fit over the bonds that are left may store more than that over all.
+// For solids with bonds: the gradient over the intact bonds may store more energy than that over
+// all bonds.
 ValidityFlag break_flag(double gain) {
   const bool good = gain <= small_drift;
   return {"energy_from_breaks", good_if(good), gain, small_drift,
@@ -121,7 +122,8 @@ ValidityFlag leak_flag(const Leak& leak) {
                              100.0 * leak.share(), 100.0 * small_leak)};
 }
 
-// Echoes from edges are right for a workpiece of that size, and wrong for a part of a larger one.
+// Reflections from edges are correct for a workpiece of that size, and wrong for a part of a larger
+// one.
 ValidityFlag reflection_flag(const RunOutcome& outcome) {
   const double passed = outcome.time - outcome.cut.contact_time;
   const double returns = outcome.derived.reflection_time;
@@ -139,7 +141,7 @@ void add_of_jet(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   if (outcome.description.jets.empty()) return;
   flags.push_back(resolution_flag(outcome.derived.jet_resolution));
   flags.push_back(mach_flag(outcome.derived));
-  if (outcome.kerf) flags.push_back(leak_flag(outcome.kerf->leak));
+  if (outcome.kerf) flags.push_back(leak_flag(outcome.kerf->of<Leak>()));
   flags.push_back(reflection_flag(outcome));
 }
 
@@ -194,6 +196,19 @@ std::string_view word_of(ValidityFlag::State state) {
   return "warning";
 }
 
+const MetricList<ValidityFlag>& ValidityFlag::metrics() {
+  using F = ValidityFlag;
+  static const MetricList<F> list{
+      {"name", "1", "flag", "Name of the flag.", &F::name},
+      {"state", "1", "state of the flag",
+       "`good` within its limit, `warning` beyond it, `note` for a limit of the model.",
+       [](const F& flag) { return word_of(flag.state); }},
+      {"value", "SI", "value of the flag", "Value that is compared.", &F::value},
+      {"limit", "SI", "limit of the flag", "Limit of the value.", &F::limit},
+      {"sentence", "1", "meaning of the flag", "What the flag says of the run.", &F::sentence}};
+  return list;
+}
+
 std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
   const DerivedNumbers& derived = outcome.derived;
   std::vector<ValidityFlag> flags;
@@ -209,9 +224,9 @@ std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
                      fmt::format("The solid's spacing is {:.3g} times the water's: water can slip "
                                  "between the solid's particles.",
                                  derived.solid_to_water_spacing)});
-  flags.push_back(drift_flag(outcome.ledger.energy_drift()));
-  if (outcome.ledger.dissipated_fracture != 0.0)
-    flags.push_back(break_flag(outcome.ledger.energy_from_breaks()));
+  flags.push_back(drift_flag(outcome.balance.energy_drift()));
+  if (outcome.balance.dissipated_fracture != 0.0)
+    flags.push_back(break_flag(outcome.balance.energy_from_breaks()));
   add_of_models(outcome, flags);
   return flags;
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run can and cannot promise. docs/results.md lists the flags.
+// The validity flags say what a run can and cannot promise. docs/results.md lists them.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "analysis/metric.hpp"
 
 namespace kerf {
 
@@ -18,6 +20,8 @@ struct ValidityFlag {
   State state = State::note;
   std::optional<double> value, limit;  // SI; none where a flag has no number
   std::string sentence;
+
+  static const MetricList<ValidityFlag>& metrics();
 };
 
 std::string_view word_of(ValidityFlag::State state);

@@ -18,7 +18,7 @@ std::string depth_sentence(const RunOutcome& outcome) {
   return fmt::format("The jet does not cut through within {}; its front is {} deep.", end, front);
 }
 
-// Of a nozzle that travels: one hole is no cut.
+// For a nozzle that travels one hole is not a cut.
 std::string way_clause(const RunOutcome& outcome) {
   const auto& travel = outcome.description.jets.front().traverse;
   if (travel == std::array<double, 3>{} || !outcome.kerf) return "";

@@ -37,35 +37,50 @@ void write_cells(const Handle& root, std::int64_t particles) {
   hdf5::write(root, "Types", hdf5::block(types));
 }
 
-void write_field(const Handle& group, const std::string& name, const Block& values,
-                 const std::string& unit) {
-  const Handle dataset = hdf5::write(group, name, values);
+Handle write_field(const Handle& group, const std::string& name, const Block& values,
+                   const std::string& unit) {
+  Handle dataset = hdf5::write(group, name, values);
   hdf5::write_text_attribute(dataset, "unit", unit);
+  return dataset;
+}
+
+// Converts a column: numbers unchanged, velocities in single precision, categories by their codes.
+template <class T>
+const std::vector<T>& stored(const std::vector<T>& values) {
+  return values;
+}
+std::vector<std::array<float, 3>> stored(const std::vector<std::array<double, 3>>& values) {
+  std::vector<std::array<float, 3>> rows(values.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) rows[i][k] = static_cast<float>(values[i][k]);
+  return rows;
+}
+std::vector<std::uint8_t> stored(const std::vector<Category>& values) {
+  std::vector<std::uint8_t> codes(values.size());
+  for (std::size_t i = 0; i < codes.size(); ++i) codes[i] = static_cast<std::uint8_t>(values[i]);
+  return codes;
+}
+template <class T>
+Block block_of(const std::vector<T>& values) {
+  return hdf5::block(values);
+}
+Block block_of(const std::vector<std::array<float, 3>>& values) {
+  return vectors(values);
 }
 
 void write_fields(const Handle& group, const Frame& frame) {
-  std::vector<std::uint8_t> category(frame.category.size());
-  for (std::size_t i = 0; i < category.size(); ++i)
-    category[i] = static_cast<std::uint8_t>(frame.category[i]);
-  std::vector<std::array<float, 3>> velocity(frame.velocity.size());
-  for (std::size_t i = 0; i < velocity.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) velocity[i][k] = static_cast<float>(frame.velocity[i][k]);
-
-  write_field(group, "velocity", vectors(velocity), "m/s");
-  write_field(group, "category", hdf5::block(category), "1");
-  write_field(group, "id", hdf5::block(frame.id), "1");
-  write_field(group, "source", hdf5::block(frame.source), "1");
-  write_field(group, "spacing", hdf5::block(frame.spacing), "m");
-  write_field(group, "mass", hdf5::block(frame.mass), frame.dimension == 2 ? "kg/m" : "kg");
-  write_field(group, "density", hdf5::block(frame.density), "kg/m3");
-  write_field(group, "pressure", hdf5::block(frame.pressure), "Pa");
-  write_field(group, "upstream", hdf5::block(frame.upstream), "1");
+  for_each_column(frame, [&](const char* name, const char* unit, const auto& column) {
+    const auto& values = stored(column);
+    write_field(group, name, block_of(values), unit);
+  });
   for (const Column& column : frame.columns) {
     const auto components = static_cast<std::size_t>(column.components);
     require(column.values.size() == components * frame.position.size(), "a column's length");
-    write_field(group, column.name,
-                {column.values.data(), hdf5::type_of<float>(), frame.position.size(), components},
-                column.unit);
+    const Handle dataset = write_field(
+        group, column.name,
+        {column.values.data(), hdf5::type_of<float>(), frame.position.size(), components},
+        column.unit);
+    if (!column.label.empty()) hdf5::write_text_attribute(dataset, "label", column.label);
   }
 }
 

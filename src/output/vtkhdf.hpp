@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames as VTKHDF files, UnstructuredGrid version 1.0 with one vertex cell per particle, which
-// VTK 9.1 and ParaView 5.11 open as they are. Format: https://docs.vtk.org, "VTKHDF file format".
+// This file writes frames as VTKHDF files, UnstructuredGrid version 1.0 with one vertex cell per
+// particle, which VTK 9.1 and ParaView 5.11 open. Format: https://docs.vtk.org, "VTKHDF file
+// format".
 #pragma once
 
 #include <filesystem>
@@ -11,7 +12,7 @@
 
 namespace kerf {
 
-// The file's content. Equal frames give equal bytes.
+// Returns the content of the file. Equal frames give equal bytes.
 std::string vtkhdf_bytes(const Frame& frame);
 
 // Frames of a run: frames/<name>_NNNNN.vtkhdf and <name>.vtkhdf.series with their times.

@@ -1,74 +1,98 @@
 // SPDX-License-Identifier: Apache-2.0
-// The field table: every per-particle quantity is listed here once. Storage, the view that loops
-// get, reordering, growth and checkpoints all follow from this list.
+// The table of particle fields: each quantity that a particle has is one row here. Storage, the
+// view that loops get, the value of new particles, reordering, checkpoints and the columns of
+// frames follow from the rows.
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
+#include <vector>
 
 #include "core/mirror_planes.hpp"
 #include "core/tensor.hpp"
-#include "exec/exec.hpp"
-#include "particles/flags.hpp"
-#include "particles/medium.hpp"
-#include "particles/touch.hpp"
+#include "model/medium.hpp"
+#include "parallel/loops.hpp"
+#include "particles/new_particle.hpp"
+#include "particles/shown.hpp"
 
 namespace kerf {
 
-// FIELD(type, name): meaning, unit.
-// State: what a checkpoint holds and a reorder moves.
-#define KERF_STATE_FIELDS(FIELD)                                                         \
-  FIELD(Point, position)               /* m */                                           \
-  FIELD(Point, build_position)         /* m, where the neighbour list was built */       \
-  FIELD(RealVector, velocity)          /* m/s */                                         \
-  FIELD(Real, compression)             /* 1, rho / rho_0 - 1 */                          \
-  FIELD(Real, compression_rate)        /* 1/s */                                         \
-  FIELD(RealVector, last_acceleration) /* m/s^2, over the last step */                   \
-  FIELD(RealVector, wall_normal)       /* 1, of a fluid's wall, towards it; 0 = none */  \
-  FIELD(Real, pressure_work)           /* J/kg, done against pressure so far */          \
-  FIELD(Real, inlet_speed)             /* m/s, of jet water while it is in its nozzle */ \
-  FIELD(std::uint32_t, id)             /* unique, never reused */                        \
-  FIELD(std::uint16_t, source)         /* medium, see simulation/levels.hpp */           \
-  FIELD(std::uint8_t, fractured)       /* 1 = carries compression only */                \
-  FIELD(std::uint8_t, flags)
+// STATE(type, name, initial, group, shown) is a field that checkpoints hold and reordering moves;
+// SCRATCH(type, name, group, shown) is one that is filled and used within one step.
+//   type     one of FieldTypes, or a plain integer
+//   initial  its value for a particle that joins the run, from `start` (NewParticle) and `medium`
+//            (Medium<double>)
+//   group    the runs that have the field (FieldGroups); `always` = all of them
+//   shown    hidden, or shown<Value>(column, label, unit): the column of frames
+//   (particles/shown.hpp)
+// The pressure work, J/kg, is what was done against pressure so far.
+// clang-format off
+#define KERF_PARTICLE_FIELDS(STATE, SCRATCH)                                                       \
+  STATE(Point, position, Point::from(start.position), always, hidden) /* m */                      \
+  STATE(Point, build_position, Point::from(start.position), always, hidden) /* m, when listed */   \
+  STATE(RealVector, velocity, RealVector::from(start.velocity), always, hidden) /* m/s */          \
+  STATE(Real, compression, medium.initial_compression, always, hidden) /* 1, rho/rho_0 - 1 */      \
+  STATE(Real, compression_rate, 0, always, hidden)                   /* 1/s */                     \
+  STATE(RealVector, last_acceleration, RealVector(), always, hidden) /* m/s^2, of the last step */ \
+  STATE(RealVector, wall_normal, RealVector(), always, hidden)       /* 1, to a wall; 0 = none */  \
+  STATE(Real, pressure_work, medium.tait.energy(medium, medium.initial_compression), always, hidden)     \
+  STATE(Real, inlet_speed, start.inlet_speed, always, hidden)        /* m/s, inside a nozzle */    \
+  STATE(std::uint32_t, id, start.id, always, hidden)                 /* unique, never reused */    \
+  STATE(std::uint16_t, source, start.source, always, hidden)         /* simulation/levels.hpp */   \
+  STATE(std::uint8_t, fractured, 0, always, hidden) /* 1 = bears compression only */               \
+  STATE(std::uint8_t, flags, start.flags, always, hidden) /* particles/new_particle.hpp */         \
+  STATE(Stress, shear, Stress(), rate_stress,                                                      \
+        shown<AsStored>("deviatoric_stress", "deviatoric stress", "Pa")) /* viscous in water */    \
+  STATE(Real, solid_initial_overlap, 1, contact, hidden) /* 1, kernel sum over solids */           \
+  STATE(Real, rigid_initial_overlap, 1, contact, hidden)             /* 1, over rigid bodies */    \
+  SCRATCH(Point, start_position, always, hidden)                 /* m, at the start of the step */ \
+  SCRATCH(RealVector, start_velocity, always, hidden)            /* m/s */                         \
+  SCRATCH(Real, start_compression, always, hidden)               /* 1 */                           \
+  SCRATCH(Real, pressure, always, hidden)                        /* Pa */                          \
+  SCRATCH(RealVector, next_wall_normal, always, hidden)          /* 1, the next wall_normal */     \
+  SCRATCH(Real, kernel_sum, always, hidden) /* 1, sum of V W; 1 inside matter */                   \
+  SCRATCH(Real, max_relative_velocity, always, hidden)           /* 1/s, of fluid neighbours */    \
+  SCRATCH(RealVector, acceleration, always, hidden)              /* m/s^2 */                       \
+  SCRATCH(RealVector, repulsion, always, hidden)                 /* m/s^2, by rigid bodies */      \
+  SCRATCH(RealVector, pressure_acceleration, always, hidden)     /* m/s^2, by water pressure */    \
+  SCRATCH(RealVector, damping_acceleration, always, hidden) /* m/s^2, by dissipative forces */     \
+  SCRATCH(Real, repulsion_potential, always, hidden)             /* J/kg */                        \
+  SCRATCH(Real, pressure_power, always, hidden)                  /* W/kg, done against pressure */ \
+  SCRATCH(Real, artificial_power, always, hidden)                /* W/kg, by artificial terms */   \
+  SCRATCH(Stress, start_shear, rate_stress, hidden)              /* Pa */                          \
+  SCRATCH(Gradient, velocity_gradient, rate_stress, hidden)      /* 1/s, over the own phase */     \
+  SCRATCH(Spin, spin, rate_stress, hidden) /* 1/s, its skew part, of solids */                     \
+  SCRATCH(Stress, artificial_stress, rate_stress, hidden) /* m^5/(kg s^2), R of Gray et al. */     \
+  SCRATCH(Real, fracture_loss, rate_stress, hidden)              /* J, released by fracture */     \
+  SCRATCH(SurfaceContactState, solid_contact, contact, hidden)   /* with other solids */           \
+  SCRATCH(SurfaceContactState, rigid_contact, contact, hidden)   /* with rigid bodies */           \
+  SCRATCH(RealVector, mirror_acceleration, mirrored, hidden)     /* m/s^2, by mirror images */
+// clang-format on
 
-// Scratch: filled and used within one step.
-#define KERF_SCRATCH_FIELDS(FIELD)                                                   \
-  FIELD(Point, start_position)             /* m, at the start of the step */         \
-  FIELD(RealVector, start_velocity)        /* m/s */                                 \
-  FIELD(Real, start_compression)           /* 1 */                                   \
-  FIELD(Real, pressure)                    /* Pa */                                  \
-  FIELD(RealVector, next_wall_normal)      /* 1, to be the wall_normal */            \
-  FIELD(Real, filling)                     /* 1, sum of V W, 1 inside matter */      \
-  FIELD(Real, stir)                        /* 1/s, how fast fluid neighbours pass */ \
-  FIELD(RealVector, acceleration)          /* m/s^2 */                               \
-  FIELD(RealVector, repulsion)             /* m/s^2, the part due to rigid bodies */ \
-  FIELD(RealVector, pressure_acceleration) /* m/s^2, part by water's pressure */     \
-  FIELD(RealVector, damping_acceleration)  /* m/s^2, the part that dissipates */     \
-  FIELD(Real, repulsion_potential)         /* J/kg */                                \
-  FIELD(Real, pressure_power)              /* W/kg, now done against pressure */     \
-  FIELD(Real, artificial_power)            /* W/kg, artificial viscosity and stress */
-
-// The same of what a run may do without: FIELD(group, type, name).
-#define KERF_GROUPED_STATE_FIELDS(FIELD)                                                \
-  FIELD(rate_stress, Stress, shear) /* Pa, deviatoric (solid) or viscous (water) */     \
-  FIELD(touch, Real, solid_fit)     /* 1, filling by solids at which it touches them */ \
-  FIELD(touch, Real, rigid_fit)     /* 1, by rigid bodies */
-
-#define KERF_GROUPED_SCRATCH_FIELDS(FIELD)                                                    \
-  FIELD(rate_stress, Stress, start_shear)          /* Pa */                                   \
-  FIELD(rate_stress, Gradient, velocity_gradient)  /* 1/s, over the particle's own phase */   \
-  FIELD(rate_stress, Spin, spin)                   /* 1/s, skew part of it, of solid */       \
-  FIELD(rate_stress, Stress, artificial_stress)    /* m^2/s^2 per kg/m^3: R of Gray et al. */ \
-  FIELD(rate_stress, Real, fracture_loss)          /* J, given up by fracture in this step */ \
-  FIELD(touch, SurfaceTouch, solid_touch)          /* how it touches other solids */          \
-  FIELD(touch, SurfaceTouch, rigid_touch)          /* how it touches rigid bodies */          \
-  FIELD(mirrored, RealVector, mirror_acceleration) /* m/s^2, the part due to mirror images */
-
-// Which of them there are.
+// The groups of fields that a run has.
 struct FieldGroups {
+  static constexpr bool always = true;
   bool rate_stress = true;  // stress that follows from its rate (shinohara2004)
-  bool touch = true;        // contact of surfaces of solids (standard)
-  bool mirrored = true;     // planes of symmetry
+  bool contact = true;      // contact of the surfaces of solids (standard)
+  bool mirrored = true;     // symmetry planes
+};
+
+// Contact of a particle of a solid with other bodies (contact/surface_contact.hpp).
+template <int D, class T>
+struct ContactState {
+  T force;              // J, derivative of its energy by the kernel sum phi; 0: no contact
+  T energy;             // J
+  T slope;              // 1/m, |grad phi|
+  Vector<D, T> normal;  // into the other body
+
+  KERF_FUNCTION static ContactState none() { return {T(0), T(0), T(0), Vector<D, T>::zero()}; }
+};
+
+// The row of a field, for visitors of the fields.
+template <bool State>
+struct FieldRow {
+  static constexpr bool is_state = State;
+  const char* name;
 };
 
 template <int D, class P>
@@ -79,10 +103,10 @@ struct FieldTypes {
   using Stress = SymmetricTensor<D, Real>;
   using Gradient = Matrix<D, Real>;
   using Spin = SkewTensor<D, Real>;
-  using SurfaceTouch = Touch<D, Real>;
+  using SurfaceContactState = ContactState<D, Real>;
 };
 
-// What a loop body gets: plain pointers.
+// The view of the particles that loop bodies get: plain pointers.
 template <int D, class P>
 struct ParticleView : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::Real;
@@ -91,15 +115,12 @@ struct ParticleView : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::Stress;
   using typename FieldTypes<D, P>::Gradient;
   using typename FieldTypes<D, P>::Spin;
-  using typename FieldTypes<D, P>::SurfaceTouch;
-#define KERF_FIELD(type, name) type* name;
-#define KERF_GROUPED_FIELD(group, type, name) type* name;  // null without its group
-  KERF_STATE_FIELDS(KERF_FIELD)
-  KERF_SCRATCH_FIELDS(KERF_FIELD)
-  KERF_GROUPED_STATE_FIELDS(KERF_GROUPED_FIELD)
-  KERF_GROUPED_SCRATCH_FIELDS(KERF_GROUPED_FIELD)
-#undef KERF_FIELD
-#undef KERF_GROUPED_FIELD
+  using typename FieldTypes<D, P>::SurfaceContactState;
+#define KERF_STATE(type, name, initial, group, shown) type* name;  // null without its group
+#define KERF_SCRATCH(type, name, group, shown) type* name;
+  KERF_PARTICLE_FIELDS(KERF_STATE, KERF_SCRATCH)
+#undef KERF_STATE
+#undef KERF_SCRATCH
   const Medium<Real>* media;
   MirrorPlanes<D> mirrors;
 
@@ -112,21 +133,21 @@ struct ParticleView : FieldTypes<D, P> {
   KERF_FUNCTION bool has(Index i, std::uint8_t bits) const {
     return (flags[i] & bits) != 0;
   }
-  // It holds on to nothing: water, and solid that broke.
+  // Whether a particle carries no shear: water, and solid that has broken.
   KERF_FUNCTION bool is_fluid(Index i) const {
     return medium(i).phase == Phase::water || fractured[i] != 0;
   }
-  // Its density tells its pressure, or a part of it.
+  // Whether its density determines its pressure, or a part of it.
   KERF_FUNCTION bool has_density(Index i) const {
     return is_fluid(i) || medium(i).excess_bulk_modulus > Real(0);
   }
-  // Its motion is prescribed: a nozzle's or a clamped body's.
+  // Whether its motion is prescribed, by a nozzle or as that of a body.
   KERF_FUNCTION bool is_constrained(Index i) const {
     return medium(i).constrained || has(i, flag::upstream);
   }
 };
 
-// Owns the fields, on the device of the build.
+// The particles of a run: the owner of the fields, on the device of the build.
 template <int D, class P>
 class Particles : FieldTypes<D, P> {
  public:
@@ -136,16 +157,13 @@ class Particles : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::Stress;
   using typename FieldTypes<D, P>::Gradient;
   using typename FieldTypes<D, P>::Spin;
-  using typename FieldTypes<D, P>::SurfaceTouch;
+  using typename FieldTypes<D, P>::SurfaceContactState;
 
-#define KERF_FIELD(type, name) Array<type> name;
-#define KERF_GROUPED_FIELD(group, type, name) Array<type> name;
-  KERF_STATE_FIELDS(KERF_FIELD)
-  KERF_SCRATCH_FIELDS(KERF_FIELD)
-  KERF_GROUPED_STATE_FIELDS(KERF_GROUPED_FIELD)
-  KERF_GROUPED_SCRATCH_FIELDS(KERF_GROUPED_FIELD)
-#undef KERF_FIELD
-#undef KERF_GROUPED_FIELD
+#define KERF_STATE(type, name, initial, group, shown) Array<type> name;
+#define KERF_SCRATCH(type, name, group, shown) Array<type> name;
+  KERF_PARTICLE_FIELDS(KERF_STATE, KERF_SCRATCH)
+#undef KERF_STATE
+#undef KERF_SCRATCH
   FieldGroups groups;  // to be set before there are particles
   Array<Medium<Real>> media;
   MirrorPlanes<D> mirrors{};
@@ -154,49 +172,64 @@ class Particles : FieldTypes<D, P> {
     return static_cast<Index>(id.size());
   }
 
-  void resize(Index count) {
-#define KERF_FIELD(type, name) name.resize(count);
-#define KERF_GROUPED_FIELD(group, type, name) name.resize(groups.group ? count : 0);
-    KERF_STATE_FIELDS(KERF_FIELD)
-    KERF_SCRATCH_FIELDS(KERF_FIELD)
-    KERF_GROUPED_STATE_FIELDS(KERF_GROUPED_FIELD)
-    KERF_GROUPED_SCRATCH_FIELDS(KERF_GROUPED_FIELD)
-#undef KERF_FIELD
-#undef KERF_GROUPED_FIELD
+  // Calls visit(row, array, shown) for every field that the groups of the run have.
+  template <class Visit>
+  void for_each_field(const Visit& visit) {
+    visit_fields(*this, visit);
   }
-
-  // visit(name, array) for every field that a checkpoint holds.
+  template <class Visit>
+  void for_each_field(const Visit& visit) const {
+    visit_fields(*this, visit);
+  }
+  // Calls visit(name, array) for every field that a checkpoint holds.
   template <class Visit>
   void for_each_state(const Visit& visit) {
-#define KERF_FIELD(type, name) visit(#name, name);
-#define KERF_GROUPED_FIELD(group, type, name) \
-  if (groups.group) visit(#name, name);
-    KERF_STATE_FIELDS(KERF_FIELD)
-    KERF_GROUPED_STATE_FIELDS(KERF_GROUPED_FIELD)
-#undef KERF_FIELD
-#undef KERF_GROUPED_FIELD
+    for_each_field([&](const auto& row, auto& field, const auto&) {
+      if constexpr (std::decay_t<decltype(row)>::is_state) visit(row.name, field);
+    });
   }
   template <class Visit>
   void for_each_state(const Visit& visit) const {
-#define KERF_FIELD(type, name) visit(#name, name);
-#define KERF_GROUPED_FIELD(group, type, name) \
-  if (groups.group) visit(#name, name);
-    KERF_STATE_FIELDS(KERF_FIELD)
-    KERF_GROUPED_STATE_FIELDS(KERF_GROUPED_FIELD)
-#undef KERF_FIELD
-#undef KERF_GROUPED_FIELD
+    for_each_field([&](const auto& row, const auto& field, const auto&) {
+      if constexpr (std::decay_t<decltype(row)>::is_state) visit(row.name, field);
+    });
+  }
+
+  void resize(Index count) {
+    for_each_field([&](const auto&, auto& field, const auto&) { field.resize(count); });
+  }
+
+  // Adds particles with the initial values of the table. `of_source`: the media in double
+  // precision.
+  void append(const std::vector<NewParticle>& newcomers,
+              const std::vector<Medium<double>>& of_source) {
+    const Index before = size();
+    resize(before + static_cast<Index>(newcomers.size()));
+    const auto fill = [&](auto& field, const auto& initial_value) {
+      std::vector<typename std::decay_t<decltype(field)>::value_type> values;
+      for (const NewParticle& start : newcomers)
+        values.push_back(initial_value(start, of_source[start.source]));
+      thrust::copy(values.begin(), values.end(), field.begin() + before);
+    };
+#define KERF_STATE(type, name, initial, group, shown)              \
+  if (groups.group)                                                \
+    fill(name, []([[maybe_unused]] const NewParticle& start,       \
+                  [[maybe_unused]] const Medium<double>& medium) { \
+      return static_cast<type>(initial);                           \
+    });
+#define KERF_SCRATCH(type, name, group, shown)
+    KERF_PARTICLE_FIELDS(KERF_STATE, KERF_SCRATCH)
+#undef KERF_STATE
+#undef KERF_SCRATCH
   }
 
   ParticleView<D, P> view() {
     ParticleView<D, P> v;
-#define KERF_FIELD(type, name) v.name = pointer(name);
-#define KERF_GROUPED_FIELD(group, type, name) v.name = groups.group ? pointer(name) : nullptr;
-    KERF_STATE_FIELDS(KERF_FIELD)
-    KERF_SCRATCH_FIELDS(KERF_FIELD)
-    KERF_GROUPED_STATE_FIELDS(KERF_GROUPED_FIELD)
-    KERF_GROUPED_SCRATCH_FIELDS(KERF_GROUPED_FIELD)
-#undef KERF_FIELD
-#undef KERF_GROUPED_FIELD
+#define KERF_STATE(type, name, initial, group, shown) KERF_SCRATCH(type, name, group, shown)
+#define KERF_SCRATCH(type, name, group, shown) v.name = groups.group ? pointer(name) : nullptr;
+    KERF_PARTICLE_FIELDS(KERF_STATE, KERF_SCRATCH)
+#undef KERF_STATE
+#undef KERF_SCRATCH
     v.media = pointer(media);
     v.mirrors = mirrors;
     return v;
@@ -204,15 +237,22 @@ class Particles : FieldTypes<D, P> {
 
   std::size_t bytes_per_particle() const {
     std::size_t bytes = 0;
-#define KERF_FIELD(type, name) bytes += sizeof(type);
-#define KERF_GROUPED_FIELD(group, type, name) bytes += groups.group ? sizeof(type) : 0;
-    KERF_STATE_FIELDS(KERF_FIELD)
-    KERF_SCRATCH_FIELDS(KERF_FIELD)
-    KERF_GROUPED_STATE_FIELDS(KERF_GROUPED_FIELD)
-    KERF_GROUPED_SCRATCH_FIELDS(KERF_GROUPED_FIELD)
-#undef KERF_FIELD
-#undef KERF_GROUPED_FIELD
+    for_each_field([&](const auto&, const auto& field, const auto&) {
+      bytes += sizeof(typename std::decay_t<decltype(field)>::value_type);
+    });
     return bytes;
+  }
+
+ private:
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, const Visit& visit) {
+#define KERF_STATE(type, name, initial, group, shown) \
+  if (self.groups.group) visit(FieldRow<true>{#name}, self.name, shown);
+#define KERF_SCRATCH(type, name, group, shown) \
+  if (self.groups.group) visit(FieldRow<false>{#name}, self.name, shown);
+    KERF_PARTICLE_FIELDS(KERF_STATE, KERF_SCRATCH)
+#undef KERF_STATE
+#undef KERF_SCRATCH
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps, drops and sorts particles: every state field follows one list of indices.
+// This file reorders and removes particles: every state field is gathered by one list of indices.
 #pragma once
 
 #include <type_traits>
@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-// Field k of the new order is field order[k] of the old. Scratch fields are only resized.
+// Particle k of the result is particle order[k]. Scratch fields are only resized.
 template <int D, class P>
 void gather_particles(Particles<D, P>& particles, const Array<Index>& order) {
   particles.for_each_state([&](const char*, auto& field) {
@@ -27,9 +27,9 @@ struct StaysIn {
   }
 };
 
-// Drops the particles marked for removal; the order of the others stays.
+// Removes the particles that are marked for removal; the others keep their order.
 template <int D, class P>
-void remove_leavers(Particles<D, P>& particles) {
+void remove_outflow(Particles<D, P>& particles) {
   Array<Index> order(particles.size());
   const auto last = thrust::copy_if(loop_policy(), thrust::counting_iterator<Index>(0),
                                     thrust::counting_iterator<Index>(particles.size()),
@@ -38,6 +38,7 @@ void remove_leavers(Particles<D, P>& particles) {
   if (order.size() < particles.size()) gather_particles(particles, order);
 }
 
+// Sorts the particles by their keys; those of equal keys keep their order.
 template <int D, class P>
 void sort_particles(Particles<D, P>& particles, Array<Index> key) {
   Array<Index> order(particles.size());

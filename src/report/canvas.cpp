@@ -46,11 +46,6 @@ void Canvas::rectangle(const Rectangle& area) const {
   cairo_stroke(context());
 }
 
-void Canvas::fill_rectangle(const Rectangle& area) const {
-  cairo_rectangle(context(), area.x, area.y, area.width, area.height);
-  cairo_fill(context());
-}
-
 void Canvas::disc(double x, double y, double radius) const {
   cairo_arc(context(), x, y, radius, 0.0, 2.0 * std::numbers::pi);
   cairo_fill(context());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bitmap to draw on, by cairo. Lengths are pixels, y grows downwards.
+// This header wraps a bitmap of cairo, on which pictures of particles are drawn. Lengths are
+// pixels, y grows downwards.
 #pragma once
 
 #include <cairo.h>
@@ -8,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "report/palette.hpp"
+#include "report/drawing.hpp"
 
 namespace kerf {
 
@@ -23,9 +24,6 @@ using CairoSurface = std::unique_ptr<cairo_surface_t, CairoDelete<cairo_surface_
 using CairoContext = std::unique_ptr<cairo_t, CairoDelete<cairo_destroy>>;
 using CairoPattern = std::unique_ptr<cairo_pattern_t, CairoDelete<cairo_pattern_destroy>>;
 
-// Where a text stands relative to its point.
-enum class Anchor { left, middle, right };
-
 struct Rectangle {
   double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
 };
@@ -39,19 +37,18 @@ struct TextStyle {
 
 class Canvas {
  public:
-  // `scale`: pixels of the bitmap per pixel of the drawing.
+  // `scale` is the number of bitmap pixels per pixel of the drawing.
   Canvas(int width, int height, double scale = 1.0);
 
   cairo_t* context() const { return context_.get(); }
   void set_colour(Colour colour) const;
   void line(double x0, double y0, double x1, double y1) const;
   void rectangle(const Rectangle& area) const;  // outline
-  void fill_rectangle(const Rectangle& area) const;
   void disc(double x, double y, double radius) const;
-  // `y` is the base line.
+  // Draws a text; `y` is its base line.
   void text(double x, double y, std::string_view words, const TextStyle& style) const;
   double text_width(std::string_view words, const TextStyle& style) const;
-  // Everything drawn while the clip lives stays inside the area.
+  // While a clip exists, nothing is drawn outside its area.
   class Clip {
    public:
     Clip(const Canvas& canvas, const Rectangle& area);
@@ -63,7 +60,7 @@ class Canvas {
     cairo_t* context_;
   };
 
-  // Throws std::runtime_error when cairo is out of memory.
+  // Returns the bytes of a PNG file. Throws std::runtime_error when cairo is out of memory.
   std::string png() const;
 
  private:

@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "report/base64.hpp"
 #include "report/plot.hpp"
 #include "report/style.hpp"
 #include "report/viewer_files.hpp"
@@ -39,12 +40,13 @@ std::string escape(std::string_view text) {
 
 namespace {
 
-// To that many significant digits: 999.96 with four of them is 1000, which has another prefix.
+// Rounds to significant digits: 999.96 becomes 1000 with four of them, which has another prefix.
 double rounded(double value, int digits) {
   return std::stod(fmt::format("{:.{}e}", value, digits - 1));
 }
 
-// Whether the first symbol of a unit has a power, which a prefix would have too: 1 mm² is 1e-6 m².
+// Returns whether the first symbol of a unit has a power, which would apply to a prefix too:
+// 1 mm² is 1e-6 m².
 bool begins_with_power(const std::string& unit) {
   const auto end = std::find_if(unit.begin(), unit.end(), [](char c) {
     return !(c >= 'a' && c <= 'z') && !(c >= 'A' && c <= 'Z');
@@ -71,8 +73,8 @@ std::string number(double value, int digits) {
 
 std::string quantity(double value, const std::string& unit, int digits) {
   if (!std::isfinite(value)) return "—";
-  const std::string space = "\u202f";  // narrow, and does not break the line
-  // Kilograms have their prefix already, and rounding noise is better shown as a power of ten.
+  const std::string space = "\u202f";  // narrow space without a line break
+  // Kilograms have a prefix already; rounding errors are shown as a power of ten.
   const bool plain = unit.starts_with("kg") || begins_with_power(unit) || std::abs(value) < 1e-9 ||
                      std::abs(value) >= 1e15;
   if (plain) return number(value, digits) + space + unit;
@@ -99,6 +101,14 @@ std::string count(double value) {
   return digits;
 }
 
+std::string base64(std::string_view bytes) {
+  using namespace boost::archive::iterators;
+  using Encode = base64_from_binary<transform_width<const char*, 6, 8>>;
+  std::string text(Encode(bytes.data()), Encode(bytes.data() + bytes.size()));
+  text.append((3 - bytes.size() % 3) % 3, '=');
+  return text;
+}
+
 std::string png_address(std::string_view png) {
   return "data:image/png;base64," + base64(png);
 }
@@ -114,10 +124,8 @@ std::string data_script(const std::string& id, std::string json) {
 }
 
 std::string swatch(Colour colour, bool dashed) {
-  const auto byte = [](double share) { return static_cast<int>(std::lround(255.0 * share)); };
-  return fmt::format("<i class=\"swatch\" style=\"border-top:3px {} #{:02x}{:02x}{:02x}\"></i>",
-                     dashed ? "dotted" : "solid", byte(colour.red), byte(colour.green),
-                     byte(colour.blue));
+  return fmt::format("<i class=\"swatch\" style=\"border-top:3px {} {}\"></i>",
+                     dashed ? "dotted" : "solid", hex(colour));
 }
 
 std::string key_mark(const std::string& key) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small pieces of HTML.
+// This header declares the elements of HTML that reports and studies are composed of.
 #pragma once
 
 #include <string>
@@ -11,48 +11,51 @@
 
 namespace kerf::html {
 
-// Text made safe to stand in a page or in an attribute.
+// Returns the text with the characters replaced that have a meaning in HTML.
 std::string escape(std::string_view text);
 
-// "22.4 ms": the significant digits asked for and a prefix that suits the number; "—" for not a
-// number. Units that begin with a power, as m²/s, get no prefix.
+// Returns "22.4 ms": the number with that many significant digits and a suitable prefix; "—" for
+// not a number. Units that begin with a power, as m²/s, get no prefix.
 std::string quantity(double value, const std::string& unit, int digits = 4);
-// Of water, from m³/s (2D: m²/s).
+// Returns a flow rate of water, given in m³/s (2D: m²/s), in the unit of flow_rate_unit().
 std::string flow_rate(double value, int dimension);
-// 60 000 of it are one SI unit.
+// The unit of flow rates; 60 000 of it are one SI unit.
 constexpr const char* flow_rate_unit(int dimension) {
   return dimension == 2 ? "L/min/m" : "L/min";
 }
-// As plain number, for counts and ratios.
+// Returns a plain number, for ratios.
 std::string number(double value, int digits = 4);
-std::string degrees(double angle);  // "15°", from rad
-std::string percent(double share);  // "4.2 %", of 1
-std::string count(double value);    // 1 234 567
+std::string degrees(double angle);  // "15°", given in rad
+std::string percent(double share);  // "4.2 %", given as a share of 1
+std::string count(double value);    // "1 234 567"
 
-// The image itself as the address of an <img>.
+// Returns bytes as text, RFC 4648.
+std::string base64(std::string_view bytes);
+// Returns the image itself as the address of an <img>.
 std::string png_address(std::string_view png);
 
-// A part of the page that the viewer takes over; until then, and on paper, the fallback stands.
+// Returns a section of the page. The script replaces its content, which is shown without the script
+// and in print.
 std::string section(const std::string& id, const std::string& fallback);
 
-// JSON as a script element of that id: "</" in it, which could end the element, is escaped.
+// Returns JSON as a script element of that id; "</", which could end the element, is escaped.
 std::string data_script(const std::string& id, std::string json);
 
-// The key to a curve.
+// Returns a short line in the colour of a curve, for a legend.
 std::string swatch(Colour colour, bool dashed);
 
 struct Row {
   std::string name;
   std::string value;
   std::string remark;
-  std::string key = {};  // of result.json, where the value is one of its numbers: "kerf.depth"
+  std::string key = {};  // path in result.json if the value is one of its numbers
 };
-// The attribute that names the key.
+// Returns the attribute that names the key.
 std::string key_mark(const std::string& key);
-// Cells are taken as they are (already safe); a remark column appears when any row has one.
+// Returns a table. The cells are HTML; the column of remarks exists if a row has one.
 std::string table(const std::string& caption, const std::vector<Row>& rows);
 
-// A whole page: nothing is loaded from anywhere. `sheet` names the style of what moves in it, of
+// Returns a whole page, which loads nothing. `sheet` names the style sheet of its script in
 // viewer_files.hpp.
 std::string page(const std::string& title, const std::string& body,
                  std::string_view sheet = "style");

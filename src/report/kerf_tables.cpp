@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the report that an operator reads: the kerf, its layers, the machine.
+// This file writes the part of the report on the kerf, its layers and the machine.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "analysis/kerf_shape.hpp"
 #include "report/html.hpp"
-#include "report/json_number.hpp"
 #include "report/kerf_drawing.hpp"
-#include "report/kerf_part.hpp"
-#include "report/report.hpp"
+#include "report/metric_rows.hpp"
+#include "report/report_parts.hpp"
 
 namespace kerf {
 namespace {
@@ -17,50 +18,43 @@ namespace {
 using html::Row;
 using Json = nlohmann::ordered_json;
 
-// `key` is that of the shape in result.json.
-std::string shape_table(const char* caption, const std::string& key, const Json& shape) {
-  std::vector<Row> rows = {
-      {"depth", html::quantity(value_of(shape.at("depth")), "m"), "", key + ".depth"}};
-  for (const auto& [name, level] :
-       {std::pair{"width at the top", "top"}, std::pair{"width in the middle", "middle"},
-        std::pair{"width at the bottom", "bottom"}}) {
-    const Json& place = shape.at(level);
-    rows.push_back({name, html::quantity(value_of(place.at("width")), "m"),
-                    html::quantity(value_of(place.at("below")), "m") + " below the face",
-                    key + "." + level + ".width"});
+// `key` is the path of the shape in result.json.
+std::string shape_table(const Json& result, const char* caption, const std::string& key) {
+  std::vector<Row> rows = {metric_row(result, key + ".depth")};
+  for (const std::string level : {"top", "middle", "bottom"}) {
+    const Json& below = *find_value(result, key + "." + level + ".below");
+    rows.push_back(metric_row(result, key + "." + level + ".width",
+                              html::quantity(value_of(below), "m") + " below the face"));
   }
-  rows.push_back(
-      {"taper of one face", html::degrees(value_of(shape.at("taper"))), "", key + ".taper"});
-  if (shape.at("lag").is_number())
-    rows.push_back(
-        {"lag of the front", html::quantity(value_of(shape.at("lag")), "m"), "", key + ".lag"});
+  rows.push_back(metric_row(result, key + ".taper"));
+  if (find_value(result, key + ".lag")->is_number())
+    rows.push_back(metric_row(result, key + ".lag"));
   return html::table(caption, rows);
 }
 
-// Volumes in mm³ (2D: mm² of the section): the cubic metres of a kerf are all tiny.
-std::string removal_table(const Json& kerf, bool plane) {
-  const double factor = plane ? 1e6 : 1e9;
-  const std::string volume = plane ? "\u202fmm²" : "\u202fmm³";
-  const auto number = [&](const char* key) { return value_of(kerf.at(key)); };
-  std::vector<Row> rows = {
-      {"removed", html::number(factor * number("removed_volume")) + volume,
-       plane ? "of the section" : "", "kerf.removed_volume"},
-      {"rate", html::number(factor * number("removal_rate")) + volume + "/s", "",
-       "kerf.removal_rate"},
-      {"specific energy", html::quantity(number("specific_energy"), "J/m³"), "",
-       "kerf.specific_energy"},
-      {"damaged zone beside the kerf", html::quantity(number("damaged_zone"), "m"), "",
-       "kerf.damaged_zone"},
-      {"margin", html::percent(number("margin")),
-       "of the run after the cut; less than 0: of the thickness left", "kerf.margin"}};
-  const Json& splash = kerf.at("splash");
-  if (splash.at("angle").is_number())
-    rows.push_back({"splash off the face", html::degrees(value_of(splash.at("angle"))),
-                    "± " + html::degrees(value_of(splash.at("spread"))), "kerf.splash.angle"});
-  return html::table("Removal", rows);
+bool is_of_shape(std::string_view name) {
+  const auto& shape = KerfShape::metrics();
+  return std::any_of(shape.begin(), shape.end(),
+                     [name](const MetricText& metric) { return metric.name == name; });
 }
 
-// Of a body beside the jet's way only the share taken away has a meaning.
+// The numbers of all measurements besides the shape.
+std::string removal_table(const Json& result) {
+  constexpr std::string_view prefix = "kerf.";
+  std::vector<Row> rows;
+  for (const ResultMetric& metric : result_metrics()) {
+    const bool is_number = metric.form == ResultMetric::Form::value &&
+                           (metric.kind == MetricKind::number || metric.kind == MetricKind::count);
+    if (!is_number || !metric.name.starts_with(prefix)) continue;
+    if (is_of_shape(std::string_view(metric.name).substr(prefix.size()))) continue;
+    const Json* value = find_value(result, metric.name);
+    if (value != nullptr && value->is_number())
+      rows.push_back(metric_row(result, metric.name, html::escape(metric.meaning)));
+  }
+  return html::table("Removal, damage and splash", rows);
+}
+
+// A body outside the path of the jet has only a removed share.
 Row layer_row(const Json& layer) {
   const double share = value_of(layer.at("removed_volume")) / value_of(layer.at("volume"));
   const double thickness = value_of(layer.at("thickness"));
@@ -85,7 +79,7 @@ std::string layers_table(const Json& layers) {
       rows);
 }
 
-// Below the depth where material is gone.
+// Returns the sentence on the part below the depth to which material is removed.
 std::string parted_sentence(const Json& kerf) {
   const double depth = value_of(kerf.at("depth"));
   if (!(depth > 0.0)) return "It parted without loss of material.";
@@ -104,26 +98,25 @@ std::string figure(const Json& result, const Case& description) {
   if (parted)
     legend += " <span>" + html::swatch(kerf_crack_colour, true) +
               "crack, without loss of material</span>";
-  return "<figure class=\"kerf\">" + drawing +
-         "<figcaption>What was taken away, on the workpiece as laid out. Depths are along the jet, "
-         "widths at right angles to it." +
-         (parted ? " " + parted_sentence(kerf) : "") + "<div class=\"legend\">" + legend +
-         "</div></figcaption></figure>\n";
+  return fmt::format(
+      "<figure class=\"kerf\">{}<figcaption>What was taken away, on the workpiece as laid out. "
+      "Depths "
+      "are along the jet, widths at right angles to it.{}{}<div class=\"legend\">{}</div>"
+      "</figcaption></figure>\n",
+      drawing, parted ? " " : "", parted ? parted_sentence(kerf) : "", legend);
 }
 
 }  // namespace
 
 std::string kerf_part(const Json& result, const Case& description) {
   if (!result.contains("kerf") || description.jets.empty()) return {};
-  const bool plane = description.dimension == 2;
   const Json& kerf = result.at("kerf");
   std::string text = "<h2>Kerf</h2>\n" + figure(result, description);
-  text += "<div class=\"tables\">\n" + shape_table("Taken away, as laid out", "kerf", kerf) +
-          shape_table("Open at the end, dents and bulges too", "opening", result.at("opening")) +
-          removal_table(kerf, plane) + workpiece_table(kerf, description);
+  text += "<div class=\"tables\">\n" + shape_table(result, "Taken away, as laid out", "kerf") +
+          shape_table(result, "Open at the end, dents and bulges too", "opening") +
+          removal_table(result) + workpiece_table(kerf, description);
   if (!kerf.at("layers").empty()) text += layers_table(kerf.at("layers"));
-  if (result.contains("machine"))
-    text += machine_table(result.at("machine"), description.dimension);
+  if (result.contains("machine")) text += machine_table(result);
   return text + "</div>\n";
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/movie.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +16,7 @@ namespace process = boost::process;
 
 namespace {
 
-constexpr double length = 8.0;                   // s, of a movie of a run with many frames
+constexpr double length = 8.0;                   // s, duration of a movie with many frames
 constexpr double slowest = 5.0, fastest = 30.0;  // frames per second
 
 }  // namespace
@@ -37,7 +36,7 @@ fs::path write_movie(const fs::path& folder, const Case& description,
       std::min(fastest, std::max(slowest, static_cast<double>(files.size()) / length));
   const fs::path target = folder / "movie.mp4";
   process::opstream pictures;
-  // H.264 wants even sizes.
+  // H.264 requires even sizes.
   process::child encoder(ffmpeg, "-loglevel", "error", "-y", "-f", "image2pipe", "-framerate",
                          fmt::format("{:.3f}", rate), "-c:v", "png", "-i", "-", "-vf",
                          "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-pix_fmt",

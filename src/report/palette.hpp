@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours. Particles wear those of Shinohara et al. (2004): water green, solid red, fractured blue,
-// plate yellow; their lightness differs as well (light, dark, middle, bright), for readers who do
-// not tell red from green. Curves wear the palette of Okabe & Ito (2008), made for such readers.
+// This header defines the colours of pictures and curves. Particles have those of Shinohara et al.
+// (2004): water green, solid red, fractured blue, plate yellow; their lightness differs as well
+// (light, dark, middle, bright), for readers who do not tell red from green. Curves have the
+// palette of Okabe & Ito (2008), made for such readers.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
-#include <cstddef>
+#include <cmath>
+#include <string>
 
 #include "simulation/frame.hpp"
 
@@ -19,6 +23,13 @@ constexpr Colour rgb(int code) {
   return {((code >> 16) & 255) / 255.0, ((code >> 8) & 255) / 255.0, (code & 255) / 255.0};
 }
 
+// Returns the colour as a page writes it: "#22272e".
+inline std::string hex(Colour colour) {
+  const auto byte = [](double share) { return static_cast<int>(std::lround(255.0 * share)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.red), byte(colour.green),
+                     byte(colour.blue));
+}
+
 namespace palette {
 inline constexpr Colour water = rgb(0x5cc48a);
 inline constexpr Colour water_in_nozzle = rgb(0xb4e2c8);
@@ -29,6 +40,7 @@ inline constexpr Colour ink = rgb(0x22272e);
 inline constexpr Colour faint = rgb(0x8a929c);
 inline constexpr Colour grid = rgb(0xe3e6ea);
 inline constexpr Colour paper = rgb(0xffffff);
+inline constexpr Colour failed = rgb(0x9a3412);
 inline constexpr std::array<Colour, 8> curves = {rgb(0x0072b2), rgb(0xd55e00), rgb(0x009e73),
                                                  rgb(0xcc79a7), rgb(0xe69f00), rgb(0x56b4e9),
                                                  rgb(0x7a6a00), rgb(0x444b54)};

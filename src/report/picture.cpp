@@ -7,16 +7,18 @@
 #include <cmath>
 #include <numeric>
 
-#include "particles/shapes.hpp"
+#include "geometry/shapes.hpp"
+#include "output/files.hpp"
 #include "report/picture_panels.hpp"
 
 namespace kerf {
+
 namespace {
 
-constexpr double margin_share = 0.08;  // of the larger extent, around bodies and jets
-constexpr double panel_width = 1200.0, panel_height = 900.0;  // px, the most a panel may take
+constexpr double margin_share = 0.08;  // margin around bodies and jets over the larger extent
+constexpr double panel_width = 1200.0, panel_height = 900.0;  // px, largest size of a panel
 constexpr double left_space = 84.0, right_space = 28.0, top_space = 64.0, bottom_space = 92.0;
-constexpr double least_width = 620.0;  // px, that heading and legend need
+constexpr double least_width = 620.0;  // px, for heading and legend
 constexpr double gap = 84.0;           // px, between two panels
 
 void include(Box& window, const Point& point, double radius) {
@@ -45,7 +47,7 @@ struct LegendEntry {
   Colour colour;
 };
 
-// The same for every frame of a case.
+// Returns the legend, which is the same for every frame of a case.
 std::vector<LegendEntry> legend_of(const Case& description) {
   const auto any_body = [&](Role role) {
     return std::any_of(description.bodies.begin(), description.bodies.end(),
@@ -54,7 +56,7 @@ std::vector<LegendEntry> legend_of(const Case& description) {
   const bool breaks =
       std::any_of(description.bodies.begin(), description.bodies.end(), [&](const Body& body) {
         return body.role == Role::elastic &&
-               description.materials.at(static_cast<std::size_t>(body.material)).can_fracture();
+               description.materials.at(static_cast<std::size_t>(body.material)).can_break();
       });
   std::vector<LegendEntry> entries;
   if (!description.jets.empty() || any_body(Role::water))
@@ -75,7 +77,7 @@ void draw_legend(const Canvas& canvas, const Case& description, double x, double
   }
 }
 
-// Below the panel, up to `right`: a bar of known length for the eye, ticks serve for measuring.
+// Draws a bar of known length below the panel, which ends at `right`.
 void draw_scale_bar(const Canvas& canvas, const Map& map, double right, double y) {
   const double length = round_interval(map.area.width / map.scale, 7.0);
   const double left = right - length * map.scale;
@@ -116,7 +118,8 @@ std::string draw_flat(const Frame& frame, const Case& description, const Box& wi
   return canvas.png();
 }
 
-// A spacing to either side, so that two layers which drift apart still close the slice.
+// Returns the particles within one spacing of the plane, so that the slice has no gaps between
+// layers.
 std::vector<std::size_t> slice_of(const Frame& frame, double z) {
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < frame.position.size(); ++i)
@@ -124,7 +127,7 @@ std::vector<std::size_t> slice_of(const Frame& frame, double z) {
   return shown;
 }
 
-// Behind a symmetry plane in front there is nothing to cut open: its mirror image is shown.
+// Returns the mirror image, which is shown where a plane of symmetry bounds the domain in front.
 Frame mirrored(Frame frame, double plane) {
   for (auto& place : frame.position) place[2] = 2.0 * plane - place[2];
   return frame;
@@ -188,6 +191,16 @@ std::string draw_picture(const Frame& frame, const Case& description, double sca
   const Box window = picture_window(description);
   return description.dimension == 2 ? draw_flat(frame, description, window, scale)
                                     : draw_solid(frame, description, window, scale);
+}
+
+std::string PictureWriter::file(std::size_t index) const {
+  return fmt::format("pictures/{}_{:02}.png", name_, index);
+}
+
+void PictureWriter::write(const Frame& frame) {
+  make_inner_folder(folder_ / "pictures");
+  write_file(folder_ / file(times_.size()), draw_picture(frame, description_));
+  times_.push_back(frame.time);
 }
 
 }  // namespace kerf

@@ -11,9 +11,9 @@ namespace kerf {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double turn = 28.0 * degree;  // of the eye around the vertical
-constexpr double rise = 24.0 * degree;  // of the eye above the horizontal
-// Discs a little larger than their spacing close the chinks that an oblique lattice shows.
+constexpr double turn = 28.0 * degree;  // rotation of the view about the vertical
+constexpr double rise = 24.0 * degree;  // elevation of the view above the horizontal
+// Discs are drawn larger than the spacing by this factor, which closes gaps of an oblique lattice.
 constexpr double overlap = 1.12;
 
 double dot(const Point& a, const Point& b) {
@@ -25,7 +25,7 @@ Colour mixed(Colour a, Colour b, double share) {
           a.blue + share * (b.blue - a.blue)};
 }
 
-// A ball lit from the upper left, drawn once and stamped for every particle of its kind.
+// Returns a ball lit from the upper left, which is copied for every particle of its kind.
 CairoSurface ball(Colour colour, int size) {
   CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, size, size));
   const CairoContext context(cairo_create(surface.get()));
@@ -83,7 +83,7 @@ Box extent_of(const Box& window, const Sight& sight) {
 void draw_oblique(const Canvas& canvas, const Map& map, const Frame& frame, double cut) {
   const Canvas::Clip clip(canvas, map.area);
   const Sight sight = oblique_sight();
-  std::vector<std::pair<double, std::size_t>> order;  // by distance towards the eye
+  std::vector<std::pair<double, std::size_t>> order;  // ordered by the distance towards the viewer
   for (std::size_t i = 0; i < frame.position.size(); ++i)
     if (frame.position[i][2] <= cut) order.emplace_back(dot(frame.position[i], sight.towards), i);
   std::sort(order.begin(), order.end());

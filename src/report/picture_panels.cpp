@@ -12,7 +12,7 @@ namespace {
 constexpr double label_size = 19.0;  // px
 constexpr double tick_length = 7.0;  // px
 
-// Drawn in this order, so that thin water stays visible on what it wets.
+// Returns the order of drawing, with which a film of water stays visible on a solid.
 int layer_of(Category category) {
   switch (category) {
     case Category::rigid:
@@ -27,24 +27,12 @@ int layer_of(Category category) {
   return 4;
 }
 
-double first_tick(double from, double interval) {
-  return std::ceil(from / interval - 1e-9) * interval;
-}
-
 std::string millimetres(double metres) {
   const double value = std::round(metres * 1e9) / 1e6;
   return fmt::format("{:g}", value == 0.0 ? 0.0 : value);  // no "-0"
 }
 
 }  // namespace
-
-double round_interval(double length, double parts) {
-  const double rough = length / parts;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (rough <= factor * power) return factor * power;
-  return 10.0 * power;
-}
 
 void draw_discs(const Canvas& canvas, const Map& map, const Frame& frame,
                 const std::vector<std::size_t>& shown) {
@@ -67,8 +55,7 @@ void draw_axes(const Canvas& canvas, const Map& map) {
   canvas.rectangle(area);
   const double width = area.width / map.scale, height = area.height / map.scale;
   const double interval = round_interval(std::max(width, height), 8.0);
-  for (double x = first_tick(map.left, interval); x <= map.left + width * (1.0 + 1e-9);
-       x += interval) {
+  for (const double x : round_ticks(map.left, map.left + width, interval)) {
     canvas.set_colour(palette::faint);
     canvas.line(map.x(x), area.y + area.height, map.x(x), area.y + area.height + tick_length);
     canvas.text(map.x(x), area.y + area.height + tick_length + label_size, millimetres(x),
@@ -76,8 +63,7 @@ void draw_axes(const Canvas& canvas, const Map& map) {
   }
   canvas.text(area.x - tick_length - 5.0, area.y - 8.0, "mm",
               {label_size, palette::faint, Anchor::right});
-  for (double y = first_tick(map.bottom, interval); y <= map.bottom + height * (1.0 + 1e-9);
-       y += interval) {
+  for (const double y : round_ticks(map.bottom, map.bottom + height, interval)) {
     canvas.set_colour(palette::faint);
     canvas.line(area.x - tick_length, map.y(y), area.x, map.y(y));
     canvas.text(area.x - tick_length - 5.0, map.y(y) + 0.36 * label_size, millimetres(y),

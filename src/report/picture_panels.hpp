@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panels that pictures are put together from.
+// This header declares the panels of a picture: a flat map with axes and an oblique view.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-// A flat map of the (x, y) plane onto an area of the canvas, the same scale both ways.
+// Maps the (x, y) plane onto an area of the canvas, with the same scale in both directions.
 struct Map {
   Rectangle area;       // px
   double scale = 1.0;   // px/m
@@ -20,24 +20,21 @@ struct Map {
   double y(double metres) const { return area.y + area.height - (metres - bottom) * scale; }
 };
 
-// A distance of 1, 2 or 5 times a power of ten that divides `length` into about `parts`.
-double round_interval(double length, double parts);
-
-// Particles as plain discs: rigid, solid, fractured, water, in that order.
+// Draws particles as plain discs in the order rigid, solid, fractured, water.
 void draw_discs(const Canvas& canvas, const Map& map, const Frame& frame,
                 const std::vector<std::size_t>& shown);
-// A frame with ticks in mm on its left and lower side.
+// Draws a frame with ticks in mm on its left and lower side.
 void draw_axes(const Canvas& canvas, const Map& map);
 
-// A direction of sight, for the oblique view. Lengths in m, sight is a unit vector to the eye.
+// The unit vectors of an oblique view; `towards` points to the viewer.
 struct Sight {
   Point right{}, up{}, towards{};
 };
 Sight oblique_sight();
-// Extent of a box seen from there, as (right, up).
+// Returns the extent of a box in the coordinates (right, up) of the view.
 Box extent_of(const Box& window, const Sight& sight);
 
-// Particles not in front of z = `cut`, from the farthest to the nearest, as shaded discs.
+// Draws the particles that are not in front of z = `cut` as shaded discs, the farthest first.
 void draw_oblique(const Canvas& canvas, const Map& map, const Frame& frame, double cut);
 
 }  // namespace kerf

@@ -1,148 +1,136 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/plot.hpp"
 
-#include <plplot/plplot.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
-#include <memory>
-#include <stdexcept>
+
+#include "report/drawing.hpp"
+#include "report/html.hpp"
 
 namespace kerf {
 namespace {
 
-constexpr int width = 600, height = 330;                                // px at scale 1
-constexpr double left = 0.12, right = 0.975, low = 0.17, high = 0.965;  // of the page
-constexpr int ink = 1, grid = 2, first_curve = 3;  // places in PLplot's colour map
+constexpr double width = 600.0, height = 330.0;                           // px
+constexpr double left = 72.0, right = 585.0, top = 12.0, bottom = 274.0;  // of the axes in it
+constexpr double margin = 0.06;  // of a range, that stays free beyond curves and points
 
-PLINT byte(double share) {
-  return static_cast<PLINT>(std::lround(255.0 * share));
-}
-
-void set_colour(PLINT place, Colour colour) {
-  plscol0(place, byte(colour.red), byte(colour.green), byte(colour.blue));
-}
-
+// An interval of numbers that grows with what it includes.
 struct Range {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
-  void include(const std::vector<double>& values) {
-    for (const double value : values) {
-      if (!std::isfinite(value)) continue;
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
+  void include(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
   }
-  double largest() const { return std::max(std::abs(low), std::abs(high)); }
-  // Never empty; curves from zero start at zero, and nothing touches the upper edge.
-  void make_room() {
-    if (!(low <= high)) *this = {0.0, 1.0};
-    if (low > 0.0 && low < 0.5 * high) low = 0.0;
-    if (high < 0.0 && high > 0.5 * low) high = 0.0;
-    const double span = high > low ? high - low : std::max(1.0, std::abs(high));
-    if (high != 0.0 || low == 0.0) high += 0.06 * span;
-    if (low < 0.0) low -= 0.06 * span;
+  bool is_empty() const { return !(low <= high); }
+  double span() const { return high > low ? high - low : std::max(1.0, std::abs(high)); }
+};
+
+// One axis: the numbers it covers and where they lie in the drawing.
+struct Scale {
+  Range range;          // in the unit that is shown
+  double factor = 1.0;  // from SI to that unit
+  std::string title;
+  double first, last;  // px, of the ends of the range
+
+  double at(double value) const {
+    return first + (last - first) * (factor * value - range.low) / (range.high - range.low);
   }
 };
 
-std::vector<double> scaled(std::vector<double> values, double factor) {
-  for (double& value : values) value *= factor;
-  return values;
+// Chooses the prefix of the unit; `range` holds the values in SI units.
+Scale scale_of(const PlotAxis& axis, Range range, double first, double last) {
+  const bool is_plain = axis.unit == "1" || range.is_empty();
+  const Prefix prefix =
+      is_plain ? Prefix{} : prefix_for(std::max(std::abs(range.low), std::abs(range.high)));
+  if (!range.is_empty()) range = {range.low * prefix.factor, range.high * prefix.factor};
+  const std::string title =
+      axis.unit == "1" ? axis.name : axis.name + " / " + prefix.symbol + axis.unit;
+  return {range, prefix.factor, title, first, last};
 }
 
-std::string axis_title(const PlotAxis& axis, const Prefix& prefix) {
-  if (axis.unit == "1") return axis.name;
-  return axis.name + " / " + prefix.symbol + axis.unit;
+// The x axis of curves begins at zero and ends with them.
+void fit_to_time(Range& range) {
+  if (range.is_empty()) range = {0.0, 1.0};
+  range.low = std::min(0.0, range.low);
+  if (!(range.high > range.low)) range.high = range.low + 1.0;
 }
 
-void draw_line(const std::vector<double>& x, const std::vector<double>& y) {
-  for (std::size_t begin = 0; begin < x.size();) {
-    std::size_t end = begin;
-    while (end < x.size() && std::isfinite(y[end])) ++end;
-    if (end > begin) plline(static_cast<PLINT>(end - begin), x.data() + begin, y.data() + begin);
-    begin = end + 1;
-  }
+// Curves that begin near zero begin at zero, and none touches the upper edge.
+void fit_to_curves(Range& range) {
+  if (range.is_empty()) range = {0.0, 1.0};
+  if (range.low > 0.0 && range.low < 0.5 * range.high) range.low = 0.0;
+  if (range.high < 0.0 && range.high > 0.5 * range.low) range.high = 0.0;
+  const double span = range.span();
+  if (range.high != 0.0 || range.low == 0.0) range.high += margin * span;
+  if (range.low < 0.0) range.low -= margin * span;
 }
 
-void draw_curves(const Plot& plot, const std::vector<double>& x,
-                 const std::vector<std::vector<double>>& y) {
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    plcol0(first_curve + static_cast<PLINT>(i));
-    plwidth(2.2);
-    pllsty(plot.curves[i].stroke == Stroke::dashed ? 2 : 1);
-    draw_line(x, y[i]);
-  }
-  pllsty(1);
+void fit_to_points(Range& range) {
+  const double span = range.span();
+  range = {range.low - margin * span, range.high + margin * span};
 }
 
-void draw_page(const Plot& plot) {
-  Range x_range, y_range;
-  x_range.include(plot.x);
-  const double x_size = x_range.low <= x_range.high ? x_range.largest() : 1.0;
-  std::vector<std::vector<double>> y;
-  for (const Curve& curve : plot.curves) {
-    y.push_back(curve.y);
-    y_range.include(curve.y);
-  }
-  const Prefix x_prefix = prefix_for(x_size);
-  const Prefix y_prefix = plot.y_axis.unit == "1" || !(y_range.low <= y_range.high)
-                              ? Prefix{}
-                              : prefix_for(y_range.largest());
-  const std::vector<double> x = scaled(plot.x, x_prefix.factor);
-  for (auto& values : y) values = scaled(values, y_prefix.factor);
-  y_range.low *= y_prefix.factor;
-  y_range.high *= y_prefix.factor;
-  y_range.make_room();
-
-  pladv(0);
-  plvpor(left, right, low, high);
-  const double x_end = x_size * x_prefix.factor;
-  plwind(std::min(0.0, x_range.low * x_prefix.factor), x_end > 0.0 ? x_end : 1.0, y_range.low,
-         y_range.high);
-  plwidth(1.0);
-  plcol0(grid);
-  plbox("g", 0.0, 0, "g", 0.0, 0);
-  plcol0(ink);
-  plwidth(1.0);
-  plbox("bnst", 0.0, 0, "bnstvf", 0.0, 0);
-  plmtex("b", 2.9, 0.5, 0.5, axis_title(plot.x_axis, x_prefix).c_str());
-  plmtex("l", 4.3, 0.5, 0.5, axis_title(plot.y_axis, y_prefix).c_str());
-  if (plot.mark >= 0.0) {
-    pllsty(2);
-    pljoin(plot.mark * x_prefix.factor, y_range.low, plot.mark * x_prefix.factor, y_range.high);
-    pllsty(1);
-  }
-  draw_curves(plot, x, y);
-}
-
-// PLplot writes whole documents and reuses ids; a page with several figures needs elements whose
-// ids are their own.
-std::string element_of(std::string document, const std::string& name) {
-  const std::size_t start = document.find("<svg");
-  if (start == std::string::npos) throw std::runtime_error("PLplot drew nothing");
-  document.erase(0, start);
-  const auto replace_all = [&document](const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = document.find(from, at)) != std::string::npos; at += to.size())
-      document.replace(at, from.size(), to);
+// Draws the grid, the numbers along both axes, their titles and the frame.
+void draw_axes(Drawing& drawing, const Scale& x, const Scale& y) {
+  const std::string faint = stroke(palette::grid, 1.0);
+  const auto number = [](double value) { return fmt::format("{:g}", value); };
+  const auto ticks = [](const Scale& scale, double parts) {
+    const double interval = round_interval(scale.range.high - scale.range.low, parts);
+    return round_ticks(scale.range.low, scale.range.high, interval);
   };
-  replace_all("text-clipping", name + "-clip");
-  const auto replace_once = [&document](const std::string& from, const std::string& to) {
-    const std::size_t at = document.find(from);
-    if (at != std::string::npos) document.replace(at, from.size(), to);
-  };
-  replace_once("width=\"" + std::to_string(width) + "pt\"", "role=\"img\"");
-  replace_once("height=\"" + std::to_string(height) + "pt\"", "");
-  return document;
+  for (const double tick : ticks(x, 7.0)) {
+    const double at = x.at(tick / x.factor);
+    drawing.line(at, top, at, bottom, faint);
+    drawing.text(at, bottom + 18.0, number(tick), Anchor::middle);
+  }
+  for (const double tick : ticks(y, 5.0)) {
+    const double at = y.at(tick / y.factor);
+    drawing.line(left, at, right, at, faint);
+    drawing.text(left - 7.0, at + 5.0, number(tick), Anchor::right);
+  }
+  drawing.add(fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" {}/>",
+                          left, top, right - left, bottom - top, stroke(palette::ink, 1.0)));
+  const double middle = 0.5 * (top + bottom);
+  drawing.text(0.5 * (left + right), bottom + 42.0, html::escape(x.title), Anchor::middle);
+  drawing.text(16.0, middle, html::escape(y.title), Anchor::middle,
+               fmt::format("transform=\"rotate(-90 16 {})\"", middle));
 }
 
-struct FreeMemory {
-  void operator()(char* memory) const { std::free(memory); }
-};
+void draw_curve(Drawing& drawing, const std::vector<double>& times, const Curve& curve,
+                const Scale& x, const Scale& y) {
+  std::string commands;
+  bool is_begun = false;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const bool is_finite = std::isfinite(curve.y[i]);
+    if (is_finite)
+      commands +=
+          fmt::format("{}{:.1f} {:.1f}", is_begun ? "L" : "M", x.at(times[i]), y.at(curve.y[i]));
+    is_begun = is_finite;
+  }
+  if (commands.empty()) return;
+  const char* dashes = curve.stroke == Stroke::dashed ? "6 4" : "";
+  drawing.path(commands, stroke(curve.colour, 2.0, dashes) + " stroke-linejoin=\"round\"");
+}
+
+void draw_point(Drawing& drawing, const PlotPoint& point, double x, double y) {
+  constexpr double radius = 7.0;
+  std::string shape =
+      fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\" {}/>", x, y, radius,
+                  hex(point.mark == Mark::filled ? palette::ink : palette::paper),
+                  stroke(palette::ink, 2.0, point.mark == Mark::dotted ? "2 2" : ""));
+  if (point.mark == Mark::crossed)
+    shape = fmt::format("<path d=\"M{:.1f} {:.1f}l12 12m0 -12l-12 12\" {}/>", x - 6.0, y - 6.0,
+                        stroke(palette::failed, 3.0));
+  shape += fmt::format("<title>{}</title>", html::escape(point.title));
+  drawing.add(point.link.empty()
+                  ? fmt::format("<g>{}</g>", shape)
+                  : fmt::format("<a href=\"{}\">{}</a>", html::escape(point.link), shape));
+}
 
 }  // namespace
 
@@ -162,29 +150,29 @@ Prefix prefix_for(double largest) {
   return *best;
 }
 
-std::string draw_plot(const Plot& plot, const std::string& name) {
-  char* memory = nullptr;
-  std::size_t size = 0;
-  std::FILE* stream = open_memstream(&memory, &size);
-  if (stream == nullptr) throw std::runtime_error("out of memory for a plot");
-  plsdev("svg");
-  plsfile(stream);
-  plspage(0.0, 0.0, width, height, 0, 0);
-  plscolbg(255, 255, 255);
-  plscmap0n(first_curve + static_cast<PLINT>(plot.curves.size()) + 1);
-  set_colour(ink, palette::ink);
-  set_colour(grid, palette::grid);
-  for (std::size_t i = 0; i < plot.curves.size(); ++i)
-    set_colour(first_curve + static_cast<PLINT>(i), plot.curves[i].colour);
-  plinit();
-  plsfont(PL_FCI_SANS, PL_FCI_UPRIGHT, PL_FCI_MEDIUM);
-  plschr(3.7, 1.0);
-  plsmaj(2.0, 1.0);
-  plsmin(1.0, 1.0);
-  draw_page(plot);
-  plend();  // closes the stream
-  const std::unique_ptr<char, FreeMemory> owner(memory);
-  return element_of({memory, size}, name);
+std::string draw_plot(const Plot& plot) {
+  Range x_values, y_values;
+  for (const double value : plot.x) x_values.include(value);
+  for (const Curve& curve : plot.curves)
+    for (const double value : curve.y) y_values.include(value);
+  for (const PlotPoint& point : plot.points) {
+    x_values.include(point.x);
+    y_values.include(point.y);
+  }
+  Scale x = scale_of(plot.x_axis, x_values, left, right);
+  Scale y = scale_of(plot.y_axis, y_values, bottom, top);
+  const bool has_points = !plot.points.empty();
+  (has_points ? fit_to_points : fit_to_time)(x.range);
+  (has_points ? fit_to_points : fit_to_curves)(y.range);
+
+  Drawing drawing(width, height, html::escape(y.title + " over " + x.title));
+  draw_axes(drawing, x, y);
+  if (plot.mark >= 0.0)
+    drawing.line(x.at(plot.mark), top, x.at(plot.mark), bottom, stroke(palette::ink, 1.0, "6 4"));
+  for (const Curve& curve : plot.curves) draw_curve(drawing, plot.x, curve, x, y);
+  for (const PlotPoint& point : plot.points)
+    draw_point(drawing, point, x.at(point.x), y.at(point.y));
+  return drawing.svg();
 }
 
 }  // namespace kerf

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves over time as SVG elements for the report, drawn by PLplot.
+// This header declares the drawer of plots: curves of a report and points of a study, as <svg>
+// elements.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@ namespace kerf {
 
 enum class Stroke { full, dashed };
 
-// Points that are not numbers break the line.
+// A line; values that are not finite break it.
 struct Curve {
   std::string label;
   std::vector<double> y;
@@ -19,21 +20,31 @@ struct Curve {
   Stroke stroke = Stroke::full;
 };
 
-// A quantity and the SI unit it is given in; the plot picks a prefix.
+enum class Mark { filled, hollow, dotted, crossed };
+
+// A point with a symbol of its own.
+struct PlotPoint {
+  double x = 0.0, y = 0.0;
+  Mark mark = Mark::filled;
+  std::string title = {};  // shown under the pointer
+  std::string link = {};   // the address that it leads to; "" = none
+};
+
 struct PlotAxis {
   std::string name;
-  std::string unit;  // "1" = a plain number
+  std::string unit;  // SI, which gets a prefix; "1" = numbers are shown as they are
 };
 
 struct Plot {
   PlotAxis x_axis, y_axis;
-  std::vector<double> x;
-  std::vector<Curve> curves;
-  double mark = -1.0;  // a vertical line at this x where it is not negative
+  std::vector<double> x = {};  // of the curves
+  std::vector<Curve> curves = {};
+  std::vector<PlotPoint> points = {};
+  double mark = -1.0;  // x of a vertical line; negative = none
 };
 
-// An <svg> element that scales with its container; `name` makes its inner ids unique on a page.
-std::string draw_plot(const Plot& plot, const std::string& name);
+// Returns an <svg> element that scales with its container.
+std::string draw_plot(const Plot& plot);
 
 // A factor and prefix that bring numbers of this size between 1 and 1000: 1e-3 -> {1e3, "m"}.
 struct Prefix {

@@ -9,9 +9,9 @@
 #include "core/error.hpp"
 #include "output/files.hpp"
 #include "report/html.hpp"
-#include "report/json_number.hpp"
-#include "report/kerf_part.hpp"
+#include "report/metric_rows.hpp"
 #include "report/report_figures.hpp"
+#include "report/report_parts.hpp"
 #include "report/viewer_data.hpp"
 #include "report/viewer_files.hpp"
 
@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_points = 1000;  // of a curve
 constexpr std::size_t most_picture_bytes = 6'000'000;
 constexpr std::size_t least_scene_bytes = 1'000'000;
-constexpr std::size_t page_reserve = 500'000;  // bytes of the page that are not counted
+constexpr std::size_t page_reserve = 500'000;  // bytes, for the rest of the page
 
 std::string heading(const Json& result) {
   return fmt::format(
@@ -37,7 +37,7 @@ std::string heading(const Json& result) {
       result.at("version").get<std::string>());
 }
 
-// The sign says the same as the colour.
+// The sign has the same meaning as the colour.
 std::string verdict(const Json& result, bool has_jet) {
   const bool through = result.at("cut_through").get<bool>();
   const char* kind = !has_jet ? "none" : through ? "yes" : "no";
@@ -51,57 +51,45 @@ double value_of(const Json& result, const char* key) {
 }
 
 struct Figure {
-  const char* name;
-  const char* key;  // of result.json
-  std::string value;
+  const char* key;  // path in result.json
   std::string note = {};
 };
 
 void add_cut(std::vector<Figure>& figures, const Json& result) {
-  const auto metres = [](const Json& value) {
-    return html::quantity(kerf::value_of(value), "m", 3);
-  };
-  figures.push_back({"cut through after", "cut_through_time",
-                     html::quantity(value_of(result, "cut_through_time"), "s", 3)});
-  figures.push_back({"speed of the water front", "front_speed",
-                     html::number(value_of(result, "front_speed"), 3) + "\u202fm/s"});
-  figures.push_back({"depth of the water front", "front_depth", metres(result.at("front_depth")),
-                     "where the water is, in dents too"});
+  figures.push_back({"cut_through_time"});
+  figures.push_back({"front_speed"});
+  figures.push_back({"front_depth", "where the water is, in dents too"});
   if (result.contains("kerf")) {
-    const Json& kerf = result.at("kerf");
-    figures.push_back({"depth of the cut", "kerf.depth", metres(kerf.at("depth")),
-                       is_parted(result)
+    figures.push_back(
+        {"kerf.depth", is_parted(result)
                            ? "where material is gone; below it parted without loss of material"
                            : "where material is gone"});
-    figures.push_back({"width of the cut", "kerf.middle.width",
-                       metres(kerf.at("middle").at("width")),
-                       "where material is gone, at half its depth"});
+    figures.push_back({"kerf.middle.width", "where material is gone, at half its depth"});
   }
-  figures.push_back({"opening at the end", "kerf_width", metres(result.at("kerf_width")),
-                     "at half the depth of the water front, what was pushed aside too"});
-  figures.push_back({"solid fractured", "fractured_fraction",
-                     html::percent(value_of(result, "fractured_fraction"))});
-  figures.push_back({"regime", "regime", html::escape(result.at("regime").get<std::string>())});
+  figures.push_back(
+      {"kerf_width",
+       "at the end, at half the depth of the water front, what was pushed aside too"});
+  figures.push_back({"fractured_fraction"});
+  figures.push_back({"regime"});
 }
 
 std::string key_figures(const Json& result, bool has_jet) {
   std::vector<Figure> figures;
   if (has_jet) add_cut(figures, result);
-  figures.push_back(
-      {"energy unaccounted for", "energy_drift", html::percent(value_of(result, "energy_drift"))});
-  figures.push_back(
-      {"computing time", "wall_time", html::quantity(value_of(result, "wall_time"), "s", 3)});
+  figures.push_back({"energy_drift"});
+  figures.push_back({"wall_time"});
   std::string text = "<dl class=\"figures\">\n";
   for (const Figure& figure : figures) {
-    text += fmt::format("<div><dt>{}</dt><dd{}>{}</dd>", figure.name, html::key_mark(figure.key),
-                        figure.value);
+    const ResultMetric& metric = *find_result_metric(figure.key);
+    text += fmt::format("<div><dt>{}</dt><dd{}>{}</dd>", label_html(metric.label),
+                        html::key_mark(figure.key), value_html(result, metric, 3));
     if (!figure.note.empty()) text += fmt::format("<dd class=\"note\">{}</dd>", figure.note);
     text += "</div>\n";
   }
   return text + "</dl>\n";
 }
 
-// The sign says the same as the colour.
+// The sign has the same meaning as the colour.
 std::string validity(const Json& result) {
   std::string text = "<h3>What this run can and cannot promise</h3>\n<ul class=\"validity\">\n";
   for (const Json& flag : result.at("validity")) {
@@ -117,7 +105,7 @@ constexpr const char* no_viewer =
     "<p class=\"remark\">This Kerf was built without the viewer: pictures instead of the moving "
     "scene; see docs/development.md, \"Build\", and <code>kerf report OUT --movie</code>.</p>\n";
 
-// Evenly spread, and no more than fit in `budget` bytes.
+// Returns evenly spaced pictures, at most `budget` bytes.
 std::string pictures(const Json& result, const fs::path& folder, std::size_t budget) {
   const Json& list = result.at("pictures");
   if (list.empty()) return "";
@@ -131,7 +119,7 @@ std::string pictures(const Json& result, const fs::path& folder, std::size_t bud
   }
   const std::size_t last = list.size() - 1, most = std::max<std::size_t>(2, budget / largest);
   const std::size_t stride = std::max<std::size_t>(1, (last + most - 2) / (most - 1));
-  // A picture of a 3D case holds two panels and wants the whole width.
+  // A picture of a 3D case has two panels and takes the whole width.
   const bool wide = result.at("dimension").get<int>() == 3;
   std::string text = fmt::format("<div class=\"pictures{}\">\n", wide ? " wide" : "");
   const auto add = [&](const Json& picture) {
@@ -150,7 +138,7 @@ std::string pictures(const Json& result, const fs::path& folder, std::size_t bud
   return html::section("kerf-viewer", text);
 }
 
-// As it was run, folded; opened to be printed.
+// Returns the case as it was run, in a folded element that opens for printing.
 std::string used_case(const fs::path& folder) {
   return fmt::format(
       "<h2>The case</h2>\n<details class=\"case\"><summary>What was run, with all defaults: "
@@ -169,7 +157,7 @@ Json read_result(const fs::path& path) {
   return Json::parse(read_file(path));
 }
 
-// What a page is made of: the moving scene comes between the two parts of its body.
+// The parts of a page; the moving scene stands between `above` and `below`.
 struct Parts {
   std::string above, below;
   Json curves;
@@ -204,7 +192,7 @@ Parts parts_of(const fs::path& folder, const Case& description) {
   return parts;
 }
 
-// What a damaged result makes of `make`.
+// Turns the error of a damaged result into a UserError.
 template <class Make>
 auto or_refused(const fs::path& folder, Make make) {
   try {
@@ -217,7 +205,7 @@ auto or_refused(const fs::path& folder, Make make) {
   }
 }
 
-// Of what the scene leaves out.
+// Returns a remark on particles and frames that the scene leaves out.
 std::string scene_remark(const ViewerPacker& packer, std::size_t frames) {
   std::string left_out;
   if (packer.share() < 1.0)

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curves of a report: which there are, and of what.
+// This header declares the figures of a report: their curves and how they are drawn.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "case/case.hpp"
+#include "model/case.hpp"
 #include "output/series.hpp"
 #include "report/plot.hpp"
 
 namespace kerf {
 
-// Curves over the times of the series, in SI units.
+// A figure with curves over the times of the series, in SI units.
 struct ReportFigure {
   std::string title;
   PlotAxis axis;
@@ -19,10 +19,10 @@ struct ReportFigure {
 };
 
 std::vector<ReportFigure> report_figures(const SeriesTable& series, const Case& description);
-// At most so many points (2 or more): of every piece of the curves the least and the greatest value
-// stay, so no peak is lost.
+// Reduces the curves to at most `most` points (2 or more). The least and the greatest value of
+// every interval are kept, so no peak is lost.
 void thin_figures(std::vector<ReportFigure>& figures, std::vector<double>& time, std::size_t most);
-// Drawn; `cut_time` marks the cut where it is not negative.
+// Draws the figures; `cut_time` marks the time of cut-through if it is not negative.
 std::string report_plots(const std::vector<ReportFigure>& figures, const std::vector<double>& time,
                          double cut_time);
 

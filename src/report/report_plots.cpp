@@ -4,15 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "output/ledger_table.hpp"
+#include "output/balance_metrics.hpp"
 #include "report/html.hpp"
 #include "report/report_figures.hpp"
 
 namespace kerf {
+
 namespace {
 
-// Collects the figures of one report, which share their time axis.
+// Collects the figures of one report, which have the same time axis.
 class Figures {
  public:
   Figures(const SeriesTable& series, const Case& description)
@@ -34,13 +36,14 @@ class Figures {
     figures_.push_back({title, axis, std::move(curves)});
   }
 
-  // One colour per limit: the piece of the line up to a row wears the limit of that row.
+  // Draws the time step with one colour for each limit: the line up to a row has the colour of the
+  // limit of that row.
   void add_time_step() {
     const std::vector<double> dt = series_.numbers("dt");
     const std::vector<std::string>& limits = series_.texts("limit");
     std::vector<Curve> curves;
     for (std::size_t i = 1; i < dt.size(); ++i) {
-      // The last step is only what was left of the run.
+      // The last step is shortened to the end of the run.
       if (limits[i] == "end of run") continue;
       auto curve = std::find_if(curves.begin(), curves.end(),
                                 [&](const Curve& known) { return known.label == limits[i]; });
@@ -49,7 +52,7 @@ class Figures {
         curves.push_back({limits[i], nothing, colour(curves.size()), Stroke::full});
         curve = curves.end() - 1;
       }
-      // No step comes before the first row, so its dt says nothing.
+      // No step precedes the first row, so its dt has no meaning.
       if (i > 1) curve->y[i - 1] = dt[i - 1];
       curve->y[i] = dt[i];
     }
@@ -58,7 +61,7 @@ class Figures {
 
   std::vector<ReportFigure> result() && { return std::move(figures_); }
   std::string unit(const char* extensive) const {
-    return extensive_unit(extensive, description_.dimension);
+    return MetricUnit(extensive, true).in(description_.dimension);
   }
   bool moves(const std::string& column) const {
     const std::vector<double> values = series_.numbers(column);
@@ -69,7 +72,7 @@ class Figures {
   static Colour colour(std::size_t index) {
     return palette::curves[index % palette::curves.size()];
   }
-  // Every other line is dashed, so that neighbours differ without their colours as well.
+  // Every other line is dashed, so that neighbours differ without colours too.
   static Stroke stroke(std::size_t index) { return index % 2 == 1 ? Stroke::dashed : Stroke::full; }
 
   const SeriesTable& series_;
@@ -106,7 +109,7 @@ void add_energy(Figures& figures) {
       {"dissipated_fracture", "lost to fracture"},
       {"dissipated_plastic", "lost to plastic flow"}};
   figures.add("Energy by kind", {"energy", figures.unit("J")}, kinds);
-  figures.add("What the ledgers miss", {"error in %", "1"},
+  figures.add("Errors of the balances", {"error in %", "1"},
               {{"energy_drift", "energy", 100.0},
                {"momentum_error", "momentum", 100.0},
                {"mass_error", "mass", 100.0}});
@@ -125,7 +128,7 @@ void add_momentum(Figures& figures) {
   figures.add("Vertical momentum (up is positive)", {"momentum", figures.unit("N s")}, lines);
 }
 
-// `term`: force_water or force_plate.
+// `term` is force_water or force_plate.
 void add_force(Figures& figures, int dimension, const std::string& title, const std::string& term) {
   if (!figures.moves(term + "_y")) return;
   std::vector<Figures::Line> lines = {{term + "_y", "vertical"}, {term + "_x", "across"}};
@@ -144,6 +147,20 @@ void add_probes(Figures& figures, const Case& description) {
   if (!pressures.empty()) figures.add("Pressure at the probes", {"pressure", "Pa"}, pressures);
   if (!forces.empty())
     figures.add("Vertical force at the probes", {"force", figures.unit("N")}, forces);
+}
+
+// Returns the least and the greatest number of y[begin..end) in the order in which they occur.
+std::pair<double, double> extremes(const std::vector<double>& y, std::size_t begin,
+                                   std::size_t end) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::size_t least = end, greatest = end;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (!std::isfinite(y[i])) continue;
+    if (least == end || y[i] < y[least]) least = i;
+    if (greatest == end || y[i] > y[greatest]) greatest = i;
+  }
+  if (least == end) return {none, none};
+  return {y[std::min(least, greatest)], y[std::max(least, greatest)]};
 }
 
 }  // namespace
@@ -167,9 +184,30 @@ std::string report_plots(const std::vector<ReportFigure>& figures, const std::ve
     text += fmt::format(
         "<figure><figcaption>{}<div class=\"legend\">{}</div></figcaption>{}</figure>\n",
         figure.title, legend_of(figure, cut_time),
-        draw_plot({{"time", "s"}, figure.axis, time, figure.curves, cut_time},
-                  fmt::format("plot{}", &figure - figures.data() + 1)));
+        draw_plot({{"time", "s"}, figure.axis, time, figure.curves, {}, cut_time}));
   return "<div class=\"plots\">\n" + text + "</div>\n";
+}
+
+void thin_figures(std::vector<ReportFigure>& figures, std::vector<double>& time, std::size_t most) {
+  const std::size_t rows = time.size(), pieces = most / 2;
+  if (rows <= most || pieces == 0) return;
+  const auto begin_of = [&](std::size_t piece) { return piece * rows / pieces; };
+  for (ReportFigure& figure : figures)
+    for (Curve& curve : figure.curves) {
+      std::vector<double> y;
+      for (std::size_t piece = 0; piece < pieces; ++piece) {
+        const auto [first, second] = extremes(curve.y, begin_of(piece), begin_of(piece + 1));
+        y.push_back(first);
+        y.push_back(second);
+      }
+      curve.y = std::move(y);
+    }
+  std::vector<double> thinned;
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    thinned.push_back(time[begin_of(piece)]);
+    thinned.push_back(time[begin_of(piece + 1) - 1]);
+  }
+  time = std::move(thinned);
 }
 
 }  // namespace kerf

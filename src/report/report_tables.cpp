@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "output/ledger_table.hpp"
+#include "output/balance_metrics.hpp"
 #include "report/html.hpp"
-#include "report/json_number.hpp"
-#include "report/report.hpp"
+#include "report/metric_rows.hpp"
+#include "report/report_parts.hpp"
 
 namespace kerf {
 namespace {
@@ -13,57 +13,35 @@ using html::Row;
 using Json = nlohmann::ordered_json;
 
 std::string case_table(const Json& result) {
-  const auto number = [&](const char* key) { return value_of(result.at(key)); };
   std::vector<Row> rows;
-  const auto add = [&](const char* name, std::string value) {
-    rows.push_back({name, std::move(value), ""});
+  const auto add = [&](const std::vector<const char*>& names) {
+    for (const char* name : names) rows.push_back(metric_row(result, name));
   };
-  if (number("jet_speed") > 0.0) {
-    add("speed of the jet, V", html::quantity(number("jet_speed"), "m/s"));
-    add("stagnation pressure, ρV²/2", html::quantity(number("stagnation_pressure"), "Pa"));
-    add("particles across the jet", html::number(number("jet_resolution")));
-    add("Mach number in the water", html::number(number("mach")));
-  }
-  if (number("rayleigh_speed") > 0.0) {
-    add("Rayleigh wave speed, c<sub>R</sub>", html::quantity(number("rayleigh_speed"), "m/s"));
-    add("shear wave speed, c<sub>s</sub>", html::quantity(number("shear_speed"), "m/s"));
-    add("pressure wave speed, c<sub>p</sub>", html::quantity(number("longitudinal_speed"), "m/s"));
-    add("V / c<sub>R</sub>", html::number(number("V_over_cR")));
-    add("V / c<sub>p</sub>", html::number(number("V_over_cp")));
-    add("Cauchy number, ρV²/E", html::number(number("cauchy_number")));
-    add("front speed of two streams, V / (1 + √(ρ<sub>s</sub>/ρ<sub>w</sub>))",
-        html::quantity(number("hydrodynamic_front_speed"), "m/s"));
-  }
-  add("end of the run", html::quantity(number("end_time"), "s"));
-  add("steps", html::count(number("steps")));
-  add("particles at the end", html::count(number("particles")));
+  if (value_of(result.at("jet_speed")) > 0.0)
+    add({"jet_speed", "stagnation_pressure", "jet_resolution", "mach"});
+  if (value_of(result.at("rayleigh_speed")) > 0.0)
+    add({"rayleigh_speed", "shear_speed", "longitudinal_speed", "V_over_cR", "V_over_cp",
+         "cauchy_number", "hydrodynamic_front_speed"});
+  add({"end_time", "steps", "particles"});
   return html::table("Case in numbers", rows);
 }
 
 std::string cut_table(const Json& result) {
-  const auto metres = [&](const char* name, const char* key, const char* remark) {
-    return Row{name, html::quantity(value_of(result.at(key)), "m"), remark, key};
-  };
-  const auto number = [&](const char* name, const char* key) {
-    return Row{name, html::count(value_of(result.at(key))), "", key};
-  };
-  return html::table(
-      "Cut",
-      {metres("depth of the water front", "front_depth", "below the point aimed at, along the jet"),
-       metres("opening at half that depth", "kerf_width", "at the end, without whole solid"),
-       metres("fractured width there", "fractured_width", ""),
-       number("pieces over 5% of the workpiece", "pieces"),
-       number("connected pieces of any size", "fragment_count")});
+  std::vector<Row> rows;
+  for (const char* name :
+       {"front_depth", "kerf_width", "fractured_width", "pieces", "fragment_count"})
+    rows.push_back(metric_row(result, name, html::escape(find_result_metric(name)->meaning)));
+  return html::table("Cut", rows);
 }
 
-std::string ledger_table(const Json& result, int dimension) {
+std::string balance_table(const Json& result, int dimension) {
   std::vector<Row> rows;
-  const Json& ledger = result.at("ledger");
-  for (const LedgerTerm& term : ledger_terms()) {
-    const Json& value = ledger.at(term.name);
-    const std::string unit = extensive_unit(term.unit, dimension);
+  const Json& balance = result.at("balance");
+  for (const Metric<Balance>& term : balance_terms()) {
+    const Json& value = balance.at(term.name);
+    const std::string unit = term.unit.in(dimension);
     std::string text;
-    if (term.scalar != nullptr) {
+    if (term.kind == MetricKind::number) {
       text = html::quantity(value_of(value), unit);
     } else {
       for (int k = 0; k < dimension; ++k)
@@ -72,10 +50,10 @@ std::string ledger_table(const Json& result, int dimension) {
     }
     rows.push_back({fmt::format("<code>{}</code>", term.name), text, term.meaning});
   }
-  for (const char* key : {"mass_error", "momentum_error", "energy_drift", "pressure_energy_gap"})
-    rows.push_back({fmt::format("<code>{}</code>", key), html::number(value_of(result.at(key))),
-                    "relative, see docs/results.md"});
-  return html::table(dimension == 2 ? "Ledger, per metre of depth (x, y)" : "Ledger (x, y, z)",
+  for (const Metric<Balance>& error : balance_errors())
+    rows.push_back({fmt::format("<code>{}</code>", error.name),
+                    html::number(value_of(result.at(error.name))), error.meaning});
+  return html::table(dimension == 2 ? "Balance, per metre of depth (x, y)" : "Balance (x, y, z)",
                      rows);
 }
 
@@ -96,7 +74,7 @@ std::string stages_table(const Json& result) {
     rows.push_back({html::escape(name), html::quantity(value_of(seconds), "s"),
                     fmt::format("{:.3g}%", 100.0 * value_of(seconds) / std::max(sum, 1e-300))});
   rows.push_back({"whole run", html::quantity(value_of(result.at("wall_time")), "s"), ""});
-  if (result.contains("device"))  // not in folders of earlier versions
+  if (result.contains("device"))  // earlier versions do not write it
     rows.push_back({"computed on", html::escape(result.at("device").get<std::string>()), ""});
   rows.push_back({"threads", html::count(value_of(result.at("threads"))), ""});
   rows.push_back({"pair interactions", html::number(value_of(result.at("pair_interactions"))), ""});
@@ -108,7 +86,8 @@ std::string stages_table(const Json& result) {
 std::string report_tables(const Json& result, const Case& description) {
   std::string text = "<h2>Numbers</h2>\n<div class=\"tables\">\n" + case_table(result);
   if (!description.jets.empty()) text += cut_table(result);
-  text += limits_table(result) + stages_table(result) + ledger_table(result, description.dimension);
+  text +=
+      limits_table(result) + stages_table(result) + balance_table(result, description.dimension);
   return text + fmt::format(
                     "</div>\n<footer>Kerf {}, compiled by {}. All numbers are in "
                     "<code>result.json</code>, their course in <code>series.csv</code>; open "

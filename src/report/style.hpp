@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The looks of the report, on a screen and on paper.
+// This header holds the style sheet of reports and studies, for screen and print.
 #pragma once
 
 namespace kerf::html {

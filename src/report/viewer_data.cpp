@@ -9,10 +9,8 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "report/base64.hpp"
 #include "report/html.hpp"
 #include "report/palette.hpp"
-#include "report/viewer_fields.hpp"
 #include "report/viewer_files.hpp"
 
 namespace kerf {
@@ -43,8 +41,8 @@ std::string deflated(const std::string& bytes) {
   return packed;
 }
 
-// A number from 0 to 1 that belongs to a particle, so that the same ones are left out of all frames
-// and no row of a lattice as a whole.
+// Returns a hash of the particle's number, from 0 to 1. It selects the same particles in all frames
+// and does not remove whole rows of a lattice.
 double lot_of(std::uint32_t id) {
   std::uint32_t bits = id + 0x9e3779b9u;
   bits = (bits ^ (bits >> 16)) * 0x85ebca6bu;
@@ -52,19 +50,19 @@ double lot_of(std::uint32_t id) {
   return (bits ^ (bits >> 16)) / 4294967296.0;
 }
 
-// In the page: base64 and the rest of the entry.
+// Returns the size of an entry in the page, bytes.
 std::size_t size_in_page(const Json& entry) {
   return entry.dump().size() + 1;
 }
 
-// Null where a value is no number.
+// Returns a list with null for values that are not finite.
 Json numbers(const std::vector<double>& values) {
   Json list = Json::array();
   for (const double value : values) list.push_back(std::isfinite(value) ? Json(value) : Json());
   return list;
 }
 
-// The planes of symmetry, of two across one axis the lower.
+// Returns the planes of symmetry; of two across one axis the lower one.
 Json mirrors_of(const Case& description) {
   Json mirrors = Json::array();
   for (std::size_t a = 0; a < 3; ++a)
@@ -75,12 +73,6 @@ Json mirrors_of(const Case& description) {
   return mirrors;
 }
 
-std::string colour_text(Colour colour) {
-  const auto byte = [](double share) { return static_cast<int>(std::lround(255.0 * share)); };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.red), byte(colour.green),
-                     byte(colour.blue));
-}
-
 }  // namespace
 
 void ViewerPacker::look_at(const std::vector<FrameFile>& files) {
@@ -89,13 +81,24 @@ void ViewerPacker::look_at(const std::vector<FrameFile>& files) {
     for (const float spacing : frame.spacing)
       if (std::find(spacings_.begin(), spacings_.end(), spacing) == spacings_.end())
         spacings_.push_back(spacing);
+    include_fields(frame);
     Look look{files[n], frame.position.size(), {}};
-    for (const ViewerField& field : viewer_fields) {
+    for (const ViewerField& field : fields_) {
       std::vector<float> values = field_values(field.key, frame);
       const auto [low, high] = bounds_of(values);
       look.ranges.push_back({low, high});
     }
     looks_.push_back(std::move(look));
+  }
+}
+
+// A frame without particles has no columns: fields may come with a later one.
+void ViewerPacker::include_fields(const Frame& frame) {
+  for (const ViewerField& field : viewer_fields(frame)) {
+    const auto same = [&](const ViewerField& known) { return known.key == field.key; };
+    if (std::any_of(fields_.begin(), fields_.end(), same)) continue;
+    fields_.push_back(field);
+    for (Look& look : looks_) look.ranges.push_back({});
   }
 }
 
@@ -110,7 +113,7 @@ ViewerPacker::Range ViewerPacker::range_of(std::size_t field) const {
 
 std::vector<std::size_t> ViewerPacker::fields() const {
   std::vector<std::size_t> numbers;
-  for (std::size_t f = 0; f < viewer_fields.size(); ++f)
+  for (std::size_t f = 0; f < fields_.size(); ++f)
     if (const Range range = range_of(f); range.maximum > range.minimum) numbers.push_back(f);
   return numbers;
 }
@@ -125,18 +128,17 @@ Json ViewerPacker::head() const {
   for (const auto& [label, category] :
        {std::pair{"water", Category::water}, std::pair{"solid", Category::solid},
         std::pair{"fractured", Category::fractured}, std::pair{"rigid", Category::rigid}})
-    head["categories"].push_back(
-        {{"label", label}, {"colour", colour_text(colour_of(category, false))}});
-  // What is left of thinned particles is drawn larger, so that bodies stay closed.
+    head["categories"].push_back({{"label", label}, {"colour", hex(colour_of(category, false))}});
+  // The remaining particles are drawn larger, so that bodies have no gaps.
   head["spacings"] = Json::array();
   for (const float spacing : spacings_)
     head["spacings"].push_back(spacing *
                                static_cast<float>(std::pow(share_, -1.0 / description_.dimension)));
   head["fields"] = Json::array();
   for (const std::size_t f : fields())
-    head["fields"].push_back({{"key", viewer_fields[f].key},
-                              {"label", viewer_fields[f].label},
-                              {"unit", viewer_fields[f].unit},
+    head["fields"].push_back({{"key", fields_[f].key},
+                              {"label", fields_[f].label},
+                              {"unit", fields_[f].unit},
                               {"minimum", range_of(f).minimum},
                               {"maximum", range_of(f).maximum}});
   return head;
@@ -174,7 +176,7 @@ ViewerPacker::Packed ViewerPacker::packed(std::size_t number) const {
                                spacings_.begin());
   for (const std::size_t f : fields()) {
     const Range& range = look.ranges[f];
-    const std::vector<float> values = field_values(viewer_fields[f].key, frame);
+    const std::vector<float> values = field_values(fields_[f].key, frame);
     for (const std::size_t i : rows)
       bytes += static_cast<char>(
           quantized(static_cast<double>(values[i]), {range.minimum, range.maximum}, 255.0));
@@ -186,7 +188,7 @@ Json ViewerPacker::whole_entry(std::size_t number) const {
   Json whole = entry(number);
   Packed frame = packed(number);
   whole["count"] = frame.count;
-  whole["data"] = base64(frame.data);
+  whole["data"] = html::base64(frame.data);
   return whole;
 }
 
@@ -198,8 +200,8 @@ std::size_t ViewerPacker::largest() const {
 }
 
 void ViewerPacker::fit(std::size_t budget) {
-  constexpr std::size_t fewest_frames = 8;  // fewer do not move
-  constexpr double reserve = 0.9;           // frames of as many particles differ in size
+  constexpr std::size_t fewest_frames = 8;  // fewer do not show a motion
+  constexpr double reserve = 0.9;           // frames with equal numbers of particles differ in size
   if (looks_.empty()) return;
   const std::size_t wanted = std::min(fewest_frames, looks_.size());
   const double size = static_cast<double>(wanted * size_in_page(whole_entry(largest())));

@@ -7,13 +7,7 @@
 namespace kerf {
 namespace {
 
-constexpr double outliers = 0.002;  // of the particles, on either side of a field
-
-const Column* find_column(const Frame& frame, const std::string& name) {
-  for (const Column& column : frame.columns)
-    if (column.name == name) return &column;
-  return nullptr;
-}
+constexpr double outliers = 0.002;  // share of the particles at either end of the values
 
 std::vector<float> speeds(const Frame& frame) {
   std::vector<float> values;
@@ -22,7 +16,7 @@ std::vector<float> speeds(const Frame& frame) {
   return values;
 }
 
-// Von Mises' stress of the deviator (xx yy zz xy yz xz), Pa.
+// Returns von Mises' equivalent stress, Pa, of the deviatoric stress (xx yy zz xy yz xz).
 std::vector<float> equivalent_stress(const Column& column) {
   std::vector<float> values;
   for (std::size_t k = 0; k + 5 < column.values.size(); k += 6) {
@@ -34,7 +28,23 @@ std::vector<float> equivalent_stress(const Column& column) {
   return values;
 }
 
+// "plastic strain" of a column "plastic_strain" that has no label.
+std::string label_of(const Column& column) {
+  std::string label = column.label.empty() ? column.name : column.label;
+  if (column.label.empty()) std::replace(label.begin(), label.end(), '_', ' ');
+  return label;
+}
+
 }  // namespace
+
+std::vector<ViewerField> viewer_fields(const Frame& frame) {
+  std::vector<ViewerField> fields{{"speed", "speed", "m/s"},
+                                  {"pressure", "pressure", "Pa"},
+                                  {"equivalent_stress", "equivalent stress (von Mises)", "Pa"}};
+  for (const Column& column : frame.columns)
+    if (column.components == 1) fields.push_back({column.name, label_of(column), column.unit});
+  return fields;
+}
 
 std::vector<float> field_values(const std::string& key, const Frame& frame) {
   if (key == "speed") return speeds(frame);
@@ -44,7 +54,6 @@ std::vector<float> field_values(const std::string& key, const Frame& frame) {
   return key == "equivalent_stress" ? equivalent_stress(*column) : column->values;
 }
 
-// The bounds of values but for outliers; 0 is between them.
 std::pair<double, double> bounds_of(std::vector<float>& values) {
   if (values.empty()) return {0.0, 0.0};
   const auto count = static_cast<std::ptrdiff_t>(values.size());

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The quantities that particles of the moving picture are coloured by.
+// This header declares the fields by which particles of the moving picture are coloured.
 #pragma once
 
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,22 +11,15 @@
 namespace kerf {
 
 struct ViewerField {
-  const char *key, *label, *unit;
+  std::string key, label, unit;
 };
-inline constexpr std::array<ViewerField, 8> viewer_fields{{
-    {"speed", "speed", "m/s"},
-    {"pressure", "pressure", "Pa"},
-    {"equivalent_stress", "equivalent stress (von Mises)", "Pa"},
-    {"equivalent_strain", "equivalent strain", "1"},
-    {"damage", "damage", "1"},
-    {"flaw_damage", "damage by flaws", "1"},
-    {"plastic_strain", "plastic strain", "1"},
-    {"temperature_rise", "rise of temperature", "K"},
-}};
 
-// By particle; zeros where the frame has no such column.
+// The speed, the pressure, the equivalent stress, and each further column of one number.
+std::vector<ViewerField> viewer_fields(const Frame& frame);
+
+// Returns the field of every particle; zeros where the frame has no such column.
 std::vector<float> field_values(const std::string& key, const Frame& frame);
-// The bounds of values but for outliers; 0 is between them. Reorders the values.
+// Returns the bounds of the values without outliers; they include 0. Reorders the values.
 std::pair<double, double> bounds_of(std::vector<float>& values);
 
 }  // namespace kerf

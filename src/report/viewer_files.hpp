@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The script and the style of web/, which the build puts into the program where npm can make them.
+// This header declares the scripts and style sheets of web/, which the build embeds where npm can
+// make them.
 #pragma once
 
 #include <span>
@@ -11,8 +12,8 @@ namespace kerf {
 
 std::span<const EmbeddedText> viewer_files();
 
-// "script" or "style" of a report, "study_script" or "study_style" of a study; empty where the
-// program was built without npm.
+// Returns "script" or "style" of a report, "study_script" or "study_style" of a study; empty where
+// the program was built without npm.
 inline std::string_view viewer_text(std::string_view name) {
   for (const EmbeddedText& file : viewer_files())
     if (file.name == name) return file.text;

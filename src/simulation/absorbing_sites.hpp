@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The particles at the absorbing faces of bodies, and how fast each of them is damped there. The
-// area that a particle has of a face is its volume over the distance of layers along the normal,
-// which is right for rows that are staggered too.
+// The particles at the absorbing faces of bodies and their rates of damping. The share of a
+// particle in the area of a face is its volume over the distance of layers along the normal, which
+// holds for staggered rows too.
 #pragma once
 
 #include <algorithm>
@@ -9,65 +9,46 @@
 #include <limits>
 #include <vector>
 
-#include "particles/fill.hpp"
-#include "particles/medium.hpp"
-#include "simulation/levels.hpp"
-#include "simulation/populate.hpp"
-#include "solid/absorb.hpp"
+#include "model/medium.hpp"
+#include "simulation/run_settings.hpp"
+#include "solid/absorbing_boundary.hpp"
 
 namespace kerf {
 
-// One side of one body: the particles whose middle is within 5/4 of a layer of where the body ends.
-// A graded body has layers of several levels there, each a power of two times the finest one.
-template <int D>
-struct AbsorbingFace {
-  std::size_t source = 0;
-  int axis = 0;
-  double sign = 1.0;   // of the outward normal
-  double layer = 0.0;  // m, distance of the finest layers along the normal
+// A side with the particles whose middle is within 5/4 of a layer of where the body ends. A graded
+// body has layers of several levels there, each a power of two times the finest one.
+struct AbsorbingFace : AbsorbingSide {
   double end = -std::numeric_limits<double>::infinity();  // m, along the normal
 
+  explicit AbsorbingFace(const AbsorbingSide& side) : AbsorbingSide(side) {}
   double layer_of(int level) const { return std::ldexp(layer, level); }
-  void reach(const Vector<D, double>& x, int level) {
+  template <int D>
+  void extend(const Vector<D, double>& x, int level) {
     end = std::max(end, sign * x[axis] + 0.5 * layer_of(level));
   }
+  template <int D>
   bool holds(const Vector<D, double>& x, int level) const {
     return end - sign * x[axis] < 1.25 * layer_of(level);
   }
 };
 
-template <int D>
-std::vector<AbsorbingFace<D>> absorbing_faces(const Case& description) {
-  std::vector<AbsorbingFace<D>> faces;
-  for (std::size_t b = 0; b < description.bodies.size(); ++b) {
-    const Body& body = description.bodies[b];
-    for (int a = 0; a < D; ++a) {
-      const auto axis = static_cast<std::size_t>(a);
-      const double layer = layer_distance(body, a, D);
-      if (body.absorbing.minimum[axis]) faces.push_back({b, a, -1.0, layer});
-      if (body.absorbing.maximum[axis]) faces.push_back({b, a, 1.0, layer});
-    }
-  }
-  return faces;
-}
-
 // `position` and `source` of the particles of the start; `number` of each in the solid. Damping of
 // t = - rho c_p v_n n - rho c_s v_t on the area V / layer of a particle of mass rho V: the rate
 // c / layer along each axis, of every face that the particle is at.
 template <int D>
-std::vector<AbsorbingSite<D>> absorbing_sites(const Case& description,
+std::vector<AbsorbingSite<D>> absorbing_sites(const RunSettings& settings,
                                               const std::vector<Medium<double>>& media,
                                               const std::vector<Vector<D, double>>& position,
                                               const std::vector<std::uint16_t>& source,
                                               const std::vector<std::uint32_t>& number) {
-  auto faces = absorbing_faces<D>(description);
+  std::vector<AbsorbingFace> faces(settings.absorbing.begin(), settings.absorbing.end());
   std::vector<AbsorbingSite<D>> sites;
   if (faces.empty()) return sites;
-  const auto origins = medium_origins(description);
+  const auto& origins = settings.origins;
   for (auto& face : faces)
     for (std::size_t i = 0; i < position.size(); ++i)
       if (origins[source[i]].source == face.source)
-        face.reach(position[i], origins[source[i]].level);
+        face.extend(position[i], origins[source[i]].level);
   for (std::size_t i = 0; i < position.size(); ++i) {
     const Medium<double>& medium = media[source[i]];
     const MediumOrigin& origin = origins[source[i]];

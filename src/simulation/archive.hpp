@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of a run as named arrays: what a checkpoint file holds, whatever the file format.
+// An archive holds the state of a run as named arrays, independent of the format of checkpoint
+// files.
 #pragma once
 
 #include <cstdint>

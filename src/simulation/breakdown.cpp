@@ -7,12 +7,7 @@
 
 namespace kerf {
 
-void report_breakdown(const Case& description, const Breakdown& breakdown) {
-  const std::size_t bodies = description.bodies.size();
-  const std::string owner =
-      breakdown.source < bodies
-          ? fmt::format("body '{}'", description.bodies[breakdown.source].name)
-          : fmt::format("jet '{}'", description.jets[breakdown.source - bodies].name);
+void report_breakdown(const Breakdown& breakdown) {
   const std::string what = breakdown.fault ? fmt::format("has {}", breakdown.cause)
                                            : fmt::format("needs a time step of {:.3g} s ({})",
                                                          breakdown.dt, breakdown.cause);
@@ -21,8 +16,8 @@ void report_breakdown(const Case& description, const Breakdown& breakdown) {
       fmt::format("the run broke down at t = {:.6g} s, step {}: particle {} of {} at "
                   "({:.6g}, {:.6g}, {:.6g}) m {}; lower time.courant (now {}) or a repulsion, and "
                   "look at the last frame",
-                  breakdown.time, breakdown.step, breakdown.particle, owner, x[0], x[1], x[2], what,
-                  description.time.courant),
+                  breakdown.time, breakdown.step, breakdown.particle, breakdown.owner, x[0], x[1],
+                  x[2], what, breakdown.courant),
       exit_run_failed);
 }
 

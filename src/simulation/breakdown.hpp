@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run that has broken down, in one sentence.
+// The message of a run that has broken down.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
-#include "case/case.hpp"
+#include "model/point.hpp"
 
 namespace kerf {
 
@@ -13,14 +13,15 @@ struct Breakdown {
   double time = 0.0;  // s
   std::uint64_t step = 0;
   std::uint32_t particle = 0;  // id
-  std::size_t source = 0;      // body, or number of bodies + jet
+  std::string owner;           // its body or jet, as in "body 'plate'"
   Point position{};            // m
   bool fault = false;          // the state is broken, not only the step too short
   double dt = 0.0;             // s, the step it would need
-  std::string cause;
+  std::string cause;           // the limit, or the fault
+  double courant = 0.0;        // of the run
 };
 
 // Throws a UserError (exit_run_failed) that says when, where, what and what to do.
-[[noreturn]] void report_breakdown(const Case& description, const Breakdown& breakdown);
+[[noreturn]] void report_breakdown(const Breakdown& breakdown);
 
 }  // namespace kerf

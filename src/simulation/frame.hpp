@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a simulation shows of itself: particles at one instant, on the host, in SI units.
+// A frame: the particles of a run at one instant, on the host, in SI units. Every frame has the
+// named columns of `Frame`, which analyses read; `columns` holds the further fields that the tables
+// of fields show (particles/fields.hpp, standard/solid_show.hpp).
 #pragma once
 
 #include <array>
@@ -17,6 +19,7 @@ struct Column {
   std::string unit;
   int components = 1;
   std::vector<float> values;
+  std::string label{};  // for readers; empty = the name says it
 };
 
 struct Frame {
@@ -33,7 +36,28 @@ struct Frame {
   std::vector<float> density;          // kg/m^3
   std::vector<float> pressure;         // Pa
   std::vector<std::uint8_t> upstream;  // 1 = jet water still inside the nozzle
-  std::vector<Column> columns;  // further fields: "deviatoric_stress" (xx yy zz xy yz xz), ...
+  std::vector<Column> columns;         // tensors as xx yy zz xy yz xz
 };
+
+// Calls visit(name, unit, values) for the columns that every frame has besides the position.
+template <class AnyFrame, class Visit>
+void for_each_column(AnyFrame& frame, const Visit& visit) {
+  visit("velocity", "m/s", frame.velocity);
+  visit("category", "1", frame.category);
+  visit("id", "1", frame.id);
+  visit("source", "1", frame.source);
+  visit("spacing", "m", frame.spacing);
+  visit("mass", frame.dimension == 2 ? "kg/m" : "kg", frame.mass);
+  visit("density", "kg/m3", frame.density);
+  visit("pressure", "Pa", frame.pressure);
+  visit("upstream", "1", frame.upstream);
+}
+
+// The further column of that name; null where the frame has none.
+inline const Column* find_column(const Frame& frame, const std::string& name) {
+  for (const Column& column : frame.columns)
+    if (column.name == name) return &column;
+  return nullptr;
+}
 
 }  // namespace kerf

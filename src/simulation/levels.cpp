@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/levels.hpp"
 
+#include "model/case.hpp"
+
 namespace kerf {
 
 std::vector<MediumOrigin> medium_origins(const Case& description) {

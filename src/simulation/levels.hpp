@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The media of a run in their order, which is what a particle's `source` counts: bodies, each at
-// its finest spacing; jets; then the coarser levels of graded bodies. Everybody else sees bodies.
+// The order of the media of a run, which the field `source` of particles refers to: bodies, each at
+// its finest spacing; jets; then the coarser levels of graded bodies. Output refers to bodies only.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "case/case.hpp"
-
 namespace kerf {
+
+struct Case;
 
 struct MediumOrigin {
   std::uint16_t source = 0;  // body, or number of bodies + jet
@@ -17,7 +17,7 @@ struct MediumOrigin {
 
 std::vector<MediumOrigin> medium_origins(const Case& description);
 
-// Of each body, the media of its levels.
+// For each body, the media of its levels.
 std::vector<std::vector<std::uint16_t>> media_of_levels(const Case& description);
 
 }  // namespace kerf

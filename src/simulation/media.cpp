@@ -6,17 +6,16 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "fracture/fracture_limits.hpp"
-#include "materials/bond_bulk.hpp"
-#include "materials/tait.hpp"
-#include "particles/fill.hpp"
-#include "particles/graded_fill.hpp"
+#include "geometry/fill.hpp"
+#include "geometry/graded_fill.hpp"
+#include "model/case.hpp"
+#include "model/material_laws.hpp"
 #include "simulation/levels.hpp"
 
 namespace kerf {
 namespace {
 
-// n of loose solid: that of water. Solids have 3 to 7; it says how much stiffer than K they are
+// n of detached solid: that of water. Solids have 3 to 7; it says how much stiffer than K they are
 // when squeezed by a pressure like K.
 constexpr double loose_exponent = 7.0;
 
@@ -30,26 +29,40 @@ void set_material(Medium<double>& medium, const Material& material) {
     medium.viscosity = material.viscosity;
     medium.sound_speed = material.sound_speed;
     medium.longitudinal_speed = material.sound_speed;
+    static_cast<EquationOfStateSet<double>&>(medium) = *material.laws;
     medium.equation_of_state = material.equation_of_state;
-    medium.hugoniot_slope = material.hugoniot_slope;
-    medium.tait_exponent = material.tait_exponent;
-    medium.tait_coefficient =
-        material.sound_speed * material.sound_speed * material.density / material.tait_exponent;
     return;
   }
   medium.phase = Phase::solid;
-  const double e = material.youngs_modulus, nu = material.poisson_ratio;
-  medium.bulk_modulus = e / (3.0 * (1.0 - 2.0 * nu));
-  medium.shear_modulus = e / (2.0 * (1.0 + nu));
-  medium.tensile_strength = material.tensile_strength;
+  static_cast<ElasticModuli<double>&>(medium) =
+      ElasticModuli<double>::of(material.youngs_modulus, material.poisson_ratio);
+  static_cast<ElasticLawSet<double>&>(medium) = *material.laws;
+  static_cast<BondCriterionSet<double>&>(medium) = *material.laws;
+  medium.total_bulk_modulus = medium.bulk_modulus;
   medium.friction = material.friction;
   medium.elasticity = material.elasticity;
   medium.criterion = material.criterion;
+  medium.plastic = plastic_parameters(material);
   medium.sound_speed = std::sqrt(medium.bulk_modulus / material.density);
-  medium.tait_exponent = loose_exponent;
-  medium.tait_coefficient = medium.bulk_modulus / loose_exponent;
+  medium.tait = {loose_exponent, medium.bulk_modulus / loose_exponent};
   medium.longitudinal_speed =
       std::sqrt((medium.bulk_modulus + 4.0 / 3.0 * medium.shear_modulus) / material.density);
+}
+
+// Parameters that the chosen laws derive from the body.
+void derive_parameters(Medium<double>& medium, int dimension, std::uint64_t seed) {
+  const BodyNumbers body{dimension,          medium.density,
+                         medium.sound_speed, medium.longitudinal_speed,
+                         medium.volume,      seed};
+  if (medium.phase == Phase::water) {
+    EquationOfStateSet<double>::for_each([&]<auto law>(std::string_view) {
+      DeriveParameters{body}(medium.*law);
+    });
+    return;
+  }
+  ElasticLawSet<double>::visit(medium, medium.elasticity, DeriveParameters{body});
+  BondCriterionSet<double>::visit(medium, medium.criterion, DeriveParameters{body});
+  medium.plastic.derive(body);
 }
 
 // Bodies joined to one another share a piece number.
@@ -75,13 +88,14 @@ Medium<double> body_medium(const Case& description, const Body& body, std::uint1
   } else {
     const auto& material = description.materials.at(static_cast<std::size_t>(body.material));
     set_material(medium, material);
-    const SofteningBand limits = fracture_limits(material, body.spacing);
+    const FractureLimits limits = fracture_limits(material, body.spacing);
     medium.failure_strain = limits.end;
     medium.softening_strain = limits.softens() ? limits.start : 0.0;
   }
   medium.volume = particle_volume(body, description.dimension);
+  if (body.role != Role::rigid) derive_parameters(medium, description.dimension, body.seed);
   if (body.pressure > 0.0) {
-    medium.initial_compression = Tait::compression(medium, body.pressure);
+    medium.initial_compression = medium.tait.compression(body.pressure);
     medium.volume *= 1.0 + medium.initial_compression;
   }
   medium.mass = medium.density * medium.volume;
@@ -94,6 +108,7 @@ Medium<double> body_medium(const Case& description, const Body& body, std::uint1
 Medium<double> jet_medium(const Case& description, const Jet& jet, const Nozzle& nozzle) {
   Medium<double> medium;
   set_material(medium, description.materials.at(static_cast<std::size_t>(jet.material)));
+  derive_parameters(medium, description.dimension, 0);
   medium.mass = nozzle.particle_mass();
   medium.volume = medium.mass / medium.density;
   medium.spacing = jet.spacing;
@@ -120,33 +135,16 @@ std::vector<Medium<double>> make_media(const Case& description,
   }
   for (Medium<double>& medium : media) {
     medium.smoothing_length = description.smoothing_ratio * medium.spacing;
-    if (medium.phase == Phase::solid && description.formulation == Formulation::standard)
+    if (medium.phase == Phase::solid && description.formulation == Formulation::standard) {
       medium.excess_bulk_modulus =
-          medium.bulk_modulus - bond_bulk_modulus(medium.bulk_modulus, medium.shear_modulus);
+          medium.total_bulk_modulus -
+          bond_bulk_modulus(medium.total_bulk_modulus, medium.shear_modulus);
+      medium.bulk_modulus = medium.total_bulk_modulus - medium.excess_bulk_modulus;
+    }
     medium.cavitates =
         medium.phase != Phase::rigid && description.formulation == Formulation::standard;
   }
   return media;
-}
-
-SolidMedium<double> solid_medium(const Medium<double>& medium) {
-  SolidMedium<double> solid;
-  solid.law = medium.elasticity;
-  solid.criterion = medium.criterion;
-  solid.piece = medium.piece;
-  solid.joined_mirrors = medium.joined_mirrors;
-  solid.density = medium.density;
-  solid.spacing = medium.spacing;
-  solid.smoothing_length = medium.smoothing_length;
-  solid.mass = medium.mass;
-  solid.bulk_modulus = medium.bulk_modulus - medium.excess_bulk_modulus;
-  solid.shear_modulus = medium.shear_modulus;
-  solid.artificial_linear = medium.artificial_linear;
-  solid.artificial_quadratic = medium.artificial_quadratic;
-  solid.failure_strain = medium.failure_strain;
-  solid.softening_strain = medium.softening_strain;
-  solid.tensile_strength = medium.tensile_strength;
-  return solid;
 }
 
 }  // namespace kerf

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the case's bodies and jets to what the loops need of each.
+// The media of a run, from the bodies and jets of its case.
 #pragma once
 
 #include <vector>
 
-#include "case/case.hpp"
-#include "particles/medium.hpp"
-#include "particles/nozzle.hpp"
-#include "solid/solid_medium.hpp"
+#include "geometry/nozzle.hpp"
+#include "model/medium.hpp"
 
 namespace kerf {
 
-// One medium per body, then one per jet.
-std::vector<Medium<double>> make_media(const Case& description, const std::vector<Nozzle>& nozzles);
+struct Case;
 
-// What the bonds of a solid take of its medium.
-SolidMedium<double> solid_medium(const Medium<double>& medium);
+// The media in the order of simulation/levels.hpp.
+std::vector<Medium<double>> make_media(const Case& description, const std::vector<Nozzle>& nozzles);
 
 }  // namespace kerf

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/motion.hpp"
 
+#include "model/case.hpp"
+
 namespace kerf {
 
-Motion::Motion(const Case& description, const std::vector<Nozzle>& nozzles)
-    : bodies_(description.bodies.size()),
-      origins_(medium_origins(description)),
-      nozzles_(&nozzles) {
+Motion::Motion(const Case& description)
+    : bodies_(description.bodies.size()), origins_(medium_origins(description)) {
   for (const Body& body : description.bodies) {
     std::vector<Expression> components;
     if (!body.displacement[0].empty())
@@ -15,16 +15,17 @@ Motion::Motion(const Case& description, const std::vector<Nozzle>& nozzles)
                                 std::vector<std::string>{"t"});
     expressions_.push_back(std::move(components));
   }
-  erases_ = description.eraser.has_value();
+  removes_back_flow_ = description.back_flow_removal.has_value();
   for (const Jet& jet : description.jets)
-    erase_speed_.push_back(erases_ ? description.eraser->speed_fraction * jet.speed : 0.0);
+    removal_speed_.push_back(
+        removes_back_flow_ ? description.back_flow_removal->speed_fraction * jet.speed : 0.0);
 }
 
 Point Motion::displacement(std::size_t body, double time) const {
-  Point place{};
+  Point result{};
   for (std::size_t a = 0; a < expressions_[body].size(); ++a)
-    place[a] = expressions_[body][a].evaluate(time) - expressions_[body][a].evaluate(0.0);
-  return place;
+    result[a] = expressions_[body][a].evaluate(time) - expressions_[body][a].evaluate(0.0);
+  return result;
 }
 
 }  // namespace kerf

@@ -1,27 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where prescribed motion stands: displacement of moved bodies and how long each nozzle was open.
+// The prescribed motion of a run: the displacement of moved bodies, and of nozzles with how long
+// each was open.
 #pragma once
 
 #include <vector>
 
-#include "case/case.hpp"
-#include "case/expression.hpp"
-#include "integrate/drive.hpp"
-#include "particles/nozzle.hpp"
+#include "geometry/nozzle.hpp"
+#include "model/expression.hpp"
+#include "particles/prescribed_motion.hpp"
 #include "simulation/levels.hpp"
 
 namespace kerf {
 
+struct Case;
+
 class Motion {
  public:
-  Motion(const Case& description, const std::vector<Nozzle>& nozzles);
+  Motion() = default;  // of a run without bodies and jets
+  explicit Motion(const Case& description);
 
   // Prescribed motion from `start` to `now`, one entry per medium; `now` >= `start`.
   template <int D>
-  std::vector<Drive<D>> drives(double start, double now) const {
-    std::vector<Drive<D>> result;
+  std::vector<PrescribedMotion<D>> between(double start, double now,
+                                           const std::vector<Nozzle>& nozzles) const {
+    std::vector<PrescribedMotion<D>> result;
     for (const MediumOrigin& origin : origins_)
-      result.push_back(drive<D>(origin.source, start, now));
+      result.push_back(origin.source < bodies_
+                           ? of_body<D>(origin.source, start, now)
+                           : of_jet<D>(origin.source - bodies_, nozzles, start, now));
     return result;
   }
 
@@ -29,34 +35,36 @@ class Motion {
   Point displacement(std::size_t body, double time) const;
 
   template <int D>
-  Drive<D> drive(std::size_t source, double start, double now) const {
-    Drive<D> d{};
-    const double dt = now - start;
-    if (source < bodies_) {
-      const Point from = displacement(source, start), to = displacement(source, now);
-      for (int a = 0; a < D; ++a) d.displacement[a] = to[a] - from[a];
-      if (dt > 0.0) d.velocity = (1.0 / dt) * d.displacement;
-      return d;
-    }
-    const Nozzle& nozzle = (*nozzles_)[source - bodies_];
-    d.direction = Vector<D, double>::from(nozzle.direction());
-    d.exit = Vector<D, double>::from(nozzle.exit(now));
-    const auto before = Vector<D, double>::from(nozzle.exit(start));
-    d.displacement = d.exit - before;
-    if (dt > 0.0) d.velocity = (1.0 / dt) * d.displacement;
-    d.open_time = nozzle.open_time(now) - nozzle.open_time(start);
-    d.open_fraction = dt > 0.0 ? d.open_time / dt : 0.0;
-    d.erases = erases_;
-    d.erase_speed = erase_speed_[source - bodies_];
-    return d;
+  PrescribedMotion<D> of_body(std::size_t body, double start, double now) const {
+    PrescribedMotion<D> motion{};
+    const Point from = displacement(body, start), to = displacement(body, now);
+    for (int a = 0; a < D; ++a) motion.displacement[a] = to[a] - from[a];
+    if (now > start) motion.velocity = (1.0 / (now - start)) * motion.displacement;
+    return motion;
   }
 
-  std::size_t bodies_;
+  template <int D>
+  PrescribedMotion<D> of_jet(std::size_t jet, const std::vector<Nozzle>& nozzles, double start,
+                             double now) const {
+    PrescribedMotion<D> motion{};
+    const Nozzle& nozzle = nozzles[jet];
+    const double dt = now - start;
+    motion.direction = Vector<D, double>::from(nozzle.direction());
+    motion.exit = Vector<D, double>::from(nozzle.exit(now));
+    motion.displacement = motion.exit - Vector<D, double>::from(nozzle.exit(start));
+    if (dt > 0.0) motion.velocity = (1.0 / dt) * motion.displacement;
+    motion.open_time = nozzle.open_time(now) - nozzle.open_time(start);
+    motion.open_fraction = dt > 0.0 ? motion.open_time / dt : 0.0;
+    motion.removes_back_flow = removes_back_flow_;
+    motion.back_flow_removal_speed = removal_speed_[jet];
+    return motion;
+  }
+
+  std::size_t bodies_ = 0;
   std::vector<MediumOrigin> origins_;
-  const std::vector<Nozzle>* nozzles_;
   std::vector<std::vector<Expression>> expressions_;  // per body; empty = does not move
-  std::vector<double> erase_speed_;                   // m/s, per jet
-  bool erases_ = false;
+  std::vector<double> removal_speed_;                 // m/s, per jet
+  bool removes_back_flow_ = false;
 };
 
 }  // namespace kerf

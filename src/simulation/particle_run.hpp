@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every formulation's run shares: it owns the particles, the neighbour list, the nozzles, the
-// ledger and the clock. A formulation derives from it and says what a step is.
+// The base of the runs of all formulations: it owns the particles, the neighbour list, the nozzles,
+// the balance and the clock. A formulation derives from it and implements a step.
 #pragma once
 
 #include "core/timers.hpp"
-#include "integrate/time_step.hpp"
 #include "neighbours/neighbour_list.hpp"
-#include "particles/leavers.hpp"
+#include "particles/outflow.hpp"
 #include "particles/reorder.hpp"
-#include "simulation/ledger_book.hpp"
-#include "simulation/motion.hpp"
-#include "simulation/populate.hpp"
+#include "simulation/balance_accumulator.hpp"
 #include "simulation/probes.hpp"
+#include "simulation/run_settings.hpp"
 #include "simulation/simulation.hpp"
+#include "time/time_step.hpp"
 
 namespace kerf {
 
-// `Scheme` says how a pair of particles sees one another (neighbours/pair_range.hpp).
-template <int D, class P, class Scheme>
+// `Traits` are those of a formulation:
+//   Pairs                               which particles interact (neighbours/pair_range.hpp)
+//   field_groups(has_solids, mirrored)  the groups of fields that its particles have
+//   stored_by_solid(particles, i, m)    the energy that a solid particle stores
+template <int D, class P, class Traits>
 class ParticleRun : public Simulation {
  public:
-  bool finished() const override { return time_ >= case_.time.end; }
+  bool finished() const override { return time_ >= settings_.end_time; }
   double time() const override { return time_; }
   std::uint64_t step() const override { return step_; }
   std::size_t particles() const override { return particles_.size(); }
   StepInfo last_step() const override { return last_step_; }
   Frame frame() const override;
-  Ledger ledger() const override;
+  Balance balance() const override;
   std::vector<double> probe_values() const override;
   double pair_interactions() const override { return pair_interactions_; }
   double neighbours_per_particle() const override;
@@ -37,55 +39,54 @@ class ParticleRun : public Simulation {
 
  protected:
   using Real = typename P::Real;
-  using Place = Vector<D, double>;
+  using Position = Vector<D, double>;
 
-  explicit ParticleRun(const Case& description);
+  explicit ParticleRun(RunSettings settings);
 
-  // Rates, stresses and forces from the state of the particles, for those who look at the run.
-  virtual void evaluate_now() const = 0;
-  // The accelerations by the pairs across a plane, into the particles.
+  // Evaluates rates, stresses and forces at the current state, for output.
+  virtual void evaluate_current() const = 0;
+  // Evaluates the accelerations by the pairs across a plane.
   virtual void accelerate_across(const AcrossPlane<D>& across) const = 0;
 
   // Called when the particles have been put into another order.
   virtual void after_reorder() {}
 
   // The start of a run and the stages of a step, in their order.
-  // `lay_out` is called once the list is there, before the first forces.
+  // `lay_out` is called after the first list is built, before the first forces.
   template <class LayOut>
   void open(const LayOut& lay_out);
   void renew_neighbours();
-  void renew_list();  // without what has left
+  void renew_list();  // and removes outflow
   void rebuild_list();
-  // `other`: a limit that particles do not know of.
+  // `other`: a limit besides those of the particles.
   double choose_step(StepRates rates, const StepLimit& other = {1e300, Limit::end_of_run, 0});
-  void load_drives(double now);
-  // Books the step in one pass with what ends it, before(i), and what comes after, after(i).
+  void load_prescribed_motions(double now);
+  // Adds the step to the balance, in one pass with before(i), which ends it, and after(i).
   template <class Before, class After>
-  void book_step(double dt, const Before& before, const After& after);
-  MarkLeavers<D, P> mark_leavers();  // for each particle
+  void accumulate_step(double dt, const Before& before, const After& after);
+  MarkOutflow<D, P> mark_outflow();  // for each particle
   void tick(double dt);
 
-  Case case_;
+  RunSettings settings_;  // nozzles, media and particles are moved to the members below
   std::vector<Nozzle> nozzles_;
   std::vector<Medium<double>> media_;
-  Motion motion_;
-  // Rates and stresses are a function of the state: looking at a run refreshes them.
+  // Rates and stresses are functions of the state: output evaluates them again.
   mutable Particles<D, P> particles_;
-  mutable LedgerBook<D, P> book_;
+  mutable BalanceAccumulator<D, P, Traits> balance_;
   mutable Probes<D, P> probes_;
   mutable Timers timers_{wait_for_loops};
   mutable double pair_interactions_ = 0.0;
-  NeighbourList<D, P, Scheme> list_;
-  Array<Drive<D>> drives_;
-  Place gravity_, minimum_, maximum_;
+  NeighbourList<D, P, typename Traits::Pairs> list_;
+  Array<PrescribedMotion<D>> prescribed_motions_;
+  Position gravity_, minimum_, maximum_;
   double time_ = 0.0;
 
  private:
   bool any_has(std::uint8_t flags) const;
   void remove_marked();
   void close_planes();
-  void let_water_in();
-  void append(const std::vector<NewParticle>& newcomers);
+  void inject_inflow();
+  void append(std::vector<NewParticle> newcomers);
   [[noreturn]] void fail(const StepLimit& cause) const;
   void refresh() const;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/populate.hpp"
 
-#include "case/expression.hpp"
-#include "particles/fill.hpp"
-#include "particles/flags.hpp"
-#include "particles/graded_fill.hpp"
-#include "particles/shapes.hpp"
+#include "geometry/fill.hpp"
+#include "geometry/graded_fill.hpp"
+#include "geometry/shapes.hpp"
+#include "model/case.hpp"
+#include "model/expression.hpp"
 #include "simulation/levels.hpp"
 
 namespace kerf {

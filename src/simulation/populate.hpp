@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The particles a run starts with, on the host.
+// The particles that a run starts with and those that enter through its nozzles, on the host.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "case/case.hpp"
-#include "particles/nozzle.hpp"
+#include "geometry/nozzle.hpp"
+#include "particles/new_particle.hpp"
 
 namespace kerf {
 
-struct NewParticle {
-  Point position{};          // m
-  Point velocity{};          // m/s
-  double inlet_speed = 0.0;  // m/s
-  std::uint16_t source = 0;  // its medium (simulation/levels.hpp)
-  std::uint8_t flags = 0;
-};
+struct Case;
 
 std::vector<NewParticle> initial_particles(const Case& description,
                                            const std::vector<Nozzle>& nozzles);

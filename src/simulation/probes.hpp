@@ -3,9 +3,9 @@
 // a plane exerts on the other, which is the sum of the pair forces across it.
 #pragma once
 
-#include "case/case.hpp"
-#include "exec/ordered_sum.hpp"
 #include "kernels/cubic_spline.hpp"
+#include "model/point.hpp"
+#include "parallel/ordered_sum.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -40,7 +40,7 @@ struct PointSum {
   }
 };
 
-// Pairs of which i lies below the plane and j above (along the normal).
+// Selects the pairs of which i lies below the plane and j above it, along the normal.
 template <int D>
 struct AcrossPlane {
   Vector<D, double> point, normal;
@@ -71,10 +71,11 @@ template <int D, class P>
 class Probes {
  public:
   // pressure, then velocity in three components.
-  void sample_point(Particles<D, P>& particles, const Probe& probe, std::vector<double>& values) {
+  void sample_point(Particles<D, P>& particles, const Point& position,
+                    std::vector<double>& values) {
     using Sum = PointSum<D, P>;
-    const auto sum = point_sum_(particles.size(),
-                                Sum{particles.view(), Vector<D, double>::from(probe.position)});
+    const auto sum =
+        point_sum_(particles.size(), Sum{particles.view(), Vector<D, double>::from(position)});
     const double weight = sum.value[Sum::weight];
     values.push_back(weight > 0.0 ? sum.value[Sum::pressure] / weight : 0.0);
     for (int a = 0; a < 3; ++a)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Copies the particles to the host as a Frame.
+// This file copies the particles to the host as a frame.
 #pragma once
 
-#include "fracture/equivalent_strain.hpp"
 #include "particles/fields.hpp"
 #include "simulation/frame.hpp"
 #include "simulation/levels.hpp"
@@ -15,14 +14,39 @@ inline Category category_of(Phase phase, bool fractured) {
   return fractured ? Category::fractured : Category::solid;
 }
 
-// Rows of the symmetric tensor in the order xx yy zz xy yz xz that ParaView expects.
+// The row of a column that holds a number, a vector, or a symmetric tensor in the order
+// xx yy zz xy yz xz that ParaView expects.
+template <class T>
+void append_row(const T& value, std::vector<float>& values) {
+  values.push_back(static_cast<float>(value));
+}
 template <int D, class T>
-void append_tensor(const SymmetricTensor<D, T>& s, std::vector<float>& values) {
+void append_row(const Vector<D, T>& value, std::vector<float>& values) {
+  for (int a = 0; a < 3; ++a) values.push_back(a < D ? static_cast<float>(value[a]) : 0.0f);
+}
+template <int D, class T>
+void append_row(const SymmetricTensor<D, T>& s, std::vector<float>& values) {
   for (int a = 0; a < 3; ++a) values.push_back(static_cast<float>(s(a, a)));
   values.push_back(static_cast<float>(s(0, 1)));
   values.push_back(D == 3 ? static_cast<float>(s(D - 2, D - 1)) : 0.0f);
   values.push_back(D == 3 ? static_cast<float>(s(0, D - 1)) : 0.0f);
 }
+
+// The column of a field of the table; `source`: the media of the particles.
+template <class Field, class Value>
+void add_column(const Field& field, const ShownField<Value>& shown,
+                const std::vector<Medium<double>>& media, const std::vector<std::uint16_t>& source,
+                Frame& frame) {
+  const auto entries = to_host(field);
+  Column column{shown.column, shown.unit, 1, {}, shown.label};
+  for (std::size_t i = 0; i < source.size(); ++i)
+    append_row(shown.value(entries[i], media[source[i]]), column.values);
+  if (!source.empty()) column.components = static_cast<int>(column.values.size() / source.size());
+  frame.columns.push_back(std::move(column));
+}
+template <class Field>
+void add_column(const Field&, Hidden, const std::vector<Medium<double>>&,
+                const std::vector<std::uint16_t>&, Frame&) {}
 
 template <int D, class P>
 Frame make_frame(const Particles<D, P>& particles, const std::vector<Medium<double>>& media,
@@ -36,12 +60,7 @@ Frame make_frame(const Particles<D, P>& particles, const std::vector<Medium<doub
   const auto flags = to_host(particles.flags);
   const auto compression = to_host(particles.compression);
   const auto pressure = to_host(particles.pressure);
-  auto shear = to_host(particles.shear);
-  shear.resize(position.size(), SymmetricTensor<D, typename P::Real>::zero());
   frame.id = to_host(particles.id);
-  for (const std::uint16_t medium : source) frame.source.push_back(origins[medium].source);
-  Column stress{"deviatoric_stress", "Pa", 6, {}};
-  Column strain{"equivalent_strain", "1", 1, {}};
   for (std::size_t i = 0; i < position.size(); ++i) {
     const Medium<double>& medium = media[source[i]];
     std::array<double, 3> x{}, v{};
@@ -51,6 +70,7 @@ Frame make_frame(const Particles<D, P>& particles, const std::vector<Medium<doub
     }
     frame.position.push_back(x);
     frame.velocity.push_back(v);
+    frame.source.push_back(origins[source[i]].source);
     frame.category.push_back(category_of(medium.phase, fractured[i] != 0));
     frame.spacing.push_back(static_cast<float>(medium.spacing));
     frame.mass.push_back(static_cast<float>(medium.mass));
@@ -58,14 +78,10 @@ Frame make_frame(const Particles<D, P>& particles, const std::vector<Medium<doub
         static_cast<float>(medium.density * (1.0 + static_cast<double>(compression[i]))));
     frame.pressure.push_back(static_cast<float>(pressure[i]));
     frame.upstream.push_back((flags[i] & flag::upstream) != 0 ? 1 : 0);
-    append_tensor(shear[i], stress.values);
-    const bool solid = medium.phase == Phase::solid;
-    strain.values.push_back(
-        solid ? static_cast<float>(equivalent_strain(
-                    shear[i], static_cast<typename P::Real>(medium.shear_modulus)))
-              : 0.0f);
   }
-  frame.columns = {std::move(stress), std::move(strain)};
+  particles.for_each_field([&](const auto&, const auto& field, const auto& shown) {
+    add_column(field, shown, media, source, frame);
+  });
   return frame;
 }
 

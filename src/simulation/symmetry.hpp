@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The symmetry planes of a run, and which pieces of solid are laid out at them.
+// The symmetry planes of a run, and the pieces of solid that are joined to their mirror images.
 #pragma once
 
 #include <cmath>
 #include <vector>
 
-#include "case/case.hpp"
 #include "core/mirror_planes.hpp"
-#include "particles/medium.hpp"
-#include "simulation/populate.hpp"
+#include "model/medium.hpp"
+#include "simulation/run_settings.hpp"
 
 namespace kerf {
 
 template <int D>
-MirrorPlanes<D> mirror_planes(const Case& description) {
+MirrorPlanes<D> mirror_planes(const RunSettings& settings) {
   MirrorPlanes<D> mirrors{};
-  mirrors.low = Vector<D, double>::from(description.domain.minimum);
-  mirrors.high = Vector<D, double>::from(description.domain.maximum);
+  mirrors.low = Vector<D, double>::from(settings.domain_minimum);
+  mirrors.high = Vector<D, double>::from(settings.domain_maximum);
   for (int a = 0; a < D; ++a) {
     const auto axis = static_cast<std::size_t>(a);
-    if (description.symmetry.minimum[axis]) mirrors.faces |= mirrors.low_face(a);
-    if (description.symmetry.maximum[axis]) mirrors.faces |= mirrors.high_face(a);
+    if (settings.mirror_minimum[axis]) mirrors.faces |= mirrors.low_face(a);
+    if (settings.mirror_maximum[axis]) mirrors.faces |= mirrors.high_face(a);
   }
   return mirrors;
 }
@@ -34,8 +33,8 @@ std::vector<MirrorCode> single_planes(const MirrorPlanes<D>& mirrors) {
   return planes;
 }
 
-// A piece that has particles within 3/4 of a spacing of a plane - half a spacing is that of a face
-// in the plane - is one with its mirror image.
+// Joins to its mirror image each piece that has particles within 3/4 of a spacing of a plane; half
+// a spacing is the distance of a face in the plane.
 template <int D>
 void join_mirrors(const MirrorPlanes<D>& mirrors, const std::vector<NewParticle>& particles,
                   std::vector<Medium<double>>& media) {

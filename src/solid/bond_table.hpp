@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lists of bonds as loops see them. Particles laid out alike have lists that are alike but for
-// where they start from, as those of one row of a block: such particles share one
-// (share_lists.hpp). So an entry says how far the other particle is from the list's own; of a bond
-// to a mirror image (core/mirror_planes.hpp), which is in nobody else's list, it names that image
-// as a list of neighbours does.
+// BondTable holds the lists of bonds. Particles with the same layout around them, as those of one
+// row of a block, have the same list relative to their own index and share it
+// (solid/share_lists.hpp). So an entry is the index of the other particle minus that of the list's
+// own particle. The entry of a bond to a mirror image (core/mirror_planes.hpp), which is in no
+// shared list, names that image as a neighbour list does.
 #pragma once
 
 #include "core/mirror_planes.hpp"
-#include "exec/exec.hpp"
+#include "parallel/loops.hpp"
 
 namespace kerf {
 
-// Both ways between an entry and the particle j, with a mirror code in the highest bits, that
-// particle i is bound to.
+// Converts between an entry and the other end j of a bond of particle i, with a mirror code in the
+// highest bits.
 template <int D>
 struct BondEntry {
   static constexpr int shift = MirrorPlanes<D>::shift;
   static constexpr Index all_codes = (Index(1) << (2 * D)) - 1;
-  // How far apart two numbers may be where there are planes: the codes take up the rest.
+  // The largest difference of two indices where there are planes: the codes take up the rest.
   static constexpr Index most_apart = Index(1) << (shift - 1);
 
   KERF_FUNCTION static Index pack(Index i, Index end, const MirrorPlanes<D>& mirrors) {
     return mirrors.code(end) == 0 ? end - i : end;
   }
-  // No code names both faces of an axis: highest bits that are all set are those of a number less
-  // than zero.
+  // No code names both faces of an axis: highest bits that are all set are those of a negative
+  // difference.
   KERF_FUNCTION static Index unpack(Index i, Index entry, const MirrorPlanes<D>& mirrors) {
     const Index codes = entry >> shift;
     return mirrors.faces == 0 || codes == 0 || codes == all_codes ? i + entry : entry;
@@ -40,8 +40,8 @@ struct BondTable {
 
   KERF_FUNCTION Index first(Index i) const { return begin[i]; }
   KERF_FUNCTION Index last(Index i) const { return begin[i] + count[i]; }
-  // What bond k of particle i leads to: j, with a mirror code in the highest bits. Along a list
-  // they ascend.
+  // Returns the other end of bond k of particle i: j, with a mirror code in the highest bits. The
+  // ends of a list ascend.
   KERF_FUNCTION Index end(Index i, Index k) const {
     return BondEntry<D>::unpack(i, entry[k], mirrors);
   }
@@ -49,7 +49,7 @@ struct BondTable {
 
 inline constexpr Index no_bond = 0xffffffffu;
 
-// The bond of particle i to `end`, broken or not; or no_bond.
+// Returns the bond of particle i to `end`, broken or not; or no_bond.
 template <int D>
 KERF_FUNCTION Index bond_between(const BondTable<D>& bonds, Index i, Index end) {
   Index low = bonds.first(i), high = bonds.last(i);

@@ -1,20 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
-// Breaks bonds by the criterion of their media: first a look that changes nothing and marks the
-// particles concerned, then the break. Both ends of a bond come to the same answer by themselves.
+// These loops break bonds by the criterion of their media: first a test that changes nothing and
+// marks the particles concerned, then the break. Both ends of a bond reach the same decision on
+// their own.
 #pragma once
 
-#include "exec/ordered_sum.hpp"
 #include "fracture/bond_criterion.hpp"
-#include "fracture/crushing.hpp"
-#include "fracture/severed.hpp"
-#include "solid/break_account.hpp"
+#include "fracture/unstretched_failure.hpp"
+#include "parallel/ordered_sum.hpp"
+#include "solid/bond_break_energy.hpp"
 
 namespace kerf {
 
-// Stands among the numbers that criteria prepare for one that is too low to pass, and was not
-// worked out.
+// Stands for the prepared value of a criterion that is too low to be met, and was not computed.
 template <class T>
 inline constexpr T too_low = T(-1e30);
+
+// What a fracture criterion asks of a particle (fracture/bond_criterion.hpp).
+template <int D, class P>
+struct CriterionParticle {
+  using Real = typename P::Real;
+  const SolidView<D, P>& view;
+  Index i;
+  const Medium<Real>& solid;
+  SymmetricTensor<D, Real> green;  // Green's strain
+  Real damage;
+
+  KERF_FUNCTION CriterionParticle(const SolidView<D, P>& all, Index particle)
+      : view(all),
+        i(particle),
+        solid(all.medium(particle)),
+        green(green_strain(all.gradient[particle])),
+        damage(all.damage(particle)) {}
+  KERF_FUNCTION Real tensile_strain() const {
+    return view.softens(i) ? view.current_strain[i] : kerf::tensile_strain(solid, view.gradient[i]);
+  }
+  // Pa, Kirchhoff's.
+  KERF_FUNCTION Real largest_stress() const {
+    if (!view.flows(i)) return ElasticParticle<D, Real>{solid, green}.largest_stress();
+    return std::sqrt(Real(1) + volume_square_less_one(green)) *
+           largest_of(principal_values(cauchy_now(view, i)));
+  }
+};
 
 template <int D, class P>
 struct PrepareCriterion {
@@ -24,34 +50,31 @@ struct PrepareCriterion {
   KERF_FUNCTION void operator()(Index i) const {
     const auto& medium = solid.medium(i);
     solid.strained[i] = 0;
-    if (solid.loose[i]) {
+    if (solid.detached[i]) {
       solid.criterion[i] = Real(0);
       return;
     }
-    const Real value = has_failed(i) || is_crushed(medium, solid.gradient[i]) ? crushed<Real>
-                                                                              : prepared(i, medium);
+    const Real value = has_failed(i) || fails_in_compression(medium, solid.gradient[i])
+                           ? compressive_failure<Real>
+                           : prepared(i, medium);
     solid.criterion[i] = value;
-    // A bond breaks by its own stretch, or where the mean of its ends passes, which one of them
-    // then does; by a misfit where bonds are broken.
+    // A bond breaks by its own stretch, or where the mean of its ends meets the criterion, which
+    // one of them then does; by bond misfit failure where bonds are broken.
     const BondStrain<Real> stretch{Real(0), solid.stretch[i], Real(0)};
-    solid.strained[i] = solid.mixed[i] || solid.torn[i] || !(value < crushed<Real>) ||
-                        place_passes(value, medium) || bond_breaks(stretch, medium);
+    solid.strained[i] = solid.multi_material[i] || solid.has_broken_bonds[i] ||
+                        !(value < compressive_failure<Real>) || criterion_passes(value, medium) ||
+                        bond_breaks(stretch, medium);
   }
 
  private:
-  KERF_FUNCTION Real prepared(Index i, const SolidMedium<Real>& medium) const {
-    const auto green = green_strain(solid.gradient[i]);
-    if (medium.criterion == BondCriterion::crack_band)
-      return solid.softens(i) ? solid.strain_now[i] : tensile_strain(medium, solid.gradient[i]);
-    if (medium.criterion == BondCriterion::principal_stress && solid.flows(i))
-      return std::sqrt(Real(1) + volume_square_less_one(green)) *
-             PrincipalStress::largest(cauchy_now(solid, i));
-    if (place_stays_below(medium, green)) return too_low<Real>;
-    return prepare_criterion(medium, green, solid.damage(i));
+  KERF_FUNCTION Real prepared(Index i, const Medium<Real>& medium) const {
+    const CriterionParticle<D, P> particle(solid, i);
+    if (stays_below_limit(medium, particle.green)) return too_low<Real>;
+    return prepare_criterion(medium, particle);
   }
-  // By ductile damage.
+  // Whether it failed by ductile damage.
   KERF_FUNCTION bool has_failed(Index i) const {
-    return solid.flows(i) && !(solid.flow_now[i].damage < Real(1));
+    return solid.flows(i) && !(solid.current_flow[i].damage < Real(1));
   }
 };
 
@@ -61,7 +84,7 @@ struct BondTest {
   SolidView<D, P> solid;
 
   KERF_FUNCTION bool breaks(Index i, Index k, const SymmetricTensor<D, Real>& green) const {
-    if (!solid.is_whole(i, k)) return false;
+    if (!solid.is_intact(i, k)) return false;
     const BondEnd end = solid.bond_end(i, k);
     return end.mirror == 0 ? passes(i, DirectEnd{end.particle}, green) : passes(i, end, green);
   }
@@ -74,19 +97,18 @@ struct BondTest {
     const Real square = dot(bond, bond);
     const auto& a = solid.medium(i);
     const auto& b = solid.medium(j.particle);
-    if (solid.torn[i] || solid.torn[j.particle]) {
+    if (solid.has_broken_bonds[i] || solid.has_broken_bonds[j.particle]) {
       const Real misfit = misfit_squared(i, j, bond, change);
-      if (is_severed(misfit, square, a) || is_severed(misfit, square, b)) return true;
+      if (fails_by_misfit(misfit, square, a) || fails_by_misfit(misfit, square, b)) return true;
     }
     BondStrain<Real> strain;
-    // |x|^2 - R^2 = (2 R + u) . u
-    strain.own = dot(Real(2) * bond + change, change) / square;
+    strain.own = square_growth(bond, change) / square;
     if (!(strain.own > Real(0))) return false;  // no bond breaks that is not stretched
     const bool same = solid.medium_index[i] == solid.medium_index[j.particle];
     strain.prepared = Real(0.5) * (criterion_of(i) + criterion_of(j.particle));
-    if (place_passes(strain.prepared, a) || (!same && place_passes(strain.prepared, b)))
+    if (criterion_passes(strain.prepared, a) || (!same && criterion_passes(strain.prepared, b)))
       strain.mean =
-          dot(bond, (green + green_strain(solid.seen(j, solid.gradient[j.particle]))) * bond) /
+          dot(bond, (green + green_strain(solid.image(j, solid.gradient[j.particle]))) * bond) /
           square;
     return bond_breaks(strain, a) || (!same && bond_breaks(strain, b));
   }
@@ -95,15 +117,14 @@ struct BondTest {
     const Real known = solid.criterion[i];
     return known > too_low<Real>
                ? known
-               : prepare_criterion(solid.medium(i), green_strain(solid.gradient[i]),
-                                   solid.damage(i));
+               : prepare_criterion(solid.medium(i), CriterionParticle<D, P>(solid, i));
   }
 
   template <class End>
   KERF_FUNCTION Real misfit_squared(Index i, const End& j, const Vector<D, Real>& bond,
                                     const Vector<D, Real>& change) const {
     const auto fitted =
-        Real(0.5) * ((solid.gradient[i] + solid.seen(j, solid.gradient[j.particle])) * bond);
+        Real(0.5) * ((solid.gradient[i] + solid.image(j, solid.gradient[j.particle])) * bond);
     return dot(fitted - change, fitted - change);
   }
 };
@@ -117,7 +138,7 @@ struct MarkBreaking {
   KERF_FUNCTION void operator()(Index i) const {
     const auto& solid = test.solid;
     if (!solid.strained[i]) return;
-    if (!(solid.criterion[i] < crushed<Real>)) mark(i);
+    if (!(solid.criterion[i] < compressive_failure<Real>)) mark(i);
     const auto green = green_strain(solid.gradient[i]);
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
       if (test.breaks(i, k, green)) {
@@ -127,7 +148,7 @@ struct MarkBreaking {
   }
 
  private:
-  // By several at once, all with the same value.
+  // Several threads may write at once, all the same value.
   KERF_FUNCTION void mark(Index i) const {
 #if defined(__CUDA_ARCH__)
     test.solid.changed[i] = 1;
@@ -147,8 +168,8 @@ struct BreakMarked {
     const auto& solid = test.solid;
     if (!solid.changed[i]) return;
     accounts.open(solid, i);
-    if (!(solid.criterion[i] < crushed<Real>)) {  // or failed
-      solid.loose[i] = 1;
+    if (!(solid.criterion[i] < compressive_failure<Real>)) {  // or failed
+      solid.detached[i] = 1;
       return;
     }
     const auto green = green_strain(solid.gradient[i]);
@@ -157,23 +178,24 @@ struct BreakMarked {
   }
 };
 
-// Looks once more after a break: the fit over the bonds that are left may find a particle crushed.
+// Tests for compressive failure again after a break, by the deformation over the bonds that are
+// left.
 template <int D, class P>
 struct Crush {
   SolidView<D, P> solid;
   BreakAccounts<D, P> accounts;
 
   KERF_FUNCTION void operator()(Index i) const {
-    if (!accounts.of[i].is_open || solid.loose[i] ||
-        !is_crushed(solid.medium(i), solid.gradient[i]))
+    if (!accounts.of[i].is_open || solid.detached[i] ||
+        !fails_in_compression(solid.medium(i), solid.gradient[i]))
       return;
-    solid.loose[i] = 1;
+    solid.detached[i] = 1;
     solid.changed[i] = 1;
   }
 };
 
-// Breaks the bonds between places that are apart from the start, as on the two sides of a notch:
-// `separates(X_i, X_j)`, the same in both directions.
+// Breaks the bonds between positions that are separate from the start, as on the two sides of a
+// notch: `separates(X_i, X_j)`, the same in both directions.
 template <int D, class P, class Separates>
 struct CutBonds {
   using Real = typename P::Real;
@@ -183,23 +205,23 @@ struct CutBonds {
   KERF_FUNCTION void operator()(Index i) const {
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
       const BondEnd j = solid.bond_end(i, k);
-      const auto place = solid.bonds.mirrors.image_place(j.mirror, solid.reference[j.particle]);
-      if (!separates(solid.reference[i], place)) continue;
+      const auto other = solid.bonds.mirrors.image_place(j.mirror, solid.reference[j.particle]);
+      if (!separates(solid.reference[i], other)) continue;
       solid.break_bond(i, k);
       solid.changed[i] = 1;
     }
   }
 };
 
-// Intact bonds, each counted from both ends, and loose particles.
+// Intact bonds, each counted from both ends, and detached particles.
 template <int D, class P>
 struct CountTerms {
   using Real = typename P::Real;
   SolidView<D, P> solid;
 
   KERF_FUNCTION void add(Index i, Terms<2>& sum) const {
-    sum.value[0] += solid.whole_bonds(i);
-    sum.value[1] += solid.loose[i];
+    sum.value[0] += solid.intact_bonds(i);
+    sum.value[1] += solid.detached[i];
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conjugate gradients with a diagonal preconditioner (Hestenes & Stiefel, J. Res. Natl. Bur. Stand.
-// 49 (1952) 409), for a symmetric positive system of small blocks, on the host.
+// This is the method of conjugate gradients with a diagonal preconditioner (Hestenes & Stiefel, J.
+// Res. Natl. Bur. Stand. 49 (1952) 409), for a symmetric positive system of small blocks, on the
+// host.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@ namespace kerf {
 template <std::size_t N>
 using Blocks = std::vector<std::array<double, N>>;
 
-// sum += share * blocks
+// Adds share * blocks to the sum.
 template <std::size_t N>
 void add_blocks(Blocks<N>& sum, const Blocks<N>& blocks, double share) {
   for (std::size_t r = 0; r < sum.size(); ++r)
@@ -27,7 +28,7 @@ double dot_blocks(const Blocks<N>& a, const Blocks<N>& b) {
   return sum;
 }
 
-// The x of  apply(x) = right  to `accuracy` of the right side. `inverse`: 1 / the diagonal.
+// Returns the x of  apply(x) = right  to `accuracy` of the right side. `inverse`: 1 / the diagonal.
 template <std::size_t N, class Apply>
 Blocks<N> conjugate_gradients(const Apply& apply, Blocks<N> right, const Blocks<N>& inverse,
                               double accuracy) {

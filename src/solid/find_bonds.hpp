@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bonds of the reference configuration, found once, on the host: a cell grid, then each
-// particle's list in ascending order, so that every sum has one order for good; mirror images,
+// BondFinder finds the bonds of the reference configuration, once, on the host: a cell grid, then
+// each particle's list in ascending order, so that every sum has a fixed order; mirror images,
 // whose entries have higher bits set, come last.
 #pragma once
 
@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "core/mirror_planes.hpp"
-#include "fracture/grady_kipp.hpp"
-#include "materials/plastic_law.hpp"
 #include "neighbours/grid.hpp"
 #include "solid/bond_weight.hpp"
 
@@ -17,11 +15,9 @@ namespace kerf {
 
 template <int D>
 struct SolidLayout {
-  std::vector<SolidMedium<double>> media;
-  std::vector<PlasticParameters<double>> plastic;  // per medium; empty: none flows
-  std::vector<GradyKipp<double>> flaws;            // per medium; empty: none has flaws
-  std::vector<Vector<D, double>> reference;        // X, m
-  std::vector<std::uint16_t> medium_index;         // per particle
+  std::vector<Medium<double>> media;
+  std::vector<Vector<D, double>> reference;  // X, m
+  std::vector<std::uint16_t> medium_index;   // per particle
   // Per medium, the body of which it is a level of resolution; empty: there are no levels.
   std::vector<std::uint16_t> body;
   MirrorPlanes<D> mirrors{};
@@ -66,7 +62,7 @@ class BondFinder {
   }
 
  private:
-  // Bonds to particles, and to images of those of a piece that its mirror image is part of.
+  // Appends bonds to particles, and to mirror images where those are part of the same piece.
   void append_images(Index i, std::vector<Index>& neighbours) const {
     const auto& x = layout_.reference[i];
     const MirrorCode joined = layout_.media[layout_.medium_index[i]].joined_mirrors;
@@ -78,7 +74,7 @@ class BondFinder {
     }
   }
 
-  // Those in the cells around x, where i is, or its image.
+  // Appends the bonds in the cells around x, the position of i or of its image.
   void append_bonds(Index i, MirrorCode code, const Vector<D, double>& x,
                     std::vector<Index>& neighbours) const {
     int low[D], cells = 1;
@@ -106,7 +102,7 @@ class BondFinder {
         norm(layout_.mirrors.separation(code, layout_.reference[i], layout_.reference[j]));
     const auto& a = layout_.media[layout_.medium_index[i]];
     const auto& b = layout_.media[layout_.medium_index[j]];
-    return whole_weight<D>(a, b, distance) > 0.0;
+    return intact_weight<D>(a, b, distance) > 0.0;
   }
 
   const SolidLayout<D>& layout_;

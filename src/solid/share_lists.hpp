@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which particles can share one list of bonds: those of one medium whose bonds are all within it,
-// to no mirror image and without factors of their own (fit_levels.hpp), and whose other ends are at
-// the same distances, both in number and in space. On the host, once.
+// Particles share one list of bonds when they are of one medium, all their bonds are within it, to
+// no mirror image and without factors of their own (solid/gradient_correction_levels.hpp), and
+// their other ends have the same differences of index and of position. The lists are shared once,
+// on the host.
 #pragma once
 
 #include <algorithm>
@@ -16,20 +17,21 @@
 
 namespace kerf {
 
-// The lists as a BondTable has them. Those that are shared come first, filled up with zeros to
-// whole blocks, so that walks over them come to an end with one.
+// The lists of a BondTable. Shared lists come first, padded with zeros to whole batches of the SIMD
+// kernels.
 struct StoredBonds {
   static constexpr Index block = 16;
 
   std::vector<Index> begin;
   std::vector<std::uint16_t> count;
   std::vector<Index> entry;
-  std::vector<Index> found_at;  // of each entry, where it is in the lists it comes from; or no_bond
+  std::vector<Index> found_at;  // of each entry, its index in the original lists; or no_bond
   std::vector<Index> owner;     // of each shared list, the first particle that has it
-  std::vector<std::uint8_t> mixed;  // per particle: 1 with bonds to other media, or to images
-  Index shared = 0;                 // entries of shared lists
+  std::vector<std::uint8_t>
+      multi_material;  // per particle: 1: has bonds to other media, or to images
+  Index shared = 0;    // entries of shared lists
 
-  // Numbers of the bonds that were found, in the order in which these are stored; none of none.
+  // Reorders numbers of the bonds that were found into the order of storage; none of none.
   template <class Real>
   std::vector<Real> in_order(const std::vector<double>& found) const {
     std::vector<Real> stored;
@@ -56,8 +58,8 @@ class ListSharing {
 
   StoredBonds store() {
     StoredBonds stored;
-    for (Index i = 0; i < n_; ++i) stored.mixed.push_back(is_mixed(i));
-    find_alike(stored.mixed);
+    for (Index i = 0; i < n_; ++i) stored.multi_material.push_back(is_mixed(i));
+    find_alike(stored.multi_material);
     stored.begin.resize(n_);
     for (Index i = 0; i < n_; ++i) {
       require(length(i) <= std::numeric_limits<std::uint16_t>::max(),
@@ -99,8 +101,8 @@ class ListSharing {
     }
   }
 
-  // Of each particle the first one whose list it could have, and of those how many have it.
-  void find_alike(const std::vector<std::uint8_t>& mixed) {
+  // Finds for each particle the first one whose list it can share, and how many share that.
+  void find_alike(const std::vector<std::uint8_t>& multi_material) {
     model_.resize(n_);
     users_.assign(n_, 0);
     std::unordered_map<std::size_t, std::vector<Index>> models;  // by hash
@@ -108,7 +110,7 @@ class ListSharing {
     for (Index i = 0; i < n_; ++i) {
       model_[i] = i;
       const bool has_factors = !fitted_.empty() && fitted_[i] != 0;
-      if (length(i) == 0 || mixed[i] != 0 || has_factors) continue;
+      if (length(i) == 0 || multi_material[i] != 0 || has_factors) continue;
       if (last == no_bond || !are_alike(i, last)) {
         auto& candidates = models[hash(i)];
         const auto found = std::find_if(candidates.begin(), candidates.end(),
@@ -151,7 +153,7 @@ class ListSharing {
   const BondLists& lists_;
   const std::vector<std::uint8_t>& fitted_;  // per particle: 1 where a bond may have a factor
   Index n_;
-  double rounding_ = 0.0;  // m, of differences of places
+  double rounding_ = 0.0;  // m, of differences of positions
   std::vector<Index> model_, users_;
 };
 

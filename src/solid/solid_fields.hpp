@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the total Lagrangian solid keeps per particle and per bond. State: which bonds are whole,
-// `loose`, `strain_start`, `flow_start` and `flaws`; all else follows from these and from where the
-// particles are.
+// SolidFields are the fields of the total Lagrangian solid, per particle and per bond. Its state
+// are `bond_intact`, `detached`, `strain_start`, `flow_start` and `flaws`; all else follows from
+// these and from the positions.
 #pragma once
 
 #include <type_traits>
@@ -9,45 +9,44 @@
 #include "core/matrix.hpp"
 #include "core/mirror_planes.hpp"
 #include "core/precision.hpp"
-#include "exec/exec.hpp"
-#include "fracture/grady_kipp.hpp"
-#include "lanes/packed_bonds.hpp"
-#include "materials/plastic_law.hpp"
+#include "model/medium.hpp"
+#include "parallel/loops.hpp"
 #include "solid/bond_ends.hpp"
 #include "solid/bond_table.hpp"
 #include "solid/bond_weight.hpp"
+#include "solid/simd/packed_bonds.hpp"
 
 namespace kerf {
 
 // Fields with one entry per particle that are not given at set-up. FIELD(type, name): meaning.
-#define KERF_SOLID_RESULTS(FIELD)                                                      \
-  FIELD(std::uint8_t, loose)    /* 1: holds on to nothing, carries no stress */        \
-  FIELD(std::uint8_t, torn)     /* 1: has lost bonds */                                \
-  FIELD(std::uint8_t, changed)  /* 1: its correction is outdated */                    \
-  FIELD(std::uint8_t, mixed)    /* 1: has bonds to other media, or to images */        \
-  FIELD(std::uint8_t, strained) /* 1: one of its bonds may break */                    \
-  FIELD(Real, stretch)          /* largest lambda^2 - 1 of its bonds, if they break */ \
-  FIELD(Packed, ends)           /* displacement, velocity, traction and others */      \
-  FIELD(Tensor, correction)     /* B_i / V_i, 1/m^D */                                 \
-  FIELD(Tensor, gradient)       /* H = F - 1 */                                        \
-  FIELD(Real, criterion)        /* of the fracture criterion */                        \
-  FIELD(Speed, acceleration)    /* m/s^2 */                                            \
-  FIELD(Real, viscous_power)    /* W, dissipated by the bond viscosity */
+#define KERF_SOLID_RESULTS(FIELD)                                                              \
+  FIELD(std::uint8_t, detached)         /* 1: has no bonds, carries no stress */               \
+  FIELD(std::uint8_t, has_broken_bonds) /* 1: has lost bonds */                                \
+  FIELD(std::uint8_t, changed)          /* 1: its correction is outdated */                    \
+  FIELD(std::uint8_t, multi_material)   /* 1: has bonds to other media, or to images */        \
+  FIELD(std::uint8_t, strained)         /* 1: one of its bonds may break */                    \
+  FIELD(Real, stretch)                  /* largest lambda^2 - 1 of its bonds, if they break */ \
+  FIELD(Packed, ends)                   /* displacement, velocity, traction and others */      \
+  FIELD(Tensor, correction)             /* B_i / V_i, 1/m^D */                                 \
+  FIELD(Tensor, gradient)               /* H = F - 1 */                                        \
+  FIELD(Real, criterion)                /* of the fracture criterion */                        \
+  FIELD(Speed, acceleration)            /* m/s^2 */                                            \
+  FIELD(Real, viscous_power)            /* W, dissipated by the bond viscosity */
 // Those that only solids beside planes of symmetry have.
 #define KERF_SOLID_MIRRORED(FIELD) \
   FIELD(Speed, mirror_acceleration) /* m/s^2, the part due to mirror images */
 // Those that only solids have of which some part softens (fracture/softening.hpp).
 #define KERF_SOLID_SOFTENING(FIELD)                                 \
   FIELD(Real, strain_start)     /* k at the start of the step, 1 */ \
-  FIELD(Real, strain_now)       /* at the deformation in force */   \
+  FIELD(Real, current_strain)   /* at the current deformation */    \
   FIELD(double, softening_loss) /* of hourglass control in the last step, J */
 // Those that only solids have of which some part flows.
 #define KERF_SOLID_FLOW(FIELD)                                                   \
   FIELD(State, flow_start)         /* at the start of the step */                \
-  FIELD(State, flow_now)           /* at the deformation in force */             \
+  FIELD(State, current_flow)       /* at the current deformation */              \
   FIELD(Tensor, rate_traction)     /* of hourglass_viscosity.hpp, Pa */          \
   FIELD(Real, hourglass_viscosity) /* eta, Pa s */                               \
-  FIELD(Real, flow_work)           /* plastic work of the step in hand, J/m^3 */ \
+  FIELD(Real, flow_work)           /* plastic work of the current step, J/m^3 */ \
   FIELD(double, flow_loss)         /* dissipated in the last step, J (2D: J/m) */
 
 // Those that only solids have of which some part has flaws.
@@ -64,7 +63,7 @@ namespace kerf {
 template <int D, class P>
 struct SolidView {
   using Real = typename P::Real;
-  using Place = Vector<D, double>;
+  using Position = Vector<D, double>;
   using Speed = Vector<D, Real>;
   using Tensor = Matrix<D, Real>;
   using Packed = PackedBondEnd<D, Real>;
@@ -75,27 +74,25 @@ struct SolidView {
   bool any_flows;    // whether there is a medium that flows
   bool any_softens;  // or softens
   bool any_flaws;    // or has flaws
-  const SolidMedium<Real>* media;
-  const PlasticParameters<Real>* plastic;  // per medium
-  const GradyKipp<Real>* flaw_law;         // per medium
+  const Medium<Real>* media;
   const std::uint16_t* medium_index;
-  const Place* reference;  // X, m
+  const Position* reference;  // X, m
   BondTable<D> bonds;
-  std::uint32_t* whole;  // a bit per bond, from the lowest on in words of each particle's own
-  Index words;           // of each particle
-  // s of fit_levels.hpp, per bond; null: 1.
-  const Real *bond_fit, *pair_fit;
+  std::uint32_t* bond_intact;  // a bit per bond, from the lowest on in words of each particle's own
+  Index words;                 // of each particle
+  // s of gradient_correction_levels.hpp, per bond; null: 1.
+  const Real *bond_correction, *pair_correction;
   const BondScale<Real>* scale;  // per pair of media
   Index media_count;
 #define KERF_FIELD(type, name) type* name;
   KERF_SOLID_FIELDS(KERF_FIELD)
 #undef KERF_FIELD
 
-  KERF_FUNCTION const SolidMedium<Real>& medium(Index i) const {
+  KERF_FUNCTION const Medium<Real>& medium(Index i) const {
     return media[medium_index[i]];
   }
   KERF_FUNCTION const PlasticParameters<Real>& plasticity(Index i) const {
-    return plastic[medium_index[i]];
+    return medium(i).plastic;
   }
   KERF_FUNCTION bool flows(Index i) const {
     return any_flows && plasticity(i).flows();
@@ -104,13 +101,13 @@ struct SolidView {
     return any_softens && medium(i).softens();
   }
   KERF_FUNCTION bool has_flaws(Index i) const {
-    return any_flaws && flaw_law[medium_index[i]].is_on();
+    return any_flaws && medium(i).grady_kipp.is_on();
   }
   // Damage of a particle, by which its tension is less.
   KERF_FUNCTION Real damage(Index i) const {
     return any_flaws ? flaws[i].damage : Real(0);
   }
-  // What bond k of particle i leads to.
+  // Returns the other end of bond k of particle i.
   template <class End = BondEnd>
   KERF_FUNCTION End bond_end(Index i, Index k) const {
     const Index end = bonds.end(i, k);
@@ -119,7 +116,8 @@ struct SolidView {
     else
       return {bonds.mirrors.place(end), bonds.mirrors.code(end)};
   }
-  // Of particle i, the first bond that is one to a mirror image; the end of its bonds for none.
+  // Returns the first bond of particle i to a mirror image; the end of its bonds where there is
+  // none.
   KERF_FUNCTION Index first_image(Index i) const {
     Index k = bonds.last(i);
     if (has_mirrors())
@@ -129,24 +127,24 @@ struct SolidView {
   KERF_FUNCTION bool has_mirrors() const {
     return bonds.mirrors.faces != 0;
   }
-  // Whether bond k of particle i is unbroken.
-  KERF_FUNCTION bool is_whole(Index i, Index k) const {
-    return (whole[word(i, k)] & bit(i, k)) != 0;
+  // Returns whether bond k of particle i is intact.
+  KERF_FUNCTION bool is_intact(Index i, Index k) const {
+    return (bond_intact[word(i, k)] & bit(i, k)) != 0;
   }
-  KERF_FUNCTION Index whole_bonds(Index i) const {
+  KERF_FUNCTION Index intact_bonds(Index i) const {
     Index sum = 0;
-    for (Index k = bonds.first(i); k < bonds.last(i); ++k) sum += is_whole(i, k);
+    for (Index k = bonds.first(i); k < bonds.last(i); ++k) sum += is_intact(i, k);
     return sum;
   }
   KERF_FUNCTION void break_bond(Index i, Index k) const {
-    whole[word(i, k)] &= ~bit(i, k);
+    bond_intact[word(i, k)] &= ~bit(i, k);
   }
-  // w_ij of bond k of particle i, if it is unbroken; `bond` = X_j - X_i.
+  // Returns w_ij of bond k of particle i, if it is intact; `bond` = X_j - X_i.
   template <class End>
   KERF_FUNCTION Real weight(Index i, Index k, const End& j, const Vector<D, Real>& bond) const {
     const Real w =
         scale[medium_index[i] * media_count + medium_index[j.particle]].weight(norm(bond));
-    return bond_fit == nullptr ? w : bond_fit[k] * w;
+    return bond_correction == nullptr ? w : bond_correction[k] * w;
   }
   // X_j - X_i, m.
   template <class T = Real, class End>
@@ -161,18 +159,27 @@ struct SolidView {
   KERF_FUNCTION Vector<D, T> displacement_bond(Index i, const End& j) const {
     using Change = Vector<D, T>;
     const auto &own = ends[i], &other = ends[j.particle];
-    const auto first = Change::from(seen(j, other.displacement)) - Change::from(own.displacement);
-    return first + (Change::from(seen(j, other.remainder)) - Change::from(own.remainder));
+    const auto displacement = image(j, other.displacement), remainder = image(j, other.remainder);
+    Change change;
+    for (int a = 0; a < D; ++a)
+      change[a] = displacement_difference(T(own.displacement[a]), T(own.remainder[a]),
+                                          T(displacement[a]), T(remainder[a]));
+    return change;
+  }
+  // Bond k of particle i, which leads to j, if it is intact.
+  template <class End>
+  KERF_FUNCTION BondGeometry<D, Real> bond_geometry(Index i, Index k, const End& j) const {
+    const Vector<D, Real> bond = reference_bond(i, j);
+    return {bond, displacement_bond(i, j), weight(i, k, j, bond)};
   }
   // v_j - v_i, m/s.
   template <class End>
   KERF_FUNCTION Speed velocity_bond(Index i, const End& j) const {
-    return seen(j, ends[j.particle].velocity) - ends[i].velocity;
+    return image(j, ends[j.particle].velocity) - ends[i].velocity;
   }
-  // A vector or tensor of particle j as one sees it who is bound to it: of its image, where it is
-  // one.
+  // A vector or tensor of the other end of a bond: that of particle j, or of its mirror image.
   template <class T, class End>
-  KERF_FUNCTION static T seen(const End& j, const T& value) {
+  KERF_FUNCTION static T image(const End& j, const T& value) {
     return MirrorPlanes<D>::image(j.mirror, value);
   }
 
@@ -189,7 +196,7 @@ template <int D, class P>
 struct SolidFields {
   using View = SolidView<D, P>;
   using Real = typename P::Real;
-  using Place = typename View::Place;
+  using Position = typename View::Position;
   using Speed = typename View::Speed;
   using Tensor = typename View::Tensor;
   using Packed = typename View::Packed;
@@ -197,17 +204,15 @@ struct SolidFields {
   using Flaws = typename View::Flaws;
 
   bool any_flows = false, any_softens = false, any_flaws = false;
-  Array<SolidMedium<Real>> media;
-  Array<PlasticParameters<Real>> plastic;
-  Array<GradyKipp<Real>> flaw_law;
+  Array<Medium<Real>> media;
   Array<std::uint16_t> medium_index;
-  Array<Place> reference;
+  Array<Position> reference;
   Array<Index> bond_begin, bond_entry;
   Array<std::uint16_t> bond_count;
   MirrorPlanes<D> mirrors{};
-  Array<std::uint32_t> whole;
+  Array<std::uint32_t> bond_intact;
   Index words = 0;
-  Array<Real> bond_fit, pair_fit;
+  Array<Real> bond_correction, pair_correction;
   Array<BondScale<Real>> scale;
 #define KERF_FIELD(type, name) Array<type> name;
   KERF_SOLID_FIELDS(KERF_FIELD)
@@ -217,9 +222,9 @@ struct SolidFields {
     return static_cast<Index>(reference.size());
   }
 
-  // Makes room for all that is not given at set-up.
+  // Allocates the fields that are not given at set-up.
   void make_room() {
-    whole.resize(words * reference.size());
+    bond_intact.resize(words * reference.size());
 #define KERF_FIELD(type, name) name.resize(reference.size());
     KERF_SOLID_RESULTS(KERF_FIELD)
     if (mirrors.faces != 0) {
@@ -238,10 +243,10 @@ struct SolidFields {
   }
 
   std::size_t bytes() const {
-    std::size_t sum = bytes_of(media) + bytes_of(plastic) + bytes_of(flaw_law) +
-                      bytes_of(medium_index) + bytes_of(reference) + bytes_of(bond_begin) +
-                      bytes_of(bond_entry) + bytes_of(bond_count) + bytes_of(scale) +
-                      bytes_of(whole) + bytes_of(bond_fit) + bytes_of(pair_fit);
+    std::size_t sum = bytes_of(media) + bytes_of(medium_index) + bytes_of(reference) +
+                      bytes_of(bond_begin) + bytes_of(bond_entry) + bytes_of(bond_count) +
+                      bytes_of(scale) + bytes_of(bond_intact) + bytes_of(bond_correction) +
+                      bytes_of(pair_correction);
 #define KERF_FIELD(type, name) sum += bytes_of(name);
     KERF_SOLID_FIELDS(KERF_FIELD)
 #undef KERF_FIELD
@@ -255,17 +260,15 @@ struct SolidFields {
     view.any_softens = any_softens;
     view.any_flaws = any_flaws;
     view.media = pointer(media);
-    view.plastic = pointer(plastic);
-    view.flaw_law = pointer(flaw_law);
     view.medium_index = pointer(medium_index);
     view.reference = pointer(reference);
     view.bonds = {pointer(bond_begin), pointer(bond_count), pointer(bond_entry), mirrors};
-    view.whole = pointer(whole);
+    view.bond_intact = pointer(bond_intact);
     view.words = words;
     view.scale = pointer(scale);
     view.media_count = static_cast<Index>(media.size());
-    view.bond_fit = bond_fit.empty() ? nullptr : pointer(bond_fit);
-    view.pair_fit = pair_fit.empty() ? nullptr : pointer(pair_fit);
+    view.bond_correction = bond_correction.empty() ? nullptr : pointer(bond_correction);
+    view.pair_correction = pair_correction.empty() ? nullptr : pointer(pair_correction);
 #define KERF_FIELD(type, name) view.name = pointer(name);
     KERF_SOLID_FIELDS(KERF_FIELD)
 #undef KERF_FIELD

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long a wave takes across the kernel of a solid that is squeezed. In the reference
-// configuration, where the sums are, a solid squeezed to the stretch lambda carries waves 1 /
-// lambda times as fast along that axis; so the time is  h lambda / (c (1 + 1.2 A)),  lambda the
-// least principal stretch, A the viscosity of the bonds as in integrate/time_step.hpp.
+// StretchLimit computes the time of a wave across the kernel of a compressed solid. In the
+// reference configuration, where the sums are, waves in a solid compressed to the stretch lambda
+// are 1 / lambda times as fast along that axis; so the time is  h lambda / (c (1 + 1.2 A)),  lambda
+// the least principal stretch, A the viscosity of the bonds as in time/time_step.hpp.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ struct ShorterWave {
   }
 };
 
-// Of a block of particles. Most of them are done with by a bound: principal values cost ten times
+// Reduces a block of particles. A bound suffices for most of them: principal values cost ten times
 // as much.
 template <int D, class P>
 struct StretchLimit {
@@ -45,13 +45,13 @@ struct StretchLimit {
   }
 
  private:
-  // Its time, if that may be less than `shortest`.
+  // Returns the time of a particle, if that may be less than `shortest`.
   KERF_FUNCTION WaveTime of_particle(Index i, double shortest) const {
     const auto& medium = solid.medium(i);
     const double wave =
-        double(medium.longitudinal_speed()) * (1.0 + 1.2 * double(medium.artificial_linear));
+        double(medium.bond_wave_speed()) * (1.0 + 1.2 * double(medium.artificial_linear));
     const double unsqueezed = double(medium.smoothing_length) / wave;
-    if (solid.loose[i]) return {unsqueezed, i};
+    if (solid.detached[i]) return {unsqueezed, i};
     const auto green = green_strain(solid.gradient[i]);
     const double most_squeezed = shortest / unsqueezed;
     if (double(square_of(possible_values(green).least)) > most_squeezed * most_squeezed + 1e-5)
@@ -64,7 +64,7 @@ struct StretchLimit {
     // A deformation that is not one any more is left to those who look for it.
     return {unsqueezed * (square > Real(1e-4) ? std::sqrt(double(square)) : 0.01), i};
   }
-  // lambda^2 of a principal value of Green's strain.
+  // Returns lambda^2 of a principal value of Green's strain.
   KERF_FUNCTION static Real square_of(Real strain) { return Real(1) + Real(2) * strain; }
 };
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/units.hpp"
+#include "input/units.hpp"
 
 namespace kerf {
 
@@ -31,11 +31,13 @@ double between(double first, double last, double share, bool is_logarithmic) {
   return first + (last - first) * share;
 }
 
+double Axis::shown_factor() const {
+  return path.unit().empty() ? 1.0 : read_quantity("1 " + shown_unit, path.unit()).value;
+}
+
 std::string show_number(double value, const Axis& axis) {
-  const std::string si_unit = axis.path.unit();
-  if (si_unit.empty()) return fmt::format("{:.6g}", value);
-  const double factor = read_quantity("1 " + axis.shown_unit, si_unit).value;
-  return fmt::format("{:.6g} {}", value / factor, axis.shown_unit);
+  if (axis.path.unit().empty()) return fmt::format("{:.6g}", value);
+  return fmt::format("{:.6g} {}", value / axis.shown_factor(), axis.shown_unit);
 }
 
 std::string show(const Setting& setting, const std::vector<Axis>& axes) {

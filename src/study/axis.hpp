@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A key of the case that a study varies, and the values it takes.
+// This header declares an axis of a study: a key of the case that is varied, and its values.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-// Where each varied key stands in one run: numbers in SI units, and texts that are no numbers.
+// A setting holds the value of each varied key in one run: a number in SI units, or a word.
 struct Setting {
   std::map<std::string, double> numbers;
   std::map<std::string, std::string> words;
@@ -19,23 +19,26 @@ struct Setting {
 
 struct Axis {
   KeyPath path;
-  std::string shown_unit;          // the unit that the study wrote, for what people read
-  std::vector<double> values;      // SI; as listed, or evenly over a range
-  std::vector<std::string> words;  // instead of values where the key holds no number
-  bool is_range = false;           // `values` are samples of all between the first and the last
-  bool is_logarithmic = false;     // a range whose ratios count, not its differences
+  std::string shown_unit;          // the unit that the study file uses
+  std::vector<double> values;      // SI; the list, or samples of the range
+  std::vector<std::string> words;  // instead of values where the key holds a word
+  bool is_range = false;           // any value from the first to the last is allowed
+  bool is_logarithmic = false;     // the range is divided into equal ratios
 
   const std::string& name() const { return path.text; }
+  // Returns how many SI units one `shown_unit` has; 1 for a pure number.
+  double shown_factor() const;
   std::size_t levels() const { return words.empty() ? values.size() : words.size(); }
   void put_level(std::size_t level, Setting& setting) const;
-  // A place in the range, 0 at its first end and 1 at its last; of a list, the level that is there.
+  // Sets the key to a point of the range, from 0 at its first end to 1 at its last. A list is
+  // divided into equal parts, one for each level.
   void put_share(double share, Setting& setting) const;
 };
 
-// The value at a share of the way from one to the other.
+// Returns the value at `share` of the way from `first` to `last`, in ratios if logarithmic.
 double between(double first, double last, double share, bool is_logarithmic);
 
-// "jet.jet.speed = 4 m/s", in the units that the study wrote.
+// Return "jet.jet.speed = 4 m/s" and "4 m/s", in the units of the study file.
 std::string show(const Setting& setting, const std::vector<Axis>& axes);
 std::string show_number(double value, const Axis& axis);
 

@@ -10,8 +10,8 @@ namespace kerf {
 Bisection::Bisection(Verdicts verdicts, Bracket range, int most, bool is_logarithmic)
     : verdicts_(std::move(verdicts)), range_(range), most_(most), is_logarithmic_(is_logarithmic) {}
 
-// The lowest value from which on every verdict is true, and the highest up to which every one is
-// false; an end of the range where none was tried.
+// `high` is the lowest value from which every verdict is true, `low` the highest up to which every
+// verdict is false; either is an end of the range where no run decides it.
 Bracket Bisection::bracket() const {
   Bracket result = range_;
   for (const auto& [value, is_beyond] : known_) {
@@ -45,7 +45,7 @@ void Bisection::try_values(const std::vector<double>& values) {
   for (std::size_t i = 0; i < missing.size(); ++i) known_[missing[i]] = found[i];
 }
 
-// Some value within the bracket was tried already: verdicts are not in order there.
+// Returns whether a value within the bracket was run: verdicts alternate there.
 bool Bisection::alternates() const {
   const Bracket now = bracket();
   const auto inner = known_.upper_bound(now.low);
@@ -66,7 +66,7 @@ void Bisection::narrow(double tolerance, int side_by_side) {
   }
 }
 
-// Tries the ends of the bracket that were taken for granted; false when there was none.
+// Runs the ends of the bracket that were assumed; returns false if there was none.
 bool Bisection::confirm_ends() {
   if (is_confirmed() || same_everywhere()) return false;
   const Bracket now = bracket();

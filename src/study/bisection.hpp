@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
-// Brackets of a change of verdict along one key.
+// This header declares the bisection of a range: it brackets the value at which a verdict changes.
 #pragma once
 
 #include <functional>
 #include <map>
 #include <vector>
 
-#include "study/threshold_search.hpp"
+#include "study/searches.hpp"
 
 namespace kerf {
 
-// What a verdict is beyond the threshold, at each of some values of the key, side by side.
+// Returns for each value of the key, all of them run at once, whether it lies beyond the threshold.
 using Verdicts = std::function<std::vector<bool>(const std::vector<double>& values)>;
 
 class Bisection {
  public:
-  // Between the ends of a range, whose verdicts are taken for granted until a bracket ends there.
-  // `most` bounds the number of verdicts; parts are equal in ratio when logarithmic.
+  // The verdicts at the ends of the range are assumed until a bracket ends there. `most` limits the
+  // number of verdicts; parts have equal ratios if logarithmic.
   Bisection(Verdicts verdicts, Bracket range, int most, bool is_logarithmic = false);
 
-  // Cuts the bracket into side_by_side + 1 equal parts at once, until half of it over its middle is
+  // Divides the bracket into side_by_side + 1 equal parts, until its half-width over its middle is
   // within the tolerance.
   void narrow(double tolerance, int side_by_side);
-  // Starts from a bracket that is likely right, which is widened on the side where it is not.
+  // Starts from a probable bracket, which is widened on the side where it proves wrong.
   void start_at(Bracket guess);
 
   Bracket bracket() const;
   int count() const { return static_cast<int>(known_.size()); }
   bool is_exhausted() const { return count() >= most_; }
-  // Whether both ends of the bracket were tried.
+  // Returns whether both ends of the bracket were run.
   bool is_confirmed() const;
-  // The range holds no change: its verdict is the same everywhere, true or false.
+  // Returns the verdict if it is the same at both ends of the range, nothing if it changes.
   std::optional<bool> same_everywhere() const;
 
  private:

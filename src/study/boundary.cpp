@@ -8,10 +8,10 @@ namespace kerf {
 
 namespace {
 
-// Verdicts along one key, by its value.
+// The verdicts along one key, by its value.
 using Line = std::map<double, bool>;
 
-// Settings without the key, in any order that is one.
+// Orders settings, so that they may be keys of a map.
 struct Order {
   bool operator()(const Setting& a, const Setting& b) const {
     return std::tie(a.numbers, a.words) < std::tie(b.numbers, b.words);

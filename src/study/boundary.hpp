@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the region of cut-through ends in a map.
+// This header declares the boundary of cut-through in a map of runs.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,15 @@
 
 namespace kerf {
 
-// Along one key, all others as they stand: the verdict changes between two runs that are
-// neighbours.
+// The verdict changes between two runs that are neighbours along `key` and equal in all other keys.
 struct Crossing {
   std::string key;
-  double low = 0.0, high = 0.0;  // SI, of the runs either side
-  bool cuts_above = false;       // else below
-  Setting at;                    // where the other keys stand
+  double low = 0.0, high = 0.0;  // SI, the values of the two runs
+  bool cuts_above = false;       // otherwise below
+  Setting at;                    // the values of the other keys
 };
 
-// Of the finished runs of one resolution and layout. Verdicts are those of the first layout.
+// Returns the boundary from finished runs of one resolution. Only the first layout counts.
 std::vector<Crossing> cut_boundary(const std::vector<Axis>& axes, const std::vector<RunRow>& runs);
 
 }  // namespace kerf

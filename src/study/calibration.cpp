@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/calibration.hpp"
+#include "study/searches.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double cover = 2.0;  // standard uncertainties of what was measured, for some 95%
+constexpr double cover = 2.0;  // standard uncertainties of the measurement, for about 95%
 
 class Calibrator {
  public:
@@ -64,7 +64,7 @@ class Calibrator {
     return metrics;
   }
 
-  // The setting is where cutting begins: so is the key, of all values, where it begins there.
+  // Cutting begins at the given setting, so the key has the value at which it begins there.
   void from_threshold() {
     const double first = goal_.axis.values.front(), last = goal_.axis.values.back();
     const auto ends = measure({first, last});
@@ -107,13 +107,13 @@ class Calibrator {
     const auto found = known_.find(logarithm);
     if (found != known_.end()) return found->second;
     const double value = std::exp(logarithm), metric = measure({value}).front();
-    known_.erase(std::log(value));  // but for rounding the same
+    known_.erase(std::log(value));  // the same value but for rounding
     known_[logarithm] = metric;
     return metric;
   }
 
-  // The whole range at once, so that the first look costs one round. Where a run has no such
-  // number, as none has a time of cutting through that does not, there is nothing to learn.
+  // Samples the whole range in one round. A run without the metric, such as a time of cut-through
+  // where nothing is cut through, is left out.
   void explore() {
     const int count = std::max(4, laboratory_.side_by_side());
     std::vector<double> values;
@@ -129,7 +129,7 @@ class Calibrator {
         known_[std::log(values[i])] = metric_of(outcomes[i]);
   }
 
-  // Two neighbours between which the metric passes what was measured.
+  // Returns two neighbours between which the metric crosses the measured value.
   std::pair<double, double> crossing() {
     if (known_.size() < 2) {
       answer_.problem = fmt::format("fewer than two runs over the range of {} have {}. Narrow it",
@@ -150,8 +150,8 @@ class Calibrator {
     return {};
   }
 
-  // The root between the last two places, and how far it moves with what was measured: by the line
-  // through the runs nearest to it.
+  // Takes the root between the last two values and its interval from the line through the nearest
+  // runs.
   void settle(double low, double high) {
     const double at_low = known_.at(low), at_high = known_.at(high);
     const double share = at_high == at_low ? 0.5 : (goal_.measured - at_low) / (at_high - at_low);
@@ -174,8 +174,8 @@ class Calibrator {
                                     goal_.metric, goal_.axis.name());
   }
 
-  // Through the nearest five runs; where they scatter so much that the slope is not known to a
-  // half, through more.
+  // Fits a line to the nearest five runs, and to more where the slope is uncertain by more than a
+  // half.
   Fit nearest_line(double root) const {
     std::vector<std::pair<double, double>> points(known_.begin(), known_.end());
     std::sort(points.begin(), points.end(), [&](const auto& a, const auto& b) {
@@ -191,7 +191,7 @@ class Calibrator {
     return fit;
   }
 
-  // Whether half of the slope's interval is within this share of it.
+  // Returns whether the half-width of the slope's interval is within this share of the slope.
   static bool has_slope(const Fit& line, double share) {
     return share * std::abs(line.parameters[1]) > line.half_interval(1, 0.95);
   }
@@ -207,7 +207,7 @@ class Calibrator {
     return fit_linear(matrix, metrics);
   }
 
-  // Each with the key at its value and at both ends of its interval, within the range.
+  // Runs each setting with the key at its value and at both ends of its interval, within the range.
   void predict() {
     const auto within = [&](double value) {
       return std::clamp(value, goal_.axis.values.front(), goal_.axis.values.back());
@@ -230,7 +230,7 @@ class Calibrator {
   const CalibrationGoal& goal_;
   double refinement_;
   Laboratory& laboratory_;
-  std::map<double, double> known_;  // metric by the logarithm of the key
+  std::map<double, double> known_;  // the metric, by the logarithm of the key
   CalibrationAnswer answer_;
 };
 

@@ -9,11 +9,11 @@
 #include <limits>
 #include <sstream>
 
-#include "case/read.hpp"
-#include "case/refine.hpp"
-#include "case/write_used.hpp"
+#include "analysis/derived.hpp"
 #include "core/error.hpp"
-#include "measure/derived.hpp"
+#include "input/read.hpp"
+#include "input/refine.hpp"
+#include "input/write_used.hpp"
 
 namespace kerf {
 
@@ -26,14 +26,14 @@ double finest_spacing(const Case& description) {
   return finest;
 }
 
-// A repeat has other seeds than the case; that of repeat 0 has its own.
+// Changes the seeds of the case for a repeat; repeat 0 keeps them.
 void reseed(Case& description, int repeat) {
   constexpr std::uint64_t largest = 2147483647;
   for (Body& body : description.bodies)
     body.seed = (body.seed + static_cast<std::uint64_t>(repeat)) % (largest + 1);
 }
 
-// A complaint about the case is about text that nobody wrote: its lines mean nothing.
+// Removes line numbers from a message: they refer to text that no user wrote.
 std::string without_place(const std::string& message, const std::string& file_name) {
   std::string result;
   std::istringstream lines(message);
@@ -63,7 +63,7 @@ CaseMaker::CaseMaker(const StudyPlan& plan)
   for (const Axis& axis : plan.calibration->at_axes) axes_.push_back(axis);
 }
 
-// What stands over the pictures and the report of a run.
+// Returns the title of the pictures and the report of a run.
 std::string CaseMaker::title_of(const Setting& setting) const {
   const std::string where = show(setting, axes_);
   return where.empty() ? title_ : fmt::format("{}: {}", title_, where);

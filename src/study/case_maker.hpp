@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a trial to the case that runs.
+// This header declares the maker of cases: it turns a trial into the case that is run.
 #pragma once
 
 #include <string>
@@ -7,24 +7,24 @@
 
 #include <toml++/toml.h>
 
-#include "case/case.hpp"
+#include "model/case.hpp"
 #include "study/laboratory.hpp"
 #include "study/study_plan.hpp"
 
 namespace kerf {
 
 struct ResolvedCase {
-  std::string id;        // the same for the same text, whatever the study's title
+  std::string id;        // depends on the case alone, not on the study's title
   std::string text;      // a complete case, as case.used.toml
   double spacing = 0.0;  // m, the finest of its particles
-  double memory = 0.0;   // bytes, estimate
+  double memory = 0.0;   // bytes, estimated
 };
 
 class CaseMaker {
  public:
   explicit CaseMaker(const StudyPlan& plan);
 
-  // Throws UserError, which names the study's keys and values, when the case is not good.
+  // Throws UserError, which names the study's keys and values, when the case is not valid.
   ResolvedCase make(const Trial& trial) const;
 
  private:
@@ -36,7 +36,7 @@ class CaseMaker {
   std::vector<Axis> axes_;  // every key that a trial may set
 };
 
-// 15 hexadecimal digits of the SHA-1 of a text.
+// Returns 15 hexadecimal digits of the SHA-1 of a text.
 std::string text_id(const std::string& text);
 
 }  // namespace kerf

@@ -6,9 +6,11 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
+#include <boost/asio/io_context.hpp>
 #include <boost/process.hpp>
 #include <boost/process/extend.hpp>
+
+#include <future>
 
 #include "core/error.hpp"
 
@@ -22,8 +24,8 @@ struct ChildProcess::State {
 
 namespace {
 
-// Run in the child between fork and exec. The system kills it when this process ends in any way;
-// a parent that is gone already cannot be noticed so, hence the second look.
+// This is run in the child between fork and exec. The system kills the child when this process ends
+// in any way; the test of the parent covers one that ended before.
 template <class Executor>
 void bind_to_parent(Executor&, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -69,6 +71,19 @@ std::optional<JobEnd> ChildProcess::end() {
 
 void ChildProcess::send(int signal) {
   ::kill(state_->child.id(), signal);
+}
+
+CommandOutput output_of(const std::string& program, const std::vector<std::string>& arguments) {
+  const auto path = process::search_path(program);
+  if (path.empty()) return {-1, "", program + " is not installed"};
+  boost::asio::io_context context;  // it reads both streams, so that neither blocks the program
+  std::future<std::string> output, errors;
+  process::child child(path, process::args(arguments),
+                       process::std_in<process::null, process::std_out> output,
+                       process::std_err > errors, context);
+  context.run();
+  child.wait();
+  return {child.exit_code(), output.get(), errors.get()};
 }
 
 }  // namespace kerf

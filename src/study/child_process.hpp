@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program at work, which does not outlive this one.
+// This header declares programs that this one starts: a child that does not outlive it, and a
+// command that is run to its end.
 #pragma once
 
 #include <filesystem>
@@ -14,15 +15,16 @@ namespace kerf {
 
 class ChildProcess {
  public:
-  // Starts it in a process group of its own, so that Ctrl-C reaches this program alone. Standard
-  // output and error go to a file. Throws UserError (exit_files) when it cannot be started.
+  // Starts the program in a process group of its own, so that Ctrl-C reaches this program alone.
+  // Standard output and error go to a file. Throws UserError (exit_files) when it cannot be
+  // started.
   ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                const std::filesystem::path& output);
-  // Kills it if it is still at work.
+  // Kills the program if it still runs.
   ~ChildProcess();
   ChildProcess(ChildProcess&&) noexcept;
 
-  // How it ended; nothing while it is at work.
+  // Returns how it ended, nothing while it runs.
   std::optional<JobEnd> end();
   void send(int signal);
 
@@ -30,5 +32,14 @@ class ChildProcess {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+struct CommandOutput {
+  int exit_code = -1;  // -1 = the program does not exist
+  std::string output;  // standard output
+  std::string errors;  // standard error
+};
+
+// Runs a program of the PATH to its end, without a shell, and returns what it printed.
+CommandOutput output_of(const std::string& program, const std::vector<std::string>& arguments);
 
 }  // namespace kerf

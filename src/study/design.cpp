@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-// A permutation of 0 ... count - 1 (Fisher & Yates) from the random numbers of a seed.
+// Returns a permutation of 0 ... count - 1 (Fisher & Yates) from the generator's random numbers.
 std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -7,11 +7,11 @@
 #include <charconv>
 #include <optional>
 
-#include "case/material_library.hpp"
-#include "case/overlay.hpp"
-#include "case/problems.hpp"
-#include "case/units.hpp"
 #include "core/error.hpp"
+#include "input/material_library.hpp"
+#include "input/overlay.hpp"
+#include "input/problems.hpp"
+#include "input/units.hpp"
 
 namespace kerf {
 
@@ -30,18 +30,17 @@ std::string name_of(const toml::node& entry) {
   return table ? (*table)["name"].value_or(std::string()) : std::string();
 }
 
-// The entry of a list by its name or number; null when there is none.
+// Returns the entry of a list by its name or number; null when there is none.
 toml::node* entry_of(toml::array& list, const std::string& word) {
   if (toml::table* entry = entry_named(list, word)) return entry;
   const auto index = as_index(word);
   return index && *index < list.size() ? list.get(*index) : nullptr;
 }
 
-// Of a section, whatever they apply to.
+// Returns all keys of a section, whatever they apply to.
 std::vector<std::string> names_in(std::string_view section) {
   std::vector<std::string> names;
-  for (const Key& key : schema())
-    if (key.section == section) names.emplace_back(key.name);
+  for (const Key& key : keys_of(section)) names.emplace_back(key.name);
   return names;
 }
 
@@ -57,7 +56,7 @@ std::string_view section_of(const Key& key) {
   return key.name == "around" || key.name == "parts" ? "shape" : key.name;
 }
 
-// Walks down a path; `node` is null where the case writes nothing.
+// Follows a path downwards; `node` is null where the case writes nothing.
 struct Walk {
   KeyPath& path;
   toml::node* node = nullptr;
@@ -124,7 +123,7 @@ struct Walk {
   }
 };
 
-// The table or list that holds the last segment, made where the case has none.
+// Returns the table or list that holds the last segment; it is made where the case has none.
 toml::node& holder_of(toml::table& case_table, const KeyPath& path) {
   toml::node* node = &case_table;
   for (std::size_t i = 0; i + 1 < path.segments.size(); ++i) {

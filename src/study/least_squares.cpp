@@ -11,8 +11,8 @@ namespace kerf {
 
 namespace {
 
-// Residual, covariance and R^2 at the parameters found: s^2 (J^T J)^-1 with s^2 the sum of squares
-// over the degrees of freedom.
+// Computes the residual, R^2 and the covariance s^2 (J^T J)^-1 at the fitted parameters, with s^2
+// the sum of squares over the degrees of freedom.
 void add_statistics(Fit& fit, const Eigen::MatrixXd& derivatives, const Eigen::VectorXd& errors,
                     const Eigen::VectorXd& data) {
   fit.freedom = static_cast<int>(data.size() - derivatives.cols());
@@ -39,7 +39,7 @@ Fit undetermined() {
 
 using Solver = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
 
-// Columns of one size, so that units do not decide what is thought to be dependent.
+// Scales the columns to equal norms, so that the test of their rank does not depend on units.
 struct Scaled {
   explicit Scaled(const Eigen::MatrixXd& matrix)
       : sizes(matrix.colwise().norm().cwiseMax(std::numeric_limits<double>::min())),
@@ -110,7 +110,7 @@ Fit fit_model(const Model& model, const Eigen::VectorXd& data, const Eigen::Vect
       next = squares_at(tried, data);
     }
     if (!(next < squares)) break;
-    fit.parameters += 2.0 * share * change;  // the loop has halved it once more
+    fit.parameters += 2.0 * share * change;  // the loop halved it once more
     const bool is_settled = squares - next <= settled * squares;
     value = tried;
     squares = next;

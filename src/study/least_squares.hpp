@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Least squares with intervals: docs/theory/reduced_model.md.
+// This header declares least-squares fits with intervals: docs/theory/reduced_model.md.
 #pragma once
 
 #include <functional>
@@ -11,35 +11,37 @@
 namespace kerf {
 
 struct Fit {
-  std::string problem;  // why there is none; empty when there is one
+  std::string problem;  // why there is no fit; empty = there is one
   Eigen::VectorXd parameters;
   Eigen::MatrixXd covariance;  // of the parameters
   double residual = 0.0;       // standard deviation of the data about the fit
-  int freedom = 0;             // data less parameters
-  double explained = 0.0;      // R^2, share of the variance of the data that the fit explains
+  int freedom = 0;             // number of data minus number of parameters
+  double explained = 0.0;      // R^2, the explained share of the variance
 
   double standard_error(int parameter) const;
-  // Half of the interval around a parameter that covers it with this probability.
+  // Returns the half-width of the interval that covers a parameter with this probability.
   double half_interval(int parameter, double coverage) const;
-  // The same for a new datum whose derivatives by the parameters these are, its scatter included.
+  // Returns the half-width for a new datum, scatter included, from its derivatives by the
+  // parameters.
   double half_prediction(const Eigen::VectorXd& derivatives, double coverage) const;
 };
 
-// Student's t: the half-width, in standard errors, that covers with this probability.
+// Returns the two-sided quantile of Student's t: the half-width in standard errors.
 double student_factor(int freedom, double coverage);
 
-// The parameters of data = matrix * parameters, by QR with pivots.
+// Fits data = matrix * parameters by a QR decomposition with column pivoting.
 Fit fit_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& data);
 
-// What a model says of the data at some parameters, and its derivatives by them, one row per datum.
+// The values of a model at some parameters and their derivatives, one row for each datum.
 struct ModelValue {
   Eigen::VectorXd values;
   Eigen::MatrixXd derivatives;
 };
 using Model = std::function<ModelValue(const Eigen::VectorXd& parameters)>;
 
-// The parameters of a model that is not linear in them, by Gauss and Newton with steps halved until
-// they help. A model says by values that are not finite where it has no meaning.
+// Fits a model that is not linear in its parameters by the Gauss-Newton method; a step is halved
+// until it reduces the residual. Values that are not finite mark parameters at which the model is
+// undefined.
 Fit fit_model(const Model& model, const Eigen::VectorXd& data, const Eigen::VectorXd& start);
 
 }  // namespace kerf

@@ -21,7 +21,7 @@ namespace kerf {
 
 namespace {
 
-constexpr auto pause = std::chrono::milliseconds(20);  // between two looks at the children
+constexpr auto pause = std::chrono::milliseconds(20);  // between two polls of the children
 constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
 
 bool is_in_use(const std::filesystem::path& folder) {
@@ -34,7 +34,7 @@ bool is_in_use(const std::filesystem::path& folder) {
   }
 }
 
-// Bytes that programs may still take: what is free, and what the system keeps of files in it.
+// Returns the available memory, bytes: free memory and the system's cache of files.
 double available_memory() {
   std::ifstream file("/proc/meminfo");
   std::string name, unit;
@@ -49,7 +49,7 @@ struct AtWork {
   ChildProcess process;
 };
 
-// The queue of one call.
+// The queue of one call of run().
 class LocalQueue {
  public:
   LocalQueue(const std::filesystem::path& program, const LocalBudget& budget, JobWatcher& watcher,

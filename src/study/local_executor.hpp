@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs as child processes of this one, as many at once as cores and memory allow.
+// This header declares the executor of this machine: runs are child processes, as many at the same
+// time as cores and memory allow.
 #pragma once
 
 #include <string>
@@ -10,8 +11,8 @@ namespace kerf {
 
 struct LocalBudget {
   int cores = 1;
-  int jobs = 1;                // at once, at most
-  double memory = 0.0;         // bytes for all runs at once
+  int jobs = 1;                // at the same time at most
+  double memory = 0.0;         // bytes, for all running runs together
   std::string device = "cpu";  // of kerf run
 };
 
@@ -21,9 +22,9 @@ class LocalExecutor : public Executor {
   LocalExecutor(std::filesystem::path program, const LocalBudget& budget)
       : program_(std::move(program)), budget_(budget) {}
 
-  // A run whose folder another process still holds, left over from a study that was killed, is
-  // waited for. The threads of a run are its share of the cores when it starts. Children die with
-  // this process; one whose stop is asked for writes its checkpoint first.
+  // Waits for a run whose folder a process of a killed study still holds. A run gets its share of
+  // the cores when it starts. Children end with this process; a child that is asked to stop writes
+  // its checkpoint first.
   void run(const std::vector<Job>& jobs, JobWatcher& watcher) override;
   int side_by_side() const override { return budget_.jobs; }
 
@@ -32,7 +33,7 @@ class LocalExecutor : public Executor {
   LocalBudget budget_;
 };
 
-// The budget of this machine: all cores, and four fifths of the memory that is free.
+// Returns the budget of this machine: all cores and four fifths of the free memory.
 LocalBudget budget_of_machine();
 
 }  // namespace kerf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/optimum_search.hpp"
+#include "study/searches.hpp"
 
 #include <fmt/format.h>
 
@@ -10,25 +10,23 @@
 #include <nlopt.hpp>
 
 #include "study/design.hpp"
-#include "study/extrapolation.hpp"
 #include "study/metrics.hpp"
 
 namespace kerf {
 
 namespace {
 
-using Shares = std::vector<double>;  // of each range, from 0 to 1
+using Shares = std::vector<double>;  // position in each range, from 0 to 1
 
 struct Tried {
   Shares shares;
   double refinement = 1.0;
-  double value = 0.0;   // of the metric; nan where the run has none
-  double margin = 0.0;  // not below 0 where the condition holds
+  double value = 0.0;   // of the metric; NaN where the run has none
+  double margin = 0.0;  // >= 0 where the condition holds
 };
 
-// How far a run is on the good side of the condition. Of cut-through that is the part of the run,
-// or of the thickness, that was left: a number that changes without a jump, which a search can
-// follow.
+// Returns by how much a run satisfies the condition. For cut-through it is the remaining share of
+// the time of the run, or of the thickness: a number without a jump, which a search can follow.
 double margin_of(const Condition& condition, const Metrics& metrics) {
   const bool is_cut = condition.metric == "cut_through";
   const auto found = metrics.find(is_cut ? "kerf.margin" : condition.metric);
@@ -70,7 +68,7 @@ class Search {
     return found == tried_.end() ? nullptr : &*found;
   }
 
-  // Makes the runs that were not made yet.
+  // Makes the runs that do not exist yet.
   void evaluate(const std::vector<Shares>& places, double refinement) {
     std::vector<Trial> trials;
     std::vector<Shares> wanted;
@@ -95,7 +93,7 @@ class Search {
     return *known(shares, refinement);
   }
 
-  // The first look: points spread over the ranges, side by side.
+  // Runs points that are spread over the ranges, at the same time.
   void spread() {
     const std::size_t count = std::max<std::size_t>(2 * goal_.axes.size() + 1,
                                                     static_cast<std::size_t>(goal_.most_runs) / 4);
@@ -109,7 +107,7 @@ class Search {
     if (!a_holds) return a.margin > b.margin;
     return goal_.least ? a.value < b.value : a.value > b.value;
   }
-  // Those made at the resolution that the search is at, the best first.
+  // Returns the runs at the current resolution, the best first.
   std::vector<Tried> ranking() const {
     std::vector<Tried> result;
     for (const Tried& tried : tried_)
@@ -120,15 +118,15 @@ class Search {
   }
   Tried best() const { return ranking().front(); }
 
-  // What NLopt minimises: the metric over its size where the search starts.
+  // Returns the objective that NLopt minimises: the metric over its value where the search starts.
   double objective(const Tried& tried, double scale) const {
-    constexpr double worse_than_any = 10.0;  // of what has no value, such as the kerf of no cut
+    constexpr double worse_than_any = 10.0;  // where the run has no such metric
     if (!std::isfinite(tried.value)) return worse_than_any;
     return (goal_.least ? 1.0 : -1.0) * tried.value / scale;
   }
 
-  // Powell's COBYLA (Advances in Optimization and Numerical Analysis, 1994, p. 51): linear models
-  // of objective and constraint over a simplex, by values alone. Its steps are one run each.
+  // Follows Powell's COBYLA (Advances in Optimization and Numerical Analysis, 1994, p. 51): linear
+  // models of objective and constraint over a simplex, without derivatives. Each step is one run.
   void follow(double first_step, int until_runs) {
     const Tried start = best();
     const double size = std::abs(start.value);
@@ -148,15 +146,15 @@ class Search {
     try {
       optimiser.optimize(place, found);
     } catch (const nlopt::roundoff_limited&) {
-      // Where no step helps any more the best run so far is the answer.
+      // When no step improves the objective, the best run is the answer.
     } catch (const nlopt::forced_stop&) {
       std::rethrow_exception(steps.error);
     }
     pull_back(place, until_runs);
   }
 
-  // The search ends at the edge of what holds, as likely as not beyond it: from there back towards
-  // the best run that holds, until the edge is known to the tolerance.
+  // The search ends near the limit of the condition, often beyond it. Bisects from there towards
+  // the best run that satisfies it, until the limit is known within the tolerance.
   void pull_back(const Shares& end, int until_runs) {
     Shares outside = end;
     while (answer_.runs < until_runs && best().margin >= 0.0) {
@@ -171,15 +169,15 @@ class Search {
       if (at(middle, level_).margin < 0.0)
         outside = middle;
       else if (best().shares != middle)
-        return;  // it holds, but is not better: there is nothing to gain on this line
+        return;  // the condition holds, but the metric is not better
     }
   }
 
-  // NLopt asks for objective and constraint one after the other: the same run answers both.
+  // NLopt requests objective and constraint one after the other: the same run provides both.
   struct Steps {
     Search& search;
     double scale;
-    std::exception_ptr error;  // NLopt, a library in C, lets no other pass than its own
+    std::exception_ptr error;  // NLopt is a C library and passes only its own exceptions on
 
     Tried at(const Shares& shares) {
       try {
@@ -198,7 +196,7 @@ class Search {
     }
   };
 
-  // The best drafts at the full resolution, side by side; from the best of them a little further.
+  // Runs the best drafts at the full resolution at the same time, then searches on from the best.
   void confirm() {
     const auto wanted = static_cast<std::size_t>(std::max(2, laboratory_.side_by_side()));
     std::vector<Shares> places;
@@ -210,7 +208,7 @@ class Search {
     follow(steps_of_tolerance * goal_.tolerance, goal_.most_runs - goal_.repeats - 1);
   }
 
-  // What the best setting gives at the coarser resolution.
+  // Runs the best setting at the coarser resolution and extrapolates to spacing 0.
   void compare() {
     const Tried draft = at(best().shares, refinement_ * goal_.draft);
     if (draft.margin < 0.0 || !std::isfinite(draft.value)) return;
@@ -248,8 +246,8 @@ class Search {
   const OptimumGoal& goal_;
   double refinement_;
   Laboratory& laboratory_;
-  double level_ = 1.0;        // the resolution that the search is at
-  std::vector<Tried> tried_;  // at any
+  double level_ = 1.0;        // the current resolution
+  std::vector<Tried> tried_;  // at any resolution
   OptimumAnswer answer_;
 };
 

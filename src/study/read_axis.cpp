@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/read_axis.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "case/section.hpp"
-#include "case/units.hpp"
-#include "study/study_section.hpp"
+#include "input/section.hpp"
+#include "input/units.hpp"
+#include "study/read_study.hpp"
 
 namespace kerf {
 

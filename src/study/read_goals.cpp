@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/read_goals.hpp"
+#include "study/read_study.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 #include <string>
 
-#include "case/section.hpp"
-#include "case/units.hpp"
-#include "study/metrics.hpp"
+#include "input/section.hpp"
+#include "input/units.hpp"
+#include "output/result_metrics.hpp"
 
 namespace kerf {
 
@@ -23,32 +23,19 @@ constexpr std::array<std::string_view, 3> form_words{"power", "threshold_linear"
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int most_runs = 100000;
 
-// Not a unit of any key of a case, so not one that read_quantity() has words for.
-constexpr std::string_view energy_per_volume = "J/m3";
+// A metric of the cases of a study.
+struct StudyMetric {
+  std::string name;
+  int dimension = 2;  // of the cases
+};
 
-double read_energy_per_volume(StudySection& section, std::string_view name,
-                              const std::string& written) {
-  std::size_t end = 0;
-  double value = 0.0;
-  try {
-    value = std::stod(written, &end);
-  } catch (const std::exception&) {
-    end = 0;
-  }
-  if (end == 0 || written.substr(end) != " J/m3")
-    section.refuse(name, "this is no energy per volume", "a number and J/m3",
-                   "Write a text such as \"2e8 J/m3\"");
-  return value;
-}
-
-// A number of a metric: with its unit where it has one.
-double metric_value(StudySection& section, std::string_view name, const std::string& metric,
+// A value of a metric: a text with its unit where it has one, else a number.
+double metric_value(StudySection& section, std::string_view name, const StudyMetric& metric,
                     std::optional<double> fallback = {}) {
-  const std::string unit(metric_unit(metric));
+  const std::string unit = metric_unit(metric.name, metric.dimension);
   if (unit.empty()) return section.number(name, -infinite, infinite, fallback);
   if (fallback && !section.has(name)) return section.number(name, -infinite, infinite, fallback);
   const std::string written = section.text(name);
-  if (unit == energy_per_volume) return read_energy_per_volume(section, name, written);
   const Quantity quantity = read_quantity(written, unit);
   if (!quantity.problem.empty() && section.has(name))
     section.refuse(name, quantity.problem, dimension_of(unit) + " with its unit",
@@ -56,15 +43,15 @@ double metric_value(StudySection& section, std::string_view name, const std::str
   return quantity.value;
 }
 
-Condition read_condition(StudySection& section) {
+Condition read_condition(StudySection& section, int dimension) {
   Condition condition;
   const toml::table* table = section.table("where");
   if (!table) return condition;
   StudySection where(section.problems(), *table, section.path("where"));
   condition.metric = where.text("metric");
   condition.at_least = !where.has("at_most");
-  condition.bound =
-      metric_value(where, condition.at_least ? "at_least" : "at_most", condition.metric);
+  condition.bound = metric_value(where, condition.at_least ? "at_least" : "at_most",
+                                 {condition.metric, dimension});
   where.refuse_unknown();
   return condition;
 }
@@ -80,7 +67,7 @@ void read_threshold(StudySection& section, AxisReader& reader, StudyPlan& plan) 
   ThresholdGoal goal;
   goal.least = section.text("find") == "least";
   const bool is_logarithmic = section.word("scale", scale_words, 0) == 1;
-  goal.condition = read_condition(section);
+  goal.condition = read_condition(section, plan.dimension);
   goal.tolerance = section.number("tolerance", 1e-4, 0.5, goal.tolerance);
   goal.draft = section.number("draft", 0.1, 1.0, goal.draft);
   goal.most_runs = section.whole("runs", 2, most_runs, goal.most_runs);
@@ -96,7 +83,7 @@ void read_optimum(StudySection& section, StudyPlan& plan) {
   OptimumGoal goal;
   goal.least = section.text("find") == "minimum";
   goal.metric = section.text("metric");
-  goal.condition = read_condition(section);
+  goal.condition = read_condition(section, plan.dimension);
   goal.tolerance = section.number("tolerance", 1e-4, 0.5, goal.tolerance);
   goal.draft = section.number("draft", 0.1, 1.0, goal.draft);
   goal.most_runs = section.whole("runs", 4, most_runs, goal.most_runs);
@@ -121,7 +108,7 @@ void read_search(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   section.refuse_unknown();
 }
 
-// A table of keys and values; the axes say in which units they were written.
+// Reads a table of keys and values; the axes hold the units in which they are written.
 Setting read_setting(StudySection& parent, const toml::table& table, const std::string& place,
                      AxisReader& reader, std::vector<Axis>& axes) {
   Setting setting;
@@ -144,8 +131,8 @@ void read_calibration(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   CalibrationGoal goal;
   goal.metric = section.text("metric");
   if (goal.metric != "cut_through") {
-    goal.measured = metric_value(section, "measured", goal.metric);
-    goal.uncertainty = metric_value(section, "uncertainty", goal.metric, 0.0);
+    goal.measured = metric_value(section, "measured", {goal.metric, plan.dimension});
+    goal.uncertainty = metric_value(section, "uncertainty", {goal.metric, plan.dimension}, 0.0);
   }
   goal.tolerance = section.number("tolerance", 1e-4, 0.5, goal.tolerance);
   goal.most_runs = section.whole("runs", 4, most_runs, goal.most_runs);
@@ -174,7 +161,7 @@ void read_model(StudySection& top, StudyPlan& plan) {
   goal.metric = section.text("metric", goal.metric);
   goal.drive = section.text("drive", "");
   goal.variables = section.texts("variables");
-  goal.floor = metric_value(section, "floor", goal.metric, 0.0);
+  goal.floor = metric_value(section, "floor", {goal.metric, plan.dimension}, 0.0);
   goal.table_points = section.whole("table_points", 2, 1000, goal.table_points);
   if (goal.drive.empty() && goal.form != ModelForm::power)
     section.refuse("drive", "the key is missing", "a varied key, or a metric",

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 
-#include "case/read.hpp"
-#include "case/section.hpp"
 #include "core/error.hpp"
+#include "input/read.hpp"
+#include "input/section.hpp"
 #include "output/files.hpp"
-#include "study/read_axis.hpp"
-#include "study/read_goals.hpp"
+#include "study/read_study.hpp"
 #include "study/study_plan.hpp"
-#include "study/study_section.hpp"
 
 namespace kerf {
 
@@ -33,7 +31,8 @@ toml::table parse_toml(const std::string& text, const std::string& file_name) {
   }
 }
 
-// The text of the case that `base` names; nothing, with the problem noted, when there is none.
+// Returns the text of the case that `base` names; nothing, with a problem noted, when there is
+// none.
 std::string base_text(StudySection& top, const fs::path& study,
                       std::span<const EmbeddedText> templates, std::string& name) {
   name = top.text("base");
@@ -74,7 +73,7 @@ void read_vary(StudySection& top, AxisReader& reader, StudyPlan& plan) {
     top.problems().mention(place, static_cast<int>(node.source().begin.line), show(node));
     if (auto axis = reader.axis(path, place, node)) plan.axes.push_back(std::move(*axis));
   });
-  // TOML keeps no order: that of the lines is what their writer means.
+  // TOML does not keep the order of keys: the order of the lines is restored.
   const auto line = [&](const Axis& axis) {
     std::uint32_t found = 0;
     for_each_key(*vary, "", is_range, [&](const std::string& path, const toml::node& node) {
@@ -111,7 +110,7 @@ void read_design(StudySection& top, StudyPlan& plan) {
   plan.design = design;
 }
 
-// Beside a search that does not use them varied keys would be passed over in silence.
+// Refuses varied keys beside a search that does not use them.
 void check_use_of_axes(StudySection& top, const StudyPlan& plan) {
   if (plan.axes.empty() || plan.design || plan.optimum) return;
   top.refuse("vary", "neither the search nor the calibration varies these keys",
@@ -119,7 +118,7 @@ void check_use_of_axes(StudySection& top, const StudyPlan& plan) {
              "Add [design] type = \"grid\" to run them too, or remove [vary]");
 }
 
-// Runs that differ in their seeds alone must differ at all.
+// Refuses repeats of a case in which nothing depends on the seeds.
 void check_repeats(StudySection& top, const StudyPlan& plan, const Case& base) {
   const bool is_random = std::any_of(base.bodies.begin(), base.bodies.end(), [&](const Body& body) {
     const bool has_flaws =
@@ -150,13 +149,14 @@ StudyPlan parse_study(const std::string& text, const fs::path& file,
   plan.title = top.text("title", plan.name);
   const std::string base = base_text(top, file, templates, plan.base_name);
   problems.throw_if_any();
-  parse_case(base, plan.base_name);  // what is wrong in the case itself is told of its own file
+  parse_case(base, plan.base_name);  // problems of the case itself refer to its own file
   plan.base = toml::parse(base);
   plan.refinement = top.number("refine", least_refinement, most_refinement, 1.0);
   plan.repeats = top.whole("repeats", 1, 1000, 1);
   plan.metrics = top.texts("metrics");
   AxisReader reader(problems, plan.base);
   read_set(top, reader, plan);
+  plan.dimension = plan.base["dimension"].value_or(plan.dimension);
   read_vary(top, reader, plan);
   read_design(top, plan);
   read_goals(top, reader, plan);

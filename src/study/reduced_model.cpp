@@ -7,9 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "case/units.hpp"
-#include "study/metrics.hpp"
-#include "study/study_table.hpp"
+#include "input/units.hpp"
+#include "study/run_table.hpp"
 
 namespace kerf {
 
@@ -17,7 +16,7 @@ namespace {
 
 constexpr double coverage = 0.95;
 
-// Of the parameters of a power law with a threshold.
+// The indices of the parameters of a power law with a threshold.
 constexpr int at_threshold = 1, at_exponent = 2;
 
 std::vector<ModelDatum> usable(const ModelGoal& goal, const std::vector<ModelDatum>& data) {
@@ -54,8 +53,8 @@ ReducedModel::ReducedModel(const ModelGoal& goal, const std::vector<ModelDatum>&
     fit_powers(used);
 }
 
-// value = slope (drive - threshold), from the line value = a + slope drive: threshold = -a / slope,
-// its error by the derivatives of that.
+// Fits value = slope (drive - threshold) by the line value = a + slope drive, with threshold =
+// -a / slope; the covariance follows from the derivatives of the threshold.
 void ReducedModel::fit_threshold_linear(const std::vector<ModelDatum>& data) {
   const auto count = static_cast<Eigen::Index>(data.size());
   Eigen::MatrixXd matrix(count, 2);
@@ -70,7 +69,8 @@ void ReducedModel::fit_threshold_linear(const std::vector<ModelDatum>& data) {
   fit_.covariance = (change * fit_.covariance * change.transpose()).eval();
 }
 
-// ln value = ln factor + exponent ln(drive - threshold) + sum of exponents ln variable.
+// Computes ln value = ln factor + exponent ln(drive - threshold) + sum of exponent_k ln variable_k
+// and its derivatives by the parameters.
 ModelValue ReducedModel::powers(const std::vector<ModelDatum>& data,
                                 const Eigen::VectorXd& parameters) const {
   const bool has_drive = !goal_.drive.empty();
@@ -100,7 +100,8 @@ ModelValue ReducedModel::powers(const std::vector<ModelDatum>& data,
   return result;
 }
 
-// With the threshold at several places below the data the rest is linear: the best of them.
+// Returns start parameters: the threshold is set to several values below the data, at which the
+// other parameters are linear, and the best fit is taken.
 Eigen::VectorXd ReducedModel::power_start(const std::vector<ModelDatum>& data) const {
   const Eigen::VectorXd logarithms = values_of(data).array().log().matrix();
   const double lowest = ranges_.at(goal_.drive).low, span = ranges_.at(goal_.drive).high - lowest;

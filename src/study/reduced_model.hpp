@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A formula fitted to the runs of a study: docs/theory/reduced_model.md.
+// This header declares the reduced model, a formula fitted to the runs of a study:
+// docs/theory/reduced_model.md.
 #pragma once
 
 #include <functional>
@@ -12,7 +13,7 @@
 
 namespace kerf {
 
-// One run as the model sees it.
+// The numbers of one run to which the model is fitted.
 struct ModelDatum {
   std::map<std::string, double> variables;  // the drive and the others, SI
   double value = 0.0;                       // the metric, SI
@@ -25,10 +26,10 @@ struct ModelRange {
 struct ModelParameter {
   std::string name;
   double value = 0.0;
-  double low = 0.0, high = 0.0;  // the interval that covers it with 95%
+  double low = 0.0, high = 0.0;  // the interval that covers the parameter with 95%
 };
 
-// What the model says of a setting, with the interval that covers a run of it with 95%.
+// The prediction for a setting, with the interval that covers a run of it with 95%.
 struct ModelPrediction {
   double value = 0.0, low = 0.0, high = 0.0;
 };
@@ -38,17 +39,17 @@ class ReducedModel {
   // Fits the data whose value is above the goal's floor.
   ReducedModel(const ModelGoal& goal, const std::vector<ModelDatum>& data);
 
-  // Why there is no model; empty when there is one.
+  // Returns why there is no model; empty when there is one.
   const std::string& problem() const { return fit_.problem; }
   std::vector<ModelParameter> parameters() const;
-  // Of the data that were used: nothing is promised beyond.
+  // Returns the ranges of the data that were used, in which the model is valid.
   const std::map<std::string, ModelRange>& ranges() const { return ranges_; }
   ModelPrediction predict(const std::map<std::string, double>& variables) const;
   const Fit& fit() const { return fit_; }
   int used() const { return used_; }
   std::string formula() const;
-  // A grid over the ranges, with predictions: for a controller that looks values up. In SI units,
-  // which `unit` gives for each name, "" where it has none.
+  // Returns predictions on a grid over the ranges as a table, for a controller that looks values
+  // up. All values are in SI units, which `unit` returns for a name.
   std::string table_csv(const std::function<std::string(const std::string&)>& unit) const;
 
  private:

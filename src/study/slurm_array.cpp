@@ -8,11 +8,11 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "case/schema.hpp"
 #include "core/error.hpp"
+#include "input/schema.hpp"
 #include "output/files.hpp"
 #include "study/case_maker.hpp"
-#include "study/command_output.hpp"
+#include "study/child_process.hpp"
 
 namespace kerf {
 
@@ -28,8 +28,8 @@ std::string quoted_for_shell(const std::string& text) {
   return result + "'";
 }
 
-// A task that is cancelled or loses its node is ended by a signal, or with its shell: it leaves no
-// exit code.
+// A task that is cancelled or loses its node is ended by a signal together with its shell: it
+// leaves no exit code.
 std::string script_of(const fs::path& study_folder, const fs::path& list,
                       const ArrayRequest& request) {
   return fmt::format(R"(#!/bin/sh
@@ -81,7 +81,7 @@ void SlurmArrays::submit(const std::vector<std::string>& ids, const ArrayRequest
   }
 }
 
-// The list is there before the array is: whatever is in the queue can be told from the lists.
+// The list is written before the array is submitted, so that every queued task is found in a list.
 void SlurmArrays::submit_one(const std::vector<std::string>& ids, const ArrayRequest& request) {
   constexpr double mebibyte = 1024.0 * 1024.0, spare = 256.0, factor = 1.5;
   for (const std::string& id : ids) forget_exit_code(id);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Job arrays of one study: what is submitted, what is in the queue, what has ended. In the folder
-// slurm/ of the study N.list holds the runs of array N, one in a line; ID.exit the exit code of a
-// run that came to its end.
+// This header declares the job arrays of one study. In the folder slurm/ of the study, N.list holds
+// the runs of array N, one in a line, and ID.exit the exit code of a run that has ended.
 #pragma once
 
 #include <filesystem>
@@ -24,9 +23,9 @@ class SlurmArrays {
  public:
   explicit SlurmArrays(std::filesystem::path study_folder);
 
-  // Throws UserError with what sbatch says.
+  // Submits the runs. Throws UserError with the message of sbatch.
   void submit(const std::vector<std::string>& ids, const ArrayRequest& request);
-  // The runs in the queue, and whether each is at work; nothing when Slurm does not answer.
+  // Returns the queued runs and whether each is running; nothing when Slurm does not answer.
   std::optional<std::map<std::string, bool>> in_queue() const;
   std::optional<int> exit_code(const std::string& id) const;
   void forget_exit_code(const std::string& id) const;
@@ -37,7 +36,7 @@ class SlurmArrays {
   int next_number() const;
 
   std::filesystem::path study_folder_, folder_;
-  std::string name_;  // of the jobs, up to the number of the array
+  std::string name_;  // the name of the jobs without the number of the array
   mutable std::string complaint_;
 };
 

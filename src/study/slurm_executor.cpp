@@ -15,17 +15,18 @@ namespace kerf {
 namespace {
 
 constexpr int most_submissions = 5;  // of one run
-constexpr int most_silences = 60;    // questions in a row that Slurm leaves without an answer
-constexpr int looks_missing = 2;  // looks that miss a task before it counts as lost: files may lag
+constexpr int most_silences = 60;    // polls in a row without an answer of Slurm
+constexpr int looks_missing =
+    2;  // polls that miss a task before it counts as lost: files may be late
 
 struct Watched {
   const Job* job = nullptr;
   int submissions = 0;
-  int missing = 0;  // looks in a row that found it neither in the queue nor ended
+  int missing = 0;  // polls in a row that found it neither queued nor ended
   bool is_started = false;
 };
 
-// The queue of one call.
+// The queue of one call of run().
 class SlurmQueue {
  public:
   SlurmQueue(SlurmArrays& arrays, ArrayRequest request, JobWatcher& watcher,
@@ -47,7 +48,7 @@ class SlurmQueue {
   }
 
  private:
-  // A failure that is asked for again has its mark still; a success that nobody saw counts.
+  // An old mark of failure is removed when a run is repeated; a mark of success is used.
   void begin() {
     const auto queue = asked();
     std::vector<std::string> fresh;
@@ -107,7 +108,7 @@ class SlurmQueue {
 
   void end(const std::string& id, const JobEnd& how) {
     Watched& watched = open_[id];
-    note_start(watched);  // it may have come and gone between two looks
+    note_start(watched);  // it may have started and ended between two polls
     if (watcher_.ended(*watched.job, how))
       submit({id});
     else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs as tasks of job arrays of Slurm.
+// This header declares the executor of a cluster: runs are tasks of job arrays of Slurm.
 #pragma once
 
 #include <chrono>
@@ -9,24 +9,24 @@
 namespace kerf {
 
 struct SlurmBudget {
-  int jobs = 16;               // at once, at most
-  int cores = 1;               // of each
-  double poll_pause = 2.0;     // s, between two questions to Slurm
+  int jobs = 16;               // at the same time at most
+  int cores = 1;               // of each run
+  double poll_pause = 2.0;     // s, between two polls of Slurm
   std::string device = "cpu";  // of kerf run; "gpu" asks for one GPU for each
 };
 
 class SlurmExecutor : public Executor {
  public:
-  // `study_folder` must be seen by the nodes under the same path, as must the program.
+  // The nodes must see `study_folder` and the program under the same paths.
   SlurmExecutor(std::filesystem::path program, std::filesystem::path study_folder,
                 const SlurmBudget& budget)
       : program_(std::move(program)),
         study_folder_(std::filesystem::absolute(study_folder)),
         budget_(budget) {}
 
-  // Tasks that an earlier study has in the queue are taken up, not submitted again. A task that was
-  // cancelled, or lost its node, is submitted again. When the watcher asks to stop the tasks stay
-  // where they are, for the next study to take up. Throws UserError when Slurm does not answer.
+  // Adopts tasks that an earlier call left in the queue. A task that was cancelled or lost its node
+  // is submitted again. When the watcher asks to stop, the tasks stay in the queue, to be adopted
+  // by the next study. Throws UserError when Slurm does not answer.
   void run(const std::vector<Job>& jobs, JobWatcher& watcher) override;
   int side_by_side() const override { return budget_.jobs; }
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that a study found, and the files that say so.
+// This header collects everything that a study found. describe_answers() describes each answer
+// once; the terminal, study.json and study.html render that description.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "study/boundary.hpp"
-#include "study/calibration.hpp"
-#include "study/optimum_search.hpp"
 #include "study/reduced_model.hpp"
+#include "study/searches.hpp"
 #include "study/study_database.hpp"
 #include "study/study_plan.hpp"
-#include "study/threshold_search.hpp"
 
 namespace kerf {
 
@@ -25,19 +25,30 @@ struct StudyAnswers {
   std::optional<ReducedModel> model;
 };
 
-// A varied key of a run, or a number of its result; null where it has neither.
+// One answer as every file of a study presents it.
+struct Answer {
+  std::string name;                // of its object in study.json
+  nlohmann::ordered_json members;  // of that object, SI units
+  std::string question = {};       // "Least machine.pressure with cut_through >= 0.5"
+  std::string finding = {};        // the answer in the units of the study, or why there is none
+  std::vector<std::string> notes = {};  // where the finding comes from
+};
+
+std::vector<Answer> describe_answers(const StudyPlan& plan, const StudyAnswers& answers);
+// Returns "question: finding" of each answer, with its notes indented below.
+std::string answers_text(const std::vector<Answer>& answers);
+
+// Returns study.json, which docs/studies.md describes.
+std::string study_json(const StudyPlan& plan, const StudyAnswers& answers);
+// Returns the setting as an object of study.json, SI units.
+nlohmann::ordered_json setting_json(const Setting& setting);
+
+// Returns a varied key of a run or a number of its result; null where the run has neither.
 const double* find_number(const RunRow& row, const std::string& name);
 
-// The runs that a model of the study is fitted to: done, at the study's resolution, with all that
-// the model needs.
+// Returns the runs that a model is fitted to: those that are done, have the study's resolution and
+// every number that the model needs.
 std::vector<ModelDatum> model_data(const ModelGoal& goal, double refinement,
                                    const std::vector<RunRow>& runs);
-
-// study.json, described in docs/studies.md.
-std::string study_json(const StudyPlan& plan, const StudyAnswers& answers);
-// study.h5: the columns of study.csv as arrays.
-std::string study_hdf5(const StudyPlan& plan, const std::vector<RunRow>& runs);
-// A few lines for people.
-std::string answers_text(const StudyPlan& plan, const StudyAnswers& answers);
 
 }  // namespace kerf

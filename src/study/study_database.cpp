@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int version = 1;       // of the tables below
-constexpr int patience = 10000;  // ms, for a reader that holds the file
+constexpr int patience = 10000;  // ms, to wait for a process that holds the file
 
 constexpr const char* tables = R"(
 CREATE TABLE IF NOT EXISTS runs (
@@ -119,17 +119,17 @@ int version_of(SQLite::Database& database) {
 }
 
 void set_up(SQLite::Database& database) {
-  // A writer does not keep readers out.
+  // With this mode a writer does not block readers.
   database.exec("PRAGMA journal_mode = WAL");
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-  if (version_of(database) != 0) return;  // by somebody else, since
+  if (version_of(database) != 0) return;  // another process created them
   database.exec(tables);
   database.exec(fmt::format("PRAGMA user_version = {}", version));
   transaction.commit();
 }
 
-// Those who open one that is set up already only read. Of two that set it up at once SQLite lets
-// one wait, or sends it away where it could wait for ever: it comes again.
+// Creates the tables if they do not exist. When two processes do so at the same time, SQLite lets
+// one wait or refuses it to avoid a deadlock; the refused one tries again.
 void open_or_set_up(SQLite::Database& database) {
   const auto start = std::chrono::steady_clock::now();
   while (true) {
@@ -154,7 +154,7 @@ StudyDatabase::StudyDatabase(const std::filesystem::path& file) try
   if (const int found = version_of(*database_); found != version)
     fail(file,
          fmt::format("it has version {} of the tables and this program knows {}", found, version));
-  database_->exec("PRAGMA synchronous = FULL");  // what is written survives a loss of power too
+  database_->exec("PRAGMA synchronous = FULL");  // changes survive a loss of power
 } catch (const SQLite::Exception& error) {
   fail(file, error.what());
 }
@@ -179,7 +179,7 @@ void StudyDatabase::add(const ResolvedCase& resolved, const Trial& trial) {
       {resolved.id, setting_json(trial.setting), std::to_string(trial.repeat),
        fmt::format("{}", trial.refinement), fmt::format("{}", resolved.spacing),
        fmt::format("{}", resolved.memory), resolved.text, word_of_state(RunState::waiting), now()});
-  // A run that is there may have been asked for by other keys: it answers to both.
+  // An existing run may have been requested with other keys: it serves both.
   Setting setting = find(resolved.id)->trial.setting;
   for (const auto& [key, value] : trial.setting.numbers) setting.numbers[key] = value;
   for (const auto& [key, value] : trial.setting.words) setting.words[key] = value;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// study.db: every run of a study, in SQLite. What is written is on the disk when the call returns,
-// so that a study killed at any instant knows what it has done.
+// This header declares study.db, the SQLite database of all runs of a study. A change is on the
+// disk when the call returns, so that no run is lost when the study is killed.
 #pragma once
 
 #include <filesystem>
@@ -32,19 +32,19 @@ struct RunRow {
   double spacing = 0.0;  // m
   double memory = 0.0;   // bytes
   RunState state = RunState::waiting;
-  int attempts = 0;                  // how often it was started
-  Metrics metrics;                   // of a run that is done
-  std::string error;                 // of one that failed
-  std::string made, started, ended;  // UTC, ISO 8601; "" = not yet
+  int attempts = 0;                  // number of starts
+  Metrics metrics;                   // of a completed run
+  std::string error;                 // of a failed run
+  std::string made, started, ended;  // UTC, ISO 8601; "" = has not happened
 };
 
 class StudyDatabase {
  public:
-  // Opens the file, or makes it. Throws UserError (exit_files).
+  // Opens the file, or creates it. Throws UserError (exit_files).
   explicit StudyDatabase(const std::filesystem::path& file);
   ~StudyDatabase();
 
-  // Adds a run that is not there yet; one that is stays as it is.
+  // Adds a run; an existing run is not changed.
   void add(const ResolvedCase& resolved, const Trial& trial);
   std::optional<RunRow> find(const std::string& id) const;
   std::vector<RunRow> runs() const;  // in the order in which they were added
@@ -52,12 +52,12 @@ class StudyDatabase {
   void mark_started(const std::string& id);
   void mark_done(const std::string& id, const Metrics& metrics);
   void mark_failed(const std::string& id, const std::string& error);
-  // Back to the queue, from whatever state.
+  // Puts the run back into the queue, whatever its state.
   void mark_waiting(const std::string& id);
 
-  // Texts by name: the study as it was read, the answers it found.
+  // Store texts by name, such as the study as it was read.
   void remember(const std::string& name, const std::string& text);
-  std::string recall(const std::string& name) const;  // "" = nothing
+  std::string recall(const std::string& name) const;  // "" = there is none
   void forget(const std::string& name);
 
  private:

@@ -9,9 +9,11 @@
 
 #include "core/version.hpp"
 #include "output/files.hpp"
+#include "output/result_metrics.hpp"
 #include "report/html.hpp"
+#include "report/plot.hpp"
 #include "report/viewer_files.hpp"
-#include "study/metrics.hpp"
+#include "study/run_table.hpp"
 
 namespace kerf {
 
@@ -20,14 +22,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr auto least_pause = std::chrono::seconds(4);
-constexpr int curve_points = 49;         // of the model, along one variable
-constexpr std::size_t most_levels = 9;   // of each other variable, for which there is a curve
+constexpr int curve_points = 49;         // of the model along one variable
+constexpr std::size_t most_levels = 9;   // of another variable, each with a curve
 constexpr std::size_t most_curves = 81;  // along one variable
 constexpr const char* state_words[] = {"running", "stopped", "ended"};
 
 using Places = std::vector<std::map<std::string, double>>;
 
-// Every combination of what is there with the values of one more variable.
+// Returns every combination of the places with the values of one more variable.
 Places combined(const Places& places, const std::string& name, const std::set<double>& values) {
   Places result;
   for (const auto& place : places)
@@ -38,7 +40,8 @@ Places combined(const Places& places, const std::string& name, const std::set<do
   return result;
 }
 
-// Where the runs stand in the other variables: a curve for each, if they are not too many.
+// Returns the values of the other variables at which runs exist, one curve each; none where there
+// would be too many curves.
 Places curve_places(const std::vector<std::string>& variables, const std::string& along,
                     const ReducedModel& model, const std::vector<RunRow>& runs) {
   Places places{{}};
@@ -79,18 +82,15 @@ Json model_points(const StudyPlan& plan, const StudyAnswers& answers) {
   return points;
 }
 
-// What is removed is an area in two dimensions.
-std::string_view unit_of(const std::string& name, const RunRow& row) {
-  if (!name.ends_with("removed_volume")) return metric_unit(name);
-  const double* dimension = find_number(row, "dimension");
-  return dimension != nullptr && *dimension == 2.0 ? "m2" : "m3";
-}
-
-Json units_json(const std::vector<RunRow>& runs) {
-  Json units{{"spacing", "m"}};
+// The metrics of the runs with their units and labels.
+void add_metrics(Json& data, const StudyPlan& plan, const std::vector<RunRow>& runs) {
+  data["units"] = {{"spacing", "m"}};
+  data["labels"] = Json::object();
   for (const RunRow& row : runs)
-    for (const auto& [name, value] : row.metrics) units[name] = unit_of(name, row);
-  return units;
+    for (const auto& [name, value] : row.metrics) {
+      data["units"][name] = metric_unit(name, plan.dimension);
+      data["labels"][name] = metric_label(name);
+    }
 }
 
 std::string heading(const StudyPlan& plan) {
@@ -106,19 +106,81 @@ std::string static_part(const StudyPlan& plan, const StudyAnswers& answers, bool
   const char* why =
       has_script ? "The maps of this page want JavaScript; without it, this is what there is."
                  : "This program was built without npm, so this page has no moving maps.";
-  std::string words = html::escape(answers_text(plan, answers));
+  std::string words = html::escape(answers_text(describe_answers(plan, answers)));
   if (!words.empty()) words = "<pre class=\"answers\">" + words + "</pre>\n";
   return fmt::format("<p class=\"meta\">{}</p>\n{}{}{}", why, words, static_map(plan, answers.runs),
                      static_table(plan, answers.runs));
 }
 
+std::string words_of(Verdict verdict) {
+  return std::string(verdict_words[static_cast<std::size_t>(verdict)]);
+}
+
+Mark mark_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::not_cut_through:
+      return Mark::hollow;
+    case Verdict::failed:
+      return Mark::crossed;
+    case Verdict::not_run_yet:
+      return Mark::dotted;
+    default:
+      return Mark::filled;
+  }
+}
+
+// Returns the title of an axis, in the units of the study.
+PlotAxis plot_axis(const Axis& axis) {
+  return {axis.path.unit().empty() ? axis.name() : axis.name() + " in " + axis.shown_unit, "1"};
+}
+
 }  // namespace
+
+std::string static_map(const StudyPlan& plan, const std::vector<RunRow>& runs) {
+  std::vector<Axis> axes = all_axes(plan);
+  std::erase_if(axes, [](const Axis& axis) { return axis.values.size() < 2; });
+  if (axes.size() < 2) return "";
+  const Axis &across = axes[0], &upward = axes[1];
+  Plot plot{plot_axis(across), plot_axis(upward)};
+  for (const RunRow& row : runs) {
+    const auto& numbers = row.trial.setting.numbers;
+    const auto x = numbers.find(across.name()), y = numbers.find(upward.name());
+    if (x == numbers.end() || y == numbers.end() || row.trial.refinement != plan.refinement)
+      continue;
+    const Verdict verdict = verdict_of(row);
+    plot.points.push_back({x->second / across.shown_factor(), y->second / upward.shown_factor(),
+                           mark_of(verdict), words_of(verdict), report_of(row)});
+  }
+  return fmt::format(
+      "<figure><figcaption>{} across, {} upwards: filled = cut through, hollow = not, crossed = "
+      "failed, dotted = not run yet</figcaption>\n{}</figure>\n",
+      html::escape(across.name()), html::escape(upward.name()), draw_plot(plot));
+}
+
+std::string static_table(const StudyPlan& plan, const std::vector<RunRow>& runs) {
+  const auto axes = all_axes(plan);
+  std::string text = "<table><thead><tr><th>verdict</th>";
+  for (const Axis& axis : axes) text += fmt::format("<th>{}</th>", html::escape(axis.name()));
+  text += "<th>spacing</th><th>depth of the kerf</th><th>run</th></tr></thead><tbody>\n";
+  for (const RunRow& row : runs) {
+    text += fmt::format("<tr><th scope=\"row\">{}</th>", words_of(verdict_of(row)));
+    for (const Axis& axis : axes)
+      text += fmt::format("<td>{}</td>", html::escape(shown_value(row.trial.setting, axis)));
+    const double* depth = find_number(row, "kerf.depth");
+    text += fmt::format("<td>{}</td><td>{}</td>", html::quantity(row.spacing, "m"),
+                        depth ? html::quantity(*depth, "m") : "–");
+    const std::string report = report_of(row);
+    text += report.empty() ? fmt::format("<td>{}</td></tr>\n", html::escape(row.error))
+                           : fmt::format("<td><a href=\"{}\">report</a></td></tr>\n", report);
+  }
+  return text + "</tbody></table>\n";
+}
 
 Json study_page_data(const StudyPlan& plan, const StudyAnswers& answers, StudyState state) {
   Json data;
   data["state"] = state_words[static_cast<std::size_t>(state)];
   data["written"] = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
-  data["units"] = units_json(answers.runs);
+  add_metrics(data, plan, answers.runs);
   data["model_points"] = model_points(plan, answers);
   data["study"] = Json::parse(study_json(plan, answers));
   return data;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A study as its file says it: plain data. The format is described in docs/studies.md.
+// This header declares the content of a study file as plain data. docs/studies.md describes it.
 #pragma once
 
 #include <filesystem>
@@ -22,20 +22,21 @@ struct StudyPlan {
   std::string title;
   std::string text;         // of the file
   std::string base_name;    // the case that is varied, for messages
-  toml::table base;         // with the keys of [set] put in
-  double refinement = 1.0;  // every spacing of the case is divided by it
-  int repeats = 1;          // runs of each setting, which differ in their seeds
+  toml::table base;         // with the keys of [set]
+  int dimension = 2;        // of the base, which decides the units of amounts
+  double refinement = 1.0;  // divides every spacing of the case
+  int repeats = 1;          // runs of each setting, with different seeds
   std::vector<Axis> axes;   // of [vary]
   std::optional<Design> design;
   std::optional<ThresholdGoal> threshold;
   std::optional<OptimumGoal> optimum;
   std::optional<CalibrationGoal> calibration;
   std::optional<ModelGoal> model;
-  std::vector<std::string> metrics;  // of the tables, besides those that are always there
+  std::vector<std::string> metrics;  // columns besides the standard ones
 };
 
-// Throws UserError, which names all that is wrong. `templates` are the cases that `base` may name
-// besides files, which it looks for beside the study.
+// Reads a study. Throws UserError, which names every problem. `base` names one of `templates` or a
+// file beside the study.
 StudyPlan read_study(const std::filesystem::path& file, std::span<const EmbeddedText> templates);
 StudyPlan parse_study(const std::string& text, const std::filesystem::path& file,
                       std::span<const EmbeddedText> templates);

@@ -16,9 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto show_pause = std::chrono::milliseconds(250);
-constexpr int most_attempts = 2;  // of a run that a signal ended
+constexpr int most_attempts = 2;  // starts of a run that a signal ends
 
-// The end of what a run said, where its complaint stands.
+// Returns the end of the output of a run, which holds its error message.
 std::string last_words(const fs::path& output) {
   constexpr std::size_t most = 2000;
   if (!fs::exists(output)) return "";
@@ -31,7 +31,7 @@ std::string last_words(const fs::path& output) {
   return text;
 }
 
-// How far a run has come, from 0 to 1: the share that its last line of progress begins with.
+// Returns the completed share of a run, from 0 to 1, with which its last line of progress begins.
 double share_of(const fs::path& output) {
   if (!fs::exists(output)) return 0.0;
   const std::string text = read_file(output);
@@ -67,7 +67,7 @@ StudyRuns::StudyRuns(fs::path folder, const CaseMaker& maker, StudyDatabase& dat
       database_.mark_waiting(row.id);
 }
 
-// A case is written once; its folder holds nothing but what the run itself leaves there.
+// Writes the case once, beside the folder of the run, which holds only what the run itself writes.
 Job StudyRuns::prepared(const ResolvedCase& resolved) const {
   const fs::path results = folder_ / run_folder(resolved.id);
   const auto beside = [&](const char* ending) { return fs::path(results.string() + ending); };

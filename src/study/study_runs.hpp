@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The laboratory of real runs: every run is in study.db, and in a folder of its own.
+// This header declares the laboratory of real runs: every run is in study.db and has a folder.
 #pragma once
 
 #include <chrono>
@@ -16,13 +16,13 @@
 
 namespace kerf {
 
-// Of the runs that were asked for last.
+// The progress of the last call of run().
 struct StudyProgress {
   std::size_t total = 0, ended = 0, failed = 0, at_work = 0;
-  double share = 0.0;  // of them all, parts of runs included
+  double share = 0.0;  // completed share, from 0 to 1, parts of runs included
 };
 
-// Thrown when a study was asked to stop; it goes on when it is started again.
+// This is thrown when a study was asked to stop. A new start of the study continues it.
 struct StudyStopped {
   int signal = 0;
 };
@@ -31,17 +31,17 @@ class StudyRuns : public Laboratory, private JobWatcher {
  public:
   struct Hooks {
     std::function<void(const StudyProgress&)> show;
-    std::function<int()> stop_signal;  // 0 = go on
+    std::function<int()> stop_signal;  // 0 = continue
   };
 
-  // Runs that an earlier study left at work are put back to the queue; those that failed too when
-  // `retry` says so.
+  // Puts runs that an earlier process left running back into the queue, with `retry` failed ones
+  // too.
   StudyRuns(std::filesystem::path folder, const CaseMaker& maker, StudyDatabase& database,
             Executor& executor, Hooks hooks, bool retry);
 
   std::vector<Outcome> run(const std::vector<Trial>& trials) override;
   int side_by_side() const override { return executor_.side_by_side(); }
-  // The runs that this object was asked for, in the order of study.db.
+  // Returns the runs that were requested of this object, in the order of study.db.
   std::vector<RunRow> asked() const;
 
  private:
@@ -63,7 +63,7 @@ class StudyRuns : public Laboratory, private JobWatcher {
   int signal_ = 0;
 };
 
-// The results of a run, from the folder of the study: "runs/ID".
+// Returns the folder of a run's results, relative to that of the study: "runs/ID".
 std::filesystem::path run_folder(const std::string& id);
 
 }  // namespace kerf

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/study_section.hpp"
+#include "study/read_study.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "case/section.hpp"
+#include "input/section.hpp"
 
 namespace kerf {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/threshold_search.hpp"
+#include "study/searches.hpp"
 
 #include <fmt/format.h>
 
@@ -8,13 +8,12 @@
 
 #include "core/error.hpp"
 #include "study/bisection.hpp"
-#include "study/extrapolation.hpp"
 
 namespace kerf {
 
 namespace {
 
-// Whether the run is on the far side of the threshold: of a least value, where it is good.
+// Returns whether the run lies beyond the threshold: for a least value, where the condition holds.
 bool is_beyond(const ThresholdGoal& goal, const Outcome& outcome) {
   return goal.condition.holds(outcome.metrics) == goal.least;
 }
@@ -50,7 +49,7 @@ std::string why_nothing(const ThresholdGoal& goal, bool beyond_everywhere) {
       end, beyond_everywhere ? "Lower it" : "Raise it");
 }
 
-// One layout after another, each from the bracket of the one before.
+// Searches one layout after another, each from the bracket of the previous one.
 class Search {
  public:
   Search(const ThresholdGoal& goal, const Trial& at, Laboratory& laboratory)
@@ -85,7 +84,7 @@ class Search {
     answer_.draft_refinement = at.refinement;
     answer_.draft = layout(at, std::nullopt);
     answer_.draft_runs = answer_.runs;
-    // What the drafts say may be wrong at their resolution; then the whole range is open again.
+    // The result of the drafts may be wrong at their resolution; then the whole range is searched.
     const bool found_none = !answer_.problem.empty() && runs_left() > 0;
     if (!found_none) return answer_.draft;
     answer_.problem.clear();

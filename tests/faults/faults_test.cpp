@@ -182,17 +182,17 @@ TEST_F(Faults, AVanishedFolderIsNamedAndNotMadeAgain) {
 }
 
 TEST_F(Faults, ATornCheckpointIsRefusedAndKept) {
-  run_and_stop("torn", SIGKILL);
-  const fs::path checkpoint = path("torn/checkpoint.h5");
+  run_and_stop("has_broken_bonds", SIGKILL);
+  const fs::path checkpoint = path("has_broken_bonds/checkpoint.h5");
   const std::string half = read_file(checkpoint).substr(0, fs::file_size(checkpoint) / 2);
   write_file(checkpoint, half);
-  const Ending ending = run("torn", "--resume");
+  const Ending ending = run("has_broken_bonds", "--resume");
   EXPECT_EQ(ending.exit_code, exit_files);
   EXPECT_THAT(ending.output,
               AllOf(HasSubstr(checkpoint.string()), HasSubstr("is damaged"), HasSubstr("--force")));
   EXPECT_EQ(read_file(checkpoint), half);
-  EXPECT_EQ(run("torn", "--force").exit_code, 0);
-  test::expect_same_results(path("whole"), path("torn"));
+  EXPECT_EQ(run("has_broken_bonds", "--force").exit_code, 0);
+  test::expect_same_results(path("whole"), path("has_broken_bonds"));
 }
 
 TEST_F(Faults, ACheckpointOfAnotherCaseIsRefused) {

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "case/read.hpp"
-#include "case/write_used.hpp"
 #include "core/error.hpp"
+#include "input/read.hpp"
+#include "input/write_used.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

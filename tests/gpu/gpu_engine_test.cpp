@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine for GPUs beside that of the program, on the same cases. Emulated: what a GPU goes
 // through (general walks, lists in passes, sums in a tree), on threads of this machine.
-#include "exec/device.hpp"
+#include "engine/device.hpp"
 #include "support/farthest.hpp"
 #include "support/runs.hpp"
 #include "support/small_cases.hpp"
@@ -35,7 +35,7 @@ TEST_P(GpuEngineTest, SameWithinRounding) {
   const auto processor = make_on(Device::cpu, c), gpu = make_on(Device::gpu, c);
   take_steps(*processor, 60);
   take_steps(*gpu, 60);
-  EXPECT_GT(processor->ledger().mass_in, 0.0);
+  EXPECT_GT(processor->balance().mass_in, 0.0);
   const Frame a = processor->frame(), b = gpu->frame();
   ASSERT_EQ(a.id.size(), b.id.size());
   const double distance = farthest(
@@ -45,7 +45,7 @@ TEST_P(GpuEngineTest, SameWithinRounding) {
   EXPECT_GT(speed, 0.0) << "the same bits: is it the same engine?";
   EXPECT_LT(distance, 1e-5 * c.jets[0].spacing);
   EXPECT_LT(speed, 1e-5 * c.jets[0].speed);
-  const Ledger x = processor->ledger(), y = gpu->ledger();
+  const Balance x = processor->balance(), y = gpu->balance();
   EXPECT_NEAR(y.kinetic, x.kinetic, 1e-6 * x.kinetic);
   EXPECT_NEAR(y.energy_total(), x.energy_total(), 1e-6 * std::abs(x.energy_total()));
   EXPECT_DOUBLE_EQ(y.mass_in, x.mass_in);
@@ -75,15 +75,15 @@ TEST_P(GpuEngineTest, GoesOnWhereTheProcessorStopped) {
 
 TEST_P(GpuEngineTest, BreaksAndSheds) {
   Case c = description();
-  c.eraser = Eraser{};
+  c.back_flow_removal = BackFlowRemoval{};
   const auto gpu = make_on(Device::gpu, c);
   take_steps(*gpu, c.dimension == 2 ? 500 : 200);
-  const Ledger ledger = gpu->ledger();
-  EXPECT_NE(ledger.dissipated_fracture, 0.0);
+  const Balance balance = gpu->balance();
+  EXPECT_NE(balance.dissipated_fracture, 0.0);
   if (c.dimension == 2) {
-    EXPECT_GT(ledger.mass_out + ledger.mass_erased, 0.0);
+    EXPECT_GT(balance.mass_out + balance.mass_erased, 0.0);
   }
-  EXPECT_LT(std::abs(ledger.energy_drift()), 0.05);
+  EXPECT_LT(std::abs(balance.energy_drift()), 0.05);
 }
 
 TEST_P(GpuEngineTest, ItsErrorsAreThoseOfTheProgram) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Gives each checker in scripts/ something wrong, and fails unless the checker says so."""
+"""Runs each checker of scripts/ on faulty and on correct input, and fails unless it reports the faults."""
 import pathlib
 import shutil
 import subprocess
@@ -31,7 +31,7 @@ BUDGETS = [
     ("deep.py", PYTHON_DEEP, False),
 ]
 
-# (pages and files of a tree, which check, whether it is in order)
+# (pages and files of a tree, which check, whether the tree is correct)
 DOCUMENTS = [
     ({"README.md": "[a](docs/a.md)", "docs/a.md": "`src/b.hpp`", "src/b.hpp": ""}, "links", True),
     ({"README.md": "[a](docs/missing.md)"}, "links", False),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fails on purpose: tests/harness/CMakeLists.txt checks that the failure is noticed.
+// This test fails on purpose: tests/harness/CMakeLists.txt checks that the failure is reported.
 #include <gtest/gtest.h>
 
 TEST(Harness, NoticesAFailure) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library for GPUs that cannot be used: of another version, or on a machine without a GPU.
-#include "gpu/gpu_engine.hpp"
+// This library for GPUs cannot be used: it has another version, or the machine has no GPU.
+#include "engine/gpu/gpu_engine.hpp"
 
 extern "C" const kerf::GpuEngine kerf_gpu_engine;
 const kerf::GpuEngine kerf_gpu_engine{

@@ -53,9 +53,9 @@ TEST(AbsorbingFaces, BearTheImpedanceOfTheFace) {
     const Point v{0.3, -0.2, choice.dimension == 3 ? 0.1 : 0.0};
     for (std::size_t a = 0; a < 3; ++a) c.bodies[0].velocity[a] = std::to_string(v[a]);
     const auto simulation = make_simulation(c);
-    const double mass = simulation->ledger().mass_now;
+    const double mass = simulation->balance().mass_now;
     simulation->advance();
-    const Ledger ledger = simulation->ledger();
+    const Balance balance = simulation->balance();
     const double dt = simulation->last_step().dt;
     // V / layer of all: the mass of one outer layer of the block, as laid out.
     const double layers = choice.axis == 0 ? 12.0 : choice.axis == 1 ? 10.0 : 8.0;
@@ -67,10 +67,10 @@ TEST(AbsorbingFaces, BearTheImpedanceOfTheFace) {
     for (std::size_t a = 0; a < static_cast<std::size_t>(choice.dimension); ++a) {
       const double c_a = a == choice.axis ? speeds.pressure : speeds.shear;
       const double due = -c.materials[0].density * c_a * area * v[a] * dt;
-      EXPECT_NEAR(ledger.impulse_constraint[a], due, slack * std::abs(due))
+      EXPECT_NEAR(balance.impulse_constraint[a], due, slack * std::abs(due))
           << choice.dimension << "D axis " << choice.axis << " component " << a;
     }
-    EXPECT_LT(ledger.momentum_error(), 1e-12);
+    EXPECT_LT(balance.momentum_error(), 1e-12);
   }
 }
 
@@ -88,15 +88,15 @@ TEST(AbsorbingFaces, BearTheImpedanceOfAGradedFace) {
     const auto spacings = simulation->frame().spacing;
     ASSERT_LT(std::ranges::min(spacings), 0.6 * std::ranges::max(spacings));
     simulation->advance();
-    const Ledger ledger = simulation->ledger();
+    const Balance balance = simulation->balance();
     const auto speeds = speeds_of(c.materials[0]);
     const double area = axis == 0 ? 0.016 : 0.032, v[2] = {0.3, -0.2};
     for (std::size_t a = 0; a < 2; ++a) {
       const double c_a = a == axis ? speeds.pressure : speeds.shear;
       const double due = -c.materials[0].density * c_a * area * v[a] * simulation->last_step().dt;
-      EXPECT_NEAR(ledger.impulse_constraint[a], due, 1e-9 * std::abs(due)) << axis << " " << a;
+      EXPECT_NEAR(balance.impulse_constraint[a], due, 1e-9 * std::abs(due)) << axis << " " << a;
     }
-    EXPECT_LT(ledger.momentum_error(), 1e-12);
+    EXPECT_LT(balance.momentum_error(), 1e-12);
   }
 }
 
@@ -115,13 +115,13 @@ double left_over(double spacing, bool shear) {
   const auto speeds = speeds_of(c.materials[0]);
   c.time.end = 1.8 * length / (shear ? speeds.shear : speeds.pressure);
   const auto simulation = make_simulation(c);
-  const double before = simulation->ledger().kinetic;
+  const double before = simulation->balance().kinetic;
   while (!simulation->finished()) simulation->advance();
-  const Ledger ledger = simulation->ledger();
+  const Balance balance = simulation->balance();
   // Position Verlet keeps an energy that is off by (omega dt)^2, omega = c / 10 mm, dt = 0.3 d / c.
-  EXPECT_LT(std::abs(ledger.energy_drift()), std::pow(0.3 * spacing / 0.01, 2));
-  EXPECT_LT(ledger.momentum_error(), 1e-9);
-  return (ledger.kinetic + ledger.elastic_strain + ledger.hourglass) / before;
+  EXPECT_LT(std::abs(balance.energy_drift()), std::pow(0.3 * spacing / 0.01, 2));
+  EXPECT_LT(balance.momentum_error(), 1e-9);
+  return (balance.kinetic + balance.elastic_strain + balance.hourglass) / before;
 }
 
 // What comes back of a wave is of the order of (spacing / length of the wave) of its amplitude.

@@ -12,7 +12,7 @@ namespace {
 
 struct Slide {
   double speed, lift;  // m/s and m after the run
-  Ledger ledger;
+  Balance balance;
 };
 
 Slide slide(int dimension, double friction, double speed, double seconds) {
@@ -33,7 +33,7 @@ Slide slide(int dimension, double friction, double speed, double seconds) {
   const Frame before = simulation->frame();
   while (!simulation->finished()) simulation->advance();
   const Frame frame = simulation->frame();
-  Slide result{0.0, 0.0, simulation->ledger()};
+  Slide result{0.0, 0.0, simulation->balance()};
   double count = 0.0;
   for (std::size_t k = 0; k < frame.id.size(); ++k) {
     if (frame.category[k] == Category::rigid) continue;
@@ -53,9 +53,9 @@ TEST(Friction, SlowsDownBySlidingFriction) {
     const Slide after = slide(dimension, 0.3, 0.5, 0.04);
     EXPECT_NEAR(after.speed, 0.5 - 0.3 * 10.0 * 0.04, 0.01 * 0.12 + 2e-4) << dimension;
     EXPECT_NEAR(after.lift, 0.0, 1e-4);
-    EXPECT_GT(after.ledger.dissipated_artificial, 0.0);
-    EXPECT_LE(std::abs(after.ledger.energy_drift()), 1e-3);
-    EXPECT_LE(after.ledger.momentum_error(), 1e-5);
+    EXPECT_GT(after.balance.dissipated_artificial, 0.0);
+    EXPECT_LE(std::abs(after.balance.energy_drift()), 1e-3);
+    EXPECT_LE(after.balance.momentum_error(), 1e-5);
   }
 }
 

@@ -69,7 +69,7 @@ TEST(Graded, PressureIsTheSameOnBothSidesOfAJump) {
                   1e3 * heights[n][0], 1e3 * heights[n][1], at[graded][n].mean / due,
                   at[graded][n].scatter / due);
     }
-    EXPECT_LT(std::abs(simulation->ledger().energy_drift()), 1e-3);
+    EXPECT_LT(std::abs(simulation->balance().energy_drift()), 1e-3);
     for (const std::uint16_t source : frame.source) EXPECT_LT(source, 4);  // one body to others
   }
   for (int n = 0; n < 3; ++n) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "particles/nozzle.hpp"
+#include "geometry/nozzle.hpp"
 #include "support/runs.hpp"
 #include "support/small_cases.hpp"
 
@@ -59,9 +59,9 @@ void expect_free_flight(int dimension, Formulation formulation, double width = 4
       EXPECT_NEAR(frame.velocity[k][a], 5.0 * nozzle.direction()[a], 1e-9);
     EXPECT_EQ(frame.upstream[k] != 0, along(nozzle, frame.position[k]) <= 0.0);
   }
-  const Ledger ledger = simulation->ledger();
-  EXPECT_LE(ledger.momentum_error(), 1e-12);
-  EXPECT_LE(std::abs(ledger.energy_drift()), 1e-9);
+  const Balance balance = simulation->balance();
+  EXPECT_LE(balance.momentum_error(), 1e-12);
+  EXPECT_LE(std::abs(balance.energy_drift()), 1e-9);
 }
 TEST(FreeJet, FliesAsALattice2D) {
   expect_free_flight(2, Formulation::shinohara2004);
@@ -92,13 +92,13 @@ TEST(FreeJet, StartsAndStopsWithinSteps) {
     const Nozzle nozzle(c.jets[0], 1000.0, dimension);
     const auto simulation = make_simulation(c);
     while (simulation->time() < 3e-3) simulation->advance();
-    const Ledger ledger = simulation->ledger();
+    const Balance balance = simulation->balance();
     const double area = dimension == 2 ? 4.3e-3 : std::acos(-1.0) * 4.3e-3 * 4.3e-3 / 4.0;
     const double due = 1000.0 * 5.0 * area * 1.3e-3;
-    EXPECT_NEAR(ledger.jet_mass_due, due, 1e-12 * due);
-    EXPECT_NEAR(ledger.mass_in + ledger.jet_mass_carried, due, 1e-12 * due);
-    EXPECT_LE(std::abs(ledger.mass_error()), 1e-12);
-    EXPECT_LE(ledger.momentum_error(), 1e-12);
+    EXPECT_NEAR(balance.jet_mass_due, due, 1e-12 * due);
+    EXPECT_NEAR(balance.mass_in + balance.jet_mass_carried, due, 1e-12 * due);
+    EXPECT_LE(std::abs(balance.mass_error()), 1e-12);
+    EXPECT_LE(balance.momentum_error(), 1e-12);
     const Frame frame = simulation->frame();
     EXPECT_GT(std::count(frame.upstream.begin(), frame.upstream.end(), 1), 0);
     for (std::size_t k = 0; k < frame.id.size(); ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ledger against what can be worked out by hand or from frames, over short runs.
-#include "simulation/ledger.hpp"
+// The balance against what can be worked out by hand or from frames, over short runs.
+#include "simulation/balance.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -28,7 +28,7 @@ std::array<double, 3> momentum_of(const Frame& frame, const std::vector<double>&
   return sum;
 }
 
-void expect_balanced(const Ledger& now, PrecisionKind precision) {
+void expect_balanced(const Balance& now, PrecisionKind precision) {
   const double mass = now.mass_initial + now.mass_in;
   EXPECT_NEAR(now.mass_now + now.mass_out + now.mass_erased, mass, 1e-12 * mass);
   EXPECT_LE(std::abs(now.mass_error()), 1e-12);
@@ -40,10 +40,10 @@ void expect_balanced(const Ledger& now, PrecisionKind precision) {
   EXPECT_LE(now.momentum_error(), momentum_tolerance(precision));
 }
 
-// A jet on a block on a plate, with gravity, eraser and a domain that water leaves.
+// A jet on a block on a plate, with gravity, back_flow_removal and a domain that water leaves.
 void run_everything(int dimension, PrecisionKind precision, int steps) {
   Case c = jet_on_block(dimension, precision);
-  c.eraser = Eraser{};
+  c.back_flow_removal = BackFlowRemoval{};
   // A clamped body that pushes the block from the side: prescribed motion; a drop that flies out.
   const double z = dimension == 3 ? 0.004 : 0.0;
   c.bodies.push_back(
@@ -53,18 +53,18 @@ void run_everything(int dimension, PrecisionKind precision, int steps) {
       body("drop", Role::water, box({0.006, 0.02, -0.5 * z}, {0.01, 0.024, 0.5 * z}), 1e-3));
   c.bodies.back().velocity = {"4", "1", "0"};
   const auto simulation = make_simulation(c);
-  Ledger before = simulation->ledger();
+  Balance before = simulation->balance();
   for (int n = 0; n < steps; ++n) {
     simulation->advance();
     if (n % 10 != 0) continue;
-    const Ledger now = simulation->ledger();
+    const Balance now = simulation->balance();
     ASSERT_GE(now.dissipated_artificial, before.dissipated_artificial);
     ASSERT_GE(now.dissipated_viscous, before.dissipated_viscous);
     ASSERT_GE(now.dissipated_fracture, before.dissipated_fracture);
     expect_balanced(now, precision);
     before = now;
   }
-  const Ledger now = simulation->ledger();
+  const Balance now = simulation->balance();
   std::printf("mass %.1e, momentum %.1e, energy %.1e, in %.3g out %.3g erased %.3g kg\n",
               now.mass_error(), now.momentum_error(), now.energy_drift(), now.mass_in, now.mass_out,
               now.mass_erased);
@@ -96,13 +96,13 @@ TEST(LedgerOfEverything, Double3D) {
   run_everything(3, PrecisionKind::double_precision, 600);
 }
 
-// Its totals against sums over the frames, which the ledger has no part in.
-TEST(Ledger, AgreesWithTheFrame) {
+// Its totals against sums over the frames, which the balance has no part in.
+TEST(Balance, AgreesWithTheFrame) {
   Case c = jet_on_block(2, PrecisionKind::double_precision);
   const auto simulation = make_simulation(c);
   take_steps(*simulation, 400);
   const Frame frame = simulation->frame();
-  const Ledger ledger = simulation->ledger();
+  const Balance balance = simulation->balance();
   const std::vector<double> mass{940.0 * 1e-6, 0.0, 1000.0 * 25e-8};
   const auto momentum = momentum_of(frame, mass);
   double kinetic = 0.0, total = 0.0, fractured = 0.0;
@@ -113,15 +113,15 @@ TEST(Ledger, AgreesWithTheFrame) {
     total += m;
     if (frame.category[k] == Category::fractured) fractured += m;
   }
-  EXPECT_NEAR(ledger.mass_now, total, 1e-12 * total);
-  EXPECT_NEAR(ledger.mass_fractured, fractured, 1e-12 * total);
-  EXPECT_NEAR(ledger.kinetic, kinetic, 1e-12 * kinetic);
+  EXPECT_NEAR(balance.mass_now, total, 1e-12 * total);
+  EXPECT_NEAR(balance.mass_fractured, fractured, 1e-12 * total);
+  EXPECT_NEAR(balance.kinetic, kinetic, 1e-12 * kinetic);
   for (std::size_t a = 0; a < 3; ++a)
-    EXPECT_NEAR(ledger.momentum_now[a], momentum[a], 1e-12 * ledger.momentum_scale);
+    EXPECT_NEAR(balance.momentum_now[a], momentum[a], 1e-12 * balance.momentum_scale);
 }
 
 // Free fall: momentum m g t, energy m g h.
-TEST(Ledger, FreeFall) {
+TEST(Balance, FreeFall) {
   for (PrecisionKind precision : both) {
     Case c = empty_case(2, precision);
     c.gravity = {0.5, -9.81, 0.0};
@@ -129,7 +129,7 @@ TEST(Ledger, FreeFall) {
     const auto simulation = make_simulation(c);
     take_steps(*simulation, 500);
     const double t = simulation->time(), m = 940.0 * 4e-4;
-    const Ledger now = simulation->ledger();
+    const Balance now = simulation->balance();
     const double digits = precision == PrecisionKind::mixed ? 1e-6 : 1e-12;
     const double gravity = std::hypot(0.5, 9.81);
     EXPECT_NEAR(now.impulse_gravity[1], -9.81 * m * t, 1e-12 * m * gravity * t);
@@ -144,7 +144,7 @@ TEST(Ledger, FreeFall) {
 
 // A block thrown on a plate comes back: the impulse of the plate is the change of momentum. Energy
 // is that of the throw.
-TEST(Ledger, ThrownOnAPlate) {
+TEST(Balance, ThrownOnAPlate) {
   Case c = empty_case(2, PrecisionKind::double_precision);
   c.materials[0].failure_strain = 0.0;
   c.bodies = {body("block", Role::elastic, box({-0.01, 0.002, 0.0}, {0.01, 0.022, 0.0}), 2e-3),
@@ -152,7 +152,7 @@ TEST(Ledger, ThrownOnAPlate) {
   c.bodies[0].velocity = {"0", "-0.5", "0"};
   const auto simulation = make_simulation(c);
   while (simulation->time() < 0.02) simulation->advance();
-  const Ledger now = simulation->ledger();
+  const Balance now = simulation->balance();
   const double thrown = 0.5 * 940.0 * 4e-4;
   EXPECT_GT(now.momentum_now[1], 0.0);  // on its way back
   EXPECT_NEAR(now.impulse_plate[1], thrown + now.momentum_now[1], 1e-12 * thrown);
@@ -161,20 +161,20 @@ TEST(Ledger, ThrownOnAPlate) {
 }
 
 // A body laid out within the reach of the plate starts with that potential.
-TEST(Ledger, InitialEnergyHasThePotentialOfThePlate) {
+TEST(Balance, InitialEnergyHasThePotentialOfThePlate) {
   Case c = empty_case(2, PrecisionKind::double_precision);
   c.bodies = {body("block", Role::elastic, box({-0.01, 0.0, 0.0}, {0.01, 0.02, 0.0}), 2e-3),
               body("plate", Role::rigid, box({-0.02, -0.004, 0.0}, {0.02, 0.0, 0.0}), 2e-3)};
   c.bodies[0].offset = {0.0, -5e-4, 0.0};
   const auto simulation = make_simulation(c);
-  const Ledger start = simulation->ledger();
+  const Balance start = simulation->balance();
   ASSERT_GT(start.plate_potential, 0.0);
   EXPECT_NEAR(start.energy_initial, start.energy_total(), 1e-12 * start.energy_total());
 }
 
 // A square of water that is squeezed and lets go: what the equation of state stores is the work
 // that was done against pressure, for one medium of nearly even density.
-TEST(Ledger, PressureWorkIsStored) {
+TEST(Balance, PressureWorkIsStored) {
   for (PrecisionKind precision : both) {
     Case c = empty_case(2, precision);
     c.materials[1].artificial_linear = 0.0;
@@ -185,11 +185,11 @@ TEST(Ledger, PressureWorkIsStored) {
     double greatest = 0.0, gap = 0.0;
     for (int n = 0; n < 60; ++n) {
       simulation->advance();
-      const Ledger now = simulation->ledger();
+      const Balance now = simulation->balance();
       greatest = std::max(greatest, now.pressure_work);
       gap = std::max(gap, std::abs(now.stored_water - now.pressure_work));
     }
-    const Ledger now = simulation->ledger();
+    const Balance now = simulation->balance();
     EXPECT_GT(greatest, 0.1 * now.energy_initial);
     EXPECT_LE(gap, 0.02 * greatest);
     EXPECT_LE(std::abs(now.energy_drift()), 0.01);

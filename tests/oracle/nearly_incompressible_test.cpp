@@ -57,10 +57,10 @@ TEST(NearlyIncompressible, ColumnOnAFloor) {
   }
   const double due = 940.0 * wave * speed;
   std::printf("gel on a floor: %.4g Pa, rho c V %.4g Pa, drift %.1e\n", stress / particles, due,
-              simulation->ledger().energy_drift());
+              simulation->balance().energy_drift());
   EXPECT_NEAR(stress / particles, due, 0.03 * due);
   EXPECT_NEAR(before / ahead, -speed, 0.1 * speed);
-  EXPECT_LE(std::abs(simulation->ledger().energy_drift()), 0.01);
+  EXPECT_LE(std::abs(simulation->balance().energy_drift()), 0.01);
 }
 
 // Mean pressure over rho g H in each of ten layers of what lies in the trough, added to `sum`.
@@ -89,7 +89,7 @@ TEST(LooseSolid, StandsAsALiquid) {
   c.bodies.back().velocity = {"0.02*sin(3000*x)", "0.02*sin(3000*y)", "0"};
   const auto simulation = make_simulation(c);
   while (simulation->time() < 0.02) simulation->advance();
-  const double impulse = simulation->ledger().impulse_plate[1], from = simulation->time();
+  const double impulse = simulation->balance().impulse_plate[1], from = simulation->time();
   const double period = 4.0 * depth / std::sqrt(1e5 / 1.2 / 940.0);
   std::array<double, 10> profile{};
   const int looks = 100;
@@ -97,7 +97,7 @@ TEST(LooseSolid, StandsAsALiquid) {
     while (simulation->time() < from + 5.0 * period * n / looks) simulation->advance();
     add_profile(simulation->frame(), scale, profile);
   }
-  const Ledger now = simulation->ledger();
+  const Balance now = simulation->balance();
   const double force = (now.impulse_plate[1] - impulse) / (simulation->time() - from);
   double square = 0.0;
   for (std::size_t k = 1; k < 9; ++k)  // rows at the floor and at the surface lack neighbours

@@ -55,8 +55,7 @@ class RatesOracle : public testing::Test {
     return loaded;
   }
   static void evaluate(const ReferenceState& state, Loaded<D, P>& loaded) {
-    const Rates<D, P> rates(Vector<D, double>::from(state.gravity),
-                            {state.epsilon, state.exponent});
+    const Rates<D, P> rates(Vector<D, double>::from(state.gravity), state.epsilon, state.exponent);
     rates.evaluate(loaded.particles, loaded.list.view());
   }
 

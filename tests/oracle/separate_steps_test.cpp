@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate steps for water and solids (integrate/solid_cycle.hpp).
+// Separate steps for water and solids (time/subcycling.hpp).
 #include <cmath>
 
+#include "engine/device.hpp"
 #include "support/farthest.hpp"
 #include "support/small_cases.hpp"
 
@@ -77,7 +78,7 @@ TEST_P(SeparateSteps, AJetPushesABlockAsWithOneStepForAll) {
   while (together->time() < end) together->advance();
   while (apart->time() < end) apart->advance();
   EXPECT_LT(apart->pair_interactions(), together->pair_interactions());
-  const Ledger a = apart->ledger(), b = together->ledger();
+  const Balance a = apart->balance(), b = together->balance();
   EXPECT_LE(a.momentum_error(), 1e-10);
   EXPECT_LE(std::abs(a.energy_drift()), 2e-3);
   EXPECT_GT(std::abs(b.impulse_water[1]), 0.0);

@@ -18,7 +18,7 @@ class StandardRatesOracle : public testing::Test {
   static constexpr double tolerance = std::is_same_v<Precision, Double> ? 1e-12 : 1e-4;
 
   struct Gaps {
-    Gap pressure, continuity, pressing, damping, total, from_rigid, energy;
+    Gap pressure, continuity, pressure_force, damping, total, from_rigid, energy;
   };
 
   static Gaps compare(const ReferenceState& state,
@@ -36,13 +36,13 @@ class StandardRatesOracle : public testing::Test {
       gaps.pressure.add(p.pressure[k], due.pressure);
       gaps.continuity.add(p.compression_rate[k], due.compression_rate);
       gaps.energy.add(p.repulsion_potential[k], due.contact_energy / m);
-      gaps.pressing.add(of(p.pressure_acceleration[k]), due.pressing / m);
+      gaps.pressure_force.add(of(p.pressure_acceleration[k]), due.pressure_force / m);
       gaps.damping.add(of(p.damping_acceleration[k]), due.damping / m);
       gaps.from_rigid.add(of(p.repulsion[k]), due.from_rigid / m);
       gaps.total.add(of(p.acceleration[k]), oracle.force(i) / m + state.gravity);
     }
-    for (const Gap& gap : {gaps.pressure, gaps.continuity, gaps.pressing, gaps.damping, gaps.total,
-                           gaps.from_rigid, gaps.energy})
+    for (const Gap& gap : {gaps.pressure, gaps.continuity, gaps.pressure_force, gaps.damping,
+                           gaps.total, gaps.from_rigid, gaps.energy})
       EXPECT_LE(gap.error, tolerance * gap.scale);
     return gaps;
   }
@@ -60,13 +60,13 @@ TYPED_TEST(StandardRatesOracle, MixedBagWithGravity) {
     if (seed > 1) stiffen_volume(state);
     const auto gaps =
         TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state));
-    for (const Gap& gap : {gaps.pressure, gaps.continuity, gaps.pressing, gaps.damping, gaps.total,
-                           gaps.from_rigid, gaps.energy})
+    for (const Gap& gap : {gaps.pressure, gaps.continuity, gaps.pressure_force, gaps.damping,
+                           gaps.total, gaps.from_rigid, gaps.energy})
       EXPECT_GT(gap.scale, 0.0);
   }
 }
 
-// All by the general terms, without the walks of src/lanes/.
+// All by the general terms, without the SIMD kernels.
 TYPED_TEST(StandardRatesOracle, MixedBagInOneWalk) {
   constexpr int D = TypeParam::D;
   auto state = wet_bag(D, 2);
@@ -74,7 +74,7 @@ TYPED_TEST(StandardRatesOracle, MixedBagInOneWalk) {
   stiffen_volume(state);
   const auto gaps =
       TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state, false));
-  EXPECT_GT(gaps.pressing.scale, 0.0);
+  EXPECT_GT(gaps.pressure_force.scale, 0.0);
 }
 
 // Each term alone: in the sum of all, the strong ones would hide a fault of the weak ones. Water
@@ -89,7 +89,7 @@ TYPED_TEST(StandardRatesOracle, ViscosityAlone) {
   }
   const auto gaps =
       TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state));
-  EXPECT_EQ(gaps.pressing.scale, 0.0);
+  EXPECT_EQ(gaps.pressure_force.scale, 0.0);
   EXPECT_GT(gaps.damping.scale, 0.0);
 }
 
@@ -100,7 +100,7 @@ TYPED_TEST(StandardRatesOracle, DissipationAlone) {
   for (auto& particle : state.particles) particle.compression = -0.01;
   const auto gaps =
       TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state));
-  EXPECT_EQ(gaps.pressing.scale, 0.0);
+  EXPECT_EQ(gaps.pressure_force.scale, 0.0);
   EXPECT_GT(gaps.damping.scale, 0.0);
 }
 
@@ -111,7 +111,7 @@ TYPED_TEST(StandardRatesOracle, PressureAtRest) {
   const auto gaps =
       TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state));
   EXPECT_EQ(gaps.damping.scale, 0.0);
-  EXPECT_GT(gaps.pressing.scale, 0.0);
+  EXPECT_GT(gaps.pressure_force.scale, 0.0);
   EXPECT_GT(gaps.continuity.scale, 0.0);  // differences in pressure diffuse density
 }
 
@@ -157,7 +157,7 @@ TYPED_TEST(StandardRatesOracle, Filling) {
       const double volume = is_squeezed ? n.volume / (1.0 + b.compression) : n.volume;
       due += volume * wendland((a.position - b.position).norm(), h, D);
     }
-    EXPECT_NEAR(double(loaded.particles.filling[place[i]]), due, TestFixture::tolerance * due);
+    EXPECT_NEAR(double(loaded.particles.kernel_sum[place[i]]), due, TestFixture::tolerance * due);
   }
   EXPECT_GT(squeezed, 10);
 }

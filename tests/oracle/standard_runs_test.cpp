@@ -16,21 +16,21 @@ double momentum_tolerance(PrecisionKind precision) {
   return precision == PrecisionKind::mixed ? 1e-6 : 1e-10;
 }
 
-void expect_balanced(const Ledger& now, PrecisionKind precision) {
+void expect_balanced(const Balance& now, PrecisionKind precision) {
   EXPECT_LE(std::abs(now.mass_error()), 1e-12);
   EXPECT_LE(now.momentum_error(), momentum_tolerance(precision));
 }
 
-void print(const char* what, const Ledger& now) {
+void print(const char* what, const Balance& now) {
   std::printf("%s: mass %.1e, momentum %.1e, energy %.2e\n", what, now.mass_error(),
               now.momentum_error(), now.energy_drift());
 }
 
-// A jet breaks a block on a plate; with gravity, eraser, a body moved from the side and a drop that
-// flies out.
+// A jet breaks a block on a plate; with gravity, back_flow_removal, a body moved from the side and
+// a drop that flies out.
 void run_everything(int dimension, PrecisionKind precision, int steps) {
   Case c = standard_jet_on_block(dimension, precision);
-  c.eraser = Eraser{};
+  c.back_flow_removal = BackFlowRemoval{};
   const double z = dimension == 3 ? 0.004 : 0.0;
   c.bodies.push_back(body("pusher", Role::elastic, box({-0.0118, 0.002, -z}, {-0.0098, 0.006, z}),
                           c.jets[0].spacing));
@@ -39,16 +39,16 @@ void run_everything(int dimension, PrecisionKind precision, int steps) {
       body("drop", Role::water, box({0.006, 0.02, -0.5 * z}, {0.01, 0.024, 0.5 * z}), 1e-3));
   c.bodies.back().velocity = {"4", "1", "0"};
   const auto simulation = make_simulation(c);
-  Ledger before = simulation->ledger();
+  Balance before = simulation->balance();
   for (int n = 0; n < steps; ++n) {
     simulation->advance();
     if (n % 10 != 0) continue;
-    const Ledger now = simulation->ledger();
+    const Balance now = simulation->balance();
     ASSERT_GE(now.dissipated_artificial, before.dissipated_artificial);
     expect_balanced(now, precision);
     before = now;
   }
-  const Ledger now = simulation->ledger();
+  const Balance now = simulation->balance();
   print("jet on block", now);
   EXPECT_GT(now.mass_in, 0.0);
   EXPECT_GT(now.mass_out, 0.0);
@@ -89,19 +89,19 @@ TEST(StandardLedger, JitteredBodiesAsLaidOutAreAtRest) {
     }
     const auto simulation = make_simulation(c);
     take_steps(*simulation, 20);
-    const Ledger now = simulation->ledger();
+    const Balance now = simulation->balance();
     EXPECT_EQ(now.kinetic, 0.0) << dimension;
     EXPECT_EQ(now.elastic_strain, 0.0) << dimension;
   }
 }
 
-// Momentum, mass and kinetic energy by sums over a frame, which the ledger has no part in.
+// Momentum, mass and kinetic energy by sums over a frame, which the balance has no part in.
 TEST(StandardLedger, AgreesWithTheFrame) {
   const auto simulation =
       make_simulation(standard_jet_on_block(2, PrecisionKind::double_precision));
   take_steps(*simulation, 500);
   const Frame frame = simulation->frame();
-  const Ledger ledger = simulation->ledger();
+  const Balance balance = simulation->balance();
   const std::vector<double> mass{940.0 * 25e-8, 0.0, 1000.0 * 25e-8};
   double total = 0.0, kinetic = 0.0, fractured = 0.0;
   std::array<double, 3> momentum{};
@@ -115,11 +115,11 @@ TEST(StandardLedger, AgreesWithTheFrame) {
       momentum[a] += m * v;
     }
   }
-  EXPECT_NEAR(ledger.mass_now, total, 1e-12 * total);
-  EXPECT_NEAR(ledger.mass_fractured, fractured, 1e-12 * total);
-  EXPECT_NEAR(ledger.kinetic, kinetic, 1e-12 * kinetic);
+  EXPECT_NEAR(balance.mass_now, total, 1e-12 * total);
+  EXPECT_NEAR(balance.mass_fractured, fractured, 1e-12 * total);
+  EXPECT_NEAR(balance.kinetic, kinetic, 1e-12 * kinetic);
   for (std::size_t a = 0; a < 3; ++a)
-    EXPECT_NEAR(ledger.momentum_now[a], momentum[a], 1e-12 * ledger.momentum_scale);
+    EXPECT_NEAR(balance.momentum_now[a], momentum[a], 1e-12 * balance.momentum_scale);
 }
 
 // A block flies out of the domain edge first, row by row; those that are left behind fly on. In the
@@ -134,16 +134,16 @@ void fly_out(int dimension, PrecisionKind precision, double failure_strain) {
   c.bodies = {body("block", Role::elastic, box({-0.006, 0.0, 0.0}, {0.006, 0.006, z}), 1e-3)};
   c.bodies[0].velocity = {"4+300*y", "100*(x+0.004)", "0"};  // also turns and shears
   const auto simulation = make_simulation(c);
-  const double mass = simulation->ledger().mass_now;
+  const double mass = simulation->balance().mass_now;
   bool half_way = false;
   while (simulation->particles() > 0 && simulation->time() < 0.02) {
     simulation->advance();
-    const Ledger now = simulation->ledger();
+    const Balance now = simulation->balance();
     ASSERT_LE(std::abs(now.mass_error()), 1e-12);
     ASSERT_LE(now.momentum_error(), momentum_tolerance(precision));
     half_way = half_way || (now.mass_out > 0.3 * mass && now.mass_out < 0.7 * mass);
   }
-  const Ledger end = simulation->ledger();
+  const Balance end = simulation->balance();
   print("flown out", end);
   EXPECT_TRUE(half_way);
   EXPECT_EQ(simulation->particles(), 0u);
@@ -178,7 +178,7 @@ TEST(StandardProbes, NoForceAcrossAPlaneInFreeFall) {
     // Rounding of places of 0.01 m in double over bonds of 1 mm, times moduli of 1e5 Pa.
     const double digits = precision == PrecisionKind::mixed ? 1e-5 : 1e-9;
     for (const double force : simulation->probe_values()) EXPECT_NEAR(force, 0.0, digits * weight);
-    EXPECT_LT(simulation->ledger().momentum_now[1], 0.0);
+    EXPECT_LT(simulation->balance().momentum_now[1], 0.0);
   }
 }
 
@@ -225,15 +225,15 @@ void collide(int dimension, PrecisionKind precision, double poisson_ratio) {
   c.bodies[1].velocity = {"-0.5", "0", "0"};
   const auto simulation = make_simulation(c);
   double worst = 0.0, stored = 0.0, touched = 0.0;
-  const double start = simulation->ledger().energy_initial;
+  const double start = simulation->balance().energy_initial;
   while (simulation->time() < 0.012) {
     for (int n = 0; n < 5; ++n) simulation->advance();
-    const Ledger now = simulation->ledger();
+    const Balance now = simulation->balance();
     worst = std::max(worst, std::abs(now.energy_drift()));
     stored = std::max(stored, now.elastic_strain / start);
     touched = std::max(touched, now.plate_potential / start);
   }
-  const Ledger end = simulation->ledger();
+  const Balance end = simulation->balance();
   std::printf(
       "collision %dD, nu = %g: drift at worst %.2e, at the end %.2e; at most %.2f elastic, %.2f in "
       "contact; momentum %.1e\n",

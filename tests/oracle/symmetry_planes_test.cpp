@@ -51,7 +51,7 @@ class SymmetryPlanes : public testing::Test {
                       const ReferenceStandard& oracle) {
     const auto place = loaded.places();
     const auto& p = loaded.particles;
-    Gap pressure, continuity, energy, pressing, damping, total, from_rigid;
+    Gap pressure, continuity, energy, pressure_force, damping, total, from_rigid;
     Vector3 sum = Vector3::Zero(), booked = Vector3::Zero();
     double scale = 0.0;
     for (std::size_t i = 0; i < place.size(); ++i) {
@@ -62,7 +62,7 @@ class SymmetryPlanes : public testing::Test {
       pressure.add(p.pressure[k], due.pressure);
       continuity.add(p.compression_rate[k], due.compression_rate);
       energy.add(p.repulsion_potential[k], due.contact_energy / m);
-      pressing.add(of(p.pressure_acceleration[k]), due.pressing / m);
+      pressure_force.add(of(p.pressure_acceleration[k]), due.pressure_force / m);
       damping.add(of(p.damping_acceleration[k]), due.damping / m);
       from_rigid.add(of(p.repulsion[k]), due.from_rigid / m);
       total.add(of(p.acceleration[k]), oracle.force(i) / m + part.gravity);
@@ -70,7 +70,8 @@ class SymmetryPlanes : public testing::Test {
       booked += m * (of(p.repulsion[k]) + of(p.mirror_acceleration[k]));
       scale += m * of(p.mirror_acceleration[k]).norm();
     }
-    for (const Gap& gap : {pressure, continuity, energy, pressing, damping, total, from_rigid}) {
+    for (const Gap& gap :
+         {pressure, continuity, energy, pressure_force, damping, total, from_rigid}) {
       EXPECT_GT(gap.scale, 0.0);
       EXPECT_LE(gap.error, tolerance * gap.scale);
     }

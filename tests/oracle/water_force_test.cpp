@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "simulation/ledger.hpp"
+#include "simulation/balance.hpp"
 #include "support/runs.hpp"
 #include "support/small_cases.hpp"
 
@@ -29,12 +29,12 @@ void expect_impulse(int dimension, Formulation formulation, PrecisionKind precis
     for (std::size_t a = 0; a < 3; ++a)
       if (frame.category[k] != Category::water)
         momentum[a] += double(frame.mass[k]) * frame.velocity[k][a];
-  const Ledger ledger = simulation->ledger();
+  const Balance balance = simulation->balance();
   const double struck = std::abs(momentum[1]);
-  ASSERT_GT(struck, 0.01 * std::abs(ledger.momentum_in[1]));
+  ASSERT_GT(struck, 0.01 * std::abs(balance.momentum_in[1]));
   const double digits = precision == PrecisionKind::mixed ? 1e-4 : 1e-6;  // a frame's mass: single
   for (std::size_t a = 0; a < 3; ++a)
-    EXPECT_NEAR(ledger.impulse_water[a], momentum[a], digits * struck) << "xyz"[a];
+    EXPECT_NEAR(balance.impulse_water[a], momentum[a], digits * struck) << "xyz"[a];
 }
 
 TEST(WaterForce, IsWhatAFreeBlockGains) {
@@ -59,7 +59,7 @@ TEST(WaterForce, OfAJetOnABroadBlockIsThatOfItsMomentum) {
   const auto simulation = make_simulation(c);
   const auto advance_to = [&](double time) {
     while (simulation->time() < time) simulation->advance();
-    return std::pair{simulation->time(), simulation->ledger().impulse_water};
+    return std::pair{simulation->time(), simulation->balance().impulse_water};
   };
   const auto [begin, at_begin] = advance_to(0.020);
   const auto [end, at_end] = advance_to(0.032);
@@ -68,7 +68,7 @@ TEST(WaterForce, OfAJetOnABroadBlockIsThatOfItsMomentum) {
   std::printf("force %.2f N/m, theory %.2f N/m\n", force, theory);
   EXPECT_NEAR(force / theory, 1.0, 0.03);
   EXPECT_NEAR((at_end[0] - at_begin[0]) / (end - begin) / theory, 0.0, 0.01);
-  EXPECT_NE(simulation->ledger().force_water[1], 0.0);
+  EXPECT_NE(simulation->balance().force_water[1], 0.0);
 }
 
 }  // namespace

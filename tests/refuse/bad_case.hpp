@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "case/read.hpp"
 #include "core/error.hpp"
+#include "input/read.hpp"
 
 namespace kerf {
 

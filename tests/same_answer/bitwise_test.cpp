@@ -6,6 +6,8 @@
 #include <random>
 #include <tuple>
 
+#include "model/material_laws.hpp"
+#include "parallel/threads.hpp"
 #include "support/runs.hpp"
 #include "support/small_cases.hpp"
 
@@ -28,13 +30,13 @@ class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind, 
     c.probes = {point, plane};
     if (c.formulation == Formulation::standard && c.precision == PrecisionKind::mixed) {
       c.materials[0].plasticity = PlasticLaw::von_mises;
-      c.materials[0].yield_strength = 2e3;
+      c.materials[0].laws->plastic.von_mises.yield_stress = 2e3;
       c.materials[0].friction = 0.3;
     } else if (c.formulation == Formulation::standard) {
       c.materials[0].criterion = BondCriterion::grady_kipp;
-      c.materials[0].weibull_k = 1e18;
-      c.materials[0].weibull_m = 6.0;
-      c.materials[0].flaw_depth = 1e-3;
+      c.materials[0].laws->grady_kipp.weibull_k = 1e18;
+      c.materials[0].laws->grady_kipp.weibull_m = 6.0;
+      c.materials[0].laws->grady_kipp.flaw_depth = 1e-3;
       c.bodies[0].jitter = 0.2;
     }
     if (c.formulation == Formulation::standard && c.precision == PrecisionKind::double_precision) {
@@ -42,7 +44,7 @@ class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind, 
       c.bodies[0].grading = {1, 2e-3, box({-3e-3, 0.0, -3e-3}, {3e-3, 9e-3, 3e-3}), {}};
     }
     if (c.precision == PrecisionKind::double_precision) c.numerics = {WaterScheme::delta_sph, true};
-    c.eraser = Eraser{};
+    c.back_flow_removal = BackFlowRemoval{};
     return c;
   }
   int steps() const { return std::get<0>(GetParam()) == 2 ? 500 : 200; }
@@ -61,11 +63,11 @@ class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind, 
 TEST_P(SameAnswer, AnyNumberOfThreads) {
   const auto one = run_on(1, description(), steps());
   // The case has what could go wrong: inflow, outflow, fracture.
-  EXPECT_GT(one->ledger().mass_in, 0.0);
+  EXPECT_GT(one->balance().mass_in, 0.0);
   // A bond may store more in its neighbours than it gives up.
-  EXPECT_NE(one->ledger().dissipated_fracture, 0.0);
+  EXPECT_NE(one->balance().dissipated_fracture, 0.0);
   if (std::get<0>(GetParam()) == 2) {
-    EXPECT_GT(one->ledger().mass_out + one->ledger().mass_erased, 0.0);
+    EXPECT_GT(one->balance().mass_out + one->balance().mass_erased, 0.0);
   }
   for (int threads : {2, 3}) expect_same_run(*one, *run_on(threads, description(), steps()));
 }
@@ -109,14 +111,14 @@ TEST_P(SameAnswer, LookingChangesNothing) {
   for (int n = 0; n < steps(); ++n) {
     looked_at->advance();
     if (n % 5 == 0) looked_at->frame();
-    if (n % 7 == 0) looked_at->ledger();
+    if (n % 7 == 0) looked_at->balance();
     if (n % 11 == 0) looked_at->probe_values();
     if (n % 13 == 0) saved(*looked_at);
   }
   expect_same_run(*undisturbed, *looked_at);
   // What is seen does not depend on what was looked at before.
   const auto probes = undisturbed->probe_values();
-  expect_same_ledger(undisturbed->ledger(), looked_at->ledger());
+  expect_same_ledger(undisturbed->balance(), looked_at->balance());
   expect_same_frame(undisturbed->frame(), looked_at->frame());
   EXPECT_EQ(probes, looked_at->probe_values());
 }

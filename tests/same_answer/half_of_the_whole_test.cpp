@@ -2,6 +2,7 @@
 // Half of a problem beside a symmetry plane goes like half of the whole problem.
 #include <cmath>
 
+#include "model/material_laws.hpp"
 #include "support/runs.hpp"
 #include "support/small_cases.hpp"
 
@@ -18,7 +19,7 @@ Case right_half(Case c) {
 // The farthest that any particle of the half is from its like in the whole, m and m/s.
 struct Gap {
   double place = 0.0, speed = 0.0;
-  Ledger ledger;  // of the whole
+  Balance balance;  // of the whole
 };
 
 // Particles of the start by their ids: that of the whole which is where that of the half is.
@@ -62,7 +63,7 @@ Gap run_both(const Case& description, int steps) {
     EXPECT_EQ(a.category[k], b.category[found->second]);
   }
   // Of everything that adds up, the half holds half; momentum is booked to the last digits.
-  const Ledger one = half->ledger(), two = whole->ledger();
+  const Balance one = half->balance(), two = whole->balance();
   EXPECT_NEAR(one.kinetic, 0.5 * two.kinetic, 1e-9 * two.kinetic);
   EXPECT_NEAR(one.elastic_strain, 0.5 * two.elastic_strain, 1e-9 * two.kinetic);
   EXPECT_NEAR(one.mass_now, 0.5 * two.mass_now, 1e-12 * two.mass_now);
@@ -72,7 +73,7 @@ Gap run_both(const Case& description, int steps) {
   EXPECT_NEAR(one.energy_drift(), two.energy_drift(), 1e-9);
   EXPECT_NEAR(one.dissipated_plastic, 0.5 * two.dissipated_plastic, 1e-9 * two.kinetic);
   EXPECT_NEAR(one.dissipated_fracture, 0.5 * two.dissipated_fracture, 1e-9 * two.kinetic);
-  gap.ledger = two;
+  gap.balance = two;
   return gap;
 }
 
@@ -92,13 +93,13 @@ TEST(HalfOfTheWhole, RodFallsOnAWall) {
   Case c = standard_case();
   c.materials[0].failure_strain = 0.0;
   c.materials[0].plasticity = PlasticLaw::von_mises;
-  c.materials[0].yield_strength = 5e3;
-  c.materials[0].hardening_modulus = 2e4;
+  c.materials[0].laws->plastic.von_mises.yield_stress = 5e3;
+  c.materials[0].laws->plastic.von_mises.modulus = 2e4;
   c.bodies = {body("rod", Role::elastic, box({-0.006, 0.0, 0.0}, {0.006, 0.02, 0.0}), 1e-3),
               body("wall", Role::rigid, box({-0.02, -0.004, 0.0}, {0.02, 0.0, 0.0}), 1e-3)};
   c.bodies[0].velocity = {"0", "-3", "0"};
   const Gap gap = run_both(c, 200);
-  EXPECT_GT(gap.ledger.dissipated_plastic, 0.0);
+  EXPECT_GT(gap.balance.dissipated_plastic, 0.0);
   EXPECT_LT(gap.place, grown * 1e-3);
   EXPECT_LT(gap.speed, grown * 3.0);
 }
@@ -119,7 +120,7 @@ TEST(HalfOfTheWhole, StripIsTornApart) {
   c.bodies = {body("strip", Role::elastic, box({-0.008, 0.0, 0.0}, {0.008, 0.012, 0.0}), 1e-3)};
   c.bodies[0].velocity = {"150 * x * cos(200 * y)", "0", "0"};
   const Gap gap = run_both(c, 120);
-  EXPECT_NE(gap.ledger.dissipated_fracture, 0.0);
+  EXPECT_NE(gap.balance.dissipated_fracture, 0.0);
   EXPECT_LT(gap.place, grown * 1e-3);
   EXPECT_LT(gap.speed, grown * 1.0);
 }
@@ -133,7 +134,7 @@ TEST(HalfOfTheWhole, TwoBlocksCollide) {
   c.bodies[0].velocity = {"-2", "0", "0"};
   c.bodies[1].velocity = {"2", "0", "0"};
   const Gap gap = run_both(c, 200);
-  EXPECT_LT(gap.ledger.kinetic, 0.8 * 4.0 * 940.0 * 64e-6);  // of the start: they have met
+  EXPECT_LT(gap.balance.kinetic, 0.8 * 4.0 * 940.0 * 64e-6);  // of the start: they have met
   EXPECT_LT(gap.place, grown * 1e-3);
   EXPECT_LT(gap.speed, grown * 2.0);
 }
@@ -153,16 +154,16 @@ TEST(SymmetryPlane, HoldsWhatIsThrownAtIt) {
       simulation->advance();
       const Frame frame = simulation->frame();
       for (std::size_t k = 0; k < frame.id.size(); ++k) ASSERT_GE(frame.position[k][0], 0.0);
-      const Ledger ledger = simulation->ledger();
-      ASSERT_LT(ledger.momentum_error(), rounding);
-      ASSERT_LT(std::abs(ledger.energy_drift()), rounding);
+      const Balance balance = simulation->balance();
+      ASSERT_LT(balance.momentum_error(), rounding);
+      ASSERT_LT(std::abs(balance.energy_drift()), rounding);
       // Along the plane it pushes nothing but rounding errors.
-      ASSERT_LE(std::abs(ledger.impulse_constraint[1]), rounding * ledger.momentum_scale);
+      ASSERT_LE(std::abs(balance.impulse_constraint[1]), rounding * balance.momentum_scale);
     }
-    const Ledger ledger = simulation->ledger();
-    EXPECT_EQ(ledger.mass_out, 0.0);
+    const Balance balance = simulation->balance();
+    EXPECT_EQ(balance.mass_out, 0.0);
     // All that came towards the plane was stopped or turned back.
-    EXPECT_GT(ledger.impulse_constraint[0], 16e-6 * 1000.0 * 20.0);
+    EXPECT_GT(balance.impulse_constraint[0], 16e-6 * 1000.0 * 20.0);
   }
 }
 

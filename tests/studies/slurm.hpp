@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "output/files.hpp"
-#include "study/command_output.hpp"
+#include "study/child_process.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace kerf::test {

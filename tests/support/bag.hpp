@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bag of particles of every kind in a random mixture, for tests of pair sums: fine and coarse
-// water, three pieces of solid of different size, intact and fractured, and a rigid body.
+// A random mixture of particles of all phases for tests of pair sums: fine and coarse water, three
+// pieces of solid of different spacing, intact and fractured, and a rigid body.
 #pragma once
 
 #include <random>
@@ -25,8 +25,8 @@ inline Medium<double> bag_water(double spacing, int dimension) {
   water.spacing = spacing;
   water.density = 1000.0;
   water.sound_speed = water.longitudinal_speed = 50.0;
-  water.tait_exponent = 7.0;
-  water.tait_coefficient = 50.0 * 50.0 * 1000.0 / 7.0;
+  water.tait.exponent = 7.0;
+  water.tait.coefficient = 50.0 * 50.0 * 1000.0 / 7.0;
   water.viscosity = 0.9;
   water.artificial_linear = 0.01;
   water.artificial_softening = 0.1;
@@ -41,7 +41,7 @@ inline Medium<double> bag_solid(double spacing, int dimension, std::uint16_t pie
   solid.piece = piece;
   solid.spacing = spacing;
   solid.density = 940.0;
-  solid.bulk_modulus = 8.3e4;
+  solid.total_bulk_modulus = solid.bulk_modulus = 8.3e4;
   solid.shear_modulus = 3.8e4;
   solid.sound_speed = std::sqrt(solid.bulk_modulus / solid.density);
   solid.longitudinal_speed = 12.0;
@@ -63,7 +63,7 @@ inline Medium<double> bag_rigid(double spacing) {
   return rigid;
 }
 
-// Random symmetric tensor of trace 0, without xz and yz in two dimensions.
+// Returns a random symmetric tensor of trace 0, with xz = yz = 0 in two dimensions.
 template <class Random>
 Matrix3 random_deviator(int dimension, Random&& uniform) {
   Matrix3 s = Matrix3::Zero();

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole run of the made-up simulation, with all that it leaves in its folder.
+// A complete run of the fake simulation with all files that it writes into its folder.
 #pragma once
 
 #include <filesystem>
 #include <memory>
 
 #include "app/run_loop.hpp"
-#include "case/write_used.hpp"
+#include "input/write_used.hpp"
 #include "support/fake_simulation.hpp"
 
 namespace kerf::test {
 
 inline void run_fake(const Case& description, const std::filesystem::path& folder) {
-  RunSettings settings;
+  RunLoopSettings settings;
   settings.description = description;
   settings.case_name = "fake";
   settings.case_text = write_used(description);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulation that costs nothing: a block that falls apart under a jet by a made-up rule. Its
-// steps vary and depend on all that went before, so a run that forgets anything on resuming
+// A fake simulation without computing cost: a block breaks under a jet by an artificial rule. Its
+// steps vary and depend on the whole history, so a run that loses any state on resuming
 // differs.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-#include "case/read.hpp"
+#include "input/read.hpp"
 #include "simulation/simulation.hpp"
 #include "support/frames.hpp"
 
@@ -54,7 +54,7 @@ inline Case fake_case() {
 
 class FakeSimulation : public Simulation {
  public:
-  // `before_step` is called with the number of the step that is about to be taken.
+  // Calls `before_step` with the number of the next step before it is taken.
   explicit FakeSimulation(const Case& description,
                           std::function<void(std::uint64_t)> before_step = {})
       : end_(description.time.end), before_step_(std::move(before_step)) {}
@@ -99,13 +99,13 @@ class FakeSimulation : public Simulation {
     }
     return frame;
   }
-  Ledger ledger() const override {
-    Ledger ledger;
-    ledger.mass_initial = ledger.mass_now = 1.0;
-    ledger.energy_in = 1.0 + time_;
-    ledger.kinetic = (1.0 + time_) * (1.0 + 1e-3 * memory_);
-    ledger.force_plate = {memory_, -time_, 0.0};
-    return ledger;
+  Balance balance() const override {
+    Balance balance;
+    balance.mass_initial = balance.mass_now = 1.0;
+    balance.energy_in = 1.0 + time_;
+    balance.kinetic = (1.0 + time_) * (1.0 + 1e-3 * memory_);
+    balance.force_plate = {memory_, -time_, 0.0};
+    return balance;
   }
   std::vector<double> probe_values() const override { return {1e5 * memory_, time_, 0.0, 0.0}; }
   double pair_interactions() const override { return 100.0 * static_cast<double>(step_); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far apart two runs are.
+// The largest difference between two runs.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 
 namespace kerf::test {
 
-// The largest difference of a vector of the particles of a, which b has as well, by id.
+// Returns the largest difference of a vector field over the particles of a, matched with those of b
+// by id.
 template <class Column>
 double farthest(const Frame& a, const Frame& b, const Column& column) {
   const auto place = by_id(b);

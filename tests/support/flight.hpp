@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The least case that `kerf verify` can run: a block that flies at 3 m/s through empty space.
+// The smallest case that `kerf verify` can run: a block moves at 3 m/s through empty space.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames with known numbers.
+// Frames with known values.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace kerf::test {
 
-// Adds one particle; its other values follow from its number, all different.
+// Adds one particle. Its other values follow from its number and are all different.
 inline void add_particle(Frame& frame, const std::array<double, 3>& place, Category category,
                          double spacing) {
   const auto i = static_cast<double>(frame.position.size());

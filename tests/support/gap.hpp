@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a field is from what an oracle says of it.
+// The distance between a field and the field of an oracle.
 #pragma once
 
 #include <Eigen/Dense>
@@ -8,7 +8,7 @@
 
 namespace kerf::test {
 
-// The largest error of a field over the largest value of that field.
+// Returns the largest error of a field over the largest value of the field.
 struct Gap {
   double error = 0.0, scale = 0.0;
   void add(double value, double due) {

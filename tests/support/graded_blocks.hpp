@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks of total Lagrangian solid whose spacing jumps.
+// Blocks of total Lagrangian solid with a jump of the spacing.
 #pragma once
 
 #include "support/solid_blocks.hpp"
 
 namespace kerf::test {
 
-// `cells`: coarse cells, 2 spacings wide; those with is_coarse(middle) stay whole.
+// `cells`: coarse cells, 2 spacings wide; cells with is_coarse(middle) are not refined.
 template <int D, class IsCoarse>
-SolidLayout<D> graded_block(const BlockChoice& choice, const SolidMedium<double>& fine,
+SolidLayout<D> graded_block(const BlockChoice& choice, const Medium<double>& fine,
                             const IsCoarse& is_coarse) {
   SolidLayout<D> layout;
   auto coarse = fine;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The particles of a ReferenceState on the device with their neighbour list, and what became of
-// them in the order of the ReferenceState.
+// The particles of a ReferenceState on the device with their neighbour list, and their results in
+// the order of the ReferenceState.
 #pragma once
 
 #include <Eigen/Dense>
@@ -9,7 +9,7 @@
 #include "core/precision.hpp"
 #include "neighbours/neighbour_list.hpp"
 #include "particles/reorder.hpp"
-#include "rates/rates.hpp"
+#include "shinohara2004/rates.hpp"
 #include "simulation/media.hpp"
 #include "support/reference_sph.hpp"
 
@@ -18,7 +18,7 @@ namespace kerf::test {
 struct ListChoice {
   double minimum = 0.0, maximum = 0.014;  // m, of the domain along every axis
   double skin = 5e-4;                     // m
-  bool splits = false;                    // kin is listed first
+  bool splits = false;                    // same_class is listed first
 };
 
 template <int D, class P, class Scheme = JointPairs>
@@ -37,7 +37,7 @@ class Loaded {
     }
     for (const auto& medium : state.media) longest = std::max(longest, medium.smoothing_length);
     list = NeighbourList<D, P, Scheme>(minimum, maximum, 2.0 * longest, choice.skin);
-    if (choice.splits) list.put_kin_first();
+    if (choice.splits) list.sort_neighbours_by_class();
     rebuild();
   }
 
@@ -47,7 +47,7 @@ class Loaded {
     list.build(particles);
   }
 
-  // Place in the arrays of each particle of the ReferenceState.
+  // Position in the arrays of each particle of the ReferenceState.
   std::vector<std::size_t> places() const {
     const auto id = to_host(particles.id);
     std::vector<std::size_t> place(id.size());
@@ -98,7 +98,7 @@ class Loaded {
   }
 };
 
-// Entries of the engine's vectors and tensors as Eigen's, with zeros in the third dimension.
+// Convert vectors and tensors of the engine to Eigen, with zeros in the third dimension.
 template <int D, class T>
 Vector3 as_eigen(const Vector<D, T>& v) {
   Vector3 result = Vector3::Zero();

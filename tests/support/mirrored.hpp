@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Symmetry planes of a cube [0, width]^D, and the whole that a part stands for: the part and its
-// mirror images, as particles of their own.
+// Symmetry planes of a cube [0, width]^D, and the complete problem of which a part is simulated:
+// the part and its mirror images as explicit particles.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ MirrorPlanes<D> planes_of(const std::string& faces, double width) {
   return planes;
 }
 
-// Codes of all images, that of the part itself (0) first.
+// Returns the codes of all images, starting with that of the part itself (0).
 template <int D>
 std::vector<MirrorCode> images_of(const MirrorPlanes<D>& planes) {
   std::vector<MirrorCode> codes;
@@ -37,7 +37,8 @@ std::vector<MirrorCode> images_of(const MirrorPlanes<D>& planes) {
   return codes;
 }
 
-// The same reflections once more, by hand: particle k of copy c is number c n + k.
+// The same reflections, written independently; in whole_of() particle k of copy c has the number
+// c n + k.
 template <int D>
 Vector3 mirrored_place(const MirrorPlanes<D>& planes, MirrorCode code, Vector3 x) {
   for (int a = 0; a < D; ++a) {
@@ -53,7 +54,7 @@ Vector3 mirrored_vector(const MirrorPlanes<D>& planes, MirrorCode code, Vector3 
   return v;
 }
 
-// Pieces that are not one with their images become pieces of their own there.
+// The images of pieces that are not joined to their images become separate pieces.
 template <int D>
 ReferenceState whole_of(const ReferenceState& part, const MirrorPlanes<D>& planes) {
   ReferenceState whole = part;

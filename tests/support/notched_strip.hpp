@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A strip with a notch that is pulled apart.
+// A strip with a notch that is stretched until it tears.
 #pragma once
 
 #include "support/solid_blocks.hpp"
@@ -27,12 +27,13 @@ SolidOnTrial<2, P> notched_strip(double spacing = 1e-3, double limit = 0.1) {
 template <class P>
 double pulling_step(const SolidOnTrial<2, P>& trial) {  // s
   const auto& medium = trial.layout.media[0];
-  return 0.2 * medium.spacing / medium.longitudinal_speed();
+  return 0.2 * medium.spacing / medium.bond_wave_speed();
 }
 
-// A step in which the two ends of a strip 20 mm high are pulled apart; what breaks in it.
+// Takes a step in which the two ends of a strip 20 mm high move apart; returns what breaks in it
+// and the energy that this releases.
 template <class P>
-FractureBook pull_once(SolidOnTrial<2, P>& trial, double speed, double dt) {
+FractureResult pull_once(SolidOnTrial<2, P>& trial, double speed, double dt) {
   trial.kick(0.5 * dt);
   for (std::size_t i = 0; i < trial.size(); ++i) {
     const double y = trial.layout.reference[i][1];
@@ -41,13 +42,13 @@ FractureBook pull_once(SolidOnTrial<2, P>& trial, double speed, double dt) {
     trial.position[i] += dt * Vector<2, double>::from(trial.velocity[i]);
   }
   trial.deform();
-  const FractureBook book = trial.solid.fracture();
+  const FractureResult book = trial.solid.fracture();
   trial.evaluate();
   trial.kick(0.5 * dt);
   return book;
 }
 
-// Pulls the two ends apart until the strip is in two; the energy set free, J/m.
+// Moves the two ends apart for `time`, in which the strip tears; returns the released energy, J/m.
 template <class P>
 double pull(SolidOnTrial<2, P>& trial, double speed, double time) {
   const double dt = pulling_step(trial);

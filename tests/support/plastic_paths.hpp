@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths of deformation, and the tensors of plastic laws as Eigen's matrices, for tests.
+// Deformation paths, and the tensors of plastic laws as Eigen matrices, for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,19 +14,22 @@ namespace kerf::test {
 
 using Matrix3 = Eigen::Matrix3d;
 
-inline SolidMedium<double> steel() {
-  SolidMedium<double> solid;
-  solid.density = 7830.0;
+inline ElasticModuli<double> steel() {
+  ElasticModuli<double> solid;
   solid.bulk_modulus = 159e9;
   solid.shear_modulus = 77e9;
   return solid;
 }
 
+inline ElasticModuli<float> in_single(const ElasticModuli<double>& solid) {
+  return {static_cast<float>(solid.bulk_modulus), static_cast<float>(solid.shear_modulus)};
+}
+
 inline PlasticParameters<double> linear_hardening(double yield_stress, double modulus) {
   PlasticParameters<double> parameters;
   parameters.law = PlasticLaw::von_mises;
-  parameters.hardening.yield_stress = yield_stress;
-  parameters.hardening.modulus = modulus;
+  parameters.von_mises.yield_stress = yield_stress;
+  parameters.von_mises.modulus = modulus;
   return parameters;
 }
 
@@ -34,7 +37,7 @@ inline PlasticParameters<double> linear_hardening(double yield_stress, double mo
 inline PlasticParameters<double> steel_4340() {
   PlasticParameters<double> parameters;
   parameters.law = PlasticLaw::johnson_cook;
-  parameters.strength = {792e6, 510e6, 0.26, 0.014, 1.0, 1.03};
+  parameters.johnson_cook = {792e6, 510e6, 0.26, 0.014, 1.0, 1.03};
   parameters.damage = {0.05, 3.44, -2.12, 0.002, 0.61, 1.0, 0.01};
   parameters.heat = {7830.0 * 477.0, 0.9, 294.0, 294.0, 1793.0};
   return parameters;
@@ -79,7 +82,7 @@ inline double equivalent_stress(const Matrix3& stress) {
   return std::sqrt(1.5) * s.norm();
 }
 
-// A function of a symmetric matrix by Eigen's iterative solver.
+// Applies a function to a symmetric matrix by the iterative solver of Eigen.
 template <class Function>
 Matrix3 of_symmetric(const Matrix3& m, const Function& function) {
   const Eigen::SelfAdjointEigenSolver<Matrix3> solver(m);
@@ -93,7 +96,7 @@ inline Matrix3 exp_of(const Matrix3& m) {
   return of_symmetric(m, [](double x) { return std::exp(x); });
 }
 
-// F(s) for s from 0 to 1, F(0) = 1; in two dimensions nothing happens along z.
+// F(s) for s from 0 to 1 with F(0) = 1; in two dimensions there is no deformation along z.
 using Path = std::function<Matrix3(double)>;
 
 inline Matrix3 random_matrix(std::mt19937& engine, int dimension, double size) {
@@ -104,7 +107,7 @@ inline Matrix3 random_matrix(std::mt19937& engine, int dimension, double size) {
   return m;
 }
 
-// A path that bends: H = s A + sin(3 s) B.
+// A curved path: H = s A + sin(3 s) B.
 inline Path bending_path(std::mt19937& engine, int dimension, double size) {
   const Matrix3 straight = random_matrix(engine, dimension, size);
   const Matrix3 bend = random_matrix(engine, dimension, size);
@@ -113,7 +116,7 @@ inline Path bending_path(std::mt19937& engine, int dimension, double size) {
   };
 }
 
-// The same shape at constant volume.
+// The same path at constant volume.
 inline Path at_constant_volume(const Path& path, int dimension) {
   return [=](double s) -> Matrix3 {
     Matrix3 f = path(s);
@@ -129,9 +132,9 @@ struct PathEnd {
   double plastic = 0.0;  // sum of the plastic work
 };
 
-// `steps` even steps along the path, which takes `duration`.
+// Takes `steps` equal steps along the path in the time `duration`.
 template <int D>
-PathEnd<D> follow(const SolidMedium<double>& solid, const PlasticParameters<double>& parameters,
+PathEnd<D> follow(const ElasticModuli<double>& solid, const PlasticParameters<double>& parameters,
                   const Path& path, int steps, double duration = 0.0) {
   PathEnd<D> end{};
   end.result.state = PlasticState<D, double>::virgin();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The equations of Shinohara et al. (2004) as plain double loops over all pairs, in double
-// precision and on Eigen's three-dimensional matrices: an oracle that shares no code with the
-// engine but the plain data of a Medium.
+// precision on three-dimensional Eigen matrices. This oracle shares no code with the
+// engine except the plain data of a Medium.
 #pragma once
 
 #include <Eigen/Dense>
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "particles/medium.hpp"
+#include "model/medium.hpp"
 
 namespace kerf::test {
 
@@ -44,7 +44,7 @@ struct ReferenceRate {
   double compression_rate = 0.0;           // 1/s
   double pressure = 0.0;                   // Pa
   Matrix3 gradient = Matrix3::Zero();      // 1/s
-  Matrix3 moment = Matrix3::Zero();        // 1, the gradient of the places themselves
+  Matrix3 moment = Matrix3::Zero();        // 1, the gradient of the positions
   Matrix3 spin = Matrix3::Zero();          // 1/s, of solid
   Matrix3 shear = Matrix3::Zero();         // Pa, viscous or deviatoric
   Matrix3 artificial = Matrix3::Zero();    // R of Gray, Monaghan & Swift
@@ -53,7 +53,7 @@ struct ReferenceRate {
   double repulsion_potential = 0.0;        // J/kg
 };
 
-// Eqs. (5), (6) as printed for 2D and as model of the 3D spline of Monaghan (1992).
+// Eqs. (5), (6) as printed for 2D, and the 3D spline of Monaghan (1992).
 inline double paper_kernel(double r, double h, int dimension) {
   const double s = r / h, pi = std::numbers::pi;
   if (s >= 2.0) return 0.0;
@@ -98,7 +98,8 @@ class ReferenceSph {
 
   bool is_rigid(std::size_t i) const { return state_.medium(i).phase == Phase::rigid; }
 
-  // Whether tension and shear act between them: water and water, intact solid of one piece.
+  // Returns whether tension and shear act between two particles: water and water, intact solid of
+  // one piece.
   bool holds_together(std::size_t i, std::size_t j) const {
     const auto &a = state_.medium(i), &b = state_.medium(j);
     if (a.phase == Phase::water || b.phase == Phase::water) return a.phase == b.phase;
@@ -166,7 +167,7 @@ class ReferenceSph {
     if (particle.fractured) rate.pressure = std::max(rate.pressure, 0.0);
     rate.shear = particle.shear;
     if (particle.fractured || state_.epsilon == 0.0) return;
-    // Principal stresses in the space of the run.
+    // Principal stresses in the dimensions of the run.
     const int d = state_.dimension;
     const Matrix3 stress = rate.shear - rate.pressure * Matrix3::Identity();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(stress.topLeftCorner(d, d));

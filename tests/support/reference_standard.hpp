@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pair sums of the `standard` formulation as plain double loops over all pairs, each pair once,
-// in double precision on Eigen's vectors; shares no code with the engine but the plain data of a
-// Medium. Zhang, Hu & Adams, J. Comput. Phys. 335 (2017) 605; Morris, Fox & Zhu, J. Comput. Phys.
-// 136 (1997) 214.
+// in double precision on Eigen vectors. This oracle shares no code with the engine except the plain
+// data of a Medium. Zhang, Hu & Adams, J. Comput. Phys. 335 (2017) 605; Morris, Fox & Zhu, J.
+// Comput. Phys. 136 (1997) 214.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@
 namespace kerf::test {
 
 struct StandardRate {
-  double pressure = 0.0;                 // Pa
-  double compression_rate = 0.0;         // 1/s
-  Vector3 pressing = Vector3::Zero();    // N, by the mean pressure of pairs
-  Vector3 damping = Vector3::Zero();     // N, by dissipation and viscosity
-  Vector3 contact = Vector3::Zero();     // N
-  Vector3 from_rigid = Vector3::Zero();  // N, the part of these by rigid bodies
-  double contact_energy = 0.0;           // J
+  double pressure = 0.0;                     // Pa
+  double compression_rate = 0.0;             // 1/s
+  Vector3 pressure_force = Vector3::Zero();  // N, from the mean pressure of pairs
+  Vector3 damping = Vector3::Zero();         // N, from dissipation and viscosity
+  Vector3 contact = Vector3::Zero();         // N
+  Vector3 from_rigid = Vector3::Zero();      // N, the part of these forces from rigid bodies
+  double contact_energy = 0.0;               // J
 };
 
-// P* split into its mean and its dissipation, and U*; U towards the right is positive. The star
-// state is where the two acoustic waves meet: P* = p_l + Z_l (U_l - U*) = p_r - Z_r (U_r - U*).
+// P*, split into its mean and its dissipation, and U*; U towards the right is positive. The star
+// state lies between the two acoustic waves: P* = p_l + Z_l (U_l - U*) = p_r - Z_r (U_r - U*).
 struct StarState {
   double mean, dissipation, speed;
 };
@@ -38,7 +38,7 @@ inline StarState reference_star(const RiemannState& left, const RiemannState& ri
   const double beta = std::min(3.0 * std::max(jump, 0.0) / c, 1.0);
   const double speed =
       (z_l * left.speed + z_r * right.speed + left.pressure - right.pressure) / (z_l + z_r);
-  // Without the jump of speed, and by the jump of speed alone.
+  // The parts without the velocity jump and from the velocity jump alone.
   const double mean = left.pressure - z_l * (left.pressure - right.pressure) / (z_l + z_r);
   const double wave = z_l * (left.speed - (z_l * left.speed + z_r * right.speed) / (z_l + z_r));
   return {mean, beta * wave, speed};
@@ -46,11 +46,10 @@ inline StarState reference_star(const RiemannState& left, const RiemannState& ri
 
 class ReferenceStandard {
  public:
-  // Whether an unbroken bond joins two particles, by their numbers.
+  // Returns whether an intact bond joins two particles, given by their numbers.
   using Bonded = std::function<bool(std::size_t, std::size_t)>;
 
-  // Whether the normals of walls are known already; before that the line of centres stands for
-  // them.
+  // Whether the normals of walls are known; otherwise the line of centres replaces them.
   enum class Normals { unknown, known };
   ReferenceStandard(const ReferenceState& state, const Bonded& bonded,
                     Normals normals = Normals::unknown)
@@ -67,15 +66,15 @@ class ReferenceStandard {
   }
   const std::vector<StandardRate>& rates() const { return rates_; }
   Vector3 force(std::size_t i) const {
-    return rates_[i].pressing + rates_[i].damping + rates_[i].contact;
+    return rates_[i].pressure_force + rates_[i].damping + rates_[i].contact;
   }
 
  private:
   bool is(std::size_t i, Phase phase) const { return state_.medium(i).phase == phase; }
   const ReferenceParticle& at(std::size_t i) const { return state_.particles[i]; }
-  // Water, and solid that is loose.
+  // Water and detached solid.
   bool flows(std::size_t i) const { return is(i, Phase::water) || at(i).fractured; }
-  // Solid that holds together and is nearly incompressible.
+  // Intact, nearly incompressible solid.
   bool keeps_volume(std::size_t i) const {
     return is(i, Phase::solid) && !at(i).fractured && state_.medium(i).excess_bulk_modulus > 0.0;
   }
@@ -87,12 +86,13 @@ class ReferenceStandard {
     if (!flows(i) && !keeps_volume(i)) return 0.0;
     const auto& m = state_.medium(i);
     const double modulus = keeps_volume(i)       ? m.excess_bulk_modulus
-                           : is(i, Phase::solid) ? m.bulk_modulus
+                           : is(i, Phase::solid) ? m.total_bulk_modulus
                                                  : m.sound_speed * m.sound_speed * m.density;
     return std::max(0.0, modulus / 7.0 * (std::pow(1.0 + at(i).compression, 7.0) - 1.0));
   }
 
-  // Of the walls that a fluid particle is at, away from them; none where they nearly cancel.
+  // Computes the unit normal away from the walls near a fluid particle; zero where the walls nearly
+  // cancel.
   void find_normals() {
     for (std::size_t i = 0; i < rates_.size(); ++i) {
       if (!flows(i)) continue;
@@ -118,7 +118,7 @@ class ReferenceStandard {
     if (is(j, Phase::solid)) return add_contact(j, i);
   }
 
-  // `w` is fluid, and the other anything; or both are of one nearly incompressible solid.
+  // `w` is fluid and the other of any phase, or both are of one nearly incompressible solid.
   void add_fluid(std::size_t w, std::size_t o) {
     const auto &a = state_.medium(w), &b = state_.medium(o);
     const bool both = flows(o) || !flows(w);
@@ -162,12 +162,13 @@ class ReferenceStandard {
     rates_[o].compression_rate += (1.0 + at(o).compression) * growth_o;
   }
 
-  void add_forces(std::size_t w, std::size_t o, const Vector3& pressing, const Vector3& damping) {
-    rates_[w].pressing += pressing;
-    rates_[o].pressing -= pressing;
+  void add_forces(std::size_t w, std::size_t o, const Vector3& pressure_force,
+                  const Vector3& damping) {
+    rates_[w].pressure_force += pressure_force;
+    rates_[o].pressure_force -= pressure_force;
     rates_[w].damping += damping;
     rates_[o].damping -= damping;
-    if (is(o, Phase::rigid)) rates_[w].from_rigid += pressing + damping;
+    if (is(o, Phase::rigid)) rates_[w].from_rigid += pressure_force + damping;
   }
 
   double viscosity(std::size_t w, std::size_t o) const {
@@ -185,10 +186,10 @@ class ReferenceStandard {
   }
 
   static double wave_modulus(const Medium<double>& m) {
-    return m.bulk_modulus + 4.0 / 3.0 * m.shear_modulus;
+    return m.total_bulk_modulus + 4.0 / 3.0 * m.shear_modulus;
   }
 
-  // Both are of one solid that no bond holds together any more: a spring that only pushes.
+  // Both are of one solid without a bond between them: a spring that acts in compression only.
   void add_contact(std::size_t s, std::size_t o) {
     const auto &a = state_.medium(s), &b = state_.medium(o);
     if (b.phase == Phase::rigid || a.piece != b.piece) return add_touch(s, o);
@@ -204,7 +205,7 @@ class ReferenceStandard {
     rates_[o].contact_energy += stiffness * overlap * overlap / 4.0;
   }
 
-  // `s` is solid, the other a solid of another piece, or rigid.
+  // `s` is solid and the other a solid of another piece or a rigid body.
   void add_touch(std::size_t s, std::size_t o) {
     if (!touch_.touches(s, o)) return;
     book_touch(s, o, touch_.of(s, o));

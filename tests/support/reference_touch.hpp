@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact of bodies of the `standard` formulation as plain double loops
-// (docs/theory/solid_contact.md); shares no code with the engine but the plain data of a Medium.
+// (docs/theory/solid_contact.md). This oracle shares no code with the engine except the plain data
+// of a Medium.
 #pragma once
 
 #include <cmath>
@@ -42,13 +43,13 @@ class ReferenceTouch {
     }
   }
 
-  // Whether both are bodies, and not the same one.
+  // Returns whether the particles belong to two different bodies.
   bool touches(std::size_t i, std::size_t j) const {
     return i != j && is_body(i) && is_body(j) && state_.medium(i).piece != state_.medium(j).piece;
   }
   double energy(std::size_t i) const { return on_solids_[i].energy + on_rigid_[i].energy; }
 
-  // The force on i that j has part in by the energy of i; the opposite is on j.
+  // Returns the force on i from j by the contact energy of i; the opposite force acts on j.
   TouchForce of(std::size_t i, std::size_t j) const {
     const auto &a = state_.medium(i), &b = state_.medium(j);
     const Overlap& own = b.phase == Phase::rigid ? on_rigid_[i] : on_solids_[i];
@@ -70,11 +71,11 @@ class ReferenceTouch {
   }
 
  private:
-  // The energy of a particle by its overlap, and what follows from it.
+  // The contact energy of a particle and its derivatives.
   struct Overlap {
-    double slope = 0.0;                  // of the energy over the filling, J
-    double energy = 0.0;                 // J
-    Vector3 gradient = Vector3::Zero();  // of the filling, 1/m
+    double slope = 0.0;   // derivative of the energy with respect to the kernel sum, J
+    double energy = 0.0;  // J
+    Vector3 gradient = Vector3::Zero();  // of the kernel sum, 1/m
   };
 
   const ReferenceParticle& at(std::size_t i) const { return state_.particles[i]; }
@@ -86,28 +87,28 @@ class ReferenceTouch {
                               : std::max(a.smoothing_length, b.smoothing_length);
   }
 
-  // What `a` sees of a lattice of `b` that fills half of space, and its slope over the approach;
-  // the mean over the two places opposite a particle and aside of it.
+  // Returns the kernel sum at `a` of a lattice of `b` that fills a half-space, and its derivative
+  // with respect to the approach; the mean over the positions opposite a particle and between two.
   std::pair<double, double> just_touching(const Medium<double>& a, const Medium<double>& b) const {
     const double h = length(a, b), d = b.spacing, first = (a.spacing + d) / 2.0;
     const int reach = 2 + static_cast<int>(2.0 * h / d), side = 2 * reach + 1;
     const int deep = state_.dimension == 3 ? side : 1;
-    double filling = 0.0, slope = 0.0;
+    double kernel_sum = 0.0, slope = 0.0;
     for (double aside : {0.0, 0.5})
       for (int k = 0; k < side * deep * (reach + 1); ++k) {
         const int x = k % side - reach, z = k / side % deep - (deep > 1 ? reach : 0);
         const Vector3 to((x + aside) * d, first + k / (side * deep) * d,
                          deep > 1 ? (z + aside) * d : 0.0);
         const double volume = std::pow(d, state_.dimension) / 2.0, r = to.norm();
-        filling += volume * wendland(r, h, state_.dimension);
+        kernel_sum += volume * wendland(r, h, state_.dimension);
         slope -= volume * wendland_slope(r, h, state_.dimension) * to[1] / r;
       }
-    return {filling, slope};
+    return {kernel_sum, slope};
   }
 
   Overlap overlap(std::size_t i, Phase phase) const {
     Overlap result;
-    double filling = 0.0;
+    double kernel_sum = 0.0;
     const auto& a = state_.medium(i);
     for (std::size_t j = 0; j < state_.particles.size(); ++j) {
       const auto& b = state_.medium(j);
@@ -116,16 +117,16 @@ class ReferenceTouch {
       const double h = length(a, b), r = apart.norm();
       if (r >= 2.0 * h) continue;
       const double full = just_touching(a, b).first;
-      filling += b.volume / full * wendland(r, h, state_.dimension);
+      kernel_sum += b.volume / full * wendland(r, h, state_.dimension);
       result.gradient += b.volume / full * wendland_slope(r, h, state_.dimension) * apart / r;
     }
-    if (filling <= 1.0) return {};
+    if (kernel_sum <= 1.0) return {};
     const auto [full, slope] = just_touching(a, a);
     const double share = phase == Phase::rigid ? 1.0 : 0.5;
-    const double stiffness = a.volume * (a.bulk_modulus + 4.0 / 3.0 * a.shear_modulus) *
+    const double stiffness = a.volume * (a.total_bulk_modulus + 4.0 / 3.0 * a.shear_modulus) *
                              std::pow(full / (slope * a.spacing), 2) * share;
-    result.slope = stiffness * (filling - 1.0);
-    result.energy = stiffness * (filling - 1.0) * (filling - 1.0) / 2.0;
+    result.slope = stiffness * (kernel_sum - 1.0);
+    result.energy = stiffness * (kernel_sum - 1.0) * (kernel_sum - 1.0) / 2.0;
     return result;
   }
 

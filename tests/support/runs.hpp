@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps of a run and comparisons of what runs hold.
+// Steps of a run and comparisons of the states of runs.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "simulation/simulation.hpp"
+#include "engine/device.hpp"
 
 namespace kerf::test {
 
@@ -35,7 +35,7 @@ inline bool same_bits(const ArchiveArray& a, const ArchiveArray& b) {
       a);
 }
 
-// All that a run carries on with, to the last bit.
+// Compares the states from which two runs continue, bit for bit.
 inline void expect_same_state(const Archive& a, const Archive& b) {
   ASSERT_EQ(a.arrays.size(), b.arrays.size());
   for (const auto& [name, array] : a.arrays) {
@@ -51,7 +51,7 @@ bool same_column(const std::vector<T>& a, const std::vector<T>& b) {
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-// All that a run shows, to the last bit.
+// Compares the output of two runs, bit for bit.
 inline void expect_same_frame(const Frame& a, const Frame& b) {
   EXPECT_EQ(std::memcmp(&a.time, &b.time, sizeof(double)), 0);
   EXPECT_EQ(a.step, b.step);
@@ -68,18 +68,19 @@ inline void expect_same_frame(const Frame& a, const Frame& b) {
     EXPECT_TRUE(same_column(a.columns[k].values, b.columns[k].values)) << a.columns[k].name;
 }
 
-inline void expect_same_ledger(const Ledger& a, const Ledger& b) {
-  EXPECT_EQ(std::memcmp(&a, &b, sizeof(Ledger)), 0);
+inline void expect_same_ledger(const Balance& a, const Balance& b) {
+  EXPECT_EQ(std::memcmp(&a, &b, sizeof(Balance)), 0);
 }
 
 inline void expect_same_run(const Simulation& a, const Simulation& b) {
   expect_same_frame(a.frame(), b.frame());
-  expect_same_ledger(a.ledger(), b.ledger());
+  expect_same_ledger(a.balance(), b.balance());
   expect_same_state(saved(a), saved(b));
 }
 
-// A run of 300 steps, and one that is stopped after 170 and restored. The ledger at the stop.
-inline Ledger expect_same_bits_after_restart(const Case& c) {
+// Compares a run of 300 steps with one that is stopped after 170 steps and restored; returns the
+// balance at the stop.
+inline Balance expect_same_bits_after_restart(const Case& c) {
   const auto straight = make_simulation(c), first = make_simulation(c);
   take_steps(*straight, 300);
   take_steps(*first, 170);
@@ -87,10 +88,10 @@ inline Ledger expect_same_bits_after_restart(const Case& c) {
   second->restore(saved(*first));
   take_steps(*second, 130);
   expect_same_run(*straight, *second);
-  return first->ledger();
+  return first->balance();
 }
 
-// Place in the frame of each particle by its id.
+// Maps the id of each particle to its index in the frame.
 inline std::map<std::uint32_t, std::size_t> by_id(const Frame& frame) {
   std::map<std::uint32_t, std::size_t> place;
   for (std::size_t k = 0; k < frame.id.size(); ++k) place[frame.id[k]] = k;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signals of a run of a case given as text.
+// Signals of a run whose case is given as text.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,8 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "case/read.hpp"
-#include "verify/signal.hpp"
+#include "engine/device.hpp"
+#include "input/read.hpp"
+#include "verification/signal.hpp"
 
 namespace kerf::test {
 

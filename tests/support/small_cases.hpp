@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small cases as plain data, for runs of some hundred steps.
+// Small cases as plain data for runs of a few hundred steps.
 #pragma once
 
 #include <limits>
 
-#include "case/case.hpp"
+#include "model/case.hpp"
 
 namespace kerf::test {
 
@@ -38,7 +38,8 @@ inline Shape box(const Point& minimum, const Point& maximum) {
   return shape;
 }
 
-// Materials: 0 tofu, 1 water of 50 m/s. No bodies; a domain of 0.3 m around the origin.
+// Materials: 0 tofu, 1 water with a sound speed of 50 m/s. No bodies; a domain of 0.3 m around the
+// origin.
 inline Case empty_case(int dimension, PrecisionKind precision) {
   Case c;
   c.title = "test";
@@ -77,7 +78,7 @@ inline Jet jet(double width, double spacing, const Point& position, double stand
   return j;
 }
 
-// A jet on a small block of tofu that lies on a plate: inflow, impact, fracture, splash over the
+// A jet hits a small block of tofu on a plate: inflow, impact, fracture, splash over the
 // edge of a narrow domain. Symmetric about x = 0 (and z = 0).
 inline Case jet_on_block(int dimension, PrecisionKind precision) {
   Case c = empty_case(dimension, precision);
@@ -92,8 +93,8 @@ inline Case jet_on_block(int dimension, PrecisionKind precision) {
   return c;
 }
 
-// The same for the `standard` formulation, which wants solids and walls as fine as the water; the
-// tofu is brittle, so that it breaks at once.
+// The same for the `standard` formulation, with solids and walls of the spacing of the water; the
+// tofu is brittle and breaks at once.
 inline Case standard_jet_on_block(int dimension, PrecisionKind precision) {
   Case c = jet_on_block(dimension, precision);
   c.formulation = Formulation::standard;

@@ -18,7 +18,7 @@ struct Kind {
   static constexpr int D = D_;
   using P = P_;
   using Real = typename P::Real;
-  // Rounding of one sum over the bonds of a particle.
+  // Rounding error of one sum over the bonds of a particle.
   static constexpr double rounding = std::is_same_v<Real, float> ? 4e-6 : 1e-14;
 };
 using BothPrecisions =
@@ -26,9 +26,10 @@ using BothPrecisions =
 using PlaneOnly = testing::Types<Kind<2, Double>, Kind<2, Mixed>>;
 using DoubleOnly = testing::Types<Kind<2, Double>, Kind<3, Double>>;
 
-// E = 1e5 Pa, nu = 0.3, as the tofu of the cases.
-inline SolidMedium<double> soft_solid(double spacing, int dimension) {
-  SolidMedium<double> solid;
+// E = 1e5 Pa, nu = 0.3, as for the tofu of the cases.
+inline Medium<double> soft_solid(double spacing, int dimension) {
+  Medium<double> solid;
+  solid.phase = Phase::solid;
   solid.density = 1000.0;
   solid.spacing = spacing;
   solid.smoothing_length = 1.3 * spacing;
@@ -46,7 +47,7 @@ struct BlockChoice {
 };
 
 template <int D>
-SolidLayout<D> block(const BlockChoice& choice, const SolidMedium<double>& medium) {
+SolidLayout<D> block(const BlockChoice& choice, const Medium<double>& medium) {
   std::mt19937 engine(choice.seed);
   std::uniform_real_distribution<double> uniform(-choice.jitter, choice.jitter);
   SolidLayout<D> layout;
@@ -84,7 +85,7 @@ Eigen::Matrix<double, D, 1> as_column(const Vector<D, double>& v) {
   return Eigen::Map<const Eigen::Matrix<double, D, 1>>(v.component);
 }
 
-// A linear map of order one, with stretch, shear and rotation.
+// A linear map with stretch, shear and rotation of order one.
 template <int D>
 Square<D> some_map() {
   Square<D> m;
@@ -103,7 +104,7 @@ Square<D> rotation(double angle) {
     return Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
 }
 
-// A solid with the positions and velocities that a caller would hold.
+// A solid with the positions and velocities that its caller holds.
 template <int D, class P>
 struct SolidOnTrial {
   using Real = typename P::Real;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A folder that goes away with the test.
+// A folder that is removed at the end of the test.
 #pragma once
 
 #include <unistd.h>
@@ -14,7 +14,7 @@ namespace kerf::test {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    // In memory where there is such a place, so that waiting for a disk does not slow the tests.
+    // In memory if possible, so the tests do not wait for a disk.
     const std::filesystem::path memory = "/dev/shm";
     const auto place = std::filesystem::is_directory(memory) && access(memory.c_str(), W_OK) == 0
                            ? memory
@@ -37,7 +37,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-// The message of the UserError that `attempt` throws; empty when it throws none.
+// Returns the message of the UserError that `attempt` throws; empty when it throws none.
 template <class Error, class Attempt>
 std::string message_of(const Attempt& attempt) {
   try {

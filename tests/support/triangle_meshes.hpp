@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed surfaces of known volume, and the files that hold them.
+// Closed surfaces of known volume and the files that contain them.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,11 +9,11 @@
 #include <numbers>
 #include <string>
 
-#include "particles/triangle_mesh.hpp"
+#include "geometry/triangle_mesh.hpp"
 
 namespace kerf::test {
 
-// Of an edge of `size` from `low`; each corner is one of the mesh, faces look outwards.
+// A cube with edges of `size` from `low`; its normals point outwards.
 inline TriangleMesh cube_mesh(double size, Point low = {0.0, 0.0, 0.0}) {
   TriangleMesh mesh;
   for (int k = 0; k < 8; ++k)
@@ -42,7 +42,7 @@ inline TriangleMesh torus_mesh(double radius, double tube, std::uint32_t sides) 
   return mesh;
 }
 
-// A sphere about the origin: an octahedron whose triangles are split in four `splits` times.
+// A sphere about the origin: an octahedron whose triangles are divided into four `splits` times.
 inline TriangleMesh sphere_mesh(double radius, int splits) {
   TriangleMesh mesh;
   mesh.corners = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The random bag as the `standard` formulation sees it, its bonds and its rates.
+// The random mixture of bag.hpp for the `standard` formulation, with its bonds and rates.
 #pragma once
 
 #include <type_traits>
 
-#include "rates/standard_rates.hpp"
+#include "standard/pair_forces.hpp"
 #include "support/bag.hpp"
 #include "support/loaded.hpp"
 #include "support/reference_standard.hpp"
@@ -21,7 +21,7 @@ using BagKinds =
 using BagDimensions =
     testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 
-// Two waters of different viscosity and speed of sound; walls that have a volume.
+// Sets two waters of different viscosity and sound speed, and walls with a volume.
 inline ReferenceState wet_bag(int dimension, unsigned seed, int per_side = 0) {
   BagChoice choice;
   choice.dimension = dimension;
@@ -33,36 +33,36 @@ inline ReferenceState wet_bag(int dimension, unsigned seed, int per_side = 0) {
     medium.volume = std::pow(medium.spacing, dimension);
     medium.cavitates = medium.phase != Phase::rigid;
     if (medium.phase == Phase::solid) {
-      medium.tait_exponent = 7.0;
-      medium.tait_coefficient = medium.bulk_modulus / 7.0;
+      medium.tait.exponent = 7.0;
+      medium.tait.coefficient = medium.total_bulk_modulus / 7.0;
     }
     medium.longitudinal_speed = std::max(medium.longitudinal_speed, medium.sound_speed);
   }
   for (auto& medium : state.media) medium.friction = medium.phase == Phase::rigid ? 0.4 : 0.3;
   state.media[1].viscosity = 0.2;
   state.media[1].sound_speed = 35.0;
-  state.media[1].tait_coefficient = 35.0 * 35.0 * 1000.0 / 7.0;
+  state.media[1].tait.coefficient = 35.0 * 35.0 * 1000.0 / 7.0;
   return state;
 }
 
-// Makes one of the two bodies' materials nearly incompressible: two media of one piece, and leaves
-// the other as it is.
+// Makes the material of one of the two bodies nearly incompressible, which gives two media in one
+// piece; the other body is unchanged.
 inline void stiffen_volume(ReferenceState& state) {
-  state.media[2].excess_bulk_modulus = 0.7 * state.media[2].bulk_modulus;
-  state.media[3].excess_bulk_modulus = 0.4 * state.media[3].bulk_modulus;
+  state.media[2].excess_bulk_modulus = 0.7 * state.media[2].total_bulk_modulus;
+  state.media[3].excess_bulk_modulus = 0.4 * state.media[3].total_bulk_modulus;
 }
 
-// An arbitrary choice of unbroken bonds between particles of one piece, the same from both ends.
+// An arbitrary choice of intact bonds between particles of one piece, the same from both ends.
 inline bool bag_bonded(std::size_t i, std::size_t j) {
   return (7 * (i + j) + 3 * (i * j)) % 5 < 3;
 }
 template <int D, class P>
 struct BagBonds {
-  KERF_FUNCTION bool whole(const ParticleView<D, P>& particles, const Pair<D, P>& pair) const {
+  KERF_FUNCTION bool is_intact(const ParticleView<D, P>& particles, const Pair<D, P>& pair) const {
     return pair.is_one_piece() && pair.medium_j->phase == Phase::solid &&
            bag_bonded(particles.id[pair.i], particles.id[pair.j]);
   }
-  // Laid out farther apart than their spacings.
+  // The initial distance exceeds their spacings.
   KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>&,
                                                    const Pair<D, P>&) const {
     return typename P::Real(1);
@@ -82,11 +82,11 @@ template <int D, class P>
 void evaluate_standard(const ReferenceState& state, LoadedStandard<D, P>& loaded) {
   const StandardRates<D, P> rates(Vector<D, double>::from(state.gravity), state.media);
   auto& particles = loaded.particles;
-  thrust::fill(particles.solid_fit.begin(), particles.solid_fit.end(), 1);
-  thrust::fill(particles.rigid_fit.begin(), particles.rigid_fit.end(), 1);
-  Array<Crowd<D, typename P::Real>> crowd(particles.size());
+  thrust::fill(particles.solid_initial_overlap.begin(), particles.solid_initial_overlap.end(), 1);
+  thrust::fill(particles.rigid_initial_overlap.begin(), particles.rigid_initial_overlap.end(), 1);
+  Array<ConcentrationGradient<D, typename P::Real>> concentration_gradient(particles.size());
   rates.evaluate(particles.view(), particles.size(), loaded.list.view(), BagBonds<D, P>{},
-                 pointer(crowd));
+                 pointer(concentration_gradient));
   particles.wall_normal = particles.next_wall_normal;
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Runs CASE into FOLDER and reads its report as web/test/page.mjs does.
+# Runs CASE into FOLDER and tests its report with web/test/page.mjs.
 if(NOT EXISTS ${WEB}/node_modules)
   message("the viewer was not built")
   return()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Makes the runs of STUDY in FOLDER and reads its page as web/test/study_page.mjs does.
+# Makes the runs of STUDY in FOLDER and tests its page with web/test/study_page.mjs.
 if(NOT EXISTS ${WEB}/node_modules)
   message("the viewer was not built")
   return()

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Periods of the clamped plate that reference.toml compares with.
+"""Computes the periods of the clamped plate that reference.toml compares with.
 
 The continuum: the first mode of a clamped beam by Timoshenko's equations, in plane strain.
 
-N rows of particles: small waves in an endless strip of them on a square lattice, with the strain and
-the force of the scheme, whose sums are cut off at the two faces. The strain of particle i is
+N rows of particles: small waves in an infinite strip of particles on a square lattice, with the strain and
+the force of the scheme, whose sums are truncated at the two faces. The strain of particle i is
 sum_j V (u_j - u_i) grad_i W_ij; the force (sigma_i + sigma_j) / (rho_i rho_j) is the derivative of
 the energy of these strains, so a wave u(y) exp(i k x) is an eigenvector of a matrix of 2 N rows. The
 period of the continuum is scaled by the frequency of that wave over the continuum's, at the wave
@@ -39,7 +39,7 @@ def thin_period():
 
 
 def tip_determinant(omega, steps=400):
-    """0 where a clamped start (deflection, turn = 0) can end with neither moment nor shear force."""
+    """Returns 0 if a clamped start (deflection = rotation = 0) can end without moment and shear force."""
 
     def rates(state):
         deflection, turn, moment, force = state
@@ -80,7 +80,7 @@ def timoshenko_period():
 
 
 def timoshenko_wave():
-    """Frequency of a wave in an endless beam, 1/s."""
+    """Returns the frequency of a wave in an infinite beam, 1/s."""
     k2 = WAVE_NUMBER**2
     a = INERTIA * MASS / SHEAR
     b = MASS + k2 * (INERTIA + BENDING * MASS / SHEAR)
@@ -89,12 +89,12 @@ def timoshenko_wave():
 
 
 def kernel_slope(s):
-    """h^3 dW/dr of the cubic spline in 2D."""
+    """Returns h^3 dW/dr of the cubic spline in 2D."""
     return 15.0 / (7.0 * pi) * (2.0 * max(1.0 - s, 0.0) ** 2 - max(2.0 - s, 0.0) ** 2 / 2.0)
 
 
 def strain_of_row(row, rows, ratio=1.5):
-    """Strains (xx, yy, xy twice) of a particle as sums over (i u_x, u_y) of all rows, which are real."""
+    """Returns the strains (xx, yy, xy twice) of a particle as sums over (i u_x, u_y) of all rows, which are real."""
     spacing = HEIGHT / rows
     strain = [[0.0] * (2 * rows) for _ in range(3)]
     reach = int(2.0 * ratio)
@@ -106,7 +106,7 @@ def strain_of_row(row, rows, ratio=1.5):
             slope = kernel_slope(distance / ratio) / (ratio**3 * spacing * distance)
             phase = exp(1j * WAVE_NUMBER * a * spacing)
             for other, factor in ((row + b, phase), (row, -1.0 + 0.0j)):
-                # Over pairs a and -a only the odd part of a x-slope counts, the even one of a y-slope.
+                # In the sum over a and -a only the odd part of an x-slope and the even part of a y-slope remain.
                 strain[0][2 * other] += a * slope * factor.imag
                 strain[1][2 * other + 1] += b * slope * factor.real
                 strain[2][2 * other] += b * slope * factor.real
@@ -115,7 +115,7 @@ def strain_of_row(row, rows, ratio=1.5):
 
 
 def stiffness(rows):
-    """Matrix K of K u = rho omega^2 u."""
+    """Returns the matrix K of K u = rho omega^2 u."""
     size = 2 * rows
     result = [[0.0] * size for _ in range(size)]
     for row in range(rows):
@@ -130,7 +130,7 @@ def stiffness(rows):
 
 
 def strip_wave(rows):
-    """Frequency of the bending wave of a strip of particles, 1/s: Rayleigh quotient iteration."""
+    """Returns the frequency of the bending wave of a strip of particles, 1/s, by Rayleigh quotient iteration."""
     matrix = stiffness(rows)
     shape = []
     for row in range(rows):

@@ -1,5 +1,5 @@
-"""Pressure on a flat plate that a plane jet of width b and speed V meets at right angles: the exact
-free-streamline solution. Python alone: python3 plane_jet.py
+"""Computes the pressure on a flat plate that a plane jet of width b and speed V hits at a right angle: the exact
+free-streamline solution. The script needs Python only: python3 plane_jet.py
 
 With zeta = (u - i v) / V the flow fills the upper half of the unit disc: the plate is its diameter, the
 free surfaces its arc (|velocity| = V where p = 0). The jet comes in at zeta = i and leaves at zeta = +-1,
@@ -18,7 +18,7 @@ def place(s):
 
 
 def force(steps=200000):
-    """Integral of Cp over x / b, by parts in s: dx/ds = (2/pi) (1/(1-s^2) + 1/(1+s^2))."""
+    """Returns the integral of Cp over x / b, by parts in s: dx/ds = (2/pi) (1/(1-s^2) + 1/(1+s^2))."""
     total = 0.0
     for k in range(steps):
         s = (k + 0.5) / steps
@@ -27,8 +27,8 @@ def force(steps=200000):
 
 
 def surface(steps=400000):
-    """Height of the free surface at its end over that where it comes down the side of the jet: z along
-    the arc from near zeta = i to near 1, of which the real part starts at -b/2."""
+    """Returns the height of the free surface at its end relative to the side of the jet: z along
+    the arc from near zeta = i to near 1, whose real part starts at -b/2."""
     start, end = exp(1j * (pi / 2 - 1e-6)), exp(1j * 1e-6)
     return [2 / pi * (atanh(z) + atan(z)) for z in (start, end)]
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Periods of the clamped plate that reference.toml compares with.
+"""Computes the periods of the clamped plate that reference.toml compares with.
 
 The continuum: Timoshenko's equations in plane strain, by ../plate/strip.py.
 
@@ -9,9 +9,9 @@ Rows of particles: the energy of the total Lagrangian scheme for small displacem
     sum_i V psi(H_i) + mu / 2 sum_ij w_ij |H_i R - u_ij|^2,    H_i = (sum_j w_ij u_ij (x) R) M_i^-1,
     M_i = sum_j w_ij R (x) R,    w_ij = V^2 |W'(R)| / R,    W: Wendland C2, h = 1.3 spacings,
 
-written down here anew, as a matrix: of a wave u(y) exp(i k x) in an endless strip of N rows, and of the
-plate with its clamp. The lowest eigenvalue is the square of the frequency. The largest one of all waves
-is that of the time step that a leap-frog method bears.
+written here independently as a matrix, for a wave u(y) exp(i k x) in an infinite strip of N rows and for the
+plate with its clamp. The lowest eigenvalue is the square of the frequency. The largest eigenvalue of all waves
+determines the stable time step of a leap-frog method.
 """
 
 import pathlib
@@ -28,7 +28,7 @@ RATIO, ZETA = 1.3, 0.5  # h / spacing; hourglass control
 
 
 def weight(distance):
-    """|W'(r)| / r up to a factor that every sum divides by or that CONTROL carries; r in spacings."""
+    """Returns |W'(r)| / r up to a factor that cancels in every sum or is part of CONTROL; r in spacings."""
     q = distance / RATIO
     return 7.0 / (4.0 * pi * RATIO**4) * 5.0 * (1.0 - 0.5 * q) ** 3 if q < 2.0 else 0.0
 
@@ -42,7 +42,7 @@ NEAR = [
 
 
 def energy(bonds, modulus=YOUNGS_MODULUS, ratio=POISSON_RATIO):
-    """Of one particle: degrees of freedom, matrix. bonds: (a, b, w, u_ij as {dof: factor} for x, y)."""
+    """Returns the degrees of freedom and the matrix of one particle. bonds: (a, b, w, u_ij as {dof: factor} for x, y)."""
     shear = modulus / (2.0 * (1.0 + ratio))
     lame = 2.0 * shear * ratio / (1.0 - 2.0 * ratio)
     dofs = sorted({dof for bond in bonds for row in bond[3] for dof in row})
@@ -65,7 +65,7 @@ def energy(bonds, modulus=YOUNGS_MODULUS, ratio=POISSON_RATIO):
 
 
 def strip_matrix(rows, wave, modulus=YOUNGS_MODULUS, ratio=POISSON_RATIO, periodic=False):
-    """Stiffness over density and spacing squared; wave: wave number times spacing."""
+    """Returns the stiffness over density and spacing squared; wave: wave number times spacing."""
     matrix = np.zeros((2 * rows, 2 * rows), complex)
     for row in range(rows):
         bonds = []
@@ -93,7 +93,7 @@ def strip_frequency(rows, wave_number=plate.WAVE_NUMBER, height=plate.HEIGHT):
 
 
 def plate_frequency(rows, length=plate.LENGTH, height=plate.HEIGHT, clamp=0.02, **material):
-    """Of the plate with a clamp whose particles stay where they are."""
+    """Returns the matrix of the plate with a clamp whose particles do not move."""
     spacing = height / rows
     free, held = round(length / spacing), round(clamp / spacing)
     matrix = np.zeros((2 * free * rows, 2 * free * rows))
@@ -117,7 +117,7 @@ def plate_frequency(rows, length=plate.LENGTH, height=plate.HEIGHT, clamp=0.02, 
 
 
 def lowest(matrix):
-    """Smallest eigenvalue, by inverse iteration."""
+    """Returns the smallest eigenvalue, by inverse iteration."""
     factor = np.linalg.inv(matrix)
     shape = np.ones(len(matrix))
     for _ in range(60):
@@ -127,7 +127,7 @@ def lowest(matrix):
 
 
 def largest_step(modulus=YOUNGS_MODULUS, ratio=POISSON_RATIO):
-    """Of a leap-frog method, times the longitudinal speed over the spacing."""
+    """Returns the stable time step of a leap-frog method, times the longitudinal speed over the spacing."""
     top = 0.0
     for wave in np.linspace(0.0, pi, 13):
         top = max(top, np.linalg.eigvalsh(strip_matrix(16, wave, modulus, ratio))[-1])

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The Taylor bar by another method: finite elements of a body of revolution.
+"""Computes the Taylor bar by another method: finite elements of a body of revolution.
 
 Quadrilaterals with one point of integration in the current configuration, von Mises flow with
 linear hardening by radial return on Jaumann's rate of stress, viscous hourglass control of Flanagan
 & Belytschko (Int. J. Numer. Methods Eng. 17 (1981) 679), explicit central differences, a smooth
-rigid wall. Nothing is shared with Kerf.
+rigid wall. The script shares no code with Kerf.
 
     python3 axisymmetric.py [elements over the radius, 16]
 
@@ -39,7 +39,7 @@ class Mesh:
         return np.bincount(self.nodes.ravel(), per_corner.ravel(), len(self.r))
 
     def shape(self):
-        """Area, slopes of the shape functions at the centre, radius of the centre."""
+        """Returns the area, the slopes of the shape functions at the centre and the radius of the centre."""
         r, z = self.r[self.nodes], self.z[self.nodes]
         dr, dz = np.roll(r, -2, axis=1) - r, np.roll(z, -2, axis=1) - z
         area = 0.5 * (dr[:, 0] * dz[:, 1] - dr[:, 1] * dz[:, 0])
@@ -79,7 +79,7 @@ def internal_force(mesh, velocity, stress, area, slope_r, slope_z, centre):
     volume = (area * centre)[:, None]
     in_r = volume * (slope_r * rr + slope_z * rz) + area[:, None] / 4 * tt
     in_z = volume * (slope_r * rz + slope_z * zz)
-    # Shape of the hourglass, free of the linear field.
+    # The hourglass shape without its linear part.
     r, z = mesh.r[mesh.nodes], mesh.z[mesh.nodes]
     shape = GAMMA - (r @ GAMMA)[:, None] * slope_r - (z @ GAMMA)[:, None] * slope_z
     damping = (HOURGLASS * DENSITY * WAVE * np.sqrt(area) * centre)[:, None] * shape

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A second source for the numbers that reference.toml takes from Turek & Hron (2006).
+"""A second source for the values that reference.toml takes from Turek & Hron (2006).
 
-The beam as a chain of links that stretch, with springs at their joints: a beam that turns and stretches
-as far as it likes, without shear. Plane strain: E' = E / (1 - nu^2). At rest by damping it, and let go.
+The beam is a chain of extensible links with springs at their joints, a beam with finite rotations and
+stretches but without shear. Plane strain: E' = E / (1 - nu^2). The script computes it at rest, by damping, and after release.
 """
 
 import numpy as np
@@ -15,7 +15,7 @@ STRETCHING, BENDING = MODULUS * HEIGHT, MODULUS * HEIGHT**3 / 12.0
 
 
 def forces(place, link):
-    """On the nodes behind the clamped one; place: of all nodes."""
+    """Returns the forces on the nodes behind the clamped one; place: positions of all nodes."""
     run = np.diff(place, axis=0)
     length = np.hypot(run[:, 0], run[:, 1])
     along = run / length[:, None]
@@ -33,7 +33,7 @@ def forces(place, link):
 
 
 def motion(links, end, damping=0.0):
-    """Times, and displacements of the tip."""
+    """Returns the times and the displacements of the tip."""
     link = LENGTH / links
     mass = np.full((links, 1), DENSITY * HEIGHT * link)
     mass[-1] *= 0.5
@@ -64,6 +64,6 @@ if __name__ == "__main__":
         turns = [times[n] for n in range(1, len(rate)) if rate[n - 1] < 0.0 <= rate[n] and y[n] < -0.1]
         high = [times[n] for n in range(1, len(rate)) if rate[n - 1] > 0.0 >= rate[n] and y[n] > -0.02]
         print(
-            f"{links} links: let go, y from {1e3 * y.min():.2f} to {1e3 * y.max():.2f} mm,"
+            f"{links} links: released, y from {1e3 * y.min():.2f} to {1e3 * y.max():.2f} mm,"
             f" x from {1e3 * tips[:, 0].min():.2f}; lowest at {turns}, highest at {high} s"
         )

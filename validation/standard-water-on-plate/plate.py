@@ -1,6 +1,6 @@
-"""Deflection of the clamped plate of case.toml by plane strain elasticity: finite elements of eight
+"""Computes the deflection of the clamped plate of case.toml by plane strain elasticity: finite elements of eight
 nodes with 2 x 2 points, half of the plate, clamped end, symmetry at the middle. Pressure of the water
-on the upper face, the plate's own weight inside. Python alone: python3 plate.py"""
+acts on the upper face and the weight of the plate inside it. The script needs Python only: python3 plate.py"""
 
 LENGTH, HEIGHT, WATER = 0.2, 0.01, 0.01             # m
 E, NU, RHO_PLATE, RHO_WATER, G = 35e6, 0.34, 1000.0, 1000.0, 9.81
@@ -10,7 +10,7 @@ NODES = [(-1, -1), (1, -1), (1, 1), (-1, 1), (0, -1), (1, 0), (0, 1), (-1, 0)]
 
 
 def slopes(a, b):
-    """Derivatives of the eight shape functions by a and b, and their values."""
+    """Returns the derivatives of the eight shape functions by a and b, and their values."""
     value, by_a, by_b = [], [], []
     for p, q in NODES:
         if p and q:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Deflection of the clamped plate of case.toml as N rows of particles give it.
+"""Computes the deflection of the clamped plate of case.toml for N rows of particles.
 
 The energy of the total Lagrangian scheme for small displacements, by ../standard-plate/lattice.py, of half
 of the plate with its clamp; the water's weight on the uppermost row.  Needs numpy: python3 rows.py
@@ -18,7 +18,7 @@ import lattice
 
 
 def bonds_of(column, row, rows, half):
-    """Of one particle; columns below 0 are clamped, those from `half` on are images."""
+    """Returns the bonds of one particle; columns below 0 are clamped, those from `half` on are mirror images."""
     bonds = []
     for a, b, weight in lattice.NEAR:
         if not 0 <= row + b < rows:

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Pressure of a column of perfect rows of particles at rest, by the sums of the scheme.
+"""Computes the pressure of a column of perfect rows of particles at rest by the sums of the scheme.
 
-Row i sinks by u_i; continuity gives p_i = - rho c^2 sum_k w_k (u_k - u_i) over the rows that are there,
-w_k the slope of the kernel summed along a row, and the pressure forces are its transpose: B^T p = rho g.
-As the lowest row is held by the repulsion, whatever its strength, every u but that of the lowest row
+Row i sinks by u_i. Continuity gives p_i = - rho c^2 sum_k w_k (u_k - u_i) over the existing rows, where
+w_k is the slope of the kernel summed along a row, and the pressure forces are its transpose: B^T p = rho g.
+The repulsion holds the lowest row, whatever its strength, so every u except that of the lowest row
 follows from the others; neither c nor D changes p.
 """
 
@@ -20,18 +20,18 @@ WEIGHT, HEIGHT = 1000.0 * 9.81, 0.05  # rho g in N/m3, m
 
 
 def kernel_slope(s):
-    """h^3 dW/dr of the cubic spline in 2D."""
+    """Returns h^3 dW/dr of the cubic spline in 2D."""
     return 15.0 / (7.0 * pi) * (2.0 * max(1.0 - s, 0.0) ** 2 - max(2.0 - s, 0.0) ** 2 / 2.0)
 
 
 def row_slope(k):
-    """Spacing times the slope of the kernel up the column, summed along a row k rows away."""
+    """Returns the spacing times the vertical slope of the kernel, summed along a row k rows away."""
     distances = [hypot(a, k) for a in range(-3, 4)]
     return -sum(kernel_slope(r / RATIO) * k / r for r in distances) / RATIO**3
 
 
 def divergence(rows):
-    """B: the divergence in each row from the rows' displacements, in 1/spacing."""
+    """Returns B, which gives the divergence in each row from the displacements of the rows, in 1/spacing."""
     result = [[0.0] * rows for _ in range(rows)]
     for i in range(rows):
         for k in (-2, -1, 1, 2):
@@ -51,7 +51,7 @@ def pressures(rows):
 
 
 def distance(rows, first, layer):
-    """Relative L2 distance from rho g (H - y), from row `first` up, in layers of so many rows."""
+    """Returns the relative L2 distance from rho g (H - y), from row `first` up, in layers of several rows."""
     p = pressures(rows)
     error = scale = 0.0
     for lowest in range(first, rows, layer):

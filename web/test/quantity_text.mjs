@@ -4,7 +4,7 @@
 const prefixes = { "": 1, n: 1e-9, µ: 1e-6, m: 1e-3, k: 1e3, M: 1e6, G: 1e9, T: 1e12 };
 // In SI units; those of the second kind take no prefix.
 const units = { m: 1, s: 1, Pa: 1, W: 1, "W/m": 1, Hz: 1, "m/s": 1, "J/m³": 1, "L/min": 1 / 6e4, "L/min/m": 1 / 6e4 };
-const wholeUnits = { "": 1, "%": 0.01, "°": Math.PI / 180, "mm²": 1e-6, "mm³": 1e-9, "mm²/s": 1e-6, "mm³/s": 1e-9 };
+const wholeUnits = { "": 1, "%": 0.01, "°": Math.PI / 180, "mm²": 1e-6, "mm³": 1e-9, "mm²/s": 1e-6, "mm³/s": 1e-9, kg: 1, "kg/m": 1 };
 
 function factorOf(unit) {
   if (unit in wholeUnits) return wholeUnits[unit];

@@ -136,7 +136,7 @@ function curves() {
         ],
       },
       {
-        label: "What the ledgers miss",
+        label: "Errors of the balances",
         unit: "%",
         series: [
           { key: "energy", label: "energy", values: along((t) => 0.02 * Math.sin(t * 2e3) - 3 * t) },

@@ -18,6 +18,7 @@ const metrics = [
   { name: "kerf.specific_energy", unit: "J/m3" },
 ];
 const units = { ...Object.fromEntries(metrics.map(({ name, unit }) => [name, unit])), spacing: "m", steps: "" };
+const labels = { cut_through: "cut through", "kerf.depth": "depth of the kerf", "kerf.middle.width": "width of the kerf in the middle", "kerf.specific_energy": "specific energy", steps: "steps" };
 
 const key = (name, unit, shown_unit, shown_factor, values, scale = "linear") => ({ key: name, unit, shown_unit, shown_factor, kind: "range", scale, values });
 const pressure = (values) => key("machine.pressure", "Pa", "MPa", 1e6, values);
@@ -54,6 +55,7 @@ const data = (study, more = {}) => ({
   state: "ended",
   written: "2026-01-01 00:00:00 UTC",
   units,
+  labels,
   model_points: [],
   study: { format: 1, name: "sample", base: "sample", version: "0", refinement: 1, repeats: 1, metrics, boundary: [], ...study },
   ...more,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Warnings of spacings that are too coarse where it matters.
-#include "app/check_resolution.hpp"
+#include "app/check_warnings.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "case/read.hpp"
+#include "input/read.hpp"
 
 namespace kerf {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "case/read.hpp"
+#include "input/read.hpp"
 
 namespace kerf {
 namespace {

@@ -13,7 +13,7 @@ namespace {
 // The bond at an angle from x in the plane strain of principal Hencky strains `first`, `second`.
 struct UniformStrain {
   double first, second;
-  SolidMedium<double> solid;
+  BondedSolid<double> solid;
 
   SymmetricTensor<2, double> green() const {
     auto strain = SymmetricTensor<2, double>::zero();
@@ -25,8 +25,11 @@ struct UniformStrain {
     const double c = std::cos(angle), s = std::sin(angle);
     BondStrain<double> bond;
     bond.mean = bond.own = 2.0 * (c * c * green()(0, 0) + s * s * green()(1, 1));
-    bond.prepared = prepare_criterion(solid, green());
+    bond.prepared = prepared();
     return bond;
+  }
+  double prepared() const {
+    return prepare_criterion(solid, ElasticParticle<2, double>{solid, green()});
   }
   int broken() const {  // of 180 directions, one a degree
     int count = 0;
@@ -36,8 +39,8 @@ struct UniformStrain {
   }
 };
 
-SolidMedium<double> brittle(BondCriterion criterion, double limit) {
-  SolidMedium<double> solid;
+BondedSolid<double> brittle(BondCriterion criterion, double limit) {
+  BondedSolid<double> solid;
   solid.criterion = criterion;
   solid.failure_strain = limit;
   return solid;
@@ -66,13 +69,13 @@ TEST(BondCriterion, EquivalentStrain) {
   EXPECT_EQ((UniformStrain{0.0867, -0.0867, solid}.broken()), 94);
 }
 
-SolidMedium<double> strong(double strength) {
-  SolidMedium<double> solid;
+BondedSolid<double> strong(double strength) {
+  BondedSolid<double> solid;
   solid.criterion = BondCriterion::principal_stress;
-  solid.law = ElasticLaw::st_venant_kirchhoff;
+  solid.elasticity = ElasticLaw::st_venant_kirchhoff;
   solid.bulk_modulus = 1e9;
   solid.shear_modulus = 0.6e9;
-  solid.tensile_strength = strength;
+  solid.principal_stress.tensile_strength = strength;
   return solid;
 }
 
@@ -105,8 +108,7 @@ TEST(BondCriterion, StrainEnergy) {
   // What is squeezed stores nothing that opens a crack: G e^2.
   const double sheared = 0.1 * std::sqrt(1.8 / 1.2);
   EXPECT_EQ((UniformStrain{-0.3, -0.3, solid}.broken()), 0);
-  EXPECT_NEAR(prepare_criterion(solid, (UniformStrain{sheared, -sheared, solid}.green())), 0.1,
-              1e-12);
+  EXPECT_NEAR((UniformStrain{sheared, -sheared, solid}.prepared()), 0.1, 1e-12);
 }
 
 TEST(BondCriterion, NoLimitNeverBreaks) {

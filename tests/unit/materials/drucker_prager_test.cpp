@@ -7,9 +7,8 @@ namespace {
 
 const double cohesion = 10e6, friction = 0.6, no_cut_off = 1e12;
 
-SolidMedium<double> rock() {
-  SolidMedium<double> solid;
-  solid.density = 2600.0;
+ElasticModuli<double> rock() {
+  ElasticModuli<double> solid;
   solid.bulk_modulus = 20e9;
   solid.shear_modulus = 15e9;
   return solid;
@@ -18,7 +17,8 @@ SolidMedium<double> rock() {
 PlasticParameters<double> rock_law(double dilation, double cut_off, ConeMatch match) {
   PlasticParameters<double> parameters;
   parameters.law = PlasticLaw::drucker_prager;
-  parameters.cone = DruckerPrager<double>::of(cohesion, friction, dilation, cut_off, match);
+  parameters.drucker_prager =
+      DruckerPrager<double>::of(cohesion, friction, dilation, cut_off, match);
   return parameters;
 }
 
@@ -36,8 +36,8 @@ double mohr_coulomb_strength(double pressure) {
 // Pressed along the axis, two principal stresses are the lesser; from the side, two are the
 // greater.
 TEST(DruckerPragerCone, TouchesMohrCoulomb) {
-  const auto outer = rock_law(0.0, no_cut_off, ConeMatch::compression).cone;
-  const auto inner = rock_law(0.0, no_cut_off, ConeMatch::extension).cone;
+  const auto outer = rock_law(0.0, no_cut_off, ConeMatch::compression).drucker_prager;
+  const auto inner = rock_law(0.0, no_cut_off, ConeMatch::extension).drucker_prager;
   for (double pressure : {-2e6, 0.0, 5e6, 80e6}) {
     const double most = mohr_coulomb_strength(pressure), rounding = 1e-14 * most;
     EXPECT_NEAR(excess(outer, {-most, -pressure, -pressure}), 0.0, 10.0 * rounding);
@@ -62,7 +62,7 @@ TEST(DruckerPragerCylinder, UniaxialCompressiveStrength) {
   const double e = rock().young_modulus(), nu = 0.5 - e / (6.0 * rock().bulk_modulus);
   for (double dilation : {0.0, 0.2, friction}) {
     const auto parameters = rock_law(dilation, no_cut_off, ConeMatch::compression);
-    const double m = parameters.cone.dilation;
+    const double m = parameters.drucker_prager.dilation;
     auto state = PlasticState<3, double>::virgin();
     for (double gamma : {1e-4, 1e-2, 0.1, 0.3}) {
       const double axial = -strength / e + gamma * (m / 3.0 - 1.0);
@@ -133,7 +133,7 @@ TYPED_TEST(Rock, TensionStopsAtTheCap) {
   for (double cut_off : {2e6, 0.0, no_cut_off}) {
     const auto parameters = rock_law(0.0, cut_off, ConeMatch::compression);
     const double most = std::min(cut_off, apex);
-    EXPECT_NEAR(parameters.cone.tension, most, 1e-14 * apex);
+    EXPECT_NEAR(parameters.drucker_prager.tension, most, 1e-14 * apex);
     Matrix3 f = Matrix3::Identity();
     for (int a = 0; a < D; ++a) f(a, a) = 1.01;
     f(0, 1) = 1e-5;
@@ -141,9 +141,9 @@ TYPED_TEST(Rock, TensionStopsAtTheCap) {
         advance(rock(), parameters, gradient_of<D>(f), 0.0, PlasticState<D, double>::virgin());
     const Matrix3 stress = kirchhoff(f, pulled);
     EXPECT_NEAR(stress.trace() / 3.0, most, 1e-13 * rock().bulk_modulus);
-    EXPECT_LE(
-        equivalent_stress(stress),
-        parameters.cone.strength - parameters.cone.friction * most + 1e-13 * rock().bulk_modulus);
+    EXPECT_LE(equivalent_stress(stress), parameters.drucker_prager.strength -
+                                             parameters.drucker_prager.friction * most +
+                                             1e-13 * rock().bulk_modulus);
     // The gap has to close before the rock bears pressure again: at F = 1 it is under pressure.
     const auto back = advance(rock(), parameters, Matrix<D, double>::zero(), 0.0, pulled.state);
     EXPECT_LT(matrix_of(back.stress).trace(), -3.0 * most);
@@ -155,7 +155,7 @@ TYPED_TEST(Rock, TensionStopsAtTheCap) {
 TEST(DruckerPragerReturn, IsTheNearestPoint) {
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const auto cone = rock_law(friction, 4e6, ConeMatch::compression).cone;
+  const auto cone = rock_law(friction, 4e6, ConeMatch::compression).drucker_prager;
   const double g = rock().shear_modulus, k = rock().bulk_modulus;
   const double edge = cone.strength - cone.friction * cone.tension;  // q where cone and cap meet
   int capped = 0, edged = 0;
@@ -244,7 +244,7 @@ TYPED_TEST(Rock, SinglePrecision) {
     PlasticResult<D, float> result{};
     result.state = PlasticState<D, float>::virgin();
     for (int k = 1; k <= 1000; ++k)
-      result = advance(SolidMedium<float>::from(rock()), PlasticParameters<float>::from(parameters),
+      result = advance(in_single(rock()), PlasticParameters<float>::from(parameters),
                        single(gradient_of<D>(path(k / 1000.0))), 0.0F, result.state);
     const Matrix3 off = matrix_of(result.stress) - matrix_of(expected.stress);
     EXPECT_LE(off.cwiseAbs().maxCoeff(), 2e-6 * rock().bulk_modulus);

@@ -10,19 +10,25 @@
 namespace kerf::test {
 namespace {
 
-SolidMedium<double> some_solid(ElasticLaw law) {
-  SolidMedium<double> solid;
-  solid.law = law;
+ElasticSolid<double> some_solid(ElasticLaw law) {
+  ElasticSolid<double> solid;
+  solid.elasticity = law;
   solid.bulk_modulus = 8.3e4;
   solid.shear_modulus = 3.8e4;
   return solid;
 }
 
+// First Piola-Kirchhoff stress, Pa.
+template <int D, class T>
+Matrix<D, T> piola(const ElasticSolid<T>& solid, const Matrix<D, T>& h) {
+  return first_piola(second_piola(solid, green_strain(h)), h);
+}
+
 // Energies written down from their definition in C and J, on Eigen's matrices.
-double energy_by_definition(const SolidMedium<double>& solid, const Eigen::Matrix3d& f) {
+double energy_by_definition(const ElasticSolid<double>& solid, const Eigen::Matrix3d& f) {
   const double g = solid.shear_modulus, k = solid.bulk_modulus;
   const Eigen::Matrix3d c = f.transpose() * f;
-  if (solid.law == ElasticLaw::neo_hookean) {
+  if (solid.elasticity == ElasticLaw::neo_hookean) {
     const double j = f.determinant();
     return 0.5 * g * (std::pow(j, -2.0 / 3.0) * c.trace() - 3.0) +
            0.5 * k * (0.5 * (j * j - 1.0) - std::log(j));
@@ -56,7 +62,7 @@ const ElasticLaw laws[] = {ElasticLaw::neo_hookean, ElasticLaw::st_venant_kirchh
 
 // Fourth-order difference: truncation (1e-3)^4 / 30 times a fifth derivative near 1e3 K.
 template <int D>
-void expect_slope(const SolidMedium<double>& solid, const Matrix<D, double>& h) {
+void expect_slope(const ElasticSolid<double>& solid, const Matrix<D, double>& h) {
   const Eigen::Matrix3d f = in_space(h);
   const auto p = piola(solid, h);
   const double step = 1e-3;
@@ -89,7 +95,7 @@ TYPED_TEST(Law, StressIsTheSlopeOfTheEnergy) {
 
 // sigma = K tr(e) + 2 G dev(e), with the stress out of the plane; the rest is of second order.
 template <int D>
-void expect_hooke(const SolidMedium<double>& solid, const Matrix<D, double>& h, double tolerance) {
+void expect_hooke(const ElasticSolid<double>& solid, const Matrix<D, double>& h, double tolerance) {
   const Eigen::Matrix3d f = in_space(h), one = Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d e = 0.5 * (f + f.transpose()) - one;
   const Eigen::Matrix3d hooke =
@@ -122,7 +128,7 @@ TYPED_TEST(Law, SinglePrecision) {
       for (int k = 0; k < TypeParam::value * TypeParam::value; ++k)
         single.component[k] = static_cast<float>(h.component[k]);
       const auto p = piola(solid, h);
-      const auto q = piola(SolidMedium<float>::from(solid), single);
+      const auto q = piola(ElasticSolid<float>::from(solid), single);
       for (int k = 0; k < TypeParam::value * TypeParam::value; ++k)
         EXPECT_NEAR(q.component[k], p.component[k], 5e-6 * size * solid.bulk_modulus);
     }

@@ -25,7 +25,7 @@ PlasticState<D, double> flowed(std::mt19937& engine, double size, bool keeps_vol
   return state;
 }
 
-double energy_by_definition(const SolidMedium<double>& solid, const Matrix3& f,
+double energy_by_definition(const ElasticModuli<double>& solid, const Matrix3& f,
                             const Matrix3& inverse_metric) {
   const Matrix3 e = 0.5 * log_of(f * inverse_metric * f.transpose());
   const Matrix3 deviator = e - e.trace() / 3.0 * Matrix3::Identity();
@@ -35,7 +35,7 @@ double energy_by_definition(const SolidMedium<double>& solid, const Matrix3& f,
 
 // Fourth-order difference: truncation (1e-3)^4 / 30 times a fifth derivative of some 1e3 K.
 template <int D>
-void expect_slope(const SolidMedium<double>& solid, const PlasticParameters<double>& parameters,
+void expect_slope(const ElasticModuli<double>& solid, const PlasticParameters<double>& parameters,
                   const Matrix3& f, const PlasticState<D, double>& state) {
   const Matrix3 inverse_metric = plastic_metric(state);
   const auto result = advance(solid, parameters, gradient_of<D>(f), 0.0, state);
@@ -60,7 +60,7 @@ TYPED_TEST(Hencky, StressIsTheSlopeOfTheEnergy) {
   std::mt19937 engine(1);
   PlasticParameters<double> metal, rock;  // too strong to flow
   rock.law = PlasticLaw::drucker_prager;
-  rock.cone.strength = rock.cone.tension = 1e20;
+  rock.drucker_prager.strength = rock.drucker_prager.tension = 1e20;
   int tried = 0;
   for (int n = 0; n < 60; ++n) {
     const Matrix3 f = Matrix3::Identity() + random_matrix(engine, D, 0.35);
@@ -86,10 +86,10 @@ TYPED_TEST(Hencky, SinglePrecisionKeepsSmallStrains) {
       for (int k = 0; k < SymmetricTensor<D, double>::count; ++k)
         state_single.metric.component[k] = static_cast<float>(state.metric.component[k]);
       const auto expected = matrix_of(advance(steel(), parameters, h, 0.0, state).stress);
-      const auto stress = matrix_of(advance(SolidMedium<float>::from(steel()),
-                                            PlasticParameters<float>::from(parameters),
-                                            single<D>(h), 0.0F, state_single)
-                                        .stress);
+      const auto stress =
+          matrix_of(advance(in_single(steel()), PlasticParameters<float>::from(parameters),
+                            single<D>(h), 0.0F, state_single)
+                        .stress);
       const double scale = size * steel().bulk_modulus;
       EXPECT_LE((stress - expected).cwiseAbs().maxCoeff(), 1e-5 * scale) << size;
     }

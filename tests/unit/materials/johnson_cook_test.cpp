@@ -34,13 +34,13 @@ TEST(JohnsonCook, StrengthAsPrinted) {
   const auto parameters = steel_4340();
   const double homologous = parameters.heat.homologous_temperature(500.0 - 294.0);
   EXPECT_NEAR(homologous, 206.0 / 1499.0, 1e-15);
-  const double strength = parameters.strength.strength(0.1, 1000.0, homologous);
+  const double strength = parameters.johnson_cook.strength(0.1, 1000.0, homologous);
   EXPECT_NEAR(strength, 1023.6977e6, 100.0);
   // Slow, cold and molten.
-  EXPECT_EQ(parameters.strength.strength(0.0, 1e-3, 0.0), 792e6);
+  EXPECT_EQ(parameters.johnson_cook.strength(0.0, 1e-3, 0.0), 792e6);
   EXPECT_EQ(parameters.heat.homologous_temperature(-50.0), 0.0);
   EXPECT_EQ(parameters.heat.homologous_temperature(5000.0), 1.0);
-  EXPECT_EQ(parameters.strength.strength(0.5, 1e4, 1.0), 0.0);
+  EXPECT_EQ(parameters.johnson_cook.strength(0.5, 1e4, 1.0), 0.0);
 }
 
 // (0.05 + 3.44 exp(-2.12/3)) (1 + 0.002 ln 1000) (1 + 0.61 T*) in tension of a bar; with
@@ -96,7 +96,7 @@ TYPED_TEST(JohnsonCookFlow, StaysOnTheSurface) {
 TYPED_TEST(JohnsonCookFlow, AdiabaticTemperature) {
   constexpr int D = TypeParam::value;
   auto parameters = steel_4340();
-  parameters.strength = {792e6, 0.0, 1.0, 0.0, 1.0, 1.0};
+  parameters.johnson_cook = {792e6, 0.0, 1.0, 0.0, 1.0, 1.0};
   const auto error = [&](int steps) {
     const auto end = follow<D>(
         steel(), parameters, [](double s) { return plane_stretch(2.0 * s); }, steps);

@@ -15,7 +15,7 @@ TYPED_TEST_SUITE(MetalFlow, Dimensions);
 // The same step in another form (Weber & Anand 1990): F_p itself is kept, strains are logarithms of
 // full matrices in the intermediate configuration, and the flow is found by bisection.
 struct PlasticPartOracle {
-  SolidMedium<double> solid;
+  ElasticModuli<double> solid;
   J2Hardening<double> law;
   Matrix3 plastic = Matrix3::Identity();  // F_p
   double plastic_strain = 0.0;
@@ -52,11 +52,11 @@ TYPED_TEST(MetalFlow, IsThatOfThePlasticPart) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(1);
   auto parameters = linear_hardening(700e6, 2e9);
-  parameters.hardening.saturation_stress = 300e6;
-  parameters.hardening.saturation_strain = 0.05;
+  parameters.von_mises.saturation_stress = 300e6;
+  parameters.von_mises.saturation_strain = 0.05;
   for (int n = 0; n < 20; ++n) {
     const Path path = bending_path(engine, D, 0.3);
-    PlasticPartOracle oracle{steel(), parameters.hardening};
+    PlasticPartOracle oracle{steel(), parameters.von_mises};
     auto state = PlasticState<D, double>::virgin();
     for (int k = 1; k <= 30; ++k) {
       const Matrix3 f = path(k / 30.0);
@@ -227,7 +227,7 @@ TYPED_TEST(MetalFlow, UnloadingKeepsTheState) {
 TYPED_TEST(MetalFlow, SinglePrecision) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(8);
-  const auto solid = SolidMedium<float>::from(steel());
+  const auto solid = in_single(steel());
   const auto parameters = PlasticParameters<float>::from(steel_4340());
   for (int n = 0; n < 10; ++n) {
     const Path path = at_constant_volume(bending_path(engine, D, 0.2), D);

@@ -15,13 +15,13 @@ namespace {
 constexpr double rho_0 = 1000.0, c_0 = 1481.0, s = 1.975;
 
 template <class T>
-Medium<T> shocked_water() {
-  Medium<T> water;
+BarotropicMatter<T> shocked_water() {
+  BarotropicMatter<T> water;
   water.equation_of_state = EquationOfState::shock_hugoniot;
   water.cavitates = true;
   water.density = T(rho_0);
   water.sound_speed = T(c_0);
-  water.hugoniot_slope = T(s);
+  water.shock_hugoniot.slope = T(s);
   return water;
 }
 

@@ -6,9 +6,9 @@
 
 #include <ostream>
 
-#include "case/read.hpp"
-#include "measure/derived.hpp"
-#include "simulation/simulation.hpp"
+#include "analysis/derived.hpp"
+#include "engine/device.hpp"
+#include "input/read.hpp"
 
 namespace kerf {
 namespace {

@@ -32,9 +32,9 @@ SeriesSample sample_at(std::uint64_t step) {
   sample.time = 0.1 * static_cast<double>(step);
   sample.particles = 1000 + step;
   sample.last_step = {1.0 / 3.0, "acoustic (water), \"soft\"", 4};
-  sample.ledger.mass_out = 0.25;
-  sample.ledger.mass_erased = 0.5;
-  sample.ledger.momentum_now = {1.0, -2.0, 3.0};
+  sample.balance.mass_out = 0.25;
+  sample.balance.mass_erased = 0.5;
+  sample.balance.momentum_now = {1.0, -2.0, 3.0};
   sample.cut.front_depth = 1e-3 / 7.0;
   sample.cut.pieces = 2;
   sample.probes = {1e5, 1, 2, 3, -10, -20, -30};

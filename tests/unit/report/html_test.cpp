@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <regex>
 
 #include "report/plot.hpp"
 
@@ -81,7 +82,7 @@ TEST(Prefix, BringsNumbersBetweenOneAndAThousand) {
 }
 
 Plot some_plot() {
-  Plot plot{{"time", "s"}, {"depth", "m"}, {}, {}, 0.005};
+  Plot plot{{"time", "s"}, {"depth", "m"}, {}, {}, {}, 0.005};
   plot.curves.push_back({"a", {}, palette::curves[0], Stroke::full});
   for (int i = 0; i < 50; ++i) {
     plot.x.push_back(2e-4 * i);
@@ -90,23 +91,51 @@ Plot some_plot() {
   return plot;
 }
 
-TEST(Plot, IsOneElementWithIdsOfItsOwn) {
-  const std::string svg = draw_plot(some_plot(), "depth");
+TEST(Plot, BreaksACurveWhereItHasNoValue) {
+  const std::string svg = draw_plot(some_plot());
   EXPECT_TRUE(svg.starts_with("<svg"));
-  EXPECT_THAT(svg, AllOf(HasSubstr("</svg>"), HasSubstr("viewBox"), HasSubstr("depth-clip"),
-                         HasSubstr("#0072B2"), Not(HasSubstr("<?xml")), Not(HasSubstr("nan,")),
-                         Not(HasSubstr(",nan")), Not(HasSubstr("text-clipping"))));
-  EXPECT_EQ(svg, draw_plot(some_plot(), "depth"));
+  EXPECT_THAT(svg, AllOf(HasSubstr("</svg>"), HasSubstr("viewBox"), HasSubstr(">depth / mm</text>"),
+                         HasSubstr(">time / ms</text>"), Not(HasSubstr("nan"))));
+  const std::regex curve("<path d=\"([^\"]*)\"[^>]*#0072b2");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(svg, found, curve));
+  const std::string commands = found[1];
+  EXPECT_EQ(std::count(commands.begin(), commands.end(), 'M'), 2);
+  EXPECT_EQ(std::count(commands.begin(), commands.end(), 'L'), 47);
+}
+
+// The grid lines stand at the numbers below them: a value at 20 mm lies on the line "20".
+TEST(Plot, DrawsValuesAtTheirPlaceAlongTheAxes) {
+  Plot plot{{"time", "s"}, {"depth", "m"}, {0.0, 0.010}, {{"a", {0.0, 0.020}}}};
+  const std::string svg = draw_plot(plot);
+  std::smatch last, tick;
+  ASSERT_TRUE(std::regex_search(svg, last,
+                                std::regex("L([0-9.]+) ([0-9.]+)\" fill=\"none\" "
+                                           "stroke=\"#0072b2\"")));
+  ASSERT_TRUE(std::regex_search(svg, tick, std::regex("y=\"([0-9.]+)\"[^>]*>20</text>")));
+  EXPECT_NEAR(std::stod(tick[1]) - std::stod(last[2]), 5.0, 0.11);  // half of the digits' height
+  ASSERT_TRUE(std::regex_search(svg, tick, std::regex("x=\"([0-9.]+)\"[^>]*>10</text>")));
+  EXPECT_NEAR(std::stod(tick[1]), std::stod(last[1]), 0.11);
+}
+
+TEST(Plot, LinksItsPoints) {
+  Plot plot{{"speed in m/s", "1"}, {"width in mm", "1"}};
+  plot.points = {{1.0, 4.0, Mark::filled, "cut <through>", "runs/a/report.html"},
+                 {5.0, 6.0, Mark::crossed, "failed", ""}};
+  EXPECT_THAT(draw_plot(plot),
+              AllOf(HasSubstr("<a href=\"runs/a/report.html\"><circle"),
+                    HasSubstr("<title>cut &lt;through&gt;</title>"),
+                    HasSubstr("<title>failed</title>"), HasSubstr(">speed in m/s</text>")));
 }
 
 TEST(Plot, DrawsNothingMuchWithoutData) {
-  Plot plot{{"time", "s"}, {"depth", "m"}, {}, {}, -1.0};
-  EXPECT_TRUE(draw_plot(plot, "empty").starts_with("<svg"));
+  Plot plot{{"time", "s"}, {"depth", "m"}, {}, {}, {}, -1.0};
+  EXPECT_TRUE(draw_plot(plot).starts_with("<svg"));
   plot.x = {0.0};
   plot.curves.push_back({"a", {std::nan("")}, palette::curves[0], Stroke::dashed});
-  EXPECT_TRUE(draw_plot(plot, "empty").starts_with("<svg"));
+  EXPECT_TRUE(draw_plot(plot).starts_with("<svg"));
   plot.curves[0].y = {-3.0};
-  EXPECT_TRUE(draw_plot(plot, "one").starts_with("<svg"));
+  EXPECT_TRUE(draw_plot(plot).starts_with("<svg"));
 }
 
 }  // namespace

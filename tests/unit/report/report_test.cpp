@@ -9,8 +9,8 @@
 #include <set>
 
 #include "app/run_loop.hpp"
-#include "case/write_used.hpp"
 #include "core/error.hpp"
+#include "input/write_used.hpp"
 #include "report/html.hpp"
 #include "report/viewer_files.hpp"
 #include "support/fake_run.hpp"
@@ -124,10 +124,12 @@ TEST_F(ChangedReport, SaysOfWhatEveryDepthAndWidthIs) {
   const auto figure = [](const char* name, const char* key, const char* value) {
     return fmt::format("<dt>{}</dt><dd data-key=\"{}\">{}\u202fmm</dd>", name, key, value);
   };
-  EXPECT_THAT(page(), AllOf(HasSubstr(figure("depth of the water front", "front_depth", "6.26")),
-                            HasSubstr(figure("depth of the cut", "kerf.depth", "5.34")),
-                            HasSubstr(figure("width of the cut", "kerf.middle.width", "1.19")),
-                            HasSubstr(figure("opening at the end", "kerf_width", "10.3"))));
+  EXPECT_THAT(
+      page(),
+      AllOf(HasSubstr(figure("depth of the water front", "front_depth", "6.26")),
+            HasSubstr(figure("depth of the kerf", "kerf.depth", "5.34")),
+            HasSubstr(figure("width of the kerf in the middle", "kerf.middle.width", "1.19")),
+            HasSubstr(figure("width of the opening", "kerf_width", "10.3"))));
 }
 
 TEST_F(ChangedReport, SaysThatItHasNoViewer) {

@@ -10,7 +10,7 @@ namespace kerf::test {
 namespace {
 
 template <class Chosen>
-class BreakAccount : public testing::Test {
+class BondBreakEnergy : public testing::Test {
  protected:
   static constexpr int D = Chosen::D;
   using Trial = SolidOnTrial<D, typename Chosen::P>;
@@ -18,15 +18,15 @@ class BreakAccount : public testing::Test {
   struct Whole {
     double held, power;
     std::uint64_t bonds;
-    Index loose;
+    Index detached;
   };
   static Whole look(Trial& trial) {
     trial.solid.accelerate(trial.device_velocity);
     double power = 0.0;
     for (std::size_t i = 0; i < trial.size(); ++i)
       power += dot(trial.force(i), Vector<D, double>::from(trial.velocity[i]));
-    const auto [bonds, loose] = trial.solid.count();
-    return {trial.solid.energy().total() + trial.solid.softening_work(), power, bonds, loose};
+    const auto [bonds, detached] = trial.solid.count();
+    return {trial.solid.energy().total() + trial.solid.softening_work(), power, bonds, detached};
   }
   // A zone in the middle is pulled along x and shaken, more each time; what is beside it is moved.
   static void pull(Trial& trial, double stretch) {
@@ -44,9 +44,9 @@ class BreakAccount : public testing::Test {
     trial.evaluate();
   }
 };
-TYPED_TEST_SUITE(BreakAccount, BothPrecisions);
+TYPED_TEST_SUITE(BondBreakEnergy, BothPrecisions);
 
-TYPED_TEST(BreakAccount, IsThatOfTheWhole) {
+TYPED_TEST(BondBreakEnergy, IsThatOfTheWhole) {
   for (const auto criterion : {BondCriterion::principal_strain, BondCriterion::crack_band}) {
     auto medium = soft_solid(1e-3, TypeParam::D);
     medium.criterion = criterion;
@@ -55,23 +55,23 @@ TYPED_TEST(BreakAccount, IsThatOfTheWhole) {
     typename TestFixture::Trial trial(
         block<TypeParam::D>({.cells = {14, 8, 6}, .jitter = 0.1, .seed = 5}, medium));
     std::uint64_t broken = 0;
-    Index loosened = 0;
+    Index detached = 0;
     for (const double stretch : {0.05, 0.1, 0.12, 0.2, 0.5}) {
       this->pull(trial, stretch);
       const auto before = this->look(trial);
-      const FractureBook book = trial.solid.fracture();
+      const FractureResult book = trial.solid.fracture();
       const auto after = this->look(trial);
       broken += book.bonds;
-      loosened += book.loosened;
+      detached += book.detached;
       EXPECT_EQ(book.bonds, before.bonds - after.bonds);
-      EXPECT_EQ(book.loosened, after.loose - before.loose);
+      EXPECT_EQ(book.detached, after.detached - before.detached);
       EXPECT_NEAR(book.released, before.held - after.held, TypeParam::rounding * before.held);
       const double scale = std::abs(before.power) + std::abs(after.power);
       EXPECT_NEAR(book.power_gain, after.power - before.power, 10.0 * TypeParam::rounding * scale);
     }
     EXPECT_GT(broken, 100u);
-    EXPECT_GT(loosened, 0u);
-    EXPECT_LT(loosened, trial.size());
+    EXPECT_GT(detached, 0u);
+    EXPECT_LT(detached, trial.size());
   }
 }
 

@@ -18,8 +18,8 @@ struct LongNotch {
   }
 };
 
-// The strain that follows from an energy per area of crack: a strip torn in two gives up as much of
-// it by its bonds whatever the spacing (more than half; the rest goes off as waves).
+// The strain that follows from an energy per area of crack: a strip has_broken_bonds in two gives
+// up as much of it by its bonds whatever the spacing (more than half; the rest goes off as waves).
 TEST(CrackBand, EnergyPerAreaDoesNotDependOnSpacing) {
   const double energy = 2.0;  // J/m^2
   double area_energy[2];
@@ -30,8 +30,8 @@ TEST(CrackBand, EnergyPerAreaDoesNotDependOnSpacing) {
         failure_strain_of(energy, medium.bulk_modulus, medium.shear_modulus, spacing);
     auto trial = notched_strip<Mixed>(spacing, limit);
     area_energy[fine] = pull(trial, 0.03, 0.03) / 20e-3;
-    std::printf("torn in two, spacing %g mm: limit %.3f, %.3f J/m^2 of %.3f\n", 1e3 * spacing,
-                limit, area_energy[fine], energy);
+    std::printf("has_broken_bonds in two, spacing %g mm: limit %.3f, %.3f J/m^2 of %.3f\n",
+                1e3 * spacing, limit, area_energy[fine], energy);
     EXPECT_GT(area_energy[fine], 0.5 * energy);
     EXPECT_LT(area_energy[fine], energy);
   }
@@ -41,7 +41,7 @@ TEST(CrackBand, EnergyPerAreaDoesNotDependOnSpacing) {
 // A wide strip, clamped above and below, with a long notch half way up: a crack takes W H per area
 // as it runs (Rivlin & Thomas, J. Polym. Sci. 10 (1953) 291), with W what is stored far ahead per
 // volume and H the height. What is available when the first bond breaks, J/m^2.
-double tears_at(const SolidMedium<double>& medium, double jitter, double energy) {
+double tears_at(const Medium<double>& medium, double jitter, double energy) {
   const double spacing = medium.spacing;
   const int wide = static_cast<int>(std::lround(80e-3 / spacing));
   const int high = static_cast<int>(std::lround(20e-3 / spacing));
@@ -53,12 +53,12 @@ double tears_at(const SolidMedium<double>& medium, double jitter, double energy)
       block<2>({.cells = {wide, high, 1}, .spacing = spacing, .jitter = jitter}, brittle));
   trial.solid.cut(LongNotch{});
   const double speed = 0.01, dt = pulling_step(trial);
-  double torn = 0.0;
+  double has_broken_bonds = 0.0;
   trial.evaluate();
-  for (double t = 0.0; t < 1.0 && torn == 0.0; t += dt)
-    if (pull_once(trial, speed, dt).bonds > 0) torn = t;
+  for (double t = 0.0; t < 1.0 && has_broken_bonds == 0.0; t += dt)
+    if (pull_once(trial, speed, dt).bonds > 0) has_broken_bonds = t;
   // Between the clamped rows; no strain along the strip.
-  const double height = 16e-3 + spacing, strain = 2.0 * speed * torn / height;
+  const double height = 16e-3 + spacing, strain = 2.0 * speed * has_broken_bonds / height;
   const double modulus = medium.bulk_modulus + 4.0 / 3.0 * medium.shear_modulus;
   return 0.5 * modulus * strain * strain * height;
 }

@@ -18,14 +18,11 @@ template <int D, class P>
 SolidOnTrial<D, P> flawed_block() {
   auto medium = soft_solid(1e-3, D);
   medium.criterion = BondCriterion::grady_kipp;
-  auto layout = block<D>({.jitter = 0.1}, medium);
-  GradyKipp<double> law;
-  law.exponent = 6.0;
-  law.unit_strain = 0.01 * std::pow(2.0, -1.0 / 6.0);
-  law.growth = 1.0;
-  law.seed = 9;
-  layout.flaws = {law};
-  return SolidOnTrial<D, P>(layout);
+  medium.grady_kipp.exponent = 6.0;
+  medium.grady_kipp.unit_strain = 0.01 * std::pow(2.0, -1.0 / 6.0);
+  medium.grady_kipp.growth = 1.0;
+  medium.grady_kipp.seed = 9;
+  return SolidOnTrial<D, P>(block<D>({.jitter = 0.1}, medium));
 }
 
 template <int D>
@@ -95,7 +92,7 @@ TYPED_TEST(Flaws, WholeDamageBreaksWhatOpens) {
     for (int n = 0; n < 20; ++n) trial.solid.keep_damage(0.2);
     trial.map(stretch<D>(strain));
     trial.deform();
-    const FractureBook book = trial.solid.fracture();
+    const FractureResult book = trial.solid.fracture();
     EXPECT_EQ(book.bonds > 0, strain > 0.0);
   }
 }

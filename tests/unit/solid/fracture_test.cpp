@@ -45,7 +45,7 @@ TYPED_TEST(SolidFracture, BreaksAboveTheLimitOnly) {
     for (double share : {-5.0, -1.0, 0.0, 0.5, 0.999, 1.001}) {
       trial.map(stretch_along_x<D>(std::exp(share * limit)));
       trial.deform();
-      const FractureBook book = trial.solid.fracture();
+      const FractureResult book = trial.solid.fracture();
       EXPECT_EQ(book.bonds > 0, share > 1.0) << share;
       EXPECT_EQ(book.released > 0.0, share > 1.0) << share;
     }
@@ -53,7 +53,7 @@ TYPED_TEST(SolidFracture, BreaksAboveTheLimitOnly) {
 }
 
 // Squeezed to a fifth of its volume, or turned inside out, a solid that can break is crushed: all
-// of it is loose, without stress. One that can't break bears it.
+// of it is detached, without stress. One that can't break bears it.
 TYPED_TEST(SolidFracture, CrushedBelowAFifthOfTheVolume) {
   constexpr int D = TypeParam::D;
   for (double limit : {0.0, 0.1})
@@ -63,10 +63,10 @@ TYPED_TEST(SolidFracture, CrushedBelowAFifthOfTheVolume) {
       if (volume < 0.0) map.row(0) *= -1.0;
       trial.map(map);
       trial.deform();
-      const FractureBook book = trial.solid.fracture();
-      EXPECT_EQ(book.loosened, limit > 0.0 && volume < 0.2 ? trial.size() : 0u) << volume;
+      const FractureResult book = trial.solid.fracture();
+      EXPECT_EQ(book.detached, limit > 0.0 && volume < 0.2 ? trial.size() : 0u) << volume;
       trial.evaluate();
-      if (book.loosened == 0) continue;
+      if (book.detached == 0) continue;
       for (Index i = 0; i < trial.size(); ++i) EXPECT_EQ(norm(trial.force(i)), 0.0);
       EXPECT_EQ(trial.solid.energy().total(), 0.0);
     }
@@ -107,8 +107,8 @@ TYPED_TEST(FractureByHand, PrincipalStrain) {
       of_mean += own <= above && by_place && std::min(largest(i), largest(j)) < 0.8 * above;
     }
   EXPECT_GT(of_mean, 3u);
-  const FractureBook book = trial.solid.fracture();
-  EXPECT_EQ(book.loosened, 0u);
+  const FractureResult book = trial.solid.fracture();
+  EXPECT_EQ(book.detached, 0u);
   EXPECT_EQ(book.bonds, expected);
 }
 
@@ -126,7 +126,7 @@ TYPED_TEST(SolidFracture, OnlyBondsAcrossTheGapBreak) {
       seeming = std::max(seeming, static_cast<double>(trial.gradient(i)(0, 0)));
     EXPECT_GT(seeming, 0.3);
     std::uint64_t broken = 0;
-    for (FractureBook book{.bonds = 1}; book.bonds > 0;) {  // what is left may break in turn
+    for (FractureResult book{.bonds = 1}; book.bonds > 0;) {  // what is left may break in turn
       book = trial.solid.fracture();
       broken += book.bonds;
     }
@@ -135,7 +135,7 @@ TYPED_TEST(SolidFracture, OnlyBondsAcrossTheGapBreak) {
     const auto solid = trial.solid.view();
     for (Index i = 0; i < trial.size(); ++i)
       for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
-        ASSERT_EQ(!solid.is_whole(i, k), is_upper(i) != is_upper(solid.bonds.end(i, k)));
+        ASSERT_EQ(!solid.is_intact(i, k), is_upper(i) != is_upper(solid.bonds.end(i, k)));
     // Both halves are at rest again.
     EXPECT_LE(trial.solid.energy().total(), 1e-9);
   }
@@ -143,8 +143,8 @@ TYPED_TEST(SolidFracture, OnlyBondsAcrossTheGapBreak) {
 
 // Keeps of the bonds across a plane only those along x.
 struct AllButStraightBonds {
-  template <class Place>
-  KERF_FUNCTION bool operator()(const Place& x, const Place& y) const {
+  template <class Position>
+  KERF_FUNCTION bool operator()(const Position& x, const Position& y) const {
     const auto apart = y - x;
     const bool across = (x[0] > 4.5e-3) != (y[0] > 4.5e-3);
     return across && norm(apart) > 1.1 * std::abs(apart[0]);
@@ -169,12 +169,12 @@ TYPED_TEST(SolidFracture, SlidingFacesLetGo) {
         trial.position[i][0] -= 1e-3 * (1.0 - std::cos(turn));
       }
     trial.deform();
-    for (FractureBook book{.bonds = 1}; book.bonds > 0;) book = trial.solid.fracture();
+    for (FractureResult book{.bonds = 1}; book.bonds > 0;) book = trial.solid.fracture();
     const auto solid = trial.solid.view();
     std::uint64_t across = 0;
     for (Index i = 0; i < trial.size(); ++i)
       for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
-        across += is_upper(i) != is_upper(solid.bonds.end(i, k)) && solid.is_whole(i, k);
+        across += is_upper(i) != is_upper(solid.bonds.end(i, k)) && solid.is_intact(i, k);
     if (turn < 0.1)
       EXPECT_EQ(trial.solid.count().first, before);
     else
@@ -199,10 +199,10 @@ TYPED_TEST(SolidFracture, LooseParticles) {
   trial.map(some_map<D>());
   trial.evaluate();
   for (std::size_t i : {trial.size() - 1, trial.size() - 2}) {
-    EXPECT_EQ(trial.solid.fields().loose[i], 1);
+    EXPECT_EQ(trial.solid.fields().detached[i], 1);
     EXPECT_EQ(norm(trial.force(i)), 0.0);
   }
-  // A row of particles cannot tell a strain across it: all loose.
+  // A row of particles cannot tell a strain across it: all detached.
   SolidOnTrial<D, typename TypeParam::P> row(block<D>({.cells = {20, 1, 1}}));
   EXPECT_EQ(row.solid.count(), std::make_pair(std::uint64_t(0), Index(20)));
 }
@@ -219,7 +219,7 @@ std::vector<Index> pieces_of(SolidOnTrial<D, P>& trial) {
   const auto solid = trial.solid.view();
   for (Index i = 0; i < trial.size(); ++i)
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
-      if (solid.is_whole(i, k)) root[find(i)] = find(solid.bonds.end(i, k));
+      if (solid.is_intact(i, k)) root[find(i)] = find(solid.bonds.end(i, k));
   for (Index i = 0; i < trial.size(); ++i) root[i] = find(i);
   return root;
 }
@@ -256,7 +256,7 @@ TYPED_TEST(PlaneFracture, CrackOfANotchedStrip) {
 // Torn by its own motion: what is stored, moved, dissipated and released stays the same.
 TYPED_TEST(PlaneFracture, EnergyIsBooked) {
   auto trial = notched_strip<typename TypeParam::P>();
-  const double dt = 0.1 * 1e-3 / trial.layout.media[0].longitudinal_speed();
+  const double dt = 0.1 * 1e-3 / trial.layout.media[0].bond_wave_speed();
   for (std::size_t i = 0; i < trial.size(); ++i)
     trial.velocity[i] = {
         0, static_cast<typename TypeParam::Real>(150.0 * (trial.layout.reference[i][1] - 10e-3))};
@@ -285,7 +285,7 @@ TYPED_TEST(PlaneFracture, EnergyIsBooked) {
   this->RecordProperty("dissipated_percent", std::to_string(100.0 * dissipated / start));
   this->RecordProperty("off_percent",
                        std::to_string(100.0 * (end + released + dissipated - start) / start));
-  this->RecordProperty("loose", static_cast<int>(trial.solid.count().second));
+  this->RecordProperty("detached", static_cast<int>(trial.solid.count().second));
   EXPECT_GT(released, 0.01 * start);
   EXPECT_NEAR(end + released + dissipated, start, 0.005 * start);
 }

@@ -26,7 +26,7 @@ TEST(GradedBar, CarriesOneStress) {
   pull(0, 0) += strain;
   trial.map(pull);
   trial.evaluate();
-  const double dt = 0.2e-3 / medium.longitudinal_speed();
+  const double dt = 0.2e-3 / medium.bond_wave_speed();
   for (int n = 0; n < 3000; ++n) {
     for (std::size_t i = 0; i < trial.size(); ++i) {
       const bool end = layout.reference[i][0] < 6e-3 || layout.reference[i][0] > 54e-3;
@@ -58,7 +58,7 @@ double reflected(double length_in_coarse, bool from_fine) {
       graded_block<2>({.cells = {120, 6, 1}, .spacing = 0.5 * coarse}, medium,
                       [&](const Vector<2, double>& x) { return (x[0] > long_half) == from_fine; });
   SolidOnTrial<2, Double> trial(layout);
-  const double c = medium.longitudinal_speed(), start = 0.5 * long_half, speed = 1e-3 * c;
+  const double c = medium.bond_wave_speed(), start = 0.5 * long_half, speed = 1e-3 * c;
   for (std::size_t i = 0; i < trial.size(); ++i) {
     // v = V exp(-s^2), u' = -v / c
     const double s = (layout.reference[i][0] - start) / (0.25 * width);
@@ -111,7 +111,7 @@ double bending_period(bool graded) {
     return sum;
   };
   trial.evaluate();
-  const double dt = 0.3 * fine / medium.longitudinal_speed();
+  const double dt = 0.3 * fine / medium.bond_wave_speed();
   std::vector<double> zeros;
   double before = 0.0;
   for (int n = 0; zeros.size() < 2 && n < 8000; ++n) {
@@ -144,13 +144,13 @@ double crack_tip(SolidOnTrial<2, Mixed>& trial) {
   double tip = 0.0;
   for (Index i = 0; i < place.size(); ++i)
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
-      if (!solid.is_whole(i, k))
+      if (!solid.is_intact(i, k))
         tip = std::max(tip, 0.5 * (place[i][0] + place[solid.bonds.end(i, k)][0]));
   return tip;
 }
 // The crack runs along a strip that is pulled ever further, when the energy ahead of it is Gc; the
-// band of each level is its own (fracture/crack_band.hpp). Returns the strain of the strip when the
-// crack passes x = 35 mm and 55 mm. The jump is at 45 mm.
+// band of each level is its own (fracture/crack_band.hpp). Returns the strain of the strip
+// when the crack passes x = 35 mm and 55 mm. The jump is at 45 mm.
 std::array<double, 2> tears(bool graded) {
   const double fine = 0.5e-3, energy = 1.4;
   auto medium = soft_solid(fine, 2);
@@ -162,17 +162,18 @@ std::array<double, 2> tears(bool graded) {
         failure_strain_of(energy, medium.bulk_modulus, medium.shear_modulus, level.spacing);
   SolidOnTrial<2, Mixed> trial(layout);
   trial.solid.cut(LongNotch{});
-  const double speed = 0.02, dt = 0.2 * fine / medium.longitudinal_speed();
-  std::array<double, 2> torn{};
+  const double speed = 0.02, dt = 0.2 * fine / medium.bond_wave_speed();
+  std::array<double, 2> has_broken_bonds{};
   trial.evaluate();
-  for (double t = 0.0; t < 1.0 && torn[1] == 0.0; t += dt) {
+  for (double t = 0.0; t < 1.0 && has_broken_bonds[1] == 0.0; t += dt) {
     const auto book = pull_once(trial, speed, dt);
     if (book.bonds == 0) continue;
     const double tip = crack_tip(trial);
     for (std::size_t n = 0; n < 2; ++n)
-      if (torn[n] == 0.0 && tip > (n == 0 ? 35e-3 : 55e-3)) torn[n] = 2.0 * speed * t / 16e-3;
+      if (has_broken_bonds[n] == 0.0 && tip > (n == 0 ? 35e-3 : 55e-3))
+        has_broken_bonds[n] = 2.0 * speed * t / 16e-3;
   }
-  return torn;
+  return has_broken_bonds;
 }
 TEST(GradedStrip, CrackRunsThroughTheJump) {
   const auto uniform = tears(false), graded = tears(true);

@@ -145,7 +145,7 @@ TYPED_TEST(GradedSlope, FactorsStayNearOne) {
   constexpr int D = TypeParam::D;
   const auto choice = some_block<D>();
   SolidOnTrial<D, Double> trial(graded_block<D>(choice));
-  const auto factors = to_host(trial.solid.fields().bond_fit);
+  const auto factors = to_host(trial.solid.fields().bond_correction);
   const auto bonds = trial.solid.view().bonds;
   for (Index i = 0; i < trial.size(); ++i) {
     const double from_jump =
@@ -170,7 +170,7 @@ TYPED_TEST(GradedSolid, VibrationKeepsItsEnergy) {
         0.3 * std::cos(std::numbers::pi * trial.layout.reference[i][0] / length));
   trial.evaluate();
   const double start = trial.kinetic_energy() + trial.solid.energy().total();
-  const double dt = 0.2e-3 / trial.layout.media[0].longitudinal_speed();
+  const double dt = 0.2e-3 / trial.layout.media[0].bond_wave_speed();
   double drift = 0.0, stored = 0.0;
   for (int n = 0; n < (D == 2 ? 1000 : 300); ++n) {
     trial.step(dt);

@@ -2,11 +2,11 @@
 // A solid on a jittered layout against one on the lattice. Its gradient is exact for linear maps on
 // any layout; its force is not, since particles of equal volumes fill space unevenly: under a
 // uniform load it is strained unevenly and gives way more than the material.
-#include "particles/jitter.hpp"
+#include "geometry/jitter.hpp"
 
 #include <cstdio>
 
-#include "particles/fill.hpp"
+#include "geometry/fill.hpp"
 #include "support/solid_blocks.hpp"
 
 namespace kerf::test {
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int across = 24;  // particles
 
-SolidLayout<2> jittered_block(double jitter, const SolidMedium<double>& medium) {
+SolidLayout<2> jittered_block(double jitter, const Medium<double>& medium) {
   Body body;
   body.shape.box = {{0, 0, 0}, {across * medium.spacing, across * medium.spacing, 0}};
   body.spacing = medium.spacing;
@@ -44,7 +44,7 @@ UniformLoad load(const SolidLayout<2>& layout, const Square<2>& map, int a, int 
   trial.evaluate();
   const double uniform = trial.solid.energy().total();
   const auto& medium = layout.media[0];
-  const double d = medium.spacing, dt = 0.3 * d / medium.longitudinal_speed();
+  const double d = medium.spacing, dt = 0.3 * d / medium.bond_wave_speed();
   for (int n = 0; n < 600; ++n) {
     trial.kick(dt);
     for (std::size_t i = 0; i < trial.size(); ++i) {

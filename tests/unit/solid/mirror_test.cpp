@@ -59,11 +59,9 @@ class MirroredSolid : public testing::Test {
     for (std::size_t i = 0; i < layout.reference.size(); ++i)
       layout.medium_index[i] = static_cast<std::uint16_t>(i % 7 == 0 ? 2 : i % 3 == 0 ? 1 : 0);
     if (flows)
-      for (int m = 0; m < 3; ++m) {
-        PlasticParameters<double> plastic;
-        plastic.law = PlasticLaw::von_mises;
-        plastic.hardening = {4e3, 1e4, 0.0, 1.0};
-        layout.plastic.push_back(plastic);
+      for (Medium<double>& medium : layout.media) {
+        medium.plastic.law = PlasticLaw::von_mises;
+        medium.plastic.von_mises = {4e3, 1e4, 0.0, 1.0};
       }
     return layout;
   }
@@ -72,12 +70,11 @@ class MirroredSolid : public testing::Test {
                                         const std::vector<MirrorCode>& codes) {
     SolidLayout<D> whole;
     for (std::size_t c = 0; c < codes.size(); ++c) {
-      for (SolidMedium<double> medium : part.media) {
+      for (Medium<double> medium : part.media) {
         if (medium.joined_mirrors == 0) medium.piece = static_cast<std::uint16_t>(10 + c);
         medium.joined_mirrors = 0;
         whole.media.push_back(medium);
       }
-      whole.plastic.insert(whole.plastic.end(), part.plastic.begin(), part.plastic.end());
       for (std::size_t i = 0; i < part.reference.size(); ++i) {
         whole.reference.push_back(
             as_vector<D>(mirrored_place(part.mirrors, codes[c], as_point(part.reference[i]))));
@@ -136,7 +133,7 @@ class MirroredSolid : public testing::Test {
       const auto due = as_square<D>(both.whole.gradient(i));
       gradient_error = std::max(gradient_error, (own - due).cwiseAbs().maxCoeff());
       mirrored += norm(Vector<D, Real>(both.part.solid.fields().mirror_acceleration[i]));
-      EXPECT_EQ(both.part.solid.fields().loose[i], both.whole.solid.fields().loose[i]);
+      EXPECT_EQ(both.part.solid.fields().detached[i], both.whole.solid.fields().detached[i]);
     }
     EXPECT_LE(force_error, tolerance * force_scale);
     EXPECT_LE(gradient_error, tolerance);
@@ -161,10 +158,10 @@ class MirroredSolid : public testing::Test {
       std::map<Index, bool> own, due;
       for (Index k = a.bonds.first(i); k < a.bonds.last(i); ++k) {
         const Index entry = a.bonds.end(i, k);
-        own[copy.at(both.planes.code(entry)) * n + both.planes.place(entry)] = a.is_whole(i, k);
+        own[copy.at(both.planes.code(entry)) * n + both.planes.place(entry)] = a.is_intact(i, k);
       }
       for (Index k = b.bonds.first(i); k < b.bonds.last(i); ++k)
-        due[b.bonds.end(i, k)] = b.is_whole(i, k);
+        due[b.bonds.end(i, k)] = b.is_intact(i, k);
       EXPECT_EQ(own, due) << "particle " << i;
     }
   }
@@ -200,7 +197,7 @@ TYPED_TEST(MirroredSolid, Flow) {
   }
 }
 
-// Both ends of a bond decide alike, and as in the whole. Stretched from the planes on.
+// Both ends of a bond decide same_fluid, and as in the whole. Stretched from the planes on.
 TYPED_TEST(MirroredSolid, Breaks) {
   if (!std::is_same_v<typename TypeParam::Real, double>) return;  // a bond at its limit decides
   auto both = TestFixture::pair("x- y-");
@@ -208,7 +205,7 @@ TYPED_TEST(MirroredSolid, Breaks) {
   const auto part = both.part.solid.fracture();
   const auto whole = both.whole.solid.fracture();
   EXPECT_GT(whole.bonds, 0u);
-  EXPECT_EQ(whole.loosened, part.loosened * both.codes.size());
+  EXPECT_EQ(whole.detached, part.detached * both.codes.size());
   const double share = 1.0 / static_cast<double>(both.codes.size());
   EXPECT_NEAR(part.released, share * whole.released, 1e-10 * std::abs(part.released));
   TestFixture::expect_same_bonds(both);

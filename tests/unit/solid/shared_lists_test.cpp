@@ -121,10 +121,10 @@ TYPED_TEST(SharedLists, BreakAlike) {
   both.in_rows.solid.cut(AcrossSlit<dimension>{});
   both.mixed_up.solid.cut(AcrossSlit<dimension>{});
   both.move(pull, this->flow);
-  const auto rows = both.in_rows.solid.fracture(), mixed = both.mixed_up.solid.fracture();
+  const auto rows = both.in_rows.solid.fracture(), multi_material = both.mixed_up.solid.fracture();
   EXPECT_GT(rows.bonds, 100u);
-  EXPECT_EQ(rows.bonds, mixed.bonds);
-  EXPECT_NEAR(rows.released, mixed.released, 10.0 * TypeParam::rounding * rows.released);
+  EXPECT_EQ(rows.bonds, multi_material.bonds);
+  EXPECT_NEAR(rows.released, multi_material.released, 10.0 * TypeParam::rounding * rows.released);
   both.move(this->bend, this->flow);
   both.expect_same_forces();
 }
@@ -133,19 +133,19 @@ TYPED_TEST(SharedLists, BreakAlike) {
 // particles here, and adds up.
 TYPED_TEST(SharedLists, LeaveNothingOnTheWhole) {
   constexpr int dimension = TypeParam::D;
-  using Place = Vector<dimension, double>;
+  using Position = Vector<dimension, double>;
   typename TestFixture::Both both(this->body());
-  const auto stretch = [](Place x) {
+  const auto stretch = [](Position x) {
     for (int a = 0; a < dimension; ++a) x[a] *= 1.05 + 0.05 * a;
     return x;
   };
-  const auto at_rest = [](const Place&) { return Place::zero(); };
+  const auto at_rest = [](const Position&) { return Position::zero(); };
   for (const bool even : {true, false}) {
     if (even)
       both.move(stretch, at_rest);
     else
       both.move(this->bend, this->flow);
-    auto sum = Place::zero();
+    auto sum = Position::zero();
     double torque = 0.0, scale = 0.0, arm = 0.0;
     for (std::size_t i = 0; i < both.in_rows.size(); ++i) {
       const auto f = both.in_rows.force(i);

@@ -6,14 +6,14 @@
 
 #include <cstdio>
 
-#include "fracture/softening_band.hpp"
+#include "fracture/crack_band.hpp"
 #include "support/notched_strip.hpp"
 
 namespace kerf::test {
 namespace {
 
-SolidMedium<double> softening_solid(double spacing, int dimension, double end,
-                                    double poisson_ratio = 0.3) {
+Medium<double> softening_solid(double spacing, int dimension, double end,
+                               double poisson_ratio = 0.3) {
   auto medium = soft_solid(spacing, dimension);
   medium.bulk_modulus = 1e5 / (3.0 * (1.0 - 2.0 * poisson_ratio));
   medium.shear_modulus = 1e5 / (2.0 * (1.0 + poisson_ratio));
@@ -60,7 +60,7 @@ TYPED_TEST(Softened, StrainIsThatOfATensileTest) {
   constexpr int D = TypeParam::D;
   auto solid = softening_solid(1e-3, D, 0.4, D == 2 ? 0.0 : 0.3);  // 2D: plane strain
   for (auto law : {ElasticLaw::neo_hookean, ElasticLaw::st_venant_kirchhoff}) {
-    solid.law = law;
+    solid.elasticity = law;
     auto h = Matrix<D, double>::zero();
     h(0, 0) = 1e-4;
     for (int a = 1; a < D; ++a) h(a, a) = D == 2 ? 0.0 : -0.3e-4;
@@ -72,7 +72,7 @@ TYPED_TEST(Softened, StrainIsThatOfATensileTest) {
 
 // The stress of what is left is the slope of the energy of what is left, by central differences.
 template <int D>
-void expect_slope(const SolidMedium<double>& solid, const Matrix<D, double>& h) {
+void expect_slope(const Medium<double>& solid, const Matrix<D, double>& h) {
   const auto energy = [&](const Matrix<D, double>& at) {
     const auto green = green_strain(at);
     return energy_density(softened(solid, green, 0.3), green);
@@ -95,7 +95,7 @@ TYPED_TEST(Softened, StressIsTheSlopeOfTheEnergy) {
   h(1, 0) = -0.02;
   for (auto law : {ElasticLaw::neo_hookean, ElasticLaw::st_venant_kirchhoff})
     for (double stretch : {0.1, -0.1}) {
-      solid.law = law;
+      solid.elasticity = law;
       h(0, 0) = stretch;
       expect_slope(solid, h);
     }
@@ -125,7 +125,7 @@ struct TwoNotches {
 // Energy per area of crack when a strip is slowly pulled in two, J/m^2. What the strip stores is
 // less than what the crack takes, so that it opens no faster than it is pulled. 10 spacings across
 // are too few: at 2 mm it takes 1.3 of Gc.
-double takes(const SolidMedium<double>& medium, double jitter) {
+double takes(const Medium<double>& medium, double jitter) {
   const int cells = static_cast<int>(std::lround(20e-3 / medium.spacing));
   auto damped = medium;
   damped.artificial_linear = 0.5;
@@ -148,7 +148,7 @@ TEST(Softening, CrackTakesItsEnergy) {
        {Strip{1e-3, 0.0, 0.3, 10.0}, Strip{1e-3, 0.15, 0.3, 10.0}, Strip{1e-3, 0.0, 0.0, 10.0},
         Strip{0.5e-3, 0.0, 0.3, 5.0}, Strip{1e-3, 0.0, 0.3, 5.0}, Strip{1e-3, 0.0, 0.3, 2.0},
         Strip{1e-3, 0.0, 0.3, 1.4}}) {
-    const auto band = softening_of(strip.energy, 1e5, 0.1, strip.spacing);
+    const auto band = softening_law_of(strip.energy, 1e5, 0.1, strip.spacing);
     const auto medium = softening_solid(strip.spacing, 2, band.end, strip.poisson_ratio);
     const double energy = takes(medium, strip.jitter);
     std::printf("strip, spacing %g mm, jitter %g, nu %g, Gc %g, ends at %.3f: takes %.3f of Gc\n",

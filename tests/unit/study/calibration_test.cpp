@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Calibrations of simulators whose law is known.
-#include "study/calibration.hpp"
+#include "study/searches.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

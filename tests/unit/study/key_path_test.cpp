@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-#include "case/read.hpp"
+#include "input/read.hpp"
 #include "synthetic.hpp"
 
 namespace kerf {

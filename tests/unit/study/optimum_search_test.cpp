@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Optima of simulators whose best setting is known.
-#include "study/optimum_search.hpp"
+#include "study/searches.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

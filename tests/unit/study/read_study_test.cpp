@@ -76,7 +76,7 @@ TEST(ReadStudy, GoalsAreCheckedLikeTheRest) {
   EXPECT_THAT(
       complaint("[search]\nfind = \"least\"\nkey = \"jet.jet.width\"\nfrom = \"2 mm\"\nto = \"4 "
                 "mm\"\nwhere = { metric = \"kerf.specific_energy\", at_most = \"2 J\" }\n"),
-      HasSubstr("no energy per volume"));
+      HasSubstr("\"J\" is not the unit of an energy per volume"));
 }
 
 TEST(ReadStudy, ABaseThatIsNotThereIsNamedWithAGuess) {

@@ -4,7 +4,7 @@
 
 #include "app/embedded.hpp"
 #include "study/case_maker.hpp"
-#include "study/study_table.hpp"
+#include "study/run_table.hpp"
 
 namespace kerf {
 namespace {

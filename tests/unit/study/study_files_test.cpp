@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "study/run_table.hpp"
 #include "study/study_answers.hpp"
-#include "study/study_table.hpp"
 #include "synthetic.hpp"
 
 namespace kerf {
@@ -43,6 +43,18 @@ TEST(StudyFiles, TheCsvQuotesAsRfc4180Has) {
   EXPECT_THAT(csv, HasSubstr(",\"kerf: error: two lines,\nand a \"\"quote\"\"\"\r\n"));
 }
 
+TEST(StudyFiles, TheCsvHasTheUnitsOfItsMetrics) {
+  const std::string csv = study_csv(
+      test::plan_of(
+          "metrics = [\"fractured_mass\", \"kerf.removal_rate\", \"kerf.splash.mass\"]\n" +
+          std::string(map)),
+      {});
+  for (const char* heading :
+       {"kerf.removed_volume (m2)", "fractured_mass (kg/m)", "kerf.removal_rate (m2/s)",
+        "kerf.splash.mass (kg/m)", "kerf.specific_energy (J/m3)", "kerf.margin,"})
+    EXPECT_THAT(csv, HasSubstr(heading));
+}
+
 TEST(StudyFiles, TheTableForPeopleIsInTheUnitsOfTheStudy) {
   const std::string text = study_text(test::plan_of(map), two_runs().runs);
   EXPECT_THAT(text, HasSubstr("100 cm/s"));
@@ -77,7 +89,8 @@ TEST(StudyFiles, WhatWasNotFoundIsNull) {
   const auto json = nlohmann::json::parse(study_json(plan, answers));
   EXPECT_TRUE(json.at("search").at("value").is_null());
   EXPECT_EQ(json.at("search").at("problem"), "it was not there");
-  EXPECT_THAT(answers_text(plan, answers), HasSubstr("not found. it was not there"));
+  EXPECT_THAT(answers_text(describe_answers(plan, answers)),
+              HasSubstr("not found. it was not there"));
 }
 
 // Drafts that broke at half the speed are no hint of the error: the reader is told.
@@ -91,10 +104,11 @@ TEST(StudyFiles, DraftsThatAreTooCoarseAreSaid) {
   answer.draft = Bracket{1.9, 2.1};
   answer.resolution_change = 2.0;
   answers.threshold = answer;
-  EXPECT_THAT(answers_text(plan, answers), HasSubstr("too coarse to learn from"));
+  EXPECT_THAT(answers_text(describe_answers(plan, answers)), HasSubstr("too coarse to learn from"));
   answers.threshold->draft = Bracket{3.8, 4.0};
   answers.threshold->resolution_change = 0.1;
-  EXPECT_THAT(answers_text(plan, answers), Not(HasSubstr("too coarse to learn from")));
+  EXPECT_THAT(answers_text(describe_answers(plan, answers)),
+              Not(HasSubstr("too coarse to learn from")));
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ TEST(StudyPage, HoldsStudyJsonAndTheUnitsOfEveryMetric) {
   EXPECT_EQ(data.at("units").at("kerf.depth"), "m");
   EXPECT_EQ(data.at("units").at("kerf.removed_volume"), "m2");
   EXPECT_EQ(data.at("units").at("cut_through"), "");
+  EXPECT_EQ(data.at("labels").at("kerf.depth"), "depth of the kerf");
 }
 
 TEST(StudyPage, HoldsTheModelOverTheRangeOfItsData) {
@@ -94,7 +95,8 @@ TEST(StudyPage, WithoutItsScriptHasAMapAndATable) {
   const std::string drawn = static_map(plan, runs);
   EXPECT_THAT(drawn, HasSubstr("<a href=\"runs/run4/report.html\">"));
   EXPECT_THAT(drawn, HasSubstr("<title>failed</title>"));
-  EXPECT_THAT(drawn, HasSubstr("5 m/s"));
+  EXPECT_THAT(drawn, HasSubstr(">jet.jet.speed in m/s</text>"));
+  EXPECT_THAT(drawn, HasSubstr(">jet.jet.width in mm</text>"));
   const std::string table = static_table(plan, runs);
   EXPECT_THAT(table, HasSubstr("not cut through</th><td>1 m/s</td><td>4 mm</td>"));
   EXPECT_THAT(table, HasSubstr("<a href=\"runs/run0/report.html\">report</a>"));

@@ -41,7 +41,7 @@ class InstantExecutor : public Executor {
       if (how.exit_code == 0 && how.signal == 0) {
         make_folder(job.folder);
         write_file(job.folder / "result.json",
-                   R"({"cut_through": true, "front_depth": 0.004, "ledger": {"mass": 1},
+                   R"({"cut_through": true, "front_depth": 0.004, "balance": {"mass": 1},
                        "kerf": {"depth": 0.003, "lag": null, "top": {"width": 0.002}}})");
       }
       if (watcher.ended(job, how)) queue.push_back(job);
@@ -80,7 +80,7 @@ TEST_F(StudyRunsTest, ARunIsMadeOnceHoweverOftenItIsAskedFor) {
   EXPECT_EQ(outcomes[0].metrics.at("kerf.top.width"), 0.002);
   EXPECT_EQ(outcomes[0].metrics.at("cut_through"), 1.0);
   EXPECT_EQ(outcomes[0].metrics.count("kerf.lag"), 0u);
-  EXPECT_EQ(outcomes[0].metrics.count("ledger.mass"), 0u);
+  EXPECT_EQ(outcomes[0].metrics.count("balance.mass"), 0u);
 }
 
 TEST_F(StudyRunsTest, AFailedRunStopsNoOtherAndIsNotTriedAgainUnasked) {
@@ -133,7 +133,7 @@ TEST_F(StudyRunsTest, AStopLeavesTheRestForTheNextTime) {
 TEST_F(StudyRunsTest, ResultsThatCannotBeReadAreAFailure) {
   executor_.end = [](const Job& job) {
     make_folder(job.folder);
-    write_file(job.folder / "result.json", "{ torn");
+    write_file(job.folder / "result.json", "{ has_broken_bonds");
     return JobEnd{0, 0, ""};
   };
   class Torn : public Executor {
@@ -142,13 +142,13 @@ TEST_F(StudyRunsTest, ResultsThatCannotBeReadAreAFailure) {
       for (const Job& job : jobs) {
         watcher.started(job);
         make_folder(job.folder);
-        write_file(job.folder / "result.json", "{ torn");
+        write_file(job.folder / "result.json", "{ has_broken_bonds");
         watcher.ended(job, {});
       }
     }
     int side_by_side() const override { return 1; }
-  } torn;
-  StudyRuns runs(folder_.path(), maker_, database_, torn, {}, false);
+  } has_broken_bonds;
+  StudyRuns runs(folder_.path(), maker_, database_, has_broken_bonds, {}, false);
   const Outcome outcome = runs.run(speeds({1.0}))[0];
   EXPECT_TRUE(outcome.failed);
   EXPECT_THAT(outcome.error, HasSubstr("cannot be read"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Searches of simulators whose threshold is known.
-#include "study/threshold_search.hpp"
+#include "study/searches.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -13,24 +13,6 @@ export interface Quantity {
   isKey: boolean;
 }
 
-const metricLabels: Record<string, string> = {
-  cut_through: "cut through",
-  cut_through_time: "time to cut through",
-  front_depth: "depth of the water front",
-  "kerf.depth": "depth of the kerf",
-  "kerf.top.width": "width of the kerf at its top",
-  "kerf.middle.width": "width of the kerf",
-  "kerf.bottom.width": "width of the kerf at its foot",
-  "kerf.taper": "taper of the kerf",
-  "kerf.lag": "lag of the kerf",
-  "kerf.removed_volume": "removed volume",
-  "kerf.removal_rate": "removal rate",
-  "kerf.specific_energy": "specific energy",
-  "kerf.margin": "margin of the cut",
-  energy_drift: "energy unaccounted for",
-  stagnation_pressure: "stagnation pressure",
-};
-
 const written: Record<string, string> = { "J/m3": "J/m³", "J/m2": "J/m²", m2: "m²", m3: "m³", "1": "" };
 
 function lastWords(key: string): string {
@@ -56,7 +38,7 @@ export class Quantities {
   }
 
   private make(name: string): Quantity {
-    const { study, units } = this.data;
+    const { study, units, labels } = this.data;
     const key = study.keys.find((one) => one.key === name);
     if (key)
       return {
@@ -72,7 +54,7 @@ export class Quantities {
     const prefix = prefixFor(Math.max(0, ...sizes), unit);
     return {
       name,
-      label: metricLabels[name] ?? name,
+      label: labels[name] ?? name,
       unit: prefix.symbol + (written[unit] ?? unit),
       factor: 1 / prefix.factor,
       isLogarithmic: false,

@@ -112,6 +112,7 @@ export interface StudyData {
   state: "running" | "stopped" | "ended";
   written: string; // UTC
   units: Record<string, string>; // of metrics, SI
+  labels: Record<string, string>; // of metrics
   model_points: ModelPoint[];
 }
 
@@ -121,6 +122,7 @@ export function readStudyData(text: string): StudyData {
   if (study.format !== 1) refuse("study.format", "1");
   for (const name of ["keys", "metrics", "runs"]) list(study[name], `study.${name}`);
   object(data.units, "units");
+  object(data.labels, "labels");
   list(data.model_points, "model_points");
   for (const run of study.runs as unknown[]) {
     const { setting, metrics } = object(run, "a run");

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The monitor of a cut determines from each frame how deep the water is, what is broken and whether
+// the workpiece is cut through. docs/metrics.md has the definitions.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "analysis/metric.hpp"
+#include "analysis/pieces.hpp"
+#include "model/case.hpp"
+#include "simulation/frame.hpp"
+
+namespace kerf {
+
+struct Workpiece;
+
+// The state of a cut at one instant.
+struct CutState {
+  double time = 0.0;                // s
+  double front_depth = 0.0;         // m, below the aimed point, along the jet; 0 before contact
+  int pieces = 0;                   // connected pieces of intact solid > 5% of the workpiece
+  double fractured_fraction = 0.0;  // fractured mass over the workpiece's, as at the start
+  double fractured_mass = 0.0;      // kg, of the workpiece, fractured or gone from the domain
+  double fractured_width = 0.0;     // m, breadth of the fractured region at half the front depth
+  double kerf_width = 0.0;          // m, breadth without intact solid at half the front depth
+  bool cut_through = false;         // at this instant or before
+
+  static const MetricList<CutState>& metrics();
+};
+
+// The numbers of a cut over the run so far.
+struct CutSummary {
+  bool cut_through = false;
+  double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s
+  bool severed = false;  // cut through by falling into pieces; else the front came out below
+  // m, position of the front on the axis at that time
+  std::array<double, 3> cut_through_place{};
+  double contact_time = std::numeric_limits<double>::quiet_NaN();  // s, first with a front
+  double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
+  CutState last;
+  std::vector<Fragment> fragments;  // of the last frame, the heaviest first
+
+  // Those of the summary alone; `last` has its own.
+  static const MetricList<CutSummary>& metrics();
+};
+
+class CutMonitor {
+ public:
+  // `initial` is the frame before the first step, also where a run is resumed.
+  CutMonitor(const Case& description, const Frame& initial);
+  CutState observe(const Frame& frame);  // in order of time
+  CutSummary summary() const;
+  // The history, from which a resumed run continues its measurements.
+  const std::vector<CutState>& history() const { return history_; }
+  const Workpiece& workpiece() const { return *workpiece_; }
+  void restore(std::vector<CutState> history, const Frame& last);
+
+ private:
+  std::shared_ptr<const Workpiece> workpiece_;  // as laid out
+  double contact_depth_ = 0.0;                  // m, one spacing of the first jet
+  std::vector<CutState> history_;
+  std::vector<Fragment> fragments_;  // of the last frame observed
+};
+
+}  // namespace kerf

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The metrics of a cut: at an instant, over the run so far, and of a fragment.
+#include "analysis/cut.hpp"
+
+namespace kerf {
+
+const MetricList<CutState>& CutState::metrics() {
+  static const MetricList<CutState> list{
+      {"front_depth", "m", "depth of the water front",
+       "Depth of the water front below the point aimed at, along the jet.", &CutState::front_depth},
+      {"fractured_mass", extensive("kg"), "fractured mass",
+       "Mass of the workpiece that is fractured or has left the domain.",
+       &CutState::fractured_mass},
+      {"fractured_fraction", share(), "fractured share of the workpiece",
+       "Fractured mass over the mass of the workpiece at the start.",
+       &CutState::fractured_fraction},
+      {"fractured_width", "m", "width of the fractured region",
+       "Width of the fractured region across the jet at half the depth of the water front.",
+       &CutState::fractured_width},
+      {"kerf_width", "m", "width of the opening",
+       "Width free of intact solid around the axis at half the depth of the water front.",
+       &CutState::kerf_width},
+      {"pieces", "1", "pieces over 5 % of the workpiece",
+       "Number of connected pieces of intact solid that weigh more than 5 % of the workpiece.",
+       &CutState::pieces},
+      {"cut_through", "1", "cut through", "Whether the workpiece has been cut through.",
+       &CutState::cut_through}};
+  return list;
+}
+
+const MetricList<CutSummary>& CutSummary::metrics() {
+  using S = CutSummary;
+  static const MetricList<S> list{
+      {"cut_through_time", "s", "time to cut through",
+       "Time at which the workpiece was first found cut through.",
+       [](const S& s) { return s.cut_through ? std::optional(s.cut_through_time) : std::nullopt; }},
+      {"cut_through_by", "1", "kind of the cut",
+       "`severed` where the workpiece fell into pieces, `holed` where the front reached its far "
+       "face.",
+       [](const S& s) {
+         return s.cut_through ? std::optional<std::string>(s.severed ? "severed" : "holed")
+                              : std::nullopt;
+       }},
+      {"cut_through_place", "m", "position of the front at the cut",
+       "Position of the water front on the axis of the jet when the workpiece was cut through.",
+       [](const S& s) {
+         return s.cut_through ? std::optional(s.cut_through_place) : std::nullopt;
+       }},
+      {"front_speed", "m/s", "speed of the water front",
+       "Least-squares slope of the front depth over time, from contact to the far face.",
+       &S::front_speed},
+      {"fragment_count", "1", "connected pieces of any size",
+       "Number of connected pieces of intact solid of any size at the end.",
+       [](const S& s) { return s.fragments.size(); }}};
+  return list;
+}
+
+const MetricList<Fragment>& Fragment::metrics() {
+  static const MetricList<Fragment> list{
+      {"mass", extensive("kg"), "mass of the fragment", "Mass of the fragment.", &Fragment::mass},
+      {"particles", "1", "particles of the fragment", "Number of its particles.",
+       &Fragment::particles},
+      {"centre", "m", "centre of the fragment", "Position of its centre of mass.",
+       &Fragment::centre},
+      {"velocity", "m/s", "velocity of the fragment", "Velocity of its centre of mass.",
+       &Fragment::velocity}};
+  return list;
+}
+
+}  // namespace kerf

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// This file computes the numbers that follow from a case before it runs.
+// The regime of a cut follows from three speeds. With U = V / (1 + sqrt(rho_t / rho_j)) the speed
+// of the front in a target without strength (hydrodynamic penetration) and e the failure strain:
+//   rho V^2 / 2 < E e   elastic dimple: the stagnation pressure does not break the target
+//   U < c_R             crack-led: cracks, which run at up to c_R, are faster than the front
+//   c_R <= U <= c_p     erosion: the front is faster than cracks, but not than elastic waves
+//   U > c_p             hydrodynamic: the front is faster than every elastic wave
+// For the solid of Shinohara et al. (2004) these limits lie at V = 4.6, 12 and 24 m/s: its case at
+// 5 m/s is crack-led and its case at 50 m/s hydrodynamic.
+#include "analysis/derived.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/graded_fill.hpp"
+#include "geometry/nozzle.hpp"
+#include "geometry/shapes.hpp"
+#include "machine/characteristic_speed.hpp"
+#include "model/material_laws.hpp"
+#include "neighbours/skin.hpp"
+
+namespace kerf {
+
+namespace {
+
+const Material& material_of(const Case& description, int index) {
+  return description.materials[static_cast<std::size_t>(index)];
+}
+
+// Returns the material that a jet or a moving body can hit: of an elastic body that is free, else
+// of a fixed one.
+const Material* target_material(const Case& description) {
+  const Material* target = nullptr;
+  for (const Body& body : description.bodies) {
+    if (body.role != Role::elastic) continue;
+    if (!body.fixed) return &material_of(description, body.material);
+    if (!target) target = &material_of(description, body.material);
+  }
+  return target;
+}
+
+// Returns the water of the fastest jet, else of the first body of water.
+const Material* water_material(const Case& description) {
+  const auto fastest =
+      std::max_element(description.jets.begin(), description.jets.end(),
+                       [](const Jet& a, const Jet& b) { return a.speed < b.speed; });
+  if (fastest != description.jets.end()) return &material_of(description, fastest->material);
+  for (const Body& body : description.bodies)
+    if (body.role == Role::water) return &material_of(description, body.material);
+  return nullptr;
+}
+
+// Returns the Rayleigh wave speed, m/s, from the root of Rayleigh's equation (2 - x)^2 = 4 sqrt((1
+// - x)(1 - k x)) between 0 and 1, with x = (c_R / c_s)^2 and k = (c_s / c_p)^2. x is 0.47 for nu =
+// -1 and 0.91 for nu = 1/2.
+double rayleigh_speed(double shear_speed, double longitudinal_speed) {
+  const double k = std::pow(shear_speed / longitudinal_speed, 2);
+  const auto residual = [k](double x) {
+    return (2.0 - x) * (2.0 - x) - 4.0 * std::sqrt((1.0 - x) * (1.0 - k * x));
+  };
+  std::uintmax_t iterations = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      residual, 0.3, 1.0, boost::math::tools::eps_tolerance<double>(50), iterations);
+  return shear_speed * std::sqrt(0.5 * (bracket.first + bracket.second));
+}
+
+void derive_solid(DerivedNumbers& numbers, const Material& solid) {
+  const double young = solid.youngs_modulus, poisson = solid.poisson_ratio;
+  numbers.bulk_modulus = young / (3.0 * (1.0 - 2.0 * poisson));
+  numbers.shear_modulus = young / (2.0 * (1.0 + poisson));
+  numbers.bulk_speed = std::sqrt(numbers.bulk_modulus / solid.density);
+  numbers.longitudinal_speed =
+      std::sqrt((numbers.bulk_modulus + 4.0 / 3.0 * numbers.shear_modulus) / solid.density);
+  numbers.shear_speed = std::sqrt(numbers.shear_modulus / solid.density);
+  numbers.rayleigh_speed = rayleigh_speed(numbers.shear_speed, numbers.longitudinal_speed);
+  numbers.speed_over_rayleigh = numbers.jet_speed / numbers.rayleigh_speed;
+  numbers.speed_over_longitudinal = numbers.jet_speed / numbers.longitudinal_speed;
+}
+
+void derive_water(DerivedNumbers& numbers, const Material& water) {
+  const double speed = numbers.jet_speed;
+  numbers.water_sound_speed = water.sound_speed;
+  numbers.mach = speed / water.sound_speed;
+  numbers.stagnation_pressure = 0.5 * water.density * speed * speed;
+  // U = c + s V, the speed of the shock; s is 0 in weakly compressible water.
+  const double shock = water.sound_speed + water.laws->shock_hugoniot.slope * speed;
+  numbers.hammer_pressure_numerical = water.density * shock * speed;
+  numbers.water_is_weakly_compressible =
+      is_weakly_compressible(*water.laws, water.equation_of_state);
+  numbers.hammer_pressure_real = water.density * real_water_sound_speed * speed;
+}
+
+// Returns the distance, m, from the axis of the first jet to the nearest side of the bounding box
+// that is neither absorbing nor a plane of symmetry; infinite where there is none.
+double nearest_edge(const Case& description, const Body& body) {
+  const Box box = bounding_box(body.shape, description.dimension);
+  const Point& aim = description.jets.front().position;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::size_t a : {std::size_t(0), std::size_t(2)}) {
+    if (a >= static_cast<std::size_t>(description.dimension)) break;
+    if (aim[a] < box.minimum[a] || aim[a] > box.maximum[a])
+      return nearest;  // the jet does not hit this body
+    const double low = aim[a] - box.minimum[a], high = box.maximum[a] - aim[a];
+    if (!body.absorbing.minimum[a] && !description.symmetry.minimum[a])
+      nearest = std::min(nearest, low);
+    if (!body.absorbing.maximum[a] && !description.symmetry.maximum[a])
+      nearest = std::min(nearest, high);
+  }
+  return nearest;
+}
+
+void derive_reflection(DerivedNumbers& numbers, const Case& description) {
+  if (description.jets.empty() || numbers.longitudinal_speed == 0.0) return;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Body& body : description.bodies)
+    if (body.role == Role::elastic && !body.fixed)
+      nearest = std::min(nearest, nearest_edge(description, body));
+  if (std::isfinite(nearest)) numbers.reflection_time = 2.0 * nearest / numbers.longitudinal_speed;
+}
+
+// Stress of the first contact of water with a solid, or of a solid with the same solid: the
+// impedances Z = rho c of both determine it.
+void derive_contact(DerivedNumbers& numbers, const Material& solid, const Material* water) {
+  const double solid_impedance = solid.density * numbers.longitudinal_speed;
+  const double other = water ? water->density * water->sound_speed : solid_impedance;
+  numbers.contact_stress = numbers.jet_speed * solid_impedance * other / (solid_impedance + other);
+  if (!water) return;
+  numbers.cauchy_number =
+      water->density * numbers.jet_speed * numbers.jet_speed / solid.youngs_modulus;
+  numbers.hydrodynamic_front_speed =
+      numbers.jet_speed / (1.0 + std::sqrt(solid.density / water->density));
+}
+
+std::string regime_of(const DerivedNumbers& numbers, const Case& description,
+                      const Material* solid) {
+  if (description.jets.empty() || !solid) return "no jet";
+  const double strength = solid->youngs_modulus * numbers.failure_strain;
+  if (numbers.failure_strain == 0.0 || numbers.stagnation_pressure < strength)
+    return "elastic dimple";
+  if (numbers.hydrodynamic_front_speed < numbers.rayleigh_speed) return "crack-led";
+  if (numbers.hydrodynamic_front_speed <= numbers.longitudinal_speed) return "erosion";
+  return "hydrodynamic";
+}
+
+void derive_spacings(DerivedNumbers& numbers, const Case& description) {
+  double coarsest_solid = 0.0, finest_water = 0.0;
+  const auto water = [&](double spacing) {
+    finest_water = finest_water > 0.0 ? std::min(finest_water, spacing) : spacing;
+  };
+  for (const Body& body : description.bodies) {
+    if (body.role == Role::elastic) coarsest_solid = std::max(coarsest_solid, body.spacing);
+    if (body.role == Role::water) water(body.spacing);
+  }
+  for (const Jet& jet : description.jets) {
+    water(jet.spacing);
+    const double resolution = jet.width / jet.spacing;
+    numbers.jet_resolution =
+        numbers.jet_resolution > 0.0 ? std::min(numbers.jet_resolution, resolution) : resolution;
+  }
+  if (const Material* solid = target_material(description))
+    numbers.failure_strain = fracture_limits(*solid, coarsest_solid).start;
+  if (coarsest_solid > 0.0 && finest_water > 0.0)
+    numbers.solid_to_water_spacing = coarsest_solid / finest_water;
+}
+
+void derive_particles(DerivedNumbers& numbers, const Case& description) {
+  for (const Body& body : description.bodies)
+    for (const std::size_t count : count_levels(body, description.dimension)) {
+      numbers.particles_initial += count;
+      if (body.role != Role::elastic) continue;
+      numbers.particles_elastic += count;
+      if (body.jitter > 0.0) numbers.particles_jittered += count;
+    }
+  double added = 0.0;
+  for (const Jet& jet : description.jets)
+    added += entering_particles(jet, description.dimension, description.time.end);
+  numbers.particles_expected = numbers.particles_initial + static_cast<std::size_t>(added);
+}
+
+// Returns the acoustic limit of the time step, s, with its term of artificial viscosity: courant h
+// / (c + V + 1.2 A c).
+double acoustic_step(const Case& description, const Material& material, double spacing,
+                     double speed) {
+  double sound = material.sound_speed, fastest_wave = material.sound_speed;
+  if (material.kind == MaterialKind::elastic) {
+    DerivedNumbers solid;
+    derive_solid(solid, material);
+    sound = solid.bulk_speed;
+    fastest_wave = solid.longitudinal_speed;
+  }
+  return description.time.courant * description.smoothing_ratio * spacing /
+         (fastest_wave + speed + 1.2 * material.artificial_linear * sound);
+}
+
+void derive_steps(DerivedNumbers& numbers, const Case& description) {
+  double step = std::min(description.time.maximum_step, description.time.end);
+  const auto limit = [&](int material, double spacing) {
+    step = std::min(step, acoustic_step(description, material_of(description, material), spacing,
+                                        numbers.jet_speed));
+  };
+  for (const Body& body : description.bodies)
+    if (body.role != Role::rigid) limit(body.material, body.spacing);
+  for (const Jet& jet : description.jets) limit(jet.material, jet.spacing);
+  numbers.time_step = step;
+  numbers.steps = std::ceil(description.time.end / step);
+}
+
+// Returns the number of particles of a square or cubic lattice within a radius in spacings.
+double particles_within(double spacings, int dimension) {
+  return dimension == 2 ? std::numbers::pi * spacings * spacings
+                        : 4.0 / 3.0 * std::numbers::pi * spacings * spacings * spacings;
+}
+
+// Returns an estimate of the memory, bytes: fields and the data of pair loops; 4 bytes for every
+// neighbour within 2 h and the skin of the list, and an eighth as reserve. Solids with bonds have
+// no lists of neighbours and further fields; their lists of bonds are small in bodies laid out in
+// rows, which share them, and take 4 bytes a bond in others. In cases with solids all particles
+// have fields for contact. A test compares the estimate with the heap.
+double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
+  const int dimension = description.dimension;
+  const bool plane = dimension == 2, bonds = description.formulation == Formulation::standard;
+  const double reach = 2.0 * description.smoothing_ratio, skin = list_skin(dimension);  // spacings
+  const bool single = description.precision == PrecisionKind::mixed;
+  const double wider = single ? 1.0 : 1.75;  // positions are in double precision in both
+  const auto all = static_cast<double>(numbers.particles_expected);
+  const double held = bonds ? static_cast<double>(numbers.particles_elastic) : 0.0;
+  const double contact = held > 0.0 ? (plane ? 48.0 : 64.0) : 0.0;
+  const double particle =
+      wider * (contact + (bonds ? (plane ? 248.0 : 318.0) : (plane ? 278.0 : 396.0)));
+  const double list = 4.5 * particles_within(reach + skin, dimension);
+  const double solid = wider * (plane ? 195.0 : 280.0);
+  const double jittered = bonds ? static_cast<double>(numbers.particles_jittered) : 0.0;
+  const double bond_list = 4.0 * particles_within(reach, dimension);
+  return all * particle + (all - held) * list + held * solid + jittered * bond_list;
+}
+
+}  // namespace
+
+DerivedNumbers derive(const Case& description) {
+  DerivedNumbers numbers;
+  numbers.jet_speed = fastest_jet(description);
+  if (numbers.jet_speed == 0.0) numbers.jet_speed = fastest_body(description);
+  const Material* solid = target_material(description);
+  const Material* water = water_material(description);
+  if (solid) derive_solid(numbers, *solid);
+  if (water) derive_water(numbers, *water);
+  if (solid) derive_contact(numbers, *solid, water);
+  derive_reflection(numbers, description);
+  derive_spacings(numbers, description);
+  derive_particles(numbers, description);
+  derive_steps(numbers, description);
+  numbers.memory = estimate_memory(numbers, description);
+  numbers.regime = regime_of(numbers, description, solid);
+  return numbers;
+}
+
+}  // namespace kerf

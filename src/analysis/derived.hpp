@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// These numbers follow from a case before it runs: wave speeds, dimensionless groups, counts.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "analysis/metric.hpp"
+#include "model/case.hpp"
+
+namespace kerf {
+
+struct DerivedNumbers {
+  // Of the first elastic material that a jet or moving body can hit; 0 where there is none.
+  double bulk_modulus = 0.0;        // Pa, E / 3(1 - 2 nu)
+  double shear_modulus = 0.0;       // Pa, E / 2(1 + nu)
+  double bulk_speed = 0.0;          // m/s, sqrt(K / rho), the c of eq. (32)
+  double longitudinal_speed = 0.0;  // m/s, c_p = sqrt((K + 4G/3) / rho)
+  double shear_speed = 0.0;         // m/s, c_s
+  double rayleigh_speed = 0.0;      // m/s, c_R, root of the Rayleigh equation
+  // s, after which the first wave is back from an edge of the solid beside the jet that does not
+  // absorb, 2 L / c_p; 0 where there is no such edge.
+  double reflection_time = 0.0;
+  double jet_speed = 0.0;          // m/s, the fastest jet; else the fastest initial body speed
+  double water_sound_speed = 0.0;  // m/s, numerical
+  double mach = 0.0;               // V / c of the water
+  bool water_is_weakly_compressible = true;  // by its equation of state
+  double speed_over_rayleigh = 0.0;          // V / c_R
+  double speed_over_longitudinal = 0.0;      // V / c_p
+  double cauchy_number = 0.0;                // rho_water V^2 / E
+  double stagnation_pressure = 0.0;          // Pa, rho V^2 / 2
+  double hammer_pressure_numerical = 0.0;    // Pa, rho U V with the run's shock
+  double hammer_pressure_real = 0.0;         // Pa, with c = 1481 m/s
+  double contact_stress = 0.0;               // Pa, V Z1 Z2 / (Z1 + Z2)
+  double hydrodynamic_front_speed = 0.0;     // m/s, V / (1 + sqrt(rho_t / rho_j))
+  double jet_resolution = 0.0;               // width / spacing of the coarsest jet
+  double failure_strain = 0.0;               // of the solid, by its fracture energy if it has one
+  double solid_to_water_spacing = 0.0;       // largest solid spacing over smallest water spacing
+  std::size_t particles_initial = 0;
+  std::size_t particles_elastic = 0;   // of them, in solids
+  std::size_t particles_jittered = 0;  // and of these, off the lattice
+  std::size_t particles_expected = 0;  // with everything the jets add until the end
+  double time_step = 0.0;              // s, estimate from the acoustic limit
+  double steps = 0.0;
+  double memory = 0.0;  // bytes, estimate
+  std::string regime;   // "no jet", "elastic dimple", "crack-led", "erosion", "hydrodynamic"
+
+  // Those that result.json repeats.
+  static const MetricList<DerivedNumbers>& metrics();
+};
+
+DerivedNumbers derive(const Case& description);
+
+}  // namespace kerf

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/kerf.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "analysis/pieces.hpp"
+#include "geometry/nozzle.hpp"
+
+namespace kerf {
+namespace {
+
+KerfPath find_path(const KerfAxes& axes, const KerfConditions& conditions, double now) {
+  const double contact = std::isnan(conditions.contact_time) ? now : conditions.contact_time;
+  KerfPath path;
+  for (std::size_t a = 0; a < 3; ++a) {
+    path.begin[a] = axes.travel[a] * std::max(0.0, contact - conditions.moves_from);
+    path.end[a] = axes.travel[a] * std::max(0.0, now - conditions.moves_from);
+  }
+  return path;
+}
+
+// Returns the mean top of the columns within half a jet width of the axis, m; infinite without any.
+double depth_of_top(const KerfMap& map, const KerfAxes& axes, const KerfPath& path) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < map.grid.count[0]; ++i)
+    for (std::size_t j = 0; j < map.grid.count[1]; ++j) {
+      const double distance =
+          std::hypot(map.grid.at(0, i) - path.end[0], map.grid.at(1, j) - path.end[1]);
+      if (!map.column(i, j).exists || distance > axes.jet.width / 2.0) continue;
+      sum += map.column(i, j).top;
+      count += 1.0;
+    }
+  return count > 0.0 ? sum / count : std::numeric_limits<double>::infinity();
+}
+
+std::vector<KerfLayer> measure_layers(KerfView view, const KerfAxes& axes, const KerfPath& path) {
+  const Workpiece& workpiece = view.workpiece;
+  const std::set<std::uint16_t> bodies(workpiece.body.begin(), workpiece.body.end());
+  std::vector<KerfLayer> layers;
+  if (bodies.size() < 2) return layers;
+  for (const std::uint16_t body : bodies) {
+    KerfLayer layer;
+    layer.body = view.body = body;
+    const KerfMap map = make_kerf_map(view, axes, path);
+    layer.top = depth_of_top(map, axes, path);
+    layer.shape = measure_shape(map, axes, path, workpiece.axis_spacing);
+    for (std::size_t slot = 0; slot < workpiece.body.size(); ++slot)
+      if (view.holds(slot)) layer.volume += workpiece.volume[slot];
+    layer.removed_volume = removed_volume(workpiece, view.standing, body);
+    layers.push_back(layer);
+  }
+  std::stable_sort(layers.begin(), layers.end(),
+                   [](const KerfLayer& a, const KerfLayer& b) { return a.top < b.top; });
+  return layers;
+}
+
+}  // namespace
+
+KerfConditions kerf_conditions(const Case& description, const CutSummary& summary) {
+  KerfConditions conditions;
+  conditions.contact_time = summary.contact_time;
+  conditions.cut_through_time = summary.cut_through_time;
+  conditions.front_depth = summary.last.front_depth;
+  if (description.jets.empty()) return conditions;
+  const Jet& jet = description.jets.front();
+  conditions.traverse = jet.traverse;
+  conditions.moves_from = jet.start + jet.dwell;
+  conditions.jet_speed = jet.speed;
+  const double since = summary.last.time - summary.contact_time;
+  if (!(since > 0.0)) return conditions;
+  const double density = description.materials.at(static_cast<std::size_t>(jet.material)).density;
+  const Nozzle nozzle(jet, density, description.dimension);
+  conditions.on_time_factor =
+      (nozzle.open_time(summary.last.time) - nozzle.open_time(summary.contact_time)) / since;
+  return conditions;
+}
+
+Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame,
+                  const KerfConditions& conditions) {
+  Kerf kerf;
+  if (workpiece.empty()) return kerf;
+  const std::vector<std::uint32_t> rows = locate(workpiece, frame);
+  const Pieces pieces = find_pieces(workpiece, frame, rows);
+  if (!workpiece.jet) return kerf;
+  const auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
+  const KerfAxes axes(*workpiece.jet, conditions.traverse, frame.dimension);
+  const KerfPath path = find_path(axes, conditions, frame.time);
+  const KerfView view{workpiece, frame, rows, standing};
+  const KerfMap map = make_kerf_map(view, axes, path);
+  kerf.shape = measure_shape(map, axes, path, workpiece.axis_spacing);
+  const KerfView now{workpiece, frame, rows, standing, KerfPlaces::present};
+  kerf.opening = measure_shape(make_kerf_map(now, axes, path), axes, path, workpiece.axis_spacing);
+  kerf.layers = measure_layers(view, axes, path);
+  const KerfScene scene{view, map, axes, path, kerf.shape, pieces.fragments, conditions};
+  std::apply(
+      [&](auto&... values) { ((values = std::decay_t<decltype(values)>::measure(scene)), ...); },
+      kerf.measurements);
+  return kerf;
+}
+
+}  // namespace kerf

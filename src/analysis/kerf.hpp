@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kerf at one instant: its shape, what was removed, damage, splash, leaked water, fragments,
+// layers. docs/metrics.md defines the numbers. Depth and widths of the kerf are measured in
+// analysis/kerf_shape.hpp, the width of the opening at present in analysis/kerf_width.hpp.
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "analysis/cut_margin.hpp"
+#include "analysis/damaged_zone.hpp"
+#include "analysis/fragment_sizes.hpp"
+#include "analysis/leak.hpp"
+#include "analysis/removal.hpp"
+#include "analysis/splash.hpp"
+
+namespace kerf {
+
+// Every measurement of a kerf besides its shape, in the order of result.json. A measurement is a
+// struct of the measured values with `static T measure(const KerfScene&)` and `static const
+// MetricList<T>& metrics()`.
+using KerfMeasurements = std::tuple<DamagedZone, Removal, CutMargin, Splash, Leak, FragmentSizes>;
+
+// A body of a workpiece that is made of several bodies.
+struct KerfLayer {
+  int body = 0;                 // index into Case::bodies
+  double top = 0.0;             // m, depth of its face at the axis
+  KerfShape shape;              // as if it were alone; `through` = it is cut through at the axis
+  double volume = 0.0;          // m^3 (2D: m^2), as laid out
+  double removed_volume = 0.0;  // m^3 (2D: m^2)
+};
+
+struct Kerf {
+  KerfShape shape;    // of what was taken away, on the workpiece as laid out
+  KerfShape opening;  // of what is open at present: what flowed aside without breaking too
+  KerfMeasurements measurements;  // zero or nan without a workpiece or a jet
+  std::vector<KerfLayer> layers;  // the upper first; empty where the workpiece is one body
+
+  template <class Measurement>
+  const Measurement& of() const {
+    return std::get<Measurement>(measurements);
+  }
+  template <class Measurement>
+  Measurement& of() {
+    return std::get<Measurement>(measurements);
+  }
+};
+
+// Measures the kerf of a frame. All numbers are zero, nan or empty without a workpiece or a jet.
+Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame, const KerfConditions& conditions);
+
+}  // namespace kerf

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/kerf_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+namespace {
+
+constexpr float face = 0.5f;  // level of a field at which the solid ends
+constexpr double samples_per_spacing = 2.0;
+
+struct Limits {
+  std::array<double, 3> low{}, high{};  // m, local
+  bool hold(const std::array<double, 3>& x) const {
+    return x[0] >= low[0] && x[0] <= high[0] && x[1] >= low[1] && x[1] <= high[1];
+  }
+};
+
+Limits find_limits(const KerfAxes& axes, const KerfPath& path) {
+  const double reach = map_reach * axes.jet.width;
+  Limits limits;
+  for (std::size_t a = 0; a < 2; ++a) {
+    limits.low[a] = std::min(path.begin[a], path.end[a]) - reach;
+    limits.high[a] = std::max(path.begin[a], path.end[a]) + reach;
+  }
+  limits.low[2] = -std::numeric_limits<double>::infinity();
+  limits.high[2] = std::numeric_limits<double>::infinity();
+  return limits;
+}
+
+// The initial solid, the part of it that stands, and intact fragments that do not.
+struct Solids {
+  std::vector<SolidPoint> original, standing, crumbs;
+};
+
+Solids gather_solids(const KerfView& view, const KerfAxes& axes, const Limits& limits) {
+  Solids solids;
+  const Workpiece& workpiece = view.workpiece;
+  for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
+    if (!view.holds(slot)) continue;
+    SolidPoint point{axes.local(workpiece.position[slot]), workpiece.volume[slot],
+                     workpiece.size[slot]};
+    if (limits.hold(point.place)) solids.original.push_back(point);
+    if (!is_intact(view.frame, view.rows[slot])) continue;
+    if (view.places == KerfPlaces::present)
+      point.place = axes.local(view.frame.position[view.rows[slot]]);
+    if (!limits.hold(point.place)) continue;
+    (view.standing[slot] ? solids.standing : solids.crumbs).push_back(point);
+  }
+  return solids;
+}
+
+// Returns the share of space of the standing solid. A fragment that together with it fills its
+// position is a part of the wall; other fragments do not narrow the kerf.
+std::vector<float> share_of_standing(const SampleGrid& grid, Solids solids) {
+  SolidField field(grid);
+  field.add(solids.standing);
+  std::erase_if(solids.crumbs,
+                [&](const SolidPoint& crumb) { return field.share_with(crumb) < face; });
+  field.add(solids.crumbs);
+  return field.share();
+}
+
+// Returns the position between samples k - 1 and k at which a field crosses the level of a face.
+double crossing(const SampleGrid& grid, std::size_t k, float before, float after) {
+  const double part =
+      after == before ? 0.5 : static_cast<double>((face - before) / (after - before));
+  return grid.at(2, k - 1) + std::clamp(part, 0.0, 1.0) * grid.step;
+}
+
+// Returns the face of a column on the side of a nozzle at depth `-standoff`: above the nozzle where
+// that is inside the solid, as beside a steeply tilted jet, else below it.
+void find_faces(const SampleGrid& grid, const float* original, double standoff,
+                KerfColumn& column) {
+  const std::size_t count = grid.count[2];
+  const double nozzle = std::round((-standoff - grid.low[2]) / grid.step);
+  auto k = static_cast<std::size_t>(std::clamp(nozzle, 0.0, static_cast<double>(count - 1)));
+  while (k < count && original[k] < face) ++k;
+  if (k == count) return;
+  while (k > 0 && original[k - 1] >= face) --k;
+  column.exists = true;
+  column.top = k == 0 ? grid.at(2, 0) : crossing(grid, k, original[k - 1], original[k]);
+  std::size_t last = count - 1;
+  while (original[last] < face) --last;
+  column.bottom = last + 1 == count ? grid.at(2, last)
+                                    : crossing(grid, last + 1, original[last], original[last + 1]);
+}
+
+double find_free_depth(const SampleGrid& grid, const float* taken, const KerfColumn& column) {
+  const double first = std::ceil((column.top - grid.low[2]) / grid.step - 1e-9);
+  for (auto k = static_cast<std::size_t>(first); k < grid.count[2]; ++k) {
+    if (grid.at(2, k) > column.bottom) break;
+    if (taken[k] > face) continue;
+    if (k == static_cast<std::size_t>(first)) return 0.0;
+    return std::max(0.0, crossing(grid, k, taken[k - 1], taken[k]) - column.top);
+  }
+  return column.bottom - column.top;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> find_standing(const Workpiece& workpiece, const Frame& frame,
+                                        const std::vector<std::uint32_t>& rows,
+                                        const std::vector<std::uint8_t>& in_piece) {
+  std::vector<std::uint8_t> standing(rows.size(), 0);
+  for (std::size_t slot = 0; slot < rows.size(); ++slot)
+    if (is_intact(frame, rows[slot]) && (in_piece[slot] || !workpiece.initially_in_piece[slot]))
+      standing[slot] = 1;
+  return standing;
+}
+
+double KerfMap::taken_below_top(std::size_t i, std::size_t j, double below) const {
+  const KerfColumn& here = column(i, j);
+  // The far face is as rough as the lattice.
+  const double roughness = samples_per_spacing * grid.step;
+  if (!here.exists || here.top + below > here.bottom + roughness) return 0.0;
+  const double depth = std::min(here.top + below, here.bottom);
+  const double place =
+      std::clamp((depth - grid.low[2]) / grid.step, 0.0, static_cast<double>(grid.count[2] - 1));
+  const auto k = static_cast<std::size_t>(place);
+  const double part = place - static_cast<double>(k);
+  const float* samples = &taken[grid.index(i, j, 0)];
+  const std::size_t next = std::min(k + 1, grid.count[2] - 1);
+  return (1.0 - part) * static_cast<double>(samples[k]) + part * static_cast<double>(samples[next]);
+}
+
+KerfMap make_kerf_map(const KerfView& view, const KerfAxes& axes, const KerfPath& path) {
+  const Limits limits = find_limits(axes, path);
+  const Solids solids = gather_solids(view, axes, limits);
+  KerfMap map;
+  map.grid = make_grid(solids.original, limits.low, limits.high,
+                       view.workpiece.axis_spacing / samples_per_spacing, view.frame.dimension);
+  SolidField field(map.grid);
+  field.add(solids.original);
+  const std::vector<float>& original = field.share();
+  map.taken = share_of_standing(map.grid, solids);
+  // Beside a face of the workpiece less than 1 stood there at first.
+  for (std::size_t n = 0; n < original.size(); ++n)
+    map.taken[n] = std::clamp(1.0f - map.taken[n] / std::max(original[n], face), 0.0f, 1.0f);
+  map.columns.resize(map.grid.count[0] * map.grid.count[1]);
+  for (std::size_t c = 0; c < map.columns.size(); ++c) {
+    const std::size_t first = c * map.grid.count[2];
+    find_faces(map.grid, &original[first], axes.jet.standoff, map.columns[c]);
+    if (map.columns[c].exists)
+      map.columns[c].depth = find_free_depth(map.grid, &map.taken[first], map.columns[c]);
+  }
+  return map;
+}
+
+}  // namespace kerf

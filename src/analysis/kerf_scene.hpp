@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the measurements of a kerf start from.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "analysis/cut.hpp"
+#include "analysis/kerf_map.hpp"
+#include "analysis/kerf_shape.hpp"
+
+namespace kerf {
+
+// What a frame does not contain.
+struct KerfConditions {
+  std::array<double, 3> traverse{};  // m/s, velocity of the nozzle
+  double moves_from = 0.0;           // s, when the traverse began
+  double jet_speed = 0.0;            // m/s
+  double on_time_factor = 1.0;       // 1, part of the time since contact in which water flowed
+  double contact_time = std::numeric_limits<double>::quiet_NaN();      // s, nan before contact
+  double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s, nan = not cut through
+  double front_depth = 0.0;                                            // m, of the water
+};
+
+// The conditions of the first jet of the case, after a run that went as `summary` says.
+KerfConditions kerf_conditions(const Case& description, const CutSummary& summary);
+
+// A kerf at one instant: particles, the kerf's own coordinates, and what stands, column by column.
+struct KerfScene {
+  const KerfView& view;    // workpiece, frame and standing particles
+  const KerfMap& map;      // of what was taken away, on the workpiece as laid out
+  const KerfAxes& axes;    // local coordinates
+  const KerfPath& path;    // of the axis so far
+  const KerfShape& shape;  // depth, widths, taper and lag on that map
+  const std::vector<Fragment>& fragments;
+  const KerfConditions& conditions;
+};
+
+}  // namespace kerf

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/kerf_sections.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace kerf {
+namespace {
+
+// What the breadth of the probe reaches: of a value for each sample across, the lowest of that many
+// largest ones; 0 where there are less.
+double reached_by_breadth(std::vector<double> values, const KerfMap& map,
+                          const SectionProbe& probe) {
+  const auto needed =
+      static_cast<std::size_t>(std::max(1.0, std::round(probe.breadth / map.grid.step)));
+  if (values.size() < needed) return 0.0;
+  const auto least = values.begin() + static_cast<std::ptrdiff_t>(needed - 1);
+  std::nth_element(values.begin(), least, values.end(), std::greater<>());
+  return *least;
+}
+
+// m, of a sample across from the tube; not positive inside.
+double beside_tube(const KerfMap& map, std::size_t i, const SectionProbe& probe) {
+  const double place = map.grid.at(0, i);
+  return std::max(probe.tube_low - place, place - probe.tube_high);
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+KerfSection measure_section(const KerfMap& map, std::size_t j, const SectionProbe& probe) {
+  std::vector<double> depths, thicknesses;
+  for (std::size_t i = 0; i < map.grid.count[0]; ++i) {
+    const KerfColumn& column = map.column(i, j);
+    const double beside = beside_tube(map, i, probe);
+    if (!column.exists || beside > probe.reach) continue;
+    depths.push_back(column.depth);
+    if (beside <= 0.0) thicknesses.push_back(column.bottom - column.top);
+  }
+  return {j, map.grid.at(1, j), reached_by_breadth(std::move(depths), map, probe),
+          median(std::move(thicknesses))};
+}
+
+double opening_below_top(const KerfMap& map, std::size_t j, const SectionProbe& probe,
+                         double below) {
+  std::vector<double> taken;
+  for (std::size_t i = 0; i < map.grid.count[0]; ++i)
+    if (beside_tube(map, i, probe) <= probe.reach)
+      taken.push_back(map.taken_below_top(i, j, below));
+  return reached_by_breadth(std::move(taken), map, probe);
+}
+
+double width_below_top(const KerfMap& map, std::size_t j, const SectionProbe& probe, double below) {
+  const std::size_t count = map.grid.count[0];
+  double width = 0.0, before = 0.0, begin = map.grid.at(0, 0);
+  for (std::size_t i = 0; i <= count; ++i) {
+    // The map ends in solid half a step beyond its last sample, which is its edge.
+    const double now = i < count ? map.taken_below_top(i, j, below) : 0.0;
+    const bool opens = before < 0.5 && now >= 0.5, closes = before >= 0.5 && now < 0.5;
+    if (opens || closes) {
+      const double part = (0.5 - before) / (now - before);
+      const double place = map.grid.at(0, i) + (part - 1.0) * map.grid.step;
+      if (opens) begin = place;
+      if (closes && begin <= probe.tube_high && place >= probe.tube_low) width += place - begin;
+    }
+    before = now;
+  }
+  return width;
+}
+
+}  // namespace kerf

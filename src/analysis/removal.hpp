@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// This measurement finds the volume that a jet has removed, the removal rate and the energy per
+// volume.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "analysis/kerf_scene.hpp"
+#include "analysis/metric.hpp"
+
+namespace kerf {
+
+struct Removal {
+  double volume = 0.0;  // m^3 (2D: m^2), of the solid as laid out
+  double rate = 0.0;    // m^3/s (2D: m^2/s), mean since contact; 0 before
+  // J/m^3 (1e9 J/m^3 = 1 J/mm^3), energy of the jet since contact over the volume; nan without any.
+  double specific_energy = std::numeric_limits<double>::quiet_NaN();
+
+  static Removal measure(const KerfScene& scene);
+  static const MetricList<Removal>& metrics();
+};
+
+// Volume of the particles that do not stand, m^3 (2D: m^2), of one body or, for `body` = -1, of the
+// whole workpiece. `standing` is the result of find_standing().
+double removed_volume(const Workpiece& workpiece, const std::vector<std::uint8_t>& standing,
+                      int body = -1);
+
+}  // namespace kerf

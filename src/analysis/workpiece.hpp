@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The workpiece in its initial layout, with which every later frame is compared. docs/metrics.md
+// has the definition.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "analysis/jet_axis.hpp"
+#include "model/case.hpp"
+#include "simulation/frame.hpp"
+
+namespace kerf {
+
+// A slot is the index of a particle in these tables, in the order of the initial frame. Particles
+// are identified by their id, because a run sorts them and removes some.
+struct Workpiece {
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  std::optional<JetAxis> jet;    // the first jet of the case
+  std::uint16_t jet_source = 0;  // its index in Frame::source
+  double jet_density = 0.0;      // kg/m^3
+  std::unordered_map<std::uint32_t, std::uint32_t> slot_of_id;
+  std::vector<std::array<double, 3>> position;  // m, initial
+  std::vector<double> mass;                     // kg (2D: kg/m)
+  std::vector<double> volume;                   // m^3 (2D: m^2), at its material's density
+  std::vector<double> size;                     // m, spacing of the particle
+  std::vector<std::uint16_t> body;              // index into Case::bodies
+  std::vector<std::uint16_t> material_piece;    // bodies joined to each other share a number
+  // Neighbours of the initial layout within `bond_reach` spacings of each other.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> bonds;
+  std::vector<std::uint32_t> exit_region;  // slots near the point where the axis leaves
+  double total_mass = 0.0;                 // kg
+  double spacing = 0.0;                    // m, the largest
+  double axis_spacing = 0.0;               // m, the largest beside the axis of the jet
+  double bottom = 0.0;                     // m, depth at which the axis leaves
+  int initial_pieces = 0;
+  std::vector<std::uint8_t> initially_in_piece;  // as Pieces::in_piece, of the first layout
+
+  bool empty() const { return position.empty(); }
+};
+
+// Finds the workpiece: every elastic body that is not fixed and at which the first jet aims (a
+// particle of it is nearer to the axis than half a jet width, or one spacing if that is more, and
+// not behind the nozzle), and the bodies joined to it that are not fixed. Without a jet it is all
+// elastic bodies that are not fixed. `initial` is the frame before the first step.
+Workpiece make_workpiece(const Case& description, const Frame& initial);
+
+// Returns the row of each slot in `frame`; `none` for a particle that has left.
+std::vector<std::uint32_t> locate(const Workpiece& workpiece, const Frame& frame);
+
+// Returns whether a slot is intact solid, given its row.
+inline bool is_intact(const Frame& frame, std::uint32_t row) {
+  return row != Workpiece::none && frame.category[row] == Category::solid;
+}
+
+}  // namespace kerf

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// SimdNumbers is a SIMD register as the number type of formulas, with the functions of
+// core/select.hpp. Only files that are compiled for one instruction set include it
+// (docs/performance.md); they define KERF_SIMD.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <experimental/simd>
+#include <type_traits>
+
+#if defined(__AVX512F__) || defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+namespace kerf {
+
+namespace simd {
+namespace stdx = std::experimental;
+
+template <class Real>
+using SimdNumbers = stdx::native_simd<Real>;
+}  // namespace simd
+
+#define KERF_SIMD_FUNCTION [[gnu::always_inline]] inline
+// Stands after the parameters of a loop body that is inlined into its loop, so that its sums stay
+// in registers.
+#define KERF_SIMD_BODY __attribute__((always_inline))
+
+template <class R, class A>
+KERF_SIMD_FUNCTION std::experimental::simd<R, A> select(
+    const std::experimental::simd_mask<R, A>& chosen, const std::experimental::simd<R, A>& a,
+    std::experimental::simd<R, A> b) {
+  where(chosen, b) = a;
+  return b;
+}
+template <class R, class A>
+KERF_SIMD_FUNCTION std::experimental::simd<R, A> maximum(const std::experimental::simd<R, A>& a,
+                                                         const std::experimental::simd<R, A>& b) {
+  return std::experimental::max(a, b);
+}
+template <class R, class A>
+KERF_SIMD_FUNCTION std::experimental::simd<R, A> minimum(const std::experimental::simd<R, A>& a,
+                                                         const std::experimental::simd<R, A>& b) {
+  return std::experimental::min(a, b);
+}
+template <class R, class A>
+KERF_SIMD_FUNCTION std::experimental::simd<R, A> magnitude(const std::experimental::simd<R, A>& a) {
+  return std::experimental::abs(a);
+}
+template <class R, class A>
+KERF_SIMD_FUNCTION std::experimental::simd<R, A> square_root(
+    const std::experimental::simd<R, A>& a) {
+  return std::experimental::sqrt(a);
+}
+
+// Exact to the last digit or two: the processor's estimate where there is one, and a Newton step.
+template <class R, class A>
+KERF_SIMD_FUNCTION std::experimental::simd<R, A> reciprocal(
+    const std::experimental::simd<R, A>& a) {
+#if defined(__AVX512F__)
+  using Lanes = std::experimental::simd<R, A>;
+  if constexpr (std::is_same_v<R, float> && Lanes::size() == 16) {
+    const Lanes guess(_mm512_rcp14_ps(static_cast<__m512>(a)));
+    return guess * (R(2) - a * guess);
+  }
+#endif
+  return R(1) / a;
+}
+template <class R, class A>
+KERF_SIMD_FUNCTION std::experimental::simd<R, A> reciprocal_square_root(
+    const std::experimental::simd<R, A>& a) {
+#if defined(__AVX512F__)
+  using Lanes = std::experimental::simd<R, A>;
+  if constexpr (std::is_same_v<R, float> && Lanes::size() == 16) {
+    const Lanes guess(_mm512_rsqrt14_ps(static_cast<__m512>(a)));
+    return guess * (R(1.5) - (R(0.5) * a * guess) * guess);
+  }
+#endif
+  return R(1) / std::experimental::sqrt(a);
+}
+
+}  // namespace kerf

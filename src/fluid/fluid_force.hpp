@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// FluidForce is the momentum equation of fluids, of nearly incompressible solids, and of what
+// fluids press on, with the Riemann solution (Zhang, Hu & Adams 2017):
+//   m_i dv_i/dt = - 2 sum_j V_i V_j P* nabla_i W_ij.
+// The forces on the two particles of a pair are equal and opposite. The dissipative part is kept
+// apart for the energy balance.
+#pragma once
+
+#include "fluid/fluid_pair.hpp"
+#include "fluid/pair_terms.hpp"
+#include "fluid/same_fluid_sums.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct FluidForce {
+  using Real = typename P::Real;
+  static constexpr bool feels_rigid = false;
+  struct Sum {
+    Vector<D, Real> pressure_force{}, dissipative_force{}, wall_force{};  // N
+  };
+  FluidPair<D, P> fluid_pair;
+  SameFluidSums<D, Real> same_fluid{};
+
+  KERF_FUNCTION void start(const ParticleView<D, P>&, Index i, Sum& sum) const {
+    if (!same_fluid.are_known()) return;
+    sum.pressure_force = same_fluid[i].pressure_force();
+    sum.dissipative_force = same_fluid[i].dissipative_force();
+  }
+  KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
+                         Sum& sum) const {
+    const PairInteraction kind = interaction_of(particles, pair);
+    if (kind == PairInteraction::nothing || !(pair.distance > Real(0))) return;
+    const auto star = fluid_pair(particles, pair, kind);
+    const Real weight =
+        Real(2) * fluid_pair.gradient_factor(particles, pair) *
+        volume_of(particles, pair.i, *pair.medium_i) *
+        pair_weight(volume_of(particles, pair.j, *pair.medium_j), pair.slope_per_distance);
+    const auto pressure_force = pair_force(weight, star.mean_pressure, pair.separation);
+    const auto dissipative_force =
+        pair_force(weight, star.dissipation, fluid_pair.damped_direction(particles, pair, kind));
+    sum.pressure_force += pressure_force;
+    sum.dissipative_force += dissipative_force;
+    if (pair.medium_j->phase == Phase::rigid) sum.wall_force += pressure_force + dissipative_force;
+  }
+  KERF_FUNCTION static Vector<D, Real> force(const Sum& sum) {
+    return sum.pressure_force + sum.dissipative_force - sum.wall_force;
+  }
+  KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
+    const auto& medium = particles.medium(i);
+    if (medium.phase == Phase::rigid) return;
+    const Real inverse = Real(1) / medium.mass;
+    particles.pressure_acceleration[i] = inverse * sum.pressure_force;
+    particles.damping_acceleration[i] = inverse * sum.dissipative_force;
+    particles.acceleration[i] += inverse * (sum.pressure_force + sum.dissipative_force);
+    particles.repulsion[i] = inverse * sum.wall_force;
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/graded_fill.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/fill.hpp"
+#include "geometry/shapes.hpp"
+
+namespace kerf {
+
+namespace {
+
+double distance_from_box(const Box& box, const Point& place, int dimension) {
+  double square = 0.0;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+    const double outside = std::max({box.minimum[a] - place[a], place[a] - box.maximum[a], 0.0});
+    square += outside * outside;
+  }
+  return std::sqrt(square);
+}
+
+double distance_from_shape(const Shape& shape, const Point& place, int dimension) {
+  if (shape.kind != Shape::Kind::join)
+    return distance_from_box(bounding_box(shape, dimension), place, dimension);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Shape& part : shape.parts)
+    least = std::min(least, distance_from_shape(part, place, dimension));
+  return least;
+}
+
+double distance_from_line(const Grading::Line& line, const Point& place) {
+  double along = 0.0, square = 0.0;
+  for (std::size_t a = 0; a < 3; ++a) along += (place[a] - line.place[a]) * line.direction[a];
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double aside = place[a] - line.place[a] - along * line.direction[a];
+    square += aside * aside;
+  }
+  return std::max(0.0, std::sqrt(square) - line.radius);
+}
+
+// A cell of the tree: its lowest corner in cells of the finest lattice, and the place of its
+// particle.
+struct Cell {
+  std::array<long, 3> low{};
+  int level = 0;
+  Point place{};
+  long width() const { return 1L << level; }
+};
+
+class Tree {
+ public:
+  Tree(const Body& body, int dimension)
+      : body_(body),
+        box_(lattice_box(body, dimension)),
+        dimension_(dimension),
+        axes_(static_cast<std::size_t>(dimension)) {
+    for (std::size_t a = 0; a < axes_; ++a)
+      count_[a] = std::lround((box_.maximum[a] - box_.minimum[a]) / body.spacing);
+  }
+
+  std::vector<GradedParticle> fill() {
+    Cell root;
+    root.level = body_.grading.levels;
+    const long width = 1L << root.level;
+    // What does not make a whole coarsest cell is left at both ends, so that a symmetric body stays
+    // symmetric where it can.
+    std::array<long, 3> first{};
+    for (std::size_t a = 0; a < axes_; ++a) first[a] = count_[a] % width / 2;
+    for (std::size_t a = 0; a < axes_; ++a) first[a] -= first[a] > 0 ? width : 0;
+    const long layers = dimension_ == 3 ? count_[2] : 1;
+    for (long z = first[2]; z < layers; z += width)
+      for (long y = first[1]; y < count_[1]; y += width)
+        for (long x = first[0]; x < count_[0]; x += width) {
+          root.low = {x, y, z};
+          add(root);
+        }
+    while (split_steep_cells()) {
+    }
+    std::vector<GradedParticle> particles;
+    for (const Cell& cell : cells_) particles.push_back({cell.place, cell.level});
+    return particles;
+  }
+
+ private:
+  double edge(const Cell& cell) const { return body_.spacing * static_cast<double>(cell.width()); }
+
+  Point centre(const Cell& cell) const {
+    Point point{};
+    for (std::size_t a = 0; a < axes_; ++a) {
+      const double from_middle = static_cast<double>(cell.low[a]) +
+                                 0.5 * static_cast<double>(cell.width()) -
+                                 0.5 * static_cast<double>(count_[a]);
+      point[a] = 0.5 * (box_.minimum[a] + box_.maximum[a]) + from_middle * body_.spacing;
+    }
+    return point;
+  }
+
+  bool is_beside_the_lattice(const Cell& cell) const {
+    for (std::size_t a = 0; a < axes_; ++a)
+      if (cell.low[a] + cell.width() <= 0 || cell.low[a] >= count_[a]) return true;
+    return false;
+  }
+
+  // Its nearest point counts, so that neighbours differ by one level at most.
+  bool is_far_enough(const Cell& cell, const Point& middle) const {
+    const double half_diagonal = 0.5 * edge(cell) * std::sqrt(static_cast<double>(dimension_));
+    const double nearest = distance_from_finest(body_.grading, middle, dimension_) - half_diagonal;
+    return nearest >= body_.grading.width * cell.level;
+  }
+
+  // Calls `visit` for the particles that the uniform body has in the cell.
+  template <class Visit>
+  void visit_finest(const Cell& cell, const Point& middle, const Visit& visit) const {
+    LatticeVisit request;
+    for (std::size_t a = 0; a < axes_; ++a) {
+      request.window.minimum[a] = middle[a] - 0.5 * edge(cell);
+      request.window.maximum[a] = middle[a] + 0.5 * edge(cell);
+    }
+    request.visit = [&](const Point& point) {
+      visit(point);
+      return true;
+    };
+    visit_particles(body_, dimension_, request);
+  }
+
+  void add(const Cell& cell) {
+    if (is_beside_the_lattice(cell)) return;
+    const Point middle = centre(cell);
+    if (cell.level == 0) {
+      visit_finest(cell, middle, [&](const Point& point) { keep(cell, point); });
+      return;
+    }
+    if (is_far_enough(cell, middle)) {
+      long held = 0;
+      visit_finest(cell, middle, [&](const Point&) { ++held; });
+      if (held == 0) return;
+      if (held == 1L << (cell.level * dimension_)) {
+        keep(cell, middle);
+        return;
+      }
+    }
+    for (int k = 0; k < 1 << dimension_; ++k) add(part_of(cell, k));
+  }
+
+  void keep(const Cell& cell, const Point& place) {
+    cells_.push_back(cell);
+    cells_.back().place = place;
+  }
+  Cell part_of(const Cell& cell, int k) const {
+    Cell part = cell;
+    --part.level;
+    for (std::size_t a = 0; a < axes_; ++a) part.low[a] += (k >> a & 1) * part.width();
+    return part;
+  }
+
+  // Where the shape asks for fine cells, coarse ones beside them are split too, until neighbours
+  // differ by one level at most.
+  bool split_steep_cells() {
+    mark_levels();
+    std::vector<Cell> before;
+    before.swap(cells_);
+    for (const Cell& cell : before) {
+      if (!is_steep(cell)) {
+        cells_.push_back(cell);
+        continue;
+      }
+      for (int k = 0; k < 1 << dimension_; ++k) {  // all full
+        const Cell part = part_of(cell, k);
+        const Point middle = centre(part);
+        if (part.level > 0)
+          keep(part, middle);
+        else
+          visit_finest(part, middle, [&](const Point& point) { keep(part, point); });
+      }
+    }
+    return cells_.size() > before.size();
+  }
+
+  std::size_t number(const std::array<long, 3>& x) const {
+    return static_cast<std::size_t>((x[2] * count_[1] + x[1]) * count_[0] + x[0]);
+  }
+  // Calls visit(x) for the finest cells of a cell and of `margin` around it, inside the lattice.
+  template <class Visit>
+  void visit_room(const Cell& cell, long margin, const Visit& visit) const {
+    std::array<long, 3> low{}, high{};
+    for (std::size_t a = 0; a < axes_; ++a) {
+      low[a] = std::max(0L, cell.low[a] - margin);
+      high[a] = std::min(count_[a] - 1, cell.low[a] + cell.width() - 1 + margin);
+    }
+    std::array<long, 3> x = low;
+    for (x[2] = low[2]; x[2] <= high[2]; ++x[2])
+      for (x[1] = low[1]; x[1] <= high[1]; ++x[1])
+        for (x[0] = low[0]; x[0] <= high[0]; ++x[0]) visit(x);
+  }
+  void mark_levels() {
+    constexpr std::uint8_t empty = 255;
+    const long layers = dimension_ == 3 ? count_[2] : 1;
+    level_at_.assign(static_cast<std::size_t>(count_[0] * count_[1] * layers), empty);
+    for (const Cell& cell : cells_)
+      visit_room(cell, 0, [&](const std::array<long, 3>& x) {
+        level_at_[number(x)] = static_cast<std::uint8_t>(cell.level);
+      });
+  }
+  bool is_steep(const Cell& cell) const {
+    if (cell.level < 2) return false;
+    bool steep = false;
+    visit_room(cell, 1, [&](const std::array<long, 3>& x) {
+      steep = steep || level_at_[number(x)] + 1 < cell.level;
+    });
+    return steep;
+  }
+
+  const Body& body_;
+  Box box_;
+  int dimension_;
+  std::size_t axes_;
+  std::array<long, 3> count_{};
+  std::vector<Cell> cells_;
+  std::vector<std::uint8_t> level_at_;  // of each finest cell
+};
+
+}  // namespace
+
+double distance_from_finest(const Grading& grading, const Point& place, int dimension) {
+  if (grading.around) return distance_from_shape(*grading.around, place, dimension);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Grading::Line& line : grading.lines)
+    least = std::min(least, distance_from_line(line, place));
+  return least;
+}
+
+std::vector<GradedParticle> fill_levels(const Body& body, int dimension) {
+  if (body.grading.levels > 0) return Tree(body, dimension).fill();
+  std::vector<GradedParticle> particles;
+  for (const Point& point : fill(body, dimension)) particles.push_back({point, 0});
+  return particles;
+}
+
+std::vector<std::size_t> count_levels(const Body& body, int dimension) {
+  std::vector<std::size_t> counts(static_cast<std::size_t>(body.grading.levels) + 1);
+  for (const GradedParticle& particle : fill_levels(body, dimension))
+    ++counts[static_cast<std::size_t>(particle.level)];
+  return counts;
+}
+
+double level_spacing(const Body& body, int level) {
+  return std::ldexp(body.spacing, level);
+}
+
+Body at_level(const Body& body, int level) {
+  Body result = body;
+  result.spacing = level_spacing(body, level);
+  return result;
+}
+
+}  // namespace kerf

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/nozzle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/shapes.hpp"
+#include "model/expression.hpp"
+
+namespace kerf {
+namespace {
+
+// Lattice points with the given parity about 0, in units of the spacing: -1, 0, 1 or -1/2, 1/2.
+std::vector<double> centred_row(int count) {
+  std::vector<double> row;
+  for (int k = 0; k < count; ++k) row.push_back(0.5 * (2 * k + 1 - count));
+  return row;
+}
+
+// Offsets in a slot, whose length is 0 in 2D: cells that fill it.
+std::vector<std::array<double, 2>> slot_offsets(double width, double length, double spacing) {
+  const int across = std::max(1, static_cast<int>(std::lround(width / spacing)));
+  const int aside = std::max(1, static_cast<int>(std::lround(length / spacing)));
+  std::vector<std::array<double, 2>> offsets;
+  for (double k : centred_row(across))
+    for (double n : centred_row(aside)) offsets.push_back({k * width / across, n * length / aside});
+  return offsets;
+}
+
+// Offsets in a round section: the lattice points inside, scaled so that N cells have its area.
+std::vector<std::array<double, 2>> disc_offsets(double diameter, double spacing) {
+  const int count = std::max(1, static_cast<int>(std::lround(diameter / spacing)));
+  const double radius = 0.5 * diameter / spacing;
+  std::vector<std::array<double, 2>> offsets;
+  for (double a : centred_row(count))
+    for (double b : centred_row(count))
+      if (std::hypot(a, b) <= radius || count == 1) offsets.push_back({a, b});
+  const double area = std::numbers::pi * diameter * diameter / 4.0;
+  const double scale = std::sqrt(area / static_cast<double>(offsets.size()));
+  for (auto& offset : offsets) {
+    offset[0] *= scale;
+    offset[1] *= scale;
+  }
+  return offsets;
+}
+
+}  // namespace
+
+Nozzle::Nozzle(const Jet& jet, double water_density, int dimension)
+    : spacing_(jet.spacing),
+      start_(jet.start),
+      stop_(jet.stop),
+      dwell_(jet.dwell),
+      period_(jet.pulse_frequency > 0.0 ? 1.0 / jet.pulse_frequency : 0.0),
+      duty_(jet.duty),
+      traverse_(jet.traverse) {
+  const double sine = std::sin(jet.angle), cosine = std::cos(jet.angle);
+  const double azimuth = dimension == 3 ? jet.azimuth : 0.0;
+  direction_ = {sine * std::cos(azimuth), -cosine, sine * std::sin(azimuth)};
+  for (int a = 0; a < 3; ++a) first_exit_[a] = jet.position[a] - jet.standoff * direction_[a];
+  lay_out_columns(jet, dimension);
+  particle_mass_ =
+      water_density * nozzle_area(jet, dimension) / static_cast<double>(columns_.size()) * spacing_;
+  emitted_.assign(columns_.size(), 0);
+}
+
+void Nozzle::cut_at(const Faces& planes, const Box& domain) {
+  std::erase_if(columns_, [&](const Column& column) {
+    return is_beyond(planes, domain, place(column, 0.0, 0.0));
+  });
+  emitted_.assign(columns_.size(), 0);
+}
+
+void Nozzle::lay_out_columns(const Jet& jet, int dimension) {
+  const double sine = std::sin(jet.angle), cosine = std::cos(jet.angle);
+  const double azimuth = dimension == 3 ? jet.azimuth : 0.0;
+  const Point across{cosine * std::cos(azimuth), sine, cosine * std::sin(azimuth)};
+  const Point aside{-std::sin(azimuth), 0.0, std::cos(azimuth)};
+  const bool is_slot = dimension == 2 || jet.length > 0.0;
+  const auto offsets = is_slot
+                           ? slot_offsets(jet.width, dimension == 2 ? 0.0 : jet.length, jet.spacing)
+                           : disc_offsets(jet.width, jet.spacing);
+  const Expression profile(jet.profile, {"r"});
+  double sum = 0.0;
+  for (const auto& [u, w] : offsets) {
+    Column column{};
+    for (int a = 0; a < 3; ++a) column.offset[a] = u * across[a] + w * aside[a];
+    const double r = is_slot ? std::abs(u) : std::hypot(u, w);
+    column.speed = profile.evaluate(std::min(1.0, 2.0 * r / jet.width));
+    sum += column.speed;
+    columns_.push_back(column);
+  }
+  const double mean = sum / static_cast<double>(columns_.size());
+  for (Column& column : columns_) column.speed *= jet.speed / mean;
+}
+
+double nozzle_area(const Jet& jet, int dimension) {
+  if (dimension == 2) return jet.width;
+  return jet.length > 0.0 ? jet.width * jet.length : std::numbers::pi * jet.width * jet.width / 4.0;
+}
+
+double entering_particles(const Jet& jet, int dimension, double end) {
+  const double open = std::max(0.0, std::min(jet.stop, end) - jet.start) * jet.duty;
+  return jet.speed * nozzle_area(jet, dimension) * open / std::pow(jet.spacing, dimension);
+}
+
+double Nozzle::open_time(double time) const {
+  const double since_start = std::max(0.0, std::min(time, stop_) - start_);
+  if (period_ == 0.0) return since_start;
+  const double pulses = std::floor(since_start / period_);
+  return (pulses * duty_ + std::min(since_start / period_ - pulses, duty_)) * period_;
+}
+
+bool Nozzle::is_open(double time) const {
+  if (time < start_ || time >= stop_) return false;
+  if (period_ == 0.0) return true;
+  const double periods = (time - start_) / period_;
+  return periods - std::floor(periods) < duty_;
+}
+
+double Nozzle::moving_time(double time) const {
+  return std::max(0.0, time - start_ - dwell_);
+}
+
+Point Nozzle::exit(double time) const {
+  Point p = first_exit_;
+  for (std::size_t a = 0; a < 3; ++a) p[a] += moving_time(time) * traverse_[a];
+  return p;
+}
+
+Point Nozzle::velocity(double time) const {
+  return moving_time(time) > 0.0 ? traverse_ : Point{};
+}
+
+Point Nozzle::place(const Column& column, double along, double time) const {
+  Point p = exit(time);
+  for (std::size_t a = 0; a < 3; ++a) p[a] += column.offset[a] + along * direction_[a];
+  return p;
+}
+
+std::vector<InletParticle> Nozzle::standing_water() const {
+  std::vector<InletParticle> water;
+  for (int layer = 0; layer < layers_inside; ++layer)
+    for (const Column& column : columns_)
+      water.push_back({place(column, -(layer + 0.5) * spacing_, 0.0), column.speed});
+  return water;
+}
+
+std::vector<InletParticle> Nozzle::emit(double time) {
+  std::vector<InletParticle> water;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    const double travelled = columns_[k].speed * open_time(time);
+    // Particle n enters when the column has travelled (n + 1) d, behind the one before it.
+    while (travelled >= static_cast<double>(emitted_[k] + 1) * spacing_) {
+      const double along = travelled - static_cast<double>(emitted_[k] + 1) * spacing_ -
+                           (layers_inside - 0.5) * spacing_;
+      water.push_back({place(columns_[k], along, time), columns_[k].speed});
+      ++emitted_[k];
+    }
+  }
+  return water;
+}
+
+double Nozzle::mass_due(double time) const {
+  double due = 0.0;
+  for (const Column& column : columns_)
+    due += particle_mass_ * column.speed * open_time(time) / spacing_;
+  return due;
+}
+
+double Nozzle::mass_emitted() const {
+  double mass = 0.0;
+  for (std::uint64_t count : emitted_) mass += particle_mass_ * static_cast<double>(count);
+  return mass;
+}
+
+}  // namespace kerf

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Continuous inflow of a jet. Water leaves the nozzle in columns of equal area; each column emits
+// particles of mass rho (A/N) d whenever it has travelled another spacing d, so that the mass that
+// has entered differs from the integral of rho V A by less than a layer, and that remainder is
+// carried to the next (`carried`).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/point.hpp"
+
+namespace kerf {
+
+struct Box;
+struct Faces;
+struct Jet;
+
+struct InletParticle {
+  Point position;  // m
+  double speed;    // m/s, along the jet
+};
+
+// Of the section, m^2 (2D: m).
+double nozzle_area(const Jet& jet, int dimension);
+// About how many particles a jet lets in until `end`, s.
+double entering_particles(const Jet& jet, int dimension, double end);
+
+class Nozzle {
+ public:
+  Nozzle(const Jet& jet, double water_density, int dimension);
+  // Gives up the columns beyond symmetry planes of the domain, which are mirror images of others.
+  void cut_at(const Faces& planes, const Box& domain);
+
+  const Point& direction() const { return direction_; }
+  // Where the nozzle's exit is at a time, m, and how fast it moves, m/s.
+  Point exit(double time = 0.0) const;
+  Point velocity(double time) const;
+  double particle_mass() const { return particle_mass_; }  // kg (2D: kg/m)
+  std::size_t columns() const { return columns_.size(); }
+
+  // How long water has flowed at time t, s, and whether it does.
+  double open_time(double time) const;
+  bool is_open(double time) const;
+
+  // The water that stands in the nozzle at t = 0.
+  std::vector<InletParticle> standing_water() const;
+  // What has entered between the last call and `time`.
+  std::vector<InletParticle> emit(double time);
+
+  double mass_due(double time) const;  // kg, integral of rho V A
+  double mass_emitted() const;         // kg
+
+  const std::vector<std::uint64_t>& emitted() const { return emitted_; }
+  void restore(std::vector<std::uint64_t> emitted) { emitted_ = std::move(emitted); }
+
+ private:
+  struct Column {
+    Point offset;  // m, from the axis
+    double speed;  // m/s
+  };
+  void lay_out_columns(const Jet& jet, int dimension);
+  // `along` the jet from where the exit is at `time`.
+  Point place(const Column& column, double along, double time) const;
+  double moving_time(double time) const;  // s
+
+  static constexpr int layers_inside = 4;  // more than the support of 2 h = 3 d
+  double spacing_, start_, stop_, dwell_;
+  double period_, duty_;  // s, 0 = no pulses; 1
+  double particle_mass_ = 0.0;
+  Point direction_{}, first_exit_{}, traverse_{};
+  std::vector<Column> columns_;
+  std::vector<std::uint64_t> emitted_;  // per column
+};
+
+}  // namespace kerf

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "input/draft.hpp"
+#include "input/material_library.hpp"
+#include "input/sections.hpp"
+#include "input/toml_writer.hpp"
+#include "input/units.hpp"
+#include "model/expression.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr auto plane_faces = std::span(face_words).first<4>();
+constexpr std::array<std::string_view, 3> space_variables{"x", "y", "z"};
+constexpr std::array<std::string_view, 1> time_variable{"t"};
+
+}  // namespace
+
+std::vector<Key> body_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  // clang-format off
+  return {
+      {"name", name, "", "", any, {}, "", "Name of the body, its own", stored_in<&Body::name>},
+      {"role", word, "", "(the kind of its material)", any, role_words, "", "What the body is; rigid ones need no material", stored_in<&Body::role>},
+      {"material", name, "", "", any, {}, "elastic water", "Name of a material of this case or of the library", stored_in<&BodyDraft::material>},
+      {"shape", table, "", "", any, {}, "", "The region it fills"},
+      {"spacing", quantity, "m", "(that of the finest jet; without a jet it must be given)", positive, {}, "", "Distance of its particles, their diameter d", stored_in<&Body::spacing>},
+      {"lattice", word, "", "square", any, lattice_words, "", "How particles are laid out; square is cubic in 3D, hexagonal is close-packed in 3D", stored_in<&Body::lattice>},
+      {"offset", vector, "m", "0 m", any, {}, "", "Shift of the lattice, at most one spacing along each axis", stored_in<&Body::offset>},
+      {"grading", table, "", "(off: one spacing)", any, {}, "elastic+standard rigid+standard", "Coarser particles further away from where it matters; `spacing` is the finest. For a square lattice without offset"},
+      {"jitter", number, "", "0", from_zero_to(0.3), {}, "elastic+standard water+standard", "How far particles are taken off the lattice at random, in spacings, before the layout is relaxed: neither cracks nor flows then find rows to run along", stored_in<&Body::jitter>},
+      {"seed", integer, "", "1", {0, 2147483647}, {}, "elastic+standard water+standard", "Seed of what is random in this body", stored_in<&Body::seed>},
+      {"velocity", vector, "m/s", "0 m/s", within(1e5), {}, "elastic water", "Velocity at the start"},
+      {"velocity_expression", expressions, "", "(velocity)", any, space_variables, "elastic water", "Velocity at the start in m/s as formulas of x, y, z in m", stored_in<&Body::velocity>},
+      {"pressure", quantity, "Pa", "0 Pa", not_negative, {}, "water+standard", "Pressure at the start: the water is laid out compressed", stored_in<&Body::pressure>},
+      {"fixed", flag, "", "false", any, {}, "elastic rigid", "The particles stay where they are; a rigid body without a displacement_expression does anyway", stored_in<&Body::fixed>},
+      {"displacement_expression", expressions, "", "(free)", any, time_variable, "elastic rigid", "Prescribed displacement in m as formulas of t in s, 0 at t = 0", stored_in<&Body::displacement>},
+      {"absorbing", faces, "", "(none)", any, plane_faces, "2D+elastic+standard", "Faces of the body, a box, that let waves out, as if it went on without end", stored_in<&Body::absorbing>},
+      {"absorbing", faces, "", "(none)", any, face_words, "3D+elastic+standard", "Faces of the body, a box, that let waves out, as if it went on without end", stored_in<&Body::absorbing>},
+      {"joined_to", name, "", "(nothing)", any, {}, "elastic", "Name of an elastic body that this one is bonded to, as one piece", stored_in<&Body::joined_to>},
+      {"inclusion_of", name, "", "(nothing)", any, {}, "elastic water", "Name of an elastic body that this one lies in: its room is cut out of that body, whose lattice it continues where both are square and of one spacing; what is elastic is also bonded to it", stored_in<&BodyDraft::inclusion_of>},
+      {"repelling_layer", word, "", "top", any, repelling_layer_words, "rigid", "The outermost layer of particles that repels, eq. (43)", stored_in<&Body::repelling_layer>},
+      {"friction", number, "", "none", from_zero_to(10.0), {}, "rigid+standard", "Coefficient of dry friction; none = that of what slides on it", stored_in<&Body::friction>},
+      {"repulsion", quantity, "m2/s2", "(the square of the fastest speed)", not_negative, {}, "rigid", "Strength D of the repulsion, eq. (43)", stored_in<&Body::repulsion>},
+  };
+  // clang-format on
+}
+
+std::vector<Key> grading_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  // clang-format off
+  return {
+      {"levels", integer, "", "", {1, 4}, {}, "", "How often the spacing doubles at most", stored_in<&Grading::levels>},
+      {"width", quantity, "m", "", positive, {}, "", "The spacing doubles beyond this distance, again beyond twice it, and so on", stored_in<&Grading::width>},
+      {"around", table, "", "(the water of the jets, along their whole axes)", any, {}, "", "A shape; distances are from the box around it, of a union from those around its parts"},
+  };
+  // clang-format on
+}
+
+namespace {
+
+// The role a body has and the material behind it. A material that nobody knows is noted and the
+// body taken for an elastic one.
+void read_role(Draft& draft, Section& section, BodyDraft& entry) {
+  Role& role = entry.body.role;
+  const bool given = section.has("role");
+  if (given) section.read_one("role", entry.body);
+  if (role == Role::rigid) return;
+  // The key material applies once the role is known, and the role may follow from it.
+  const std::string assumed(word_of(role, role_words));
+  section.assume(assumed);
+  section.read_one("material", entry);
+  const MaterialDraft* material = section.has("material") && is_name(entry.material)
+                                      ? use_material(draft, section, entry.material)
+                                      : nullptr;
+  section.withdraw(assumed);
+  if (material) {
+    const std::string kind = kind_name(material->material.kind);
+    if (given && kind != assumed)
+      section.refuse("role", fmt::format("the material \"{}\" is {}", entry.material, kind),
+                     "Remove the role or choose another material",
+                     fmt::format("\"{}\" or \"rigid\"", kind));
+    role = law_of<Role>(kind, role_words);
+  }
+  section.assume(word_of(role, role_words));
+}
+
+void check_offset(Section& section, const Body& body) {
+  for (const double shift : body.offset) {
+    if (std::abs(shift) <= body.spacing || body.spacing <= 0.0) continue;
+    section.refuse("offset", "the shift is larger than a spacing",
+                   "Take away whole spacings: they change nothing",
+                   fmt::format("entries of at most {}", write_quantity(body.spacing, "m")));
+    return;
+  }
+}
+
+// What lies in another body is bonded to that one.
+void check_bonds(Section& section, const BodyDraft& entry) {
+  if (!entry.body.joined_to.empty() && !entry.inclusion_of.empty())
+    section.refuse("joined_to", "an inclusion is bonded to the body that it lies in",
+                   "Remove the key", "nothing where the body has inclusion_of");
+}
+
+void read_velocity(Section& section, Body& body) {
+  if (section.has("velocity") && section.has("velocity_expression"))
+    section.refuse("velocity_expression", "the velocity is given as numbers as well",
+                   "Remove one of the two", "one of velocity and velocity_expression");
+  if (section.has("velocity_expression")) return;
+  const Point velocity = section.vector("velocity");
+  for (std::size_t a = 0; a < 3; ++a) body.velocity[a] = shortest(velocity[a]);
+}
+
+// A displacement that is not 0 at the start would be a jump.
+void check_displacement(Section& section, const Body& body) {
+  if (!section.has("displacement_expression")) return;
+  if (section.reading().problems.any()) return;
+  for (const std::string& formula : body.displacement) {
+    const double start = Expression(formula, {"t"}).evaluate(0.0);
+    if (std::abs(start) <= 1e-9 * body.spacing) continue;
+    section.refuse("displacement_expression", fmt::format("\"{}\" is {} at t = 0", formula, start),
+                   "Place the shape where the body is at the start",
+                   "formulas that are 0 at t = 0");
+    return;
+  }
+  if (body.fixed)
+    section.refuse("fixed", "the body also has a displacement_expression", "Remove one of the two",
+                   "false, where the body moves");
+}
+
+void check_jitter(Section& section, const Body& body) {
+  if (body.jitter > 0.0 && body.grading.levels > 0)
+    section.refuse("jitter", "the body is graded", "Remove the key, or the grading",
+                   "0 where the body has a grading");
+}
+
+void check_absorbing(Section& section, const Body& body) {
+  if (!section.has("absorbing")) return;
+  const Shape& shape = body.shape;
+  const bool cut_box = shape.kind == Shape::Kind::difference && !shape.parts.empty() &&
+                       shape.parts.front().kind == Shape::Kind::box;
+  if (shape.kind == Shape::Kind::box || cut_box) return;
+  section.refuse("absorbing", "the shape of the body has no such faces",
+                 "Use a box, and absorb on its sides", "boxes, or what a difference leaves of one");
+}
+
+void check_layer(Section& section, const Body& body) {
+  if (section.reading().dimension == 3) return;
+  if (body.repelling_layer == RepellingLayer::front || body.repelling_layer == RepellingLayer::back)
+    section.refuse("repelling_layer", "a 2D body has no such side", "Choose a side in the plane",
+                   "\"top\", \"bottom\", \"left\", \"right\" or \"all\" in 2D");
+}
+
+void read_grading(Draft& draft, Section& section, Body& body) {
+  const toml::table* written = section.table("grading");
+  if (written == nullptr) return;
+  Section keys(draft.reading, *written, "grading", section.path("grading"));
+  Grading& grading = body.grading;
+  keys.read(grading);
+  if (const toml::table* around = keys.table("around"))
+    grading.around = read_shape(draft.reading, *around, keys.path("around"));
+  keys.refuse_unknown();
+  if (draft.reading.problems.any()) return;
+  const double coarsest = body.spacing * std::pow(2.0, grading.levels);
+  // Else two cells could meet of which one is four times as wide as the other.
+  if (grading.width < coarsest)
+    keys.refuse("width", "the width is less than the coarsest spacing",
+                "Choose a larger width or fewer levels",
+                fmt::format("at least {}", write_quantity(coarsest, "m")));
+  if (body.lattice != Lattice::square || body.offset != Point{})
+    section.refuse("grading", "the lattice of the body is hexagonal or shifted",
+                   "Remove the key lattice or offset, or the grading",
+                   "a square lattice without offset");
+}
+
+// A body that gives no spacing has that of the finest jet.
+void find_spacing(const Draft& draft, Section& section, Body& body) {
+  if (section.has("spacing")) return;
+  body.spacing = finest_jet_spacing(draft);
+  if (body.spacing == 0.0)
+    section.refuse("spacing", "the key is missing", "Add it: there is no jet to take it from");
+}
+
+void read_body(Draft& draft, const toml::table& table, const std::string& path) {
+  BodyDraft entry;
+  entry.path = path;
+  Body& body = entry.body;
+  Section section(draft.reading, table, "body", path);
+  read_role(draft, section, entry);
+  section.read(entry);
+  section.read(body);
+  if (const toml::table* shape = section.table("shape"))
+    body.shape = read_shape(draft.reading, *shape, section.path("shape"));
+  find_spacing(draft, section, body);
+  check_offset(section, body);
+  if (body.role != Role::water) read_grading(draft, section, body);
+  if (body.role != Role::rigid) {
+    read_velocity(section, body);
+    check_jitter(section, body);
+  }
+  if (body.role != Role::water) check_displacement(section, body);
+  check_bonds(section, entry);
+  if (body.role == Role::elastic) check_absorbing(section, body);
+  if (body.role == Role::rigid) check_layer(section, body);
+  section.refuse_unknown();
+  entry.has_repulsion = section.has("repulsion");
+  entry.has_offset = section.has("offset");
+  draft.bodies.push_back(std::move(entry));
+}
+
+const Body* body_of_name(const Draft& draft, const std::string& name) {
+  for (const BodyDraft& entry : draft.bodies)
+    if (entry.body.name == name) return &entry.body;
+  return nullptr;
+}
+
+// Whether a key that names the body another one is bonded to, or lies in, names such a body.
+void check_partner(Draft& draft, const BodyDraft& entry, const char* key, const std::string& name) {
+  if (name.empty()) return;
+  std::vector<std::string> others;
+  for (const BodyDraft& other : draft.bodies)
+    if (other.body.role == Role::elastic && other.body.name != entry.body.name)
+      others.push_back(other.body.name);
+  const Body* target = body_of_name(draft, name);
+  if (target && target->role == Role::elastic && target->name != entry.body.name) return;
+  const std::string guess = closest(name, others);
+  draft.reading.problems.add(
+      {fmt::format("{}.{}", entry.path, key), "this is not another elastic body",
+       others.empty() ? std::string("nothing: there is no other elastic body")
+                      : fmt::format("{}", fmt::join(others, ", ")),
+       guess.empty() ? std::string("Remove the key or name such a body")
+                     : fmt::format("Did you mean \"{}\"?", guess)});
+}
+
+}  // namespace
+
+void read_bodies(Draft& draft, Section& top) {
+  const auto tables = top.tables("body");
+  for (std::size_t i = 0; i < tables.size(); ++i) read_body(draft, *tables[i], indexed("body", i));
+  for (const BodyDraft& entry : draft.bodies) {
+    check_partner(draft, entry, "joined_to", entry.body.joined_to);
+    check_partner(draft, entry, "inclusion_of", entry.inclusion_of);
+  }
+  if (!draft.reading.problems.any()) place_inclusions(draft);
+}
+
+void write_body(TomlWriter& writer, const Case& description, const Body& body) {
+  WrittenKeys others{{"shape", shape_text(writer, body.shape)}};
+  if (body.role != Role::rigid) others["material"] = material_text(description, body.material);
+  const Grading& grading = body.grading;
+  if (grading.levels > 0) {
+    WrittenKeys around;
+    if (grading.around) around["around"] = shape_text(writer, *grading.around);
+    others["grading"] = writer.inline_table("grading", grading, around);
+  }
+  writer.table("[[body]]", "body", body, others);
+}
+
+}  // namespace kerf

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// The top level of a case file and its tables of plain keys.
+#include <fmt/format.h>
+
+#include "input/draft.hpp"
+#include "input/sections.hpp"
+#include "input/toml_writer.hpp"
+
+namespace kerf {
+
+std::vector<Key> top_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  // clang-format off
+  return {
+      {"title", text, "", "", any, {}, "", "One line that says what the case is", stored_in<&Case::title>},
+      {"dimension", integer, "", "", {2, 3}, {}, "", "2 = plane strain, everything per metre of depth; 3 = space. Vertical is y in both", stored_in<&Case::dimension>},
+      {"formulation", word, "", "standard", any, formulation_words, "", "The equations: Riemann SPH for water with total Lagrangian SPH for solids, or those of Shinohara, Okabe & Nakayama (2004)", stored_in<&Case::formulation>},
+      {"precision", word, "", "mixed", any, precision_words, "", "mixed = positions in double, fields in single precision; double = all in double", stored_in<&Case::precision>},
+      {"smoothing_ratio", number, "", "1.5", {1.0, 3.0}, {}, "shinohara2004", "Smoothing length over particle spacing, h / d", stored_in<&Case::smoothing_ratio>},
+      {"smoothing_ratio", number, "", "1.3", {1.0, 3.0}, {}, "standard", "Smoothing length over particle spacing, h / d", stored_in<&Case::smoothing_ratio>},
+      {"gravity", vector, "m/s2", "0 m/s2", within(1e4), {}, "", "Acceleration on every particle that is not rigid", stored_in<&Case::gravity>},
+      {"quality", word, "", "normal", any, quality_words, "", "How fine what gives no spacing is: 8, 12 or 20 particles of water across a jet in 2D, 6, 8 or 12 in 3D", stored_in<&Draft::quality>},
+      {"time", table, "", "(with a [machine], long enough to cut through what resists little)", any, {}, "", "How long the run is and how it steps"},
+      {"domain", table, "", "(around all bodies and jets)", any, {}, "", "Where particles may be"},
+      {"materials", table, "", "(the library's)", any, {}, "", "Materials of this case, by name"},
+      {"body", tables, "", "(none)", any, {}, "", "Things made of particles at the start"},
+      {"machine", table, "", "(none)", any, {}, "", "The setting of a water-jet machine, from which a jet follows"},
+      {"jet", tables, "", "(none)", any, {}, "", "Nozzles that let water in"},
+      {"back_flow_removal", table, "", "(off)", any, {}, "", "Erases jet water that flows back"},
+      {"probe", tables, "", "(none)", any, {}, "", "Places where the run is measured"},
+      {"artificial_stress", table, "", "(off)", any, {}, "shinohara2004", "Cure of the tensile instability"},
+      {"numerics", table, "", "(all defaults)", any, {}, "standard", "How the equations of water are summed, and which steps solids take"},
+      {"output", table, "", "(all defaults)", any, {}, "", "What is written, and when"},
+  };
+  // clang-format on
+}
+
+std::vector<Key> time_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  // clang-format off
+  return {
+      {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, or 4 jet widths of traverse)", up_to(1e6), {}, "", "When the run ends", stored_in<&TimeControl::end>},
+      {"courant", number, "", "0.25", up_to(1.0), {}, "", "Factor of the acoustic limit of the time step", stored_in<&TimeControl::courant>},
+      {"maximum_step", quantity, "s", "none", positive, {}, "", "Largest time step", stored_in<&TimeControl::maximum_step>},
+  };
+  // clang-format on
+}
+
+std::vector<Key> domain_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  static constexpr auto plane_faces = std::span(face_words).first<4>();
+  // clang-format off
+  return {
+      {"minimum", vector, "m", "", within(1e8), {}, "", "Lowest corner", stored_in<&Case::domain, &Box::minimum>},
+      {"maximum", vector, "m", "", within(1e8), {}, "", "Highest corner", stored_in<&Case::domain, &Box::maximum>},
+      {"symmetry", faces, "", "(none)", any, plane_faces, "2D+standard", "Faces of the domain that are symmetry planes: everything goes on beyond them as its mirror image", stored_in<&Case::symmetry>},
+      {"symmetry", faces, "", "(none)", any, face_words, "3D+standard", "Faces of the domain that are symmetry planes: everything goes on beyond them as its mirror image", stored_in<&Case::symmetry>},
+  };
+  // clang-format on
+}
+
+std::vector<Key> back_flow_removal_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  // clang-format off
+  return {
+      {"speed_fraction", number, "", "0", from_zero_to(1.0), {}, "", "Water is erased when its speed along the jet is less than this fraction of the jet speed: 0 = it moves back in the room; the front's speed over the jet's = it moves back from the bottom of the cut", stored_in<&BackFlowRemoval::speed_fraction>},
+  };
+  // clang-format on
+}
+
+std::vector<Key> artificial_stress_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  // clang-format off
+  return {
+      {"epsilon", number, "", "0.3", from_zero_to(1.0), {}, "", "Strength; 0 = off", stored_in<&ArtificialStress::epsilon>},
+      {"exponent", number, "", "4", {0.0, 20.0, true}, {}, "", "Exponent of the kernel ratio", stored_in<&ArtificialStress::exponent>},
+  };
+  // clang-format on
+}
+
+std::vector<Key> numerics_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  // clang-format off
+  return {
+      {"water", word, "", "riemann", any, water_scheme_words, "", "What acts between particles of water: Riemann solutions, or mean pressures with a diffusion of density and an artificial viscosity", stored_in<&Numerics::water>},
+      {"shifting", flag, "", "true", any, {}, "", "Particles of water in motion are moved to where their neighbours are as dense on every side, but for three rows at its surfaces", stored_in<&Numerics::shifting>},
+      {"subcycles", integer, "", "8", {1, 64}, {}, "", "How many steps of water and contact go on, at most, with the same forces within solids, which are looked at as often as their own waves ask for; 1 = at every step", stored_in<&Numerics::subcycles>},
+  };
+  // clang-format on
+}
+
+namespace {
+
+// A table of plain keys that may be left out: what holds then stays in `structure`.
+template <class Structure>
+void read_plain(Draft& draft, Section& top, const std::string& name, Structure& structure) {
+  const toml::table* written = top.table(name);
+  if (!written) return;
+  Section section(draft.reading, *written, name, name);
+  section.read(structure);
+  section.refuse_unknown();
+}
+
+}  // namespace
+
+void read_time(Draft& draft, Section& top) {
+  const toml::table empty;
+  const toml::table* written = top.table("time");
+  Section section(draft.reading, written ? *written : empty, "time", written ? "time" : "");
+  TimeControl& time = draft.result.time;
+  time.end = standard_end(draft);
+  if (time.end == 0.0 && !section.has("end"))
+    section.refuse("end", "the key is missing", "Add it: when the run ends");
+  section.read(time);
+  section.refuse_unknown();
+}
+
+void read_domain(Draft& draft, Section& top) {
+  const toml::table* written = top.table("domain");
+  draft.has_domain = written != nullptr;
+  if (!written) return;
+  Section section(draft.reading, *written, "domain", "domain");
+  section.read(draft.result);
+  refuse_empty_box(section, draft.result.domain);
+  section.refuse_unknown();
+}
+
+void refuse_empty_box(Section& section, const Box& box) {
+  for (int a = 0; a < section.reading().dimension; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    if (box.minimum[axis] < box.maximum[axis]) continue;
+    section.refuse("maximum",
+                   fmt::format("entry {} is not greater than that of the minimum", a + 1),
+                   "Swap the corners or correct one", "beyond the minimum along each axis");
+    return;
+  }
+}
+
+void read_extras(Draft& draft, Section& top) {
+  if (BackFlowRemoval removal; top.has("back_flow_removal")) {
+    read_plain(draft, top, "back_flow_removal", removal);
+    draft.result.back_flow_removal = removal;
+  }
+  read_plain(draft, top, "artificial_stress", draft.result.artificial_stress);
+  read_plain(draft, top, "numerics", draft.result.numerics);
+}
+
+void write_top(TomlWriter& writer, const Case& description) {
+  writer.table("", "", description);
+  writer.table("[time]", "time", description.time);
+  writer.table("[domain]", "domain", description);
+}
+
+void write_extras(TomlWriter& writer, const Case& description) {
+  if (description.back_flow_removal)
+    writer.table("[back_flow_removal]", "back_flow_removal", *description.back_flow_removal);
+  if (description.formulation == Formulation::shinohara2004)
+    writer.table("[artificial_stress]", "artificial_stress", description.artificial_stress);
+  if (description.formulation == Formulation::standard)
+    writer.table("[numerics]", "numerics", description.numerics);
+}
+
+}  // namespace kerf

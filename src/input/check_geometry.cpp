@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can only be seen when the whole case is known.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/fill.hpp"
+#include "geometry/nozzle.hpp"
+#include "geometry/shapes.hpp"
+#include "input/draft.hpp"
+#include "input/units.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double most_particles = 5e8;
+constexpr double most_tested = 2e7;  // particles of a body that are tried against another
+
+std::string place(const Point& point, int dimension) {
+  const std::string xy = fmt::format("{:.6g} m, {:.6g} m", point[0], point[1]);
+  return dimension == 2 ? fmt::format("({})", xy) : fmt::format("({}, {:.6g} m)", xy, point[2]);
+}
+
+std::string box_text(const Box& box, int dimension) {
+  return fmt::format("from {} to {}", place(box.minimum, dimension), place(box.maximum, dimension));
+}
+
+bool box_within(const Box& inner, const Box& outer, int dimension) {
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    if (inner.minimum[a] < outer.minimum[a] || inner.maximum[a] > outer.maximum[a]) return false;
+  return true;
+}
+
+// The domain, without end at symmetry planes: what lies beyond them is left to the mirror.
+Box domain_of_bodies(const Case& description) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box box = description.domain;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (description.symmetry.minimum[a]) box.minimum[a] = -infinity;
+    if (description.symmetry.maximum[a]) box.maximum[a] = infinity;
+  }
+  return box;
+}
+
+bool box_is_empty(const Box& box, int dimension) {
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    if (box.minimum[a] >= box.maximum[a]) return true;
+  return false;
+}
+
+Box common_part(const Box& a, const Box& b) {
+  Box box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.minimum[axis] = std::max(a.minimum[axis], b.minimum[axis]);
+    box.maximum[axis] = std::min(a.maximum[axis], b.maximum[axis]);
+  }
+  return box;
+}
+
+// Deeper inside than a quarter of a spacing along every axis, so that bodies may touch.
+bool deep_inside(const Shape& shape, const Point& point, double depth, int dimension) {
+  if (!contains(shape, point, dimension)) return false;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    for (const double sign : {-1.0, 1.0}) {
+      Point beside = point;
+      beside[a] += sign * depth;
+      if (!contains(shape, beside, dimension)) return false;
+    }
+  return true;
+}
+
+// The first particle of `body` inside `other`; of very many particles only every n-th is tried.
+std::optional<Point> particle_inside(const Body& body, const Body& other, int dimension) {
+  LatticeVisit request;
+  request.window =
+      common_part(bounding_box(body.shape, dimension), bounding_box(other.shape, dimension));
+  if (box_is_empty(request.window, dimension)) return {};
+  const double excess = lattice_nodes(body, dimension) / most_tested;
+  request.stride = std::max(1L, static_cast<long>(std::ceil(std::pow(excess, 1.0 / dimension))));
+  std::optional<Point> found;
+  request.visit = [&](const Point& point) {
+    if (deep_inside(other.shape, point, 0.25 * body.spacing, dimension)) found = point;
+    return !found;
+  };
+  visit_particles(body, dimension, request);
+  return found;
+}
+
+bool holds_a_particle(const Body& body, int dimension) {
+  bool found = false;
+  LatticeVisit request;
+  request.window = bounding_box(body.shape, dimension);
+  request.visit = [&](const Point&) {
+    found = true;
+    return false;
+  };
+  visit_particles(body, dimension, request);
+  return found;
+}
+
+void check_overlap(Draft& draft, std::size_t i, std::size_t j) {
+  const Body& first = draft.result.bodies[i];
+  const Body& second = draft.result.bodies[j];
+  const int dimension = draft.reading.dimension;
+  auto found = particle_inside(first, second, dimension);
+  if (!found) found = particle_inside(second, first, dimension);
+  if (!found) return;
+  draft.reading.problems.add(
+      {indexed("body", j) + ".shape",
+       fmt::format("the body \"{}\" overlaps the body \"{}\", for example at {}", second.name,
+                   first.name, place(*found, dimension)),
+       "bodies that touch at most",
+       "Move one of them or cut it away with a shape of the type \"difference\""});
+}
+
+double jet_columns(const Jet& jet, int dimension) {
+  const double across = jet.width / jet.spacing + 1.0;
+  if (dimension == 2) return across;
+  return across * (jet.length > 0.0 ? jet.length / jet.spacing + 1.0 : across);
+}
+
+}  // namespace
+
+void check_counts(Draft& draft) {
+  const Case& result = draft.result;
+  const std::string allowed = fmt::format("at most {:g} particles", most_particles);
+  double total = 0.0;
+  const auto count = [&](const std::string& path, double particles) {
+    total += particles;
+    if (total <= most_particles) return;
+    draft.reading.problems.add({path + ".spacing",
+                                fmt::format("this makes {:.3g} particles", particles), allowed,
+                                "Choose a larger spacing, or less of it"});
+    total = 0.0;
+  };
+  for (std::size_t i = 0; i < result.bodies.size(); ++i)
+    count(indexed("body", i), lattice_nodes(result.bodies[i], result.dimension));
+  for (std::size_t i = 0; i < result.jets.size(); ++i)
+    count(draft.jets[i].path,
+          entering_particles(result.jets[i], result.dimension, result.time.end) +
+              10.0 * jet_columns(result.jets[i], result.dimension));
+}
+
+void check_bodies(Draft& draft) {
+  const Case& result = draft.result;
+  const int dimension = result.dimension;
+  const Box domain = domain_of_bodies(result);
+  for (std::size_t i = 0; i < result.bodies.size(); ++i) {
+    const Body& body = result.bodies[i];
+    const std::string path = indexed("body", i) + ".shape";
+    const Box around = bounding_box(body.shape, dimension);
+    if (!box_within(around, domain, dimension))
+      draft.reading.problems.add({path,
+                                  fmt::format("the body \"{}\" reaches {} and leaves the domain",
+                                              body.name, box_text(around, dimension)),
+                                  "shapes inside the domain, " + box_text(result.domain, dimension),
+                                  "Move the body or enlarge the [domain]"});
+    if (!holds_a_particle(body, dimension))
+      draft.reading.problems.add(
+          {path, fmt::format("no particle of the body \"{}\" fits into it", body.name),
+           fmt::format("a shape that holds a lattice point at {}",
+                       write_quantity(body.spacing, "m")),
+           "Choose a smaller spacing or correct the shape"});
+  }
+  draft.reading.problems.throw_if_any();
+  for (std::size_t j = 1; j < result.bodies.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i) check_overlap(draft, i, j);
+}
+
+void check_probes(Draft& draft) {
+  const Case& result = draft.result;
+  for (std::size_t i = 0; i < result.probes.size(); ++i) {
+    const Point& position = result.probes[i].position;
+    if (box_within({position, position}, result.domain, result.dimension)) continue;
+    draft.reading.problems.add({indexed("probe", i) + ".position",
+                                "the probe is outside the domain",
+                                "places " + box_text(result.domain, result.dimension),
+                                "Move the probe or enlarge the [domain]"});
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a jet can start, and whether it can hit anything.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/nozzle.hpp"
+#include "geometry/shapes.hpp"
+#include "input/draft.hpp"
+#include "machine/characteristic_speed.hpp"
+
+namespace kerf {
+
+namespace {
+
+bool inside(const Box& box, const Point& point, int dimension) {
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    if (point[a] < box.minimum[a] || point[a] > box.maximum[a]) return false;
+  return true;
+}
+
+const Body* body_at(const Case& description, const Point& point) {
+  for (const Body& body : description.bodies)
+    if (contains(body.shape, point, description.dimension)) return &body;
+  return nullptr;
+}
+
+Point along(const Point& start, const Point& direction, double distance) {
+  Point point = start;
+  for (std::size_t a = 0; a < 3; ++a) point[a] += distance * direction[a];
+  return point;
+}
+
+// Steps of half a particle along a few of the jet's columns, to the end of the domain.
+bool hits_a_body(const Case& description, const Nozzle& nozzle,
+                 const std::vector<InletParticle>& water) {
+  constexpr double most_steps = 1e5;
+  constexpr std::size_t most_columns = 50;
+  double step = 1e300, length = 0.0;
+  for (const Body& body : description.bodies) step = std::min(step, 0.5 * body.spacing);
+  for (std::size_t a = 0; a < 3; ++a)
+    length += description.domain.maximum[a] - description.domain.minimum[a];
+  step = std::max(step, length / most_steps);
+  const std::size_t stride = std::max<std::size_t>(1, water.size() / most_columns);
+  for (std::size_t i = 0; i < water.size(); i += stride)
+    for (double distance = 0.0; distance <= length; distance += step)
+      if (body_at(description, along(water[i].position, nozzle.direction(), distance))) return true;
+  return false;
+}
+
+// A body that moves, or gravity, may bring jet and body together later.
+bool anything_moves(const Case& description) {
+  const Point& g = description.gravity;
+  return fastest_body(description) > 0.0 || g[0] != 0.0 || g[1] != 0.0 || g[2] != 0.0;
+}
+
+void check_start(Draft& draft, const std::string& path, const std::vector<InletParticle>& water) {
+  const Case& result = draft.result;
+  for (const InletParticle& particle : water) {
+    if (!std::isfinite(particle.speed)) {
+      draft.reading.problems.add({path + ".profile_expression",
+                                  "the profile is 0 at every particle of the section",
+                                  "a formula that is greater than 0 at some of them",
+                                  "Correct the formula or choose a smaller spacing"});
+      return;
+    }
+    if (!inside(result.domain, particle.position, result.dimension)) {
+      draft.reading.problems.add({path + ".position", "the nozzle is outside the domain",
+                                  "a nozzle that is in the domain with its last 4 spacings",
+                                  "Move the jet, shorten its standoff or enlarge the [domain]"});
+      return;
+    }
+    if (const Body* body = body_at(result, particle.position)) {
+      draft.reading.problems.add({path + ".position",
+                                  fmt::format("the jet starts inside the body \"{}\"", body->name),
+                                  "a nozzle that is outside all bodies with its last 4 spacings",
+                                  "Move the jet, lengthen its standoff or turn its angle"});
+      return;
+    }
+  }
+}
+
+// A nozzle must not leave the domain on its way.
+void check_traverse(Draft& draft, const std::string& path, const Nozzle& nozzle) {
+  const Case& result = draft.result;
+  if (inside(result.domain, nozzle.exit(result.time.end), result.dimension)) return;
+  draft.reading.problems.add({path + (path == "machine" ? ".traverse_speed" : ".traverse"),
+                              "the nozzle leaves the domain before the end of the run",
+                              "a nozzle that is in the domain until the end",
+                              "Enlarge the [domain], or let the run end earlier"});
+}
+
+}  // namespace
+
+void check_jets(Draft& draft) {
+  const Case& result = draft.result;
+  for (std::size_t i = 0; i < result.jets.size(); ++i) {
+    const Jet& jet = result.jets[i];
+    const std::string& path = draft.jets[i].path;
+    const auto& water = result.materials[static_cast<std::size_t>(jet.material)];
+    Nozzle nozzle(jet, water.density, result.dimension);
+    nozzle.cut_at(result.symmetry, result.domain);
+    const std::vector<InletParticle> standing = nozzle.standing_water();
+    const std::size_t before = draft.reading.problems.count();
+    check_start(draft, path, standing);
+    check_traverse(draft, path, nozzle);
+    if (draft.reading.problems.count() > before || result.bodies.empty()) continue;
+    if (anything_moves(result) || hits_a_body(result, nozzle, standing)) continue;
+    draft.reading.problems.add({path + ".position", "the jet points away from every body",
+                                "a position and an angle whose line meets a body",
+                                "Aim the jet at the workpiece: angle 0 is straight down"});
+  }
+}
+
+}  // namespace kerf

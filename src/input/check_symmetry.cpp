@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a symmetry plane cannot mirror: gravity across it, particles on it, jets that it cuts
+// anywhere but through the middle, and another plane so near that both are seen at once.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/fill.hpp"
+#include "geometry/nozzle.hpp"
+#include "geometry/shapes.hpp"
+#include "input/draft.hpp"
+#include "kernels/wendland_c2.hpp"
+
+namespace kerf {
+
+namespace {
+
+// One plane: a face of the domain.
+struct Plane {
+  std::size_t axis;
+  double at;         // m
+  double inward;     // 1 or -1
+  const char* name;  // as the case calls it
+
+  double depth(const Point& point) const { return inward * (point[axis] - at); }
+};
+
+std::vector<Plane> planes_of(const Case& description) {
+  static constexpr const char* names[] = {"x-", "x+", "y-", "y+", "z-", "z+"};
+  std::vector<Plane> planes;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (description.symmetry.minimum[a])
+      planes.push_back({a, description.domain.minimum[a], 1.0, names[2 * a]});
+    if (description.symmetry.maximum[a])
+      planes.push_back({a, description.domain.maximum[a], -1.0, names[2 * a + 1]});
+  }
+  return planes;
+}
+
+// Laid out nearer to a plane than this share of a spacing, a particle and its image would be two in
+// the room of one.
+constexpr double nearest = 0.25;
+
+void check_gravity(Draft& draft, const Plane& plane) {
+  if (draft.result.gravity[plane.axis] == 0.0) return;
+  draft.reading.problems.add(
+      {"domain.symmetry",
+       fmt::format("gravity acts across the plane \"{}\", and would act the other way beyond it",
+                   plane.name),
+       "planes along gravity", "Use a rigid body as a floor, or leave gravity away"});
+}
+
+void check_width(Draft& draft, const Plane& plane) {
+  const Case& result = draft.result;
+  if (plane.inward < 0.0 || !result.symmetry.maximum[plane.axis]) return;
+  double widest = 0.0;
+  for (const Body& body : result.bodies) widest = std::max(widest, body.spacing);
+  for (const Jet& jet : result.jets) widest = std::max(widest, jet.spacing);
+  const double least = (WendlandC2<2>::support * result.smoothing_ratio + 0.5) * widest;
+  if (result.domain.maximum[plane.axis] - result.domain.minimum[plane.axis] >= least) return;
+  draft.reading.problems.add({"domain.symmetry",
+                              fmt::format("the plane \"{}\" and the one across from it are so near "
+                                          "that particles would see images of images",
+                                          plane.name),
+                              fmt::format("planes at least {:.6g} m apart", least),
+                              "Choose a smaller spacing or a wider domain"});
+}
+
+// The fit of pairs where the spacing jumps (solid/gradient_correction_levels.hpp) knows nothing of
+// images.
+void check_grading(Draft& draft, std::size_t number) {
+  if (draft.result.bodies[number].grading.levels == 0) return;
+  draft.reading.problems.add({indexed("body", number) + ".grading",
+                              "the domain has symmetry planes, which graded bodies do not go with",
+                              "bodies of one spacing where the domain has symmetry planes",
+                              "Remove the grading, or the planes and lay out the whole"});
+}
+
+void check_body(Draft& draft, const Plane& plane, std::size_t number) {
+  const Body& body = draft.result.bodies[number];
+  LatticeVisit request;
+  request.window = bounding_box(body.shape, draft.result.dimension);
+  Box& window = request.window;
+  const auto& absorbing = plane.inward > 0.0 ? body.absorbing.minimum : body.absorbing.maximum;
+  if (absorbing[plane.axis] && (plane.inward > 0.0 ? window.minimum[plane.axis] <= plane.at
+                                                   : window.maximum[plane.axis] >= plane.at))
+    draft.reading.problems.add(
+        {indexed("body", number) + ".absorbing",
+         fmt::format("that side of the body lies in the symmetry plane \"{}\"", plane.name),
+         "sides that are not mirrored", "Take it out of one of the two lists"});
+  const double reach = nearest * body.spacing;
+  window.minimum[plane.axis] = std::max(window.minimum[plane.axis], plane.at - reach);
+  window.maximum[plane.axis] = std::min(window.maximum[plane.axis], plane.at + reach);
+  if (window.minimum[plane.axis] > window.maximum[plane.axis]) return;
+  bool found = false;
+  request.visit = [&](const Point& point) {
+    found = std::abs(plane.depth(point)) < reach * (1.0 - 1e-9);
+    return !found;
+  };
+  visit_particles(body, draft.result.dimension, request);
+  if (!found) return;
+  draft.reading.problems.add(
+      {indexed("body", number) + ".spacing",
+       fmt::format("particles of the body \"{}\" would lie on the symmetry plane \"{}\"", body.name,
+                   plane.name),
+       fmt::format(
+           "lattices whose particles are at least {:.6g} m from the plane; half a spacing is best",
+           reach),
+       "Choose a spacing of which a whole number fits between the plane and the far side of the "
+       "body, or shift the lattice by an offset"});
+}
+
+void check_jet(Draft& draft, const Plane& plane, std::size_t number) {
+  const Case& result = draft.result;
+  const Jet& jet = result.jets[number];
+  const auto& water = result.materials[static_cast<std::size_t>(jet.material)];
+  const Nozzle nozzle(jet, water.density, result.dimension);
+  const double reach = nearest * jet.spacing;
+  bool beyond = false, on_plane = false, inside = false;
+  for (const InletParticle& particle : nozzle.standing_water()) {
+    const double depth = plane.depth(particle.position);
+    on_plane = on_plane || std::abs(depth) < reach;
+    beyond = beyond || depth <= -reach;
+    inside = inside || depth >= reach;
+  }
+  if (!on_plane && !(beyond && inside)) return;
+  const bool centred = std::abs(plane.depth(nozzle.exit())) < 1e-6 * jet.spacing &&
+                       std::abs(nozzle.direction()[plane.axis]) < 1e-9 &&
+                       jet.traverse[plane.axis] == 0.0;
+  const std::string& path = draft.jets[number].path;
+  if (!centred)
+    draft.reading.problems.add(
+        {path + ".position",
+         fmt::format("the symmetry plane \"{}\" cuts the jet beside its axis", plane.name),
+         "jets whose axis lies in the plane and stays there, or that are clear of it",
+         "Move the jet or turn its angle"});
+  else if (on_plane)
+    draft.reading.problems.add(
+        {path + ".spacing",
+         fmt::format("the middle column of the jet would lie on the symmetry plane \"{}\"",
+                     plane.name),
+         "spacings of which an even number fits across the jet",
+         fmt::format("Choose such a spacing, for example {:.6g} m",
+                     jet.width / (2.0 * std::ceil(0.5 * jet.width / jet.spacing)))});
+}
+
+}  // namespace
+
+void check_symmetry(Draft& draft) {
+  const auto planes = planes_of(draft.result);
+  for (std::size_t i = 0; i < draft.result.bodies.size() && !planes.empty(); ++i)
+    check_grading(draft, i);
+  for (const Plane& plane : planes) {
+    check_gravity(draft, plane);
+    check_width(draft, plane);
+    for (std::size_t i = 0; i < draft.result.bodies.size(); ++i) check_body(draft, plane, i);
+    for (std::size_t i = 0; i < draft.result.jets.size(); ++i) check_jet(draft, plane, i);
+  }
+  draft.reading.problems.throw_if_any();
+}
+
+}  // namespace kerf

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `inclusion_of` stands for: room cut out of the body around, a lattice that goes on across
+// the interface, bonds. In the finished case these are shapes, offsets and joined_to like any
+// other.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "geometry/fill.hpp"
+#include "input/draft.hpp"
+
+namespace kerf {
+
+namespace {
+
+BodyDraft* body_around(Draft& draft, const BodyDraft& inclusion) {
+  for (BodyDraft& entry : draft.bodies)
+    if (entry.body.name == inclusion.inclusion_of) return &entry;
+  return nullptr;
+}
+
+// How many bodies lie around one another outside this one; more than there are bodies: in a circle.
+std::size_t depth_of(Draft& draft, const BodyDraft& entry) {
+  std::size_t depth = 0;
+  const BodyDraft* outer = &entry;
+  while (!outer->inclusion_of.empty() && depth <= draft.bodies.size()) {
+    outer = body_around(draft, *outer);
+    ++depth;
+  }
+  return depth;
+}
+
+void cut_out(Shape& around, const Shape& room) {
+  if (around.kind != Shape::Kind::difference) {
+    Shape whole;
+    std::swap(whole, around);
+    around.kind = Shape::Kind::difference;
+    around.parts.push_back(std::move(whole));
+  }
+  around.parts.push_back(room);
+}
+
+// The shift that brings the lattice of `body` onto that of `around`: each place of the one lattice
+// then holds a particle of the one body or of the other, also where the interface passes.
+void align(Body& body, const Body& around, int dimension) {
+  constexpr double rounding = 1e-9;  // of a spacing
+  const double d = body.spacing;
+  if (std::abs(around.spacing - d) > rounding * d || body.lattice != Lattice::square ||
+      around.lattice != Lattice::square || body.grading.levels > 0)
+    return;
+  const Box own = lattice_box(body, dimension), other = lattice_box(around, dimension);
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+    const double shift = std::remainder(other.minimum[a] + around.offset[a] - own.minimum[a], d);
+    body.offset[a] = std::abs(shift) > rounding * d ? shift : 0.0;
+  }
+}
+
+}  // namespace
+
+void place_inclusions(Draft& draft) {
+  std::vector<Shape> written;
+  for (const BodyDraft& entry : draft.bodies) {
+    written.push_back(entry.body.shape);
+    if (depth_of(draft, entry) <= draft.bodies.size()) continue;
+    draft.reading.problems.add(
+        {entry.path + ".inclusion_of", "bodies lie in one another in a circle",
+         "bodies of which one lies in the other", "Remove the key from the outermost"});
+    return;
+  }
+  // From the outside to the inside, as each takes its lattice from the one around.
+  for (std::size_t depth = 1; depth < draft.bodies.size(); ++depth)
+    for (std::size_t b = 0; b < draft.bodies.size(); ++b) {
+      BodyDraft& entry = draft.bodies[b];
+      if (entry.inclusion_of.empty() || depth_of(draft, entry) != depth) continue;
+      BodyDraft& around = *body_around(draft, entry);
+      cut_out(around.body.shape, written[b]);
+      if (!entry.has_offset) align(entry.body, around.body, draft.reading.dimension);
+      if (entry.body.role == Role::elastic) entry.body.joined_to = around.body.name;
+    }
+}
+
+}  // namespace kerf

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "input/material_library.hpp"
+#include "input/schema.hpp"
+#include "input/units.hpp"
+#include "model/law_keys.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* introduction = R"(# Material library
+
+Made by `kerf materials --page` from the files of `materials/`; not written by hand.
+
+This page lists the materials that every case may name, with the source of each value, and the laws that a material may
+obey. A case names one of these materials, or starts from it with `base` ([keys.md](keys.md)). A value that a material
+leaves out has its default in a case file; above all, a material without `failure_strain` never fractures until the case
+gives it one. Values of real materials scatter: the note says under which conditions a value holds, and where it was
+derived from others. A value without a source is not in the library: agar is missing, since no measured stiffness of it
+was found in a source that could be read.
+
+Nearly incompressible ones (gels, silicone rubber, liver) have the Poisson's ratio that their source measured or
+assumed, or 0.49 where it says that they are incompressible; the nearer to 0.5, the stiffer they are in volume and the
+shorter the time step.
+
+## Adding a material
+Put a file `materials/NAME.toml` there; the build finds it.
+
+```
+title = "One line that says what it is"
+kind = "elastic"           # or "water"
+
+[[values]]                 # for each number that a case file has a key for
+key = "youngs_modulus"     # density, youngs_modulus and poisson_ratio must be given
+value = "5.4 kPa"
+source = "Author, title, journal, year, page or table, DOI"
+note = "Range and conditions"
+
+[[known]]                  # for what no law uses yet
+name = "fracture_energy"
+value = "164 J/m2"
+source = "..."
+```
+
+Write this page anew with `kerf materials --page > docs/materials.md`. The names under `known`:
+
+| name | unit | meaning |
+| --- | --- | --- |
+)";
+
+std::string rows(const std::vector<LibraryValue>& values) {
+  std::string text;
+  for (const LibraryValue& value : values)
+    text += fmt::format("| `{}` | {} | {} | {} |\n", value.name, value.written, value.source,
+                        value.note);
+  return text;
+}
+
+// A table of the laws of every kind: word, what it is, its own keys.
+std::string laws_of_materials() {
+  std::string text =
+      "\n## Laws\n\n"
+      "A material of a case chooses its laws by these words. A key is described in "
+      "[keys.md](keys.md).\n\n"
+      "| key | word | law | its own keys |\n| --- | --- | --- | --- |\n";
+  for (const LawText& law : law_texts()) {
+    std::vector<std::string> keys;
+    for (const Key& key : law_keys(law.chosen_by))
+      if (key.applies_under({std::string(law.word)})) keys.push_back(fmt::format("`{}`", key.name));
+    text += fmt::format("| `{}` | `{}` | {} | {} |\n", law.chosen_by, law.word, law.sentence,
+                        fmt::join(keys, ", "));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string materials_page() {
+  std::string page = introduction;
+  for (const KnownQuantity& quantity : known_quantities())
+    page += fmt::format("| `{}` | {} | {} |\n", quantity.name,
+                        quantity.unit.empty() ? "1" : quantity.unit, quantity.meaning);
+  page += laws_of_materials();
+  for (const LibraryMaterial& material : material_library()) {
+    page += fmt::format(
+        "\n## {} ({})\n{}.\n\n| key | value | source | note |\n| --- | --- | --- | --- |\n{}",
+        material.name, kind_name(material.kind), material.title, rows(material.values));
+    if (!material.known.empty())
+      page += fmt::format("\n{}\n\n| name | value | source | note |\n| --- | --- | --- | --- |\n{}",
+                          known_heading, rows(material.known));
+  }
+  return page;
+}
+
+}  // namespace kerf

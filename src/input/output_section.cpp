@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// [[probe]] and [output]: what is measured and written.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "input/draft.hpp"
+#include "input/sections.hpp"
+#include "input/toml_writer.hpp"
+#include "input/units.hpp"
+
+namespace kerf {
+
+std::vector<Key> probe_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  // clang-format off
+  return {
+      {"name", name, "", "", any, {}, "", "Name of the probe, its own", stored_in<&Probe::name>},
+      {"kind", word, "", "point", any, probe_words, "", "point = pressure and velocity there; plane = force of the side the normal points to on the other", stored_in<&Probe::kind>},
+      {"position", vector, "m", "", within(1e6), {}, "", "The point, or a point of the plane", stored_in<&Probe::position>},
+      {"normal", vector, "", "(0, 1, 0)", any, {}, "plane", "Direction of the normal, of any length", stored_in<&Probe::normal>},
+  };
+  // clang-format on
+}
+
+std::vector<Key> output_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  // clang-format off
+  return {
+      {"frame_interval", quantity, "s", "(end / 20)", positive, {}, "", "Time between frames"},
+      {"frame_times", quantities, "s", "(every frame_interval)", not_negative, {}, "", "Times of the frames, instead of an interval", stored_in<&OutputControl::frame_times>},
+      {"picture_times", quantities, "s", "(0 and quarters of the run)", not_negative, {}, "", "Times of the pictures", stored_in<&OutputControl::picture_times>},
+      {"series_interval", quantity, "s", "(end / 500)", positive, {}, "", "Time between rows of series.csv", stored_in<&OutputControl::series_interval>},
+      {"checkpoint_interval", quantity, "s", "60 s", positive, {}, "", "Time of the clock on the wall between checkpoints", stored_in<&OutputControl::checkpoint_interval>},
+  };
+  // clang-format on
+}
+
+namespace {
+
+constexpr double most_outputs = 1e5;  // frames or pictures of one run
+constexpr double most_rows = 1e7;     // of series.csv
+
+// Too short an interval is refused.
+void check_interval(Section& section, const char* name, double interval, double end, double most) {
+  if (interval > 0.0 && end / interval > most)
+    section.refuse(name, fmt::format("this makes {:.3g} entries", end / interval),
+                   "Choose a longer interval",
+                   fmt::format("at least {}", write_quantity(end / most, "s")));
+}
+
+void check_times(Section& section, std::string_view name, const std::vector<double>& times,
+                 double end) {
+  if (times.empty() || times.back() <= end) return;
+  section.refuse(name,
+                 fmt::format("{} is after the end of the run", write_quantity(times.back(), "s")),
+                 "Remove the time or let the run last longer",
+                 fmt::format("times from 0 s to {}", write_quantity(end, "s")));
+}
+
+// 0, interval, 2 interval, ... and the end, each the nearest double to its multiple.
+std::vector<double> times_every(double interval, double end) {
+  constexpr double slack = 1e-9;
+  std::vector<double> times;
+  for (double i = 0.0; i * interval < end * (1.0 - slack); i += 1.0) times.push_back(i * interval);
+  times.push_back(end);
+  return times;
+}
+
+void read_frames(Section& section, OutputControl& output, double end) {
+  constexpr double standard_frames = 20.0;
+  if (section.has("frame_interval") && section.has("frame_times"))
+    section.refuse("frame_times", "an interval is given as well", "Remove one of the two",
+                   "one of frame_interval and frame_times");
+  const double interval = section.number("frame_interval", end / standard_frames);
+  check_interval(section, "frame_interval", interval, end, most_outputs);
+  if (!section.has("frame_times") && interval > 0.0 && end / interval <= most_outputs)
+    output.frame_times = times_every(interval, end);
+}
+
+void read_probe(Draft& draft, const toml::table& table, const std::string& path) {
+  Section section(draft.reading, table, "probe", path);
+  Probe probe;
+  section.read(probe);
+  const Point& normal = probe.normal;
+  if (std::hypot(normal[0], normal[1], normal[2]) > 0.0)
+    probe.normal = unit_vector(normal);
+  else
+    section.refuse("normal", "the normal has no direction", "Write for example [0, 1]",
+                   "any vector but zero");
+  section.refuse_unknown();
+  draft.result.probes.push_back(probe);
+}
+
+}  // namespace
+
+void read_probes(Draft& draft, Section& top) {
+  const auto tables = top.tables("probe");
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    read_probe(draft, *tables[i], indexed("probe", i));
+}
+
+void read_output(Draft& draft, Section& top) {
+  constexpr double standard_rows = 500.0;
+  const toml::table empty;
+  const toml::table* written = top.table("output");
+  Section section(draft.reading, written ? *written : empty, "output", written ? "output" : "");
+  OutputControl& output = draft.result.output;
+  const double end = draft.result.time.end;
+  read_frames(section, output, end);
+  output.picture_times = {0.0, 0.25 * end, 0.5 * end, 0.75 * end, end};
+  output.series_interval = end / standard_rows;
+  section.read(output);
+  check_times(section, "frame_times", output.frame_times, end);
+  check_times(section, "picture_times", output.picture_times, end);
+  check_interval(section, "series_interval", output.series_interval, end, most_rows);
+  section.refuse_unknown();
+}
+
+void write_probe(TomlWriter& writer, const Probe& probe) {
+  writer.table("[[probe]]", "probe", probe);
+}
+
+void write_output(TomlWriter& writer, const OutputControl& output) {
+  writer.table("[output]", "output", output);
+}
+
+}  // namespace kerf

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <cmath>
+#include <limits>
+
+#include "input/draft.hpp"
+#include "input/sections.hpp"
+#include "input/toml_writer.hpp"
+
+namespace kerf {
+
+std::vector<Key> shape_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  // clang-format off
+  return {
+      {"type", word, "", "", any, shape_words, "", "Kind of shape; in 3D a disc is a cylinder, a ring a tube, a polygon an extrusion", stored_in<&Shape::kind>},
+      {"minimum", vector, "m", "", within(1e6), {}, "box", "Lowest corner", stored_in<&Shape::box, &Box::minimum>},
+      {"maximum", vector, "m", "", within(1e6), {}, "box", "Highest corner", stored_in<&Shape::box, &Box::maximum>},
+      {"centre", vector, "m", "", within(1e6), {}, "disc ring sphere", "Centre; of a cylinder or tube, the centre of its first end", stored_in<&Shape::centre>},
+      {"radius", quantity, "m", "", up_to(1e6), {}, "disc ring sphere", "Radius, of a ring the outer one", stored_in<&Shape::radius>},
+      {"inner_radius", quantity, "m", "", up_to(1e6), {}, "ring", "Inner radius", stored_in<&Shape::inner_radius>},
+      {"axis", vector, "", "(0, 0, 1)", any, {}, "disc+3D ring+3D", "Direction of the axis, of any length", stored_in<&Shape::axis>},
+      {"length", quantity, "m", "", up_to(1e6), {}, "disc+3D ring+3D", "Length along the axis", stored_in<&Shape::length>},
+      {"vertices", vertices, "m", "", within(1e6), {}, "polygon", "Corners (x, y) in order, either way round; the last joins the first", stored_in<&Shape::vertices>},
+      {"depth_minimum", quantity, "m", "", within(1e6), {}, "polygon+3D", "Lowest z of the extrusion", stored_in<&Shape::depth_minimum>},
+      {"depth_maximum", quantity, "m", "", within(1e6), {}, "polygon+3D", "Highest z of the extrusion", stored_in<&Shape::depth_maximum>},
+      {"parts", tables, "", "", any, {}, "union difference", "Shapes; a union holds the points of any, a difference those of the first and no other"},
+      {"file", text, "", "", any, {}, "mesh", "File of a closed surface of triangles, STL or OBJ; its path is seen from the folder of the case file", stored_in<&Shape::mesh, &MeshShape::file>},
+      {"scale", quantity, "m", "1 mm", up_to(1e6), {}, "mesh", "What one unit of the file is: STL has none", stored_in<&Shape::mesh, &MeshShape::scale>},
+      {"position", vector, "m", "0 m", within(1e6), {}, "mesh", "Where the origin of the file comes to lie", stored_in<&Shape::mesh, &MeshShape::position>},
+      {"rotation", vector, "rad", "0 rad", within(1e3), {}, "mesh", "Angles by which the part is turned about x, then y, then z, before it is moved; [\"-90 deg\", \"0 deg\", \"0 deg\"] brings the z of a drawing upright", stored_in<&Shape::mesh, &MeshShape::rotation>},
+      {"checksum", text, "", "(any file will do)", any, {}, "mesh", "Of the bytes of the file, as case.used.toml has it: a file that was changed is refused", stored_in<&Shape::mesh, &MeshShape::checksum>},
+  };
+  // clang-format on
+}
+
+namespace {
+
+constexpr std::size_t most_vertices = 100000;
+
+void check_round(Section& section, Shape& shape) {
+  const Point& axis = shape.axis;
+  if (shape.kind == Shape::Kind::sphere && section.reading().dimension == 2)
+    section.refuse("type", "a sphere needs a 3D case", "Use a disc", "\"disc\" in 2D");
+  if (std::hypot(axis[0], axis[1], axis[2]) == 0.0)
+    section.refuse("axis", "the axis has no direction", "Write for example [0, 0, 1]",
+                   "any vector but zero");
+  else
+    shape.axis = unit_vector(axis);
+  if (shape.kind != Shape::Kind::ring) return;
+  if (shape.inner_radius >= shape.radius && shape.radius > 0.0)
+    section.refuse("inner_radius", "the ring has no thickness", "Make it smaller than the radius",
+                   "less than the radius");
+}
+
+// Whether the outline is a simple polygon of some area, by Boost.Geometry.
+void check_outline(Section& section, const Shape& shape) {
+  namespace geometry = boost::geometry;
+  using Corner = geometry::model::d2::point_xy<double>;
+  geometry::model::polygon<Corner> polygon;
+  for (const auto& vertex : shape.vertices) polygon.outer().emplace_back(vertex[0], vertex[1]);
+  geometry::correct(polygon);
+  std::string reason;
+  if (geometry::is_valid(polygon, reason)) return;
+  section.refuse("vertices", fmt::format("the outline is not a simple polygon: {}", reason),
+                 "Put the corners in order around the outline",
+                 "corners whose edges do not cross or touch");
+}
+
+void check_polygon(Section& section, const Shape& shape) {
+  if (section.has("vertices")) {
+    if (shape.vertices.size() < 3 || shape.vertices.size() > most_vertices)
+      section.refuse("vertices", fmt::format("there are {} corners", shape.vertices.size()),
+                     "Give the corners in order", fmt::format("3 to {} corners", most_vertices));
+    else
+      check_outline(section, shape);
+  }
+  if (section.reading().dimension == 2) return;
+  if (shape.depth_maximum <= shape.depth_minimum && section.has("depth_maximum"))
+    section.refuse("depth_maximum", "the extrusion has no depth", "Swap the two or correct one",
+                   "greater than depth_minimum");
+}
+
+void read_parts(Section& section, Shape& shape) {
+  const auto parts = section.tables("parts");
+  if (section.has("parts") && parts.size() < 2)
+    section.refuse("parts", fmt::format("there are {} shapes", parts.size()),
+                   "Give the shape itself where there is one only", "at least two shapes");
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    shape.parts.push_back(
+        read_shape(section.reading(), *parts[i], indexed(section.path("parts"), i)));
+}
+
+void settle(Section& section, Shape& shape) {
+  switch (shape.kind) {
+    case Shape::Kind::box:
+      refuse_empty_box(section, shape.box);
+      break;
+    case Shape::Kind::disc:
+    case Shape::Kind::ring:
+    case Shape::Kind::sphere:
+      check_round(section, shape);
+      break;
+    case Shape::Kind::polygon:
+      check_polygon(section, shape);
+      break;
+    case Shape::Kind::join:
+    case Shape::Kind::difference:
+      read_parts(section, shape);
+      break;
+    case Shape::Kind::mesh:
+      read_mesh(section, shape);
+      break;
+  }
+}
+
+}  // namespace
+
+Shape read_shape(Reading& reading, const toml::table& table, const std::string& path) {
+  Section section(reading, table, "shape", path);
+  Shape shape;
+  if (!section.read_one("type", shape)) return shape;
+  section.read(shape);
+  settle(section, shape);
+  section.refuse_unknown();
+  return shape;
+}
+
+std::string shape_text(const TomlWriter& writer, const Shape& shape) {
+  WrittenKeys others;
+  if (!shape.parts.empty()) {
+    std::vector<std::string> parts;
+    for (const Shape& part : shape.parts) parts.push_back(shape_text(writer, part));
+    others["parts"] = fmt::format("[{}]", fmt::join(parts, ", "));
+  }
+  // Under the name of the copy that lies in the result folder.
+  if (shape.kind == Shape::Kind::mesh) others["file"] = toml_string(kept_mesh_name(shape.mesh));
+  return writer.inline_table("shape", shape, others);
+}
+
+Point unit_vector(const Point& vector) {
+  const double length = std::hypot(vector[0], vector[1], vector[2]);
+  constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+  if (std::abs(length - 1.0) <= rounding) return vector;
+  return {vector[0] / length, vector[1] / length, vector[2] / length};
+}
+
+std::string indexed(std::string_view list, std::size_t index) {
+  return fmt::format("{}[{}]", list, index + 1);
+}
+
+}  // namespace kerf

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// This class writes the tables of a case file by the schema.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/schema.hpp"
+
+namespace kerf {
+
+struct Body;
+struct Case;
+struct Jet;
+struct Material;
+struct OutputControl;
+struct Probe;
+struct Shape;
+
+std::string toml_string(std::string_view text);
+
+// Keys and their values as TOML, of what no single member stores; they take precedence over
+// members.
+using WrittenKeys = std::map<std::string_view, std::string>;
+
+class TomlWriter {
+ public:
+  // The dimension and the formulation of the case are conditions of all keys.
+  explicit TomlWriter(const Case& description);
+
+  // Writes a table: the keys that have a meaning there, in the order of the schema. `conditions`
+  // are those beside the words that the keys hold.
+  template <class Structure>
+  void table(const std::string& heading, std::string_view section, const Structure& structure,
+             const WrittenKeys& others = {}, const std::set<std::string>& conditions = {}) {
+    text_ += heading.empty() ? "" : "\n" + heading + "\n";
+    for (const std::string& line : lines(section, structure, others, conditions))
+      text_ += line + "\n";
+  }
+  // The same as the value of a key: "{ type = "box", ... }".
+  template <class Structure>
+  std::string inline_table(std::string_view section, const Structure& structure,
+                           const WrittenKeys& others = {}) const {
+    return braced(lines(section, structure, others, {}));
+  }
+
+  const std::string& result() const { return text_; }
+
+ private:
+  template <class Structure>
+  std::vector<std::string> lines(std::string_view section, const Structure& structure,
+                                 const WrittenKeys& others,
+                                 std::set<std::string> conditions) const {
+    conditions.insert(conditions_.begin(), conditions_.end());
+    keys_stored_in(section, structure, conditions);  // adds the words
+    return lines(section, &structure_id<Structure>, const_cast<Structure*>(&structure), others,
+                 conditions);
+  }
+  std::vector<std::string> lines(std::string_view section, const void* id, void* structure,
+                                 const WrittenKeys& others,
+                                 const std::set<std::string>& conditions) const;
+  static std::string braced(const std::vector<std::string>& lines);
+
+  std::size_t dimension_;
+  std::set<std::string> conditions_;
+  std::string text_;
+};
+
+// Each table of a case. The functions stand in the files that read these tables.
+void write_top(TomlWriter& writer, const Case& description);
+void write_material(TomlWriter& writer, const Material& material);
+void write_body(TomlWriter& writer, const Case& description, const Body& body);
+void write_machine(TomlWriter& writer, const Case& description);
+void write_jet(TomlWriter& writer, const Case& description, const Jet& jet);
+void write_probe(TomlWriter& writer, const Probe& probe);
+void write_extras(TomlWriter& writer, const Case& description);
+void write_output(TomlWriter& writer, const OutputControl& output);
+
+// A shape as one inline table: TOML keeps those on one line, parts and all.
+std::string shape_text(const TomlWriter& writer, const Shape& shape);
+// The name of a material of the case, quoted.
+std::string material_text(const Case& description, int material);
+
+}  // namespace kerf

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "model/case.hpp"
+
+namespace kerf {
+
+// The case as a complete case file: every default is spelled out and every number is in SI units
+// with as many digits as it needs, so that the file reads back to the same Case, bit for bit.
+std::string write_used(const Case& description);
+
+}  // namespace kerf

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// These types take the neighbours that a search finds for a particle, class by class. Each has
+//   Index* room(PairClass, Index most)   returns where the next ones of a class go; null: they are
+//                                        counted only,
+//   void took(PairClass, Index count)    is called once so many have been written there.
+#pragma once
+
+#include <vector>
+
+#include "neighbours/pair_range.hpp"
+
+namespace kerf {
+
+inline constexpr int pair_classes = 3;
+inline constexpr Index room_beside = 16;  // entries that may be written past the last one
+
+struct CountedSections {
+  Index count[pair_classes] = {};
+
+  KERF_FUNCTION Index* room(PairClass, Index) { return nullptr; }
+  KERF_FUNCTION void took(PairClass pair_class, Index more) {
+    count[static_cast<int>(pair_class)] += more;
+  }
+};
+
+// Writes into the list itself, at positions from earlier counts; nothing may be written past the
+// last entry.
+struct PlacedSections {
+  Index* next[pair_classes];
+
+  KERF_FUNCTION Index* room(PairClass pair_class, Index) {
+    return next[static_cast<int>(pair_class)];
+  }
+  KERF_FUNCTION void took(PairClass pair_class, Index more) {
+    next[static_cast<int>(pair_class)] += more;
+  }
+};
+
+// Writes into lists of one thread that grow: those of one particle after another, each in the order
+// of a neighbour list.
+class GrownSections {
+ public:
+  void start_block() { size_ = 0; }
+  // Returns where the list of the particle begins, counted from the start of the block.
+  Index start_particle() {
+    same_body_size_ = other_size_ = 0;
+    return begin_ = size_;
+  }
+  Index* room(PairClass pair_class, Index most) {
+    std::vector<Index>& list = list_of(pair_class);
+    const std::size_t wanted = std::size_t(size_of(pair_class)) + most + room_beside;
+    if (list.size() < wanted) list.resize(wanted + wanted / 2);
+    return list.data() + size_of(pair_class);
+  }
+  void took(PairClass pair_class, Index more) { size_of(pair_class) += more; }
+  // Joins the sections of the particle.
+  void end_particle() {
+    same_fluid_count_ = size_ - begin_;
+    append(PairClass::same_body);
+    append(PairClass::other);
+  }
+  Index same_fluid() const { return same_fluid_count_; }
+  Index same_body() const { return same_body_size_; }
+  const Index* begin() const { return lists_.data(); }
+  Index size() const { return size_; }
+
+ private:
+  std::vector<Index>& list_of(PairClass pair_class) {
+    return pair_class == PairClass::same_fluid  ? lists_
+           : pair_class == PairClass::same_body ? same_body_
+                                                : other_;
+  }
+  Index& size_of(PairClass pair_class) {
+    return pair_class == PairClass::same_fluid  ? size_
+           : pair_class == PairClass::same_body ? same_body_size_
+                                                : other_size_;
+  }
+  void append(PairClass pair_class) {
+    const Index count = size_of(pair_class);
+    if (count == 0) return;
+    Index* const to = room(PairClass::same_fluid, count);
+    for (Index n = 0; n < count; ++n) to[n] = list_of(pair_class)[n];
+    size_ += count;
+  }
+
+  std::vector<Index> lists_, same_body_, other_;
+  Index size_ = 0, same_body_size_ = 0, other_size_ = 0, begin_ = 0, same_fluid_count_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/balance_metrics.hpp"
+
+namespace kerf {
+namespace {
+
+using B = Balance;
+using List = MetricList<Balance>;
+
+const MetricUnit mass = extensive("kg"), momentum = extensive("N s"), force = extensive("N"),
+                 energy = extensive("J");
+
+List mass_terms() {
+  return {
+      {"mass_initial", mass, "mass at the start", "Mass of all particles at the start.",
+       &B::mass_initial},
+      {"mass_in", mass, "mass from the nozzles", "Mass that entered at the nozzles.", &B::mass_in},
+      {"mass_out", mass, "mass that left", "Mass that left the domain.", &B::mass_out},
+      {"mass_erased", mass, "mass taken by the back-flow removal",
+       "Mass that the back-flow removal took.", &B::mass_erased},
+      {"mass_now", mass, "present mass", "Mass of the particles present.", &B::mass_now},
+      {"mass_fractured", mass, "present fractured mass", "Mass of the fractured solid present.",
+       &B::mass_fractured},
+      {"jet_mass_due", mass, "mass due from the jets", "Integral of ρVA over time since the start.",
+       &B::jet_mass_due},
+      {"jet_mass_carried", mass, "mass not yet a layer",
+       "Part of the mass due that does not yet fill a layer of particles.", &B::jet_mass_carried},
+  };
+}
+
+List momentum_terms() {
+  return {
+      {"momentum_initial", momentum, "momentum at the start",
+       "Momentum of all particles at the start.", &B::momentum_initial},
+      {"momentum_now", momentum, "momentum of the particles", "Momentum of the particles present.",
+       &B::momentum_now},
+      {"momentum_in", momentum, "momentum from the jets", "Momentum that entered with the jets.",
+       &B::momentum_in},
+      {"momentum_out", momentum, "momentum that left",
+       "Momentum of the outflow particles and of the water that the back-flow removal took.",
+       &B::momentum_out},
+      {"impulse_gravity", momentum, "impulse of gravity", "Impulse of gravity on the particles.",
+       &B::impulse_gravity},
+      {"impulse_plate", momentum, "impulse of rigid bodies",
+       "Impulse of the rigid bodies on the particles.", &B::impulse_plate},
+      {"impulse_constraint", momentum, "impulse of nozzles and clamps",
+       "Impulse of nozzles, clamps, prescribed motion and symmetry planes on the particles.",
+       &B::impulse_constraint},
+      {"impulse_water", momentum, "impulse of the water",
+       "Impulse of the water on the solids that are not rigid, debris included.",
+       &B::impulse_water},
+      {"force_plate", force, "force on rigid bodies",
+       "Force of the particles on the rigid bodies in the last step.", &B::force_plate},
+      {"force_water", force, "force of the water",
+       "Force of the water on the solids that are not rigid in the last step, debris included.",
+       &B::force_water},
+      {"momentum_scale", momentum, "scale of the momentum",
+       "Sum of the magnitudes of the particles' momenta.", &B::momentum_scale},
+  };
+}
+
+List flow_of_energy() {
+  return {
+      {"energy_initial", energy, "energy at the start", "Kinetic and stored energy at the start.",
+       &B::energy_initial},
+      {"energy_in", energy, "energy from the jets", "Energy that entered with the jets.",
+       &B::energy_in},
+      {"energy_out", energy, "energy that left",
+       "Energy of the outflow particles and of the water that the back-flow removal took.",
+       &B::energy_out},
+      {"work_gravity", energy, "work of gravity", "Work of gravity on the particles.",
+       &B::work_gravity},
+      {"work_constraint", energy, "work of nozzles and clamps",
+       "Work of nozzles, clamps and prescribed motion.", &B::work_constraint},
+  };
+}
+
+List kinds_of_energy() {
+  return {
+      {"kinetic", energy, "kinetic energy", "Kinetic energy of the particles.", &B::kinetic},
+      {"pressure_work", energy, "work against pressure",
+       "Work done against the pressure forces since the start.", &B::pressure_work},
+      {"elastic_deviatoric", energy, "elastic energy of shape",
+       "Energy stored in the solids by change of shape.", &B::elastic_deviatoric},
+      {"elastic_strain", energy, "elastic energy, total Lagrangian",
+       "Energy stored in the total Lagrangian solids.", &B::elastic_strain},
+      {"hourglass", energy, "energy of the hourglass control",
+       "Energy stored by the hourglass control of the total Lagrangian solids.", &B::hourglass},
+      {"plate_potential", energy, "energy of the plate repulsion",
+       "Energy stored in the repulsion of rigid bodies.", &B::plate_potential},
+      {"dissipated_artificial", energy, "lost to artificial viscosity",
+       "Energy that the artificial viscosity dissipated.", &B::dissipated_artificial},
+      {"dissipated_viscous", energy, "lost to the water's viscosity",
+       "Energy that the viscosity of the water dissipated.", &B::dissipated_viscous},
+      {"dissipated_fracture", energy, "lost to fracture", "Energy that fracture dissipated.",
+       &B::dissipated_fracture},
+      {"dissipated_plastic", energy, "lost to plastic flow", "Energy that plastic flow dissipated.",
+       &B::dissipated_plastic},
+      {"stored_water", energy, "energy stored in the water",
+       "Part of the pressure work that the densities of the water can give back.",
+       &B::stored_water},
+      {"stored_solid", energy, "energy stored in the solids' volume",
+       "Part of the pressure work that the densities of the solids can give back.",
+       &B::stored_solid},
+  };
+}
+
+}  // namespace
+
+const List& balance_terms() {
+  static const List terms = [] {
+    List all = mass_terms();
+    for (const List& part : {momentum_terms(), flow_of_energy(), kinds_of_energy()})
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
+  }();
+  return terms;
+}
+
+const List& balance_errors() {
+  static const List errors{
+      {"mass_error", share(), "mass unaccounted for",
+       "Mass that the balance misses over all mass that was ever there.", &B::mass_error},
+      {"momentum_error", share(), "momentum unaccounted for",
+       "Momentum that the balance misses over its largest term.", &B::momentum_error},
+      {"pressure_energy_gap", share(), "gap between stored energy and pressure work",
+       "Energy stored by the equations of state less the pressure work, over all energy that came "
+       "in.",
+       &B::pressure_energy_gap},
+      {"energy_drift", share(), "energy unaccounted for",
+       "Energy that the balance misses over all energy that ever came in.", &B::energy_drift}};
+  return errors;
+}
+
+}  // namespace kerf

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The layers of a kerf as result.json lists them.
+#pragma once
+
+#include "analysis/kerf.hpp"
+
+namespace kerf {
+
+// A layer of a kerf by the name of its body.
+struct NamedLayer {
+  std::string name;
+  KerfLayer layer;
+
+  static const MetricList<NamedLayer>& metrics();
+};
+
+// The layers with the names of the bodies of the case.
+std::vector<NamedLayer> named_layers(const Kerf& kerf, const Case& description);
+
+}  // namespace kerf

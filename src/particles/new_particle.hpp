@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A particle that is about to join a run, on the host, and the bits of the field `flags`.
+#pragma once
+
+#include <cstdint>
+
+#include "model/point.hpp"
+
+namespace kerf {
+
+namespace flag {
+inline constexpr std::uint8_t repelling = 1;  // layer of a rigid body that repels, eq. (43)
+inline constexpr std::uint8_t upstream = 2;   // jet water still inside its nozzle
+inline constexpr std::uint8_t outside = 4;    // has left the domain: to be removed
+inline constexpr std::uint8_t erased = 8;     // flows back towards its nozzle: to be removed
+inline constexpr std::uint8_t fitted = 16;    // beside a jump of the spacing of its body
+inline constexpr std::uint8_t surface = 32;   // its kernel sum is not full: near a free surface
+}  // namespace flag
+
+struct NewParticle {
+  Point position{};          // m
+  Point velocity{};          // m/s
+  double inlet_speed = 0.0;  // m/s
+  std::uint32_t id = 0;      // given when it joins
+  std::uint16_t source = 0;  // its medium (simulation/levels.hpp)
+  std::uint8_t flags = 0;
+};
+
+}  // namespace kerf

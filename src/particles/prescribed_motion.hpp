@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Prescribed motion over one step, or a part of one: of clamped or moved bodies and of water in a
+// nozzle.
+#pragma once
+
+#include "particles/fields.hpp"
+
+namespace kerf {
+
+// One per medium. Displacement and velocity of a jet's medium are those of its nozzle.
+template <int D>
+struct PrescribedMotion {
+  Vector<D, double> displacement;  // m, since the start of the step
+  Vector<D, double> velocity;      // m/s, mean over the step
+  // Of jets only.
+  Vector<D, double> direction;     // unit vector
+  Vector<D, double> exit;          // m, centre of the nozzle's exit
+  double open_time;                // s, for which the nozzle was open since the start of the step
+  double open_fraction;            // open_time over the step
+  double back_flow_removal_speed;  // m/s, slower water along the jet is removed
+  bool removes_back_flow;
+};
+
+// Moves particle i, whose motion is prescribed, from its position at the start of the step.
+template <int D, class P>
+KERF_FUNCTION void apply_prescribed_motion(const ParticleView<D, P>& particles,
+                                           const PrescribedMotion<D>* motions, Index i) {
+  const PrescribedMotion<D>& motion = motions[particles.source[i]];
+  Vector<D, double> displacement = motion.displacement;
+  Vector<D, double> velocity = motion.velocity;
+  if (particles.has(i, flag::upstream)) {
+    const double speed = particles.inlet_speed[i];
+    displacement += (speed * motion.open_time) * motion.direction;
+    velocity += (speed * motion.open_fraction) * motion.direction;
+  }
+  particles.position[i] = particles.start_position[i] + displacement;
+  particles.velocity[i] = Vector<D, typename P::Real>::from(velocity);
+}
+
+}  // namespace kerf

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/metric_rows.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// "J/m3" as "J/m³".
+std::string with_raised_powers(std::string unit) {
+  for (const auto& [digit, raised] : {std::pair{'2', "²"}, std::pair{'3', "³"}})
+    for (std::size_t at; (at = unit.find(digit)) != std::string::npos;) unit.replace(at, 1, raised);
+  return unit;
+}
+
+std::string number_html(const std::string& unit, double value, int digits) {
+  if (unit == "1") return html::number(value, digits);
+  if (unit == "rad") return html::degrees(value);
+  const double factor = unit.starts_with("m3") ? 1e9 : unit.starts_with("m2") ? 1e6 : 0.0;
+  if (factor > 0.0)
+    return html::number(factor * value, digits) + "\u202fm" + with_raised_powers(unit);
+  return html::quantity(value, with_raised_powers(unit), digits);
+}
+
+}  // namespace
+
+const Json* find_value(const Json& result, const std::string& name) {
+  const std::size_t dot = name.find('.');
+  const auto found = result.find(name.substr(0, dot));
+  if (found == result.end()) return nullptr;
+  return dot == std::string::npos ? &*found : find_value(*found, name.substr(dot + 1));
+}
+
+std::string label_html(const std::string& label) {
+  std::string text;
+  const std::string safe = html::escape(label);
+  for (std::size_t i = 0; i < safe.size(); ++i) {
+    const bool is_index = safe[i] == '_' && i + 1 < safe.size();
+    text += is_index ? "<sub>" + safe.substr(++i, 1) + "</sub>" : safe.substr(i, 1);
+  }
+  return text;
+}
+
+std::string value_html(const Json& result, const ResultMetric& metric, int digits) {
+  const Json* value = find_value(result, metric.name);
+  if (value != nullptr && value->is_string()) return html::escape(value->get<std::string>());
+  const double number = value != nullptr && value->is_number()
+                            ? value->get<double>()
+                            : std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(number)) return "—";
+  if (metric.kind == MetricKind::count) return html::count(number);
+  if (metric.unit.is_share) return html::percent(number);
+  return number_html(metric.unit.in(result.at("dimension").get<int>()), number, digits);
+}
+
+html::Row metric_row(const Json& result, const std::string& name, std::string remark) {
+  const ResultMetric* metric = find_result_metric(name);
+  require(metric != nullptr, "a row of the report is a metric");
+  return {label_html(metric->label), value_html(result, *metric), std::move(remark), name};
+}
+
+}  // namespace kerf

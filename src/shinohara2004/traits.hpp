@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// The traits of the formulation of Shinohara et al. (2004): which particles interact, which fields
+// they have, and what a solid particle stores.
+#pragma once
+
+#include "kernels/cubic_spline.hpp"
+#include "neighbours/pair_range.hpp"
+#include "shinohara2004/hooke_solid.hpp"
+#include "simulation/balance_sums.hpp"
+
+namespace kerf {
+
+// All pairs share one kernel over their mean smoothing length; rigid bodies act by their repelling
+// layer only, within the mean spacing d_0 of eq. (43).
+struct JointPairs {
+  template <int D>
+  using Kernel = CubicSpline<D>;
+  static constexpr bool rigid_repels = true;
+
+  template <class Real, class T>
+  KERF_FUNCTION static Real smoothing_length(const Medium<T>& a, const Medium<T>& b) {
+    return Real(0.5) * (Real(a.smoothing_length) + Real(b.smoothing_length));
+  }
+  template <int D, class P>
+  KERF_FUNCTION static double reach(const ParticleView<D, P>& particles, Index i, Index j,
+                                    MirrorCode = 0) {
+    const auto& a = particles.medium(i);
+    const auto& b = particles.medium(j);
+    if (a.phase == Phase::rigid) return 0.0;
+    if (b.phase == Phase::rigid)
+      return particles.has(j, flag::repelling) ? 0.5 * (double(a.spacing) + double(b.spacing))
+                                               : 0.0;
+    return Kernel<D>::support * smoothing_length<double>(a, b);
+  }
+  template <int D, class P>
+  KERF_FUNCTION static PairClass pair_class(const ParticleView<D, P>&, Index, Index) {
+    return PairClass::other;
+  }
+  // Two of one kind have one reach and are same_class same_fluid; 0 where there is more to ask.
+  template <int D, class P>
+  KERF_FUNCTION static std::uint32_t kind(const ParticleView<D, P>& particles, Index i) {
+    return particles.medium(i).phase == Phase::rigid ? 0u : particles.source[i] + 1u;
+  }
+  // Distance from which on the two do nothing to one another, m.
+  template <class Kernel, class View, class Pair>
+  KERF_FUNCTION static auto cutoff(const View&, const Pair& pair) {
+    return decltype(pair.distance)(Kernel::support) * pair.smoothing_length;
+  }
+};
+
+struct Shinohara2004Traits {
+  using Pairs = JointPairs;
+
+  static FieldGroups field_groups(bool, bool mirrored) {
+    return {.rate_stress = true, .contact = false, .mirrored = mirrored};
+  }
+
+  template <int D, class P>
+  KERF_FUNCTION static SolidStorage stored_by_solid(const ParticleView<D, P>& particles, Index i,
+                                                    double mass) {
+    const auto& medium = particles.medium(i);
+    const double compression = particles.compression[i];
+    const bool fractured = particles.fractured[i] != 0;
+    return {mass * HookeSolid::volumetric_energy(medium, compression, fractured),
+            mass * HookeSolid::deviatoric_energy(medium, particles.shear[i], compression)};
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+namespace {
+
+double length(const std::array<double, 3>& v) {
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+double energy_supplied(const Balance& balance) {
+  return balance.energy_initial + balance.energy_in + std::max(0.0, balance.work_gravity) +
+         std::max(0.0, balance.work_constraint);
+}
+
+}  // namespace
+
+double Balance::mass_error() const {
+  const double scale = mass_initial + mass_in;
+  return scale > 0.0 ? (mass_now - (mass_initial + mass_in - mass_out - mass_erased)) / scale : 0.0;
+}
+
+double Balance::momentum_error() const {
+  std::array<double, 3> gap{};
+  for (std::size_t a = 0; a < 3; ++a)
+    gap[a] = momentum_now[a] - momentum_initial[a] - momentum_in[a] + momentum_out[a] -
+             impulse_gravity[a] - impulse_plate[a] - impulse_constraint[a];
+  const double scale = std::max(
+      {length(momentum_initial), length(momentum_now), length(momentum_in), length(impulse_gravity),
+       length(impulse_plate), length(impulse_constraint), momentum_scale});
+  return scale > 0.0 ? length(gap) / scale : 0.0;
+}
+
+double Balance::energy_total() const {
+  return kinetic + pressure_work + elastic_deviatoric + elastic_strain + hourglass +
+         plate_potential + dissipated_artificial + dissipated_viscous + dissipated_fracture +
+         dissipated_plastic;
+}
+
+double Balance::energy_drift() const {
+  const double due = energy_initial + energy_in - energy_out + work_gravity + work_constraint;
+  const double scale = energy_supplied(*this);
+  return scale > 0.0 ? (energy_total() - due) / scale : 0.0;
+}
+
+double Balance::energy_from_breaks() const {
+  const double scale = energy_supplied(*this);
+  return scale > 0.0 ? std::max(0.0, -dissipated_fracture) / scale : 0.0;
+}
+
+double Balance::pressure_energy_gap() const {
+  const double scale = energy_supplied(*this);
+  return scale > 0.0 ? (stored_water + stored_solid - pressure_work) / scale : 0.0;
+}
+
+}  // namespace kerf

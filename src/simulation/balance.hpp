@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The balance of mass, momentum and energy of a run, which measures its errors. All sums are in
+// double precision and in a fixed order. In 2D every quantity is per metre of depth. The sums over
+// particles are in simulation/balance_sums.hpp; balance_accumulator.hpp adds up the steps.
+#pragma once
+
+#include <array>
+
+namespace kerf {
+
+struct Balance {
+  // Mass, kg.
+  double mass_initial = 0.0;
+  double mass_in = 0.0;      // created at the nozzles
+  double mass_out = 0.0;     // left the domain
+  double mass_erased = 0.0;  // removed by the back-flow removal
+  double mass_now = 0.0;     // sum over the particles
+  double mass_fractured = 0.0;
+  double jet_mass_due = 0.0;      // integral of rho V A since the start
+  double jet_mass_carried = 0.0;  // the part below a whole layer: due = in + carried
+
+  // Momentum, kg m/s.
+  std::array<double, 3> momentum_initial{};
+  std::array<double, 3> momentum_now{};
+  std::array<double, 3> momentum_in{};
+  std::array<double, 3> momentum_out{};  // with the outflow
+  std::array<double, 3> impulse_gravity{};
+  std::array<double, 3> impulse_plate{};       // of rigid bodies on the particles
+  std::array<double, 3> impulse_constraint{};  // of nozzles, clamps, motion and symmetry planes
+  std::array<double, 3> impulse_water{};       // of the water on the solids
+  std::array<double, 3> force_plate{};         // N, of the particles on the rigid bodies, last step
+  std::array<double, 3> force_water{};         // N, of the water on the solids, last step
+  double momentum_scale = 0.0;  // kg m/s, sum of m |v| now: a scale where momenta cancel
+
+  // Energy, J.
+  double energy_initial = 0.0;  // kinetic + stored at t = 0
+  double energy_in = 0.0;
+  double energy_out = 0.0;
+  double work_gravity = 0.0;
+  double work_constraint = 0.0;
+  double kinetic = 0.0;        // now
+  double pressure_work = 0.0;  // done against the pressure forces of eq. (26) so far
+  double elastic_deviatoric = 0.0;
+  double elastic_strain = 0.0;  // all of it in total Lagrangian solids, now
+  double hourglass = 0.0;       // in their hourglass control, now
+  double plate_potential = 0.0;
+  double dissipated_artificial = 0.0;  // integrated
+  double dissipated_viscous = 0.0;
+  double dissipated_fracture = 0.0;
+  double dissipated_plastic = 0.0;  // by the flow of total Lagrangian solids
+  // The energy that the equations of state store at the densities of eq. (22). Where densities
+  // differ much (water beside fractured solid), eqs. (22) and (26) do not derive from the same
+  // energy, and this departs from the pressure work: see docs/theory/balance.md.
+  double stored_water = 0.0;
+  double stored_solid = 0.0;
+
+  double mass_error() const;           // relative to the initial mass and the inflow
+  double momentum_error() const;       // relative to the largest momentum or impulse term
+  double energy_drift() const;         // relative to the energy supplied
+  double energy_total() const;         // now, stored + dissipated
+  double energy_from_breaks() const;   // energy gained by fracture, likewise
+  double pressure_energy_gap() const;  // (stored - pressure work) / energy supplied
+};
+
+}  // namespace kerf

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// This class keeps the balance: it adds the impulses, work and dissipation of each step, inflow and
+// outflow.
+#pragma once
+
+#include "simulation/balance.hpp"
+#include "simulation/balance_sums.hpp"
+
+namespace kerf {
+
+template <int D, class P, class Traits>
+class BalanceAccumulator {
+ public:
+  void set_masses(const std::vector<double>& mass_per_source) {
+    to_device(mass_per_source, mass_of_);
+    mass_on_host_ = mass_per_source;
+  }
+
+  void open(Particles<D, P>& particles, const Vector<D, double>& gravity) {
+    const Balance now = state(particles, gravity);
+    balance_.mass_initial = now.mass_now;
+    balance_.momentum_initial = now.momentum_now;
+    balance_.energy_initial = now.energy_total();
+  }
+
+  // Adds a step. Calls before(i) and after(i) around the sums of each particle, in the same pass
+  // through memory. Returns how far the particles moved in the step.
+  template <class Before, class After>
+  StepMotion accumulate_step(Particles<D, P>& particles, const Vector<D, double>& gravity,
+                             double dt, const Before& before, const After& after) {
+    using Change = StepChange<D, P>;
+    const Change change{particles.view(), pointer(mass_of_), gravity, dt};
+    const auto sum =
+        add_up(particles.size(), StepWithBodies<D, P, Before, After>{before, change, after});
+    for (int a = 0; a < D; ++a) {
+      const auto axis = static_cast<std::size_t>(a);
+      balance_.impulse_plate[axis] += sum.value[Change::plate + a];
+      balance_.impulse_constraint[axis] += sum.value[Change::constraint + a];
+      balance_.impulse_water[axis] += sum.value[Change::water + a];
+      balance_.impulse_gravity[axis] += sum.value[Change::mass] * gravity[a] * dt;
+    }
+    balance_.work_gravity += sum.value[Change::gravity_work];
+    balance_.work_constraint += sum.value[Change::constraint_work];
+    balance_.dissipated_artificial += sum.value[Change::artificial];
+    balance_.dissipated_viscous += sum.value[Change::viscous];
+    balance_.dissipated_fracture += sum.value[Change::fracture];
+    return sum.motion.roots();
+  }
+
+  void accumulate_outflow(Particles<D, P>& particles) {
+    using Outflow = OutflowSum<D, P, Traits>;
+    const auto sum = outflow_sum_(particles.size(), Outflow{particles.view(), pointer(mass_of_)});
+    balance_.mass_out += sum.value[Outflow::mass_out];
+    balance_.mass_erased += sum.value[Outflow::mass_erased];
+    for (int a = 0; a < D; ++a)
+      balance_.momentum_out[static_cast<std::size_t>(a)] += sum.value[Outflow::momentum + a];
+    balance_.energy_out += sum.value[Outflow::energy];
+  }
+
+  // Adds a particle of unstressed water of the medium `source` that enters with `velocity`.
+  void accumulate_inflow(std::size_t source, const std::array<double, 3>& velocity) {
+    const double m = mass_on_host_[source];
+    balance_.mass_in += m;
+    double square = 0.0;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(D); ++a) {
+      const double v = static_cast<typename P::Real>(velocity[a]);  // as the particle holds it
+      balance_.momentum_in[a] += m * v;
+      square += v * v;
+    }
+    balance_.energy_in += 0.5 * m * square;
+  }
+
+  // The balance with the current state; the rates must be those of the state.
+  Balance state(Particles<D, P>& particles, const Vector<D, double>& gravity) {
+    using State = StateSum<D, P, Traits>;
+    const auto sum =
+        state_sum_(particles.size(), State{particles.view(), pointer(mass_of_), gravity});
+    Balance now = balance_;
+    now.mass_now = sum.value[State::mass];
+    now.mass_fractured = sum.value[State::fractured_mass];
+    for (int a = 0; a < D; ++a) {
+      now.momentum_now[static_cast<std::size_t>(a)] = sum.value[State::momentum + a];
+      now.force_plate[static_cast<std::size_t>(a)] = sum.value[State::plate_force + a];
+      now.force_water[static_cast<std::size_t>(a)] = sum.value[State::water_force + a];
+    }
+    now.kinetic = sum.value[State::kinetic];
+    now.pressure_work = sum.value[State::pressure_work];
+    now.stored_water = sum.value[State::stored_water];
+    now.stored_solid = sum.value[State::stored_solid];
+    now.elastic_deviatoric = sum.value[State::deviatoric];
+    now.plate_potential = sum.value[State::plate_potential];
+    now.momentum_scale = sum.value[State::momentum_scale];
+    return now;
+  }
+
+  const Balance& totals() const { return balance_; }
+  void restore(const Balance& balance) { balance_ = balance; }
+
+ private:
+  // On a GPU a block of the sum is the work of one thread: before and after are loops of their own.
+  template <class Body>
+  typename Body::Sum add_up(Index count, const Body& body) {
+    if constexpr (!on_gpu) return change_sum_(count, body);
+    for_each_index(count, body.before);
+    auto sum = change_sum_(count, body.change);
+    for_each_index(count, body.after);
+    sum.motion = reduce_unordered(count, MotionOf<D, P>{body.change.particles}, MotionSquares{},
+                                  FartherMotion{});
+    return sum;
+  }
+
+  Balance balance_;
+  Array<double> mass_of_;
+  std::vector<double> mass_on_host_;
+  OrderedFold<typename StepChange<D, P>::Sum> change_sum_;
+  OrderedSum<StateSum<D, P, Traits>::slots> state_sum_;
+  OrderedSum<OutflowSum<D, P, Traits>::slots> outflow_sum_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The settings of a run: all that the engines take of a case, as plain data in SI units. The
+// engines are templates that take long to compile; this file keeps them apart from the data of
+// cases (model/case.hpp), of which most is of no concern to them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/nozzle.hpp"
+#include "model/medium.hpp"
+#include "model/water_scheme.hpp"
+#include "particles/new_particle.hpp"
+#include "simulation/levels.hpp"
+#include "simulation/motion.hpp"
+
+namespace kerf {
+
+struct Case;
+
+// A point at which pressure and velocity are sampled, or a plane across which forces are summed.
+struct RunProbe {
+  bool is_plane = false;
+  Point position{};  // m
+  Point normal{};    // unit vector, of a plane
+};
+
+// A side of a body that absorbs waves.
+struct AbsorbingSide {
+  std::size_t source = 0;  // body
+  int axis = 0;
+  double sign = 1.0;   // of the outward normal
+  double layer = 0.0;  // m, distance of the finest layers along the normal
+};
+
+struct RunSettings {
+  double end_time = 0.0;                 // s
+  double courant = 0.25;                 // 1, factor of the acoustic limit
+  double maximum_step = 0.0;             // s; 0 or infinity = none
+  Point gravity{};                       // m/s^2
+  Point domain_minimum{};                // m
+  Point domain_maximum{};                // m
+  std::array<bool, 3> mirror_minimum{};  // which faces of the domain are symmetry planes
+  std::array<bool, 3> mirror_maximum{};
+  std::vector<RunProbe> probes;
+  bool removes_back_flow = false;  // whether water may be marked `erased`
+
+  // Of the formulations.
+  double smoothing_ratio = 1.3;             // h / spacing
+  double artificial_stress = 0.0;           // 1, epsilon of Gray et al. (2001); 0 = off
+  double artificial_stress_exponent = 4.0;  // 1
+  WaterScheme water_scheme = WaterScheme::riemann;
+  bool shifting = true;
+  int subcycles = 8;  // steps with the same bond forces, at most
+
+  // What there is. Vectors that say so have one entry per medium, in the order of levels.hpp.
+  std::vector<std::string> source_names;  // of bodies, then of jets, as in "body 'plate'"
+  std::vector<Nozzle> nozzles;            // per jet
+  Motion motion;
+  std::vector<MediumOrigin> origins;  // per medium
+  std::vector<Medium<double>> media;  // per medium
+  std::vector<AbsorbingSide> absorbing;
+  std::vector<NewParticle> particles;  // of the start, in the order of their ids
+};
+
+// Lays out the particles of a case and collects the settings of its run. Throws UserError where the
+// case cannot be built.
+RunSettings run_settings(const Case& description);
+
+}  // namespace kerf

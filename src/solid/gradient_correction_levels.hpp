@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+// These factors correct the weights of pairs where the spacing of a body jumps. A particle there
+// has smaller neighbours over a shorter kernel on one side than on the other; its sums are not
+// balanced, and a uniform stress or pressure would exert a force on it. So every pair near a jump
+// gets a factor s_ij = s_ji of its weight, with which each particle i has nearly the sums of a
+// neighbourhood that has the spacing of i throughout (the tilde; the lattices of two levels are
+// nested):
+//   sum_j s_ij w_ij R = sum~ w R,     sum_j s_ij w_ij R (x) R = sum~ w R (x) R,
+// 0 and that of the lattice inside a body, those of the face at a face. They minimise
+//   sum (s - 1)^2 + (1 / e) sum_i [(gap of the first)^2 + (theta gap of the second)^2].
+// With A (s - 1) = b for the conditions this is  s - 1 = A^T lambda,  (A A^T + e) lambda = b,
+// solved by conjugate gradients, once, on the host. The second condition has little weight: to meet
+// both takes factors from 0.2 to 3. These are the factors of pairs with pressures from their
+// densities. Bonds use corrected gradients, so that theirs have  sum_j s_ij w_ij (C_i + C_j) R / 2
+// in the first condition, C_i = (sum~ w R (x) R) (sum s w R (x) R)^-1, found in a few rounds. A
+// pair keeps its factor as it moves. See docs/theory/graded_resolution.md.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/matrix.hpp"
+#include "solid/conjugate_gradients.hpp"
+#include "solid/find_bonds.hpp"
+
+namespace kerf {
+
+struct BondFit {
+  // s, per entry of the bond lists; empty: there are no levels.
+  std::vector<double> of_bond, of_pair;
+  std::vector<std::uint8_t> fitted;  // per particle: 1 where a factor may differ from 1
+};
+
+template <int D>
+class LevelFit {
+  static constexpr std::size_t rows = D + D * (D + 1) / 2;  // conditions of a particle
+  using Row = std::array<double, rows>;
+  using Rows = Blocks<rows>;
+  using Position = Vector<D, double>;
+
+ public:
+  LevelFit(const SolidLayout<D>& layout, const BondLists& bonds) : layout_(layout), bonds_(bonds) {}
+
+  BondFit solve() {
+    BondFit fit;
+    if (layout_.body.empty() || !find_jumps()) return fit;
+    list_pairs();
+    match_.assign(layout_.reference.size(), identity<D, double>());
+    const Rows wanted = resampled_sums();
+    fit.of_pair = factors(wanted);
+    fit.of_bond = fit.of_pair;
+    for (int round = 0; round < rounds; ++round) {
+      match_corrections(wanted, fit.of_bond);
+      fit.of_bond = factors(wanted);
+    }
+    fit.fitted.assign(layout_.reference.size(), 0);
+    for (const Entry& pair : pairs_) fit.fitted[pair.i] = fit.fitted[pair.j] = 1;
+    return fit;
+  }
+
+ private:
+  // Every bond keeps a positive weight.
+  static constexpr double least_factor = 0.05;
+  static constexpr double softness = 1e-3;      // e
+  static constexpr double second_weight = 0.1;  // theta
+  static constexpr int rounds = 3;              // a fourth does not improve the balance
+  static constexpr double accuracy = 1e-4;
+
+  struct Entry {
+    Index i, j;
+    Index bond, back;  // in the lists of i and of j
+  };
+
+  const Medium<double>& medium(Index i) const { return layout_.media[layout_.medium_index[i]]; }
+  bool same_body(Index i, Index j) const {
+    return layout_.body[layout_.medium_index[i]] == layout_.body[layout_.medium_index[j]];
+  }
+
+  // Marks the particles with neighbours of another level.
+  bool find_jumps() {
+    at_jump_.assign(layout_.reference.size(), 0);
+    bool any = false;
+    for (Index i = 0; i < static_cast<Index>(at_jump_.size()); ++i)
+      for (Index k = bonds_.begin[i]; k < bonds_.begin[i + 1]; ++k) {
+        const Index j = bonds_.neighbour[k];
+        if (layout_.medium_index[i] == layout_.medium_index[j] || !same_body(i, j)) continue;
+        at_jump_[i] = 1;
+        any = true;
+      }
+    return any;
+  }
+
+  // Finds the pairs that may change, and their particles.
+  void list_pairs() {
+    row_of_.assign(layout_.reference.size(), none);
+    for (Index i = 0; i < static_cast<Index>(at_jump_.size()); ++i)
+      for (Index k = bonds_.begin[i]; k < bonds_.begin[i + 1]; ++k) {
+        const Index j = bonds_.neighbour[k];
+        if (!same_body(i, j) || !(at_jump_[i] || at_jump_[j])) continue;
+        if (row_of_[i] == none) {
+          row_of_[i] = static_cast<Index>(particle_of_.size());
+          particle_of_.push_back(i);
+        }
+        if (i < j) pairs_.push_back({i, j, k, entry_of(j, i)});
+      }
+  }
+  Index entry_of(Index i, Index j) const {
+    const auto first = bonds_.neighbour.begin() + bonds_.begin[i];
+    const auto last = bonds_.neighbour.begin() + bonds_.begin[i + 1];
+    return static_cast<Index>(std::lower_bound(first, last, j) - bonds_.neighbour.begin());
+  }
+
+  // Returns the dimensionless terms of a neighbour at R of volume V in the sums of a particle of
+  // spacing d: V |W'| / R times (d C R, theta R (x) R).
+  static Row conditions(const Position& bond, const Position& matched, double weight,
+                        double spacing) {
+    Row row{};
+    std::size_t n = 0;
+    for (int a = 0; a < D; ++a) row[n++] = weight * spacing * matched[a];
+    for (int a = 0; a < D; ++a)
+      for (int b = a; b < D; ++b) row[n++] = second_weight * weight * bond[a] * bond[b];
+    return row;
+  }
+  Row conditions(Index i, Index j) const {
+    const Position bond = layout_.reference[j] - layout_.reference[i];
+    const auto &own = medium(i), &other = medium(j);
+    return conditions(bond, 0.5 * ((match_[i] + match_[j]) * bond),
+                      intact_weight<D>(own, other, norm(bond)) / own.reference_volume(),
+                      own.spacing);
+  }
+  static void add(Row& sum, const Row& row, double share) {
+    for (std::size_t n = 0; n < rows; ++n) sum[n] += share * row[n];
+  }
+
+  // Returns the sums that each particle should have.
+  Rows resampled_sums() const {
+    Rows sums(particle_of_.size());
+    std::vector<Index> seen(layout_.reference.size(), none);
+    for (std::size_t r = 0; r < sums.size(); ++r) {
+      const Index i = particle_of_[r];
+      visit_around(i, seen, [&](Index j) { add_resampled(i, j, sums[r]); });
+    }
+    return sums;
+  }
+  // Returns the sums that it has with these factors; without factors: with 1.
+  Row own_sums(Index i, const std::vector<double>& factor) const {
+    Row sum{};
+    for (Index k = bonds_.begin[i]; k < bonds_.begin[i + 1]; ++k)
+      if (same_body(i, bonds_.neighbour[k]))
+        add(sum, conditions(i, bonds_.neighbour[k]), factor.empty() ? 1.0 : factor[k]);
+    return sum;
+  }
+
+  std::vector<double> factors(const Rows& wanted) const {
+    Rows missing = wanted;
+    for (std::size_t r = 0; r < missing.size(); ++r)
+      add(missing[r], own_sums(particle_of_[r], {}), -1.0);
+    const auto system = [this](const Rows& x) { return apply(x); };
+    const Rows multipliers =
+        conjugate_gradients<rows>(system, std::move(missing), inverse_diagonal(), accuracy);
+    std::vector<double> factor(bonds_.neighbour.size(), 1.0);
+    for (const Entry& pair : pairs_) {
+      const double s = 1.0 + change(pair, multipliers);
+      factor[pair.bond] = factor[pair.back] = s > least_factor ? s : least_factor;
+    }
+    return factor;
+  }
+
+  static Matrix<D, double> second_moment(const Row& row) {
+    Matrix<D, double> moment;
+    std::size_t n = D;
+    for (int a = 0; a < D; ++a)
+      for (int b = a; b < D; ++b) moment(a, b) = moment(b, a) = row[n++];
+    return moment;
+  }
+  // Computes C of every particle with these factors.
+  void match_corrections(const Rows& wanted, const std::vector<double>& factor) {
+    for (std::size_t r = 0; r < wanted.size(); ++r) {
+      const Index i = particle_of_[r];
+      auto match = second_moment(wanted[r]);
+      if (divide(match, second_moment(own_sums(i, factor)), 1e-6)) match_[i] = match;
+    }
+  }
+
+  // Finds the neighbours of i in its body and their neighbours: all within its own kernel. `seen`
+  // holds the last particle that visited each.
+  template <class Visit>
+  void visit_around(Index i, std::vector<Index>& seen, const Visit& visit) const {
+    const auto visit_neighbours = [&](Index of) {
+      for (Index k = bonds_.begin[of]; k < bonds_.begin[of + 1]; ++k) {
+        const Index j = bonds_.neighbour[k];
+        if (seen[j] == i || !same_body(i, j)) continue;
+        seen[j] = i;
+        visit(j);
+      }
+    };
+    visit_neighbours(i);
+    for (Index k = bonds_.begin[i]; k < bonds_.begin[i + 1]; ++k)
+      visit_neighbours(bonds_.neighbour[k]);
+  }
+
+  // Adds the terms of the volume of j as if that had the spacing of i: a share of one site of its
+  // lattice, or several sites.
+  void add_resampled(Index i, Index j, Row& sum) const {
+    if (i == j) return;
+    const double spacing = medium(i).spacing, ratio = medium(j).spacing / spacing;
+    const Position bond = layout_.reference[j] - layout_.reference[i];
+    if (ratio < 0.75) {
+      Position place;
+      for (int a = 0; a < D; ++a) place[a] = spacing * std::round(bond[a] / spacing);
+      add_place(i, place, std::pow(ratio, D), sum);
+      return;
+    }
+    const int across = static_cast<int>(std::lround(ratio));
+    const int count = D == 3 ? across * across * across : across * across;
+    for (int k = 0; k < count; ++k) {
+      Position place = bond;
+      for (int a = 0, rest = k; a < D; ++a, rest /= across)
+        place[a] += spacing * (rest % across - 0.5 * (across - 1));
+      add_place(i, place, 1.0, sum);
+    }
+  }
+  void add_place(Index i, const Position& place, double share, Row& sum) const {
+    const double distance = norm(place);
+    const auto& own = medium(i);
+    if (distance < 0.5 * own.spacing) return;  // itself
+    const double weight = intact_weight<D>(own, own, distance) / own.reference_volume();
+    add(sum, conditions(place, place, weight, own.spacing), share);
+  }
+
+  static double dot_rows(const Row& a, const Row& b) {
+    double sum = 0.0;
+    for (std::size_t n = 0; n < rows; ++n) sum += a[n] * b[n];
+    return sum;
+  }
+
+  // Returns s - 1 of a pair.
+  double change(const Entry& pair, const Rows& multipliers) const {
+    return dot_rows(conditions(pair.i, pair.j), multipliers[row_of_[pair.i]]) +
+           dot_rows(conditions(pair.j, pair.i), multipliers[row_of_[pair.j]]);
+  }
+  // Returns (A A^T + e) x.
+  Rows apply(const Rows& x) const {
+    Rows result(x.size());
+    for (std::size_t r = 0; r < x.size(); ++r) add(result[r], x[r], softness);
+    for (const Entry& pair : pairs_) {
+      const double s = change(pair, x);
+      add(result[row_of_[pair.i]], conditions(pair.i, pair.j), s);
+      add(result[row_of_[pair.j]], conditions(pair.j, pair.i), s);
+    }
+    return result;
+  }
+  // Returns 1 / the diagonal of A A^T + e.
+  Rows inverse_diagonal() const {
+    Rows diagonal(particle_of_.size());
+    for (Row& row : diagonal) row.fill(softness);
+    const auto square = [](Row& sum, const Row& row) {
+      for (std::size_t n = 0; n < rows; ++n) sum[n] += row[n] * row[n];
+    };
+    for (const Entry& pair : pairs_) {
+      square(diagonal[row_of_[pair.i]], conditions(pair.i, pair.j));
+      square(diagonal[row_of_[pair.j]], conditions(pair.j, pair.i));
+    }
+    for (Row& row : diagonal)
+      for (double& value : row) value = 1.0 / value;
+    return diagonal;
+  }
+
+  static constexpr Index none = 0xffffffffu;
+  const SolidLayout<D>& layout_;
+  const BondLists& bonds_;
+  std::vector<std::uint8_t> at_jump_;
+  std::vector<Entry> pairs_;
+  std::vector<Index> row_of_, particle_of_;
+  std::vector<Matrix<D, double>> match_;  // C, per particle
+};
+
+}  // namespace kerf

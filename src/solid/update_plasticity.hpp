@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// KeepFlow ends a step of media with plastic flow: the next step starts from their current state.
+#pragma once
+
+#include "parallel/ordered_sum.hpp"
+#include "solid/hourglass_modulus.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct StartPlasticity {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    solid.flow_start[i] = solid.current_flow[i] = PlasticState<D, Real>::virgin();
+    solid.flow_work[i] = Real(0);
+    solid.flow_loss[i] = 0.0;
+  }
+};
+
+template <int D, class P>
+struct KeepFlow {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    solid.flow_loss[i] = 0.0;
+    if (!solid.flows(i) || solid.detached[i]) return;
+    const auto& medium = solid.medium(i);
+    solid.flow_loss[i] = double(medium.reference_volume()) * double(solid.flow_work[i]);
+    solid.flow_work[i] = Real(0);
+    solid.flow_start[i] = solid.current_flow[i];
+    solid.flow_loss[i] += lower_hourglass(solid, i);
+  }
+};
+
+// Returns the plastic work of particle i in the current step, J.
+template <int D, class P>
+KERF_FUNCTION double flow_work_of(const SolidView<D, P>& solid, Index i) {
+  if (!solid.any_flows || solid.detached[i]) return 0.0;
+  return double(solid.medium(i).reference_volume()) * double(solid.flow_work[i]);
+}
+template <int D, class P>
+struct FlowWorkTerm {
+  SolidView<D, P> solid;
+  KERF_FUNCTION void add(Index i, Terms<1>& sum) const { sum.value[0] += flow_work_of(solid, i); }
+};
+// Sums the energy that the last KeepFlow dissipated, J.
+template <int D, class P>
+struct FlowLossTerm {
+  SolidView<D, P> solid;
+  KERF_FUNCTION void add(Index i, Terms<1>& sum) const { sum.value[0] += solid.flow_loss[i]; }
+};
+
+}  // namespace kerf

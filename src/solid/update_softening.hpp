@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// KeepSoftening ends a step of media that soften: the next step starts from their largest strain.
+#pragma once
+
+#include "parallel/ordered_sum.hpp"
+#include "solid/hourglass_modulus.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+struct StartSoftening {
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    solid.strain_start[i] = solid.current_strain[i] = 0;
+    solid.softening_loss[i] = 0.0;
+  }
+};
+
+// Lowers the hourglass control to that of the remaining share; the excess of its energy is
+// dissipated.
+template <int D, class P>
+struct KeepSoftening {
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    solid.softening_loss[i] = 0.0;
+    if (!solid.softens(i) || solid.detached[i]) return;
+    solid.strain_start[i] = solid.current_strain[i];
+    solid.softening_loss[i] = lower_hourglass(solid, i);
+  }
+};
+
+// Sums the energy that the hourglass control lost in the last KeepSoftening, J.
+template <int D, class P>
+struct SofteningLossTerm {
+  SolidView<D, P> solid;
+  KERF_FUNCTION void add(Index i, Terms<1>& sum) const { sum.value[0] += solid.softening_loss[i]; }
+};
+
+// Returns the energy that softening took from particle i since the start of the run, J.
+template <int D, class P>
+KERF_FUNCTION double softening_work_of(const SolidView<D, P>& solid, Index i) {
+  if (!solid.softens(i)) return 0.0;
+  const auto medium = BreakableSolid<double>::from(solid.medium(i));
+  const auto strain = solid.detached[i] ? solid.strain_start[i] : solid.current_strain[i];
+  return double(solid.medium(i).mass) / double(solid.medium(i).density) *
+         softening_loss(medium, double(strain));
+}
+template <int D, class P>
+struct SofteningTerm {
+  SolidView<D, P> solid;
+  KERF_FUNCTION void add(Index i, Terms<1>& sum) const {
+    sum.value[0] += softening_work_of(solid, i);
+  }
+};
+
+}  // namespace kerf

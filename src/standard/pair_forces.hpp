@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pair sums of the `standard` formulation over the current positions: fluid, fluid against
+// solids and walls, contact of solids. The forces inside a solid are not among them: they are sums
+// over the bonds of its reference shape (solid/).
+#pragma once
+
+#include "contact/debris_contact.hpp"
+#include "contact/surface_contact.hpp"
+#include "fluid/concentration_gradient.hpp"
+#include "fluid/density_diffusion.hpp"
+#include "fluid/density_gradient.hpp"
+#include "fluid/fluid_continuity.hpp"
+#include "fluid/fluid_force.hpp"
+#include "fluid/fluid_pressure.hpp"
+#include "fluid/lattice_sums.hpp"
+#include "fluid/particle_concentration.hpp"
+#include "fluid/simd/same_fluid_pairs.hpp"
+#include "fluid/water_viscosity.hpp"
+#include "kernels/wendland_c2.hpp"
+#include "materials/equation_of_state.hpp"
+#include "pairs/body_force.hpp"
+#include "pairs/pair_loop.hpp"
+
+namespace kerf {
+
+// A loop over the particles of solids alone.
+template <int D, class P, class Loop>
+struct OfSolids {
+  ParticleView<D, P> particles;
+  Loop loop;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (particles.medium(i).phase == Phase::solid) loop(i);
+  }
+};
+
+template <int D, class P>
+class StandardRates {
+ public:
+  using Real = typename P::Real;
+
+  StandardRates(const Vector<D, double>& gravity, const std::vector<Medium<double>>& media,
+                const LatticeSums& lattice = {}, WaterScheme scheme = WaterScheme::riemann)
+      : gravity_{Vector<D, Real>::from(gravity)},
+        fluid_pair_{gravity_.gravity, Real(1.0 / lattice.slope), {}, scheme},
+        media_(static_cast<Index>(media.size())) {
+    std::vector<ContactOfMedia<Real>> entries;
+    for (const auto& entry : contact_table<D, ContactPairs>(media))
+      entries.push_back(
+          {static_cast<Real>(entry.inverse_kernel_sum), static_cast<Real>(entry.stiffness)});
+    to_device(entries, contacts_);
+    for (const auto& medium : media) has_solids_ |= medium.phase == Phase::solid;
+    if (separates_same_fluid())
+      same_fluid_pairs_ = SameFluidPairs<D, P>(media, 1.0 / lattice.slope);
+  }
+
+  // Whether the pairs of the same fluid are summed by SIMD kernels of their own, for which they
+  // have to come first in the list.
+  bool separates_same_fluid() const {
+    return simd_exists && fluid_pair_.scheme == WaterScheme::riemann;
+  }
+
+  // Sets the gradient correction of bodies whose spacing jumps.
+  void set_pair_correction(const PairCorrection<D, P>& correction) {
+    fluid_pair_.correction = correction;
+  }
+
+  // Evaluates what a step needs in one pair loop: pressures, the accelerations by gravity and all
+  // pairs, the rates of compression, the kernel sums and the concentration gradients.
+  template <class Bonds>
+  void evaluate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
+                const Bonds& bonds, ConcentrationGradient<D, Real>* concentration_gradient) const {
+    if (has_solids_) sum_surface_overlaps(view, count, list, {contacts()});
+    const LoopInput input{view, count, list};
+    if (fluid_pair_.scheme == WaterScheme::riemann) {
+      sum_pairs(input, bonds, FluidContinuity<D, P>{fluid_pair_}, KernelSum{},
+                ConcentrationGradientSum<D, P>{concentration_gradient});
+      return;
+    }
+    update_pressures(input);
+    density_gradient_.resize(count);
+    for_each_index(count, PairLoop<D, P, ContactPairs, DensityGradient<D, P>>(
+                              view, list, {}, {pointer(density_gradient_)}));
+    run_loop(input, bonds, EveryPair{}, gravity_, FluidContinuity<D, P>{fluid_pair_}, KernelSum{},
+             ConcentrationGradientSum<D, P>{concentration_gradient},
+             DensityDiffusion<D, P>{pointer(density_gradient_)});
+  }
+
+  // Evaluates pressures and accelerations only, for output.
+  template <class Bonds>
+  void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
+                  const Bonds& bonds) const {
+    if (has_solids_) sum_surface_overlaps(view, count, list, {contacts()});
+    sum_pairs({view, count, list}, bonds);
+  }
+  // Evaluates the accelerations by the pairs that `filter` selects and by the body force given.
+  template <class Bonds, class Filter>
+  void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
+                  const Bonds& bonds, const Filter& filter,
+                  const BodyForce<D, P>& body_force) const {
+    if (has_solids_) sum_surface_overlaps(view, count, list, {contacts()});
+    update_pressures({view, count, list});
+    run_loop({view, count, list}, bonds, filter, body_force);
+  }
+
+  // Records the initial overlap, at which bodies exert no force. Once, at the start of a run.
+  void record_initial_overlap(const ParticleView<D, P>& view, Index count,
+                              const NeighbourView& list) const {
+    if (has_solids_) sum_surface_overlaps(view, count, list, {contacts(), true});
+  }
+
+  std::size_t bytes() const {
+    return same_fluid_pairs_.bytes() + density_gradient_.size() * sizeof(Vector<D, Real>);
+  }
+
+ private:
+  using KernelSum = ParticleConcentration<D, P, ContactPairs::Kernel<D>>;
+
+  struct LoopInput {
+    ParticleView<D, P> view;
+    Index count;
+    NeighbourView list;
+  };
+
+  static void update_pressures(const LoopInput& input) {
+    for_each_index(input.count, FluidPressure<D, P>{input.view});
+  }
+
+  // The loop over the forces, and over `more` terms of the same pairs.
+  template <class Bonds, class Filter, class... More>
+  auto forces_loop(const LoopInput& input, const Bonds& bonds, const Filter& filter,
+                   const BodyForce<D, P>& body_force, const More&... more) const {
+    return FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, FluidForce<D, P>,
+                            WaterViscosity<D, P>, SolidContact<D, P, Bonds>, SurfaceContact<D, P>,
+                            More...>(
+        input.view, input.list, filter, body_force, FluidForce<D, P>{fluid_pair_},
+        WaterViscosity<D, P>{fluid_pair_.kernel_gradient_normalisation},
+        SolidContact<D, P, Bonds>{bonds}, SurfaceContact<D, P>{contacts()}, more...);
+  }
+  template <class Bonds, class Filter, class... More>
+  void run_loop(const LoopInput& input, const Bonds& bonds, const Filter& filter,
+                const BodyForce<D, P>& body_force, const More&... more) const {
+    for_each_index(input.count, forces_loop(input, bonds, filter, body_force, more...));
+  }
+  // Sums over every pair; those of the same fluid by SIMD kernels where there are such.
+  template <class Bonds, class... More>
+  void sum_pairs(LoopInput input, const Bonds& bonds, const More&... more) const {
+    if constexpr (simd_exists) {
+      if (separates_same_fluid()) {
+        input.list.skips = Skips::same_fluid;
+        same_fluid_pairs_.run(same_fluid_pairs_.pack(input.view, input.count, input.list),
+                              input.count,
+                              forces_loop(input, bonds, EveryPair{}, gravity_, more...));
+        return;
+      }
+    }
+    update_pressures(input);
+    run_loop(input, bonds, EveryPair{}, gravity_, more...);
+  }
+
+  void sum_surface_overlaps(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
+                            const SurfaceOverlap<D, P>& term) const {
+    using Loop = PairLoop<D, P, ContactPairs, SurfaceOverlap<D, P>>;
+    NeighbourView others = list;  // pairs of the same fluid or body are not in contact
+    others.skips = Skips::same_fluid_and_body;
+    for_each_index(count, OfSolids<D, P, Loop>{view, Loop(view, others, {}, term)});
+  }
+  ContactTable<Real> contacts() const { return {pointer(contacts_), media_}; }
+
+  BodyForce<D, P> gravity_{};
+  FluidPair<D, P> fluid_pair_{};
+  Index media_ = 0;
+  Array<ContactOfMedia<Real>> contacts_;
+  mutable Array<Vector<D, Real>> density_gradient_;  // 1/m, scratch of delta-SPH alone
+  bool has_solids_ = false;
+  mutable SameFluidPairs<D, P> same_fluid_pairs_;
+};
+
+}  // namespace kerf

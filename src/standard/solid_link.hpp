@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// The correspondence between the particles, which are sorted again as they move, and the solid,
+// whose particles keep the numbers of the initial layout.
+#pragma once
+
+#include "materials/equation_of_state.hpp"
+#include "neighbours/neighbour_list.hpp"
+#include "pairs/pair.hpp"
+#include "particles/fields.hpp"
+#include "solid/set_motion.hpp"
+#include "solid/stress_response.hpp"
+
+namespace kerf {
+
+inline constexpr Index no_index = 0xffffffffu;
+
+// Both directions of the correspondence. Ids of solid particles are those of the start.
+struct SolidIndexView {
+  const Index* number_of_id;  // solid number, or no_index
+  Index ids;                  // entries of it
+  Index* particle_of;         // per solid number: index of the particle, or no_index
+
+  KERF_FUNCTION Index number(std::uint32_t id) const {
+    return id < ids ? number_of_id[id] : no_index;
+  }
+};
+
+template <int D, class P>
+struct LinkSolids {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const Index number = link.number(particles.id[i]);
+    if (number != no_index) link.particle_of[number] = i;
+  }
+};
+
+// Sets the motion of the solid (solid/set_motion.hpp), extrapolated at constant velocity by the
+// prediction time, s. A particle that has left the domain keeps its last position.
+template <int D, class P>
+struct MotionOfParticles {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  double prediction_time = 0.0;
+
+  KERF_FUNCTION void take(const SolidView<D, P>& solid, Index s) const {
+    const Index i = link.particle_of[s];
+    if (i == no_index) return;
+    auto position = particles.position[i];
+    if (prediction_time > 0.0)
+      position += prediction_time * Vector<D, double>::from(particles.velocity[i]);
+    set_displacement(solid, s, position);
+    solid.ends[s].velocity = particles.velocity[i];
+  }
+};
+
+template <int D, class P>
+struct AddSolidAcceleration {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i == no_index) return;
+    particles.acceleration[i] += solid.acceleration[s];
+    if (solid.has_mirrors()) particles.mirror_acceleration[i] += solid.mirror_acceleration[s];
+  }
+};
+
+// Adds the pressure by bonds, - tr sigma / 3, to the pressure of particles that are not detached.
+template <int D, class P>
+struct ShowPressure {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i == no_index || solid.detached[s]) return;
+    particles.pressure[i] -= trace(cauchy_now(solid, s)) / Real(3);
+  }
+};
+
+// Marks the particles of detached solid as fractured. A detached particle continues as a fluid
+// whose density gives the pressure that it had.
+template <int D, class P>
+struct MarkDetached {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i == no_index || !solid.detached[s] || particles.fractured[i]) return;
+    particles.fractured[i] = 1;
+    const auto& medium = particles.medium(i);
+    const Real by_density = medium.template share_by_density<Real>(false) *
+                            pressure_at(medium, particles.compression[i]);
+    const Real by_bonds = -trace(cauchy_now(solid, s)) / Real(3);
+    particles.compression[i] = medium.tait.compression(by_density + by_bonds);
+  }
+};
+
+// Marks outflow particles (marked for removal) that still have intact bonds.
+template <int D, class P>
+struct MarkBondedOutflow {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  SolidView<D, P> solid;
+  std::uint8_t* gone;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    const bool leaves = i != no_index && particles.has(i, flag::outside | flag::erased);
+    gone[s] = leaves && solid.intact_bonds(s) > 0 ? 1 : 0;
+  }
+};
+
+// The intact bonds between particles, for contact (contact/debris_contact.hpp).
+template <int D, class P>
+struct IntactBonds {
+  SolidIndexView link;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION bool is_intact(const ParticleView<D, P>& particles, const Pair<D, P>& pair) const {
+    if (!pair.is_one_piece()) return false;
+    const Index a = link.number(particles.id[pair.i]), b = link.number(particles.id[pair.j]);
+    if (a == no_index || b == no_index) return false;
+    const Index bond = bond_between(solid.bonds, a, b | pair.mirror);
+    return bond != no_bond && solid.is_intact(a, bond);
+  }
+
+  // Reference distance, m; unbounded for particles that entered later.
+  KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>& particles,
+                                                   const Pair<D, P>& pair) const {
+    const Index a = link.number(particles.id[pair.i]), b = link.number(particles.id[pair.j]);
+    if (a == no_index || b == no_index) return typename P::Real(1e30);
+    return norm(solid.reference_bond(a, BondEnd{b, pair.mirror}));
+  }
+};
+
+// Marks fully bonded particles: those without broken bonds that are bonded to all their listed
+// neighbours of the same body. Others, such as a folded piece that touches itself, need the test
+// for contact.
+template <int D, class P>
+struct MarkFullyBonded {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  SolidView<D, P> solid;
+  NeighbourView list;
+  std::uint8_t* fully_bonded;  // of particles; out
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i == no_index) return;
+    const Index first = list.begin[i] + list.same_fluid[i], last = first + list.same_body[i];
+    bool bonded = !solid.has_broken_bonds[s];
+    for (Index k = first; k < last && bonded; ++k) {
+      const Index other = link.number(particles.id[list.neighbour[k]]);
+      bonded = other != no_index && bond_between(solid.bonds, s, other) != no_bond;
+    }
+    fully_bonded[i] = bonded ? 1 : 0;
+  }
+};
+// Unmarks particles that have lost bonds since.
+template <int D, class P>
+struct UnmarkBroken {
+  SolidIndexView link;
+  SolidView<D, P> solid;
+  std::uint8_t* fully_bonded;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i != no_index && solid.has_broken_bonds[s]) fully_bonded[i] = 0;
+  }
+};
+
+// Applies a filter of pairs of particles, such as those across a plane, to bonds.
+template <int D, class P, class Filter>
+struct BondFilter {
+  ParticleView<D, P> particles;
+  SolidIndexView link;
+  Filter filter;
+
+  template <class End>
+  KERF_FUNCTION bool operator()(Index a, const End& b) const {
+    const Index i = link.particle_of[a], j = link.particle_of[b.particle];
+    return i != no_index && j != no_index && filter(particles, i, j, b.mirror);
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+// The solids of a run of the `standard` formulation: this class passes positions and velocities to
+// the total Lagrangian solid (solid/) and its forces back, and keeps its share of the balance and
+// of checkpoints.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "simulation/absorbing_sites.hpp"
+#include "simulation/balance.hpp"
+#include "simulation/media.hpp"
+#include "simulation/run_settings.hpp"
+#include "simulation/state_io.hpp"
+#include "solid/pair_correction.hpp"
+#include "solid/total_lagrangian.hpp"
+#include "standard/solid_link.hpp"
+#include "standard/solid_show.hpp"
+#include "time/subcycling.hpp"
+
+namespace kerf {
+
+// The losses of the solids since the start, J (2D: J/m).
+struct SolidLosses {
+  double viscous = 0.0;              // by the viscosity of bonds
+  double released = 0.0;             // by bonds that broke, and by damage
+  double plastic = 0.0;              // by plastic flow
+  std::array<double, 3> absorbed{};  // N s, impulse of absorbing faces on them
+};
+
+template <int D, class P>
+class SolidPart {
+ public:
+  using Real = typename P::Real;
+
+  // `particles` are those of the start, in the order of their ids.
+  SolidPart(const RunSettings& settings, const std::vector<Medium<double>>& media,
+            Particles<D, P>& particles)
+      : cycle_(settings.subcycles) {
+    SolidLayout<D> layout;
+    const auto& origins = settings.origins;
+    const auto is_level = [](const MediumOrigin& origin) { return origin.level > 0; };
+    if (std::any_of(origins.begin(), origins.end(), is_level))
+      for (const MediumOrigin& origin : origins) layout.body.push_back(origin.source);
+    layout.media = media;
+    layout.mirrors = particles.mirrors;
+    const auto position = to_host(particles.position);
+    const auto source = to_host(particles.source);
+    std::vector<Index> number(source.size(), no_index);
+    for (std::size_t id = 0; id < source.size(); ++id) {
+      if (media[source[id]].phase != Phase::solid) continue;
+      number[id] = static_cast<Index>(layout.reference.size());
+      layout.reference.push_back(position[id]);
+      layout.medium_index.push_back(source[id]);
+    }
+    to_device(number, number_of_id_);
+    particle_of_.resize(layout.reference.size());
+    if (layout.reference.empty()) return;
+    solid_ = std::make_unique<TotalLagrangian<D, P>>(layout);
+    outflow_.resize(layout.reference.size());
+    mark_fitted(number, particles);
+    to_device(absorbing_sites<D>(settings, media, position, source, number), sites_);
+  }
+
+  // Links the solid to its particles in their new order, for which there is a new list.
+  void relink(Particles<D, P>& particles, const NeighbourView& list) {
+    if (!solid_) return;
+    thrust::fill(particle_of_.begin(), particle_of_.end(), no_index);
+    for_each_index(particles.size(), LinkSolids<D, P>{particles.view(), link()});
+    mark_detached(particles);
+    fully_bonded_.resize(particles.size());
+    thrust::fill(fully_bonded_.begin(), fully_bonded_.end(), std::uint8_t(0));
+    for_each_index(solid_->size(), MarkFullyBonded<D, P>{particles.view(), link(), solid_->view(),
+                                                         list, pointer(fully_bonded_)});
+  }
+  // The list without the neighbours of fully bonded particles, for loops that skip the same body.
+  NeighbourView without_fully_bonded(NeighbourView list) const {
+    list.fully_bonded = solid_ ? pointer(fully_bonded_) : nullptr;
+    return list;
+  }
+
+  // Whether the current step is the first substep of a step of the solid (time/subcycling.hpp).
+  bool is_first_substep() const { return solid_ && cycle_.is_first_substep(); }
+
+  // In the middle of the first substep, of length `dt`: deforms the solid to its prediction for the
+  // middle of its step.
+  void predict(Particles<D, P>& particles, double dt) {
+    if (!is_first_substep()) return;
+    cycle_.begin(dt, longest_step_);
+    deform(particles, cycle_.length(), cycle_.prediction_time(dt));
+  }
+  // Deforms the solid to the current positions of the particles.
+  void deform_to_current(Particles<D, P>& particles) {
+    if (solid_) deform(particles, std::max(0.0, cycle_.time_since_middle()), 0.0);
+  }
+
+  // Breaks the bonds that meet their fracture criterion; the deformation must be that of predict().
+  void break_bonds(Particles<D, P>& particles) {
+    if (!is_first_substep()) return;
+    const FractureResult result = solid_->fracture();
+    // The whole kick of the step is without the broken bonds, as if they broke at its start, when
+    // they had stored less by what they took up since.
+    losses_.released -= 0.5 * cycle_.length() * result.power_gain;
+    take(result, particles);
+  }
+
+  // Adds the accelerations by all bonds, which in later substeps are those of the first one, and by
+  // absorbing faces.
+  void accelerate(Particles<D, P>& particles) {
+    if (!solid_) return;
+    const AddSolidAcceleration<D, P> add{particles.view(), link(), solid_->view()};
+    if (cycle_.is_first_substep())
+      solid_->accelerate(EveryBond{}, add);
+    else
+      for_each_index(solid_->size(), add);
+    for_each_index(sites(), Absorb<D, P>{particles.view(), pointer(particle_of_), no_index,
+                                         pointer(solid_->fields().detached), pointer(sites_)});
+  }
+  // Adds the accelerations by the bonds that `filter` selects, at the current deformation.
+  template <class Filter>
+  void accelerate(Particles<D, P>& particles, const Filter& filter) {
+    if (!solid_) return;
+    solid_->keeping_accelerations([&] {
+      solid_->accelerate(BondFilter<D, P, Filter>{particles.view(), link(), filter},
+                         AddSolidAcceleration<D, P>{particles.view(), link(), solid_->view()});
+    });
+  }
+
+  // Adds the pressure of the solid at the current deformation to its particles, for output.
+  void show_pressure(Particles<D, P>& particles) {
+    if (!solid_) return;
+    for_each_index(solid_->size(), ShowPressure<D, P>{particles.view(), link(), solid_->view()});
+  }
+
+  // Breaks the bonds of particles that are about to be removed, at the end of a step.
+  void remove_outflow(Particles<D, P>& particles) {
+    if (!solid_) return;
+    for_each_index(solid_->size(), MarkBondedOutflow<D, P>{particles.view(), link(), solid_->view(),
+                                                           pointer(outflow_)});
+    if (!reduce_unordered(solid_->size(), IsSet{pointer(outflow_)}, false, Either{})) return;
+    if (!cycle_.was_first_substep()) deform_to_current(particles);
+    take(solid_->let_go(outflow_), particles);
+    if (!cycle_.is_first_substep()) solid_->accelerate();  // by the bonds that are left
+  }
+
+  // Whether particles were detached since the last call.
+  bool take_detached() { return std::exchange(has_detached_, false); }
+
+  IntactBonds<D, P> bonds() {
+    if (!solid_) return {};
+    return {link(), solid_->view()};
+  }
+
+  // The gradient correction where the spacing of a nearly incompressible body jumps.
+  PairCorrection<D, P> pair_correction() {
+    if (!solid_ || solid_->fitted().empty()) return {};
+    const auto solid = solid_->view();
+    return {solid.pair_correction, pointer(number_of_id_), solid.bonds};
+  }
+
+  void end_step(double dt) {
+    if (!solid_) return;
+    if (cycle_.is_first_substep()) finish_solid_step();
+    losses_.viscous += dt * viscous_power_;
+    const Terms<D> force = force_sum_(sites(), AbsorbingForce<D>{pointer(sites_)});
+    for (int a = 0; a < D; ++a)
+      losses_.absorbed[static_cast<std::size_t>(a)] += dt * force.value[a];
+    cycle_.end_step(dt);
+  }
+  // The limit by the waves of the solid for the next step, from its deformation in the middle of
+  // its last one. None of its steps is longer than `most`, s.
+  StepLimit step_limit(double courant, double most) {
+    if (!solid_) return {wave_.time, Limit::acoustic_solid, 0};
+    const bool is_known = wave_.time < unknown_wave.time;
+    longest_step_ = is_known ? std::min(courant * wave_.time, most) : 0.0;
+    const Index particle = particle_of_[wave_.particle];
+    return cycle_.limit(
+        {courant * wave_.time, Limit::acoustic_solid, particle == no_index ? 0 : particle});
+  }
+  void record_losses(Balance& balance) {
+    balance.dissipated_artificial += losses_.viscous;
+    balance.dissipated_fracture += losses_.released;
+    balance.dissipated_plastic += losses_.plastic;
+    for (std::size_t a = 0; a < 3; ++a) balance.impulse_constraint[a] += losses_.absorbed[a];
+    if (!solid_) return;
+    balance.dissipated_plastic += solid_->flow_work();
+    balance.dissipated_fracture += solid_->softening_work();
+    const SolidEnergy energy = solid_->energy();
+    balance.elastic_strain = energy.elastic;
+    balance.hourglass = energy.hourglass;
+  }
+  void add_columns(Frame& frame) const {
+    if (solid_) show_solid(solid_->fields(), number_of_id_, frame);
+  }
+
+  std::uint64_t bond_entries() const { return solid_ ? solid_->entries() : 0; }
+  std::size_t bytes() const {
+    const std::size_t links = (number_of_id_.size() + particle_of_.size()) * sizeof(Index);
+    return links + outflow_.size() + fully_bonded_.size() +
+           sites_.size() * sizeof(AbsorbingSite<D>) + (solid_ ? solid_->bytes() : 0);
+  }
+
+  void save(Archive& archive) const {
+    archive.arrays["solid/losses"] =
+        std::vector<double>{losses_.viscous, losses_.released, losses_.plastic};
+    archive.arrays["solid/absorbed"] =
+        std::vector<double>(losses_.absorbed.begin(), losses_.absorbed.end());
+    if (!solid_) return;
+    const SolidState<D, P> state = solid_->save();
+    archive.arrays["solid/wave"] = std::vector<double>{wave_.time, double(wave_.particle)};
+    archive.arrays["solid/cycle"] = cycle_.save();
+    archive.arrays["solid/viscous_power"] = std::vector<double>{viscous_power_};
+    archive.arrays["solid/acceleration"] = flat<Real>(state.acceleration);
+    archive.arrays["solid/mirror_acceleration"] = flat<Real>(state.mirror_acceleration);
+    archive.arrays["solid/bonds"] = state.bond_intact;
+    archive.arrays["solid/flow"] = flat<Real>(state.flow);
+    archive.arrays["solid/softening"] = state.strain;
+    archive.arrays["solid/flaws"] = flat<Real>(state.flaws);
+  }
+  void restore(const Archive& archive) {
+    const auto& losses = find_array<double>(archive, "solid/losses");
+    losses_ = {losses.at(0), losses.at(1), losses.at(2), {}};
+    const auto& absorbed = find_array<double>(archive, "solid/absorbed");
+    for (std::size_t a = 0; a < 3; ++a) losses_.absorbed[a] = absorbed.at(a);
+    if (!solid_) return;
+    const auto& wave = find_array<double>(archive, "solid/wave");
+    wave_ = {wave.at(0), static_cast<Index>(wave.at(1))};
+    cycle_.restore(find_array<double>(archive, "solid/cycle"));
+    viscous_power_ = find_array<double>(archive, "solid/viscous_power").at(0);
+    const auto speeds = [&](const char* name) {
+      return unflat<Vector<D, Real>>(find_array<Real>(archive, name));
+    };
+    solid_->restore({find_array<std::uint32_t>(archive, "solid/bonds"),
+                     speeds("solid/acceleration"), speeds("solid/mirror_acceleration"),
+                     unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow")),
+                     find_array<Real>(archive, "solid/softening"),
+                     unflat<FlawState<Real>>(find_array<Real>(archive, "solid/flaws"))});
+  }
+
+ private:
+  void mark_fitted(const std::vector<Index>& number_of_id, Particles<D, P>& particles) {
+    if (solid_->fitted().empty()) return;
+    auto flags = to_host(particles.flags);
+    for (std::size_t id = 0; id < number_of_id.size(); ++id)
+      if (number_of_id[id] != no_index && solid_->fitted()[number_of_id[id]] != 0)
+        flags[id] |= flag::fitted;
+    to_device(flags, particles.flags);
+  }
+  // Records the losses of the first substep and applies plastic flow, softening and damage for the
+  // step of the solid.
+  void finish_solid_step() {
+    viscous_power_ = solid_->viscous_power();
+    losses_.plastic += solid_->keep_flow();
+    losses_.released += solid_->keep_softening();
+    losses_.released += solid_->keep_damage(cycle_.settle_length());
+    wave_ = solid_->wave_time();
+  }
+
+  // `dt` after the last finish_solid_step().
+  void deform(Particles<D, P>& particles, double dt, double prediction_time) {
+    solid_->take(MotionOfParticles<D, P>{particles.view(), link(), prediction_time});
+    solid_->deform(dt);
+  }
+  void take(const FractureResult& result, Particles<D, P>& particles) {
+    losses_.released += result.released;
+    if (result.bonds > 0)
+      for_each_index(solid_->size(),
+                     UnmarkBroken<D, P>{link(), solid_->view(), pointer(fully_bonded_)});
+    if (result.detached == 0) return;
+    has_detached_ = true;
+    mark_detached(particles);
+  }
+  Index sites() const { return static_cast<Index>(sites_.size()); }
+  SolidIndexView link() const {
+    return {pointer(number_of_id_), static_cast<Index>(number_of_id_.size()),
+            const_cast<Index*>(pointer(particle_of_))};
+  }
+  void mark_detached(Particles<D, P>& particles) {
+    for_each_index(solid_->size(), MarkDetached<D, P>{particles.view(), link(), solid_->view()});
+  }
+
+  std::unique_ptr<TotalLagrangian<D, P>> solid_;
+  Array<Index> number_of_id_, particle_of_;
+  Array<std::uint8_t> outflow_, fully_bonded_;
+  Array<AbsorbingSite<D>> sites_;
+  OrderedSum<D> force_sum_;
+  SolidLosses losses_;
+  Subcycling cycle_;
+  double longest_step_ = 0.0;   // s, of a step of the solid
+  double viscous_power_ = 0.0;  // W, of the bonds in the current step of the solid
+  static constexpr WaveTime unknown_wave{1e300, 0};
+  WaveTime wave_ = unknown_wave;
+  bool has_detached_ = false;
+};
+
+}  // namespace kerf

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// The columns of frames that show the solids of the `standard` formulation: the deviatoric stress
+// and the table of numbers below, such as the share of the bonds of a particle that is broken.
+#pragma once
+
+#include <array>
+
+#include "simulation/snapshot.hpp"
+#include "solid/stress_response.hpp"
+#include "standard/solid_link.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+class SolidOnHost {
+ public:
+  using Real = typename P::Real;
+
+  explicit SolidOnHost(const SolidFields<D, P>& fields)
+      : media_(to_host(fields.media)),
+        medium_index_(to_host(fields.medium_index)),
+        begin_(to_host(fields.bond_begin)),
+        count_(to_host(fields.bond_count)),
+        intact_(to_host(fields.bond_intact)),
+        gradient_(to_host(fields.gradient)),
+        detached_(to_host(fields.detached)),
+        flow_(to_host(fields.current_flow)),
+        flaws_(to_host(fields.flaws)) {
+    // Detached particles do not flow: they keep the state at which they came detached.
+    const std::vector<PlasticState<D, Real>> start = to_host(fields.flow_start);
+    for (std::size_t s = 0; s < flow_.size(); ++s)
+      if (detached_[s]) flow_[s] = start[s];
+    view_.any_flows = fields.any_flows;
+    view_.any_flaws = fields.any_flaws;
+    view_.flaws = flaws_.data();
+    view_.bonds = {begin_.data(), count_.data(), nullptr, {}};
+    view_.words = fields.words;
+    view_.bond_intact = intact_.data();
+    view_.media = media_.data();
+    view_.medium_index = medium_index_.data();
+    view_.gradient = gradient_.data();
+    view_.current_flow = flow_.data();
+  }
+  SolidOnHost(const SolidOnHost&) = delete;  // the view points to the vectors of this object
+
+  SymmetricTensor<D, Real> stress(Index s) const {
+    if (detached_[s]) return SymmetricTensor<D, Real>::zero();
+    return cauchy_now(view_, s);
+  }
+  bool any_flows() const { return view_.any_flows; }
+  bool any_flaws() const { return view_.any_flaws; }
+  float flaw_damage(Index s) const { return static_cast<float>(view_.damage(s)); }
+  float plastic_strain(Index s) const { return static_cast<float>(flow_[s].plastic_strain); }
+  float temperature_rise(Index s) const { return static_cast<float>(flow_[s].temperature_rise); }
+  float damage(Index s) const {
+    const Index all = count_[s];
+    const Index broken = all - view_.intact_bonds(s);
+    return all > 0 ? static_cast<float>(broken) / static_cast<float>(all) : 1.0f;
+  }
+
+ private:
+  std::vector<Medium<Real>> media_;
+  std::vector<std::uint16_t> medium_index_;
+  std::vector<Index> begin_;
+  std::vector<std::uint16_t> count_;
+  std::vector<std::uint32_t> intact_;
+  std::vector<Matrix<D, Real>> gradient_;
+  std::vector<std::uint8_t> detached_;
+  std::vector<PlasticState<D, Real>> flow_;
+  std::vector<FlawState<Real>> flaws_;
+  SolidView<D, P> view_{};
+};
+
+// The columns of numbers: one row for each, with the solids that have it and its value.
+template <class Solid>
+struct ShownSolidField {
+  const char *name, *label, *unit;
+  bool (*exists)(const Solid&);
+  float (*value)(const Solid&, Index);
+};
+template <int D, class P>
+constexpr auto shown_solid_fields() {
+  using Solid = SolidOnHost<D, P>;
+  constexpr auto always = [](const Solid&) { return true; };
+  constexpr auto flows = [](const Solid& solid) { return solid.any_flows(); };
+  constexpr auto flaws = [](const Solid& solid) { return solid.any_flaws(); };
+  return std::array<ShownSolidField<Solid>, 4>{{
+      {"damage", "damage", "1", always,
+       [](const Solid& solid, Index s) { return solid.damage(s); }},
+      {"flaw_damage", "damage by flaws", "1", flaws,
+       [](const Solid& solid, Index s) { return solid.flaw_damage(s); }},
+      {"plastic_strain", "plastic strain", "1", flows,
+       [](const Solid& solid, Index s) { return solid.plastic_strain(s); }},
+      {"temperature_rise", "rise of temperature", "K", flows,
+       [](const Solid& solid, Index s) { return solid.temperature_rise(s); }},
+  }};
+}
+
+// Adds the columns of the solid to a frame: the deviatoric stress, then those of the table. Other
+// particles have zeros. `number_of_id`: solid number of a particle's id, or no_index.
+template <int D, class P>
+void show_solid(const SolidFields<D, P>& fields, const Array<Index>& number_of_id, Frame& frame) {
+  const SolidOnHost<D, P> solid(fields);
+  const std::vector<Index> number = to_host(number_of_id);
+  std::vector<Index> solid_of(frame.id.size(), no_index);
+  for (std::size_t i = 0; i < frame.id.size(); ++i)
+    if (frame.id[i] < number.size()) solid_of[i] = number[frame.id[i]];
+  Column stress{"deviatoric_stress", "Pa", 6, {}, "deviatoric stress"};
+  for (const Index s : solid_of) {
+    auto sigma = SymmetricTensor<D, typename P::Real>::zero();
+    if (s != no_index) sigma = solid.stress(s);
+    const auto mean = trace(sigma) / 3;
+    for (int a = 0; a < 3; ++a) sigma(a, a) -= mean;
+    append_row(sigma, stress.values);
+  }
+  frame.columns.push_back(std::move(stress));
+  for (const auto& shown : shown_solid_fields<D, P>()) {
+    if (!shown.exists(solid)) continue;
+    Column column{shown.name, shown.unit, 1, {}, shown.label};
+    for (const Index s : solid_of)
+      column.values.push_back(s == no_index ? 0.0f : shown.value(solid, s));
+    frame.columns.push_back(std::move(column));
+  }
+}
+
+}  // namespace kerf

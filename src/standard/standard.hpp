@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// The `standard` formulation: water by Riemann SPH, solids by total Lagrangian SPH over bonds, and
+// contact between them at their current positions. `advance` is the order of a step.
+#pragma once
+
+#include "fluid/density_reinitialisation.hpp"
+#include "fluid/shifting.hpp"
+#include "parallel/fused_kernel.hpp"
+#include "simulation/particle_run.hpp"
+#include "standard/pair_forces.hpp"
+#include "standard/solid_part.hpp"
+#include "standard/traits.hpp"
+#include "time/keep_start.hpp"
+#include "time/reflect_at_symmetry.hpp"
+#include "time/verlet.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+class Standard : public ParticleRun<D, P, StandardTraits> {
+  using Run = ParticleRun<D, P, StandardTraits>;
+
+ public:
+  explicit Standard(const RunSettings& settings)
+      : Run(settings),
+        lattice_(lattice_sums<D, ContactPairs::Kernel<D>>(settings.smoothing_ratio)),
+        rates_(Run::gravity_, Run::media_, lattice_, settings.water_scheme),
+        solid_(settings, Run::media_, Run::particles_) {
+    rates_.set_pair_correction(solid_.pair_correction());
+    if (rates_.separates_same_fluid()) list_.sort_neighbours_by_class();
+    Run::open([this] {
+      rates_.record_initial_overlap(particles_.view(), particles_.size(), list_.view());
+    });
+    evaluate();  // the first rates
+    for_each_index(particles_.size(), UpdateSurfaceFlags<D, P>{particles_.view()});
+  }
+
+  void advance() override {
+    Run::renew_neighbours();
+    const double dt = Run::choose_step(StepRates::pending, solid_limit());
+    drift_half(dt);
+    deform(dt);
+    break_bonds();
+    evaluate();
+    finalize_step(dt);
+    solid_.remove_outflow(particles_);
+    if (solid_.take_detached()) Run::renew_list();  // detached particles have further neighbours
+    Run::tick(dt);
+  }
+
+  Frame frame() const override {
+    Frame frame = Run::frame();
+    solid_.add_columns(frame);
+    return frame;
+  }
+  Balance balance() const override {
+    Balance balance = Run::balance();
+    solid_.record_losses(balance);
+    return balance;
+  }
+  double bytes_per_particle() const override {
+    const double n = std::max<double>(1.0, particles_.size());
+    const std::size_t beside =
+        solid_.bytes() + rates_.bytes() +
+        concentration_gradient_.size() * sizeof(ConcentrationGradient<D, typename P::Real>);
+    return Run::bytes_per_particle() + static_cast<double>(beside) / n;
+  }
+  void save(Archive& archive) const override {
+    Run::save(archive);
+    solid_.save(archive);
+  }
+  void restore(const Archive& archive) override {
+    solid_.restore(archive);
+    Run::restore(archive);
+  }
+
+ protected:
+  using Run::settings_, Run::prescribed_motions_, Run::list_, Run::pair_interactions_,
+      Run::particles_, Run::time_, Run::timers_;
+
+  // The stages of a step, in their order; benchmarks time them one by one.
+  void drift_half(double dt) {
+    const auto timer = timers_.stage("integrate");
+    Run::load_prescribed_motions(time_ + 0.5 * dt);
+    for_each_index(
+        particles_.size(),
+        FusedKernel(KeepStart<D, P>{particles_.view()},
+                    DriftHalf<D, P>{particles_.view(), pointer(prescribed_motions_), dt}));
+  }
+
+  void deform(double dt) {
+    const auto timer = timers_.stage("solid");
+    solid_.predict(particles_, dt);
+    count_bonds();
+  }
+
+  void break_bonds() {
+    const auto timer = timers_.stage("fracture");
+    solid_.break_bonds(particles_);
+  }
+
+  void evaluate() {
+    compute_pair_forces();
+    compute_bond_forces();
+  }
+
+  void compute_pair_forces() {
+    const auto timer = timers_.stage("water and contact");
+    concentration_gradient_.resize(particles_.size());
+    rates_.evaluate(particles_.view(), particles_.size(), solid_.without_fully_bonded(list_.view()),
+                    solid_.bonds(), pointer(concentration_gradient_));
+    pair_interactions_ += static_cast<double>(list_.pairs());
+  }
+
+  void compute_bond_forces() {
+    const auto timer = timers_.stage("solid");
+    solid_.accelerate(particles_);
+    count_bonds();
+  }
+
+  // Integrates velocities, positions and densities to the end of the step, which the balance adds;
+  // then shifts water and marks outflow.
+  void finalize_step(double dt) {
+    const auto timer = timers_.stage("integrate");
+    Run::load_prescribed_motions(time_ + dt);
+    const auto view = particles_.view();
+    const ConcentrationGradient<D, typename P::Real>* concentration_gradient =
+        settings_.shifting ? pointer(concentration_gradient_) : nullptr;
+    Run::accumulate_step(
+        dt,
+        FusedKernel(KickAndDrift<D, P>{view, pointer(prescribed_motions_), dt},
+                    ReflectAtSymmetry<D, P>{view, dt}, UpdateSurfaceFlags<D, P>{view},
+                    FinalizeDensity<D, P>{view, dt},
+                    DensityReinitialisation<D, P>{view, dt, lattice_.kernel_sum}),
+        FusedKernel(ShiftParticles<D, P>{view, concentration_gradient, dt}, Run::mark_outflow()));
+    solid_.end_step(dt);
+  }
+
+ private:
+  void after_reorder() override { solid_.relink(particles_, list_.view()); }
+
+  void evaluate_current() const override {
+    rates_.accelerate(particles_.view(), particles_.size(),
+                      solid_.without_fully_bonded(list_.view()), solid_.bonds());
+    solid_.deform_to_current(particles_);
+    solid_.accelerate(particles_);
+    solid_.show_pressure(particles_);
+  }
+
+  void accelerate_across(const AcrossPlane<D>& across) const override {
+    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(), across,
+                      BodyForce<D, P>{});
+    solid_.deform_to_current(particles_);
+    solid_.accelerate(particles_, across);
+  }
+
+  StepLimit solid_limit() {
+    const double most = settings_.maximum_step;
+    return solid_.step_limit(settings_.courant, most > 0.0 ? most : 1e300);
+  }
+  void count_bonds() {
+    if (solid_.is_first_substep()) pair_interactions_ += static_cast<double>(solid_.bond_entries());
+  }
+
+  LatticeSums lattice_;
+  StandardRates<D, P> rates_;
+  mutable SolidPart<D, P> solid_;
+  Array<ConcentrationGradient<D, typename P::Real>> concentration_gradient_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The traits of the `standard` formulation: which particles interact, which fields they have, and
+// what a solid particle stores by its density. What bonds store is a sum of the solid's own
+// (standard/solid_part.hpp).
+#pragma once
+
+#include "materials/equation_of_state.hpp"
+#include "neighbours/pair_range.hpp"
+#include "simulation/balance_sums.hpp"
+
+namespace kerf {
+
+struct StandardTraits {
+  using Pairs = ContactPairs;
+
+  static FieldGroups field_groups(bool has_solids, bool mirrored) {
+    return {.rate_stress = false, .contact = has_solids, .mirrored = mirrored};
+  }
+
+  template <int D, class P>
+  KERF_FUNCTION static SolidStorage stored_by_solid(const ParticleView<D, P>& particles, Index i,
+                                                    double mass) {
+    const auto& medium = particles.medium(i);
+    const double compression = particles.compression[i];
+    const auto share = medium.template share_by_density<double>(particles.fractured[i] != 0);
+    return {mass * share * energy_at(medium, compression), 0.0};
+  }
+};
+
+}  // namespace kerf

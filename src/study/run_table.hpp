@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// This header describes the runs of a study as a table, once for study.csv, study.h5, the terminal
+// and study.html.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/study_database.hpp"
+#include "study/study_plan.hpp"
+
+namespace kerf {
+
+// Returns the keys that a study varies, each once: those of [vary], its search and its calibration.
+std::vector<Axis> all_axes(const StudyPlan& plan);
+// Returns the SI unit of a key or a metric; "" = none.
+std::string unit_of(const StudyPlan& plan, const std::string& name);
+// Returns "name (unit)", as the heading of a column has it.
+std::string with_unit(const std::string& name, std::string_view unit);
+// Returns the metrics of the tables: the standard ones, those of the study's goals and those that
+// the study names.
+std::vector<std::string> shown_metrics(const StudyPlan& plan);
+
+// The outcome of a run. The words are those of the tables and of study.html.
+enum class Verdict { cut_through, not_cut_through, done, failed, not_run_yet };
+inline constexpr std::array<std::string_view, 5> verdict_words{"cut through", "not cut through",
+                                                               "done", "failed", "not run yet"};
+// Returns whether the run cut through; `done` where its result does not say so.
+Verdict verdict_of(const RunRow& row);
+// Returns the path of the run's report from the folder of the study; "" when the run is not done.
+std::string report_of(const RunRow& row);
+// Returns the value of the key in the units of the study; "as the case" where it is not set.
+std::string shown_value(const Setting& setting, const Axis& axis);
+
+// One column, in SI units: a number or a word for each run.
+struct RunColumn {
+  enum class Storage { numbers, whole_numbers, hexadecimal, choices, csv_only };
+
+  std::string name;
+  std::string unit = {};
+  std::vector<double> numbers = {};  // NaN where a run has none
+  std::vector<std::string> words = {};
+  std::vector<std::string> choices = {};  // the words that there may be
+  Storage storage = Storage::numbers;     // in study.h5
+};
+std::vector<RunColumn> run_columns(const StudyPlan& plan, const std::vector<RunRow>& runs);
+
+// Returns study.csv: a row for each run; the header names the units.
+std::string study_csv(const StudyPlan& plan, const std::vector<RunRow>& runs);
+// Returns study.h5: the columns of study.csv as arrays.
+std::string study_hdf5(const StudyPlan& plan, const std::vector<RunRow>& runs);
+// Returns an aligned table for the terminal: the settings in the units of the study, a few metrics.
+std::string study_text(const StudyPlan& plan, const std::vector<RunRow>& runs);
+
+}  // namespace kerf

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// The step of the `standard` formulation is position Verlet (drift, kick, drift). Velocities and
+// densities, on which forces depend besides, are extrapolated to the middle of the step by the
+// rates of the last step (as in the method of Adams and Bashforth, of second order), so that one
+// pair loop per step is enough:
+//   x' = x^n + dt/2 v^n,   v' = v^n + dt/2 a_last,   rho' = rho^n + dt/2 (d rho/dt)_last,
+// (v' of particles with a density; other solids, on which v acts by damping only, keep v^n),
+//   a, d rho/dt  at (x', v', rho'),
+//   v^(n+1) = v^n + dt a,   x^(n+1) = x' + dt/2 v^(n+1),   rho^(n+1) = rho^n + dt d rho/dt.
+// For forces that depend on positions only the scheme is symplectic: its energy error stays
+// bounded.
+#pragma once
+
+#include "fluid/particle_concentration.hpp"
+#include "particles/prescribed_motion.hpp"
+
+namespace kerf {
+
+// Matter without pressure expands to at most twice its volume in the sums: the drops of a spray
+// keep their density, and a particle represents no more volume than that.
+template <class T>
+KERF_FUNCTION T limit_expansion(T compression) {
+  return compression < T(-0.5) ? T(-0.5) : compression;
+}
+
+// Moves a particle to the middle of the step; KeepStart must have recorded the start.
+template <int D, class P>
+struct DriftHalf {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  const PrescribedMotion<D>* motions;  // over the first half
+  double dt;                           // s, of the whole step
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (particles.is_constrained(i)) {
+      apply_prescribed_motion(particles, motions, i);
+    } else if (particles.medium(i).phase != Phase::rigid) {
+      particles.position[i] =
+          particles.start_position[i] + 0.5 * dt * Vector<D, double>::from(particles.velocity[i]);
+      if (particles.has_density(i))
+        particles.velocity[i] += Real(0.5 * dt) * particles.last_acceleration[i];
+    }
+    if (!particles.has_density(i) || particles.has(i, flag::upstream)) return;
+    particles.compression[i] = limit_expansion(particles.start_compression[i] +
+                                               Real(0.5 * dt) * particles.compression_rate[i]);
+  }
+};
+
+// The kick and the second half of the drift. The work of the forces over the step is force times
+// displacement, so that the balance of energy closes to rounding.
+template <int D, class P>
+struct KickAndDrift {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  const PrescribedMotion<D>* motions;  // over the whole step
+  double dt;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    const auto& medium = particles.medium(i);
+    if (medium.phase == Phase::rigid && !particles.is_constrained(i)) return;
+    if (particles.is_constrained(i)) {
+      apply_prescribed_motion(particles, motions, i);
+    } else {
+      particles.velocity[i] = particles.start_velocity[i] + Real(dt) * particles.acceleration[i];
+      particles.last_acceleration[i] = particles.acceleration[i];
+      particles.position[i] += 0.5 * dt * Vector<D, double>::from(particles.velocity[i]);
+    }
+    const auto moved = Vector<D, Real>::from(particles.position[i] - particles.start_position[i]);
+    const Real rate = Real(-1) / Real(dt);
+    particles.pressure_power[i] = rate * dot(particles.pressure_acceleration[i], moved);
+    particles.artificial_power[i] = rate * dot(particles.damping_acceleration[i], moved);
+  }
+};
+
+// Takes over the wall normals and the free-surface flags that the pair loop found.
+template <int D, class P>
+struct UpdateSurfaceFlags {
+  ParticleView<D, P> particles;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    particles.wall_normal[i] = particles.next_wall_normal[i];
+    const bool open = particles.kernel_sum[i] < typename P::Real(full_concentration);
+    const int others = particles.flags[i] & ~flag::surface;
+    particles.flags[i] = static_cast<std::uint8_t>(open ? others | flag::surface : others);
+  }
+};
+
+// Integrates the density to the end of the step. The density of expanded matter is at least that of
+// its particle concentration (fluid/particle_concentration.hpp).
+template <int D, class P>
+struct FinalizeDensity {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  double dt;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (!particles.has_density(i) || particles.has(i, flag::upstream)) return;
+    const Real compression =
+        limit_expansion(particles.start_compression[i] + Real(dt) * particles.compression_rate[i]);
+    const Real least =
+        particles.kernel_sum[i] < Real(1) ? particles.kernel_sum[i] - Real(1) : Real(0);
+    particles.compression[i] = compression < least ? least : compression;
+  }
+};
+
+}  // namespace kerf

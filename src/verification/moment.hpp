@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// A moment gives the state of a run at one instant to the signals and computes each part when it is
+// first used.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "analysis/cut.hpp"
+#include "simulation/simulation.hpp"
+
+namespace kerf {
+
+// The data that all moments of a run share.
+struct Beginning {
+  explicit Beginning(const Case& of, const Simulation& simulation)
+      : description(of), frame(simulation.frame()), cut_monitor(of, frame) {}
+
+  Case description;
+  Frame frame;  // before the first step; its rows and those of later frames differ
+  CutMonitor cut_monitor;
+};
+
+class Moment {
+ public:
+  Moment(Beginning& beginning, const Simulation& simulation)
+      : beginning_(beginning), simulation_(simulation) {}
+
+  double time() const { return simulation_.time(); }
+
+  const Frame& frame() {
+    if (!frame_) frame_ = simulation_.frame();
+    return *frame_;
+  }
+  const std::vector<double>& probe_values() {
+    if (!probes_) probes_ = simulation_.probe_values();
+    return *probes_;
+  }
+  const Balance& balance() {
+    if (!balance_) balance_ = simulation_.balance();
+    return *balance_;
+  }
+  const CutState& cut() {
+    if (!cut_) cut_ = beginning_.cut_monitor.observe(frame());
+    return *cut_;
+  }
+  CutSummary cut_summary() {
+    cut();
+    return beginning_.cut_monitor.summary();
+  }
+
+ private:
+  Beginning& beginning_;
+  const Simulation& simulation_;
+  std::optional<Frame> frame_;
+  std::optional<std::vector<double>> probes_;
+  std::optional<Balance> balance_;
+  std::optional<CutState> cut_;
+};
+
+}  // namespace kerf

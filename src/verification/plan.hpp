@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// The plan of `kerf verify`, read from validation/<name>/reference.toml: which cases run, what is
+// measured in them, and with what it is compared. docs/validation.md describes the format.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/embedded_text.hpp"
+#include "model/case.hpp"
+#include "verification/parameters.hpp"
+
+namespace kerf {
+
+struct PlannedRun {
+  std::string name;
+  std::string case_text;         // the case with its overrides, as TOML
+  double refinement = 1.0;       // every spacing is divided by it
+  double sample_interval = 0.0;  // s; 0 = the case's series interval
+  bool is_long = false;
+  bool is_left_out = false;            // others were asked for
+  std::optional<double> picture_time;  // s; of the picture for the page
+
+  Case description() const;
+};
+
+// A check: one row of the table for each of `runs`.
+struct Check {
+  std::string quantity;
+  std::vector<std::string> runs;  // from coarse to fine
+  std::string relative_to;  // name of a run: the value is its ratio to that run's; empty = itself
+  std::string unit;         // of the numbers below, as UDUNITS writes it; "1" = none
+  std::optional<double> reference;  // in `unit`; absent: bounds, or reported only
+  std::optional<double> tolerance;  // relative
+  std::optional<double> at_least, at_most;
+  // The coarsest of `runs` that is judged, with all finer ones; if empty, the finest run that was
+  // made is judged alone.
+  std::string judged_from;
+  bool plot = false;          // draw the signal over time for the page
+  std::string source;         // of the reference
+  Parameters parameters{""};  // signal, reduction and theirs
+
+  bool is_judged() const { return reference.has_value() || at_least || at_most; }
+  // Returns whether a run is judged. `made` are those of `runs` that were made, the last of which
+  // is the finest.
+  bool judges(const std::string& run, const std::vector<std::string>& made) const;
+};
+
+struct VerificationCase {
+  std::string name;
+  std::string title;
+  std::vector<PlannedRun> runs;
+  std::vector<Check> checks;
+
+  const PlannedRun& run(const std::string& name) const;
+  // Leaves out all other runs; the named ones are made even if they are long. Returns false, and
+  // changes nothing, if there is none of them.
+  bool keep_runs(const std::vector<std::string>& names);
+  // Returns the runs of a check that are not long, or all of them; none when a run that it needs is
+  // not made.
+  std::vector<std::string> due_runs(const Check& check, bool all) const;
+};
+
+// Reads all verification cases, in alphabetical order. `validation` holds "NAME/case" and
+// "NAME/reference", `templates` the shipped cases by name; a run uses one of either.
+std::vector<VerificationCase> read_verification_cases(std::span<const EmbeddedText> validation,
+                                                      std::span<const EmbeddedText> templates);
+
+}  // namespace kerf

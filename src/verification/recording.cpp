@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/recording.hpp"
+
+#include "engine/device.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "verification/signal.hpp"
+
+namespace kerf {
+
+namespace {
+
+void sample(std::vector<Signal>& signals, Moment moment, Recording& recording) {
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    recording.series[i].time.push_back(moment.time());
+    recording.series[i].value.push_back(signals[i](moment));
+  }
+}
+
+// Samples are taken at the start, at the first step past each multiple of the interval, and at the
+// end.
+void record(const PlannedRun& run, const std::vector<const Check*>& checks,
+            const VerifyProgress& progress, Recording& recording) {
+  const Case description = run.description();
+  const auto simulation = make_simulation(description);
+  Beginning beginning(description, *simulation);
+  std::vector<Signal> signals;
+  for (const Check* check : checks) signals.push_back(make_signal(check->parameters, beginning));
+  const double interval =
+      run.sample_interval > 0.0 ? run.sample_interval : description.output.series_interval;
+  sample(signals, Moment(beginning, *simulation), recording);
+  double next = interval;
+  while (!simulation->finished()) {
+    simulation->advance();
+    if (simulation->time() < next && !simulation->finished()) continue;
+    sample(signals, Moment(beginning, *simulation), recording);
+    if (run.picture_time && !recording.look && simulation->time() >= *run.picture_time)
+      recording.look = simulation->frame();
+    next = interval * (std::floor(simulation->time() / interval) + 1.0);
+    progress(run.name, simulation->time() / description.time.end);
+  }
+}
+
+}  // namespace
+
+Recording record_run(const PlannedRun& run, const std::vector<const Check*>& checks,
+                     const VerifyProgress& progress) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  Recording recording;
+  recording.series.resize(checks.size());
+  try {
+    record(run, checks, progress, recording);
+  } catch (const UserError& error) {
+    recording.problem = error.what();
+  }
+  recording.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return recording;
+}
+
+}  // namespace kerf

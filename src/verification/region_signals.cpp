@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// These signals are sums over the particles of a body that are in a region at the time, such as a
+// section of a stream. The region is where the formula "within" of x, y, z in m is not 0.
+#include <memory>
+
+#include "model/expression.hpp"
+#include "verification/signal.hpp"
+
+namespace kerf {
+
+namespace {
+
+struct Region {
+  Region(const Parameters& parameters, const Beginning& beginning)
+      : body(named_body(parameters, beginning)),
+        within(parameters.text("within"), {"x", "y", "z"}) {}
+
+  bool has(const Frame& frame, std::size_t row) const {
+    return frame.source[row] == body && within(frame.position[row]) != 0.0;
+  }
+
+  std::size_t body;
+  Expression within;
+};
+
+}  // namespace
+
+// Volume at the reference density (2D: area) of the body's particles in the region, over the number
+// `over`: with the length of a section of a stream, the stream's width. It uses the mass, because a
+// particle at a surface has a lower density.
+Signal region_volume_signal(const Parameters& parameters, const Beginning& beginning) {
+  const auto region = std::make_shared<const Region>(parameters, beginning);
+  const int material = beginning.description.bodies[region->body].material;
+  if (material < 0) parameters.fail("a rigid body has no density");
+  const double density =
+      beginning.description.materials[static_cast<std::size_t>(material)].density;
+  const double over = density * parameters.number("over", "", 1.0);
+  return [region, over](Moment& moment) {
+    const Frame& frame = moment.frame();
+    double mass = 0.0;
+    for (std::size_t row = 0; row < frame.id.size(); ++row)
+      if (region->has(frame, row)) mass += frame.mass[row];
+    return mass / over;
+  };
+}
+
+// Mass-weighted mean velocity of the body's particles in the region along the axis `axis`; 0 while
+// there is none.
+Signal region_velocity_signal(const Parameters& parameters, const Beginning& beginning) {
+  const auto region = std::make_shared<const Region>(parameters, beginning);
+  const std::size_t axis = named_axis(parameters);
+  return [region, axis](Moment& moment) {
+    const Frame& frame = moment.frame();
+    double momentum = 0.0, mass = 0.0;
+    for (std::size_t row = 0; row < frame.id.size(); ++row) {
+      if (!region->has(frame, row)) continue;
+      mass += frame.mass[row];
+      momentum += double(frame.mass[row]) * frame.velocity[row][axis];
+    }
+    return mass > 0.0 ? momentum / mass : 0.0;
+  };
+}
+
+}  // namespace kerf

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/version.hpp"
+
+namespace kerf {
+
+namespace {
+
+std::string verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::fail:
+      return "FAIL";
+    case Verdict::reported:
+      return "reported";
+    case Verdict::coarse:
+      return "coarser";
+  }
+  return "";
+}
+
+std::string number(double value) {
+  return std::isnan(value) ? "none" : fmt::format("{:.4g}", value);
+}
+
+std::string expected(const Row& row) {
+  if (row.reference) return number(*row.reference);
+  if (row.at_least && row.at_most)
+    return fmt::format("{} to {}", number(*row.at_least), number(*row.at_most));
+  if (row.at_least) return fmt::format(">= {}", number(*row.at_least));
+  if (row.at_most) return fmt::format("<= {}", number(*row.at_most));
+  return "-";
+}
+
+std::string percent(const std::optional<double>& value, const char* format) {
+  if (!value || std::isnan(*value)) return "-";
+  return fmt::format(fmt::runtime(format), 100.0 * *value);
+}
+
+std::string unit_of(const Row& row) {
+  return row.unit == "1" ? "" : row.unit;
+}
+
+constexpr auto layout = "{:<12} {:<34} {:<13} {:>9} {:>13} {:<7} {:>8} {:>6}  {:<8} {:>6}\n";
+
+nlohmann::json optional_json(const std::optional<double>& value) {
+  if (!value || !std::isfinite(*value)) return nullptr;
+  return *value;
+}
+
+}  // namespace
+
+std::string table_head() {
+  return fmt::format(fmt::runtime(layout), "case", "quantity", "run", "measured", "reference",
+                     "unit", "error", "within", "verdict", "s");
+}
+
+std::string table_row(const Row& row) {
+  std::string line = fmt::format(fmt::runtime(layout), row.case_name, row.quantity, row.run,
+                                 number(row.measured), expected(row), unit_of(row),
+                                 percent(row.error, "{:+.2f}%"), percent(row.tolerance, "{:.3g}%"),
+                                 verdict_name(row.verdict), fmt::format("{:.1f}", row.seconds));
+  if (!row.problem.empty()) line += fmt::format("    {}\n", row.problem);
+  return line;
+}
+
+std::string to_json(const std::vector<Row>& rows) {
+  nlohmann::json result;
+  result["program"] = std::string("kerf ") + program_version;
+  result["passed"] = !has_failed(rows);
+  result["rows"] = nlohmann::json::array();
+  for (const Row& row : rows)
+    result["rows"].push_back({{"case", row.case_name},
+                              {"quantity", row.quantity},
+                              {"run", row.run},
+                              {"unit", row.unit},
+                              {"measured", optional_json(row.measured)},
+                              {"reference", optional_json(row.reference)},
+                              {"relative_error", optional_json(row.error)},
+                              {"tolerance", optional_json(row.tolerance)},
+                              {"at_least", optional_json(row.at_least)},
+                              {"at_most", optional_json(row.at_most)},
+                              {"verdict", verdict_name(row.verdict)},
+                              {"problem", row.problem},
+                              {"source", row.source},
+                              {"seconds", row.seconds}});
+  return result.dump(2) + "\n";
+}
+
+std::string to_markdown(const std::vector<VerificationCase>& cases, const std::vector<Row>& rows,
+                        const std::map<std::string, std::string>& figures) {
+  std::string text;
+  for (const VerificationCase& verification : cases) {
+    std::string table, sources, last;
+    for (const Row& row : rows) {
+      if (row.case_name != verification.name) continue;
+      table += fmt::format("| {} | {} | {} {} | {} | {} | {} | {} | {:.0f} |\n", row.quantity,
+                           row.run, number(row.measured), unit_of(row), expected(row),
+                           percent(row.error, "{:+.2f}%"), percent(row.tolerance, "{:.3g}%"),
+                           verdict_name(row.verdict), row.seconds);
+      if (row.quantity != last) sources += fmt::format("- {}: {}\n", row.quantity, row.source);
+      last = row.quantity;
+    }
+    if (table.empty()) continue;
+    text += fmt::format(
+        "### `{}`\n{}\n\n| quantity | run | measured | reference | error | within | verdict | s |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- |\n{}\n{}\n",
+        verification.name, verification.title, table, sources);
+    if (const auto shown = figures.find(verification.name); shown != figures.end())
+      text += shown->second;
+  }
+  return text;
+}
+
+}  // namespace kerf

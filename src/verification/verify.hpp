@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// This file runs verification cases and judges them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulation/frame.hpp"
+#include "verification/kept_runs.hpp"
+#include "verification/plan.hpp"
+#include "verification/series.hpp"
+
+namespace kerf {
+
+enum class Verdict {
+  pass,
+  fail,
+  reported,  // nothing to be compared with
+  coarse,    // not judged: a finer run is
+};
+
+struct Row {
+  std::string case_name, quantity, run, unit, source;
+  double measured = 0.0;                              // in `unit`; NaN when the run gave none
+  std::optional<double> reference, error, tolerance;  // error and tolerance relative
+  std::optional<double> at_least, at_most;
+  Verdict verdict = Verdict::reported;
+  std::string problem;   // why there is no number
+  double seconds = 0.0;  // of the run
+};
+
+// The signal of a check over time, in each run that was made.
+struct CheckCurves {
+  std::string case_name, quantity;
+  std::string unit;                 // SI; "1" = a plain number
+  std::vector<std::string> runs;    // from coarse to fine
+  std::vector<TimeSeries> series;   // one for each run
+  std::optional<double> reference;  // in `unit`, where the check compares a value of the signal
+};
+
+// A run at the time for which its plan requests a picture.
+struct RunLook {
+  std::string case_name, run;
+  Case description;
+  Frame frame;
+};
+
+struct Findings {
+  std::vector<Row> rows;
+  std::vector<CheckCurves> curves;  // of the checks with `plot`
+  std::vector<RunLook> looks;
+};
+
+// Runs a case and judges its checks. Each run that a due check needs is made once, or taken from
+// those kept. The rows of a run that fails, fail.
+Findings verify(const VerificationCase& verification, bool all, const VerifyProgress& progress,
+                const KeptRuns& kept = {});
+
+// Marks long runs that are kept as due, because they take no time.
+void take_up_kept(VerificationCase& verification, const KeptRuns& kept);
+
+bool has_failed(const std::vector<Row>& rows);
+
+}  // namespace kerf

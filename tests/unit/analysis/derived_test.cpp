@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/derived.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "input/read.hpp"
+
+namespace kerf {
+namespace {
+
+DerivedNumbers of(const char* name) {
+  return derive(read_case(std::string(KERF_SOURCE_DIR "/cases/") + name + ".toml"));
+}
+
+Case tofu_at(double speed) {
+  Case description = read_case(KERF_SOURCE_DIR "/cases/tofu-5ms.toml");
+  description.jets[0].speed = speed;
+  for (Material& material : description.materials)
+    if (material.kind == MaterialKind::water) material.sound_speed = 10.0 * speed;
+  return description;
+}
+
+// By hand from E = 1e5 Pa, nu = 0.3, rho = 940 kg/m3: K = E / 1.2, G = E / 2.6.
+TEST(Derived, WavesOfThePapersSolid) {
+  const DerivedNumbers numbers = of("tofu-5ms");
+  EXPECT_NEAR(numbers.bulk_modulus, 1e5 / 1.2, 1e-9 * 1e5);
+  EXPECT_NEAR(numbers.shear_modulus, 1e5 / 2.6, 1e-9 * 1e5);
+  EXPECT_NEAR(numbers.bulk_speed, 9.416, 1e-3);
+  EXPECT_NEAR(numbers.longitudinal_speed, 11.967, 1e-3);
+  EXPECT_NEAR(numbers.shear_speed, 6.3966, 1e-3);
+  EXPECT_NEAR(numbers.rayleigh_speed, 5.9, 0.05);
+}
+
+// Exact roots of Rayleigh's equation: nu = 1/4, x = 2 - 2 / sqrt(3); nu -> 1/2, c_R = 0.95531 c_s;
+// nu = 0, x = 3 - sqrt(5).
+TEST(Derived, RayleighSpeedIsTheTrueRoot) {
+  const struct {
+    double poisson, ratio, tolerance;
+  } table[] = {{0.25, std::sqrt(2.0 - 2.0 / std::sqrt(3.0)), 1e-12},
+               {0.0, std::sqrt(3.0 - std::sqrt(5.0)), 1e-12},
+               {0.4999999, 0.955313, 1e-5}};
+  for (const auto& entry : table) {
+    Case description = tofu_at(5.0);
+    for (Material& material : description.materials)
+      if (material.kind == MaterialKind::elastic) material.poisson_ratio = entry.poisson;
+    const DerivedNumbers numbers = derive(description);
+    EXPECT_NEAR(numbers.rayleigh_speed / numbers.shear_speed, entry.ratio,
+                entry.tolerance * entry.ratio);
+  }
+}
+
+TEST(Derived, GroupsAndLoadsOfThePapersCases) {
+  const DerivedNumbers slow = of("tofu-5ms"), fast = of("tofu-50ms");
+  EXPECT_NEAR(slow.stagnation_pressure, 12.5e3, 1e-9 * 12.5e3);
+  EXPECT_NEAR(slow.cauchy_number, 0.25, 1e-12);
+  EXPECT_NEAR(slow.mach, 0.1, 1e-12);
+  EXPECT_NEAR(slow.hammer_pressure_numerical, 0.25e6, 1e-3);
+  EXPECT_NEAR(slow.hammer_pressure_real, 7.4e6, 0.01 * 7.4e6);
+  EXPECT_NEAR(slow.contact_stress, 45.9e3, 0.005 * 45.9e3);
+  EXPECT_NEAR(slow.hydrodynamic_front_speed, 2.54, 0.005 * 2.54);
+  EXPECT_NEAR(fast.cauchy_number, 25.0, 1e-9);
+  EXPECT_NEAR(fast.contact_stress, 550e3, 0.005 * 550e3);
+  EXPECT_NEAR(fast.speed_over_longitudinal, 4.2, 0.01 * 4.2);
+  EXPECT_NEAR(fast.hydrodynamic_front_speed, 25.4, 0.005 * 25.4);
+  EXPECT_EQ(slow.jet_resolution, 10.0);
+  EXPECT_NEAR(slow.solid_to_water_spacing, 2.0, 1e-12);
+}
+
+TEST(Derived, Regimes) {
+  EXPECT_EQ(derive(tofu_at(2.0)).regime, "elastic dimple");
+  EXPECT_EQ(derive(tofu_at(5.0)).regime, "crack-led");
+  EXPECT_EQ(derive(tofu_at(20.0)).regime, "erosion");
+  EXPECT_EQ(derive(tofu_at(50.0)).regime, "hydrodynamic");
+  EXPECT_EQ(of("rings").regime, "no jet");
+
+  // By its fracture energy: Gc = w d M strain^2 / 2, on the block's spacing of 2 mm.
+  Case tough = tofu_at(5.0);
+  for (Material& material : tough.materials)
+    if (material.kind == MaterialKind::elastic) {
+      material.failure_strain = 0.0;
+      material.fracture_energy = 40.0;
+    }
+  const double m = 1e5 * 0.7 / (1.3 * 0.4);
+  EXPECT_NEAR(derive(tough).failure_strain, std::sqrt(2.0 * 40.0 / (3.2 * 2e-3 * m)), 1e-12);
+  EXPECT_EQ(derive(tough).regime, "elastic dimple");
+}
+
+// Softening: fails at its strain; where the spacing is too coarse for that, at the strain that
+// makes w d E strain^2 / 2 its energy (Bazant & Oh 1983). 2 Gc / (w E strain^2) is 0.75 mm for
+// 1 J/m2.
+TEST(Derived, StrengthOfAMaterialThatSoftens) {
+  Case soft = tofu_at(5.0);
+  soft.formulation = Formulation::standard;
+  for (double energy : {10.0, 1.0}) {
+    for (Material& material : soft.materials)
+      if (material.kind == MaterialKind::elastic) {
+        material.criterion = BondCriterion::crack_band;
+        material.fracture_energy = energy;
+      }
+    const double brittle = std::sqrt(2.0 * energy / (2.65 * 2e-3 * 1e5));
+    EXPECT_NEAR(derive(soft).failure_strain, std::min(0.1, brittle), 1e-12);
+  }
+}
+
+// Block 50 x 25, plate 61 x 2; 5 m/s x 10 mm x 30 ms = 1500 mm2 of water at 1 mm.
+TEST(Derived, ParticlesAndSteps) {
+  const DerivedNumbers numbers = of("tofu-5ms");
+  EXPECT_EQ(numbers.particles_initial, 50u * 25u + 61u * 2u);
+  EXPECT_NEAR(static_cast<double>(numbers.particles_expected), 1250.0 + 122.0 + 1500.0, 1.0);
+  // The water limits: 0.25 x 1.5 mm / (50 + 5 + 1.2 x 0.01 x 50) m/s.
+  EXPECT_NEAR(numbers.time_step, 0.25 * 1.5e-3 / 55.6, 1e-12);
+  EXPECT_NEAR(numbers.steps, 0.03 * 55.6 / (0.25 * 1.5e-3), 1.0);
+  // Round jet of 10 mm in 3D.
+  const DerivedNumbers space = of("tofu-5ms-3d");
+  EXPECT_EQ(space.particles_initial, 20u * 10u * 20u + 26u * 2u * 26u);
+  const double water = 5.0 * 0.02 * 3.14159265 * 25e-6 / 1e-9;
+  EXPECT_NEAR(static_cast<double>(space.particles_expected - space.particles_initial), water, 1.0);
+}
+
+TEST(Derived, WithoutAJet) {
+  const DerivedNumbers rods = of("rod-impact");
+  EXPECT_NEAR(rods.jet_speed, 0.5, 1e-12);
+  EXPECT_NEAR(rods.longitudinal_speed, 100.0, 1e-9);
+  // Equal impedances: half of rho c v.
+  EXPECT_NEAR(rods.contact_stress, 0.5 * 1000.0 * 100.0 * 0.5, 1e-6);
+  EXPECT_NEAR(of("tank").water_sound_speed, 10.0 * std::sqrt(2.0 * 9.81 * 0.1), 1e-9);
+}
+
+// 2 L / c_p with the nearest side of the block that is neither absorbing nor a plane of symmetry.
+TEST(Derived, WavesComeBackFromTheNearestEdgeThatLetsThem) {
+  Case description = tofu_at(5.0);
+  const double c = of("tofu-5ms").longitudinal_speed;
+  Body* block = nullptr;
+  for (Body& body : description.bodies)
+    if (body.role == Role::elastic) block = &body;
+  ASSERT_NE(block, nullptr);
+  block->shape.box.minimum[0] = -0.03;
+  block->shape.box.maximum[0] = 0.05;
+  description.jets[0].position[0] = 0.0;
+  EXPECT_NEAR(derive(description).reflection_time, 0.06 / c, 1e-12);
+  description.symmetry.minimum[0] = true;
+  EXPECT_NEAR(derive(description).reflection_time, 0.10 / c, 1e-12);
+  block->absorbing.maximum[0] = true;
+  EXPECT_EQ(derive(description).reflection_time, 0.0);
+  description.symmetry.minimum[0] = false;
+  description.jets[0].position[0] = 1.0;  // beside the block
+  EXPECT_EQ(derive(description).reflection_time, 0.0);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// kerf view, asked as a browser asks it; frames are unpacked by zlib and compared with those on the
+// disk.
+#include "app/view_server.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <httplib.h>
+#include <zlib.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/run_loop.hpp"
+#include "core/error.hpp"
+#include "input/write_used.hpp"
+#include "output/read_frame.hpp"
+#include "report/picture.hpp"
+#include "support/fake_run.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace kerf {
+namespace {
+
+class View : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::run_fake(description_, out_);
+    server_ = std::make_unique<ViewServer>(out_);
+    client_ = std::make_unique<httplib::Client>("127.0.0.1", server_->bind(0));
+    thread_ = std::thread([this] { server_->serve(); });
+  }
+  void TearDown() override {
+    server_->stop();
+    thread_.join();
+  }
+  nlohmann::json run() { return nlohmann::json::parse(client_->Get("/run.json")->body); }
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path out_ = folder_ / "out";
+  Case description_ = test::fake_case();
+  std::unique_ptr<ViewServer> server_;
+  std::unique_ptr<httplib::Client> client_;
+  std::thread thread_;
+};
+
+std::string inflated(const std::string& packed) {
+  std::string bytes(1 << 22, '\0');
+  uLongf size = bytes.size();
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                       reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
+            Z_OK);
+  bytes.resize(size);
+  return bytes;
+}
+
+TEST_F(View, ServesThePageOfARun) {
+  const auto page = client_->Get("/");
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->status, 200);
+  EXPECT_THAT(page->body, testing::HasSubstr("class=\"verdict"));
+  EXPECT_EQ(client_->Get("/nothing")->status, 404);
+}
+
+TEST_F(View, FramesAreThoseOnTheDisk) {
+  const auto json = run();
+  const auto files = frame_files(out_);
+  ASSERT_GT(files.size(), 2u);
+  ASSERT_EQ(json.at("frames").size(), files.size());
+  const auto fields = json.at("fields").size();
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    const Frame frame = read_frame(files[n].path, description_.dimension);
+    const auto& entry = json.at("frames").at(n);
+    const std::size_t count = frame.position.size();
+    ASSERT_EQ(entry.at("count").get<std::size_t>(), count);
+    EXPECT_EQ(entry.at("time").get<double>(), frame.time);
+    const std::string bytes =
+        inflated(client_->Get("/" + entry.at("url").get<std::string>())->body);
+    const auto dimension = static_cast<std::size_t>(description_.dimension);
+    ASSERT_EQ(bytes.size(), count * (2 * dimension + 2 + fields));
+    for (std::size_t a = 0; a < dimension; ++a) {
+      const double low = json.at("minimum").at(a), high = json.at("maximum").at(a);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = 2 * (a * count + i);
+        const unsigned code = static_cast<unsigned char>(bytes[at]) +
+                              256u * static_cast<unsigned char>(bytes[at + 1]);
+        const double place = std::clamp(frame.position[i][a], low, high);
+        EXPECT_NEAR(low + code / 65535.0 * (high - low), place, 0.51 * (high - low) / 65535.0);
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      EXPECT_EQ(bytes[2 * dimension * count + i], static_cast<char>(frame.category[i]));
+  }
+}
+
+TEST_F(View, FollowsARunThatGoesOn) {
+  EXPECT_EQ(run().at("live"), false);
+  std::filesystem::remove(out_ / "result.json");
+  EXPECT_EQ(run().at("live"), true);
+  EXPECT_THAT(client_->Get("/")->body, testing::HasSubstr("The run is going on"));
+  EXPECT_GT(run().at("curves").at("time").size(), 2u);
+}
+
+TEST(ViewFolder, MustHoldARun) {
+  const test::TemporaryFolder folder;
+  EXPECT_THAT(test::message_of<UserError>([&] { ViewServer server(folder / ""); }),
+              testing::HasSubstr("holds no run of Kerf"));
+}
+
+TEST_F(View, EndsAlsoWhenItWasToldToBeforeItBegan) {
+  ViewServer server(out_);
+  server.bind(0);
+  server.stop();
+  server.serve();  // returns
+}
+
+bool is_installed(const std::string& program) {
+  return std::system((program + " -version >/dev/null 2>&1").c_str()) == 0;
+}
+
+std::string output_of(const std::string& command) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  for (int c = 0; (c = std::fgetc(pipe.get())) != EOF;) text += static_cast<char>(c);
+  return text;
+}
+
+TEST_F(View, AMovieHasAllFrames) {
+  if (!is_installed("ffmpeg") || !is_installed("ffprobe"))
+    GTEST_SKIP() << "there is no ffmpeg (Debian: apt-get install ffmpeg)";
+  std::size_t drawn = 0;
+  const auto file =
+      write_movie(out_, description_, [&](std::size_t done, std::size_t) { drawn = done; });
+  const std::size_t frames = frame_files(out_).size();
+  ASSERT_GT(frames, 2u);
+  EXPECT_EQ(drawn, frames);
+  const std::string counted = output_of(
+      "ffprobe -v error -count_frames -select_streams v:0 -show_entries stream=nb_read_frames "
+      "-of csv=p=0 '" +
+      file.string() + "'");
+  ASSERT_FALSE(counted.empty());
+  EXPECT_EQ(std::stoul(counted), frames);
+}
+
+// Of a computer without ffmpeg, which is one where no program is found.
+TEST_F(View, AMovieWithoutFfmpegSaysWhatToInstall) {
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (folder_ / "nothing").c_str(), 1);
+  const std::string refusal = test::message_of<UserError>(
+      [&] { write_movie(out_, description_, [](std::size_t, std::size_t) {}); });
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_THAT(refusal, testing::HasSubstr("apt-get install ffmpeg"));
+}
+
+}  // namespace
+}  // namespace kerf

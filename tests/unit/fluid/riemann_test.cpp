@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Riemann solution between particles against formulas written out by hand, and its limits.
+#include "fluid/riemann.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "support/reference_standard.hpp"
+
+namespace kerf::test::riemann_test {
+namespace {
+
+using Side = RiemannSide<double>;
+
+// Density, pressure, speed, speed of sound.
+Side side_of(double density, double pressure, double speed, double sound) {
+  return {density * sound, pressure, speed, sound};
+}
+
+TEST(Riemann, AgreesWithTheFormulas) {
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int n = 0; n < 1000; ++n) {
+    const auto state = [&] {
+      return RiemannState{1000.0 + 50.0 * uniform(engine), 1e5 * uniform(engine),
+                          20.0 * uniform(engine), 50.0 + 20.0 * uniform(engine)};
+    };
+    const RiemannState l = state(), r = state();
+    const StarState due = reference_star(l, r);
+    const auto star = solve_riemann(side_of(l.density, l.pressure, l.speed, l.sound_speed),
+                                    side_of(r.density, r.pressure, r.speed, r.sound_speed));
+    // Rounding of sums of terms of 1e5 Pa and 20 m/s.
+    EXPECT_NEAR(star.mean_pressure, due.mean, 1e-14 * 1e5);
+    EXPECT_NEAR(star.dissipation, std::max(due.dissipation, 0.0), 1e-14 * 1e6);
+    EXPECT_NEAR(star.speed, due.speed, 1e-14 * 20.0);
+    EXPECT_GE(star.dissipation, 0.0);
+  }
+}
+
+// In strong shocks the difference in pressure counts by 1 - 20 (U_l - U_r) / c, not below 0.
+TEST(Riemann, SharpFrontsAreNotSmoothed) {
+  const double z = 2.0 * 1000.0 * 50.0;
+  const auto speed = [](double approach) {
+    const Side left = side_of(1000.0, 3e4, 0.5 * approach, 50.0);
+    const Side right = side_of(1000.0, 1e4, -0.5 * approach, 50.0);
+    return solve_riemann(left, right, shock_smoothing(left, right)).speed;
+  };
+  EXPECT_NEAR(speed(1.0), 0.6 * 2e4 / z, 1e-12);
+  EXPECT_NEAR(speed(2.5), 0.0, 1e-12);
+  EXPECT_NEAR(speed(5.0), 0.0, 1e-12);
+  EXPECT_NEAR(speed(-5.0), 2e4 / z, 1e-12);
+}
+
+// Two of one kind: the mean pressure and the mean speed of Zhang, Hu & Adams (2017).
+TEST(Riemann, EqualImpedancesGiveMeans) {
+  const double z = 1000.0 * 50.0;
+  const auto star =
+      solve_riemann(side_of(1000.0, 3e4, 2.0, 50.0), side_of(1000.0, 1e4, -1.0, 50.0));
+  EXPECT_DOUBLE_EQ(star.mean_pressure, 2e4);
+  EXPECT_DOUBLE_EQ(star.speed, 0.5 + 0.5 * 2e4 / z);
+  EXPECT_DOUBLE_EQ(star.dissipation, 0.5 * (3.0 * 3.0 / 50.0) * z * 3.0);
+}
+
+// Between water and something much heavier and stiffer the speed is that of the latter, and the
+// pressure that of the water: a wall.
+TEST(Riemann, HeavySideIsAWall) {
+  const auto star = solve_riemann(side_of(1000.0, 3e4, 2.0, 50.0), side_of(1e8, 1e4, -1.0, 5e4));
+  EXPECT_NEAR(star.mean_pressure, 3e4, 1e-3);
+  EXPECT_NEAR(star.speed, -1.0, 1e-6);
+}
+
+TEST(Riemann, EqualStatesGiveThatState) {
+  const Side side = side_of(1020.0, 3.7e4, -2.3, 50.0);
+  const auto star = solve_riemann(side, side);
+  EXPECT_DOUBLE_EQ(star.mean_pressure, 3.7e4);
+  EXPECT_EQ(star.dissipation, 0.0);
+  EXPECT_DOUBLE_EQ(star.speed, -2.3);
+}
+
+TEST(Riemann, NothingDissipatesWhereParticlesPart) {
+  for (double speed : {1e-6, 1.0, 1e3}) {
+    const auto star =
+        solve_riemann(side_of(1000.0, 1e4, -speed, 50.0), side_of(1000.0, 2e4, speed, 50.0));
+    EXPECT_EQ(star.dissipation, 0.0);
+    EXPECT_DOUBLE_EQ(star.mean_pressure, 1.5e4);
+  }
+}
+
+// beta = 3 (U_l - U_r) / c up to U_l - U_r = c / 3, and 1 from there: rho c (U_l - U_r) / 2.
+TEST(Riemann, BetaSaturatesAtOne) {
+  const double c = 30.0;
+  const auto dissipation = [c](double approach) {
+    return solve_riemann(side_of(1000.0, 0.0, 0.5 * approach, c),
+                         side_of(1000.0, 0.0, -0.5 * approach, c))
+        .dissipation;
+  };
+  EXPECT_NEAR(dissipation(1.0), 0.5 * 0.1 * 1000.0 * c, 1e-9);
+  EXPECT_NEAR(dissipation(10.0), 0.5 * 1000.0 * c * 10.0, 1e-8);
+  EXPECT_NEAR(dissipation(300.0), 0.5 * 1000.0 * c * 300.0, 1e-7);
+  EXPECT_NEAR(dissipation(9.9), 0.99 * 0.5 * 1000.0 * c * 9.9, 1e-8);
+}
+
+// A wall is the mirror of the water: the mean of both speeds is the wall's, water at its speed
+// feels its own pressure only, and the water's weight is added on the way down, never taken off. It
+// diffuses density from the wall as that between two rows of the water does.
+TEST(Riemann, WallMirrorsTheWater) {
+  const Side water = side_of(1010.0, 2e4, 3.0, 50.0);
+  const auto star = solve_riemann_at_wall(water, 1.0, 100.0);
+  EXPECT_DOUBLE_EQ(star.speed, 1.0 - 0.5 * 100.0 / (1010.0 * 50.0));
+  EXPECT_DOUBLE_EQ(solve_riemann_at_wall(water, 1.0, 0.0).speed, 1.0);
+  EXPECT_DOUBLE_EQ(star.mean_pressure, 2e4 + 50.0);
+  EXPECT_DOUBLE_EQ(star.dissipation, 0.5 * (3.0 * 4.0 / 50.0) * 1010.0 * 50.0 * 4.0);
+  EXPECT_DOUBLE_EQ(solve_riemann_at_wall(water, 1.0, -100.0).mean_pressure, 2e4);
+  EXPECT_EQ(solve_riemann_at_wall(water, 3.0, 0.0).dissipation, 0.0);
+  EXPECT_EQ(solve_riemann_at_wall(water, 5.0, 0.0).dissipation, 0.0);
+}
+
+}  // namespace
+}  // namespace kerf::test::riemann_test

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// The SIMD pair kernel against a plain double loop in double precision, term by term.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "fluid/riemann.hpp"
+#include "fluid/simd/fluid_kernels.hpp"
+#include "kernels/wendland_c2.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr double spacing = 1e-3, h = 1.3e-3, mass = 1e-6, sound = 40.0, mu = 0.3,
+                 kernel_gradient_normalisation = 1.02;
+
+struct Drop {
+  double x[3], v[3], pressure, volume;
+  bool surface;
+};
+
+// Some thousand neighbours of particle 0 in a ball of 3 h, at random.
+template <int D>
+std::vector<Drop> cloud(int count, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::vector<Drop> drops;
+  while (static_cast<int>(drops.size()) < count) {
+    Drop drop{};
+    double square = 0.0;
+    for (int a = 0; a < D; ++a) {
+      const double off = 3.0 * h * uniform(engine);
+      square += off * off;
+      drop.x[a] = 0.7 + (drops.empty() ? 0.0 : off);  // far from the origin, in spacings
+      drop.v[a] = 3.0 * uniform(engine);
+    }
+    if (square > 9.0 * h * h) continue;
+    drop.pressure = 2e4 * (1.0 + uniform(engine));
+    drop.volume = 1e-9 * (1.0 + 0.02 * uniform(engine));
+    drop.surface = uniform(engine) > 0.9;
+    drops.push_back(drop);
+  }
+  return drops;
+}
+
+// Impedance and sound speed by its density, c of materials/shock_hugoniot.hpp where there are
+// shocks.
+RiemannSide<double> side_of(const Drop& drop, double hugoniot_slope, double speed) {
+  const double density = mass / drop.volume,
+               eta = std::max(0.0, 1.0 - (mass / (spacing * spacing * spacing)) / density),
+               steep = hugoniot_slope * eta,
+               c = sound * (1.0 - eta) * std::sqrt((1.0 + steep) / (1.0 - steep)) / (1.0 - steep);
+  const double speed_of_sound = hugoniot_slope > 0.0 ? c : sound;
+  return {density * speed_of_sound, drop.pressure, speed, speed_of_sound};
+}
+
+// `hugoniot_slope`: 0 for a fluid without shocks.
+template <int D>
+FluidSums<D, double> plain_sums(const std::vector<Drop>& drops, double hugoniot_slope) {
+  FluidSums<D, double> sums{};
+  const Drop& i = drops[0];
+  for (std::size_t n = 1; n < drops.size(); ++n) {
+    const Drop& j = drops[n];
+    double square = 0.0, along = 0.0, speed = 0.0;
+    for (int a = 0; a < D; ++a) {
+      square += std::pow(i.x[a] - j.x[a], 2);
+      along += (i.v[a] - j.v[a]) * (i.x[a] - j.x[a]);
+      speed += std::pow(i.v[a] - j.v[a], 2);
+    }
+    const double r = std::sqrt(square);
+    if (!(r < 2.0 * h)) continue;
+    const double slope = WendlandC2<D>::derivative(r, h), approach = -along / r;
+    const auto left = side_of(i, hugoniot_slope, 0.0),
+               right = side_of(j, hugoniot_slope, -approach);
+    const auto star =
+        solve_riemann(left, right, hugoniot_slope > 0.0 ? shock_smoothing(left, right) : 1.0);
+    const double damping = beyond_viscosity(star.dissipation, mu * std::max(0.0, approach) / r);
+    for (int a = 0; a < D; ++a) {
+      const double e = (i.x[a] - j.x[a]) / r,
+                   normal = -2.0 * kernel_gradient_normalisation * i.volume * j.volume * slope;
+      sums.sum[FluidSums<D, double>::pressure_force_at + a] += normal * star.mean_pressure * e;
+      sums.sum[FluidSums<D, double>::dissipative_force_at + a] +=
+          normal * (damping * e - mu * (i.v[a] - j.v[a]) / r);
+      sums.sum[FluidSums<D, double>::concentration_gradient_at + a] +=
+          spacing * spacing * spacing * slope * e;
+    }
+    sums.sum[FluidSums<D, double>::compression_rate_at] +=
+        2.0 * kernel_gradient_normalisation * j.volume * star.speed * slope;
+    sums.sum[FluidSums<D, double>::kernel_sum_at] +=
+        spacing * spacing * spacing * WendlandC2<D>::value(r, h);
+    sums.fastest_squared = std::max(sums.fastest_squared, speed);
+    if (j.surface) sums.near_free_surface = 1.0;
+  }
+  return sums;
+}
+
+template <int D, class Real>
+FluidSums<D, Real> simd_sums(const std::vector<Drop>& drops, double hugoniot_slope) {
+  const auto unit = FixedPointScale<Real>::of_spacing(spacing);
+  std::vector<PackedFluid<D, Real>> fluid;
+  std::vector<std::uint32_t> neighbour;
+  for (const Drop& drop : drops) {
+    PackedFluid<D, Real> packed{};
+    for (int a = 0; a < D; ++a) {
+      packed.position[a] = unit.pack(drop.x[a]);
+      packed.velocity[a] = Real(drop.v[a]);
+    }
+    packed.pressure = Real(drop.pressure);
+    packed.volume = Real(drop.surface ? -drop.volume : drop.volume);
+    if (!fluid.empty()) neighbour.push_back(static_cast<std::uint32_t>(fluid.size()));
+    fluid.push_back(packed);
+  }
+  FluidLaw<Real> law{};
+  law.mass = Real(mass);
+  law.volume = Real(spacing * spacing * spacing);
+  law.sound_speed = Real(sound);
+  law.equations.shock_hugoniot.slope = Real(hugoniot_slope);
+  law.equation_of_state =
+      hugoniot_slope > 0.0 ? EquationOfState::shock_hugoniot : EquationOfState::tait;
+  law.viscosity = Real(mu);
+  law.per_smoothing_length = Real(1.0 / h);
+  law.kernel_scale = Real(WendlandC2<D>::scale(h));
+  law.kernel_slope = Real(5.0 * WendlandC2<D>::scale(h) / (h * h));
+  law.kernel_gradient_normalisation = Real(kernel_gradient_normalisation);
+  const std::uint32_t begin = 0, same_fluid = static_cast<std::uint32_t>(neighbour.size());
+  const std::uint16_t source = 0;
+  FluidSums<D, Real> sums{};
+  neighbour.resize(neighbour.size() + 64);
+  const FluidKernelTask<D, Real> task{
+      fluid.data(), &begin, &same_fluid, neighbour.data(),
+      &source,      &law,   &sums,       static_cast<Real>(unit.unit)};
+  fluid_kernels().get<D, Real>()(task, 0, 1);
+  return sums;
+}
+
+template <int D, class Real>
+void expect_same_sums(double hugoniot_slope) {
+  const double tolerance = sizeof(Real) == 4 ? 2e-5 : 1e-13;  // roundings of sums of some terms
+  for (int count : {2, 3, 16, 17, 18, 33, 90}) {
+    const auto drops = cloud<D>(count, 7u + static_cast<unsigned>(count));
+    const auto due = plain_sums<D>(drops, hugoniot_slope);
+    const auto is = simd_sums<D, Real>(drops, hugoniot_slope);
+    const double force = std::sqrt(dot(due.pressure_force(), due.pressure_force())) + 1e-30;
+    const double damping = std::sqrt(dot(due.dissipative_force(), due.dissipative_force())) + 1e-30;
+    const double concentration_gradient =
+        std::sqrt(dot(due.concentration_gradient(), due.concentration_gradient())) + 1e-30;
+    for (int a = 0; a < D; ++a) {
+      EXPECT_NEAR(is.pressure_force()[a], due.pressure_force()[a], 10.0 * tolerance * force)
+          << count;
+      EXPECT_NEAR(is.dissipative_force()[a], due.dissipative_force()[a], 10.0 * tolerance * damping)
+          << count;
+      EXPECT_NEAR(is.concentration_gradient()[a], due.concentration_gradient()[a],
+                  10.0 * tolerance * concentration_gradient)
+          << count;
+    }
+    EXPECT_NEAR(is.compression_rate(), due.compression_rate(),
+                100.0 * tolerance * std::abs(due.compression_rate()));
+    EXPECT_NEAR(is.kernel_sum(), due.kernel_sum(), tolerance * due.kernel_sum()) << count;
+    EXPECT_NEAR(is.fastest_squared, due.fastest_squared, tolerance * due.fastest_squared);
+    EXPECT_EQ(is.near_free_surface, due.near_free_surface) << count;
+  }
+}
+
+TEST(FluidKernel, IsTheSumOfItsPairs) {
+  for (const double hugoniot_slope : {0.0, 2.0}) {
+    expect_same_sums<2, float>(hugoniot_slope);
+    expect_same_sums<3, float>(hugoniot_slope);
+    expect_same_sums<2, double>(hugoniot_slope);
+    expect_same_sums<3, double>(hugoniot_slope);
+  }
+}
+
+// riemann_parts and solve_riemann are two forms of one solution where the sound speed is constant.
+TEST(RiemannByVolumes, IsThatByImpedances) {
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int n = 0; n < 100; ++n) {
+    const double left_volume = 1e-9 * (1.0 + 0.3 * uniform(engine)),
+                 right_volume = 1e-9 * (1.0 + 0.3 * uniform(engine)),
+                 left_pressure = 1e4 * uniform(engine), right_pressure = 1e4 * uniform(engine),
+                 speed = sound * uniform(engine);
+    const auto due =
+        solve_riemann<double>({mass / left_volume * sound, left_pressure, 0.0, sound},
+                              {mass / right_volume * sound, right_pressure, speed, sound});
+    const auto is =
+        riemann_parts<double>({left_volume, left_pressure}, {right_volume, right_pressure}, speed,
+                              {3.0 * mass, mass * sound, 1.0 / (mass * sound)});
+    EXPECT_NEAR(is.pressure_force / is.volume, due.mean_pressure, 1e-13 * 1e4);
+    EXPECT_NEAR(is.approach * is.dissipative_force / is.volume, due.dissipation,
+                1e-13 * std::abs(due.dissipation));
+    EXPECT_NEAR(left_volume * is.speed / is.volume, due.speed, 1e-13 * sound);
+  }
+}
+
+// Fixed-point coordinates wrap around: differences hold wherever in space the particles are.
+TEST(FixedPointScale, DifferencesHoldAnywhere) {
+  const auto unit = FixedPointScale<float>::of_spacing(spacing);
+  for (double where : {0.0, -3.0, 0.5, 1e3}) {
+    const auto there = unit.pack(where + 0.4 * spacing), here = unit.pack(where);
+    const auto apart = static_cast<std::int32_t>(static_cast<std::uint32_t>(there) -
+                                                 static_cast<std::uint32_t>(here));
+    EXPECT_NEAR(apart * unit.unit, 0.4 * spacing, 2.0 * unit.unit + 1e-12 * where);
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Viscosity of water on a lattice against mu times the Laplacian.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "support/wet_bag.hpp"
+
+namespace kerf::test::water_viscosity_test {
+namespace {
+
+// A wave of shear of 50 spacings in water without pressure: the sum falls short of the Laplacian by
+// less than 0.5%, by the finite length of the wave over that of the kernel. Nor is there any other
+// dissipation where the viscosity is enough by itself, however fast the wave.
+void expect_viscosity_alone(double speed) {
+  constexpr int cells = 61;
+  constexpr double length = 50.0 * bag_spacing, k = 2.0 * std::numbers::pi / length;
+  auto state = wet_bag(2, 1);
+  state.media = {state.media[0]};
+  const double mu = state.media[0].viscosity, density = state.media[0].density;
+  state.particles.clear();
+  for (int n = 0; n < cells * cells; ++n) {
+    ReferenceParticle particle;
+    particle.position = {bag_spacing * (n % cells + 0.5), bag_spacing * (n / cells + 0.5), 0.0};
+    particle.velocity = {speed * std::sin(k * particle.position.y()), 0.0, 0.0};
+    state.particles.push_back(particle);
+  }
+  LoadedStandard<2, Double> loaded(state, {0.0, cells * bag_spacing});
+  const StandardRates<2, Double> rates(Vector<2, double>::zero(), state.media,
+                                       lattice_sums<2, WendlandC2<2>>(1.3));
+  rates.accelerate(loaded.particles.view(), loaded.particles.size(), loaded.list.view(),
+                   BagBonds<2, Double>{});
+  const auto place = loaded.places();
+  double product = 0.0, square = 0.0;
+  for (std::size_t n = 0; n < state.particles.size(); ++n) {
+    const auto& x = state.particles[n].position;
+    if (std::abs(x.x() - 30.5e-3) > 20e-3 || std::abs(x.y() - 30.5e-3) > 25e-3) continue;
+    const double due = -speed * mu / density * k * k * std::sin(k * x.y());
+    const Vector<2, double> a = loaded.particles.damping_acceleration[place[n]];
+    product += a[0] * due;
+    square += due * due;
+  }
+  EXPECT_NEAR(product / square, 1.0, 0.005);
+}
+
+TEST(WaterViscosity, OfAWaveOfShear) {
+  expect_viscosity_alone(1e-3);
+  expect_viscosity_alone(1.0);
+}
+
+}  // namespace
+}  // namespace kerf::test::water_viscosity_test

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <thread>
+#include <vector>
+
+namespace kerf {
+namespace {
+
+struct Reading {
+  const char* text;
+  const char* unit;
+  double value;
+};
+
+// The literal on the right is the double nearest to the decimal number, and so must the value be.
+TEST(Units, DecimalPrefixesAreCorrectlyRounded) {
+  for (const Reading& reading : {Reading{"0.3 mm", "m", 0.3e-3},
+                                 {"50 mm", "m", 0.05},
+                                 {"-50 mm", "m", -0.05},
+                                 {"35 mm", "m", 0.035},
+                                 {"10 ms", "s", 0.01},
+                                 {"0.7 ms", "s", 0.7e-3},
+                                 {"1.5 ms", "s", 1.5e-3},
+                                 {"300 MPa", "Pa", 300e6},
+                                 {"60kPa", "Pa", 60e3},
+                                 {"1 mPa s", "Pa s", 1e-3},
+                                 {" 25 m2/s2 ", "m2/s2", 25.0},
+                                 {"5 um", "m", 5e-6},
+                                 {"-9.81 m/s2", "m/s2", -9.81},
+                                 {"1 g/cm3", "kg/m3", 1000.0}}) {
+    const Quantity quantity = read_quantity(reading.text, reading.unit);
+    EXPECT_EQ(quantity.problem, "") << reading.text;
+    EXPECT_EQ(quantity.value, reading.value) << reading.text;
+  }
+}
+
+// Definitions of the units: 1200 mm/min = 0.02 m/s, 1 psi = 6894.757293168361 Pa (NIST SP 811),
+// 1 inch = 25.4 mm, 1 bar = 100 kPa.
+TEST(Units, OtherUnits) {
+  for (const Reading& reading : {Reading{"60 deg", "rad", std::numbers::pi / 3.0},
+                                 {"60 degree", "rad", std::numbers::pi / 3},
+                                 {"1200 mm/min", "m/s", 0.02},
+                                 {"1 psi", "Pa", 6894.757293168361},
+                                 {"1 inch", "m", 0.0254},
+                                 {"2 bar", "Pa", 2e5},
+                                 {"36 km/h", "m/s", 10.0},
+                                 {"1 N/mm^2", "Pa", 1e6}}) {
+    const Quantity quantity = read_quantity(reading.text, reading.unit);
+    EXPECT_EQ(quantity.problem, "") << reading.text;
+    EXPECT_NEAR(quantity.value, reading.value, 1e-14 * reading.value) << reading.text;
+  }
+}
+
+TEST(Units, WhatIsWrittenReadsBackToTheSameBits) {
+  std::mt19937_64 random(1);
+  for (const char* unit : {"m", "s", "m/s", "m/s2", "m2/s2", "Pa", "Pa s", "kg/m3", "rad"}) {
+    std::uniform_real_distribution<double> exponent(-12.0, 12.0);
+    for (int i = 0; i < 2000; ++i) {
+      const double value = (i % 2 ? -1.0 : 1.0) * std::pow(10.0, exponent(random));
+      EXPECT_EQ(read_quantity(write_quantity(value, unit), unit).value, value);
+    }
+  }
+}
+
+TEST(Units, ManyThreadsAgree) {
+  std::vector<std::thread> threads;
+  std::vector<int> wrong(4, 0);
+  for (std::size_t k = 0; k < wrong.size(); ++k)
+    threads.emplace_back([&wrong, k] {
+      for (int i = 0; i < 500; ++i) {
+        wrong[k] += read_quantity("3 mm", "m").value != 3e-3;
+        wrong[k] += read_quantity("3 mm", "s").problem.empty();
+        wrong[k] += read_quantity("3 grobs", "m").problem.empty();
+      }
+    });
+  for (auto& thread : threads) thread.join();
+  for (const int count : wrong) EXPECT_EQ(count, 0);
+}
+
+}  // namespace
+}  // namespace kerf

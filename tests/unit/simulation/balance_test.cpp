@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// The balance of mass, momentum and energy against sums by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/precision.hpp"
+#include "parallel/fused_kernel.hpp"
+#include "shinohara2004/traits.hpp"
+#include "simulation/balance_accumulator.hpp"
+#include "simulation/breakdown.hpp"
+#include "standard/traits.hpp"
+
+namespace kerf::test {
+namespace {
+
+TEST(Balance, MassErrorIsWhatIsMissingOfAllThatEverWas) {
+  Balance balance;
+  balance.mass_initial = 3.0;
+  balance.mass_in = 1.0;
+  balance.mass_out = 0.5;
+  balance.mass_erased = 0.25;
+  balance.mass_now = 3.25;
+  EXPECT_EQ(balance.mass_error(), 0.0);
+  balance.mass_now = 3.45;
+  EXPECT_NEAR(balance.mass_error(), 0.05, 1e-15);
+}
+
+TEST(Balance, MomentumErrorIsRelativeToTheLargestTerm) {
+  Balance balance;
+  balance.momentum_initial = {1.0, 0.0, 0.0};
+  balance.momentum_in = {0.0, -2.0, 0.0};
+  balance.impulse_gravity = {0.0, -3.0, 0.0};
+  balance.impulse_plate = {0.0, 4.0, 0.0};
+  balance.impulse_constraint = {0.5, 0.0, 0.0};
+  balance.momentum_out = {0.25, 0.0, 0.0};
+  balance.momentum_now = {1.25, -1.0, 0.0};
+  EXPECT_NEAR(balance.momentum_error(), 0.0, 1e-15);
+  balance.momentum_now[2] = 0.2;
+  EXPECT_NEAR(balance.momentum_error(), 0.2 / 4.0, 1e-15);
+}
+
+TEST(Balance, EnergyDriftCountsAllThatCameInAndAllThatIsStoredOrDissipated) {
+  Balance balance;
+  balance.energy_initial = 1.0;
+  balance.energy_in = 10.0;
+  balance.energy_out = 2.0;
+  balance.work_gravity = -1.0;  // does not count as supplied
+  balance.work_constraint = 3.0;
+  balance.kinetic = 4.0;
+  balance.pressure_work = 2.0;
+  balance.elastic_deviatoric = 0.5;
+  balance.elastic_strain = 0.25;
+  balance.hourglass = 0.125;
+  balance.plate_potential = 0.125;
+  balance.dissipated_artificial = 2.0;
+  balance.dissipated_viscous = 1.0;
+  balance.dissipated_fracture = -0.5;
+  balance.dissipated_plastic = 1.5;
+  EXPECT_DOUBLE_EQ(balance.energy_total(), 11.0);
+  EXPECT_EQ(balance.energy_drift(), 0.0);
+  balance.kinetic += 0.7;
+  EXPECT_NEAR(balance.energy_drift(), 0.7 / 14.0, 1e-15);
+  EXPECT_NEAR(balance.energy_from_breaks(), 0.5 / 14.0, 1e-15);
+  balance.stored_water = 1.0;
+  balance.stored_solid = 0.3;
+  EXPECT_NEAR(balance.pressure_energy_gap(), -0.7 / 14.0, 1e-15);
+}
+
+Medium<double> medium_of(Phase phase, double mass) {
+  Medium<double> medium;
+  medium.phase = phase;
+  medium.mass = mass;
+  medium.density = phase == Phase::water ? 1000.0 : 2000.0;
+  medium.total_bulk_modulus = medium.bulk_modulus = 3e6;
+  medium.shear_modulus = 1e6;
+  medium.excess_bulk_modulus = 0.75e6;
+  medium.tait.exponent = 7.0;
+  medium.tait.coefficient = 2e5;
+  return medium;
+}
+
+// Water, a solid, a fractured solid and a wall, of 2, 3, 3 and 100 kg/m.
+struct FourParticles {
+  Particles<2, Double> particles;
+
+  explicit FourParticles(FieldGroups groups) {
+    particles.groups = groups;
+    const std::vector<Medium<double>> media{
+        medium_of(Phase::water, 2.0), medium_of(Phase::solid, 3.0), medium_of(Phase::rigid, 100.0)};
+    to_device(media, particles.media);
+    std::vector<NewParticle> start(4);
+    for (std::size_t k = 0; k < 4; ++k) start[k].source = static_cast<std::uint16_t>(k < 3 ? k : 1);
+    start[0].velocity = {3.0, 0.0, 0.0};
+    start[1].velocity = {0.0, -2.0, 0.0};
+    start[3].velocity = {1.0, 1.0, 0.0};
+    particles.append(start, media);
+    particles.fractured[3] = 1;
+  }
+};
+
+// Integral of p / rho^2 d rho from rho_0, by Simpson's rule.
+template <class Pressure>
+double energy_of(const Pressure& pressure, double density, double compression) {
+  constexpr int steps = 2000;
+  const double width = compression / steps;
+  double sum = 0.0;
+  for (int k = 0; k <= steps; ++k) {
+    const double x = k * width, weight = k == 0 || k == steps ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
+    sum += weight * pressure(x) / (density * (1.0 + x) * (1.0 + x));
+  }
+  return sum * width / 3.0;
+}
+double tait(double x) {
+  return 2e5 * (std::pow(1.0 + x, 7.0) - 1.0);
+}
+
+TEST(BalanceSums, StateOfTheShinoharaFormulation) {
+  FourParticles four({.rate_stress = true, .contact = false, .mirrored = false});
+  auto& particles = four.particles;
+  particles.pressure_work[0] = 0.5;
+  particles.pressure_work[3] = 0.25;
+  particles.compression[0] = 0.02;
+  particles.compression[1] = -0.01;
+  particles.compression[3] = -0.01;  // cannot be pulled
+  auto shear = SymmetricTensor<2, double>::zero();
+  shear(0, 0) = 4e3;
+  shear(1, 1) = -3e3;
+  shear(2, 2) = -1e3;
+  shear(0, 1) = 2e3;
+  particles.shear[1] = shear;
+  BalanceAccumulator<2, Double, Shinohara2004Traits> accumulator;
+  accumulator.set_masses({2.0, 3.0, 100.0});
+  const Balance now = accumulator.state(particles, {0.0, 0.0});
+  EXPECT_DOUBLE_EQ(now.mass_now, 8.0);
+  EXPECT_DOUBLE_EQ(now.mass_fractured, 3.0);
+  EXPECT_DOUBLE_EQ(now.momentum_now[0], 9.0);
+  EXPECT_DOUBLE_EQ(now.momentum_now[1], -3.0);
+  EXPECT_DOUBLE_EQ(now.kinetic, 9.0 + 6.0 + 3.0);
+  EXPECT_DOUBLE_EQ(now.pressure_work, 2.0 * 0.5 + 3.0 * 0.25);
+  EXPECT_NEAR(now.momentum_scale, 6.0 + 6.0 + 3.0 * std::sqrt(2.0), 1e-14);
+  EXPECT_NEAR(now.stored_water, 2.0 * energy_of(tait, 1000.0, 0.02), 1e-9);
+  const auto hooke = [](double x) { return 3e6 * x; };
+  EXPECT_NEAR(now.stored_solid, 3.0 * energy_of(hooke, 2000.0, -0.01), 1e-9);
+  // s : s / (4 G rho), with the shear stress twice.
+  const double square = 16e6 + 9e6 + 1e6 + 2.0 * 4e6;
+  EXPECT_NEAR(now.elastic_deviatoric, 3.0 * square / (4.0 * 1e6 * 2000.0 * 0.99), 1e-12);
+}
+
+TEST(BalanceSums, SolidsOfTheStandardFormulationStoreByDensityTheirShareOfTheBulkModulus) {
+  FourParticles four({.rate_stress = false, .contact = true, .mirrored = false});
+  auto& particles = four.particles;
+  particles.compression[1] = 0.02;
+  particles.compression[3] = 0.01;
+  BalanceAccumulator<2, Double, StandardTraits> accumulator;
+  accumulator.set_masses({2.0, 3.0, 100.0});
+  const Balance now = accumulator.state(particles, {0.0, 0.0});
+  const double intact = 0.25 * energy_of(tait, 2000.0, 0.02);
+  const double detached = energy_of(tait, 2000.0, 0.01);
+  EXPECT_NEAR(now.stored_solid, 3.0 * (intact + detached), 1e-10);
+  EXPECT_EQ(now.elastic_deviatoric, 0.0);
+}
+
+TEST(BalanceSums, AStepAddsImpulsesWorkAndDissipation) {
+  FourParticles four({.rate_stress = true, .contact = false, .mirrored = false});
+  auto& particles = four.particles;
+  const double dt = 0.1;
+  const Vector<2, double> gravity{0.0, -10.0};
+  for (Index i = 0; i < 4; ++i) {
+    particles.start_position[i] = particles.position[i];
+    particles.start_velocity[i] = particles.velocity[i];
+    particles.acceleration[i] = Vector<2, double>{0.0, -10.0};
+    particles.repulsion[i] = Vector<2, double>::zero();
+    particles.pressure_power[i] = particles.artificial_power[i] = 0.0;
+    particles.fracture_loss[i] = 0.0;
+    particles.velocity_gradient[i] = Matrix<2, double>::zero();
+  }
+  particles.position[1] = Vector<2, double>{0.3, -0.2};
+  particles.acceleration[0] = Vector<2, double>{5.0, -4.0};
+  particles.repulsion[0] = Vector<2, double>{0.0, 2.0};
+  particles.pressure_power[0] = 7.0;
+  particles.artificial_power[1] = 4.0;
+  particles.fracture_loss[3] = 0.5;
+  BalanceAccumulator<2, Double, Shinohara2004Traits> accumulator;
+  accumulator.set_masses({2.0, 3.0, 100.0});
+  accumulator.accumulate_step(particles, gravity, dt, NoOp{}, NoOp{});
+  const Balance& sum = accumulator.totals();
+  EXPECT_NEAR(sum.impulse_gravity[1], -10.0 * 8.0 * dt, 1e-14);
+  EXPECT_NEAR(sum.impulse_plate[1], 2.0 * 2.0 * dt, 1e-15);
+  // Of the water's acceleration (5, -4), (0, -10) is gravity and (0, 2) the wall.
+  EXPECT_NEAR(sum.impulse_water[0], -2.0 * 5.0 * dt, 1e-15);
+  EXPECT_NEAR(sum.impulse_water[1], -2.0 * 4.0 * dt, 1e-15);
+  EXPECT_NEAR(sum.work_gravity, 3.0 * 10.0 * 0.2, 1e-14);
+  EXPECT_NEAR(sum.dissipated_artificial, 3.0 * 4.0 * dt, 1e-15);
+  EXPECT_NEAR(sum.dissipated_fracture, 0.5, 1e-15);
+  EXPECT_NEAR(double(particles.pressure_work[0]), 0.7, 1e-15);
+}
+
+TEST(BalanceSums, OutflowTakesItsMassMomentumAndEnergyAlong) {
+  FourParticles four({.rate_stress = true, .contact = false, .mirrored = false});
+  auto& particles = four.particles;
+  particles.flags[0] = flag::outside;
+  particles.flags[1] = flag::erased;
+  particles.pressure_work[0] = 0.5;
+  BalanceAccumulator<2, Double, Shinohara2004Traits> accumulator;
+  accumulator.set_masses({2.0, 3.0, 100.0});
+  accumulator.accumulate_outflow(particles);
+  accumulator.accumulate_inflow(0, {0.0, -4.0, 0.0});
+  const Balance& sum = accumulator.totals();
+  EXPECT_EQ(sum.mass_out, 2.0);
+  EXPECT_EQ(sum.mass_erased, 3.0);
+  EXPECT_EQ(sum.momentum_out[0], 6.0);
+  EXPECT_EQ(sum.momentum_out[1], -6.0);
+  EXPECT_DOUBLE_EQ(sum.energy_out, 9.0 + 1.0 + 6.0);
+  EXPECT_EQ(sum.mass_in, 2.0);
+  EXPECT_EQ(sum.momentum_in[1], -8.0);
+  EXPECT_EQ(sum.energy_in, 16.0);
+}
+
+std::string message_of(const Breakdown& breakdown) {
+  try {
+    report_breakdown(breakdown);
+  } catch (const UserError& error) {
+    EXPECT_EQ(error.exit_code(), exit_run_failed);
+    return error.what();
+  }
+}
+
+TEST(Breakdown, SaysWhenWhereWhatAndWhatToDo) {
+  Breakdown breakdown;
+  breakdown.time = 0.0125;
+  breakdown.step = 42;
+  breakdown.particle = 7;
+  breakdown.owner = "body 'plate'";
+  breakdown.position = {0.5, -0.25, 0.0};
+  breakdown.dt = 1e-12;
+  breakdown.cause = "acceleration";
+  breakdown.courant = 0.3;
+  EXPECT_EQ(message_of(breakdown),
+            "the run broke down at t = 0.0125 s, step 42: particle 7 of body 'plate' at "
+            "(0.5, -0.25, 0) m needs a time step of 1e-12 s (acceleration); lower time.courant "
+            "(now 0.3) or a repulsion, and look at the last frame");
+  breakdown.fault = true;
+  breakdown.cause = "a density of zero or less";
+  EXPECT_NE(message_of(breakdown).find("m has a density of zero or less; lower"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// The plan, the verdicts and the page of `kerf verify`.
+#include "verification/verify.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "app/embedded.hpp"
+#include "support/flight.hpp"
+#include "verification/signal.hpp"
+#include "verification/table.hpp"
+
+namespace kerf {
+namespace {
+
+using test::flight;
+
+// One check of the block's speed, 3 m/s, with `judgement` as its reference.
+std::string plan_text(const std::string& judgement, const std::string& more = "") {
+  return R"(
+title = "flight"
+[[run]]
+name = "plain"
+[[run]]
+name = "fast"
+override.body = [ { name = "block", velocity = ["6 m/s", "0 m/s"] } ]
+[[run]]
+name = "far"
+long = true
+override.body = [ { name = "block", velocity = ["9 m/s", "0 m/s"] } ]
+[[check]]
+quantity = "speed"
+signal = "body_mean"
+field = "velocity"
+axis = "x"
+reduce = "last"
+unit = "cm/s"
+si_unit = "m/s"
+source = "Newton"
+)" + judgement +
+         more;
+}
+
+Findings findings_of(const std::string& plan, bool all = false) {
+  const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
+  const auto cases = read_verification_cases(texts, {});
+  return verify(cases.at(0), all, [](const std::string&, double) {});
+}
+
+std::vector<Row> rows_of(const std::string& plan, bool all = false) {
+  return findings_of(plan, all).rows;
+}
+
+TEST(Verify, PassesAndFailsByTheTolerance) {
+  const auto good = rows_of(plan_text("runs = \"plain\"\nreference = \"2*150\"\ntolerance = 0.01"));
+  ASSERT_EQ(good.size(), 1u);
+  EXPECT_NEAR(good[0].measured, 300.0, 0.01);
+  EXPECT_EQ(good[0].verdict, Verdict::pass);
+  EXPECT_FALSE(has_failed(good));
+  const auto bad = rows_of(plan_text("runs = \"plain\"\nreference = 310\ntolerance = 0.01"));
+  EXPECT_EQ(bad[0].verdict, Verdict::fail);
+  EXPECT_NEAR(*bad[0].error, 300.0 / 310.0 - 1.0, 1e-5);
+  EXPECT_TRUE(has_failed(bad));
+}
+
+TEST(Verify, JudgesBounds) {
+  const auto verdict = [](const std::string& bounds) {
+    return rows_of(plan_text("runs = \"plain\"\n" + bounds))[0].verdict;
+  };
+  EXPECT_EQ(verdict("at_least = 290\nat_most = 310"), Verdict::pass);
+  EXPECT_EQ(verdict("at_least = 301"), Verdict::fail);
+  EXPECT_EQ(verdict("at_most = 299"), Verdict::fail);
+  EXPECT_EQ(verdict(""), Verdict::reported);
+}
+
+TEST(Verify, JudgesTheFinestRunOnlyUnlessAllAreMeant) {
+  const std::string reference = "runs = [\"plain\", \"fast\"]\nreference = 600\ntolerance = 0.01\n";
+  const auto finest = rows_of(plan_text(reference));
+  ASSERT_EQ(finest.size(), 2u);
+  EXPECT_EQ(finest[0].verdict, Verdict::coarse);
+  EXPECT_EQ(finest[1].verdict, Verdict::pass);
+  const auto every = rows_of(plan_text(reference, "judge = \"every run\"\n"));
+  EXPECT_EQ(every[0].verdict, Verdict::fail);
+}
+
+TEST(Verify, JudgesFromANamedRunOn) {
+  const std::string reference = "reference = 600\ntolerance = 0.01\n";
+  const std::string both = "runs = [\"plain\", \"fast\"]\n" + reference;
+  const auto second = rows_of(plan_text(both, "judge = \"from fast\"\n"));
+  EXPECT_EQ(second[0].verdict, Verdict::coarse);
+  EXPECT_EQ(second[1].verdict, Verdict::pass);
+  const auto first = rows_of(plan_text(both, "judge = \"from plain\"\n"));
+  EXPECT_EQ(first[0].verdict, Verdict::fail);
+  EXPECT_EQ(first[1].verdict, Verdict::pass);
+  // A long run that was not made leaves the short ones too coarse.
+  const auto none =
+      rows_of(plan_text("runs = [\"plain\", \"far\"]\n" + reference, "judge = \"from far\"\n"));
+  ASSERT_EQ(none.size(), 1u);
+  EXPECT_EQ(none[0].verdict, Verdict::coarse);
+}
+
+TEST(Verify, ComparesRuns) {
+  const auto rows = rows_of(
+      plan_text("runs = \"fast\"\nrelative_to = \"plain\"\nreference = 2\ntolerance = 1e-4\n"));
+  EXPECT_EQ(rows[0].verdict, Verdict::pass);
+  EXPECT_NEAR(rows[0].measured, 2.0, 1e-4);
+}
+
+TEST(Verify, GivesTheCurvesOfAPlot) {
+  const std::string check = "runs = [\"plain\", \"fast\"]\nreference = 600\ntolerance = 0.01\n";
+  EXPECT_TRUE(findings_of(plan_text(check)).curves.empty());
+  const auto curves = findings_of(plan_text(check, "plot = true\n")).curves;
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].runs, (std::vector<std::string>{"plain", "fast"}));
+  ASSERT_EQ(curves[0].series.size(), 2u);
+  EXPECT_NEAR(curves[0].series[0].value.back(), 3.0, 1e-3);  // m/s, where the table has cm/s
+  EXPECT_NEAR(curves[0].series[1].value.back(), 6.0, 1e-3);
+  EXPECT_NEAR(*curves[0].reference, 6.0, 1e-12);
+  EXPECT_EQ(curves[0].unit, "m/s");
+}
+
+TEST(Verify, LooksAtTheTimeOfAPicture) {
+  std::string plan = plan_text("runs = \"plain\"\n");
+  EXPECT_TRUE(findings_of(plan).looks.empty());
+  plan.replace(plan.find("name = \"plain\""), 14, "name = \"plain\"\npicture = \"0.05 ms\"");
+  const auto looks = findings_of(plan).looks;
+  ASSERT_EQ(looks.size(), 1u);
+  EXPECT_EQ(looks[0].run, "plain");
+  EXPECT_GE(looks[0].frame.time, 0.05e-3);
+  EXPECT_LT(looks[0].frame.time, 0.1e-3);
+}
+
+TEST(Verify, LeavesLongRunsOutUnlessAsked) {
+  const std::string runs = "runs = [\"plain\", \"far\"]\n";
+  EXPECT_EQ(rows_of(plan_text(runs)).size(), 1u);
+  EXPECT_EQ(rows_of(plan_text(runs), true).size(), 2u);
+  EXPECT_TRUE(rows_of(plan_text("runs = \"far\"\n")).empty());
+}
+
+TEST(Verify, MakesOnlyTheRunsAskedForLongOnesToo) {
+  const std::string plan = plan_text("runs = [\"plain\", \"far\"]\n");
+  const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
+  auto cases = read_verification_cases(texts, {});
+  EXPECT_FALSE(cases[0].keep_runs({"nobody"}));
+  ASSERT_TRUE(cases[0].keep_runs({"far"}));
+  const auto rows = verify(cases[0], false, [](const std::string&, double) {}).rows;
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].run, "far");
+}
+
+TEST(Verify, ARunThatCannotBeMakesItsRowsFail) {
+  std::string plan = plan_text("runs = \"plain\"\n");
+  plan.replace(plan.find("name = \"plain\""), 14, "name = \"plain\"\noverride.time.end = \"-1 s\"");
+  const auto rows = rows_of(plan);
+  EXPECT_EQ(rows[0].verdict, Verdict::fail);
+  EXPECT_NE(rows[0].problem.find("time.end"), std::string::npos) << rows[0].problem;
+}
+
+TEST(Verify, RefusesPlansWithMistakes) {
+  EXPECT_THROW(rows_of(plan_text("runs = \"nobody\"\n")), std::logic_error);
+  EXPECT_THROW(rows_of(plan_text("runs = \"plain\"\nreference = 3\n")), std::logic_error);
+  EXPECT_THROW(rows_of(plan_text("runs = \"plain\"\ntolarance = 3\n")), std::logic_error);
+  for (const char* judge : {"from far", "each", "fro"})
+    EXPECT_THROW(rows_of(plan_text("runs = \"plain\"\n", fmt::format("judge = \"{}\"\n", judge))),
+                 std::logic_error)
+        << judge;
+}
+
+TEST(Verify, RefinementDividesSpacings) {
+  PlannedRun run;
+  run.name = "finer";
+  run.case_text = std::string(flight);
+  run.refinement = 2.0;
+  EXPECT_DOUBLE_EQ(run.description().bodies[0].spacing, 0.001);
+}
+
+TEST(VerifyTable, JsonHoldsTheRow) {
+  const auto rows = rows_of(plan_text("runs = \"plain\"\nreference = 300\ntolerance = 0.01"));
+  const auto json = nlohmann::json::parse(to_json(rows));
+  EXPECT_TRUE(json["passed"].get<bool>());
+  EXPECT_EQ(json["rows"][0]["case"], "flight");
+  EXPECT_EQ(json["rows"][0]["verdict"], "pass");
+  EXPECT_NEAR(json["rows"][0]["measured"].get<double>(), 300.0, 0.01);
+  EXPECT_TRUE(json["rows"][0]["at_least"].is_null());
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// The plans that the program holds.
+std::vector<VerificationCase> shipped() {
+  return read_verification_cases(validation_texts(), case_templates());
+}
+
+TEST(ValidationPage, ListsTheCasesOfTheProgramAndNoOthers) {
+  const std::string page = read_text(KERF_SOURCE_DIR "/docs/validation.md");
+  std::set<std::string> listed, known;
+  const std::regex heading("^### `([^`]+)`");
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch found;
+    if (std::regex_search(line, found, heading)) listed.insert(found[1]);
+  }
+  for (const VerificationCase& entry : shipped()) known.insert(entry.name);
+  EXPECT_FALSE(known.empty());
+  EXPECT_EQ(listed, known);
+}
+
+// The beginnings of the rows that a check makes without long runs.
+std::vector<std::string> short_rows(const VerificationCase& entry, const Check& check) {
+  std::vector<std::string> rows;
+  for (const std::string& run : check.runs)
+    if (!entry.run(run).is_long) rows.push_back("| " + check.quantity + " | " + run + " |");
+  return rows;
+}
+
+TEST(ValidationPage, HasEveryQuantityAndShortRun) {
+  const std::string page = read_text(KERF_SOURCE_DIR "/docs/validation.md");
+  for (const VerificationCase& entry : shipped())
+    for (const Check& check : entry.checks)
+      for (const std::string& row : short_rows(entry, check))
+        EXPECT_NE(page.find(row), std::string::npos)
+            << entry.name << ": " << row << " is not in docs/validation.md; run "
+            << "kerf verify --page docs/validation.md";
+}
+
+TEST(ValidationPage, ShowsEveryFigureOfItsFolder) {
+  const std::string page = read_text(KERF_SOURCE_DIR "/docs/validation.md");
+  std::set<std::string> shown, there;
+  const std::regex image(R"(\]\(images/validation/([^)]+)\))");
+  for (std::sregex_iterator at(page.begin(), page.end(), image), end; at != end; ++at)
+    shown.insert((*at)[1]);
+  for (const auto& entry :
+       std::filesystem::directory_iterator(KERF_SOURCE_DIR "/docs/images/validation"))
+    there.insert(entry.path().filename().string());
+  EXPECT_FALSE(shown.empty());
+  EXPECT_EQ(shown, there);
+}
+
+TEST(ValidationPage, NamesEverySignal) {
+  const std::string page = read_text(KERF_SOURCE_DIR "/docs/validation.md");
+  for (const auto& [name, maker] : signal_makers())
+    EXPECT_NE(page.find("| `" + name + "` |"), std::string::npos) << name;
+}
+
+TEST(ShippedPlans, EveryRunIsAGoodCase) {
+  for (const VerificationCase& entry : shipped())
+    for (const PlannedRun& run : entry.runs)
+      EXPECT_NO_THROW(run.description()) << entry.name << ", " << run.name;
+}
+
+TEST(ShippedPlans, EveryCaseJudgesSomething) {
+  for (const VerificationCase& entry : shipped()) {
+    int judged = 0;
+    for (const Check& check : entry.checks) judged += check.is_judged() ? 1 : 0;
+    EXPECT_GT(judged, 0) << entry.name;
+  }
+}
+
+}  // namespace
+}  // namespace kerf
