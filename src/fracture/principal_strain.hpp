@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// This criterion compares the largest principal strain with a limit. A bond breaks where
-// - its own strain ln(lambda) passes the limit, as no bond does in a uniform strain below it; at
-// the tip
-//   of a crack such bonds break first. Or
-// - the largest principal strain, the mean of its ends, passes the limit, and the bond runs across
-// the
-//   crack that opens there: it has at least a quarter of that strain (within 60 degrees of the
-//   axis, for a uniaxial strain) and is opening (bond_strain.hpp). So slanting bonds break along
-//   with the straight ones and do not bridge the crack.
+// This criterion compares the largest principal strain with a limit. A bond breaks in two cases.
+// Its own strain ln(lambda) passes the limit, as no bond does in a uniform strain below it; at the
+// tip of a crack such bonds break first. Or the largest principal strain, the mean of its ends,
+// passes the limit, and the bond runs across the crack that opens there: it has at least a quarter
+// of that strain (within 60 degrees of the axis, for a uniaxial strain) and is opening
+// (bond_strain.hpp). So slanting bonds break along with the straight ones and do not bridge the
+// crack.
 // The limit is in Hencky's measure, because strains of successive stretches add up and a tensile
 // test calls it true strain.
 #pragma once
