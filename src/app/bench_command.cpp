@@ -133,15 +133,14 @@ nlohmann::json to_json(const Result& result) {
 void bench(const BenchOptions& options) {
   take_machine(options.machine);
   const int threads = threads_of(options.machine);
-  const char* const walks_name =
+  const char* const instructions =
       options.machine.device == Device::gpu ? "general" : instruction_set_name();
   fmt::print("Kerf {}, {}, {} threads on {}\n", program_version, compiler_name(), threads,
              device_name());
   fmt::print(
       "Rates per step: one in the standard formulation, two (midpoint) in that of the paper. "
-      "Walks: "
-      "{}.\n\n",
-      walks_name);
+      "Instruction set: {}.\n\n",
+      instructions);
   fmt::print("{:<25} {:>10} {:>7} {:>16} {:>18} {:>11} {:>11}\n", "load", "particles", "steps",
              "particle-steps/s", "pair interact./s", "neighbours", "bytes/part.");
   nlohmann::json results;
@@ -160,7 +159,7 @@ void bench(const BenchOptions& options) {
                          {"compiler", compiler_name()},
                          {"device", word_of(options.machine.device)},
                          {"processor", device_name()},
-                         {"walks", walks_name},
+                         {"instruction_set", instructions},
                          {"threads", threads},
                          {"loads", results}}
               .dump(2)
