@@ -130,10 +130,6 @@ template <auto first, auto... rest>
 ValueReference value(void* structure) {
   return reference_to(((static_cast<Owner<first>*>(structure)->*first).*....*rest));
 }
-template <auto first, auto... rest>
-void* part(void* whole) {
-  return &((static_cast<Owner<first>*>(whole)->*first).*....*rest);
-}
 
 }  // namespace key_member
 
@@ -163,20 +159,5 @@ struct Key {
   bool may_be_none() const { return standard.is_text() && standard.text == "none"; }
   bool applies_under(const std::set<std::string>& conditions) const;
 };
-
-// The rows of a structure as rows of the one that holds it in `member`:
-// rows_within<&Material::plasticity>(rows).
-template <auto member>
-std::vector<Key> rows_within(std::span<const Key> rows) {
-  std::vector<Key> result(rows.begin(), rows.end());
-  for (Key& row : result)
-    if (row.member.structure ==
-        &structure_id<std::remove_reference_t<decltype(std::declval<key_member::Owner<member>&>().*
-                                                       member)>>) {
-      row.member.structure = &structure_id<key_member::Owner<member>>;
-      row.member.part = &key_member::part<member>;
-    }
-  return result;
-}
 
 }  // namespace kerf
