@@ -60,7 +60,7 @@ struct FluidPair {
         const Real viscosity = viscosity_between(*pair.medium_i, *pair.medium_j);
         const Real rest = beyond_viscosity(magnitude(star.dissipation),
                                            magnitude(inverse * viscosity * (u_i - u_j)));
-        star.dissipation = star.dissipation < Real(0) ? -rest : rest;
+        star.dissipation = std::copysign(rest, star.dissipation);
       }
       return star;
     }

@@ -38,6 +38,12 @@ struct CubicSpline {
     const T inner = T(1) - s > T(0) ? T(1) - s : T(0);
     return scale(h) / h * (T(2) * inner * inner - outer * outer / T(2));
   }
+
+  // S = - dW/dr / r, 1/m^(D+2); 0 where r is 0.
+  template <class T>
+  KERF_FUNCTION static T slope_per_distance(T distance, T h) {
+    return distance > T(0) ? -derivative(distance, h) / distance : T(0);
+  }
 };
 
 }  // namespace kerf

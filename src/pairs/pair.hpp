@@ -16,7 +16,7 @@ struct Pair {
   const Medium<Real>*medium_i, *medium_j;
   Vector<D, Real> separation;  // d_ij = r_i - r_j, m
   Vector<D, Real> velocity;    // v_ij = v_i - v_j, m/s
-  Real slope_per_distance;     // S = - (dW/dr) / r, 1/m^(D+2); 0 at one point
+  Real slope_per_distance;     // S = - (dW/dr) / r, 1/m^(D+2)
   Vector<D, Real> gradient;    // nabla_i W_ij = - S d_ij, 1/m^(D+1)
   Real distance;               // m
   Real smoothing_length;       // m, mean of both

@@ -142,9 +142,7 @@ struct FilteredPairLoop : Terms... {
   }
 
   KERF_FUNCTION void add_pair(Pair<D, P>& pair, Sums& sums) const {
-    // Two particles at one point have no direction; the gradient of the kernel is zero there.
-    const Real slope = Kernel::derivative(pair.distance, pair.smoothing_length);
-    pair.slope_per_distance = pair.distance > Real(0) ? -slope / pair.distance : Real(0);
+    pair.slope_per_distance = Kernel::slope_per_distance(pair.distance, pair.smoothing_length);
     pair.gradient = -pair.slope_per_distance * pair.separation;
     pair.velocity = particles.velocity[pair.i] - pair.of_j(particles.velocity[pair.j]);
     pair.same_phase = pair.medium_i->phase == pair.medium_j->phase;
