@@ -247,7 +247,7 @@ TEST(Refuse, Contradictions) {
   });
 }
 
-TEST(Refuse, TomlItself) {
+TEST(Refuse, TomlSyntax) {
   EXPECT_NE(message_of("title = \"x\ndimension = 2\n").find("bad.toml:1: this is not valid TOML"),
             std::string::npos);
   EXPECT_NE(message_of("title = \"x\"\ndimension = 2\ndimension = 3\n").find("bad.toml:3: "),
@@ -263,7 +263,7 @@ TEST(Refuse, ManyProblemsAtOnce) {
   EXPECT_NE(message.find("\n... and 4 more"), std::string::npos);
 }
 
-TEST(Refuse, FilesThatAreNotThere) {
+TEST(Refuse, MissingFiles) {
   try {
     read_case("/nowhere/case.toml");
     FAIL();

@@ -44,7 +44,7 @@ shape = { type = "mesh", )" +
   TemporaryFolder folder_;
 };
 
-TEST_F(MeshShapes, TheFileLiesBesideTheCase) {
+TEST_F(MeshShapes, TheFileIsRelativeToTheCase) {
   write_file(folder_ / "cube.stl", stl_binary(cube_mesh(4.0)));
   const Case millimetres = read("file = \"cube.stl\"");
   EXPECT_EQ(bounding_box(millimetres.bodies[0].shape, 3), (Box{{0, 0, 0}, {4e-3, 4e-3, 4e-3}}));
@@ -117,7 +117,7 @@ TEST_F(MeshShapes, AForcedRunClearsTheCopies) {
   EXPECT_TRUE(std::filesystem::exists(run / "mesh-of-mine.stl"));
 }
 
-TEST_F(MeshShapes, WhatIsNoPartIsRefused) {
+TEST_F(MeshShapes, InvalidMeshesAreRefused) {
   TriangleMesh open = cube_mesh(4.0);
   open.triangles.pop_back();
   write_file(folder_ / "open.stl", stl_binary(open));
