@@ -18,9 +18,9 @@ namespace {
 
 constexpr int relaxing_steps = 10;
 constexpr double relaxing_share = 0.2;   // of h^2
-constexpr double smoothing_ratio = 1.3;  // h over the spacing, whatever that of the run
+constexpr double smoothing_ratio = 1.3;  // h over the spacing, independent of that of the run
 
-// Whether the shape goes on for a spacing in both directions along an axis.
+// Returns whether the shape extends for a spacing in both directions along an axis.
 bool is_inside_along(const Shape& shape, const Point& node, std::size_t axis, double spacing,
                      int dimension) {
   for (const double reach : {-1.0, -0.5, 0.5, 1.0}) {
@@ -76,7 +76,7 @@ class Relaxation {
   using Cell = std::array<std::int64_t, D>;
   using Cells = std::map<Cell, std::vector<std::size_t>>;
 
-  // As wide as the kernel reaches.
+  // Cells are as wide as the support of the kernel.
   Cell cell_of(const Position& x) const {
     Cell cell;
     const double reach = WendlandC2<D>::support * smoothing_length_;

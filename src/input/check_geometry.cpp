@@ -178,7 +178,7 @@ void check_probes(Draft& draft) {
     if (box_within({position, position}, result.domain, result.dimension)) continue;
     draft.reading.problems.add({indexed("probe", i) + ".position",
                                 "the probe is outside the domain",
-                                "places " + box_text(result.domain, result.dimension),
+                                "positions " + box_text(result.domain, result.dimension),
                                 "Move the probe or enlarge the [domain]"});
   }
 }

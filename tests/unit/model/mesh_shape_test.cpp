@@ -130,7 +130,7 @@ TEST_F(MeshShapes, InvalidMeshesAreRefused) {
                               "closed: 3 edges do not belong to two triangles"),
                     HasSubstr("Allowed: STL (binary or text) or OBJ files of a closed surface. "
                               "Repair the mesh")));
-  EXPECT_THAT(refusal("file = \"text.stl\""), HasSubstr("it is not a sound stl file"));
+  EXPECT_THAT(refusal("file = \"text.stl\""), HasSubstr("it is not a valid stl file"));
   EXPECT_THAT(refusal("file = \"flat.stl\""), HasSubstr("the surface encloses nothing"));
   EXPECT_THAT(refusal("file = \"cube.step\""), HasSubstr("no format that is known by its name"));
   EXPECT_THAT(refusal("file = \"none.stl\""), HasSubstr("there is no file"));
