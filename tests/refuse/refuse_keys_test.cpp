@@ -178,7 +178,7 @@ TEST(Refuse, References) {
        "name = \"plate\"",
        "name = \"block\"",
        "name = \"block\"\nrole",
-       "body[2].name = \"block\": the name is taken already.",
+       "body[2].name = \"block\": the name is used already.",
        {"Choose another name"}},
       {"back of a 2D plate",
        "role = \"rigid\"",
@@ -216,7 +216,7 @@ TEST(Refuse, Contradictions) {
        "[materials.juice]\nbase = \"water\"\nsound_speed = \"9 m/s\"\nsound_speed_factor = 9\n"
        "[materials.gel]",
        "sound_speed_factor",
-       "materials.juice.sound_speed_factor = 9: the speed of sound itself is given as well.",
+       "materials.juice.sound_speed_factor = 9: the sound speed itself is given as well.",
        {}},
       {"energy of cracks in the paper's formulation",
        "[materials.gel]",

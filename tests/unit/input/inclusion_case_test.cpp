@@ -123,7 +123,7 @@ TEST(InclusionOf, InvalidInclusionsAreRefused) {
               HasSubstr("an inclusion is bonded to the body that it lies in"));
   EXPECT_THAT(refusal(body("square", square, "inclusion_of = \"disc\"") +
                       body("disc", disc, "inclusion_of = \"square\"")),
-              HasSubstr("bodies lie in one another in a circle"));
+              HasSubstr("the bodies contain one another in a cycle"));
 }
 
 }  // namespace

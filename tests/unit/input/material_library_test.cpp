@@ -170,7 +170,7 @@ TEST(MaterialLibrary, MissingValuesHaveTheDefaults) {
 
 TEST(MaterialLibrary, PageIsUpToDate) {
   EXPECT_EQ(content(KERF_SOURCE_DIR "/docs/materials.md"), materials_page())
-      << "write it anew: kerf materials --page > docs/materials.md";
+      << "write it again: kerf materials --page > docs/materials.md";
 }
 
 const std::string good =

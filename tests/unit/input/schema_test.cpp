@@ -210,7 +210,7 @@ TEST(Schema, IsConsistent) {
 TEST(Schema, KeysPageIsUpToDate) {
   std::ifstream stream(KERF_SOURCE_DIR "/docs/keys.md");
   const std::string page{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  EXPECT_EQ(page, keys_page()) << "write it anew: kerf check --keys > docs/keys.md";
+  EXPECT_EQ(page, keys_page()) << "write it again: kerf check --keys > docs/keys.md";
 }
 
 }  // namespace

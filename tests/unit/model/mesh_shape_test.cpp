@@ -131,8 +131,8 @@ TEST_F(MeshShapes, InvalidMeshesAreRefused) {
                     HasSubstr("Allowed: STL (binary or text) or OBJ files of a closed surface. "
                               "Repair the mesh")));
   EXPECT_THAT(refusal("file = \"text.stl\""), HasSubstr("it is not a valid stl file"));
-  EXPECT_THAT(refusal("file = \"flat.stl\""), HasSubstr("the surface encloses nothing"));
-  EXPECT_THAT(refusal("file = \"cube.step\""), HasSubstr("no format that is known by its name"));
+  EXPECT_THAT(refusal("file = \"flat.stl\""), HasSubstr("the surface encloses no volume"));
+  EXPECT_THAT(refusal("file = \"cube.step\""), HasSubstr("not that of a supported format"));
   EXPECT_THAT(refusal("file = \"none.stl\""), HasSubstr("there is no file"));
   EXPECT_THAT(refusal("file = \"/dev/zero.stl\""), HasSubstr("there is no file"));
   EXPECT_THAT(refusal("scale = \"1 mm\""), HasSubstr("the key is missing"));
