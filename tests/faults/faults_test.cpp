@@ -214,7 +214,7 @@ TEST_F(Faults, ARunIsReplacedOnlyByForce) {
   const std::string before = read_file(path("whole/result.json"));
   const Ending ending = run("whole");
   EXPECT_EQ(ending.exit_code, exit_files);
-  EXPECT_THAT(ending.output, AllOf(HasSubstr("holds a run already"), HasSubstr("--resume"),
+  EXPECT_THAT(ending.output, AllOf(HasSubstr("contains a run already"), HasSubstr("--resume"),
                                    HasSubstr("--force"), HasSubstr("--out")));
   const Ending again = run("whole", "--resume");
   EXPECT_EQ(again.exit_code, 0);

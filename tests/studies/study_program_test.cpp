@@ -122,7 +122,7 @@ TEST_F(StudyProgram, ASignalMakesRunsWriteCheckpoints) {
   ASSERT_TRUE(test::wait_for([&] { return count(RunState::done) >= 1; }));
   const Ending ending = study.end(SIGINT);
   EXPECT_EQ(ending.exit_code, 130);
-  EXPECT_THAT(ending.output, HasSubstr("To go on: kerf study"));
+  EXPECT_THAT(ending.output, HasSubstr("Continue with: kerf study"));
   EXPECT_EQ(processes(), 0u);
   EXPECT_EQ(count(RunState::running), 0u);
   EXPECT_EQ(count(RunState::failed), 0u);

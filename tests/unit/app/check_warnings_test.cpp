@@ -50,7 +50,7 @@ TEST(CheckWarnings, WarnOfASolidThatCannotBreak) {
 }
 
 TEST(CheckWarnings, WarnOfAJetWithoutAWorkpiece) {
-  const auto nothing = HasSubstr("nothing that it could cut");
+  const auto nothing = HasSubstr("nothing that it can cut");
   EXPECT_THAT(warnings_of(""), Contains(nothing));
   EXPECT_THAT(warnings_of(block_of("tofu")), Not(Contains(nothing)));
 }

@@ -61,7 +61,7 @@ TEST_F(Folder, WithForeignFilesIsNotChanged) {
   fs::create_directories(path_);
   write_file(path_ / "thesis.tex", "years of work");
   for (const Existing existing : {Existing::refuse, Existing::resume, Existing::replace})
-    EXPECT_THAT(refusal(existing), HasSubstr("holds no run of Kerf"));
+    EXPECT_THAT(refusal(existing), HasSubstr("contains no run of Kerf"));
   EXPECT_TRUE(fs::exists(path_ / "thesis.tex"));
 }
 

@@ -192,7 +192,7 @@ TEST_F(Run, AFailureKeepsTheCheckpointAndNamesTheRemedy) {
     if (now == 200) throw UserError("particle 7 is not a number", exit_run_failed);
   };
   EXPECT_THAT(message_of<UserError>([&] { run(settings("a"), fail); }),
-              AllOf(HasSubstr("particle 7 is not a number"), HasSubstr("safe up to"),
+              AllOf(HasSubstr("particle 7 is not a number"), HasSubstr("saved up to"),
                     HasSubstr("kerf run fake.toml --resume")));
   EXPECT_THAT(read_file(folder_ / "a/log.txt"), HasSubstr("particle 7 is not a number"));
   run(settings("a", Existing::resume));

@@ -100,14 +100,14 @@ TEST_F(View, FollowsARunInProgress) {
   EXPECT_EQ(run().at("live"), false);
   std::filesystem::remove(out_ / "result.json");
   EXPECT_EQ(run().at("live"), true);
-  EXPECT_THAT(client_->Get("/")->body, testing::HasSubstr("The run is going on"));
+  EXPECT_THAT(client_->Get("/")->body, testing::HasSubstr("The run is in progress"));
   EXPECT_GT(run().at("curves").at("time").size(), 2u);
 }
 
 TEST(ViewFolder, MustContainARun) {
   const test::TemporaryFolder folder;
   EXPECT_THAT(test::message_of<UserError>([&] { ViewServer server(folder / ""); }),
-              testing::HasSubstr("holds no run of Kerf"));
+              testing::HasSubstr("contains no run of Kerf"));
 }
 
 TEST_F(View, EndsIfStoppedBeforeTheStart) {
