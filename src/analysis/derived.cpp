@@ -185,15 +185,15 @@ void derive_particles(DerivedNumbers& numbers, const Case& description) {
 // / (c + V + 1.2 A c).
 double acoustic_step(const Case& description, const Material& material, double spacing,
                      double speed) {
-  double sound = material.sound_speed, fastest_wave = material.sound_speed;
+  double sound_speed = material.sound_speed, fastest_wave = material.sound_speed;
   if (material.kind == MaterialKind::elastic) {
     DerivedNumbers solid;
     derive_solid(solid, material);
-    sound = solid.bulk_speed;
+    sound_speed = solid.bulk_speed;
     fastest_wave = solid.longitudinal_speed;
   }
   return description.time.courant * description.smoothing_ratio * spacing /
-         (fastest_wave + speed + 1.2 * material.artificial_linear * sound);
+         (fastest_wave + speed + 1.2 * material.artificial_linear * sound_speed);
 }
 
 void derive_steps(DerivedNumbers& numbers, const Case& description) {

@@ -64,7 +64,7 @@ velocity = ["0 m/s", "-1 m/s", "0 m/s"]
 )toml";
 
 constexpr std::string_view elastic_cube = R"toml(
-title = "Bench: a quivering cube of tofu, 30 x 30 x 30 particles"
+title = "Bench: a vibrating cube of tofu, 30 x 30 x 30 particles"
 dimension = 3
 formulation = "{}"
 [time]
@@ -165,9 +165,8 @@ void bench(const BenchOptions& options) {
               .dump(2)
        << '\n';
   if (!file.flush())
-    throw UserError(
-        "cannot write " + options.json + "; give --json a file in a folder you may write",
-        exit_files);
+    throw UserError("cannot write " + options.json + "; give --json a file in a writable folder",
+                    exit_files);
 }
 
 }  // namespace
@@ -176,12 +175,12 @@ void add_bench_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("bench", "Measure how fast this build runs on this machine");
   auto options = std::make_shared<BenchOptions>();
-  command->add_option("CASE", options->cases, "case files to time; default: loads of its own");
-  command->add_option("--seconds", options->seconds, "Time per load, s")
+  command->add_option("CASE", options->cases, "case files to measure; default: built-in cases");
+  command->add_option("--seconds", options->seconds, "Time per case, s")
       ->check(CLI::Range(0.1, 600.0))
       ->capture_default_str();
   add_machine_options(*command, options->machine);
-  command->add_option("--json", options->json, "Write the figures to this file as well");
+  command->add_option("--json", options->json, "Also write the results to this file");
   command->callback([options] { bench(*options); });
 }
 

@@ -44,7 +44,7 @@ void print_speeds(const DerivedNumbers& numbers) {
   fmt::print("\nSpeeds\n");
   row("fastest jet or body, V", fmt::format("{:.4g} m/s", numbers.jet_speed));
   if (numbers.water_sound_speed > 0.0) {
-    row("sound in the water, c", fmt::format("{:.4g} m/s", numbers.water_sound_speed));
+    row("sound speed of the water, c", fmt::format("{:.4g} m/s", numbers.water_sound_speed));
     row("Mach number, V / c", fmt::format("{:.4g}", numbers.mach));
   }
   if (numbers.longitudinal_speed == 0.0) return;
@@ -52,7 +52,7 @@ void print_speeds(const DerivedNumbers& numbers) {
   row("shear waves, c_s", fmt::format("{:.4g} m/s", numbers.shear_speed));
   row("Rayleigh waves, c_R", fmt::format("{:.4g} m/s", numbers.rayleigh_speed));
   if (numbers.reflection_time > 0.0)
-    row("waves back from an edge after", readable(numbers.reflection_time, "s"));
+    row("waves reflected by an edge after", readable(numbers.reflection_time, "s"));
   row("V / c_R", fmt::format("{:.4g}", numbers.speed_over_rayleigh));
   row("V / c_p", fmt::format("{:.4g}", numbers.speed_over_longitudinal));
 }
@@ -72,8 +72,8 @@ void print_machine(const Case& description) {
   row("flow rate", readable(6e4 * numbers.flow_rate, html::flow_rate_unit(description.dimension)));
   row("power of the jet", readable(numbers.power, std::string("W") + per_depth));
   row("hammer pressure, real water", readable(numbers.hammer_pressure, "Pa"));
-  row("width at the workpiece, a model", readable(numbers.diameter_at_workpiece, "m"));
-  row("share of water there, a model", fmt::format("{:.4g}", numbers.water_share_at_workpiece));
+  row("width at the workpiece (model)", readable(numbers.diameter_at_workpiece, "m"));
+  row("share of water there (model)", fmt::format("{:.4g}", numbers.water_share_at_workpiece));
   if (jet.pulse_frequency > 0.0)
     row("pulses",
         fmt::format("{}, water for {:.3g} of each", readable(jet.pulse_frequency, "Hz"), jet.duty));
@@ -87,21 +87,22 @@ void print_loads(const DerivedNumbers& numbers) {
     row("hammer pressure, c = 1481 m/s", readable(numbers.hammer_pressure_real, "Pa"));
   }
   if (numbers.contact_stress > 0.0)
-    row("first contact on the solid", readable(numbers.contact_stress, "Pa"));
+    row("contact stress on the solid", readable(numbers.contact_stress, "Pa"));
   if (numbers.failure_strain > 0.0)
-    row("strain at which the solid breaks", fmt::format("{:.4g}", numbers.failure_strain));
+    row("failure strain of the solid", fmt::format("{:.4g}", numbers.failure_strain));
   if (numbers.cauchy_number > 0.0)
     row("Cauchy number, rho V^2 / E", fmt::format("{:.4g}", numbers.cauchy_number));
   if (numbers.hydrodynamic_front_speed > 0.0)
-    row("front without strength", fmt::format("{:.4g} m/s", numbers.hydrodynamic_front_speed));
+    row("front speed without strength",
+        fmt::format("{:.4g} m/s", numbers.hydrodynamic_front_speed));
   row("regime", numbers.regime);
 }
 
 void print_cost(const Case& description, const DerivedNumbers& numbers) {
   fmt::print("\nCost\n");
   for (const auto& [name, particles] : particle_rows(description)) row(name, particles);
-  row("particles at the start", fmt::format("{}", numbers.particles_initial));
-  row("particles with all jet water", fmt::format("{}", numbers.particles_expected));
+  row("initial particles", fmt::format("{}", numbers.particles_initial));
+  row("particles including jet water", fmt::format("{}", numbers.particles_expected));
   row("time step", readable(numbers.time_step, "s"));
   row("steps", fmt::format("{:.0f}", numbers.steps));
   row("memory", readable(numbers.memory, "B"));
@@ -159,7 +160,7 @@ void print_run_time(const Case& description, const DerivedNumbers& numbers) {
   if (simulation->step() == first || particle_steps == 0.0) return;
   const double mean_particles =
       0.5 * static_cast<double>(numbers.particles_initial + numbers.particles_expected);
-  row("speed here", fmt::format("{:.3g} particle-steps/s", particle_steps / seconds));
+  row("speed on this machine", fmt::format("{:.3g} particle-steps/s", particle_steps / seconds));
   row("run time", duration(seconds / particle_steps * mean_particles * numbers.steps));
 }
 
@@ -167,7 +168,7 @@ void check(const CheckOptions& options) {
   take_machine(options.machine);
   const Case description = read_case(options.file);
   const DerivedNumbers numbers = derive(description);
-  fmt::print("{}: the case is good.\n", options.file);
+  fmt::print("{}: the case is valid.\n", options.file);
   fmt::print("{} ({}D; bodies: {}, jets: {})\n", description.title, description.dimension,
              description.bodies.size(), description.jets.size());
   print_machine(description);
@@ -190,7 +191,7 @@ void add_check_command(CLI::App& program) {
       "check", "Check a case and print its derived numbers, cost and expected run time");
   auto options = std::make_shared<CheckOptions>();
   auto* file = command->add_option("case", options->file, "Case file (TOML)");
-  command->add_flag("--no-timing", options->no_timing, "Do not time a few steps");
+  command->add_flag("--no-timing", options->no_timing, "Do not measure the time of a few steps");
   add_machine_options(*command, options->machine);
   auto* keys =
       command->add_flag("--keys", options->keys, "Print the reference of all keys instead");

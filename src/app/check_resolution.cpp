@@ -17,7 +17,7 @@ using Warnings = std::vector<std::string>;
 
 constexpr double least_across_jet = 10.0;  // particles
 constexpr double near_jet = 2.0;           // jet widths from the axis within which a cut forms
-constexpr double cut_reach = 1.5;  // jet widths; the water in a slot flows back beside the jet
+constexpr double cut_reach = 1.5;  // jet widths; in a slot the water flows back beside the jet
 constexpr double least_level_width = 2.0;  // smoothing lengths of the coarser level
 constexpr double rounding = 1.0 + 1e-6;
 
@@ -35,12 +35,12 @@ void warn_of_narrow_jets(const Case& description, Warnings& warnings) {
     const Jet& jet = description.jets[j];
     const double across = jet.width / jet.spacing;
     if (across * rounding >= least_across_jet) continue;
-    warnings.push_back(
-        fmt::format("jet[{}].spacing (\"{}\") = {}: the jet is {:.3g} particles wide. Good: {:g} "
-                    "or more, which "
-                    "resolve its stagnation pressure. Choose {} or less",
-                    j + 1, jet.name, length(jet.spacing), across, least_across_jet,
-                    length(jet.width / least_across_jet)));
+    warnings.push_back(fmt::format(
+        "jet[{}].spacing (\"{}\") = {}: the jet is {:.3g} particles wide. Recommended: {:g} "
+        "or more, which "
+        "resolve its stagnation pressure. Choose {} or less",
+        j + 1, jet.name, length(jet.spacing), across, least_across_jet,
+        length(jet.width / least_across_jet)));
   }
 }
 
@@ -62,7 +62,8 @@ void warn_of_coarse_solid(const Case& description, const Body& body, const Jet& 
   if (near > jet.spacing * rounding)
     warnings.push_back(fmt::format(
         "{} = {}: within {} of the axis of \"{}\" the solid's spacing is {}, {:.3g} x that of the "
-        "water. Good: at most {}, else water can slip between its particles. Choose that, or a "
+        "water. Recommended: at most {}, else water can pass between its particles. Choose that, "
+        "or a "
         "wider "
         "grading",
         key_of(description, body, "spacing"), length(body.spacing), length(near_jet * jet.width),
@@ -71,7 +72,7 @@ void warn_of_coarse_solid(const Case& description, const Body& body, const Jet& 
   if (in_cut > body.spacing * rounding)
     warnings.push_back(
         fmt::format("{} = {}: the spacing doubles within {} of the axis of \"{}\", where the cut "
-                    "will be. Good: "
+                    "will be. Recommended: "
                     "the finest spacing that far. Choose a width of {} or more",
                     key_of(description, body, "grading.width"), length(body.grading.width),
                     length(cut_reach * jet.width), jet.name,
@@ -83,11 +84,12 @@ void warn_of_thin_levels(const Case& description, const Body& body, Warnings& wa
   const double coarsest = level_spacing(body, body.grading.levels);
   const double least = least_level_width * description.smoothing_ratio * coarsest;
   if (body.grading.width * rounding >= least) return;
-  warnings.push_back(fmt::format(
-      "{} = {}: particles of {} would see across the level inside theirs. Good: {} or more, two "
-      "smoothing lengths of the coarsest level. Choose that, or fewer levels than {}",
-      key_of(description, body, "grading.width"), length(body.grading.width), length(coarsest),
-      length(least), body.grading.levels));
+  warnings.push_back(
+      fmt::format("{} = {}: particles of {} would interact across the next finer level. "
+                  "Recommended: {} or more, two "
+                  "smoothing lengths of the coarsest level. Choose that, or fewer levels than {}",
+                  key_of(description, body, "grading.width"), length(body.grading.width),
+                  length(coarsest), length(least), body.grading.levels));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace kerf {
 
 namespace {
 
-// Warns where the mass of a body differs from that of its shape, as the lattice does not fit.
+// Warns if the mass of a body differs from that of its shape because the lattice does not fit.
 void warn_of_misfits(const Case& description, std::vector<std::string>& warnings) {
   constexpr double noticeable = 0.02;
   for (const Body& body : description.bodies) {
@@ -29,10 +29,11 @@ void warn_of_misfits(const Case& description, std::vector<std::string>& warnings
     filled *= particle_volume(body, description.dimension);
     const double misfit = filled / volume_estimate(body.shape, description.dimension) - 1.0;
     if (std::abs(misfit) > noticeable)
-      warnings.push_back(fmt::format(
-          "the particles of \"{}\" fill {:.1f}% {} than its shape: a smaller spacing, or edges of "
-          "whole spacings, fit better",
-          body.name, 100.0 * std::abs(misfit), misfit > 0.0 ? "more" : "less"));
+      warnings.push_back(
+          fmt::format("the particles of \"{}\" fill {:.1f}% {} than its shape: a smaller spacing, "
+                      "or edges that "
+                      "are multiples of the spacing, fit better",
+                      body.name, 100.0 * std::abs(misfit), misfit > 0.0 ? "more" : "less"));
   }
 }
 
@@ -46,8 +47,8 @@ void warn_of_band(const Material& material, const Body& body, std::vector<std::s
       body.name, material.name, ratio, body.spacing * ratio * ratio));
 }
 
-// Warns where ten times the jet speed exceeds the sound speed of real water, so that impacts are
-// too hard.
+// Warns if ten times the jet speed exceeds the sound speed of real water, so that the pressures of
+// impacts are too high.
 void warn_of_fast_water(const Case& description, const DerivedNumbers& numbers,
                         std::vector<std::string>& warnings) {
   constexpr double same = 0.05;
@@ -56,14 +57,14 @@ void warn_of_fast_water(const Case& description, const DerivedNumbers& numbers,
   if (std::abs(c / real_water_sound_speed - 1.0) < same) return;
   const bool standard = description.formulation == Formulation::standard;
   warnings.push_back(fmt::format(
-      "the speed of sound of the water, {:.4g} m/s, is artificial at {:.4g} m/s: above {:g} m/s "
+      "the sound speed of the water, {:.4g} m/s, is artificial at {:.4g} m/s: above {:g} m/s "
       "give it that of real water, {}",
       c, numbers.jet_speed, fast_water,
       standard ? "equation_of_state = \"shock_hugoniot\""
                : fmt::format("sound_speed = \"{:g} m/s\"", real_water_sound_speed)));
 }
 
-// Warns where a case with a jet has nothing that can be cut.
+// Warns if a case with a jet has no body that can be cut.
 void warn_of_nothing_to_cut(const Case& description, std::vector<std::string>& warnings) {
   if (description.jets.empty()) return;
   bool has_workpiece = false;
@@ -74,13 +75,14 @@ void warn_of_nothing_to_cut(const Case& description, std::vector<std::string>& w
     if (!body.fixed && !material.can_break())
       warnings.push_back(fmt::format(
           "\"{}\" never breaks: its material \"{}\" has no failure_strain, fracture_energy or "
-          "tensile_strength. The jet can only dent it, beyond what real matter bears; give the "
-          "material one of them, measured (kerf materials {} lists what is known)",
+          "tensile_strength. The jet can only dent it, beyond the strength of a real material; "
+          "give the "
+          "material a measured one of them (kerf materials {} lists the known values)",
           body.name, material.name, material.name));
   }
   if (!has_workpiece)
     warnings.push_back(
-        "there is a jet and nothing that it could cut: add a [[body]] with a solid material");
+        "there is a jet but nothing that it can cut: add a [[body]] with a solid material");
 }
 
 void warn_of_materials(const Case& description, std::vector<std::string>& warnings) {
@@ -93,7 +95,7 @@ void warn_of_materials(const Case& description, std::vector<std::string>& warnin
     }
     if (material.failure_strain <= 0.0) continue;  // a fracture energy sets a length scale
     warnings.push_back(fmt::format(
-        "\"{}\" fractures at a strain without a length scale: what it takes to cut it depends on "
+        "\"{}\" fractures at a strain without a length scale: the energy of the cut depends on "
         "the spacing",
         material.name));
     return;
@@ -107,18 +109,18 @@ std::vector<std::string> check_warnings(const Case& description, const DerivedNu
   std::vector<std::string> warnings;
   if (numbers.solid_to_water_spacing > 1.0 && description.jets.empty())
     warnings.push_back(fmt::format(
-        "the solid's spacing is {:.3g} x the water's: water can slip between solid particles",
+        "the solid's spacing is {:.3g} x the water's: water can pass between solid particles",
         numbers.solid_to_water_spacing));
   const bool may_be_stiffer =
       numbers.jet_speed <= fast_water;  // otherwise it has the real sound speed
   if (may_be_stiffer && numbers.water_is_weakly_compressible && numbers.mach > weakly_compressible)
     warnings.push_back(
         fmt::format("the Mach number is {:.3g}: above 0.1 the water is compressed noticeably, "
-                    "give it a higher speed of sound",
+                    "give it a higher sound speed",
                     numbers.mach));
   warn_of_fast_water(description, numbers, warnings);
   if (description.back_flow_removal)
-    warnings.push_back("the back-flow removal takes mass and momentum away");
+    warnings.push_back("the back-flow removal removes mass and momentum");
   warn_of_nothing_to_cut(description, warnings);
   warn_of_materials(description, warnings);
   warn_of_misfits(description, warnings);

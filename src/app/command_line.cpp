@@ -19,13 +19,13 @@ void add_device_option(CLI::App& command, Device& device) {
   command
       .add_option_function<std::string>(
           "--device", [&device, devices](const std::string& word) { device = devices.at(word); },
-          "where to compute: the threads of this machine, or an NVIDIA GPU")
+          "device that computes: the threads of this machine, or an NVIDIA GPU")
       ->check(CLI::IsMember(devices))
       ->default_str(word_of(device));
 }
 
 void add_machine_options(CLI::App& command, MachineOptions& options) {
-  command.add_option("--threads", options.threads, "threads to use; default every core")
+  command.add_option("--threads", options.threads, "number of threads; default: one per core")
       ->check(CLI::Range(1, 4096));
   add_device_option(command, options.device);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// This header declares what several commands share on the command line: the options of those that
-// compute, and the refusal of an unknown name.
+// This header declares functions for the command lines of several commands: the options of commands
+// that compute, and the refusal of an unknown name.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -29,8 +29,8 @@ void take_machine(const MachineOptions& options);
 // Returns the number of threads.
 int threads_of(const MachineOptions& options);
 
-// Throws the UserError "SENTENCE. Did you mean "..."? Allowed: ..."; the question is asked where a
-// known name is similar.
+// Throws the UserError "SENTENCE. Did you mean "..."? Allowed: ..."; the question is part of it if
+// a known name is similar.
 [[noreturn]] void refuse_name(const std::string& sentence, const std::string& name,
                               const std::vector<std::string>& known,
                               const std::string& separator = ", ");

@@ -77,7 +77,7 @@ void add_materials_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("materials", "Show the material library");
   auto options = std::make_shared<MaterialsOptions>();
   auto* name =
-      command->add_option("name", options->name, "Which material; without it, all are listed");
+      command->add_option("name", options->name, "Name of a material; without it, all are listed");
   auto* page = command->add_flag("--page", options->page, "Print docs/materials.md instead");
   page->excludes(name);
   command->callback([options] { show(*options); });

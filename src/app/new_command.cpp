@@ -23,7 +23,7 @@ std::string_view first_sentence(std::string_view text) {
 }
 
 void list_templates() {
-  fmt::print("Cases to start from; \"kerf new NAME > my.toml\" writes one:\n\n");
+  fmt::print("Case templates; \"kerf new NAME > my.toml\" writes one:\n\n");
   const auto list = [](std::span<const EmbeddedText> texts) {
     for (const EmbeddedText& entry : texts)
       fmt::print("  {:<18} {}\n", entry.name, first_sentence(entry.text));
@@ -33,7 +33,7 @@ void list_templates() {
   list(study_templates());
 }
 
-// Writes the meshes that a template names into the current folder, where its copy looks for them,
+// Writes the meshes that a template names into the current folder, from which its copy reads them,
 // unless files of these names exist.
 void write_meshes(std::string_view text) {
   for (const EmbeddedText& mesh : case_meshes()) {
@@ -41,8 +41,8 @@ void write_meshes(std::string_view text) {
     if (text.find(fmt::format("\"{}\"", file)) == std::string_view::npos) continue;
     const bool is_there = std::filesystem::exists(file);
     if (!is_there) write_file(file, mesh.text);
-    fmt::print(stderr, "{} {}: the case needs it beside it.\n", file,
-               is_there ? "is here already and was left as it is" : "was written");
+    fmt::print(stderr, "{} {}: the case reads it from its own folder.\n", file,
+               is_there ? "exists already and was not changed" : "was written");
   }
 }
 
@@ -58,16 +58,16 @@ void print_template(const std::string& name) {
     }
     names.emplace_back(entry.name);
   }
-  refuse_name(fmt::format("there is no case \"{}\" to start from", name), name, names);
+  refuse_name(fmt::format("there is no case template \"{}\"", name), name, names);
 }
 
 }  // namespace
 
 void add_new_command(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("new", "Print a commented case or study to start from");
+      program.add_subcommand("new", "Print a commented case or study as a template");
   auto name = std::make_shared<std::string>();
-  command->add_option("name", *name, "Which case; without it, the cases are listed");
+  command->add_option("name", *name, "Name of a case; without it, all are listed");
   command->callback([name] { name->empty() ? list_templates() : print_template(*name); });
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// This header declares what a user sees while a run goes on: a bar that renews itself on a
-// terminal, lines elsewhere.
+// This header declares the display of the progress of a run: a bar on a terminal, else lines.
 #pragma once
 
 #include <chrono>

@@ -29,10 +29,10 @@ void report(const fs::path& folder, bool movie) {
 
 void add_report_command(CLI::App& program) {
   auto folder = std::make_shared<std::string>();
-  CLI::App* command = program.add_subcommand("report", "Make the report of a run again");
+  CLI::App* command = program.add_subcommand("report", "Write the report of a run again");
   command->add_option("OUT", *folder, "the folder of the run's results")->required();
   auto movie = std::make_shared<bool>(false);
-  command->add_flag("--movie", *movie, "also make movie.mp4 of all frames, by ffmpeg");
+  command->add_flag("--movie", *movie, "also write movie.mp4 of all frames, with ffmpeg");
   command->callback([folder, movie] { report(*folder, *movie); });
 }
 

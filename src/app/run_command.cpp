@@ -88,10 +88,9 @@ void add_run_command(CLI::App& program) {
   command->add_option("--out", options->folder, "folder for the results; default out/<case>");
   add_machine_options(*command, options->machine);
   CLI::Option* resume =
-      command->add_flag("--resume", options->resume, "go on from the last checkpoint");
-  command->add_flag("--force", options->force, "replace the run that the folder holds")
-      ->excludes(resume);
-  command->add_flag("--quiet", options->quiet, "show the verdict only");
+      command->add_flag("--resume", options->resume, "continue from the last checkpoint");
+  command->add_flag("--force", options->force, "replace the run in the folder")->excludes(resume);
+  command->add_flag("--quiet", options->quiet, "show the result only");
   command->callback([options] { run(*options); });
 }
 

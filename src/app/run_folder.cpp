@@ -72,22 +72,25 @@ bool RunFolder::is_empty() const {
 
 void RunFolder::check(const std::string& case_text, Existing existing) const {
   if (!fs::exists(used_case()))
-    throw UserError(fmt::format("{} is not empty and holds no run of Kerf. Choose another folder "
-                                "with --out.",
-                                path_.string()),
-                    exit_files);
+    throw UserError(
+        fmt::format("{} is not empty and contains no run of Kerf. Choose another folder "
+                    "with --out.",
+                    path_.string()),
+        exit_files);
   if (existing == Existing::refuse)
-    throw UserError(fmt::format("{} holds a run already. Go on with it by --resume, replace it by "
-                                "--force, or choose another folder with --out.",
-                                path_.string()),
-                    exit_files);
+    throw UserError(
+        fmt::format("{} contains a run already. Continue it with --resume, replace it by "
+                    "--force, or choose another folder with --out.",
+                    path_.string()),
+        exit_files);
   // A checkpoint contains the case that it belongs to.
   if (existing == Existing::resume && !fs::exists(checkpoint()) &&
       read_file(used_case()) != case_text)
-    throw UserError(fmt::format("{} holds a run of another case and no checkpoint. Replace it by "
-                                "--force, or choose another folder with --out.",
-                                path_.string()),
-                    exit_files);
+    throw UserError(
+        fmt::format("{} contains a run of another case and no checkpoint. Replace it by "
+                    "--force, or choose another folder with --out.",
+                    path_.string()),
+        exit_files);
 }
 
 // Removes only what a run of Kerf writes; the case is removed last, as it marks a folder of a run.
@@ -105,7 +108,7 @@ void keep_meshes(const Case& description, const std::filesystem::path& folder) {
 Case case_of_run(const std::filesystem::path& folder) {
   const std::filesystem::path used = folder / "case.used.toml";
   if (!std::filesystem::exists(used))
-    throw UserError(fmt::format("{} holds no run of Kerf (there is no case.used.toml). Name the "
+    throw UserError(fmt::format("{} contains no run of Kerf (there is no case.used.toml). Name the "
                                 "folder that was given to 'kerf run' by --out.",
                                 folder.string()),
                     exit_files);

@@ -10,10 +10,10 @@
 
 namespace kerf {
 
-// What is done with a folder that holds a run already.
+// The treatment of a folder that contains a run already.
 enum class Existing { refuse, resume, replace };
 
-// Returns the case of a result folder. Throws UserError (exit_files) when it holds no run.
+// Returns the case of a result folder. Throws UserError (exit_files) if it contains no run.
 Case case_of_run(const std::filesystem::path& folder);
 
 // Writes the meshes of a case into a folder, with the names that case.used.toml has for them.
@@ -23,8 +23,7 @@ void keep_meshes(const Case& description, const std::filesystem::path& folder);
 class RunFolder {
  public:
   // Creates the folder if it is missing and locks it for this process. Throws UserError
-  // (exit_files) and changes nothing when it holds something that `existing` does not allow to be
-  // changed.
+  // (exit_files) and changes nothing if it contains files that `existing` does not allow to change.
   RunFolder(std::filesystem::path path, const std::string& case_text, Existing existing);
 
   // Returns true when there is a checkpoint to continue from; otherwise the folder is empty.

@@ -65,7 +65,7 @@ RunEnd RunLoop::run() {
     } catch (const UserError&) {  // the first error is reported
     }
     if (saved_time_ >= 0.0)
-      message += fmt::format(" The run is safe up to {:.6g} ms; go on from there with: {}",
+      message += fmt::format(" The run is saved up to {:.6g} ms; continue from there with: {}",
                              1e3 * saved_time_, settings_.resume_command);
     if (log_) log_->error(message);
     throw UserError(message, error.exit_code());
@@ -106,7 +106,7 @@ bool RunLoop::already_finished() const {
 void RunLoop::begin() {
   simulation_ = maker_(settings_.description);
   cut_.emplace(settings_.description, frame());
-  tell(fmt::format("{}: {} particles to begin with, results in {}", settings_.case_name,
+  tell(fmt::format("{}: {} initial particles, results in {}", settings_.case_name,
                    simulation_->particles(), folder_.path().string()));
   series_.start();
   write_due();
@@ -128,7 +128,7 @@ void RunLoop::resume(const Archive& state) {
   limits_ = before_.limits;
   if (!before_.cut_history.empty()) row_time_ = before_.cut_history.back().time;
   energy_drift_ = simulation_->balance().energy_drift();
-  tell(fmt::format("{}: going on from {:.6g} ms, step {}", settings_.case_name,
+  tell(fmt::format("{}: continuing from {:.6g} ms, step {}", settings_.case_name,
                    1e3 * simulation_->time(), simulation_->step()));
 }
 
@@ -148,7 +148,7 @@ RunEnd RunLoop::steps() {
   return {};
 }
 
-// At the end all output up to the end is due, whatever the rounding of the sum of all steps.
+// At the end all output up to the end is due, in spite of the rounding of the sum of all steps.
 void RunLoop::write_due() {
   const double now = simulation_->finished()
                          ? std::max(simulation_->time(), settings_.description.time.end)
@@ -205,7 +205,7 @@ void RunLoop::finish() {
 RunEnd RunLoop::stop(int signal) {
   save_checkpoint(false);
   writing_.wait();
-  tell(fmt::format("Stopped by {} at {:.6g} ms. Go on with: {}", signal_name(signal),
+  tell(fmt::format("Stopped by {} at {:.6g} ms. Continue with: {}", signal_name(signal),
                    1e3 * simulation_->time(), settings_.resume_command));
   return {signal};
 }

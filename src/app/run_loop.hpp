@@ -52,8 +52,8 @@ class RunLoop {
  public:
   RunLoop(RunLoopSettings settings, SimulationMaker maker);
 
-  // Runs to the end. Throws UserError, whose message says how to continue; what is on the disk
-  // remains valid.
+  // Runs to the end. Throws UserError, whose message states how to continue; the files on the disk
+  // remain valid.
   RunEnd run();
 
  private:

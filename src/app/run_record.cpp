@@ -13,7 +13,7 @@ namespace {
 
 struct HistoryColumn {
   const char* name;
-  double CutState::*place;
+  double CutState::*member;
 };
 constexpr std::array<HistoryColumn, 6> history_columns = {{
     {"time", &CutState::time},
@@ -31,7 +31,7 @@ std::string history_name(const char* name) {
 void save_history(const std::vector<CutState>& history, Archive& archive) {
   for (const HistoryColumn& column : history_columns) {
     std::vector<double> values;
-    for (const CutState& state : history) values.push_back(state.*column.place);
+    for (const CutState& state : history) values.push_back(state.*column.member);
     archive.arrays[history_name(column.name)] = std::move(values);
   }
   std::vector<std::uint32_t> pieces, through;
@@ -47,7 +47,7 @@ template <class T>
 const std::vector<T>& find(const Archive& archive, const std::string& name) {
   const auto found = archive.arrays.find(name);
   if (found == archive.arrays.end() || !std::holds_alternative<std::vector<T>>(found->second))
-    throw UserError(fmt::format("the checkpoint does not hold '{}'. Start the run again with "
+    throw UserError(fmt::format("the checkpoint does not contain '{}'. Start the run again with "
                                 "--force.",
                                 name),
                     exit_files);
@@ -64,7 +64,7 @@ std::vector<CutState> restore_history(const Archive& archive) {
   }
   for (const HistoryColumn& column : history_columns) {
     const auto& values = find<double>(archive, history_name(column.name));
-    for (std::size_t i = 0; i < history.size(); ++i) history[i].*column.place = values.at(i);
+    for (std::size_t i = 0; i < history.size(); ++i) history[i].*column.member = values.at(i);
   }
   return history;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// This header declares what a checkpoint keeps of the run loop beside the simulation, so that a
-// resumed run continues as if it had not been stopped.
+// This header declares the state of the run loop in a checkpoint, besides that of the simulation,
+// so that a resumed run gives the same results as one without a stop.
 #pragma once
 
 #include <cstdint>

@@ -38,8 +38,8 @@ struct StudyOptions {
   bool quiet = false;
 };
 
-// The program that makes the runs. A child process gets the program that is running, even if its
-// file was replaced.
+// Returns the path of the program for the runs. A child process gets the running program, even if
+// its file was replaced.
 constexpr const char* this_program = "/proc/self/exe";
 
 LocalBudget budget_of(const StudyOptions& options) {
@@ -123,7 +123,7 @@ void find_answers(const StudyPlan& plan, StudyRuns& runs, StudyAnswers& answers)
   if (plan.calibration) answers.calibration = calibrate(*plan.calibration, plan.refinement, runs);
 }
 
-// Computes the model and the boundary from the runs that were made, whether all of them or not.
+// Computes the model and the boundary from the completed runs, also if some are missing.
 void conclude(const StudyPlan& plan, const StudyRuns& runs, StudyAnswers& answers) {
   answers.runs = runs.asked();
   if (plan.model)
@@ -144,10 +144,10 @@ void write_results(const StudyPlan& plan, const StudyAnswers& answers, const fs:
       return unit_of(plan, name);
     }));
   fmt::print("{}{}", study_text(plan, answers.runs), answers_text(describe_answers(plan, answers)));
-  const std::string place = folder.string();
-  fmt::print("  table      {0}/study.csv, {0}/study.json, {0}/study.h5{1}\n", place,
-             has_model ? fmt::format(", {}/model.csv", place) : "");
-  fmt::print("  page       {}/study.html\n", place);
+  const std::string path = folder.string();
+  fmt::print("  table      {0}/study.csv, {0}/study.json, {0}/study.h5{1}\n", path,
+             has_model ? fmt::format(", {}/model.csv", path) : "");
+  fmt::print("  page       {}/study.html\n", path);
 }
 
 // Lists failed runs and sets the exit code, after everything else is written.
@@ -159,8 +159,8 @@ void tell_failures(const std::vector<RunRow>& runs) {
     fmt::print("  {} failed: {}\n", row.id, row.error);
   }
   if (failed == 0) return;
-  fmt::print("{} run{} failed. Put it right, then start the study again with --retry.\n", failed,
-             failed == 1 ? "" : "s");
+  fmt::print("{} run{} failed. Correct the cause, then start the study again with --retry.\n",
+             failed, failed == 1 ? "" : "s");
   throw CLI::RuntimeError(exit_run_failed);
 }
 
@@ -201,7 +201,7 @@ void study(const StudyOptions& options) {
     find_answers(plan, runs, answers);
   } catch (const StudyStopped& stopped) {
     finish(StudyState::stopped);
-    fmt::print("Stopped. To go on: kerf study {} --out {}\n", options.file, folder.string());
+    fmt::print("Stopped. Continue with: kerf study {} --out {}\n", options.file, folder.string());
     throw CLI::RuntimeError(128 + stopped.signal);
   } catch (const UserError&) {
     finish(StudyState::stopped);
@@ -216,27 +216,27 @@ void study(const StudyOptions& options) {
 void add_study_command(CLI::App& program) {
   auto options = std::make_shared<StudyOptions>();
   CLI::App* command =
-      program.add_subcommand("study", "Run a case at many settings, or find the setting");
+      program.add_subcommand("study", "Run a case with many settings, or search for a setting");
   command->add_option("STUDY", options->file, "the study file")->required();
   command->add_option("--out", options->folder, "folder for the results; default out/<study>");
   command
       ->add_option("--jobs", options->jobs,
-                   "runs at once, at most; default one for each core, on a GPU one")
+                   "maximum number of concurrent runs; default: one per core, one on a GPU")
       ->check(CLI::Range(1, 4096));
   command
       ->add_option(
           "--cores", options->cores,
-          "cores for all runs at once; default every core; with Slurm of each run, default 1")
+          "cores of all concurrent runs; default: all; with Slurm the cores of each run, default 1")
       ->check(CLI::Range(1, 4096));
   command
       ->add_option("--memory", options->memory,
-                   "memory for all runs at once, in GiB; default four fifths of what is free")
+                   "memory of all concurrent runs, in GiB; default: four fifths of the free memory")
       ->check(CLI::PositiveNumber);
-  command->add_option("--on", options->where, "where runs are made: this machine, or Slurm")
+  command->add_option("--on", options->where, "where runs are computed: this machine, or Slurm")
       ->check(CLI::IsMember({"local", "slurm"}))
       ->capture_default_str();
   add_device_option(*command, options->device);
-  command->add_flag("--retry", options->retry, "run again what failed before");
+  command->add_flag("--retry", options->retry, "repeat failed runs");
   command->add_flag("--quiet", options->quiet, "show the results only");
   command->callback([options] { study(*options); });
 }

@@ -44,7 +44,7 @@ std::vector<VerificationCase> chosen_cases(const std::vector<std::string>& names
   return cases;
 }
 
-// Cases without any of the runs are left out too.
+// Cases without any of the runs are removed too.
 void keep_runs(const std::vector<std::string>& runs, std::vector<VerificationCase>& cases) {
   if (runs.empty()) return;
   std::vector<std::string> known;
@@ -132,14 +132,15 @@ void add_verify_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("verify", "Run the verification table against theory on this machine");
   command->add_option("NAME", options->names, "Only these cases");
-  command->add_flag("--all", options->all, "With the runs that take long");
-  command->add_option("--run", options->runs, "Only these runs of the cases, also long ones")
+  command->add_flag("--all", options->all, "Include long runs");
+  command->add_option("--run", options->runs, "Only these runs of the cases, including long ones")
       ->allow_extra_args(false);
   command->add_flag("--list", options->list, "List the cases and run none");
   command->add_option("--json", options->json, "Also write the table to this file, as JSON");
-  command->add_option("--page", options->page,
-                      "Also put the table into this Markdown page, between its marks, with curves "
-                      "and pictures beside it");
+  command->add_option(
+      "--page", options->page,
+      "Also write the table into this Markdown page, between its marks, with curves "
+      "and pictures beside it");
   command->add_option("--keep", options->keep,
                       "Keep each run in this folder, show those that it holds, long ones too, and "
                       "make none of them again; empty it after a change of the program");

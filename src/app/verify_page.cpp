@@ -102,8 +102,8 @@ void write_verification_page(const std::filesystem::path& page,
   const auto begin = text.find(table_begin);
   const auto end = text.find(table_end);
   if (begin == std::string::npos || end == std::string::npos || end < begin)
-    throw UserError(fmt::format("{} has no place for the table. Write the lines\n{}{}\nwhere it is "
-                                "to stand.",
+    throw UserError(fmt::format("{} has no marks for the table. Write the lines\n{}{}\nat its "
+                                "position.",
                                 page.string(), table_begin, table_end),
                     exit_files);
   Figures figures(page.parent_path() / image_folder);

@@ -28,7 +28,7 @@ struct ViewOptions {
 void view(const ViewOptions& options) {
   ViewServer server(options.folder);
   const int port = server.bind(options.port);
-  fmt::print("http://127.0.0.1:{}/  (Ctrl-C ends it)\n", port);
+  fmt::print("http://127.0.0.1:{}/  (Ctrl-C stops the server)\n", port);
   std::fflush(stdout);
   running = &server;
   std::signal(SIGINT, stop_serving);
@@ -42,9 +42,9 @@ void view(const ViewOptions& options) {
 void add_view_command(CLI::App& program) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command = program.add_subcommand(
-      "view", "Show a run in a browser on this machine, also while it goes on");
+      "view", "Show a run in a browser on this machine, also a run in progress");
   command->add_option("OUT", options->folder, "the folder of the run's results")->required();
-  command->add_option("--port", options->port, "port on 127.0.0.1; 0 = any that is free")
+  command->add_option("--port", options->port, "port on 127.0.0.1; 0 = any free port")
       ->check(CLI::Range(0, 65535));
   command->callback([options] { view(*options); });
 }

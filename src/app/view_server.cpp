@@ -29,8 +29,8 @@ double cut_time_of(const SeriesTable& series) {
   return -1.0;
 }
 
-// Tests between requests whether the server is to stop. A request to stop in another way would be
-// lost if the server does not listen yet.
+// Tests between requests whether the server must stop, because a call of stop() before the server
+// listens would be lost.
 class WatchfulPool : public httplib::ThreadPool {
  public:
   WatchfulPool(httplib::Server& server, const std::atomic<bool>& ends)
@@ -76,7 +76,7 @@ struct ViewServer::State {
   std::string page() {
     if (!is_live()) return report_page(folder, description, run());
     const std::string body = fmt::format(
-        "<header>\n<h1>{}</h1>\n<p class=\"meta\">The run is going on; this page follows "
+        "<header>\n<h1>{}</h1>\n<p class=\"meta\">The run is in progress; this page follows "
         "it.</p>\n</header>\n{}{}",
         html::escape(description.title),
         html::section("kerf-viewer", "<p>This browser shows no moving pictures.</p>\n"),
@@ -129,7 +129,7 @@ int ViewServer::bind(int port) {
   if (port == 0) return state_->server.bind_to_any_port(loopback);
   if (!state_->server.bind_to_port(loopback, port))
     throw UserError(
-        fmt::format("--port {}: the port is taken, or not allowed. Allowed: a free port "
+        fmt::format("--port {}: the port is in use, or not allowed. Allowed: a free port "
                     "from 1 to 65535, or 0 for any. Choose another.",
                     port),
         exit_bad_input);

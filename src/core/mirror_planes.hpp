@@ -33,7 +33,7 @@ struct MirrorPlanes {
     return (code & (low_face(axis) | high_face(axis))) != 0;
   }
 
-  KERF_FUNCTION std::uint32_t place(std::uint32_t entry) const { return entry & ~faces; }
+  KERF_FUNCTION std::uint32_t particle(std::uint32_t entry) const { return entry & ~faces; }
   KERF_FUNCTION MirrorCode code(std::uint32_t entry) const { return entry & faces; }
 
   // Image number 0 .. images - 1, the particle itself first; false where there is no such plane.
@@ -47,7 +47,7 @@ struct MirrorPlanes {
   }
 
   // Position of the image of a point.
-  KERF_FUNCTION Vector<D, double> image_place(MirrorCode code, Vector<D, double> x) const {
+  KERF_FUNCTION Vector<D, double> image_position(MirrorCode code, Vector<D, double> x) const {
     for (int a = 0; a < D; ++a)
       if (flips(code, a)) x[a] = 2.0 * face(code, a) - x[a];
     return x;

@@ -45,7 +45,7 @@ enum class StrainOrEnergy { one_of_them, both, neither };
 struct CriterionKeys {
   StrainOrEnergy limit = StrainOrEnergy::one_of_them;
   bool excludes_plasticity = false;
-  std::string_view looks_at = "the strain";  // compared with the limit
+  std::string_view compared_quantity = "the strain";  // compared with the limit
 };
 
 // sqrt(2 psi_t / E): the strain of a tensile test that stores as much as tension does at Green's

@@ -74,9 +74,10 @@ double distance_to_triangle(const Corners& corners, const Point& point) {
   return above ? std::abs(dot(difference(point, corners[0]), normal)) / twice_area : nearest;
 }
 
-// How often the triangle, seen along z, goes around the point: -1, 0 or 1. Edges count that cross
-// the half line to greater x; where one does follows from its two ends alone, whichever of its
-// triangles asks, and lies between them, so that no triangle counts beyond its bounds.
+// Returns the winding number of the triangle, projected along z, about the point: -1, 0 or 1. The
+// edges that cross the half line to greater x are counted. The crossing depends on the two ends of
+// the edge alone, so that both triangles of the edge give the same one, and lies between the ends,
+// so that no triangle is counted beyond its bounds.
 int turns_around(const Corners& corners, const Point& point) {
   int turns = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -91,7 +92,7 @@ int turns_around(const Corners& corners, const Point& point) {
   return turns;
 }
 
-// The z at which the line through the point along z meets the triangle, between its corners.
+// Returns the z at which the line through the point along z meets the triangle.
 double crossing(const Corners& corners, const Point& point) {
   const Point normal =
       cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
@@ -103,7 +104,7 @@ double crossing(const Corners& corners, const Point& point) {
 
 // Rows of the matrix that turns about x, then y, then z.
 std::array<Point, 3> turn_matrix(const Point& angle) {
-  // Of a quarter turn the cosine is 0, not 6e-17: faces along the axes stay so.
+  // The cosine of a quarter turn is 0, not 6e-17, so that faces along the axes stay along the axes.
   const auto exact = [](double value) { return std::abs(value) < 1e-15 ? 0.0 : value; };
   Point c{}, s{};
   for (std::size_t a = 0; a < 3; ++a) {

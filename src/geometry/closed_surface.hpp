@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is inside a closed surface of triangles.
+// ClosedSurface is the region that a closed surface of triangles encloses.
 //
-// A point is inside where the surface winds around it: along a ray from the point, triangles that
-// are crossed from inside count +1 and those crossed from outside -1, and the sum is not 0. Shells
-// that overlap are thus one region, shells that face inwards are voids, and it does not matter
-// which way the whole faces.
+// A point is inside if the winding number of the surface about it is not 0: along a ray from the
+// point, triangles that are crossed from inside count +1 and those crossed from outside -1.
+// Overlapping shells are thus one region, shells that face inwards are voids, and the orientation
+// of the complete surface does not matter.
 //
-// Rays that hit an edge or a corner need no care. An edge is to one side of the ray by a formula
-// that depends on the edge alone, so the two triangles that share it agree; of a closed surface the
-// sum is then right but for rounding in whether a triangle is ahead of the point or behind it. That
-// is in doubt only next to the surface, where the distance decides before any ray is sent.
+// Rays that hit an edge or a corner need no special treatment. The side of the ray on which an edge
+// lies depends on the edge alone, so the two triangles that share it agree. For a closed surface
+// the sum is then exact except for rounding in whether a triangle is ahead of the point or behind
+// it. That is uncertain only next to the surface, where a test of the distance precedes the rays.
 #pragma once
 
 #include <cstddef>
@@ -22,18 +22,18 @@ namespace kerf {
 
 class ClosedSurface {
  public:
-  // The mesh must be closed: find_opening() of it is empty.
+  // `mesh` must be closed: find_opening(mesh) is empty.
   explicit ClosedSurface(TriangleMesh mesh);
   ~ClosedSurface();
   ClosedSurface(const ClosedSurface&) = delete;
   ClosedSurface& operator=(const ClosedSurface&) = delete;
 
-  // True inside and on the surface, to within 1e-6 of the longest edge of the box: files hold seven
-  // digits.
+  // Returns whether the point is inside or on the surface, to within 1e-6 of the longest edge of
+  // the box, because files hold seven digits.
   bool contains(const Point& point) const;
   const Box& box() const { return box_; }
   std::size_t triangles() const { return mesh_.triangles.size(); }
-  // m^3, by the divergence theorem; what shells share counts for each.
+  // Returns the volume by the divergence theorem, m^3; overlapping shells count separately.
   double volume() const;
 
  private:
@@ -47,7 +47,8 @@ class ClosedSurface {
   std::unique_ptr<const Tree> tree_;
 };
 
-// Scaled, turned about x, y and z in this order, then moved. Exact for quarter turns.
+// Scales the mesh, rotates it about x, y and z in this order, and translates it. Quarter turns are
+// exact.
 void place_mesh(TriangleMesh& mesh, const MeshShape& shape);
 
 }  // namespace kerf

@@ -21,13 +21,13 @@ struct Axis {
   long first = 0;
   long last = -1;
 
-  // Index may lie between two nodes.
+  // `index` need not be an integer.
   double at(double index) const {
     return centre + (index - 0.5 * static_cast<double>(count - 1)) * step;
   }
 };
 
-// Round shapes, and many parts, are symmetric about the middle of their bounding box.
+// Round shapes and many meshes are symmetric about the centre of their bounding box.
 bool is_centred(const Shape& shape) {
   switch (shape.kind) {
     case Shape::Kind::disc:
@@ -44,7 +44,7 @@ bool is_centred(const Shape& shape) {
 
 constexpr double slack = 1e-6;  // of a spacing
 
-// A length of n steps to within the slack counts as n steps.
+// A length within the tolerance of n steps is n steps.
 Axis make_axis(double low, double high, double step, bool centred) {
   const double length = (high - low) / step;
   Axis axis;
@@ -65,7 +65,7 @@ struct LatticeFrame {
   // Rows and layers are counted from the middle one when the lattice is centred.
   long middle_row = 0;
   long middle_layer = 0;
-  Box inner;  // where nodes may be: not on a face of the bounding box, unless centred
+  Box inner;  // contains all nodes: they are not on a face of the bounding box, unless centred
 
   bool odd_row(long j) const { return ((j - middle_row) & 1) != 0; }
   bool odd_layer(long k) const { return ((k - middle_layer) & 1) != 0; }
@@ -121,7 +121,7 @@ void narrow(Axis& axis, double low, double high, double reach) {
   axis.last = std::min(axis.last, index(std::ceil(to)) + 1);
 }
 
-// Shifted nodes may enter at either end.
+// Shifted nodes may be added at either end.
 void widen(Axis& axis, double shift) {
   const long more = static_cast<long>(std::ceil(std::abs(shift) / axis.step));
   axis.first -= more;
@@ -142,7 +142,7 @@ bool within(const Box& box, const Point& point, int dimension) {
   return true;
 }
 
-// False when the visit has ended.
+// Returns false if the visit has ended.
 bool visit_row(const Body& body, int dimension, const LatticeVisit& request,
                const LatticeFrame& frame, std::array<long, 2> row) {
   const auto [j, k] = row;

@@ -13,40 +13,41 @@ namespace kerf {
 
 namespace {
 
-double distance_from_box(const Box& box, const Point& place, int dimension) {
+double distance_from_box(const Box& box, const Point& position, int dimension) {
   double square = 0.0;
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
-    const double outside = std::max({box.minimum[a] - place[a], place[a] - box.maximum[a], 0.0});
+    const double outside =
+        std::max({box.minimum[a] - position[a], position[a] - box.maximum[a], 0.0});
     square += outside * outside;
   }
   return std::sqrt(square);
 }
 
-double distance_from_shape(const Shape& shape, const Point& place, int dimension) {
+double distance_from_shape(const Shape& shape, const Point& position, int dimension) {
   if (shape.kind != Shape::Kind::join)
-    return distance_from_box(bounding_box(shape, dimension), place, dimension);
+    return distance_from_box(bounding_box(shape, dimension), position, dimension);
   double least = std::numeric_limits<double>::infinity();
   for (const Shape& part : shape.parts)
-    least = std::min(least, distance_from_shape(part, place, dimension));
+    least = std::min(least, distance_from_shape(part, position, dimension));
   return least;
 }
 
-double distance_from_line(const Grading::Line& line, const Point& place) {
+double distance_from_line(const Grading::Line& line, const Point& position) {
   double along = 0.0, square = 0.0;
-  for (std::size_t a = 0; a < 3; ++a) along += (place[a] - line.place[a]) * line.direction[a];
+  for (std::size_t a = 0; a < 3; ++a) along += (position[a] - line.place[a]) * line.direction[a];
   for (std::size_t a = 0; a < 3; ++a) {
-    const double aside = place[a] - line.place[a] - along * line.direction[a];
+    const double aside = position[a] - line.place[a] - along * line.direction[a];
     square += aside * aside;
   }
   return std::max(0.0, std::sqrt(square) - line.radius);
 }
 
-// A cell of the tree: its lowest corner in cells of the finest lattice, and the place of its
+// A cell of the tree: its lowest corner in cells of the finest lattice, and the position of its
 // particle.
 struct Cell {
   std::array<long, 3> low{};
   int level = 0;
-  Point place{};
+  Point position{};
   long width() const { return 1L << level; }
 };
 
@@ -65,8 +66,8 @@ class Tree {
     Cell root;
     root.level = body_.grading.levels;
     const long width = 1L << root.level;
-    // What does not make a whole coarsest cell is left at both ends, so that a symmetric body stays
-    // symmetric where it can.
+    // The remainder of the division into coarsest cells is split between both ends, so that a
+    // symmetric body has a symmetric layout if possible.
     std::array<long, 3> first{};
     for (std::size_t a = 0; a < axes_; ++a) first[a] = count_[a] % width / 2;
     for (std::size_t a = 0; a < axes_; ++a) first[a] -= first[a] > 0 ? width : 0;
@@ -80,7 +81,7 @@ class Tree {
     while (split_steep_cells()) {
     }
     std::vector<GradedParticle> particles;
-    for (const Cell& cell : cells_) particles.push_back({cell.place, cell.level});
+    for (const Cell& cell : cells_) particles.push_back({cell.position, cell.level});
     return particles;
   }
 
@@ -104,7 +105,7 @@ class Tree {
     return false;
   }
 
-  // Its nearest point counts, so that neighbours differ by one level at most.
+  // The nearest point of the cell is decisive, so that neighbours differ by one level at most.
   bool is_far_enough(const Cell& cell, const Point& middle) const {
     const double half_diagonal = 0.5 * edge(cell) * std::sqrt(static_cast<double>(dimension_));
     const double nearest = distance_from_finest(body_.grading, middle, dimension_) - half_diagonal;
@@ -145,9 +146,9 @@ class Tree {
     for (int k = 0; k < 1 << dimension_; ++k) add(part_of(cell, k));
   }
 
-  void keep(const Cell& cell, const Point& place) {
+  void keep(const Cell& cell, const Point& position) {
     cells_.push_back(cell);
-    cells_.back().place = place;
+    cells_.back().position = position;
   }
   Cell part_of(const Cell& cell, int k) const {
     Cell part = cell;
@@ -156,8 +157,8 @@ class Tree {
     return part;
   }
 
-  // Where the shape asks for fine cells, coarse ones beside them are split too, until neighbours
-  // differ by one level at most.
+  // Coarse cells beside fine ones, which the shape requires, are split until neighbours differ by
+  // one level at most.
   bool split_steep_cells() {
     mark_levels();
     std::vector<Cell> before;
@@ -224,11 +225,11 @@ class Tree {
 
 }  // namespace
 
-double distance_from_finest(const Grading& grading, const Point& place, int dimension) {
-  if (grading.around) return distance_from_shape(*grading.around, place, dimension);
+double distance_from_finest(const Grading& grading, const Point& position, int dimension) {
+  if (grading.around) return distance_from_shape(*grading.around, position, dimension);
   double least = std::numeric_limits<double>::infinity();
   for (const Grading::Line& line : grading.lines)
-    least = std::min(least, distance_from_line(line, place));
+    least = std::min(least, distance_from_line(line, position));
   return least;
 }
 

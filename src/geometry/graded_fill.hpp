@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lays out a body that is coarser further away from where it matters (docs/theory/
-// graded_resolution.md): a quadtree (3D: octree) over the lattice of its finest spacing d. A cell
-// of level L, 2^L d wide, is one particle where it is L widths or more from what the body is graded
-// around, and where every one of the 2^(L D) particles that the uniform body has in it is inside
-// the shape; else it is split, and so is one that touches cells two levels finer. So a graded body
-// fills exactly what the uniform one fills, and its surface is where it was.
+// These functions lay out a body whose resolution decreases with the distance from a region of
+// interest (docs/theory/graded_resolution.md): a quadtree (3D: octree) over the lattice of its
+// finest spacing d. A cell of level L, 2^L d wide, is one particle if it is L widths or more from
+// that region and if each of the 2^(L D) particles that the uniform body has in it is inside the
+// shape; else it is split. A cell that touches cells two levels finer is split too. So a graded
+// body fills exactly the region of the uniform one and has the same surface.
 #pragma once
 
 #include <vector>
@@ -18,18 +18,19 @@ struct GradedParticle {
   int level = 0;
 };
 
-// The particles of any body, cell by cell; those of one spacing are of level 0, in their order.
+// Returns the particles of any body, cell by cell. A body of one spacing has level 0 only, in the
+// order of fill().
 std::vector<GradedParticle> fill_levels(const Body& body, int dimension);
 
-// How many there are of each level, from the finest on.
+// Returns the number of particles of each level, the finest first.
 std::vector<std::size_t> count_levels(const Body& body, int dimension);
 
-// m, from the region in which the body is finest to the place; 0 inside it.
-double distance_from_finest(const Grading& grading, const Point& place, int dimension);
+// Returns the distance of a position from the region of finest resolution, m; 0 inside it.
+double distance_from_finest(const Grading& grading, const Point& position, int dimension);
 
-// The spacing of a level, m.
+// Returns the spacing of a level, m.
 double level_spacing(const Body& body, int level);
-// The body with that spacing throughout.
+// Returns the body with that spacing everywhere.
 Body at_level(const Body& body, int level);
 
 }  // namespace kerf

@@ -11,14 +11,14 @@
 namespace kerf {
 namespace {
 
-// Lattice points with the given parity about 0, in units of the spacing: -1, 0, 1 or -1/2, 1/2.
+// Returns lattice points of the given parity about 0, in spacings: -1, 0, 1 or -1/2, 1/2.
 std::vector<double> centred_row(int count) {
   std::vector<double> row;
   for (int k = 0; k < count; ++k) row.push_back(0.5 * (2 * k + 1 - count));
   return row;
 }
 
-// Offsets in a slot, whose length is 0 in 2D: cells that fill it.
+// Returns the offsets of the cells that fill a slot; its length is 0 in 2D.
 std::vector<std::array<double, 2>> slot_offsets(double width, double length, double spacing) {
   const int across = std::max(1, static_cast<int>(std::lround(width / spacing)));
   const int aside = std::max(1, static_cast<int>(std::lround(length / spacing)));
@@ -28,7 +28,8 @@ std::vector<std::array<double, 2>> slot_offsets(double width, double length, dou
   return offsets;
 }
 
-// Offsets in a round section: the lattice points inside, scaled so that N cells have its area.
+// Returns the offsets in a round section: the lattice points inside, scaled so that N cells have
+// the area of the section.
 std::vector<std::array<double, 2>> disc_offsets(double diameter, double spacing) {
   const int count = std::max(1, static_cast<int>(std::lround(diameter / spacing)));
   const double radius = 0.5 * diameter / spacing;
@@ -67,7 +68,7 @@ Nozzle::Nozzle(const Jet& jet, double water_density, int dimension)
 
 void Nozzle::cut_at(const Faces& planes, const Box& domain) {
   std::erase_if(columns_, [&](const Column& column) {
-    return is_beyond(planes, domain, place(column, 0.0, 0.0));
+    return is_beyond(planes, domain, position(column, 0.0, 0.0));
   });
   emitted_.assign(columns_.size(), 0);
 }
@@ -133,7 +134,7 @@ Point Nozzle::velocity(double time) const {
   return moving_time(time) > 0.0 ? traverse_ : Point{};
 }
 
-Point Nozzle::place(const Column& column, double along, double time) const {
+Point Nozzle::position(const Column& column, double along, double time) const {
   Point p = exit(time);
   for (std::size_t a = 0; a < 3; ++a) p[a] += column.offset[a] + along * direction_[a];
   return p;
@@ -143,7 +144,7 @@ std::vector<InletParticle> Nozzle::standing_water() const {
   std::vector<InletParticle> water;
   for (int layer = 0; layer < layers_inside; ++layer)
     for (const Column& column : columns_)
-      water.push_back({place(column, -(layer + 0.5) * spacing_, 0.0), column.speed});
+      water.push_back({position(column, -(layer + 0.5) * spacing_, 0.0), column.speed});
   return water;
 }
 
@@ -155,7 +156,7 @@ std::vector<InletParticle> Nozzle::emit(double time) {
     while (travelled >= static_cast<double>(emitted_[k] + 1) * spacing_) {
       const double along = travelled - static_cast<double>(emitted_[k] + 1) * spacing_ -
                            (layers_inside - 0.5) * spacing_;
-      water.push_back({place(columns_[k], along, time), columns_[k].speed});
+      water.push_back({position(columns_[k], along, time), columns_[k].speed});
       ++emitted_[k];
     }
   }

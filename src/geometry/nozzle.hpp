@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Continuous inflow of a jet. Water leaves the nozzle in columns of equal area; each column emits
-// particles of mass rho (A/N) d whenever it has travelled another spacing d, so that the mass that
-// has entered differs from the integral of rho V A by less than a layer, and that remainder is
-// carried to the next (`carried`).
+// Nozzle is the continuous inflow of a jet. Water leaves the nozzle in columns of equal area; each
+// column emits particles of mass rho (A/N) d whenever it has travelled another spacing d, so that
+// the emitted mass differs from the integral of rho V A by less than a layer, and that remainder is
+// carried to the next layer.
 #pragma once
 
 #include <cstdint>
@@ -21,31 +21,31 @@ struct InletParticle {
   double speed;    // m/s, along the jet
 };
 
-// Of the section, m^2 (2D: m).
+// Returns the area of the section, m^2 (2D: m).
 double nozzle_area(const Jet& jet, int dimension);
-// About how many particles a jet lets in until `end`, s.
+// Returns the approximate number of particles that a jet emits until the time `end`, s.
 double entering_particles(const Jet& jet, int dimension, double end);
 
 class Nozzle {
  public:
   Nozzle(const Jet& jet, double water_density, int dimension);
-  // Gives up the columns beyond symmetry planes of the domain, which are mirror images of others.
+  // Removes the columns beyond symmetry planes of the domain, which are mirror images of others.
   void cut_at(const Faces& planes, const Box& domain);
 
   const Point& direction() const { return direction_; }
-  // Where the nozzle's exit is at a time, m, and how fast it moves, m/s.
+  // Return the position of the nozzle's exit at a time, m, and its velocity, m/s.
   Point exit(double time = 0.0) const;
   Point velocity(double time) const;
   double particle_mass() const { return particle_mass_; }  // kg (2D: kg/m)
   std::size_t columns() const { return columns_.size(); }
 
-  // How long water has flowed at time t, s, and whether it does.
+  // Return for how long water has flowed until the time, s, and whether it flows at the time.
   double open_time(double time) const;
   bool is_open(double time) const;
 
-  // The water that stands in the nozzle at t = 0.
+  // Returns the particles inside the nozzle at t = 0.
   std::vector<InletParticle> standing_water() const;
-  // What has entered between the last call and `time`.
+  // Returns the particles that have entered between the last call and `time`, s.
   std::vector<InletParticle> emit(double time);
 
   double mass_due(double time) const;  // kg, integral of rho V A
@@ -60,8 +60,8 @@ class Nozzle {
     double speed;  // m/s
   };
   void lay_out_columns(const Jet& jet, int dimension);
-  // `along` the jet from where the exit is at `time`.
-  Point place(const Column& column, double along, double time) const;
+  // Returns the position of a column at the distance `along` the jet from the exit at `time`, m.
+  Point position(const Column& column, double along, double time) const;
   double moving_time(double time) const;  // s
 
   static constexpr int layers_inside = 4;  // more than the support of 2 h = 3 d

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which particles of a rigid body repel, eq. (43).
+// The repelling particles of a rigid body, eq. (43).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,7 +48,7 @@ class CellList {
     for (std::size_t i = 0; i < particles.size(); ++i) members_[cell(particles[i])].push_back(i);
   }
 
-  // True when a particle for which `matches` holds is near.
+  // Returns whether a near particle satisfies `matches`.
   template <class Matches>
   bool any_near(const Point& point, const Matches& matches) const {
     const Cell centre = cell(point);
@@ -80,9 +80,9 @@ class CellList {
 
 std::vector<std::uint8_t> repelling_flags(const Body& body, const std::vector<Point>& particles,
                                           int dimension) {
-  // A neighbour is a particle at one spacing, not across the diagonal of a square cell (1.41); it
-  // is on a side when most of its distance points there. Rows of a hexagonal lattice are 0.82 to
-  // 0.87 apart, and the neighbours of a row's end stand only 0.5 to the side.
+  // A neighbour is a particle at one spacing, not across the diagonal of a square cell (1.41). It
+  // is on a side if most of its distance is along that axis. Rows of a hexagonal lattice are 0.82
+  // to 0.87 spacings apart, and the neighbours of the end of a row are only 0.5 to the side.
   constexpr double reach = 1.3, most = 0.6;
   const double d = body.spacing;
   const CellList cells(particles, 2.0 * d);

@@ -26,7 +26,7 @@ bool in_box(const Box& box, const Point& point, int dimension) {
   return true;
 }
 
-// Disc, ring, cylinder, tube and sphere: the distance from the centre or the axis decides.
+// For a disc, ring, cylinder, tube or sphere the distance from the centre or the axis is tested.
 bool in_round(const Shape& shape, const Point& point, int dimension) {
   double along = 0.0, squared = 0.0;
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
@@ -54,7 +54,7 @@ double distance_to_segment(const std::array<double, 2>& a, const std::array<doub
   return std::hypot(px - along * ex, py - along * ey);
 }
 
-// Even-odd rule, the boundary included.
+// Applies the even-odd rule, including the boundary.
 bool in_polygon(const Shape& shape, const Point& point, int dimension) {
   const double thickness = shape.depth_maximum - shape.depth_minimum;
   if (dimension == 3 &&

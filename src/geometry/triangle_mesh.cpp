@@ -18,11 +18,12 @@ namespace kerf {
 
 namespace {
 
-// Only the reader of one format: no bytes are to be guessed to be of another. Other formats are not
-// offered, as not all readers of the library end on files that were cut short (that of PLY).
+// Registers the reader of one format only, so that the library does not guess another one. Other
+// formats are not supported, because some readers of the library (that of PLY) do not terminate on
+// truncated files.
 void keep_only(Assimp::Importer& importer, const std::string& format) {
   const std::size_t wanted = importer.GetImporterIndex(format.c_str());
-  if (wanted >= importer.GetImporterCount()) throw MeshError("no reader of that format is there");
+  if (wanted >= importer.GetImporterCount()) throw MeshError("that format is not supported");
   const Assimp::BaseImporter* kept = importer.GetImporter(wanted);
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     std::unique_ptr<Assimp::BaseImporter> other(importer.GetImporter(i));
@@ -31,13 +32,14 @@ void keep_only(Assimp::Importer& importer, const std::string& format) {
   }
 }
 
-// The decimal number that was rounded to this one of single precision: 0.3, not 0.300000012.
+// Returns the shortest decimal number that rounds to this one in single precision: 0.3, not
+// 0.300000012.
 double decimal(float value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   double result = 0.0;
   std::from_chars(text.data(), end, result);
-  return result + 0.0;  // no negative zero, which would be another place
+  return result + 0.0;  // turns -0 into 0, so that equal positions have equal bits
 }
 
 class Gatherer {
@@ -45,7 +47,7 @@ class Gatherer {
   void add(const aiMesh& part) {
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const aiFace& face = part.mFaces[f];
-      if (face.mNumIndices != 3) continue;  // loose points and lines
+      if (face.mNumIndices != 3) continue;  // single points and lines
       std::array<std::uint32_t, 3> triangle{};
       for (unsigned k = 0; k < 3; ++k) {
         if (face.mIndices[k] >= part.mNumVertices) throw MeshError("a triangle lacks a corner");
@@ -59,12 +61,12 @@ class Gatherer {
 
  private:
   std::uint32_t number_of(const aiVector3D& corner) {
-    const Point place{decimal(corner.x), decimal(corner.y), decimal(corner.z)};
+    const Point position{decimal(corner.x), decimal(corner.y), decimal(corner.z)};
     if (!std::isfinite(corner.x) || !std::isfinite(corner.y) || !std::isfinite(corner.z))
       throw MeshError("a coordinate is not a finite number");
     const auto [entry, is_new] =
-        number_.try_emplace(place, static_cast<std::uint32_t>(mesh_.corners.size()));
-    if (is_new) mesh_.corners.push_back(place);
+        number_.try_emplace(position, static_cast<std::uint32_t>(mesh_.corners.size()));
+    if (is_new) mesh_.corners.push_back(position);
     return entry->second;
   }
 
@@ -93,8 +95,8 @@ std::vector<Edge> sorted_edges(const TriangleMesh& mesh) {
   return edges;
 }
 
-std::string place_text(const Point& place) {
-  return fmt::format("({}, {}, {})", place[0], place[1], place[2]);
+std::string position_text(const Point& position) {
+  return fmt::format("({}, {}, {})", position[0], position[1], position[2]);
 }
 
 }  // namespace
@@ -105,16 +107,16 @@ TriangleMesh read_triangles(const std::string& content, const std::string& forma
   try {
     const aiScene* scene = importer.ReadFileFromMemory(content.data(), content.size(),
                                                        aiProcess_Triangulate, format.c_str());
-    if (!scene) throw MeshError(fmt::format("it is not a sound {} file", format));
+    if (!scene) throw MeshError(fmt::format("it is not a valid {} file", format));
     Gatherer gatherer;
     for (unsigned m = 0; m < scene->mNumMeshes; ++m) gatherer.add(*scene->mMeshes[m]);
     TriangleMesh mesh = gatherer.take();
-    if (mesh.triangles.empty()) throw MeshError("it holds no triangle");
+    if (mesh.triangles.empty()) throw MeshError("it has no triangle");
     return mesh;
   } catch (const MeshError&) {
     throw;
   } catch (const std::exception& error) {
-    throw MeshError(fmt::format("it is not a sound {} file ({})", format, error.what()));
+    throw MeshError(fmt::format("it is not a valid {} file ({})", format, error.what()));
   }
 }
 
@@ -130,9 +132,9 @@ std::string find_opening(const TriangleMesh& mesh) {
     ++(pair ? turned : open);
   }
   if (!example) return {};
-  const std::string where =
-      fmt::format("for example that from {} to {}, in units of the file",
-                  place_text(mesh.corners[example->low]), place_text(mesh.corners[example->high]));
+  const std::string where = fmt::format("for example that from {} to {}, in units of the file",
+                                        position_text(mesh.corners[example->low]),
+                                        position_text(mesh.corners[example->high]));
   if (open > 0)
     return fmt::format("the surface is not closed: {} edges do not belong to two triangles, {}",
                        open, where);

@@ -25,27 +25,27 @@ std::vector<Key> body_keys() {
   using enum ValueKind;
   // clang-format off
   return {
-      {"name", name, "", "", any, {}, "", "Name of the body, its own", stored_in<&Body::name>},
-      {"role", word, "", "(the kind of its material)", any, role_words, "", "What the body is; rigid ones need no material", stored_in<&Body::role>},
+      {"name", name, "", "", any, {}, "", "Unique name of the body", stored_in<&Body::name>},
+      {"role", word, "", "(the kind of its material)", any, role_words, "", "Role of the body; a rigid body needs no material", stored_in<&Body::role>},
       {"material", name, "", "", any, {}, "elastic water", "Name of a material of this case or of the library", stored_in<&BodyDraft::material>},
-      {"shape", table, "", "", any, {}, "", "The region it fills"},
-      {"spacing", quantity, "m", "(that of the finest jet; without a jet it must be given)", positive, {}, "", "Distance of its particles, their diameter d", stored_in<&Body::spacing>},
-      {"lattice", word, "", "square", any, lattice_words, "", "How particles are laid out; square is cubic in 3D, hexagonal is close-packed in 3D", stored_in<&Body::lattice>},
+      {"shape", table, "", "", any, {}, "", "The region that the body fills"},
+      {"spacing", quantity, "m", "(that of the finest jet; without a jet it must be given)", positive, {}, "", "Distance of neighbouring particles, d", stored_in<&Body::spacing>},
+      {"lattice", word, "", "square", any, lattice_words, "", "Initial lattice of the particles; square is cubic in 3D, hexagonal is close-packed in 3D", stored_in<&Body::lattice>},
       {"offset", vector, "m", "0 m", any, {}, "", "Shift of the lattice, at most one spacing along each axis", stored_in<&Body::offset>},
-      {"grading", table, "", "(off: one spacing)", any, {}, "elastic+standard rigid+standard", "Coarser particles further away from where it matters; `spacing` is the finest. For a square lattice without offset"},
-      {"jitter", number, "", "0", from_zero_to(0.3), {}, "elastic+standard water+standard", "How far particles are taken off the lattice at random, in spacings, before the layout is relaxed: neither cracks nor flows then find rows to run along", stored_in<&Body::jitter>},
-      {"seed", integer, "", "1", {0, 2147483647}, {}, "elastic+standard water+standard", "Seed of what is random in this body", stored_in<&Body::seed>},
-      {"velocity", vector, "m/s", "0 m/s", within(1e5), {}, "elastic water", "Velocity at the start"},
-      {"velocity_expression", expressions, "", "(velocity)", any, space_variables, "elastic water", "Velocity at the start in m/s as formulas of x, y, z in m", stored_in<&Body::velocity>},
-      {"pressure", quantity, "Pa", "0 Pa", not_negative, {}, "water+standard", "Pressure at the start: the water is laid out compressed", stored_in<&Body::pressure>},
-      {"fixed", flag, "", "false", any, {}, "elastic rigid", "The particles stay where they are; a rigid body without a displacement_expression does anyway", stored_in<&Body::fixed>},
-      {"displacement_expression", expressions, "", "(free)", any, time_variable, "elastic rigid", "Prescribed displacement in m as formulas of t in s, 0 at t = 0", stored_in<&Body::displacement>},
-      {"absorbing", faces, "", "(none)", any, plane_faces, "2D+elastic+standard", "Faces of the body, a box, that let waves out, as if it went on without end", stored_in<&Body::absorbing>},
-      {"absorbing", faces, "", "(none)", any, face_words, "3D+elastic+standard", "Faces of the body, a box, that let waves out, as if it went on without end", stored_in<&Body::absorbing>},
+      {"grading", table, "", "(off: one spacing)", any, {}, "elastic+standard rigid+standard", "Resolution that decreases with the distance from a region; `spacing` is the finest. For a square lattice without offset"},
+      {"jitter", number, "", "0", from_zero_to(0.3), {}, "elastic+standard water+standard", "Random displacement of particles from the lattice, in spacings, before the layout is relaxed; it removes preferred directions of cracks and flows", stored_in<&Body::jitter>},
+      {"seed", integer, "", "1", {0, 2147483647}, {}, "elastic+standard water+standard", "Seed of the random numbers of this body", stored_in<&Body::seed>},
+      {"velocity", vector, "m/s", "0 m/s", within(1e5), {}, "elastic water", "Initial velocity"},
+      {"velocity_expression", expressions, "", "(velocity)", any, space_variables, "elastic water", "Initial velocity in m/s as expressions in x, y, z in m", stored_in<&Body::velocity>},
+      {"pressure", quantity, "Pa", "0 Pa", not_negative, {}, "water+standard", "Initial pressure: the initial density of the water is that at this pressure", stored_in<&Body::pressure>},
+      {"fixed", flag, "", "false", any, {}, "elastic rigid", "The particles do not move, as those of a rigid body without a displacement_expression", stored_in<&Body::fixed>},
+      {"displacement_expression", expressions, "", "(free)", any, time_variable, "elastic rigid", "Prescribed displacement in m as expressions in t in s, 0 at t = 0", stored_in<&Body::displacement>},
+      {"absorbing", faces, "", "(none)", any, plane_faces, "2D+elastic+standard", "Faces of the body, a box, that absorb waves, as if the body were infinite beyond them", stored_in<&Body::absorbing>},
+      {"absorbing", faces, "", "(none)", any, face_words, "3D+elastic+standard", "Faces of the body, a box, that absorb waves, as if the body were infinite beyond them", stored_in<&Body::absorbing>},
       {"joined_to", name, "", "(nothing)", any, {}, "elastic", "Name of an elastic body that this one is bonded to, as one piece", stored_in<&Body::joined_to>},
-      {"inclusion_of", name, "", "(nothing)", any, {}, "elastic water", "Name of an elastic body that this one lies in: its room is cut out of that body, whose lattice it continues where both are square and of one spacing; what is elastic is also bonded to it", stored_in<&BodyDraft::inclusion_of>},
+      {"inclusion_of", name, "", "(nothing)", any, {}, "elastic water", "Name of an elastic body that contains this one: the shape of this body is cut out of that body, whose lattice it continues if both are square and of one spacing; an elastic inclusion is also bonded to it", stored_in<&BodyDraft::inclusion_of>},
       {"repelling_layer", word, "", "top", any, repelling_layer_words, "rigid", "The outermost layer of particles that repels, eq. (43)", stored_in<&Body::repelling_layer>},
-      {"friction", number, "", "none", from_zero_to(10.0), {}, "rigid+standard", "Coefficient of dry friction; none = that of what slides on it", stored_in<&Body::friction>},
+      {"friction", number, "", "none", from_zero_to(10.0), {}, "rigid+standard", "Coefficient of dry friction; none = that of the other body", stored_in<&Body::friction>},
       {"repulsion", quantity, "m2/s2", "(the square of the fastest speed)", not_negative, {}, "rigid", "Strength D of the repulsion, eq. (43)", stored_in<&Body::repulsion>},
   };
   // clang-format on
@@ -65,14 +65,14 @@ std::vector<Key> grading_keys() {
 
 namespace {
 
-// The role a body has and the material behind it. A material that nobody knows is noted and the
-// body taken for an elastic one.
+// Reads the role of a body and its material. A body with an unknown material, which is recorded as
+// a problem, is treated as elastic.
 void read_role(Draft& draft, Section& section, BodyDraft& entry) {
   Role& role = entry.body.role;
   const bool given = section.has("role");
   if (given) section.read_one("role", entry.body);
   if (role == Role::rigid) return;
-  // The key material applies once the role is known, and the role may follow from it.
+  // The key `material` depends on the role, and the default role depends on the material.
   const std::string assumed(word_of(role, role_words));
   section.assume(assumed);
   section.read_one("material", entry);
@@ -95,13 +95,13 @@ void check_offset(Section& section, const Body& body) {
   for (const double shift : body.offset) {
     if (std::abs(shift) <= body.spacing || body.spacing <= 0.0) continue;
     section.refuse("offset", "the shift is larger than a spacing",
-                   "Take away whole spacings: they change nothing",
+                   "Subtract multiples of the spacing: they have no effect",
                    fmt::format("entries of at most {}", write_quantity(body.spacing, "m")));
     return;
   }
 }
 
-// What lies in another body is bonded to that one.
+// An inclusion is bonded to the body that contains it.
 void check_bonds(Section& section, const BodyDraft& entry) {
   if (!entry.body.joined_to.empty() && !entry.inclusion_of.empty())
     section.refuse("joined_to", "an inclusion is bonded to the body that it lies in",
@@ -117,7 +117,7 @@ void read_velocity(Section& section, Body& body) {
   for (std::size_t a = 0; a < 3; ++a) body.velocity[a] = shortest(velocity[a]);
 }
 
-// A displacement that is not 0 at the start would be a jump.
+// Refuses a displacement that is not 0 at the start, since it would be a jump.
 void check_displacement(Section& section, const Body& body) {
   if (!section.has("displacement_expression")) return;
   if (section.reading().problems.any()) return;
@@ -125,7 +125,7 @@ void check_displacement(Section& section, const Body& body) {
     const double start = Expression(formula, {"t"}).evaluate(0.0);
     if (std::abs(start) <= 1e-9 * body.spacing) continue;
     section.refuse("displacement_expression", fmt::format("\"{}\" is {} at t = 0", formula, start),
-                   "Place the shape where the body is at the start",
+                   "Move the shape to the initial position of the body",
                    "formulas that are 0 at t = 0");
     return;
   }
@@ -147,7 +147,8 @@ void check_absorbing(Section& section, const Body& body) {
                        shape.parts.front().kind == Shape::Kind::box;
   if (shape.kind == Shape::Kind::box || cut_box) return;
   section.refuse("absorbing", "the shape of the body has no such faces",
-                 "Use a box, and absorb on its sides", "boxes, or what a difference leaves of one");
+                 "Use a box, and absorb on its sides",
+                 "boxes, or differences whose first part is one");
 }
 
 void check_layer(Section& section, const Body& body) {
@@ -168,7 +169,7 @@ void read_grading(Draft& draft, Section& section, Body& body) {
   keys.refuse_unknown();
   if (draft.reading.problems.any()) return;
   const double coarsest = body.spacing * std::pow(2.0, grading.levels);
-  // Else two cells could meet of which one is four times as wide as the other.
+  // A smaller width could put a cell next to one that is four times as wide.
   if (grading.width < coarsest)
     keys.refuse("width", "the width is less than the coarsest spacing",
                 "Choose a larger width or fewer levels",
@@ -179,7 +180,7 @@ void read_grading(Draft& draft, Section& section, Body& body) {
                    "a square lattice without offset");
 }
 
-// A body that gives no spacing has that of the finest jet.
+// The default spacing of a body is that of the finest jet.
 void find_spacing(const Draft& draft, Section& section, Body& body) {
   if (section.has("spacing")) return;
   body.spacing = finest_jet_spacing(draft);
@@ -220,7 +221,8 @@ const Body* body_of_name(const Draft& draft, const std::string& name) {
   return nullptr;
 }
 
-// Whether a key that names the body another one is bonded to, or lies in, names such a body.
+// Checks that a key which names the body that another one is bonded to, or lies in, names an
+// elastic body.
 void check_partner(Draft& draft, const BodyDraft& entry, const char* key, const std::string& name) {
   if (name.empty()) return;
   std::vector<std::string> others;

@@ -13,25 +13,25 @@ std::vector<Key> top_keys() {
   using enum ValueKind;
   // clang-format off
   return {
-      {"title", text, "", "", any, {}, "", "One line that says what the case is", stored_in<&Case::title>},
+      {"title", text, "", "", any, {}, "", "Description of the case in one line", stored_in<&Case::title>},
       {"dimension", integer, "", "", {2, 3}, {}, "", "2 = plane strain, everything per metre of depth; 3 = space. Vertical is y in both", stored_in<&Case::dimension>},
       {"formulation", word, "", "standard", any, formulation_words, "", "The equations: Riemann SPH for water with total Lagrangian SPH for solids, or those of Shinohara, Okabe & Nakayama (2004)", stored_in<&Case::formulation>},
       {"precision", word, "", "mixed", any, precision_words, "", "mixed = positions in double, fields in single precision; double = all in double", stored_in<&Case::precision>},
       {"smoothing_ratio", number, "", "1.5", {1.0, 3.0}, {}, "shinohara2004", "Smoothing length over particle spacing, h / d", stored_in<&Case::smoothing_ratio>},
       {"smoothing_ratio", number, "", "1.3", {1.0, 3.0}, {}, "standard", "Smoothing length over particle spacing, h / d", stored_in<&Case::smoothing_ratio>},
       {"gravity", vector, "m/s2", "0 m/s2", within(1e4), {}, "", "Acceleration on every particle that is not rigid", stored_in<&Case::gravity>},
-      {"quality", word, "", "normal", any, quality_words, "", "How fine what gives no spacing is: 8, 12 or 20 particles of water across a jet in 2D, 6, 8 or 12 in 3D", stored_in<&Draft::quality>},
-      {"time", table, "", "(with a [machine], long enough to cut through what resists little)", any, {}, "", "How long the run is and how it steps"},
-      {"domain", table, "", "(around all bodies and jets)", any, {}, "", "Where particles may be"},
+      {"quality", word, "", "normal", any, quality_words, "", "Resolution of jets and bodies without a spacing: 8, 12 or 20 particles of water across a jet in 2D, 6, 8 or 12 in 3D", stored_in<&Draft::quality>},
+      {"time", table, "", "(with a [machine], long enough to cut through a weak workpiece)", any, {}, "", "Length and time steps of the run"},
+      {"domain", table, "", "(around all bodies and jets)", any, {}, "", "Region of the simulation"},
       {"materials", table, "", "(the library's)", any, {}, "", "Materials of this case, by name"},
-      {"body", tables, "", "(none)", any, {}, "", "Things made of particles at the start"},
+      {"body", tables, "", "(none)", any, {}, "", "Bodies that consist of particles at the start"},
       {"machine", table, "", "(none)", any, {}, "", "The setting of a water-jet machine, from which a jet follows"},
-      {"jet", tables, "", "(none)", any, {}, "", "Nozzles that let water in"},
-      {"back_flow_removal", table, "", "(off)", any, {}, "", "Erases jet water that flows back"},
-      {"probe", tables, "", "(none)", any, {}, "", "Places where the run is measured"},
-      {"artificial_stress", table, "", "(off)", any, {}, "shinohara2004", "Cure of the tensile instability"},
-      {"numerics", table, "", "(all defaults)", any, {}, "standard", "How the equations of water are summed, and which steps solids take"},
-      {"output", table, "", "(all defaults)", any, {}, "", "What is written, and when"},
+      {"jet", tables, "", "(none)", any, {}, "", "Nozzles that emit water"},
+      {"back_flow_removal", table, "", "(off)", any, {}, "", "Removes jet water that flows back to its nozzle"},
+      {"probe", tables, "", "(none)", any, {}, "", "Positions of measurements"},
+      {"artificial_stress", table, "", "(off)", any, {}, "shinohara2004", "Correction of the tensile instability"},
+      {"numerics", table, "", "(all defaults)", any, {}, "standard", "Scheme of the water, and substeps of solids"},
+      {"output", table, "", "(all defaults)", any, {}, "", "Files that the run writes, and their times"},
   };
   // clang-format on
 }
@@ -41,7 +41,7 @@ std::vector<Key> time_keys() {
   using enum ValueKind;
   // clang-format off
   return {
-      {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, or 4 jet widths of traverse)", up_to(1e6), {}, "", "When the run ends", stored_in<&TimeControl::end>},
+      {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, or 4 jet widths of traverse)", up_to(1e6), {}, "", "End time of the run", stored_in<&TimeControl::end>},
       {"courant", number, "", "0.25", up_to(1.0), {}, "", "Factor of the acoustic limit of the time step", stored_in<&TimeControl::courant>},
       {"maximum_step", quantity, "s", "none", positive, {}, "", "Largest time step", stored_in<&TimeControl::maximum_step>},
   };
@@ -56,8 +56,8 @@ std::vector<Key> domain_keys() {
   return {
       {"minimum", vector, "m", "", within(1e8), {}, "", "Lowest corner", stored_in<&Case::domain, &Box::minimum>},
       {"maximum", vector, "m", "", within(1e8), {}, "", "Highest corner", stored_in<&Case::domain, &Box::maximum>},
-      {"symmetry", faces, "", "(none)", any, plane_faces, "2D+standard", "Faces of the domain that are symmetry planes: everything goes on beyond them as its mirror image", stored_in<&Case::symmetry>},
-      {"symmetry", faces, "", "(none)", any, face_words, "3D+standard", "Faces of the domain that are symmetry planes: everything goes on beyond them as its mirror image", stored_in<&Case::symmetry>},
+      {"symmetry", faces, "", "(none)", any, plane_faces, "2D+standard", "Faces of the domain that are symmetry planes, beyond which the domain continues as its mirror image", stored_in<&Case::symmetry>},
+      {"symmetry", faces, "", "(none)", any, face_words, "3D+standard", "Faces of the domain that are symmetry planes, beyond which the domain continues as its mirror image", stored_in<&Case::symmetry>},
   };
   // clang-format on
 }
@@ -67,7 +67,7 @@ std::vector<Key> back_flow_removal_keys() {
   using enum ValueKind;
   // clang-format off
   return {
-      {"speed_fraction", number, "", "0", from_zero_to(1.0), {}, "", "Water is erased when its speed along the jet is less than this fraction of the jet speed: 0 = it moves back in the room; the front's speed over the jet's = it moves back from the bottom of the cut", stored_in<&BackFlowRemoval::speed_fraction>},
+      {"speed_fraction", number, "", "0", from_zero_to(1.0), {}, "", "Water is removed if its velocity along the jet is less than this fraction of the jet speed: 0 = it moves back in the frame of the domain; the front's speed over the jet's = it moves back from the bottom of the cut", stored_in<&BackFlowRemoval::speed_fraction>},
   };
   // clang-format on
 }
@@ -88,16 +88,16 @@ std::vector<Key> numerics_keys() {
   using enum ValueKind;
   // clang-format off
   return {
-      {"water", word, "", "riemann", any, water_scheme_words, "", "What acts between particles of water: Riemann solutions, or mean pressures with a diffusion of density and an artificial viscosity", stored_in<&Numerics::water>},
-      {"shifting", flag, "", "true", any, {}, "", "Particles of water in motion are moved to where their neighbours are as dense on every side, but for three rows at its surfaces", stored_in<&Numerics::shifting>},
-      {"subcycles", integer, "", "8", {1, 64}, {}, "", "How many steps of water and contact go on, at most, with the same forces within solids, which are looked at as often as their own waves ask for; 1 = at every step", stored_in<&Numerics::subcycles>},
+      {"water", word, "", "riemann", any, water_scheme_words, "", "Scheme for pairs of water particles: Riemann solutions, or delta-SPH with mean pressures, density diffusion and an artificial viscosity", stored_in<&Numerics::water>},
+      {"shifting", flag, "", "true", any, {}, "", "Particle shifting of moving water against the concentration gradient, except in three rows at its surfaces", stored_in<&Numerics::shifting>},
+      {"subcycles", integer, "", "8", {1, 64}, {}, "", "Maximum number of steps of water and contact (substeps) for one step of the bond forces of solids, whose own step limit decides; 1 = no subcycling", stored_in<&Numerics::subcycles>},
   };
   // clang-format on
 }
 
 namespace {
 
-// A table of plain keys that may be left out: what holds then stays in `structure`.
+// Reads an optional table of plain keys; without the table `structure` is not changed.
 template <class Structure>
 void read_plain(Draft& draft, Section& top, const std::string& name, Structure& structure) {
   const toml::table* written = top.table(name);
@@ -116,7 +116,7 @@ void read_time(Draft& draft, Section& top) {
   TimeControl& time = draft.result.time;
   time.end = standard_end(draft);
   if (time.end == 0.0 && !section.has("end"))
-    section.refuse("end", "the key is missing", "Add it: when the run ends");
+    section.refuse("end", "the key is missing", "Add it: the end time of the run");
   section.read(time);
   section.refuse_unknown();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can only be seen when the whole case is known.
+// Checks of bodies and probes that need the complete case.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,15 +18,16 @@ namespace kerf {
 namespace {
 
 constexpr double most_particles = 5e8;
-constexpr double most_tested = 2e7;  // particles of a body that are tried against another
+constexpr double most_tested = 2e7;  // particles of a body that are tested against another
 
-std::string place(const Point& point, int dimension) {
+std::string position_text(const Point& point, int dimension) {
   const std::string xy = fmt::format("{:.6g} m, {:.6g} m", point[0], point[1]);
   return dimension == 2 ? fmt::format("({})", xy) : fmt::format("({}, {:.6g} m)", xy, point[2]);
 }
 
 std::string box_text(const Box& box, int dimension) {
-  return fmt::format("from {} to {}", place(box.minimum, dimension), place(box.maximum, dimension));
+  return fmt::format("from {} to {}", position_text(box.minimum, dimension),
+                     position_text(box.maximum, dimension));
 }
 
 bool box_within(const Box& inner, const Box& outer, int dimension) {
@@ -35,7 +36,8 @@ bool box_within(const Box& inner, const Box& outer, int dimension) {
   return true;
 }
 
-// The domain, without end at symmetry planes: what lies beyond them is left to the mirror.
+// Returns the domain without bounds at symmetry planes, beyond which mirror images replace the
+// particles.
 Box domain_of_bodies(const Case& description) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Box box = description.domain;
@@ -61,7 +63,8 @@ Box common_part(const Box& a, const Box& b) {
   return box;
 }
 
-// Deeper inside than a quarter of a spacing along every axis, so that bodies may touch.
+// Returns whether the point is inside the shape by more than `depth` along every axis; bodies may
+// touch.
 bool deep_inside(const Shape& shape, const Point& point, double depth, int dimension) {
   if (!contains(shape, point, dimension)) return false;
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
@@ -73,7 +76,8 @@ bool deep_inside(const Shape& shape, const Point& point, double depth, int dimen
   return true;
 }
 
-// The first particle of `body` inside `other`; of very many particles only every n-th is tried.
+// Returns the first particle of `body` inside `other`; of very many particles only every n-th is
+// tested.
 std::optional<Point> particle_inside(const Body& body, const Body& other, int dimension) {
   LatticeVisit request;
   request.window =
@@ -112,7 +116,7 @@ void check_overlap(Draft& draft, std::size_t i, std::size_t j) {
   draft.reading.problems.add(
       {indexed("body", j) + ".shape",
        fmt::format("the body \"{}\" overlaps the body \"{}\", for example at {}", second.name,
-                   first.name, place(*found, dimension)),
+                   first.name, position_text(*found, dimension)),
        "bodies that touch at most",
        "Move one of them or cut it away with a shape of the type \"difference\""});
 }
@@ -134,7 +138,7 @@ void check_counts(Draft& draft) {
     if (total <= most_particles) return;
     draft.reading.problems.add({path + ".spacing",
                                 fmt::format("this makes {:.3g} particles", particles), allowed,
-                                "Choose a larger spacing, or less of it"});
+                                "Choose a larger spacing or a smaller shape"});
     total = 0.0;
   };
   for (std::size_t i = 0; i < result.bodies.size(); ++i)
@@ -162,7 +166,7 @@ void check_bodies(Draft& draft) {
     if (!holds_a_particle(body, dimension))
       draft.reading.problems.add(
           {path, fmt::format("no particle of the body \"{}\" fits into it", body.name),
-           fmt::format("a shape that holds a lattice point at {}",
+           fmt::format("a shape that contains a lattice point at {}",
                        write_quantity(body.spacing, "m")),
            "Choose a smaller spacing or correct the shape"});
   }
@@ -178,7 +182,7 @@ void check_probes(Draft& draft) {
     if (box_within({position, position}, result.domain, result.dimension)) continue;
     draft.reading.problems.add({indexed("probe", i) + ".position",
                                 "the probe is outside the domain",
-                                "places " + box_text(result.domain, result.dimension),
+                                "positions " + box_text(result.domain, result.dimension),
                                 "Move the probe or enlarge the [domain]"});
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a jet can start, and whether it can hit anything.
+// Checks that a jet can start and can hit a body.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Point along(const Point& start, const Point& direction, double distance) {
   return point;
 }
 
-// Steps of half a particle along a few of the jet's columns, to the end of the domain.
+// Tests points along a few columns of the jet, half a spacing apart, up to the end of the domain.
 bool hits_a_body(const Case& description, const Nozzle& nozzle,
                  const std::vector<InletParticle>& water) {
   constexpr double most_steps = 1e5;
@@ -49,7 +49,7 @@ bool hits_a_body(const Case& description, const Nozzle& nozzle,
   return false;
 }
 
-// A body that moves, or gravity, may bring jet and body together later.
+// Returns whether bodies move or gravity acts, so that the jet may hit a body later.
 bool anything_moves(const Case& description) {
   const Point& g = description.gravity;
   return fastest_body(description) > 0.0 || g[0] != 0.0 || g[1] != 0.0 || g[2] != 0.0;
@@ -61,7 +61,7 @@ void check_start(Draft& draft, const std::string& path, const std::vector<InletP
     if (!std::isfinite(particle.speed)) {
       draft.reading.problems.add({path + ".profile_expression",
                                   "the profile is 0 at every particle of the section",
-                                  "a formula that is greater than 0 at some of them",
+                                  "a formula that is greater than 0 at some particles",
                                   "Correct the formula or choose a smaller spacing"});
       return;
     }
@@ -81,7 +81,7 @@ void check_start(Draft& draft, const std::string& path, const std::vector<InletP
   }
 }
 
-// A nozzle must not leave the domain on its way.
+// Refuses a nozzle that leaves the domain before the end of the run.
 void check_traverse(Draft& draft, const std::string& path, const Nozzle& nozzle) {
   const Case& result = draft.result;
   if (inside(result.domain, nozzle.exit(result.time.end), result.dimension)) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a symmetry plane cannot mirror: gravity across it, particles on it, jets that it cuts
-// anywhere but through the middle, and another plane so near that both are seen at once.
+// Checks for symmetry planes. Refused are gravity across a plane, particles on it, jets that it
+// cuts outside their axis, and opposite planes so near that particles interact with images of
+// images.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ struct Plane {
   std::size_t axis;
   double at;         // m
   double inward;     // 1 or -1
-  const char* name;  // as the case calls it
+  const char* name;  // as in the case file
 
   double depth(const Point& point) const { return inward * (point[axis] - at); }
 };
@@ -38,17 +39,17 @@ std::vector<Plane> planes_of(const Case& description) {
   return planes;
 }
 
-// Laid out nearer to a plane than this share of a spacing, a particle and its image would be two in
-// the room of one.
+// Least distance of particles from a plane, in spacings: nearer particles and their images would
+// overlap.
 constexpr double nearest = 0.25;
 
 void check_gravity(Draft& draft, const Plane& plane) {
   if (draft.result.gravity[plane.axis] == 0.0) return;
   draft.reading.problems.add(
       {"domain.symmetry",
-       fmt::format("gravity acts across the plane \"{}\", and would act the other way beyond it",
+       fmt::format("gravity acts across the plane \"{}\", and would be reversed beyond it",
                    plane.name),
-       "planes along gravity", "Use a rigid body as a floor, or leave gravity away"});
+       "planes parallel to gravity", "Use a rigid body as a floor, or remove gravity"});
 }
 
 void check_width(Draft& draft, const Plane& plane) {
@@ -60,21 +61,21 @@ void check_width(Draft& draft, const Plane& plane) {
   const double least = (WendlandC2<2>::support * result.smoothing_ratio + 0.5) * widest;
   if (result.domain.maximum[plane.axis] - result.domain.minimum[plane.axis] >= least) return;
   draft.reading.problems.add({"domain.symmetry",
-                              fmt::format("the plane \"{}\" and the one across from it are so near "
-                                          "that particles would see images of images",
+                              fmt::format("the plane \"{}\" and the opposite one are so near that "
+                                          "particles would interact with images of images",
                                           plane.name),
                               fmt::format("planes at least {:.6g} m apart", least),
                               "Choose a smaller spacing or a wider domain"});
 }
 
-// The fit of pairs where the spacing jumps (solid/gradient_correction_levels.hpp) knows nothing of
-// images.
+// Refuses graded bodies: the gradient correction at jumps of the spacing
+// (solid/gradient_correction_levels.hpp) does not include mirror images.
 void check_grading(Draft& draft, std::size_t number) {
   if (draft.result.bodies[number].grading.levels == 0) return;
   draft.reading.problems.add({indexed("body", number) + ".grading",
-                              "the domain has symmetry planes, which graded bodies do not go with",
+                              "the domain has symmetry planes, which exclude graded bodies",
                               "bodies of one spacing where the domain has symmetry planes",
-                              "Remove the grading, or the planes and lay out the whole"});
+                              "Remove the grading, or model the full domain without planes"});
 }
 
 void check_body(Draft& draft, const Plane& plane, std::size_t number) {
@@ -133,7 +134,7 @@ void check_jet(Draft& draft, const Plane& plane, std::size_t number) {
     draft.reading.problems.add(
         {path + ".position",
          fmt::format("the symmetry plane \"{}\" cuts the jet beside its axis", plane.name),
-         "jets whose axis lies in the plane and stays there, or that are clear of it",
+         "jets whose axis stays in the plane, or that do not touch it",
          "Move the jet or turn its angle"});
   else if (on_plane)
     draft.reading.problems.add(

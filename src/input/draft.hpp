@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A case while its file is being read: values as written, references still by name.
+// A draft is a case while its file is read: values as written, references by name.
 #pragma once
 
 #include <array>
@@ -18,15 +18,15 @@ inline constexpr std::array<std::string_view, 3> quality_words{"draft", "normal"
 
 struct MaterialDraft {
   Material material;
-  double sound_speed_factor = 0.0;  // 1; used while the speed of sound is 0
-  bool equation_is_open = false;    // of state: it follows from the fastest speed
+  double sound_speed_factor = 0.0;  // 1; used while the sound speed is 0
+  bool equation_is_open = false;    // whether the equation of state depends on the fastest speed
 };
 
 struct BodyDraft {
   Body body;
   std::string material;      // empty for a rigid body
-  std::string path;          // of its table, for complaints
-  std::string inclusion_of;  // name of the body around; empty = none
+  std::string path;          // of its table, for messages
+  std::string inclusion_of;  // name of the body that contains this one; empty = none
   bool has_repulsion = false;
   bool has_offset = false;
 };
@@ -39,9 +39,8 @@ struct JetDraft {
 
 struct Draft {
   Reading reading;
-  Case result;  // bodies, jets, materials and defaults that follow from others come at the end
-  std::map<std::string, MaterialDraft>
-      materials;  // those of the case and those used of the library
+  Case result;  // finish() sets bodies, jets, materials and the defaults that follow from others
+  std::map<std::string, MaterialDraft> materials;  // of the case, and the used ones of the library
   std::vector<BodyDraft> bodies;
   std::vector<JetDraft> jets;
   bool has_domain = false;
@@ -50,54 +49,56 @@ struct Draft {
 
 void read_time(Draft& draft, Section& top);
 void read_domain(Draft& draft, Section& top);
-// [back_flow_removal], [artificial_stress] and [numerics].
+// Reads [back_flow_removal], [artificial_stress] and [numerics].
 void read_extras(Draft& draft, Section& top);
 void read_materials(Draft& draft, Section& top);
-// The material a body or jet names, taken from the library when the case has none of that name.
-// Null, with the problem noted, when nobody knows it.
+// Returns the material that a body or jet names, from the library if the case has none of that
+// name. Reports an unknown material as a problem and returns null.
 const MaterialDraft* use_material(Draft& draft, Section& section, const std::string& name);
 
-// The same for a jet: what is no water is refused.
+// Does the same for a jet; refuses a material that is not water.
 const MaterialDraft* use_water(Draft& draft, Section& section, const std::string& name);
 // Refuses a duty without pulses. `frequency` in Hz.
 void check_pulses(Section& section, double frequency, double duty);
-// Notes corners of which the second is not beyond the first along each axis.
+// Refuses a box whose second corner is not beyond the first along each axis.
 void refuse_empty_box(Section& section, const Box& box);
 
 // Reads the file of a mesh.
 void read_mesh(Section& section, Shape& shape);
 Shape read_shape(Reading& reading, const toml::table& table, const std::string& path);
-// Before bodies and times, which may follow from the jets.
+// Reads [machine]. It must be called before bodies and times are read, which may follow from jets.
 void read_machine(Draft& draft, Section& top);
-// How many particles of water lie across a jet.
+// Returns the number of water particles across a jet.
 int particles_across(Quality quality, int dimension);
-// m; 0 without a jet. The spacing of bodies that give none.
+// Returns the default spacing of bodies, m; 0 without a jet.
 double finest_jet_spacing(const Draft& draft);
-// s; 0 without a machine. When the run ends if the case does not say.
+// Returns the default end time of the run, s; 0 without a machine.
 double standard_end(const Draft& draft);
 void read_bodies(Draft& draft, Section& top);
-// Cuts the room of inclusions out of the bodies around them, and bonds them to these.
+// Cuts the shapes of inclusions out of the bodies that contain them, and bonds them to these.
 void place_inclusions(Draft& draft);
 void read_jets(Draft& draft, Section& top);
 void read_probes(Draft& draft, Section& top);
 void read_output(Draft& draft, Section& top);
 
-// Turns names into indices and computes the defaults that follow from the rest of the case: speeds
-// of sound, repulsions, the domain.
+// Converts names to indices and computes the defaults that follow from the rest of the case: sound
+// speeds, repulsions, the domain.
 void finish(Draft& draft);
 
-// Notes bodies and jets of more particles than any machine holds. To be called before anything
-// visits particles.
+// Refuses bodies and jets with more particles than any computer can hold. It must be called before
+// functions that visit particles.
 void check_counts(Draft& draft);
-// Note what is wrong between the parts of a case: bodies that are empty, outside or overlap; jets
-// that start outside or in a body or miss everything; probes outside.
+// These functions report inconsistent parts of a case: bodies that are empty, outside the domain or
+// overlap; jets that start outside the domain or in a body, or miss every body; probes outside the
+// domain.
 void check_bodies(Draft& draft);
-// Notes what a symmetry plane cannot mirror.
+// Refuses what is not symmetric about a symmetry plane.
 void check_symmetry(Draft& draft);
 void check_jets(Draft& draft);
 void check_probes(Draft& draft);
 
-// A vector as a unit vector; one that already is to rounding stays as it is, bit for bit.
+// Returns the unit vector of a vector; a vector that is one up to rounding is returned unchanged,
+// bit for bit.
 Point unit_vector(const Point& vector);
 std::string indexed(std::string_view list, std::size_t index);  // "body[1]" for index 0
 

@@ -20,8 +20,8 @@ void check_names(Draft& draft) {
     std::set<std::string> seen;
     for (std::size_t i = 0; i < names.size(); ++i)
       if (!seen.insert(names[i]).second)
-        draft.reading.problems.add({indexed(list, i) + ".name", "the name is taken already",
-                                    "a name of its own", "Choose another name"});
+        draft.reading.problems.add({indexed(list, i) + ".name", "the name is used already",
+                                    "a unique name", "Choose another name"});
   };
   std::vector<std::string> bodies, jets, probes;
   for (const Body& body : draft.result.bodies) bodies.push_back(body.name);
@@ -32,7 +32,7 @@ void check_names(Draft& draft) {
   check("probe", probes);
 }
 
-// Materials in order of their names; bodies and jets point into them.
+// Sorts the materials by name and sets the indices of bodies and jets.
 void resolve_materials(Draft& draft) {
   std::map<std::string, int> index;
   for (const auto& [name, entry] : draft.materials) {
@@ -50,7 +50,7 @@ void resolve_materials(Draft& draft) {
   }
 }
 
-// Bodies that are graded around the jets know their axes.
+// Sets the axes of the jets in the bodies that are graded around them.
 void find_axes(Draft& draft) {
   for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
     Grading& grading = draft.result.bodies[i].grading;
@@ -69,7 +69,7 @@ void find_axes(Draft& draft) {
   }
 }
 
-// The box around everything, grown by half its longest edge.
+// Returns the box around all bodies and nozzles, extended by half its longest edge.
 void find_domain(Draft& draft) {
   if (draft.has_domain) return;
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -101,7 +101,8 @@ void find_domain(Draft& draft) {
   }
 }
 
-// Above 150 m/s the water of real shocks stands in for one with a speed of sound of 10 V.
+// Above 150 m/s the default is the equation of state with real shocks, instead of Tait's with a
+// sound speed of 10 V.
 void find_equations_of_state(Draft& draft, double speed) {
   for (Material& material : draft.result.materials) {
     if (speed <= fast_water || !draft.materials.at(material.name).equation_is_open) continue;
@@ -121,15 +122,15 @@ void find_sound_speeds(Draft& draft, double speed) {
     if (material.sound_speed > 0.0) continue;
     draft.reading.problems.add(
         {fmt::format("materials.{}.sound_speed", material.name),
-         "no jet or body moves and no water falls, so the speed of sound does not follow from the "
+         "no jet or body moves and no water falls, so the sound speed does not follow from the "
          "fastest speed",
-         "a speed of about ten times the fastest speed to come",
+         "a speed of about ten times the largest expected speed",
          fmt::format("Write [materials.{0}] with base = \"{0}\" and a sound_speed",
                      material.name)});
   }
 }
 
-// D of eq. (43) has the size of a speed squared.
+// Sets the default of D of eq. (43), which is of the order of a speed squared.
 void find_repulsions(Draft& draft, double speed) {
   for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
     if (draft.bodies[i].body.role != Role::rigid || draft.bodies[i].has_repulsion) continue;
@@ -139,11 +140,11 @@ void find_repulsions(Draft& draft, double speed) {
         {draft.bodies[i].path + ".repulsion",
          "no jet or body moves and no water falls, so the repulsion does not follow from the "
          "fastest speed",
-         "the square of about the fastest speed to come", "Add it, such as \"25 m2/s2\""});
+         "about the square of the largest expected speed", "Add it, such as \"25 m2/s2\""});
   }
 }
 
-// Formulas that are finite nowhere have no fastest speed.
+// Refuses expressions without a finite largest speed.
 void check_speed(Draft& draft, double speed) {
   constexpr double fastest_allowed = 1e5;
   if (speed <= fastest_allowed) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `inclusion_of` stands for: room cut out of the body around, a lattice that goes on across
-// the interface, bonds. In the finished case these are shapes, offsets and joined_to like any
-// other.
+// Applies `inclusion_of`: it cuts the shape of the inclusion out of the body that contains it,
+// continues the lattice across the interface, and adds bonds. In the finished case these are
+// ordinary shapes, offsets and joined_to.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,7 +19,8 @@ BodyDraft* body_around(Draft& draft, const BodyDraft& inclusion) {
   return nullptr;
 }
 
-// How many bodies lie around one another outside this one; more than there are bodies: in a circle.
+// Returns the number of bodies that contain this one, directly or through others; a number above
+// that of all bodies means a cycle.
 std::size_t depth_of(Draft& draft, const BodyDraft& entry) {
   std::size_t depth = 0;
   const BodyDraft* outer = &entry;
@@ -40,8 +41,8 @@ void cut_out(Shape& around, const Shape& room) {
   around.parts.push_back(room);
 }
 
-// The shift that brings the lattice of `body` onto that of `around`: each place of the one lattice
-// then holds a particle of the one body or of the other, also where the interface passes.
+// Returns the shift of the lattice of `body` onto that of `around`, m: each node of the common
+// lattice then has a particle of one of the two bodies, also at the interface.
 void align(Body& body, const Body& around, int dimension) {
   constexpr double rounding = 1e-9;  // of a spacing
   const double d = body.spacing;
@@ -63,11 +64,11 @@ void place_inclusions(Draft& draft) {
     written.push_back(entry.body.shape);
     if (depth_of(draft, entry) <= draft.bodies.size()) continue;
     draft.reading.problems.add(
-        {entry.path + ".inclusion_of", "bodies lie in one another in a circle",
-         "bodies of which one lies in the other", "Remove the key from the outermost"});
+        {entry.path + ".inclusion_of", "the bodies contain one another in a cycle",
+         "bodies of which one contains the other", "Remove the key from the outermost body"});
     return;
   }
-  // From the outside to the inside, as each takes its lattice from the one around.
+  // The outer bodies come first, since each inclusion takes its lattice from the body around it.
   for (std::size_t depth = 1; depth < draft.bodies.size(); ++depth)
     for (std::size_t b = 0; b < draft.bodies.size(); ++b) {
       BodyDraft& entry = draft.bodies[b];

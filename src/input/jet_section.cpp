@@ -24,7 +24,7 @@ std::vector<Key> jet_keys() {
   using enum ValueKind;
   // clang-format off
   return {
-      {"name", name, "", "", any, {}, "", "Name of the jet, its own", stored_in<&Jet::name>},
+      {"name", name, "", "", any, {}, "", "Unique name of the jet", stored_in<&Jet::name>},
       {"material", name, "", "water", any, {}, "", "Name of a water of this case or of the library", stored_in<&JetDraft::material>},
       {"speed", quantity, "m/s", "", up_to(1e4), {}, "", "Mean speed over the section", stored_in<&Jet::speed>},
       {"width", quantity, "m", "", up_to(1e6), {}, "2D slot", "Width of the slot of a two-dimensional jet, or of one in 3D that has a length; a jet in 3D without one is round and has a diameter", stored_in<&Jet::width>},
@@ -32,25 +32,24 @@ std::vector<Key> jet_keys() {
       {"length", quantity, "m", "", up_to(1e6), {}, "3D+slot", "Length of a slot, at right angles to the plane of the jet and the vertical; for a jet straight down along z", stored_in<&Jet::length>},
       {"position", vector, "m", "", within(1e6), {}, "", "Point on the workpiece that the axis of the jet aims at", stored_in<&Jet::position>},
       {"standoff", quantity, "m", "", from_zero_to(1e6), {}, "", "Distance from the nozzle to that point", stored_in<&Jet::standoff>},
-      {"angle", quantity, "rad", "0 deg", within(3.141592653589793), {}, "", "Tilt from straight down, towards +x", stored_in<&Jet::angle>},
-      {"azimuth", quantity, "rad", "0 deg", within(6.283185307179586), {}, "3D", "Turn of the tilt about the vertical, from +x towards +z", stored_in<&Jet::azimuth>},
-      {"spacing", quantity, "m", "(the width or diameter over the particles that `quality` puts across it)", positive, {}, "", "Distance of its particles, their diameter d", stored_in<&Jet::spacing>},
-      {"start", quantity, "s", "0 s", not_negative, {}, "", "When the water starts", stored_in<&Jet::start>},
-      {"stop", quantity, "s", "none", positive, {}, "", "When the water stops", stored_in<&Jet::stop>},
+      {"angle", quantity, "rad", "0 deg", within(3.141592653589793), {}, "", "Inclination from the vertical, towards +x", stored_in<&Jet::angle>},
+      {"azimuth", quantity, "rad", "0 deg", within(6.283185307179586), {}, "3D", "Rotation of the inclination about the vertical, from +x towards +z", stored_in<&Jet::azimuth>},
+      {"spacing", quantity, "m", "(the width or diameter over the particles that `quality` puts across it)", positive, {}, "", "Distance of neighbouring particles, d", stored_in<&Jet::spacing>},
+      {"start", quantity, "s", "0 s", not_negative, {}, "", "Time at which the water starts", stored_in<&Jet::start>},
+      {"stop", quantity, "s", "none", positive, {}, "", "Time at which the water stops", stored_in<&Jet::stop>},
       {"traverse", vector, "m/s", "0 m/s", within(1e4), {}, "", "Velocity of the nozzle", stored_in<&Jet::traverse>},
-      {"dwell", quantity, "s", "0 s", not_negative, {}, "", "How long the nozzle stands still after the start", stored_in<&Jet::dwell>},
+      {"dwell", quantity, "s", "0 s", not_negative, {}, "", "Time after the start during which the nozzle does not move", stored_in<&Jet::dwell>},
       {"pulse_frequency", quantity, "Hz", "0 Hz", not_negative, {}, "", "Frequency of a pulsed jet; 0 = steady", stored_in<&Jet::pulse_frequency>},
-      {"duty", number, "", "1", up_to(1.0), {}, "", "Part of each pulse in which water flows, from its start", stored_in<&Jet::duty>},
+      {"duty", number, "", "1", up_to(1.0), {}, "", "Share of each pulse period during which water flows, from its start", stored_in<&Jet::duty>},
       {"profile", word, "", "uniform", any, profile_words, "", "Speed over the section: uniform, parabolic 1 - r^2, or power (1 - r)^(1/7)"},
-      {"profile_expression", expression, "", "(profile)", any, radius_variable, "", "Speed over the section as a formula of r, 0 on the axis and 1 at the edge; only its shape counts", stored_in<&Jet::profile>},
+      {"profile_expression", expression, "", "(profile)", any, radius_variable, "", "Speed over the section as an expression in r, 0 on the axis and 1 at the edge; its mean is scaled to the speed", stored_in<&Jet::profile>},
   };
   // clang-format on
 }
 
 namespace {
 
-// Water must leave the nozzle everywhere and somewhere: the profile is nowhere negative over the
-// section and not 0 throughout.
+// Checks that the profile is not negative anywhere over the section and is not 0 everywhere.
 void check_profile(Section& section, const std::string& formula) {
   const Expression profile(formula, {"r"});
   constexpr int samples = 200;

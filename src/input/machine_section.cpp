@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// [machine], and what follows from a jet where a case leaves it out: spacings and the time to end.
+// Reads [machine], and computes the defaults that follow from a jet: spacings and the end time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,24 +20,24 @@ std::vector<Key> machine_keys() {
   // clang-format off
   return {
       {"pressure", quantity, "Pa", "", up_to(1e9), {}, "", "Pressure at the orifice, above that of the air", stored_in<&Machine::pressure>},
-      {"orifice_type", word, "", "sharp", any, orifice_words, "", "Sharp: a round hole in a plate; conical: a round hole at the end of a cone; slit and fan: a flat jet, that of a fan opening", stored_in<&Machine::orifice_type>},
+      {"orifice_type", word, "", "sharp", any, orifice_words, "", "Sharp: a round hole in a plate; conical: a round hole at the end of a cone; slit and fan: a flat jet, which widens for a fan", stored_in<&Machine::orifice_type>},
       {"orifice_diameter", quantity, "m", "", up_to(1.0), {}, "", "Diameter of the orifice; of a slit or fan, and in 2D, its width", stored_in<&Machine::orifice_diameter>},
       {"orifice_length", quantity, "m", "", up_to(10.0), {}, "slit+3D fan+3D", "Length of the orifice, at right angles to the traverse", stored_in<&Machine::orifice_length>},
       {"cone_angle", quantity, "rad", "45 deg", {0.0, 1.5707963267948966, true}, {}, "conical", "Angle between the wall of the cone and its axis", stored_in<&Machine::cone_angle>},
-      {"fan_angle", quantity, "rad", "", {0.0, 3.0, true}, {}, "fan+3D", "Whole angle by which the sheet opens", stored_in<&Machine::fan_angle>},
-      {"velocity_coefficient", number, "", standard_velocity_coefficient, up_to(1.0), {}, "", "Speed of the jet over that without friction; 0.95 to 0.98 is usual", stored_in<&Machine::velocity_coefficient>},
-      {"discharge_coefficient", number, "", "(the velocity_coefficient times the contraction of an ideal jet: 0.611 out of a plate)", up_to(1.0), {}, "", "Flow over that of the whole orifice without friction", stored_in<&Machine::discharge_coefficient>},
+      {"fan_angle", quantity, "rad", "", {0.0, 3.0, true}, {}, "fan+3D", "Opening angle of the sheet, from side to side", stored_in<&Machine::fan_angle>},
+      {"velocity_coefficient", number, "", standard_velocity_coefficient, up_to(1.0), {}, "", "Speed of the jet over the frictionless speed; 0.95 to 0.98 is usual", stored_in<&Machine::velocity_coefficient>},
+      {"discharge_coefficient", number, "", "(the velocity_coefficient times the contraction of an ideal jet: 0.611 out of a plate)", up_to(1.0), {}, "", "Flow rate over that of the full orifice area without friction", stored_in<&Machine::discharge_coefficient>},
       {"standoff", quantity, "m", "", from_zero_to(100.0), {}, "", "Distance from the orifice to the workpiece, along the jet", stored_in<&Machine::standoff>},
-      {"coherent_length", quantity, "m", "(28.3 diameters of the jet)", up_to(1e6), {}, "", "Distance up to which the air leaves the jet whole; beyond, a [model](theory/machine.md) breaks it up", stored_in<&Machine::coherent_length>},
+      {"coherent_length", quantity, "m", "(28.3 diameters of the jet)", up_to(1e6), {}, "", "Distance up to which the jet is intact in air; a [model](theory/machine.md) describes the breakup beyond it", stored_in<&Machine::coherent_length>},
       {"position", vector, "m", "", within(1e6), {}, "", "Point on the workpiece that the jet aims at, at the start", stored_in<&Machine::position>},
-      {"lead_angle", quantity, "rad", "0 deg", within(1.4), {}, "", "How far the jet leans forwards along the traverse", stored_in<&Machine::lead_angle>},
-      {"tilt_angle", quantity, "rad", "0 deg", within(1.4), {}, "3D", "How far the jet leans to the right of the traverse", stored_in<&Machine::tilt_angle>},
+      {"lead_angle", quantity, "rad", "0 deg", within(1.4), {}, "", "Inclination of the jet forwards along the traverse", stored_in<&Machine::lead_angle>},
+      {"tilt_angle", quantity, "rad", "0 deg", within(1.4), {}, "3D", "Inclination of the jet to the right of the traverse", stored_in<&Machine::tilt_angle>},
       {"traverse_speed", quantity, "m/s", "0 m/s", from_zero_to(1e4), {}, "", "Speed of the nozzle over the workpiece", stored_in<&Machine::traverse_speed>},
-      {"traverse_direction", vector, "", "(along x)", any, {}, "", "Its direction, horizontal", stored_in<&Machine::traverse_direction>},
-      {"dwell", quantity, "s", "0 s", not_negative, {}, "", "How long the nozzle stands still before it traverses", stored_in<&Machine::dwell>},
+      {"traverse_direction", vector, "", "(along x)", any, {}, "", "Direction of the traverse, horizontal", stored_in<&Machine::traverse_direction>},
+      {"dwell", quantity, "s", "0 s", not_negative, {}, "", "Time before the traverse during which the nozzle does not move", stored_in<&Machine::dwell>},
       {"pulse_frequency", quantity, "Hz", "0 Hz", not_negative, {}, "", "Frequency of a pulsed jet; 0 = steady", stored_in<&Machine::pulse_frequency>},
-      {"duty", number, "", "1", up_to(1.0), {}, "", "Part of each pulse in which water flows", stored_in<&Machine::duty>},
-      {"spacing", quantity, "m", "(the jet's width at the workpiece over the particles that `quality` puts across it)", positive, {}, "", "Distance of the water's particles", stored_in<&Machine::spacing>},
+      {"duty", number, "", "1", up_to(1.0), {}, "", "Share of each pulse period during which water flows", stored_in<&Machine::duty>},
+      {"spacing", quantity, "m", "(the jet's width at the workpiece over the particles that `quality` puts across it)", positive, {}, "", "Distance of neighbouring water particles", stored_in<&Machine::spacing>},
       {"material", name, "", "water", any, {}, "", "Name of a water of this case or of the library", stored_in<&JetDraft::material>},
   };
   // clang-format on
@@ -45,7 +45,7 @@ std::vector<Key> machine_keys() {
 
 namespace {
 
-// Makes the direction of the traverse a unit vector; it is horizontal, in 2D along x.
+// Normalises the direction of the traverse, which is horizontal, and along x in 2D.
 void settle_direction(Section& section, Point& direction) {
   const double length = std::hypot(direction[0], direction[2]);
   const bool horizontal = direction[1] == 0.0;
@@ -116,8 +116,9 @@ double finest_jet_spacing(const Draft& draft) {
   return finest;
 }
 
-// Without strength a jet sinks at half its speed; a workpiece that resists is given twice as
-// long, and a nozzle that moves the time for four jet widths.
+// A jet penetrates a material without strength at half its speed. The end time is twice the time of
+// such a penetration, for workpieces with strength; for a moving nozzle it is the time for a
+// traverse of four jet widths.
 double standard_end(const Draft& draft) {
   if (!draft.result.machine) return 0.0;
   const Jet& jet = draft.jets.back().jet;

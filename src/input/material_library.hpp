@@ -14,10 +14,10 @@
 
 namespace kerf {
 
-// What decides which keys a material has, as the schema names it.
+// Returns the conditions on which the keys of a material depend, in the words of the schema.
 std::set<std::string> material_conditions(const Material& material, Formulation formulation);
 
-// What a material may be known to have although no law of Kerf uses it yet.
+// A property of a material that no law of Kerf uses.
 struct KnownQuantity {
   std::string_view name;
   std::string_view unit;  // SI; "" = a pure number
@@ -41,26 +41,28 @@ struct LibraryMaterial {
   PlasticLaw plasticity = PlasticLaw::none;
   std::string title;
   std::vector<LibraryValue> values;
-  std::vector<LibraryValue> known;  // used by no law yet
+  std::vector<LibraryValue> known;  // values that no law uses
 
-  // The value of a key, or null when `values` leaves it out.
+  // Returns the value of a key, or null if `values` has none.
   const LibraryValue* find(std::string_view key) const;
   std::set<std::string> conditions() const;
-  // What `values` leaves out has its default in a case file. The speed of sound is 0, as that of a
-  // water is found when the case is read. `shinohara2004` knows no law of plasticity.
+  // Returns the material of a case. Values that are missing in `values` have the defaults of a case
+  // file. The sound speed is 0, because that of water is computed when the case is read. In the
+  // formulation `shinohara2004` the material has no law of plasticity.
   Material material(Formulation formulation = Formulation::standard) const;
 };
 
 // The files of materials/ by name, in alphabetical order.
 std::span<const EmbeddedText> material_files();
-// A mistake in the text is one of the program, whose texts are built in: std::logic_error.
+// Reads the text of a material file. Throws std::logic_error if it is not valid, because the texts
+// are part of the program.
 LibraryMaterial read_library_material(std::string_view name, std::string_view text);
 
 std::span<const LibraryMaterial> material_library();
-// Null when the library has no such material.
+// Returns the material of that name, or null if the library has none.
 const LibraryMaterial* find_library_material(std::string_view name);
 std::string kind_name(MaterialKind kind);
-// docs/materials.md.
+// Returns the text of docs/materials.md.
 std::string materials_page();
 
 }  // namespace kerf

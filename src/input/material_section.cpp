@@ -14,33 +14,33 @@ namespace kerf {
 
 namespace {
 
-// Those that belong to no law.
+// Returns the keys of a material that belong to no law.
 std::vector<Key> plain_keys() {
   using namespace key_range;
   using enum ValueKind;
   // clang-format off
   return {
-      {"base", name, "", "(none)", any, {}, "", "Material of the library whose values stand where this one gives none"},
-      {"kind", word, "", "(that of the base)", any, material_kind_words, "", "What the material is; needed where there is no base", stored_in<&Material::kind>},
+      {"base", name, "", "(none)", any, {}, "", "Material of the library that gives the values missing here"},
+      {"kind", word, "", "(that of the base)", any, material_kind_words, "", "Kind of the material; needed without a base", stored_in<&Material::kind>},
       {"density", quantity, "kg/m3", "", up_to(1e5), {}, "", "Density at rest", stored_in<&Material::density>},
       {"youngs_modulus", quantity, "Pa", "", up_to(1e13), {}, "elastic", "Young's modulus E", stored_in<&Material::youngs_modulus>},
       {"poisson_ratio", number, "", "", {-1.0, 0.5, true, true}, {}, "elastic", "Poisson's ratio", stored_in<&Material::poisson_ratio>},
-      {"failure_strain", number, "", "0", from_zero_to(10.0), {}, "elastic", "Strain at which the material fractures: the equivalent strain of a particle, or in the standard formulation what the criterion says, at a bond; 0 = never", stored_in<&Material::failure_strain>},
-      {"fracture_energy", quantity, "J/m2", "0 J/m2", from_zero_to(1e7), {}, "elastic", "Energy that a crack takes per area, in place of a failure_strain: the strain then follows from the spacing. In the standard formulation only", stored_in<&Material::fracture_energy>},
-      {"elasticity", word, "", "neo_hookean", any, elastic_law_words, "elastic+standard", "Law of elasticity; where the material flows it is Hencky's", stored_in<&Material::elasticity>},
-      {"plasticity", word, "", "(that of the base, or none)", any, plastic_law_words, "elastic+standard", "Law by which it flows: a metal (von_mises, johnson_cook), or rock (drucker_prager)", stored_in<&Material::plasticity>},
-      {"criterion", word, "", "principal_strain", any, bond_criterion_words, "elastic+standard", "What is compared with its limit at a bond: a strain or the energy stored by tension with the failure_strain, the largest principal stress with the tensile_strength; crack_band: softening from the failure_strain on that takes the fracture_energy; grady_kipp: damage by cracks that grow from flaws", stored_in<&Material::criterion>},
-      {"friction", number, "", "0", from_zero_to(10.0), {}, "elastic+standard", "Coefficient of dry friction on other bodies; of two that touch, the lesser holds", stored_in<&Material::friction>},
+      {"failure_strain", number, "", "0", from_zero_to(10.0), {}, "elastic", "Strain at which the material fractures: the equivalent strain of a particle, or in the standard formulation the value of the criterion at a bond; 0 = never", stored_in<&Material::failure_strain>},
+      {"fracture_energy", quantity, "J/m2", "0 J/m2", from_zero_to(1e7), {}, "elastic", "Fracture energy per area of a crack, instead of a failure_strain, which then follows from the spacing; only in the standard formulation", stored_in<&Material::fracture_energy>},
+      {"elasticity", word, "", "neo_hookean", any, elastic_law_words, "elastic+standard", "Law of elasticity; a material with plasticity has Hencky's", stored_in<&Material::elasticity>},
+      {"plasticity", word, "", "(that of the base, or none)", any, plastic_law_words, "elastic+standard", "Law of plasticity: of metals (von_mises, johnson_cook), or of rock (drucker_prager)", stored_in<&Material::plasticity>},
+      {"criterion", word, "", "principal_strain", any, bond_criterion_words, "elastic+standard", "Fracture criterion at a bond: a strain, or the energy stored in tension, is compared with the failure_strain, the largest principal stress with the tensile_strength; crack_band: softening from the failure_strain on that dissipates the fracture_energy; grady_kipp: damage by cracks that grow from flaws", stored_in<&Material::criterion>},
+      {"friction", number, "", "0", from_zero_to(10.0), {}, "elastic+standard", "Coefficient of dry friction on other bodies; the smaller of two applies", stored_in<&Material::friction>},
       {"viscosity", quantity, "Pa s", "0 Pa s", from_zero_to(1e6), {}, "water", "Dynamic viscosity", stored_in<&Material::viscosity>},
-      {"equation_of_state", word, "", "(tait; shock_hugoniot where something moves faster than 150 m/s and neither a speed of sound nor an exponent is given)", any, equation_of_state_words, "water+standard", "Pressure by the density: weakly compressible water, or one whose shocks run as in real water", stored_in<&Material::equation_of_state>},
-      {"sound_speed", quantity, "m/s", "(sound_speed_factor times the fastest speed; 1481 m/s with shock_hugoniot)", up_to(1e8), {}, "water", "Speed of sound of the equation of state at rest", stored_in<&Material::sound_speed>},
-      {"sound_speed_factor", number, "", "10", {1.0, 1000.0}, {}, "tait water+shinohara2004", "Speed of sound over the fastest speed V of jets and bodies or, for water that falls, V = sqrt(2 g H), H = height of the water; eq. (18)", stored_in<&MaterialDraft::sound_speed_factor>},
+      {"equation_of_state", word, "", "(tait; shock_hugoniot if something moves faster than 150 m/s and neither a sound speed nor an exponent is given)", any, equation_of_state_words, "water+standard", "Equation of state: weakly compressible water, or water with the shock speeds of real water", stored_in<&Material::equation_of_state>},
+      {"sound_speed", quantity, "m/s", "(sound_speed_factor times the fastest speed; 1481 m/s with shock_hugoniot)", up_to(1e8), {}, "water", "Sound speed of the equation of state at rest", stored_in<&Material::sound_speed>},
+      {"sound_speed_factor", number, "", "10", {1.0, 1000.0}, {}, "tait water+shinohara2004", "Sound speed over the fastest speed V of jets and bodies or, for falling water, V = sqrt(2 g H), H = height of the water; eq. (18)", stored_in<&MaterialDraft::sound_speed_factor>},
       {"artificial_linear", number, "", "0.01", from_zero_to(10.0), {}, "water", "A of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_linear>},
       {"artificial_linear", number, "", "2.5", from_zero_to(10.0), {}, "elastic", "A of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_linear>},
       {"artificial_quadratic", number, "", "0", from_zero_to(10.0), {}, "water", "B of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_quadratic>},
       {"artificial_quadratic", number, "", "2.5", from_zero_to(10.0), {}, "elastic", "B of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_quadratic>},
       {"artificial_softening", number, "", "0.1", up_to(1.0), {}, "", "C of the artificial viscosity, eq. (39)", stored_in<&Material::artificial_softening>},
-      {"source", text, "", "(the case file)", any, {}, "", "Where the values come from", stored_in<&Material::source>},
+      {"source", text, "", "(the case file)", any, {}, "", "Source of the values", stored_in<&Material::source>},
   };
   // clang-format on
 }
@@ -94,10 +94,10 @@ MaterialKind read_kind(Section& section, const LibraryMaterial* base) {
   return kind;
 }
 
-// Of the speed of sound and its factor at most one may be given.
+// Refuses a case that gives both the sound speed and its factor.
 void check_sound_speed(Section& section) {
   if (section.has("sound_speed") && section.has("sound_speed_factor"))
-    section.refuse("sound_speed_factor", "the speed of sound itself is given as well",
+    section.refuse("sound_speed_factor", "the sound speed itself is given as well",
                    "Remove one of the two", "one of sound_speed and sound_speed_factor");
 }
 
@@ -105,7 +105,7 @@ void refuse_key(Section& section, const char* key, const Material& material,
                 const CriterionKeys& keys) {
   const auto word = word_of(material.criterion, bond_criterion_words);
   if (section.has(key))
-    section.refuse(key, fmt::format("the criterion looks at {}", keys.looks_at),
+    section.refuse(key, fmt::format("the criterion uses {}", keys.compared_quantity),
                    "Remove the key, or the criterion",
                    fmt::format("nothing beside the criterion \"{}\"", word));
 }
@@ -117,7 +117,7 @@ void require_key(Section& section, const char* key, double value, const Material
                    "greater than 0");
 }
 
-// A fracture energy takes the place of a failure strain.
+// Checks the fracture energy, which replaces a failure strain.
 void settle_energy(Section& section, Formulation formulation, Material& material) {
   if (!section.has("fracture_energy") || material.fracture_energy == 0.0) return;
   if (formulation != Formulation::standard)
@@ -129,7 +129,7 @@ void settle_energy(Section& section, Formulation formulation, Material& material
   material.failure_strain = 0.0;
 }
 
-// Strain and energy as the criterion takes them.
+// Checks the failure strain and the fracture energy against the needs of the criterion.
 void settle_fracture(Section& section, Formulation formulation, Material& material) {
   const CriterionKeys keys = keys_of(material.criterion);
   switch (keys.limit) {
@@ -153,7 +153,8 @@ void settle_fracture(Section& section, Formulation formulation, Material& materi
                                word_of(material.criterion, bond_criterion_words)));
 }
 
-// The equation of state of water may follow from the fastest speed, when all is read.
+// The default equation of state of water follows from the fastest speed, after all sections are
+// read.
 bool equation_is_open(const Section& section, Formulation formulation, const Material& material) {
   if (material.kind != MaterialKind::water || formulation != Formulation::standard) return false;
   for (const char* key :
@@ -162,7 +163,7 @@ bool equation_is_open(const Section& section, Formulation formulation, const Mat
   return true;
 }
 
-// Of what is not written the value of the base holds where that has the key under its own laws.
+// A key that is not written keeps the value of the base if it applies to the laws of the base.
 Section::KeepRule values_of(const Material& base, Formulation formulation) {
   return [inherited = material_conditions(base, formulation)](const Key& key) {
     return find_key("materials", key.name, inherited)->applies_under(inherited);

@@ -29,7 +29,7 @@ shorter the time step.
 Put a file `materials/NAME.toml` there; the build finds it.
 
 ```
-title = "One line that says what it is"
+title = "Description in one line"
 kind = "elastic"           # or "water"
 
 [[values]]                 # for each number that a case file has a key for
@@ -58,7 +58,7 @@ std::string rows(const std::vector<LibraryValue>& values) {
   return text;
 }
 
-// A table of the laws of every kind: word, what it is, its own keys.
+// Returns a table of the laws of every kind: word, description, keys of the law.
 std::string laws_of_materials() {
   std::string text =
       "\n## Laws\n\n"

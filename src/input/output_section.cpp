@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// [[probe]] and [output]: what is measured and written.
+// Reads and writes [[probe]] and [output].
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,8 +16,8 @@ std::vector<Key> probe_keys() {
   using enum ValueKind;
   // clang-format off
   return {
-      {"name", name, "", "", any, {}, "", "Name of the probe, its own", stored_in<&Probe::name>},
-      {"kind", word, "", "point", any, probe_words, "", "point = pressure and velocity there; plane = force of the side the normal points to on the other", stored_in<&Probe::kind>},
+      {"name", name, "", "", any, {}, "", "Unique name of the probe", stored_in<&Probe::name>},
+      {"kind", word, "", "point", any, probe_words, "", "point = pressure and velocity at the position; plane = force of the side on which the normal points on the other side", stored_in<&Probe::kind>},
       {"position", vector, "m", "", within(1e6), {}, "", "The point, or a point of the plane", stored_in<&Probe::position>},
       {"normal", vector, "", "(0, 1, 0)", any, {}, "plane", "Direction of the normal, of any length", stored_in<&Probe::normal>},
   };
@@ -33,7 +33,7 @@ std::vector<Key> output_keys() {
       {"frame_times", quantities, "s", "(every frame_interval)", not_negative, {}, "", "Times of the frames, instead of an interval", stored_in<&OutputControl::frame_times>},
       {"picture_times", quantities, "s", "(0 and quarters of the run)", not_negative, {}, "", "Times of the pictures", stored_in<&OutputControl::picture_times>},
       {"series_interval", quantity, "s", "(end / 500)", positive, {}, "", "Time between rows of series.csv", stored_in<&OutputControl::series_interval>},
-      {"checkpoint_interval", quantity, "s", "60 s", positive, {}, "", "Time of the clock on the wall between checkpoints", stored_in<&OutputControl::checkpoint_interval>},
+      {"checkpoint_interval", quantity, "s", "60 s", positive, {}, "", "Wall-clock time between checkpoints", stored_in<&OutputControl::checkpoint_interval>},
   };
   // clang-format on
 }
@@ -43,7 +43,7 @@ namespace {
 constexpr double most_outputs = 1e5;  // frames or pictures of one run
 constexpr double most_rows = 1e7;     // of series.csv
 
-// Too short an interval is refused.
+// Refuses an interval that is too short.
 void check_interval(Section& section, const char* name, double interval, double end, double most) {
   if (interval > 0.0 && end / interval > most)
     section.refuse(name, fmt::format("this makes {:.3g} entries", end / interval),
@@ -60,7 +60,8 @@ void check_times(Section& section, std::string_view name, const std::vector<doub
                  fmt::format("times from 0 s to {}", write_quantity(end, "s")));
 }
 
-// 0, interval, 2 interval, ... and the end, each the nearest double to its multiple.
+// Returns the times 0, interval, 2 interval, ... and the end, each the double nearest to its
+// multiple.
 std::vector<double> times_every(double interval, double end) {
   constexpr double slack = 1e-9;
   std::vector<double> times;

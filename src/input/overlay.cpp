@@ -9,7 +9,7 @@ namespace {
 
 void merge(toml::table& base, const toml::table& changes);
 
-// Others, such as the parts of a shape, have nothing to be matched by.
+// Returns whether the entries of a list have names; the parts of a shape, for example, have none.
 bool has_named_tables(const toml::array& list) {
   return !list.empty() && list[0].is_table() && list[0].as_table()->contains("name");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A case with some of its keys changed.
+// Changes of keys of a case.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace kerf {
 
-// The case as TOML text with `changes` put over it: tables are merged key by key; lists of tables
-// (body, jet, probe) entry by entry, matched by their "name"; everything else, such as the parts of
-// a shape, is replaced.
+// Returns the case as TOML text with `changes` applied: tables are merged key by key; lists of
+// tables (body, jet, probe) entry by entry, matched by their "name"; all other values, such as the
+// parts of a shape, are replaced.
 std::string overlay(std::string_view case_text, const toml::table& changes);
 
-// The table of a list that has this name; null when none has.
+// Returns the table of a list that has this name, or null.
 toml::table* entry_named(toml::array& list, const std::string& name);
 
 }  // namespace kerf

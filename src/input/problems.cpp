@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t most_shown = 10;
 
-// Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours.
+// Returns the optimal string alignment distance: the number of insertions, deletions, substitutions
+// and swaps of neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
@@ -56,7 +57,7 @@ void Problems::add(Problem problem) {
                   written ? " = " : "", written ? found->second.value : "", problem.what);
   if (!problem.allowed.empty()) message += fmt::format(" Allowed: {}.", problem.allowed);
   if (!problem.remedy.empty()) message += fmt::format(" {}.", problem.remedy);
-  // A quoted key of a TOML file may hold anything; a complaint is one line.
+  // A quoted key of a TOML file may have any characters; a message is one line.
   for (char& c : message)
     if (static_cast<unsigned char>(c) < ' ') c = '?';
   messages_.push_back(std::move(message));
@@ -72,7 +73,7 @@ void Problems::throw_if_any() const {
 }
 
 std::string closest(std::string_view word, const std::vector<std::string>& candidates) {
-  constexpr std::size_t longest_key = 64;  // nothing longer is a misspelt key
+  constexpr std::size_t longest_key = 64;  // longer words are not compared with keys
   std::string best;
   if (word.size() > longest_key) return best;
   std::size_t best_distance = 1 + std::max<std::size_t>(2, word.size() / 3);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with a case file. Every complaint has one format,
+// The problems of a case file. Every message has the format
 //   FILE:LINE: KEY = VALUE: what is wrong. Allowed: the range. What to do.
-// and all of them (up to ten) reach the user at once.
+// and all messages (up to ten) are reported at once.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace kerf {
 struct Problem {
   std::string key;      // full path of the key, e.g. "body[2].spacing"
   std::string what;     // what is wrong
-  std::string allowed;  // the values that would do
+  std::string allowed;  // the allowed values
   std::string remedy;   // what to do; may be empty
 };
 
@@ -22,13 +22,13 @@ class Problems {
  public:
   explicit Problems(std::string file_name) : file_name_(std::move(file_name)) {}
 
-  // Remembers where a key stands and what it says, for complaints about it now or later.
+  // Stores the line and the value of a key for later messages.
   void mention(const std::string& key, int line, std::string value);
-  // A key nobody wrote is placed at the nearest table around it.
+  // Adds a problem. A key that is not written has the line of the innermost table that contains it.
   void add(Problem problem);
   bool any() const { return !messages_.empty(); }
   std::size_t count() const { return messages_.size(); }
-  // Throws a UserError of all complaints, if there are any.
+  // Throws a UserError with all messages, if there are any.
   void throw_if_any() const;
 
  private:
@@ -43,7 +43,7 @@ class Problems {
   std::vector<std::string> messages_;
 };
 
-// The candidate that `word` was probably meant to be, by edit distance; empty when none is near.
+// Returns the candidate closest to `word` by edit distance, or an empty text if none is close.
 std::string closest(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace kerf

@@ -24,7 +24,7 @@ toml::table parse_toml(std::string_view text, std::string_view file_name) {
   }
 }
 
-// The dimension decides how everything else is read.
+// Reads the dimension first, because the reading of all other keys depends on it.
 int read_dimension(Reading& reading, const toml::table& table) {
   Section section(reading, table, "", "");
   Case result;

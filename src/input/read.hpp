@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A case file becomes plain data.
+// These functions read a case file into plain data.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 namespace kerf {
 
 // Both throw a UserError that names file, line, key, value, allowed range and remedy of up to ten
-// things that are wrong. The same text gives the same Case, bit for bit.
+// problems. The same text gives the same Case, bit for bit.
 Case read_case(const std::filesystem::path& file);
 Case parse_case(std::string_view text, std::string_view file_name);
 

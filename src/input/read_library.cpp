@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file of materials/ as a material of the library. The format is described in docs/materials.md.
+// Reads a file of materials/ as a material of the library; docs/materials.md has the format.
 #include <fmt/format.h>
 
 #include <toml++/toml.h>

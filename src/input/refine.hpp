@@ -5,7 +5,7 @@
 
 namespace kerf {
 
-// The same case with every spacing divided by `refinement`, also that of a machine's water.
+// Returns the case with every spacing divided by `refinement`, including that of a machine's water.
 Case refined(Case description, double refinement);
 
 }  // namespace kerf

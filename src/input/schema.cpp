@@ -20,9 +20,8 @@ std::vector<SchemaSection> all_sections() {
       {"", "Top level", "The keys before the first table.", top_keys()},
       {"time", "`[time]`", "Needed in every case without a `[machine]`.", time_keys()},
       {"domain", "`[domain]`",
-       "Particles that leave it are taken out and accounted for. Left out, it is the box around "
-       "all "
-       "bodies and nozzles, grown on every side by half its longest edge.",
+       "Particles that leave the domain are removed and counted in the balance. The default is the "
+       "box around all bodies and nozzles, extended on every side by half its longest edge.",
        domain_keys()},
       {"materials", "`[materials.NAME]`",
        "One table for each material that the library (`kerf materials`) lacks, or that differs "
@@ -36,7 +35,8 @@ std::vector<SchemaSection> all_sections() {
       {"shape", "`shape = { ... }` of a body",
        "Shapes nest: the `parts` of a union or difference are shapes.", shape_keys()},
       {"machine", "`[machine]`",
-       "What an operator knows, instead of a `[[jet]]`: the jet and its numerics follow from it. "
+       "The settings of a machine, instead of a `[[jet]]`: the jet and its numerics follow from "
+       "it. "
        "See [machine](theory/machine.md).",
        machine_keys()},
       {"jet", "`[[jet]]`",
@@ -214,7 +214,8 @@ std::string keys_page() {
       "A case is a [TOML](https://toml.io) file. Quantities are texts with a unit (\"300 MPa\",\n"
       "\"0.3 mm\", \"60 deg\"); any unit of "
       "[UDUNITS](https://www.unidata.ucar.edu/software/udunits/)\n"
-      "of the right dimension will do. A default in brackets says how the value is found.\n";
+      "of the right dimension is allowed. A default in brackets states how the value is "
+      "computed.\n";
   for (const SchemaSection& section : schema()) {
     page += fmt::format(
         "\n## {}\n\n{}\n\n| key | holds | default | where | meaning |\n"

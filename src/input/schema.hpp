@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The schema is the table of all keys of a case file, by section. Reading, refusing, docs/keys.md,
 // the suggestions for misspelt keys and case.used.toml follow from its rows (core/case_key.hpp).
-// The rows of a section stand next to the code that reads what no single member stores.
+// The rows of a section are in the file that reads the values which no single member stores.
 #pragma once
 
 #include <set>
@@ -21,26 +21,27 @@ struct SchemaSection {
   std::vector<Key> keys;
 };
 
-// All sections, in the order of docs/keys.md.
+// Returns all sections, in the order of docs/keys.md.
 std::span<const SchemaSection> schema();
-// The keys of a section; none where there is no such section.
+// Returns the keys of a section; none if there is no such section.
 std::span<const Key> keys_of(std::string_view section);
 
-// The key of that name that has a meaning under the conditions; else one that has none; else null.
+// Returns the key of that name that applies under the conditions; else any key of that name; else
+// null.
 const Key* find_key(std::string_view section, std::string_view name,
                     const std::set<std::string>& conditions);
 std::vector<std::string> key_names(std::string_view section,
                                    const std::set<std::string>& conditions);
 
-// The keys of a section whose values the structure stores and that have a meaning there. The words
-// that these keys hold are added to `conditions` on the way.
+// Returns the keys of a section that the structure stores and that apply there. Adds the words that
+// these keys hold to `conditions`.
 template <class Structure>
 std::vector<const Key*> keys_stored_in(std::string_view section, const Structure& structure,
                                        std::set<std::string>& conditions);
-// The value of a key in a structure that stores it, to be read only.
+// Returns the value of a key in a structure that stores it; it must not be changed.
 template <class Structure>
 ValueReference value_in(const Structure& structure, const Key& key);
-// The pure numbers and quantities among them, in SI units.
+// A pure number or quantity of a structure, in SI units.
 struct NamedNumber {
   std::string_view name;
   double value;
@@ -50,17 +51,17 @@ std::vector<NamedNumber> numbers_in(std::string_view section, const Structure& s
                                     std::set<std::string> conditions);
 
 std::vector<std::string> split_words(std::string_view words, char separator = ' ');
-// What the key may hold, in words: "a length greater than 0 m", "elastic, water or rigid".
+// Returns the allowed values of a key in words: "a length greater than 0 m".
 std::string allowed_text(const Key& key);
-// The default as docs/keys.md and case files write it: "0 m/s", "(off)", "none".
+// Returns the default as docs/keys.md and case files write it: "0 m/s", "(off)", "none".
 std::string default_text(const Key& key);
 bool in_range(const Key& key, double value);
-// The number that holds when the key is left out; 0 where it must be given.
+// Returns the default of a number; 0 for a required key.
 double standard_number(const Key& key);
-// docs/keys.md.
+// Returns the text of docs/keys.md.
 std::string keys_page();
 
-// Implementation of the templates, without the type of the structure.
+// Implements the templates, without the type of the structure.
 std::vector<const Key*> keys_stored_in(std::string_view section, const void* id, void* structure,
                                        std::set<std::string>& conditions);
 

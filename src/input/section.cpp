@@ -33,7 +33,7 @@ const Key& Section::key(std::string_view name) const {
   return *found;
 }
 
-// The value of a key, or null when it is not written; a missing key that must be there is noted.
+// Returns the value of a key, or null if it is not written; records a missing required key.
 const toml::node* Section::node(const Key& key) {
   done_.emplace(key.name);
   if (const toml::node* found = table_.get(key.name)) return found;
@@ -130,7 +130,7 @@ std::size_t Section::word_position(std::string_view name, std::optional<std::siz
   return position;
 }
 
-// The first word where none or an unknown one is written.
+// Returns 0, the position of the first word, if no word or an unknown one is written.
 std::size_t Section::word_position(const Key& key) {
   const std::string written = text(key);
   const auto found = std::find(key.choices.begin(), key.choices.end(), written);
@@ -152,7 +152,7 @@ Point Section::vector(const Key& key) {
   Point result{};
   const auto dimension = static_cast<std::size_t>(reading_.dimension);
   if (!value) {
-    // The default stands for every component.
+    // The default applies to every component.
     std::fill_n(result.begin(), dimension, standard_number(key));
     return result;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// This class reads one table of a case file by the schema. A value that is missing or wrong is
-// noted as a problem and replaced by a harmless one, so that the next key can be read; the caller
-// throws the problems at the end.
+// Section reads one table of a case file by the schema. It records a value that is missing or wrong
+// as a problem and replaces it by a valid one, so that the next key can be read; the caller throws
+// the problems at the end.
 #pragma once
 
 #include <filesystem>
@@ -21,18 +21,18 @@
 
 namespace kerf {
 
-// What all tables of one file share.
+// The state that all tables of one file share.
 struct Reading {
   Problems problems;
-  std::filesystem::path folder;  // that of the case file, from which other files are named
+  std::filesystem::path folder;  // of the case file; paths of other files are relative to it
   int dimension = 2;
   std::string formulation{};  // its word; empty until it is read
 };
 
 class Section {
  public:
-  // `section` names the rows of the schema; `path` is the table's name in messages. The dimension
-  // and the formulation are conditions from the start.
+  // `section` names the rows of the schema; `path` is the table's name in messages. The initial
+  // conditions are the dimension and the formulation.
   Section(Reading& reading, const toml::table& table, std::string section, std::string path);
 
   // States a condition under which keys apply, such as "rigid".
@@ -44,16 +44,16 @@ class Section {
   std::string path(std::string_view name) const;
   Reading& reading() const { return reading_; }
 
-  // Whether the present value of a key that is not written shall stay, in place of the default.
+  // Returns whether a key that is not written keeps its current value instead of the default.
   using KeepRule = std::function<bool(const Key&)>;
-  // Reads each key that `structure` stores, in the order of the schema, if it has a meaning under
-  // the conditions and was not read before. A key that is not written takes its default; where that
-  // is computed, the present value stays. The word of a key becomes a condition.
+  // Reads each key that `structure` stores, in the order of the schema, if it applies under the
+  // conditions and was not read before. A key that is not written gets its default; if that is
+  // computed, it keeps its current value. The word of a key becomes a condition.
   template <class Structure>
   void read(Structure& structure, const KeepRule& keep = {}) {
     read_members(&structure_id<Structure>, &structure, keep, {});
   }
-  // The same for the one key `name`; whether no problem was noted.
+  // Does the same for the key `name` only. Returns whether it has no problem.
   template <class Structure>
   bool read_one(std::string_view name, Structure& structure) {
     const std::size_t before = reading_.problems.count();
@@ -61,29 +61,29 @@ class Section {
     return reading_.problems.count() == before;
   }
 
-  // Each of these reads the one key `name`. When it is not written, the result is the fallback,
-  // else the default of the schema, else a problem is noted.
+  // Each of these functions reads the key `name`. If it is not written, the result is the fallback,
+  // else the default of the schema; if there is none either, the key is recorded as a problem.
   double number(std::string_view name, std::optional<double> fallback = {});
   std::string text(std::string_view name, std::optional<std::string> fallback = {});
   Point vector(std::string_view name);
-  // The enumerator of a word, which becomes a condition.
+  // Returns the enumerator of a word, which becomes a condition.
   template <class Enumeration>
   Enumeration word(std::string_view name, std::optional<Enumeration> fallback = {}) {
     const auto position = fallback ? std::optional(static_cast<std::size_t>(*fallback))
                                    : std::optional<std::size_t>();
     return static_cast<Enumeration>(word_position(name, position));
   }
-  // A table inside this one, or null.
+  // Returns a table inside this one, or null.
   const toml::table* table(std::string_view name);
-  // The tables of a list, with the problem noted when the list or an entry is something else.
+  // Returns the tables of a list. Records a problem if the list or an entry is of another type.
   std::vector<const toml::table*> tables(std::string_view name);
-  // A key that must be given but may be missing in this table, as another problem covers it.
+  // Accepts that a required key is missing in this table, because another problem covers it.
   void excuse(std::string_view name) { done_.emplace(name); }
 
-  // Notes a problem of the key `name`; what is allowed comes from the schema unless given.
+  // Records a problem of the key `name`; `allowed` is by default the text of the schema.
   void refuse(std::string_view name, const std::string& what, const std::string& remedy,
               std::optional<std::string> allowed = {});
-  // Notes keys that nobody knows and keys that have no meaning here. To be called when all
+  // Records unknown keys, and keys that do not apply here, as problems. It must be called after all
   // conditions are stated.
   void refuse_unknown();
 
@@ -93,7 +93,7 @@ class Section {
   const Key& key(std::string_view name) const;
   const toml::node* node(const Key& key);
   void read_members(const void* id, void* structure, const KeepRule& keep, std::string_view only);
-  // One quantity or number of a key; `where` says which entry of a list it is.
+  // Reads one quantity or number of a key; `where` names the entry of a list.
   double entry(const Key& key, const toml::node& node, const std::string& where);
   double number(const Key& key);
   std::int64_t integer(const Key& key);
@@ -118,11 +118,11 @@ class Section {
   std::set<std::string, std::less<>> done_;  // keys that were read
 };
 
-// A value of the file as one short line, for messages.
+// Returns a value of the file as one short line, for messages.
 std::string show(const toml::node& node);
-// Line of a value of the file.
+// Returns the line of a value in the file.
 int line_of(const toml::node& node);
-// Letters, digits, '-' and '_', at most 64.
+// Returns whether the text has only letters, digits, '-' and '_', at most 64.
 bool is_name(std::string_view text);
 
 }  // namespace kerf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of a section that are lists, formulas or tables.
+// Functions of Section that read lists, expressions and tables.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace kerf {
 
 namespace {
 
-// Appends a value as one would write it, until the line is longer than `enough`.
+// Appends a value in the notation of TOML, until the line is longer than `enough`.
 void append_value(std::string& line, const toml::node& node, std::size_t enough) {
   if (const auto text = node.value_exact<std::string>()) {
     line += '"' + text->substr(0, enough) + '"';
@@ -151,7 +151,7 @@ std::string show(const toml::node& node) {
   append_value(line, node, 2 * longest);
   if (line.size() <= longest) return line;
   std::size_t cut = longest;
-  // Not in the middle of a UTF-8 character.
+  // The line is not cut within a UTF-8 character.
   while (cut > 0 && (static_cast<unsigned char>(line[cut]) & 0xC0) == 0x80) --cut;
   return line.substr(0, cut) + " ...";
 }

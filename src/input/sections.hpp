@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of each section of a case file. Each function stands in the file that reads the section.
+// The rows of each section of a case file. Each function is in the file that reads the section.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-// The top level and the tables of a few plain keys: case_sections.cpp.
+// case_sections.cpp has the top level and the tables of a few plain keys.
 std::vector<Key> top_keys();
 std::vector<Key> time_keys();
 std::vector<Key> domain_keys();

@@ -22,20 +22,20 @@ std::vector<Key> shape_keys() {
       {"type", word, "", "", any, shape_words, "", "Kind of shape; in 3D a disc is a cylinder, a ring a tube, a polygon an extrusion", stored_in<&Shape::kind>},
       {"minimum", vector, "m", "", within(1e6), {}, "box", "Lowest corner", stored_in<&Shape::box, &Box::minimum>},
       {"maximum", vector, "m", "", within(1e6), {}, "box", "Highest corner", stored_in<&Shape::box, &Box::maximum>},
-      {"centre", vector, "m", "", within(1e6), {}, "disc ring sphere", "Centre; of a cylinder or tube, the centre of its first end", stored_in<&Shape::centre>},
-      {"radius", quantity, "m", "", up_to(1e6), {}, "disc ring sphere", "Radius, of a ring the outer one", stored_in<&Shape::radius>},
+      {"centre", vector, "m", "", within(1e6), {}, "disc ring sphere", "Centre; that of the first end for a cylinder or tube", stored_in<&Shape::centre>},
+      {"radius", quantity, "m", "", up_to(1e6), {}, "disc ring sphere", "Radius; the outer one for a ring", stored_in<&Shape::radius>},
       {"inner_radius", quantity, "m", "", up_to(1e6), {}, "ring", "Inner radius", stored_in<&Shape::inner_radius>},
       {"axis", vector, "", "(0, 0, 1)", any, {}, "disc+3D ring+3D", "Direction of the axis, of any length", stored_in<&Shape::axis>},
       {"length", quantity, "m", "", up_to(1e6), {}, "disc+3D ring+3D", "Length along the axis", stored_in<&Shape::length>},
-      {"vertices", vertices, "m", "", within(1e6), {}, "polygon", "Corners (x, y) in order, either way round; the last joins the first", stored_in<&Shape::vertices>},
+      {"vertices", vertices, "m", "", within(1e6), {}, "polygon", "Corners (x, y) in order, in either direction; the last is joined to the first", stored_in<&Shape::vertices>},
       {"depth_minimum", quantity, "m", "", within(1e6), {}, "polygon+3D", "Lowest z of the extrusion", stored_in<&Shape::depth_minimum>},
       {"depth_maximum", quantity, "m", "", within(1e6), {}, "polygon+3D", "Highest z of the extrusion", stored_in<&Shape::depth_maximum>},
-      {"parts", tables, "", "", any, {}, "union difference", "Shapes; a union holds the points of any, a difference those of the first and no other"},
-      {"file", text, "", "", any, {}, "mesh", "File of a closed surface of triangles, STL or OBJ; its path is seen from the folder of the case file", stored_in<&Shape::mesh, &MeshShape::file>},
-      {"scale", quantity, "m", "1 mm", up_to(1e6), {}, "mesh", "What one unit of the file is: STL has none", stored_in<&Shape::mesh, &MeshShape::scale>},
-      {"position", vector, "m", "0 m", within(1e6), {}, "mesh", "Where the origin of the file comes to lie", stored_in<&Shape::mesh, &MeshShape::position>},
-      {"rotation", vector, "rad", "0 rad", within(1e3), {}, "mesh", "Angles by which the part is turned about x, then y, then z, before it is moved; [\"-90 deg\", \"0 deg\", \"0 deg\"] brings the z of a drawing upright", stored_in<&Shape::mesh, &MeshShape::rotation>},
-      {"checksum", text, "", "(any file will do)", any, {}, "mesh", "Of the bytes of the file, as case.used.toml has it: a file that was changed is refused", stored_in<&Shape::mesh, &MeshShape::checksum>},
+      {"parts", tables, "", "", any, {}, "union difference", "Shapes; a union has the points of any of them, a difference those of the first and of no other"},
+      {"file", text, "", "", any, {}, "mesh", "File of a closed surface of triangles, STL or OBJ; its path is relative to the folder of the case file", stored_in<&Shape::mesh, &MeshShape::file>},
+      {"scale", quantity, "m", "1 mm", up_to(1e6), {}, "mesh", "Length of one unit of the file: STL has no units", stored_in<&Shape::mesh, &MeshShape::scale>},
+      {"position", vector, "m", "0 m", within(1e6), {}, "mesh", "Position of the origin of the file", stored_in<&Shape::mesh, &MeshShape::position>},
+      {"rotation", vector, "rad", "0 rad", within(1e3), {}, "mesh", "Rotation angles of the part about x, then y, then z, before its translation; [\"-90 deg\", \"0 deg\", \"0 deg\"] makes the z axis of a drawing vertical", stored_in<&Shape::mesh, &MeshShape::rotation>},
+      {"checksum", text, "", "(no check)", any, {}, "mesh", "Checksum of the bytes of the file, as in case.used.toml: a changed file is refused", stored_in<&Shape::mesh, &MeshShape::checksum>},
   };
   // clang-format on
 }
@@ -59,7 +59,7 @@ void check_round(Section& section, Shape& shape) {
                    "less than the radius");
 }
 
-// Whether the outline is a simple polygon of some area, by Boost.Geometry.
+// Checks that the outline is a simple polygon with an area, by Boost.Geometry.
 void check_outline(Section& section, const Shape& shape) {
   namespace geometry = boost::geometry;
   using Corner = geometry::model::d2::point_xy<double>;
@@ -139,7 +139,7 @@ std::string shape_text(const TomlWriter& writer, const Shape& shape) {
     for (const Shape& part : shape.parts) parts.push_back(shape_text(writer, part));
     others["parts"] = fmt::format("[{}]", fmt::join(parts, ", "));
   }
-  // Under the name of the copy that lies in the result folder.
+  // The file is written with the name of its copy in the result folder.
   if (shape.kind == Shape::Kind::mesh) others["file"] = toml_string(kept_mesh_name(shape.mesh));
   return writer.inline_table("shape", shape, others);
 }

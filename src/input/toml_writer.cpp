@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-// The value of a key as TOML; empty where it is not to be written, as nothing is in it.
+// Returns the value of a key as TOML; empty if the value is empty and is not written.
 struct ValueText {
   const Key& key;
   std::size_t dimension;

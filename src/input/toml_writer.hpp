@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// This class writes the tables of a case file by the schema.
+// TomlWriter writes the tables of a case file by the schema.
 #pragma once
 
 #include <map>
@@ -22,8 +22,7 @@ struct Shape;
 
 std::string toml_string(std::string_view text);
 
-// Keys and their values as TOML, of what no single member stores; they take precedence over
-// members.
+// Keys with their values as TOML that no single member stores; they take precedence over members.
 using WrittenKeys = std::map<std::string_view, std::string>;
 
 class TomlWriter {
@@ -31,8 +30,8 @@ class TomlWriter {
   // The dimension and the formulation of the case are conditions of all keys.
   explicit TomlWriter(const Case& description);
 
-  // Writes a table: the keys that have a meaning there, in the order of the schema. `conditions`
-  // are those beside the words that the keys hold.
+  // Writes a table: the keys that apply there, in the order of the schema. `conditions`: conditions
+  // in addition to the words that the keys hold.
   template <class Structure>
   void table(const std::string& heading, std::string_view section, const Structure& structure,
              const WrittenKeys& others = {}, const std::set<std::string>& conditions = {}) {
@@ -40,7 +39,7 @@ class TomlWriter {
     for (const std::string& line : lines(section, structure, others, conditions))
       text_ += line + "\n";
   }
-  // The same as the value of a key: "{ type = "box", ... }".
+  // Returns the table as the value of a key: "{ type = "box", ... }".
   template <class Structure>
   std::string inline_table(std::string_view section, const Structure& structure,
                            const WrittenKeys& others = {}) const {
@@ -69,7 +68,7 @@ class TomlWriter {
   std::string text_;
 };
 
-// Each table of a case. The functions stand in the files that read these tables.
+// Each of these functions writes a table of a case. It is in the file that reads the table.
 void write_top(TomlWriter& writer, const Case& description);
 void write_material(TomlWriter& writer, const Material& material);
 void write_body(TomlWriter& writer, const Case& description, const Body& body);
@@ -79,9 +78,9 @@ void write_probe(TomlWriter& writer, const Probe& probe);
 void write_extras(TomlWriter& writer, const Case& description);
 void write_output(TomlWriter& writer, const OutputControl& output);
 
-// A shape as one inline table: TOML keeps those on one line, parts and all.
+// Returns a shape, including its parts, as one inline table, which TOML requires to be on one line.
 std::string shape_text(const TomlWriter& writer, const Shape& shape);
-// The name of a material of the case, quoted.
+// Returns the name of a material of the case in quotes.
 std::string material_text(const Case& description, int material);
 
 }  // namespace kerf

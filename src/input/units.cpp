@@ -29,7 +29,7 @@ struct ConverterDeleter {
 };
 using Unit = std::unique_ptr<ut_unit, UnitDeleter>;
 
-// How a unit turns into another: by a factor; none where the dimensions differ.
+// The conversion of a unit to another: a factor; none if the dimensions differ.
 struct Factor {
   enum class Kind { unknown_unit, wrong_dimension, offset, good };
   Kind kind = Kind::unknown_unit;
@@ -106,10 +106,10 @@ std::size_t skip(std::string_view text, std::size_t at, bool (*belongs)(char)) {
   return at;
 }
 
-// Names with exponents, as in "m/s2", "m s^-2" or "kg.m-3". UDUNITS knows more, such as numbers
-// within a unit ("5 3 m") and times since a date; none is meant, and its parser loses memory when
-// it gives up on them.
-bool looks_like_unit(std::string_view unit) {
+// Accepts names with exponents, as in "m/s2", "m s^-2" or "kg.m-3". UDUNITS accepts more, such as
+// numbers within a unit ("5 3 m") and times since a date; Kerf needs none of these, and the parser
+// of UDUNITS leaks memory when it refuses them.
+bool is_unit_syntax(std::string_view unit) {
   constexpr std::size_t longest = 32, longest_exponent = 2;
   if (unit.empty() || unit.size() > longest) return false;
   std::size_t at = 0;
@@ -135,7 +135,7 @@ bool looks_like_unit(std::string_view unit) {
 }
 
 // "50 mm" must be the double nearest to 0.05: dividing by 1000 is correctly rounded, multiplying by
-// 0.001 is not. Factors that are whole, or one over whole, come from UDUNITS with rounding errors.
+// 0.001 is not. UDUNITS returns integer factors, and reciprocals of integers, with rounding errors.
 double scaled(double number, double factor) {
   constexpr double rounding = 1e-14;
   const double whole = std::round(factor), inverse = std::round(1.0 / factor);
@@ -194,7 +194,7 @@ Quantity read_quantity(std::string_view text, const std::string& si_unit) {
     return {0.0, "there is no finite number in front of the unit"};
   const std::string unit(trimmed(whole.substr(static_cast<std::size_t>(end - whole.data()))));
   if (unit.empty()) return {0.0, "a unit is missing"};
-  if (!looks_like_unit(unit)) return {0.0, fmt::format("\"{}\" is not a unit", unit)};
+  if (!is_unit_syntax(unit)) return {0.0, fmt::format("\"{}\" is not a unit", unit)};
   const Factor factor = UnitSystem::instance().factor(unit, si_unit);
   switch (factor.kind) {
     case Factor::Kind::unknown_unit:

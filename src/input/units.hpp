@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quantities as people write them, "300 MPa" or "1200 mm/min", in SI units (by UDUNITS-2).
+// Conversion of quantities such as "300 MPa" or "1200 mm/min" to SI units (by UDUNITS-2).
 #pragma once
 
 #include <string>
@@ -15,12 +15,12 @@ struct Quantity {
 // Reads `text` as a number and a unit of the dimension of `si_unit`. May be called from any thread.
 Quantity read_quantity(std::string_view text, const std::string& si_unit);
 
-// A number as the shortest text that reads back to the same bits.
+// Returns a number as the shortest text that is read back to the same bits.
 std::string shortest(double value);
-// shortest(value) and the unit, "0.002 m"; read_quantity gives the same bits back.
+// Returns shortest(value) and the unit, "0.002 m"; read_quantity() returns the same bits.
 std::string write_quantity(double value, const std::string& si_unit);
 
-// What a unit measures ("a speed") and a quantity of it as one would write it ("5 m/s").
+// Return what a unit measures ("a speed") and an example of such a quantity ("5 m/s").
 std::string dimension_of(const std::string& si_unit);
 std::string example_of(const std::string& si_unit);
 

@@ -7,8 +7,9 @@
 
 namespace kerf {
 
-// The case as a complete case file: every default is spelled out and every number is in SI units
-// with as many digits as it needs, so that the file reads back to the same Case, bit for bit.
+// Returns the case as a complete case file: every default is written and every number is in SI
+// units with as many digits as it needs, so that the file is read back to the same Case, bit for
+// bit.
 std::string write_used(const Case& description);
 
 }  // namespace kerf

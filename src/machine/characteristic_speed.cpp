@@ -16,7 +16,7 @@ namespace {
 constexpr double sampled_particles = 1e5;
 constexpr int sampled_times = 2000;
 
-// A formula that is not finite somewhere has no fastest value.
+// An expression that is not finite somewhere has no largest value.
 double faster(double fastest, double speed) {
   return std::isfinite(speed) ? std::max(fastest, speed) : std::numeric_limits<double>::infinity();
 }
@@ -44,7 +44,7 @@ double fastest_start(const Body& body, int dimension) {
   return fastest;
 }
 
-// By differences over a two-thousandth of the run.
+// The velocity is a finite difference over a two-thousandth of the run.
 double fastest_motion(const Body& body, double end) {
   if (body.displacement[0].empty()) return 0.0;
   const auto displacement = parsed(body.displacement, {"t"});

@@ -28,7 +28,7 @@ double contraction_with_source(double angle, double source) {
 double contraction(double angle, double share) {
   double result = contraction_with_source(angle, 0.0);
   if (share == 0.0) return result;
-  // Each step leaves a part of the gap that is at most about `share`.
+  // Each step reduces the error by a factor of at most about `share`.
   for (double last = 0.0; std::abs(result - last) > 1e-12;) {
     last = result;
     result = contraction_with_source(angle, std::pow(last * share, pi / angle));

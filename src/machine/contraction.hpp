@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much narrower a free jet is than its orifice: the plane flow of an ideal fluid out of a
+// The contraction of a free jet behind its orifice: the plane flow of an ideal fluid out of a
 // vessel with parallel walls that ends in a funnel whose walls meet the axis at the angle beta.
 // With the conjugate velocity (over that of the free surface) as the variable, half of the flow
 // fills a sector of the unit disc: the axis and the wall of the vessel are its real side, the wall
@@ -18,8 +18,8 @@
 
 namespace kerf {
 
-// Area of the jet over that of the orifice. `angle` between wall and axis, rad, from 0 (excluded)
-// to pi; `share`: width of the orifice over that of the vessel, from 0 to less than 1.
+// Returns the area of the jet over that of the orifice. `angle`: between wall and axis, rad, from 0
+// (excluded) to pi; `share`: width of the orifice over that of the vessel, from 0 to less than 1.
 double contraction(double angle, double share = 0.0);
 
 }  // namespace kerf

@@ -15,7 +15,8 @@ namespace kerf {
 
 namespace {
 
-// Further up the jet is as below: simulated is a flight of this many diameters at most.
+// The simulated flight has this many diameters at most, because the jet is uniform further
+// upstream.
 constexpr double simulated_flight = 2.0;
 
 bool is_flat(const Machine& machine) {
@@ -26,7 +27,7 @@ double contraction_of(const Machine& machine) {
   return machine.discharge_coefficient / machine.velocity_coefficient;
 }
 
-// Length of the sheet at the workpiece, m: that of the orifice, and what a fan opens by.
+// Returns the length of the sheet at the workpiece, m: that of the orifice and the spread of a fan.
 double sheet_length(const Machine& machine) {
   const double opening = machine.orifice_type == OrificeType::fan
                              ? 2.0 * machine.standoff * std::tan(0.5 * machine.fan_angle)
@@ -34,8 +35,8 @@ double sheet_length(const Machine& machine) {
   return machine.orifice_length + opening;
 }
 
-// Downwards and, by the angles, along the traverse and to its right. In the plane the sign of the
-// angle says to which side.
+// Returns the direction of the jet: downwards, inclined by the angles along the traverse and to its
+// right. In 2D the sign of the angle determines the side.
 void aim(const Machine& machine, int dimension, Jet& jet) {
   const Point& forward = machine.traverse_direction;
   const double ahead = std::tan(machine.lead_angle), aside = std::tan(machine.tilt_angle);
@@ -83,7 +84,7 @@ MachineNumbers machine_numbers(const Machine& machine, const Material& water, in
       jet_after(machine.standoff, numbers.diameter, numbers.speed, machine.coherent_length);
   numbers.diameter_at_workpiece = arriving.diameter;
   numbers.water_share_at_workpiece = arriving.water_share;
-  if (flat && dimension == 3)  // a sheet that grows longer grows thinner
+  if (flat && dimension == 3)  // the thickness of a sheet decreases as its length increases
     numbers.diameter_at_workpiece *= machine.orifice_length / sheet_length(machine);
   return numbers;
 }

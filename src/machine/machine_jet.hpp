@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The jet of a machine: what leaves its orifice, and what of it reaches the workpiece.
+// The jet of a machine, at its orifice and at the workpiece.
 #pragma once
 
 #include "model/case.hpp"
 
 namespace kerf {
 
-// What follows from a machine's setting before anything is simulated.
+// The properties of a jet that follow from the machine settings without a simulation.
 struct MachineNumbers {
   double speed = 0.0;                  // m/s, of the jet
   double contraction = 1.0;            // 1, area of the jet over that of the orifice
@@ -19,7 +19,7 @@ struct MachineNumbers {
   double water_share_at_workpiece = 1.0;  // 1
 };
 
-// The coefficients that hold where the case gives none.
+// Returns the default coefficients of a machine.
 double standard_contraction(const Machine& machine);
 inline constexpr double standard_velocity_coefficient = 0.98;
 
@@ -27,7 +27,7 @@ MachineNumbers machine_numbers(const Machine& machine, const Material& water, in
 
 // Name of the jet that a machine makes.
 inline constexpr const char* machine_jet_name = "machine";
-// The jet as it is simulated: from close above the workpiece, as the air left it.
+// Returns the simulated jet: it starts close above the workpiece, with the breakup by the air.
 Jet machine_jet(const Machine& machine, const Material& water, int dimension);
 
 }  // namespace kerf

@@ -24,12 +24,12 @@ bool ascii(const std::string& text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
 
-// muParser also knows assignments, strings and lists of values; none has a meaning here.
+// muParser also accepts assignments, strings and lists of values; Kerf refuses them.
 void check_characters(const std::string& text) {
   if (text.size() > longest_expression)
     throw UserError(fmt::format("the expression is longer than {} characters", longest_expression));
-  if (!ascii(text)) throw UserError("the expression holds other characters than plain ASCII");
-  if (text.find_first_of("\"'") != std::string::npos) refuse(text, "quotes have no meaning in it");
+  if (!ascii(text)) throw UserError("the expression has characters other than ASCII");
+  if (text.find_first_of("\"'") != std::string::npos) refuse(text, "quotes are not allowed");
   int depth = 0, deepest = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '(') deepest = std::max(deepest, ++depth);

@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-// Arguments are SI numbers. One object is for one thread at a time; copies are independent.
+// Arguments are SI numbers. Only one thread may use an object at a time; copies are independent.
 class Expression {
  public:
   // Throws a UserError that says what is wrong with the text, and where in it: an unknown variable
@@ -21,9 +21,9 @@ class Expression {
   Expression& operator=(Expression&&) noexcept;
   ~Expression();
 
-  // With the first variables set to `values`.
+  // Returns the value of the expression with its variables set to the first of `values`.
   double operator()(const std::array<double, 3>& values) const;
-  // With the first variable set to `value`.
+  // Returns the value of the expression with its first variable set to `value`.
   double evaluate(double value) const { return (*this)({value, 0.0, 0.0}); }
 
  private:

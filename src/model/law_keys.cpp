@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-// The way from a material to a part of its laws.
+// Returns the part of the laws of a material that has the given type.
 template <auto law>
 struct OfMaterial {
   static void* part(void* material) { return &((*static_cast<Material*>(material)->laws).*law); }
@@ -65,7 +65,7 @@ std::string plastic_laws(const Condition& holds) {
   return words;
 }
 
-// Those of the plastic laws, and heat and ductile damage, which several of them share.
+// Returns the keys of the plastic laws, and of heat and ductile damage, which several laws share.
 std::vector<Key> keys_of_plasticity() {
   static const std::string metals = plastic_laws([](const auto& law) { return law.is_metal; });
   static const std::string warm =

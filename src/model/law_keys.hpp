@@ -25,7 +25,7 @@ std::span<const LawText> law_texts();
 // The keys of the laws that the key `chosen_by` chooses among, as keys of Material.
 std::vector<Key> law_keys(std::string_view chosen_by);
 
-// How a fracture criterion goes with the other keys of a material.
+// Returns which other keys of a material a fracture criterion needs and excludes.
 CriterionKeys keys_of(BondCriterion criterion);
 
 }  // namespace kerf

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an operator knows of a water-jet machine, as plain data in SI units. src/machine/ makes the
-// jet of a case of it.
+// The settings of a water-jet machine, as plain data in SI units. src/machine/ computes the jet of
+// a case from them.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct Machine {
   double fan_angle = 0.0;              // rad, the whole angle of the sheet of a fan
   double velocity_coefficient = 0.0;   // 1, speed over that without friction
   double discharge_coefficient = 0.0;  // 1, flow over that of the whole orifice without friction
-  double coherent_length = 0.0;        // m, before the jet breaks up in the air; infinity = never
+  double coherent_length = 0.0;        // m, up to which a jet in air stays intact; infinity: always
   double standoff = 0.0;               // m
   Point position{};                    // m, the point on the workpiece that it aims at
   double lead_angle = 0.0;             // rad, the jet leans forwards along the traverse

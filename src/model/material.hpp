@@ -38,7 +38,7 @@ class LawParameters {
   std::unique_ptr<MaterialLaws> laws_;
 };
 
-// Members of another kind or law keep their defaults and are not read.
+// A material as given. Members of another kind or law keep their defaults and are not read.
 struct Material {
   std::string name;
   MaterialKind kind = MaterialKind::water;
@@ -65,7 +65,7 @@ struct Material {
   double artificial_quadratic = 0.0;  // B of eq. (38)
   double artificial_softening = 0.1;  // C of eq. (39)
 
-  // Whether anything ends it: the limit of its criterion, or ductile damage.
+  // Returns whether the material can break, by its fracture criterion or by ductile damage.
   bool can_break() const;
   bool operator==(const Material&) const = default;
 };

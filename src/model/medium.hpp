@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A medium is what all particles of one body or one jet share: the loops over particles, pairs and
-// bonds read it.
+// A medium has the properties that all particles of one body or one jet share. The loops over
+// particles, pairs and bonds read it.
 #pragma once
 
 #include <cmath>
@@ -39,9 +39,9 @@ struct Medium : BarotropicMatter<T>, BondedSolid<T> {
   Phase phase = Phase::water;
   bool constrained = false;  // fixed, or moved by prescription
   std::uint8_t level = 0;    // of resolution; 0: the finest of its body
-  std::uint16_t piece = 0;   // solids of one piece hold together; different pieces are in contact
-  // The symmetry planes that the piece is laid out at: its mirror image is part of it there, beyond
-  // other planes it is another piece.
+  std::uint16_t piece = 0;   // solids of one piece are bonded; different pieces are in contact
+  // The symmetry planes that the initial layout of the piece touches: its mirror images at these
+  // planes belong to the piece, those at other planes are other pieces.
   MirrorCode joined_mirrors = 0;
   PlasticParameters<T> plastic;
   T hourglass = T(0.5);  // zeta; 0 = no control. Why 0.5: docs/theory/total_lagrangian.md
@@ -49,35 +49,35 @@ struct Medium : BarotropicMatter<T>, BondedSolid<T> {
   KERF_MEDIUM_NUMBERS(KERF_NUMBER)
 #undef KERF_NUMBER
 
-  // Of a solid, m^3 (2D: m^2).
+  // Returns the reference volume of a particle of a solid, m^3 (2D: m^2).
   KERF_FUNCTION T reference_volume() const {
     return mass / this->density;
   }
-  // Of a solid, Pa.
+  // Returns the P-wave modulus K + 4 G / 3 of a solid, Pa.
   KERF_FUNCTION T p_wave_modulus() const {
     return total_bulk_modulus + T(4) / T(3) * this->shear_modulus;
   }
-  // Modulus of the hourglass control, Pa.
+  // Returns the modulus of the hourglass control, Pa.
   KERF_FUNCTION T hourglass_modulus() const {
     return hourglass * this->young_modulus();
   }
-  // Fastest wave by the bonds alone, m/s.
+  // Returns the speed of longitudinal waves that bonds alone carry, m/s.
   KERF_FUNCTION T bond_wave_speed() const {
     return std::sqrt((this->bulk_modulus + T(4) / T(3) * this->shear_modulus) / this->density);
   }
-  // Whether its bonds ever break, by the criterion or by ductile damage.
+  // Returns whether bonds can break, by the criterion or by ductile damage.
   KERF_FUNCTION bool can_break() const {
     return this->bonds_can_break() || plastic.can_break();
   }
 
-  // The share of K that acts by the density: all of it in detached particles. Solids only.
+  // Returns the share of K that acts by the density: 1 for detached particles. Solids only.
   template <class Real>
   KERF_FUNCTION Real share_by_density(bool is_detached) const {
     return is_detached ? Real(1) : Real(excess_bulk_modulus) / Real(total_bulk_modulus);
   }
 
-  // Whether particles of this medium and of `other`, the latter seen in a mirror or not (code 0),
-  // belong to one piece.
+  // Returns whether particles of this medium and of `other`, or the mirror images of the latter
+  // (code not 0), belong to one piece.
   KERF_FUNCTION bool is_one_piece_with(const Medium& other, MirrorCode mirror) const {
     return piece == other.piece && (mirror & ~joined_mirrors) == 0;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What acts between particles of water in the `standard` formulation: Riemann solutions
-// (fluid/riemann.hpp), or the means and diffusion of delta-SPH (fluid/delta_sph.hpp,
-// fluid/density_diffusion.hpp).
+// The schemes for pairs of water particles in the `standard` formulation: Riemann solutions
+// (fluid/riemann.hpp), or delta-SPH with mean pressures and density diffusion
+// (fluid/delta_sph.hpp, fluid/density_diffusion.hpp).
 #pragma once
 
 #include <array>

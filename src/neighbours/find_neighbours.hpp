@@ -129,7 +129,7 @@ struct FindNeighbours {
       for (int level = 0; level < grids.levels; ++level) {
         const double limit = limit_of(i, level);
         if (mirrors.is_near(code, x, limit))
-          scan_level({i, code, mirrors.image_place(code, x), limit}, level, found);
+          scan_level({i, code, mirrors.image_position(code, x), limit}, level, found);
       }
     }
   }

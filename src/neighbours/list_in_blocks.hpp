@@ -12,7 +12,7 @@
 namespace kerf {
 
 // Where each list begins and ends, and how many entries are of the same fluid and the same body.
-struct ListPlaces {
+struct ListRanges {
   Index *begin, *end, *same_fluid, *same_body;
 };
 
@@ -22,7 +22,7 @@ struct ListBlock {
 
   FindNeighbours<D, P, Scheme> find;
   Index count;
-  ListPlaces places;
+  ListRanges ranges;
   Index* neighbour;  // room for `room` entries
   Index room;
   std::atomic<Index>* used;  // out: number of entries, also where there is no room for all
@@ -34,19 +34,19 @@ struct ListBlock {
     found.start_block();
     memory.forget();
     for (Index i = first; i < last; ++i) {
-      places.begin[i] = found.start_particle();
+      ranges.begin[i] = found.start_particle();
       find(i, found, &memory);
       found.end_particle();
-      places.end[i] = found.size();
-      places.same_fluid[i] = found.same_fluid();
-      places.same_body[i] = found.same_body();
+      ranges.end[i] = found.size();
+      ranges.same_fluid[i] = found.same_fluid();
+      ranges.same_body[i] = found.same_body();
     }
     const Index at = used->fetch_add(found.size());
     if (at + found.size() > room) return;
     std::copy_n(found.begin(), found.size(), neighbour + at);
     for (Index i = first; i < last; ++i) {
-      places.begin[i] += at;
-      places.end[i] += at;
+      ranges.begin[i] += at;
+      ranges.end[i] += at;
     }
   }
 };

@@ -11,14 +11,14 @@ namespace kerf {
 template <int D, class P, class Scheme>
 struct CountNeighbours {
   FindNeighbours<D, P, Scheme> find;
-  ListPlaces places;  // `begin` gets the count
+  ListRanges ranges;  // `begin` gets the count
 
   KERF_FUNCTION void operator()(Index i) const {
     CountedSections found;
     find(i, found);
-    places.same_fluid[i] = found.count[static_cast<int>(PairClass::same_fluid)];
-    places.same_body[i] = found.count[static_cast<int>(PairClass::same_body)];
-    places.begin[i] = places.same_fluid[i] + places.same_body[i] +
+    ranges.same_fluid[i] = found.count[static_cast<int>(PairClass::same_fluid)];
+    ranges.same_body[i] = found.count[static_cast<int>(PairClass::same_body)];
+    ranges.begin[i] = ranges.same_fluid[i] + ranges.same_body[i] +
                       found.count[static_cast<int>(PairClass::other)];
   }
 };
@@ -26,18 +26,18 @@ struct CountNeighbours {
 template <int D, class P, class Scheme>
 struct WriteNeighbours {
   FindNeighbours<D, P, Scheme> find;
-  ListPlaces places;
+  ListRanges ranges;
   Index* neighbour;
 
   KERF_FUNCTION void operator()(Index i) const {
-    Index* const same_fluid = neighbour + places.begin[i];
-    Index* const same_body = same_fluid + places.same_fluid[i];
+    Index* const same_fluid = neighbour + ranges.begin[i];
+    Index* const same_body = same_fluid + ranges.same_fluid[i];
     PlacedSections found;
     found.next[static_cast<int>(PairClass::same_fluid)] = same_fluid;
     found.next[static_cast<int>(PairClass::same_body)] = same_body;
-    found.next[static_cast<int>(PairClass::other)] = same_body + places.same_body[i];
+    found.next[static_cast<int>(PairClass::other)] = same_body + ranges.same_body[i];
     find(i, found);
-    places.end[i] = places.begin[i + 1];
+    ranges.end[i] = ranges.begin[i + 1];
   }
 };
 

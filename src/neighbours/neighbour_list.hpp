@@ -71,12 +71,12 @@ class NeighbourList {
     const FindNeighbours<D, P, Scheme> find{particles.view(),          grids_, pointer(key_),
                                             pointer(cell_begin_),      skin_,  splits_,
                                             pack_for_search(particles)};
-    const ListPlaces places{pointer(begin_), pointer(end_), pointer(same_fluid_),
+    const ListRanges ranges{pointer(begin_), pointer(end_), pointer(same_fluid_),
                             pointer(same_body_)};
     if constexpr (simd_exists)
-      list_in_blocks(find, places, n);
+      list_in_blocks(find, ranges, n);
     else
-      list_in_passes(find, places, n);
+      list_in_passes(find, ranges, n);
     validity_.restart(cell_begin_);
   }
 
@@ -108,14 +108,14 @@ class NeighbourList {
  private:
   using Find = FindNeighbours<D, P, Scheme>;
 
-  void list_in_blocks(const Find& find, const ListPlaces& places, Index count) {
+  void list_in_blocks(const Find& find, const ListRanges& ranges, Index count) {
     using Block = ListBlock<D, P, Scheme>;
     std::atomic<Index> used = 0;
     const auto list = [&] {
       used = 0;
       const auto room = static_cast<Index>(neighbour_.size());
       for_each_index((count + Block::length - 1) / Block::length,
-                     Block{find, count, places, pointer(neighbour_), room, &used});
+                     Block{find, count, ranges, pointer(neighbour_), room, &used});
       pairs_ = used;
       return pairs_ <= room;
     };
@@ -124,13 +124,13 @@ class NeighbourList {
     list();
   }
 
-  void list_in_passes(const Find& find, const ListPlaces& places, Index count) {
-    for_each_index(count, CountNeighbours<D, P, Scheme>{find, places});
+  void list_in_passes(const Find& find, const ListRanges& ranges, Index count) {
+    for_each_index(count, CountNeighbours<D, P, Scheme>{find, ranges});
     thrust::fill_n(begin_.begin() + count, 1, Index(0));
     thrust::exclusive_scan(loop_policy(), begin_.begin(), begin_.end(), begin_.begin());
     pairs_ = begin_[count];
     if (neighbour_.size() < pairs_) neighbour_.resize(pairs_ + pairs_ / 8);
-    for_each_index(count, WriteNeighbours<D, P, Scheme>{find, places, pointer(neighbour_)});
+    for_each_index(count, WriteNeighbours<D, P, Scheme>{find, ranges, pointer(neighbour_)});
   }
 
   // Has no search where cells are so wide that wrapping fixed-point coordinates would be ambiguous.

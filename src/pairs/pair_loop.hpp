@@ -78,7 +78,7 @@ struct FilteredPairLoop : Terms... {
     for (Index k = list.first(i); k < list.end[i]; ++k) {
       Pair<D, P> pair;
       pair.i = i;
-      pair.j = particles.mirrors.place(list.neighbour[k]);
+      pair.j = particles.mirrors.particle(list.neighbour[k]);
       pair.mirror = particles.mirrors.code(list.neighbour[k]);
       if (pair.mirror != 0 && !is_mirrored) {  // images come after all particles
         is_mirrored = true;

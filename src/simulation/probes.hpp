@@ -30,7 +30,7 @@ struct PointSum {
  private:
   KERF_FUNCTION void add_image(Index i, MirrorCode code, Terms<slots>& sum) const {
     const auto& medium = particles.medium(i);
-    const auto r = particles.mirrors.image_place(code, particles.position[i]) - point;
+    const auto r = particles.mirrors.image_position(code, particles.position[i]) - point;
     const double w = CubicSpline<D>::value(norm(r), double(medium.smoothing_length)) *
                      (double(medium.mass) / double(particles.density(i)));
     sum.value[weight] += w;
@@ -52,7 +52,7 @@ struct AcrossPlane {
   KERF_FUNCTION bool operator()(const ParticleView<D, P>& particles, Index i, Index j,
                                 MirrorCode mirror) const {
     return !above(particles.position[i]) &&
-           above(particles.mirrors.image_place(mirror, particles.position[j]));
+           above(particles.mirrors.image_position(mirror, particles.position[j]));
   }
 };
 

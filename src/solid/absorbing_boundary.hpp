@@ -19,21 +19,22 @@ struct AbsorbingSite {
   Vector<D, double> force;  // N (2D: N/m), in the current step
 };
 
-// `place`: the index of each particle of the solid among all particles, or `nowhere`.
+// Applies the damping of the absorbing boundary to the acceleration of its particles.
+// `particle_of`: the index of each particle of the solid among all particles, or `no_particle`.
 template <int D, class P>
 struct Absorb {
   using Real = typename P::Real;
   ParticleView<D, P> particles;
-  const Index* place;
-  Index nowhere;
+  const Index* particle_of;
+  Index no_particle;
   const std::uint8_t* detached;  // by particle of the solid
   AbsorbingSite<D>* sites;
 
   KERF_FUNCTION void operator()(Index k) const {
     AbsorbingSite<D>& site = sites[k];
     site.force = Vector<D, double>::zero();
-    const Index i = place[site.particle];
-    if (i == nowhere || detached[site.particle] || particles.is_constrained(i)) return;
+    const Index i = particle_of[site.particle];
+    if (i == no_particle || detached[site.particle] || particles.is_constrained(i)) return;
     Vector<D, Real> damping;
     for (int a = 0; a < D; ++a) damping[a] = Real(-site.rate[a]) * particles.velocity[i][a];
     particles.acceleration[i] += damping;

@@ -34,36 +34,36 @@ KERF_FUNCTION double elastic_power(const SolidView<D, P>& solid, Index i) {
   return sum;
 }
 
-// The state of a particle before its bonds broke.
+// The state of a particle before its first bond breaks in this step.
 struct BondBreakEnergy {
   double energy, power;  // J, W (2D: per m)
   Index bonds;
-  std::uint8_t detached, is_open;
+  std::uint8_t detached, is_recorded;
 };
 
 template <int D, class P>
-struct BreakAccounts {
+struct BreakRecords {
   BondBreakEnergy* of = nullptr;  // per particle; null: not recorded
 
   // Must be called before a bond of particle i breaks, or it becomes detached.
-  KERF_FUNCTION void open(const SolidView<D, P>& solid, Index i) const {
-    if (of == nullptr || of[i].is_open) return;
+  KERF_FUNCTION void record(const SolidView<D, P>& solid, Index i) const {
+    if (of == nullptr || of[i].is_recorded) return;
     of[i] = {stored_and_dissipated(solid, i), elastic_power(solid, i), solid.intact_bonds(i),
              solid.detached[i], 1};
   }
 };
 
 // Sums the broken bonds, counted from both ends; the particles that became detached; the released
-// energy, J; the gain of power, W. It closes the accounts.
+// energy, J; the gain of power, W. It clears the records.
 template <int D, class P>
 struct BreakTerms {
   SolidView<D, P> solid;
-  BreakAccounts<D, P> accounts;
+  BreakRecords<D, P> records;
 
   KERF_FUNCTION void add(Index i, Terms<4>& sum) const {
-    auto& before = accounts.of[i];
-    if (!before.is_open) return;
-    before.is_open = 0;
+    auto& before = records.of[i];
+    if (!before.is_recorded) return;
+    before.is_recorded = 0;
     sum.value[0] += before.bonds - solid.intact_bonds(i);
     sum.value[1] += solid.detached[i] - before.detached;
     sum.value[2] += before.energy - stored_and_dissipated(solid, i);

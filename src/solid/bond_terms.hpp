@@ -14,14 +14,15 @@
 namespace kerf {
 
 // Returns u_j - u_i along one axis, m, from displacements in two parts
-// (solid/simd/packed_bonds.hpp): differences of both, so that no digits are lost far from home.
+// (solid/simd/packed_bonds.hpp): differences of both, so that no digits are lost far from the
+// initial position.
 template <class T>
 KERF_FORMULA T displacement_difference(T displacement_i, T remainder_i, T displacement_j,
                                        T remainder_j) {
   return (displacement_j - displacement_i) + (remainder_j - remainder_i);
 }
 
-// A bond as its terms need it.
+// The geometry of a bond that its terms need.
 template <int D, class T>
 struct BondGeometry {
   Vector<D, T> reference;  // R, m

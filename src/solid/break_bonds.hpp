@@ -11,11 +11,11 @@
 
 namespace kerf {
 
-// Stands for the prepared value of a criterion that is too low to be met, and was not computed.
+// Stands for the prepared value of a criterion that is too low to be met and is not computed.
 template <class T>
 inline constexpr T too_low = T(-1e30);
 
-// What a fracture criterion asks of a particle (fracture/bond_criterion.hpp).
+// The values of a particle that a fracture criterion needs (fracture/bond_criterion.hpp).
 template <int D, class P>
 struct CriterionParticle {
   using Real = typename P::Real;
@@ -58,8 +58,8 @@ struct PrepareCriterion {
                            ? compressive_failure<Real>
                            : prepared(i, medium);
     solid.criterion[i] = value;
-    // A bond breaks by its own stretch, or where the mean of its ends meets the criterion, which
-    // one of them then does; by bond misfit failure where bonds are broken.
+    // A bond breaks by its own stretch, or if the mean of its ends meets the criterion (then at
+    // least one of the ends meets it), or by bond misfit failure beside broken bonds.
     const BondStrain<Real> stretch{Real(0), solid.stretch[i], Real(0)};
     solid.strained[i] = solid.multi_material[i] || solid.has_broken_bonds[i] ||
                         !(value < compressive_failure<Real>) || criterion_passes(value, medium) ||
@@ -72,7 +72,7 @@ struct PrepareCriterion {
     if (stays_below_limit(medium, particle.green)) return too_low<Real>;
     return prepare_criterion(medium, particle);
   }
-  // Whether it failed by ductile damage.
+  // Returns whether the particle has failed by ductile damage.
   KERF_FUNCTION bool has_failed(Index i) const {
     return solid.flows(i) && !(solid.current_flow[i].damage < Real(1));
   }
@@ -103,7 +103,7 @@ struct BondTest {
     }
     BondStrain<Real> strain;
     strain.own = square_growth(bond, change) / square;
-    if (!(strain.own > Real(0))) return false;  // no bond breaks that is not stretched
+    if (!(strain.own > Real(0))) return false;  // only stretched bonds break
     const bool same = solid.medium_index[i] == solid.medium_index[j.particle];
     strain.prepared = Real(0.5) * (criterion_of(i) + criterion_of(j.particle));
     if (criterion_passes(strain.prepared, a) || (!same && criterion_passes(strain.prepared, b)))
@@ -129,7 +129,7 @@ struct BondTest {
   }
 };
 
-// Of every bond that breaks at least one end is `strained`; it marks both.
+// Marks both ends of every bond that breaks. At least one of them is `strained`.
 template <int D, class P>
 struct MarkBreaking {
   using Real = typename P::Real;
@@ -162,13 +162,13 @@ template <int D, class P>
 struct BreakMarked {
   using Real = typename P::Real;
   BondTest<D, P> test;
-  BreakAccounts<D, P> accounts;
+  BreakRecords<D, P> records;
 
   KERF_FUNCTION void operator()(Index i) const {
     const auto& solid = test.solid;
     if (!solid.changed[i]) return;
-    accounts.open(solid, i);
-    if (!(solid.criterion[i] < compressive_failure<Real>)) {  // or failed
+    records.record(solid, i);
+    if (!(solid.criterion[i] < compressive_failure<Real>)) {  // or ductile failure
       solid.detached[i] = 1;
       return;
     }
@@ -178,15 +178,14 @@ struct BreakMarked {
   }
 };
 
-// Tests for compressive failure again after a break, by the deformation over the bonds that are
-// left.
+// Tests for compressive failure again after a break, by the deformation over the remaining bonds.
 template <int D, class P>
-struct Crush {
+struct FailInCompression {
   SolidView<D, P> solid;
-  BreakAccounts<D, P> accounts;
+  BreakRecords<D, P> records;
 
   KERF_FUNCTION void operator()(Index i) const {
-    if (!accounts.of[i].is_open || solid.detached[i] ||
+    if (!records.of[i].is_recorded || solid.detached[i] ||
         !fails_in_compression(solid.medium(i), solid.gradient[i]))
       return;
     solid.detached[i] = 1;
@@ -205,7 +204,7 @@ struct CutBonds {
   KERF_FUNCTION void operator()(Index i) const {
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
       const BondEnd j = solid.bond_end(i, k);
-      const auto other = solid.bonds.mirrors.image_place(j.mirror, solid.reference[j.particle]);
+      const auto other = solid.bonds.mirrors.image_position(j.mirror, solid.reference[j.particle]);
       if (!separates(solid.reference[i], other)) continue;
       solid.break_bond(i, k);
       solid.changed[i] = 1;

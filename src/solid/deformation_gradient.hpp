@@ -70,10 +70,10 @@ struct Deform {
 template <int D, class P, class Loop>
 struct DeformBroken {
   Loop deform;
-  BreakAccounts<D, P> accounts;
+  BreakRecords<D, P> records;
 
   KERF_FUNCTION void operator()(Index i) const {
-    if (accounts.of[i].is_open) deform(i);
+    if (records.of[i].is_recorded) deform(i);
   }
 };
 

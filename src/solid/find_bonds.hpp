@@ -70,7 +70,7 @@ class BondFinder {
       MirrorCode code;
       if (!layout_.mirrors.find_image(image, code) || (code & ~joined) != 0) continue;
       if (layout_.mirrors.is_near(code, x, reach_))
-        append_bonds(i, code, layout_.mirrors.image_place(code, x), neighbours);
+        append_bonds(i, code, layout_.mirrors.image_position(code, x), neighbours);
     }
   }
 

@@ -26,7 +26,7 @@ struct Correct {
     if (!solid.changed[i]) return;
     solid.changed[i] = 0;
     solid.has_broken_bonds[i] = 1;
-    if (solid.detached[i]) return let_go(i);
+    if (solid.detached[i]) return clear_correction(i);
     // In double: the sums of solid/deformation_gradient.hpp are rounded in another order, and must
     // not depend on its rounding here.
     const double volume = solid.medium(i).reference_volume();
@@ -43,30 +43,30 @@ struct Correct {
     auto correction = identity<D, double>();
     if (intact < least_bonds<D> || !divide(correction, moment, least_pivot)) {
       solid.detached[i] = 1;
-      return let_go(i);
+      return clear_correction(i);
     }
     solid.correction[i] = Matrix<D, Real>::from((1.0 / volume) * correction);
   }
 
  private:
-  KERF_FUNCTION void let_go(Index i) const {
+  KERF_FUNCTION void clear_correction(Index i) const {
     solid.correction[i] = Matrix<D, Real>::zero();
     solid.changed[i] = solid.intact_bonds(i) > 0;
   }
 };
 
-// Breaks the bonds of `dropped` particles, on the side of this particle.
+// Breaks the bonds of `chosen` particles, on the side of this particle.
 template <int D, class P>
-struct DropBonds {
+struct BreakAllBonds {
   SolidView<D, P> solid;
-  const std::uint8_t* dropped;  // 1: all its bonds break
-  BreakAccounts<D, P> accounts = {};
+  const std::uint8_t* chosen;  // 1: all its bonds break
+  BreakRecords<D, P> records = {};
 
   KERF_FUNCTION void operator()(Index i) const {
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
       if (!solid.is_intact(i, k)) continue;
-      if (!dropped[i] && !dropped[solid.bond_end(i, k).particle]) continue;
-      accounts.open(solid, i);
+      if (!chosen[i] && !chosen[solid.bond_end(i, k).particle]) continue;
+      records.record(solid, i);
       solid.break_bond(i, k);
       solid.changed[i] = 1;
     }

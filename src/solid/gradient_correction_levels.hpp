@@ -210,26 +210,26 @@ class LevelFit {
     const double spacing = medium(i).spacing, ratio = medium(j).spacing / spacing;
     const Position bond = layout_.reference[j] - layout_.reference[i];
     if (ratio < 0.75) {
-      Position place;
-      for (int a = 0; a < D; ++a) place[a] = spacing * std::round(bond[a] / spacing);
-      add_place(i, place, std::pow(ratio, D), sum);
+      Position site;
+      for (int a = 0; a < D; ++a) site[a] = spacing * std::round(bond[a] / spacing);
+      add_site(i, site, std::pow(ratio, D), sum);
       return;
     }
     const int across = static_cast<int>(std::lround(ratio));
     const int count = D == 3 ? across * across * across : across * across;
     for (int k = 0; k < count; ++k) {
-      Position place = bond;
+      Position site = bond;
       for (int a = 0, rest = k; a < D; ++a, rest /= across)
-        place[a] += spacing * (rest % across - 0.5 * (across - 1));
-      add_place(i, place, 1.0, sum);
+        site[a] += spacing * (rest % across - 0.5 * (across - 1));
+      add_site(i, site, 1.0, sum);
     }
   }
-  void add_place(Index i, const Position& place, double share, Row& sum) const {
-    const double distance = norm(place);
+  void add_site(Index i, const Position& site, double share, Row& sum) const {
+    const double distance = norm(site);
     const auto& own = medium(i);
     if (distance < 0.5 * own.spacing) return;  // itself
     const double weight = intact_weight<D>(own, own, distance) / own.reference_volume();
-    add(sum, conditions(place, place, weight, own.spacing), share);
+    add(sum, conditions(site, site, weight, own.spacing), share);
   }
 
   static double dot_rows(const Row& a, const Row& b) {

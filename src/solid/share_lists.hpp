@@ -31,7 +31,8 @@ struct StoredBonds {
       multi_material;  // per particle: 1: has bonds to other media, or to images
   Index shared = 0;    // entries of shared lists
 
-  // Reorders numbers of the bonds that were found into the order of storage; none of none.
+  // Reorders values, one per bond in the order of the search, into the order of storage. Returns an
+  // empty array for an empty one.
   template <class Real>
   std::vector<Real> in_order(const std::vector<double>& found) const {
     std::vector<Real> stored;
@@ -58,8 +59,8 @@ class ListSharing {
 
   StoredBonds store() {
     StoredBonds stored;
-    for (Index i = 0; i < n_; ++i) stored.multi_material.push_back(is_mixed(i));
-    find_alike(stored.multi_material);
+    for (Index i = 0; i < n_; ++i) stored.multi_material.push_back(is_multi_material(i));
+    find_equal_lists(stored.multi_material);
     stored.begin.resize(n_);
     for (Index i = 0; i < n_; ++i) {
       require(length(i) <= std::numeric_limits<std::uint16_t>::max(),
@@ -101,8 +102,9 @@ class ListSharing {
     }
   }
 
-  // Finds for each particle the first one whose list it can share, and how many share that.
-  void find_alike(const std::vector<std::uint8_t>& multi_material) {
+  // Finds for each particle the first particle whose list it can share, and the number of particles
+  // that share it.
+  void find_equal_lists(const std::vector<std::uint8_t>& multi_material) {
     model_.resize(n_);
     users_.assign(n_, 0);
     std::unordered_map<std::size_t, std::vector<Index>> models;  // by hash
@@ -111,10 +113,10 @@ class ListSharing {
       model_[i] = i;
       const bool has_factors = !fitted_.empty() && fitted_[i] != 0;
       if (length(i) == 0 || multi_material[i] != 0 || has_factors) continue;
-      if (last == no_bond || !are_alike(i, last)) {
+      if (last == no_bond || !have_equal_lists(i, last)) {
         auto& candidates = models[hash(i)];
         const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                        [&](Index j) { return are_alike(i, j); });
+                                        [&](Index j) { return have_equal_lists(i, j); });
         last = found == candidates.end() ? i : *found;
         if (last == i) candidates.push_back(i);
       }
@@ -122,7 +124,7 @@ class ListSharing {
       ++users_[last];
     }
   }
-  bool is_mixed(Index i) const {
+  bool is_multi_material(Index i) const {
     for (Index k = lists_.begin[i]; k < lists_.begin[i + 1]; ++k) {
       const Index end = lists_.neighbour[k];
       if (layout_.mirrors.code(end) != 0 || layout_.medium_index[end] != layout_.medium_index[i])
@@ -136,7 +138,7 @@ class ListSharing {
       boost::hash_combine(seed, lists_.neighbour[k] - i);
     return seed;
   }
-  bool are_alike(Index i, Index j) const {
+  bool have_equal_lists(Index i, Index j) const {
     if (length(i) != length(j) || layout_.medium_index[i] != layout_.medium_index[j]) return false;
     const auto& x = layout_.reference;
     for (Index a = lists_.begin[i], b = lists_.begin[j]; a < lists_.begin[i + 1]; ++a, ++b) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SolidFields are the fields of the total Lagrangian solid, per particle and per bond. Its state
-// are `bond_intact`, `detached`, `strain_start`, `flow_start` and `flaws`; all else follows from
-// these and from the positions.
+// variables are `bond_intact`, `detached`, `strain_start`, `flow_start` and `flaws`; all other
+// fields follow from these and from the positions.
 #pragma once
 
 #include <type_traits>
@@ -114,7 +114,7 @@ struct SolidView {
     if constexpr (std::is_same_v<End, DirectEnd>)
       return {end};
     else
-      return {bonds.mirrors.place(end), bonds.mirrors.code(end)};
+      return {bonds.mirrors.particle(end), bonds.mirrors.code(end)};
   }
   // Returns the first bond of particle i to a mirror image; the end of its bonds where there is
   // none.
@@ -154,7 +154,8 @@ struct SolidView {
     if (j.mirror == 0) return Vector<D, T>::from(y - x);
     return T(-1) * Vector<D, T>::from(bonds.mirrors.separation(j.mirror, x, y));
   }
-  // u_j - u_i, m: differences of both parts, so that a body far from home loses no digits.
+  // u_j - u_i, m: differences of both parts, so that a body far from its initial position loses no
+  // digits.
   template <class T = Real, class End>
   KERF_FUNCTION Vector<D, T> displacement_bond(Index i, const End& j) const {
     using Change = Vector<D, T>;

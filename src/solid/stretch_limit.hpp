@@ -23,8 +23,8 @@ struct ShorterWave {
   }
 };
 
-// Reduces a block of particles. A bound suffices for most of them: principal values cost ten times
-// as much.
+// Reduces a block of particles. For most particles a bound of the principal values suffices, which
+// costs a tenth of their computation.
 template <int D, class P>
 struct StretchLimit {
   using Real = typename P::Real;
@@ -50,19 +50,19 @@ struct StretchLimit {
     const auto& medium = solid.medium(i);
     const double wave =
         double(medium.bond_wave_speed()) * (1.0 + 1.2 * double(medium.artificial_linear));
-    const double unsqueezed = double(medium.smoothing_length) / wave;
-    if (solid.detached[i]) return {unsqueezed, i};
+    const double uncompressed = double(medium.smoothing_length) / wave;
+    if (solid.detached[i]) return {uncompressed, i};
     const auto green = green_strain(solid.gradient[i]);
-    const double most_squeezed = shortest / unsqueezed;
-    if (double(square_of(possible_values(green).least)) > most_squeezed * most_squeezed + 1e-5)
+    const double least_stretch = shortest / uncompressed;
+    if (double(square_of(possible_values(green).least)) > least_stretch * least_stretch + 1e-5)
       return {1e300, i};
     const auto strain = principal_values(green);
     Real least = strain[0] < strain[1] ? strain[0] : strain[1];
     least = least < strain[2] ? least : strain[2];
-    if (!(least < Real(0))) return {unsqueezed, i};
+    if (!(least < Real(0))) return {uncompressed, i};
     const Real square = square_of(least);
-    // A deformation that is not one any more is left to those who look for it.
-    return {unsqueezed * (square > Real(1e-4) ? std::sqrt(double(square)) : 0.01), i};
+    // The time step checks (time/time_step.hpp) report a deformation that is not valid.
+    return {uncompressed * (square > Real(1e-4) ? std::sqrt(double(square)) : 0.01), i};
   }
   // Returns lambda^2 of a principal value of Green's strain.
   KERF_FUNCTION static Real square_of(Real strain) { return Real(1) + Real(2) * strain; }

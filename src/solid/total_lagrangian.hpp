@@ -65,8 +65,8 @@ class TotalLagrangian {
     correct_all();
     count();  // makes room for sums
     if (!traits_.can_break) return;
-    accounts_.resize(size());
-    break_sum_(size(), BreakTerms<D, P>{view(), accounts()});
+    break_records_.resize(size());
+    break_sum_(size(), BreakTerms<D, P>{view(), records()});
   }
 
   // Sets positions and velocities: calls motion.take(view, i) for each particle
@@ -136,11 +136,11 @@ class TotalLagrangian {
     accelerate();
   }
 
-  // Calls look(), which may compute accelerations, and restores the earlier ones.
-  template <class Look>
-  void keeping_accelerations(const Look& look) {
+  // Calls action(), which may compute accelerations, and restores the earlier ones.
+  template <class Action>
+  void keeping_accelerations(const Action& action) {
     const Velocities kept = fields_.acceleration, mirrored = fields_.mirror_acceleration;
-    look();
+    action();
     fields_.acceleration = kept;
     fields_.mirror_acceleration = mirrored;
   }
@@ -152,20 +152,20 @@ class TotalLagrangian {
     for_each_index(size(), PrepareCriterion<D, P>{view()});
     for_each_index(size(), MarkBreaking<D, P>{{view()}});
     if (!any_changed()) return {};
-    return book(BreakMarked<D, P>{{view()}, accounts()});
+    return apply_breaks(BreakMarked<D, P>{{view()}, records()});
   }
 
   // Breaks bonds before the run: a notch. See CutBonds.
   template <class Separates>
   void cut(const Separates& separates) {
     for_each_index(size(), CutBonds<D, P, Separates>{view(), separates});
-    settle({});
+    update_corrections({});
   }
 
-  // Breaks all bonds of the particles that are `gone`.
-  FractureResult let_go(const Array<std::uint8_t>& gone) {
-    accounts_.resize(size());
-    return book(DropBonds<D, P>{view(), pointer(gone), accounts()});
+  // Breaks all bonds of the chosen particles. `chosen`: 1 per chosen particle, else 0.
+  FractureResult break_all_bonds_of(const Array<std::uint8_t>& chosen) {
+    break_records_.resize(size());
+    return apply_breaks(BreakAllBonds<D, P>{view(), pointer(chosen), records()});
   }
 
   // Returns the shortest time in which a wave crosses a kernel at the current deformation.
@@ -196,7 +196,7 @@ class TotalLagrangian {
   // Number of bonds, each counted from both ends, broken or not.
   std::uint64_t entries() const { return entries_; }
   std::size_t bytes() const {
-    return fields_.bytes() + simd_.bytes() + accounts_.size() * sizeof(BondBreakEnergy);
+    return fields_.bytes() + simd_.bytes() + break_records_.size() * sizeof(BondBreakEnergy);
   }
   // Per particle: 1 where the factor of a pair may differ from 1; empty where all are 1.
   const std::vector<std::uint8_t>& fitted() const { return fitted_; }
@@ -249,33 +249,33 @@ class TotalLagrangian {
   // Breaks bonds by `breaker`, computes the deformation of the particles that lost some, and
   // returns the result.
   template <class Breaker>
-  FractureResult book(const Breaker& breaker) {
+  FractureResult apply_breaks(const Breaker& breaker) {
     for_each_index(size(), breaker);
     do {
-      settle(accounts());
+      update_corrections(records());
       respond([&]<class Loop>(const Loop& loop) {
-        for_each_index(size(), DeformBroken<D, P, Loop>{loop, accounts()});
+        for_each_index(size(), DeformBroken<D, P, Loop>{loop, records()});
       });
-      if (traits_.can_break) for_each_index(size(), Crush<D, P>{view(), accounts()});
+      if (traits_.can_break) for_each_index(size(), FailInCompression<D, P>{view(), records()});
     } while (any_changed());
-    const Terms<4> sum = break_sum_(size(), BreakTerms<D, P>{view(), accounts()});
+    const Terms<4> sum = break_sum_(size(), BreakTerms<D, P>{view(), records()});
     return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1]),
             sum.value[2], sum.value[3]};
   }
-  BreakAccounts<D, P> accounts() { return {pointer(accounts_)}; }
+  BreakRecords<D, P> records() { return {pointer(break_records_)}; }
 
   void correct_all() {
     thrust::fill(fields_.detached.begin(), fields_.detached.end(), std::uint8_t(0));
     thrust::fill(fields_.changed.begin(), fields_.changed.end(), std::uint8_t(1));
     for_each_index(size(), SetHourglassModulus<D, P>{view()});
-    settle({});
+    update_corrections({});
   }
 
   // A particle that becomes detached takes bonds from others, which may become detached in turn.
-  void settle(const BreakAccounts<D, P>& accounts) {
+  void update_corrections(const BreakRecords<D, P>& records) {
     for_each_index(size(), Correct<D, P>{view()});
     while (any_changed()) {
-      for_each_index(size(), DropBonds<D, P>{view(), pointer(fields_.detached), accounts});
+      for_each_index(size(), BreakAllBonds<D, P>{view(), pointer(fields_.detached), records});
       for_each_index(size(), Correct<D, P>{view()});
     }
   }
@@ -291,7 +291,7 @@ class TotalLagrangian {
   OrderedSum<2> sum_;
   OrderedSum<1> power_sum_;
   OrderedSum<4> break_sum_;
-  Array<BondBreakEnergy> accounts_;
+  Array<BondBreakEnergy> break_records_;
   double dt_ = 0.0;
   SolidTraits traits_;
 };

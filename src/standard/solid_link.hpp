@@ -111,12 +111,12 @@ struct MarkBondedOutflow {
   ParticleView<D, P> particles;
   SolidIndexView link;
   SolidView<D, P> solid;
-  std::uint8_t* gone;
+  std::uint8_t* leaving;
 
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
     const bool leaves = i != no_index && particles.has(i, flag::outside | flag::erased);
-    gone[s] = leaves && solid.intact_bonds(s) > 0 ? 1 : 0;
+    leaving[s] = leaves && solid.intact_bonds(s) > 0 ? 1 : 0;
   }
 };
 
@@ -179,7 +179,7 @@ struct UnmarkBroken {
   }
 };
 
-// Applies a filter of pairs of particles, such as those across a plane, to bonds.
+// Applies a filter of pairs of particles, such as the pairs across a plane, to bonds.
 template <int D, class P, class Filter>
 struct BondFilter {
   ParticleView<D, P> particles;

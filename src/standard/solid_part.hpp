@@ -140,7 +140,7 @@ class SolidPart {
                                                            pointer(outflow_)});
     if (!reduce_unordered(solid_->size(), IsSet{pointer(outflow_)}, false, Either{})) return;
     if (!cycle_.was_first_substep()) deform_to_current(particles);
-    take(solid_->let_go(outflow_), particles);
+    take(solid_->break_all_bonds_of(outflow_), particles);
     if (!cycle_.is_first_substep()) solid_->accelerate();  // by the bonds that are left
   }
 

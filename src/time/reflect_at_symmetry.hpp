@@ -30,7 +30,7 @@ struct ReflectAtSymmetry {
         Real(1.0 / dt) * (velocity - particles.velocity[i]);  // for the balance of momentum
     particles.velocity[i] = velocity;
     particles.last_acceleration[i] = mirrors.image(passed, particles.last_acceleration[i]);
-    particles.position[i] = mirrors.image_place(passed, x);
+    particles.position[i] = mirrors.image_position(passed, x);
   }
 };
 

@@ -90,9 +90,9 @@ struct ParticleStepLimit {
       return {broken_rate, Limit::not_a_number, i};
     const bool water = medium.phase == Phase::water;
     const double h = medium.smoothing_length;
-    const double sound = sound_speed(medium, i);
+    const double wave_speed = sound_speed(medium, i);
     const double damping = 1.2 * medium.artificial_linear * medium.sound_speed;
-    shorten(result, courant * h / (sound + speed + damping),
+    shorten(result, courant * h / (wave_speed + speed + damping),
             water ? Limit::acoustic_water : Limit::acoustic_solid);
     if (particles.is_constrained(i)) return result;
     if (acceleration > 0.0)

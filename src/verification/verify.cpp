@@ -129,7 +129,7 @@ Row measured_row(const VerificationCase& verification, const Check& check,
   row.seconds = recordings.at(run).seconds;
   const bool is_complete = row.problem.empty() && !recordings.at(run).was_kept;
   if (const auto unread = check.parameters.unread(); is_complete && !unread.empty())
-    check.parameters.fail(fmt::format("nobody reads the key \"{}\"", unread.front()));
+    check.parameters.fail(fmt::format("unknown key \"{}\"", unread.front()));
   return row;
 }
 

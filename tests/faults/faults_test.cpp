@@ -106,7 +106,7 @@ class Faults : public testing::Test {
 
 // Kills at the start, where the folder is made, and then at random places of the way to the end,
 // told by the growing series, so that they hit a running program however fast the machine is.
-TEST_F(Faults, KilledAtRandomMomentsItEndsAsIfNeverStopped) {
+TEST_F(Faults, KilledRunResumesToTheSameResult) {
   std::mt19937 random(20040110);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   const auto whole = static_cast<double>(fs::file_size(path("whole/series.csv")));
@@ -126,7 +126,7 @@ TEST_F(Faults, KilledAtRandomMomentsItEndsAsIfNeverStopped) {
   }
 }
 
-TEST_F(Faults, ASignalLeavesACheckpointAndSaysHowToGoOn) {
+TEST_F(Faults, ASignalLeavesACheckpointAndAMessage) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string name = "signal" + std::to_string(signal);
     const Ending ending = run_and_stop(name, signal);
@@ -137,7 +137,7 @@ TEST_F(Faults, ASignalLeavesACheckpointAndSaysHowToGoOn) {
   }
 }
 
-TEST_F(Faults, AFullDiskLosesNothingThatWasSafe) {
+TEST_F(Faults, AFullDiskKeepsTheLastCheckpoint) {
   const test::SmallDisk disk(path("disk"), size_of(path("whole")) * 6 / 10);
   if (!disk.there()) GTEST_SKIP() << "mounting a small disk needs root";
   const Ending ending = run("disk/out");
@@ -162,14 +162,14 @@ TEST_F(Faults, AReadOnlyDiskIsNamed) {
                                    HasSubstr("Read-only file system"), HasSubstr("--out")));
 }
 
-TEST_F(Faults, AFolderThatCannotBeIsNamed) {
+TEST_F(Faults, AnImpossibleFolderIsNamed) {
   const Ending ending = run("small.toml/out");
   EXPECT_EQ(ending.exit_code, exit_files);
   EXPECT_THAT(ending.output, AllOf(HasSubstr(path("small.toml/out").string()),
                                    HasSubstr("Not a directory"), HasSubstr("choose another")));
 }
 
-TEST_F(Faults, AVanishedFolderIsNamedAndNotMadeAgain) {
+TEST_F(Faults, ADeletedFolderIsNamedAndNotRecreated) {
   Program program(run_arguments("vanished"), output());
   ASSERT_TRUE(test::wait_for([&] { return fs::exists(path("vanished/checkpoint.h5")); }));
   fs::rename(path("vanished"), path("moved"));
@@ -181,7 +181,7 @@ TEST_F(Faults, AVanishedFolderIsNamedAndNotMadeAgain) {
   expect_as_if_never_stopped("moved");
 }
 
-TEST_F(Faults, ATornCheckpointIsRefusedAndKept) {
+TEST_F(Faults, ATruncatedCheckpointIsRefusedAndKept) {
   run_and_stop("has_broken_bonds", SIGKILL);
   const fs::path checkpoint = path("has_broken_bonds/checkpoint.h5");
   const std::string half = read_file(checkpoint).substr(0, fs::file_size(checkpoint) / 2);
@@ -210,11 +210,11 @@ TEST_F(Faults, ACheckpointOfAnotherCaseIsRefused) {
   expect_as_if_never_stopped("other");
 }
 
-TEST_F(Faults, ARunIsNotReplacedUnasked) {
+TEST_F(Faults, ARunIsReplacedOnlyByForce) {
   const std::string before = read_file(path("whole/result.json"));
   const Ending ending = run("whole");
   EXPECT_EQ(ending.exit_code, exit_files);
-  EXPECT_THAT(ending.output, AllOf(HasSubstr("holds a run already"), HasSubstr("--resume"),
+  EXPECT_THAT(ending.output, AllOf(HasSubstr("contains a run already"), HasSubstr("--resume"),
                                    HasSubstr("--force"), HasSubstr("--out")));
   const Ending again = run("whole", "--resume");
   EXPECT_EQ(again.exit_code, 0);

@@ -27,7 +27,7 @@ velocity_expression = ["10*x", "0", "0"]
 shape = { type = "mesh", file = "part.stl" }
 )";
 
-TEST(MeshOfARun, IsKeptAndComparedWith) {
+TEST(MeshOfARun, IsCopiedAndCompared) {
   const TemporaryFolder folder;
   write_file(folder / "case.toml", case_text);
   write_file(folder / "part.stl", stl_binary(cube_mesh(6.0)));

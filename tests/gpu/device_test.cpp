@@ -49,7 +49,7 @@ velocity = ["0 m/s", "-1 m/s"]
   TemporaryFolder folder_;
 };
 
-TEST_F(DeviceTest, AProgramWithoutTheEngineSaysHowToGetIt) {
+TEST_F(DeviceTest, AProgramWithoutTheEngineNamesTheRemedy) {
   const Ending end = kerf("/nowhere/libkerf_gpu.so",
                           {"run", small_case(), "--out", folder_ / "out", "--device", "gpu"});
   EXPECT_EQ(end.exit_code, exit_bad_input);
@@ -58,7 +58,7 @@ TEST_F(DeviceTest, AProgramWithoutTheEngineSaysHowToGetIt) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out")) << "nothing is written before that";
 }
 
-TEST_F(DeviceTest, EveryCommandThatComputesRefusesItLikewise) {
+TEST_F(DeviceTest, EveryCommandRefusesAMissingEngine) {
   const std::string file = small_case();
   const std::vector<std::vector<std::string>> commands{
       {"check", file}, {"bench", file, "--seconds", "0.1"}, {"verify", "tank"}};
@@ -70,13 +70,13 @@ TEST_F(DeviceTest, EveryCommandThatComputesRefusesItLikewise) {
   }
 }
 
-TEST_F(DeviceTest, DevicesThatThereAreNot) {
+TEST_F(DeviceTest, UnknownDevicesAreRefused) {
   const Ending end = kerf("", {"run", small_case(), "--device", "tpu"});
   EXPECT_EQ(end.exit_code, 2);
   EXPECT_THAT(end.output, AllOf(HasSubstr("--device"), HasSubstr("cpu"), HasSubstr("gpu")));
 }
 
-TEST_F(DeviceTest, LibrariesThatAreNone) {
+TEST_F(DeviceTest, InvalidLibrariesAreRefused) {
   const std::string file = folder_ / "libkerf_gpu.so";
   write_file(file, "no library");
   setenv("KERF_GPU_ENGINE", file.c_str(), 1);
@@ -92,14 +92,14 @@ TEST_F(DeviceTest, ALibraryOfAnotherVersionIsNotUsed) {
   EXPECT_THAT(end.output, HasSubstr("belongs to 0.0.0"));
 }
 
-TEST_F(DeviceTest, AMachineWithoutAGpuSaysSo) {
+TEST_F(DeviceTest, AMachineWithoutAGpuIsReported) {
   const Ending end = kerf(KERF_IDLE_ENGINE, {"check", small_case(), "--device", "gpu"});
   EXPECT_EQ(end.exit_code, exit_bad_input);
   EXPECT_THAT(end.output, AllOf(HasSubstr("--device gpu: there is no NVIDIA GPU"),
                                 HasSubstr("Allowed here: cpu"), HasSubstr("nvidia-smi")));
 }
 
-TEST_F(DeviceTest, TheResultSaysWhereItWasComputed) {
+TEST_F(DeviceTest, TheResultNamesTheDevice) {
   const std::string out = folder_ / "out";
   const auto device = [&] {
     return nlohmann::json::parse(read_file(out + "/result.json")).at("device").get<std::string>();

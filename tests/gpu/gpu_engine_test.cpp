@@ -57,7 +57,7 @@ TEST_P(GpuEngineTest, SameBitsAfterARestart) {
 }
 
 // A checkpoint belongs to no device.
-TEST_P(GpuEngineTest, GoesOnWhereTheProcessorStopped) {
+TEST_P(GpuEngineTest, ContinuesARunOfTheCpu) {
   const Case c = description();
   const auto processor = make_on(Device::cpu, c);
   take_steps(*processor, 60);
@@ -73,7 +73,7 @@ TEST_P(GpuEngineTest, GoesOnWhereTheProcessorStopped) {
   expect_same_run(*processor, *back);
 }
 
-TEST_P(GpuEngineTest, BreaksAndSheds) {
+TEST_P(GpuEngineTest, HasFractureAndOutflow) {
   Case c = description();
   c.back_flow_removal = BackFlowRemoval{};
   const auto gpu = make_on(Device::gpu, c);
@@ -86,7 +86,7 @@ TEST_P(GpuEngineTest, BreaksAndSheds) {
   EXPECT_LT(std::abs(balance.energy_drift()), 0.05);
 }
 
-TEST_P(GpuEngineTest, ItsErrorsAreThoseOfTheProgram) {
+TEST_P(GpuEngineTest, ReportsErrorsLikeTheCpuEngine) {
   Case c = description();
   c.precision = PrecisionKind::double_precision;  // not in the library of the tests
   c.dimension = 3;

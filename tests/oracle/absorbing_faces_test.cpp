@@ -29,7 +29,7 @@ Speeds speeds_of(const Material& m) {
 
 // A block that moves as a whole feels rho c_p v on the area of the face along its normal, rho c_s v
 // along it: on lattices of every kind, whose particles share the area of the face.
-TEST(AbsorbingFaces, BearTheImpedanceOfTheFace) {
+TEST(AbsorbingFaces, HaveTheImpedanceOfTheFace) {
   struct Choice {
     int dimension;
     Lattice lattice;
@@ -76,7 +76,7 @@ TEST(AbsorbingFaces, BearTheImpedanceOfTheFace) {
 
 // The face of a graded body, fine in the middle of its length and coarse at its ends: each particle
 // bears the area of its own layer.
-TEST(AbsorbingFaces, BearTheImpedanceOfAGradedFace) {
+TEST(AbsorbingFaces, HaveTheImpedanceOfAGradedFace) {
   for (const std::size_t axis : {0, 1}) {
     Case c = block_case(2, PrecisionKind::double_precision);
     const double d = 1e-3;
@@ -125,7 +125,7 @@ double left_over(double spacing, bool shear) {
 }
 
 // What comes back of a wave is of the order of (spacing / length of the wave) of its amplitude.
-TEST(AbsorbingFaces, LetAPlaneWaveOut) {
+TEST(AbsorbingFaces, AbsorbAPlaneWave) {
   const double coarse = std::sqrt(left_over(2e-3, false)), fine = std::sqrt(left_over(1e-3, false));
   EXPECT_LT(coarse, 0.04);
   EXPECT_LT(fine, 0.6 * coarse);

@@ -59,7 +59,7 @@ TEST(Friction, SlowsDownBySlidingFriction) {
   }
 }
 
-TEST(Friction, SmoothWithoutIt) {
+TEST(Friction, DoesNotActWithoutACoefficient) {
   for (int dimension : {2, 3})
     EXPECT_NEAR(slide(dimension, 0.0, 0.5, 0.04).speed, 0.5, 5e-4) << dimension;
 }

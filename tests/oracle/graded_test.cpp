@@ -54,7 +54,7 @@ Pressed pressure_between(const Frame& frame, double low, double high) {
 // The graded column has the spacing of the uniform one in its coarse part, and half of it below. A
 // column of one spacing bears 3 to 6% less than rho c V, for the time that its layers take to fill
 // the gap at the walls; the graded one must be no further off, and no rougher.
-TEST(Graded, PressureIsTheSameOnBothSidesOfAJump) {
+TEST(Graded, PressureIsContinuousAtAJump) {
   const double k = 1e5 / (3.0 * (1.0 - 2.0 * 0.49)), g = 1e5 / (2.0 * 1.49);
   const double wave = std::sqrt((k + 4.0 / 3.0 * g) / 940.0), due = 940.0 * wave * 0.05;
   constexpr double heights[3][2] = {{5e-3, 10e-3}, {10e-3, 20e-3}, {20e-3, 25e-3}};

@@ -63,16 +63,16 @@ void expect_free_flight(int dimension, Formulation formulation, double width = 4
   EXPECT_LE(balance.momentum_error(), 1e-12);
   EXPECT_LE(std::abs(balance.energy_drift()), 1e-9);
 }
-TEST(FreeJet, FliesAsALattice2D) {
+TEST(FreeJet, KeepsItsLattice2D) {
   expect_free_flight(2, Formulation::shinohara2004);
 }
-TEST(FreeJet, FliesAsALattice3D) {
+TEST(FreeJet, KeepsItsLattice3D) {
   expect_free_flight(3, Formulation::shinohara2004);
 }
-TEST(FreeJet, FliesAsALatticeInTheStandardFormulation2D) {
+TEST(FreeJet, KeepsItsLatticeInTheStandardFormulation2D) {
   expect_free_flight(2, Formulation::standard);
 }
-TEST(FreeJet, FliesAsALatticeInTheStandardFormulation3D) {
+TEST(FreeJet, KeepsItsLatticeInTheStandardFormulation3D) {
   expect_free_flight(3, Formulation::standard);
 }
 

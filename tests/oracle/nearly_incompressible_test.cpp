@@ -79,7 +79,7 @@ void add_profile(const Frame& frame, double scale, std::array<double, 10>& sum) 
 // Solid that breaks at the least strain, and is shaken so that it does, stands in a trough as a
 // liquid of its density: p = rho g h, and the floor bears the weight. Means over five periods 4 H /
 // c of the waves that its fall leaves.
-TEST(LooseSolid, StandsAsALiquid) {
+TEST(Debris, StandsAsALiquid) {
   const double depth = 0.02, gravity = 100.0, scale = 940.0 * gravity * depth;
   Case c = trough(0.03);
   c.gravity = {0.0, -gravity, 0.0};

@@ -99,7 +99,7 @@ using Kinds =
     testing::Types<Kind<Two, Double>, Kind<Two, Mixed>, Kind<Three, Double>, Kind<Three, Mixed>>;
 TYPED_TEST_SUITE(RatesOracle, Kinds);
 
-TYPED_TEST(RatesOracle, MixedBagWithGravity) {
+TYPED_TEST(RatesOracle, MixedParticlesWithGravity) {
   for (unsigned seed : {1u, 2u, 3u}) {
     auto state = TestFixture::bag(seed);
     state.gravity = {0.3, -9.81, TestFixture::D == 3 ? 0.7 : 0.0};

@@ -52,7 +52,7 @@ class StandardRatesOracle : public testing::Test {
 };
 TYPED_TEST_SUITE(StandardRatesOracle, BagKinds);
 
-TYPED_TEST(StandardRatesOracle, MixedBagWithGravity) {
+TYPED_TEST(StandardRatesOracle, MixedParticlesWithGravity) {
   constexpr int D = TypeParam::D;
   for (unsigned seed : {1u, 2u, 3u}) {
     auto state = wet_bag(D, seed);
@@ -67,7 +67,7 @@ TYPED_TEST(StandardRatesOracle, MixedBagWithGravity) {
 }
 
 // All by the general terms, without the SIMD kernels.
-TYPED_TEST(StandardRatesOracle, MixedBagInOneWalk) {
+TYPED_TEST(StandardRatesOracle, MixedParticlesInOnePairLoop) {
   constexpr int D = TypeParam::D;
   auto state = wet_bag(D, 2);
   state.gravity = {3000.0, -9810.0, D == 3 ? 700.0 : 0.0};
@@ -130,7 +130,7 @@ TYPED_TEST(StandardRatesOracle, WithNormalsOfWalls) {
 
 // How full the room around a particle is, against the double sum. What is of another phase and
 // squeezed takes up less than at rest.
-TYPED_TEST(StandardRatesOracle, Filling) {
+TYPED_TEST(StandardRatesOracle, KernelSum) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;
   auto state = wet_bag(D, 8);

@@ -56,22 +56,22 @@ void run_everything(int dimension, PrecisionKind precision, int steps) {
   EXPECT_NE(now.work_constraint, 0.0);
   EXPECT_GT(now.impulse_plate[1], 0.0);
 }
-TEST(StandardLedger, OfEverythingMixed2D) {
+TEST(StandardBalance, AllTermsMixed2D) {
   run_everything(2, PrecisionKind::mixed, 900);
 }
-TEST(StandardLedger, OfEverythingDouble2D) {
+TEST(StandardBalance, AllTermsDouble2D) {
   run_everything(2, PrecisionKind::double_precision, 900);
 }
-TEST(StandardLedger, OfEverythingMixed3D) {
+TEST(StandardBalance, AllTermsMixed3D) {
   run_everything(3, PrecisionKind::mixed, 500);
 }
-TEST(StandardLedger, OfEverythingDouble3D) {
+TEST(StandardBalance, AllTermsDouble3D) {
   run_everything(3, PrecisionKind::double_precision, 500);
 }
 
 // Two jittered blocks that are joined, a third on top and one beside them, on a plate: as laid out
 // no body pushes another, and no bond is strained. Nothing moves, to the last bit.
-TEST(StandardLedger, JitteredBodiesAsLaidOutAreAtRest) {
+TEST(StandardBalance, JitteredInitialLayoutIsAtRest) {
   for (const int dimension : {2, 3}) {
     Case c = empty_case(dimension, PrecisionKind::mixed);
     c.formulation = Formulation::standard;
@@ -96,7 +96,7 @@ TEST(StandardLedger, JitteredBodiesAsLaidOutAreAtRest) {
 }
 
 // Momentum, mass and kinetic energy by sums over a frame, which the balance has no part in.
-TEST(StandardLedger, AgreesWithTheFrame) {
+TEST(StandardBalance, AgreesWithTheFrame) {
   const auto simulation =
       make_simulation(standard_jet_on_block(2, PrecisionKind::double_precision));
   take_steps(*simulation, 500);
@@ -151,7 +151,7 @@ void fly_out(int dimension, PrecisionKind precision, double failure_strain) {
   EXPECT_LE(std::abs(end.energy_drift()), 0.05);
   EXPECT_EQ(simulation->frame().id.size(), 0u);
 }
-TEST(StandardLedger, SolidLeavesTheDomain) {
+TEST(StandardBalance, SolidLeavesTheDomain) {
   for (int dimension : {2, 3})
     for (PrecisionKind precision : both)
       for (double failure_strain : {0.0, 0.05}) fly_out(dimension, precision, failure_strain);
@@ -245,13 +245,13 @@ void collide(int dimension, PrecisionKind precision, double poisson_ratio) {
   EXPECT_LE(worst, 0.01);
   expect_balanced(end, precision);
 }
-TEST(StandardEnergy, CollisionWithoutDampingKeepsIt2D) {
+TEST(StandardEnergy, IsConservedInACollisionWithoutDamping2D) {
   for (PrecisionKind precision : both) collide(2, precision, 0.3);
 }
-TEST(StandardEnergy, CollisionOfNearlyIncompressibleKeepsIt) {
+TEST(StandardEnergy, IsConservedInACollisionOfNearlyIncompressibleSolids) {
   collide(2, PrecisionKind::mixed, 0.49);
 }
-TEST(StandardEnergy, CollisionWithoutDampingKeepsIt3D) {
+TEST(StandardEnergy, IsConservedInACollisionWithoutDamping3D) {
   collide(3, PrecisionKind::mixed, 0.3);
 }
 

@@ -37,7 +37,7 @@ void expect_impulse(int dimension, Formulation formulation, PrecisionKind precis
     EXPECT_NEAR(balance.impulse_water[a], momentum[a], digits * struck) << "xyz"[a];
 }
 
-TEST(WaterForce, IsWhatAFreeBlockGains) {
+TEST(WaterForce, EqualsTheMomentumGainOfAFreeBlock) {
   for (const Formulation formulation : {Formulation::standard, Formulation::shinohara2004})
     for (const int dimension : {2, 3})
       for (const PrecisionKind precision : {PrecisionKind::mixed, PrecisionKind::double_precision})
@@ -46,7 +46,7 @@ TEST(WaterForce, IsWhatAFreeBlockGains) {
 
 // A jet that leaves a broad block along its face gives up all of its momentum: F = rho w V^2 (for
 // instance Batchelor, An Introduction to Fluid Dynamics, 1967, section 6.3).
-TEST(WaterForce, OfAJetOnABroadBlockIsThatOfItsMomentum) {
+TEST(WaterForce, OfAJetEqualsItsMomentumFlux) {
   Case c = jet_on_block(2, PrecisionKind::mixed, Formulation::standard);
   c.gravity = {};
   c.bodies.pop_back();

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-TEST(Refuse, SofteningThatLacksSomething) {
+TEST(Refuse, IncompleteSoftening) {
   expect_refused({
       {"softening without an energy",
        paper,

@@ -22,7 +22,7 @@ TEST(Refuse, Flaws) {
        top,
        rock + "weibull_m = 8.5\nfracture_energy = \"9 J/m2\"",
        "fracture_energy",
-       "materials.rock.fracture_energy = \"9 J/m2\": the criterion looks at flaws.",
+       "materials.rock.fracture_energy = \"9 J/m2\": the criterion uses flaws.",
        {"nothing beside the criterion \"grady_kipp\""}},
       {"a solid that flows",
        top,

@@ -150,7 +150,7 @@ TEST(Refuse, Jets) {
       << message_of(text);
 }
 
-TEST(Refuse, Formulas) {
+TEST(Refuse, Expressions) {
   const auto velocity = [](const std::string& name, const std::string& formula,
                            const std::vector<std::string>& contains) {
     return BadCase{name,
@@ -194,7 +194,7 @@ TEST(Refuse, Formulas) {
   });
 }
 
-TEST(Refuse, SpeedsThatDoNotFollow) {
+TEST(Refuse, UndeterminedSpeeds) {
   const std::string still =
       "title = \"still\"\ndimension = 2\n[time]\nend = \"1 s\"\n[[body]]\nname = \"pool\"\n"
       "material = \"water\"\nspacing = \"1 mm\"\n"

@@ -178,7 +178,7 @@ TEST(Refuse, References) {
        "name = \"plate\"",
        "name = \"block\"",
        "name = \"block\"\nrole",
-       "body[2].name = \"block\": the name is taken already.",
+       "body[2].name = \"block\": the name is used already.",
        {"Choose another name"}},
       {"back of a 2D plate",
        "role = \"rigid\"",
@@ -216,7 +216,7 @@ TEST(Refuse, Contradictions) {
        "[materials.juice]\nbase = \"water\"\nsound_speed = \"9 m/s\"\nsound_speed_factor = 9\n"
        "[materials.gel]",
        "sound_speed_factor",
-       "materials.juice.sound_speed_factor = 9: the speed of sound itself is given as well.",
+       "materials.juice.sound_speed_factor = 9: the sound speed itself is given as well.",
        {}},
       {"energy of cracks in the paper's formulation",
        "[materials.gel]",
@@ -247,7 +247,7 @@ TEST(Refuse, Contradictions) {
   });
 }
 
-TEST(Refuse, TomlItself) {
+TEST(Refuse, TomlSyntax) {
   EXPECT_NE(message_of("title = \"x\ndimension = 2\n").find("bad.toml:1: this is not valid TOML"),
             std::string::npos);
   EXPECT_NE(message_of("title = \"x\"\ndimension = 2\ndimension = 3\n").find("bad.toml:3: "),
@@ -263,7 +263,7 @@ TEST(Refuse, ManyProblemsAtOnce) {
   EXPECT_NE(message.find("\n... and 4 more"), std::string::npos);
 }
 
-TEST(Refuse, FilesThatAreNotThere) {
+TEST(Refuse, MissingFiles) {
   try {
     read_case("/nowhere/case.toml");
     FAIL();

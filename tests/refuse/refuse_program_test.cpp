@@ -92,7 +92,7 @@ TEST(Program, ChecksACase) {
 }
 
 // Every load is a case that runs, and its speed is a number.
-TEST(Program, BenchMeasuresEveryLoad) {
+TEST(Program, BenchRunsEveryCase) {
   const auto file = std::filesystem::path(testing::TempDir()) / "kerf-bench.json";
   ASSERT_EQ(run("bench --seconds 0.1 --json " + file.string()).code, 0);
   const auto figures = nlohmann::json::parse(contents(file.string()));

@@ -54,11 +54,11 @@ std::string changed(const Change& change) {
   return text;
 }
 
-TEST(RefuseSymmetry, TheHalfCaseIsGood) {
+TEST(RefuseSymmetry, AcceptsTheHalfCase) {
   EXPECT_EQ(message_of(half_case), "(no error)");
 }
 
-TEST(RefuseSymmetry, WhatNoMirrorCanShow) {
+TEST(RefuseSymmetry, AsymmetricCases) {
   const std::string planes = "symmetry = [\"x-\"]";
   const Change changes[] = {
       {"\"standard\"", "\"shinohara2004\"", {"domain.symmetry", "standard"}},
@@ -90,7 +90,7 @@ TEST(RefuseSymmetry, WhatNoMirrorCanShow) {
   }
 }
 
-TEST(RefuseAbsorbing, SidesThatThereAreNot) {
+TEST(RefuseAbsorbing, MissingSides) {
   const std::string faces = "absorbing = [\"x+\"]",
                     box =
                         "shape = { type = \"box\", minimum = "

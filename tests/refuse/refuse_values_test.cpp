@@ -7,7 +7,7 @@ namespace {
 
 const std::string speed = "speed = \"5 m/s\"";
 
-TEST(Refuse, TheGoodCaseIsGood) {
+TEST(Refuse, AcceptsTheValidCase) {
   EXPECT_EQ(message_of(good_case), "(no error)");
 }
 

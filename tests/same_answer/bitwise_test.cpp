@@ -104,7 +104,7 @@ TEST_P(SameAnswer, AfterManyRestarts) {
   expect_same_run(*whole, *current);
 }
 
-TEST_P(SameAnswer, LookingChangesNothing) {
+TEST_P(SameAnswer, OutputDoesNotChangeTheState) {
   const Case c = description();
   const auto undisturbed = make_simulation(c), looked_at = make_simulation(c);
   take_steps(*undisturbed, steps());
@@ -124,7 +124,7 @@ TEST_P(SameAnswer, LookingChangesNothing) {
 }
 
 // A look at the restored state shows what the saved one showed.
-TEST_P(SameAnswer, RestoredLooksTheSame) {
+TEST_P(SameAnswer, RestoredStateHasTheSameFrame) {
   const Case c = description();
   const auto first = make_simulation(c);
   take_steps(*first, steps() / 2);

@@ -59,7 +59,7 @@ class SlurmStudy : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(SlurmStudy, SixteenRunsEndAndACancelledTaskIsRunAgain) {
+TEST_F(SlurmStudy, SixteenRunsEndAndACancelledTaskIsRepeated) {
   Program study(arguments(), folder_ / "output.txt");
   ASSERT_TRUE(test::wait_for([&] { return queue().find("1_15 PD") != std::string::npos; }));
   ASSERT_EQ(output_of("scancel", {"1_15"}).exit_code, 0);
@@ -74,7 +74,7 @@ TEST_F(SlurmStudy, SixteenRunsEndAndACancelledTaskIsRunAgain) {
   EXPECT_TRUE(all.ends_with(again)) << "the cancelled task was the last of the array";
 }
 
-TEST_F(SlurmStudy, AKilledStudyTakesUpItsArray) {
+TEST_F(SlurmStudy, AKilledStudyResumesItsArray) {
   Program first(arguments(), folder_ / "output.txt");
   ASSERT_TRUE(test::wait_for([&] { return count(RunState::done) >= 2; }));
   ASSERT_EQ(first.end(SIGKILL).signal, SIGKILL) << "it ended before it was killed";
@@ -84,7 +84,7 @@ TEST_F(SlurmStudy, AKilledStudyTakesUpItsArray) {
   EXPECT_EQ(arrays(), 1u) << "what was in the queue was submitted again";
 }
 
-TEST_F(SlurmStudy, AsksForAGpuWhereTheClusterHasNone) {
+TEST_F(SlurmStudy, ReportsAClusterWithoutGpus) {
   std::vector<std::string> words = arguments();
   words.insert(words.end(), {"--device", "gpu"});
   const test::Ending ending = Program(words, folder_ / "output.txt").wait();
@@ -93,7 +93,7 @@ TEST_F(SlurmStudy, AsksForAGpuWhereTheClusterHasNone) {
   EXPECT_THAT(read_file(out() / "slurm/1.sh"), HasSubstr("--device gpu --resume"));
 }
 
-TEST(SlurmStudyWithoutSlurm, SaysThatNobodyAnswers) {
+TEST(SlurmStudyWithoutSlurm, ReportsThatSlurmIsMissing) {
   const test::TemporaryFolder folder;
   write_file(folder / "small.toml", test::small_study_case);
   write_file(folder / "map.toml",

@@ -67,7 +67,7 @@ class StudyProgram : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(StudyProgram, RunsAMapAndLeavesItsTables) {
+TEST_F(StudyProgram, RunsAMapAndWritesItsTables) {
   const Ending ending = run("map.toml");
   ASSERT_EQ(ending.exit_code, 0) << ending.output;
   EXPECT_THAT(ending.output, AllOf(HasSubstr("6 of 6 runs"), HasSubstr("jet.jet.speed")));
@@ -91,7 +91,7 @@ TEST_F(StudyProgram, RunsAMapAndLeavesItsTables) {
             (std::vector<double>{0.004, 0.006, 0.004, 0.006, 0.004, 0.006}));
 }
 
-TEST_F(StudyProgram, KilledTwiceItEndsCompleteAndNoRunIsMadeTwice) {
+TEST_F(StudyProgram, KilledStudyCompletesWithoutRepeatedRuns) {
   std::set<std::string> finished;
   for (const std::size_t wanted : {1u, 3u}) {
     Program study(arguments("map.toml"), folder_ / "output.txt");
@@ -117,12 +117,12 @@ TEST_F(StudyProgram, KilledTwiceItEndsCompleteAndNoRunIsMadeTwice) {
   EXPECT_LE(starts, 6u + 2u * 2u) << "at each kill two runs were at work";
 }
 
-TEST_F(StudyProgram, ASignalLetsRunsWriteTheirCheckpoints) {
+TEST_F(StudyProgram, ASignalMakesRunsWriteCheckpoints) {
   Program study(arguments("map.toml"), folder_ / "output.txt");
   ASSERT_TRUE(test::wait_for([&] { return count(RunState::done) >= 1; }));
   const Ending ending = study.end(SIGINT);
   EXPECT_EQ(ending.exit_code, 130);
-  EXPECT_THAT(ending.output, HasSubstr("To go on: kerf study"));
+  EXPECT_THAT(ending.output, HasSubstr("Continue with: kerf study"));
   EXPECT_EQ(processes(), 0u);
   EXPECT_EQ(count(RunState::running), 0u);
   EXPECT_EQ(count(RunState::failed), 0u);
@@ -130,7 +130,7 @@ TEST_F(StudyProgram, ASignalLetsRunsWriteTheirCheckpoints) {
   EXPECT_EQ(count(RunState::done), 6u);
 }
 
-TEST_F(StudyProgram, AStudyThatGrowsRunsOnlyWhatIsNew) {
+TEST_F(StudyProgram, AnExtendedStudyRunsNewCasesOnly) {
   ASSERT_EQ(run("map.toml").exit_code, 0);
   std::string larger = map;
   larger.replace(larger.find("\"6 mm\""), 6, "\"6 mm\", \"8 mm\"");
@@ -140,7 +140,7 @@ TEST_F(StudyProgram, AStudyThatGrowsRunsOnlyWhatIsNew) {
   for (const RunRow& row : rows()) EXPECT_EQ(row.attempts, 1);
 }
 
-TEST_F(StudyProgram, ARunThatFailsStopsNoOther) {
+TEST_F(StudyProgram, AFailedRunStopsNoOther) {
   // A run that meets a folder which is no run of Kerf fails; which run that is, a first study
   // tells.
   ASSERT_EQ(run("map.toml").exit_code, 0);
@@ -190,7 +190,7 @@ TEST_F(StudyProgram, FindsTheLeastSpeedThatASweepBrackets) {
   EXPECT_LE(found.at("runs").get<int>(), 8);
 }
 
-TEST_F(StudyProgram, TooLittleMemoryIsSaidOfTheRun) {
+TEST_F(StudyProgram, ReportsTooLittleMemoryForARun) {
   std::vector<std::string> words = arguments("map.toml", "--memory");
   words.emplace_back("1e-6");
   const Ending ending = Program(words, folder_ / "output.txt").wait();

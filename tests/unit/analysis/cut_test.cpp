@@ -10,7 +10,7 @@ namespace {
 
 using namespace layout;
 
-TEST(Breadth, OfASlotIsItsBreadth) {
+TEST(KerfWidth, OfASlotIsItsWidth) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));
   for (const double breadth : {8.0 * mm, 12.0 * mm, 20.0 * mm}) {
@@ -22,7 +22,7 @@ TEST(Breadth, OfASlotIsItsBreadth) {
 
 // In a strip half a jet width thick through the axis of a round hole 16 mm wide the mean chord is
 // 2 * integral of sqrt(R^2 - z^2) over the strip; a lattice of 2 mm shows it in steps of 2 mm.
-TEST(Breadth, OfARoundHoleIsItsMeanChordNearTheAxis) {
+TEST(KerfWidth, OfARoundHoleIsItsMeanChordNearTheAxis) {
   const Case description = make_case(3);
   CutMonitor monitor(description, make_block(3));
   const CutState state = monitor.observe(make_cut(description, 30.0 * mm, 16.0 * mm, 0.0));
@@ -34,7 +34,7 @@ TEST(Breadth, OfARoundHoleIsItsMeanChordNearTheAxis) {
   EXPECT_NEAR(state.kerf_width, 16.0 * mm, 1e-5);
 }
 
-TEST(Breadth, CountsAStrayFractureOnlyAsItself) {
+TEST(KerfWidth, CountsAnIsolatedFractureWithItsOwnWidth) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));
   Frame frame = make_cut(description, 30.0 * mm, 12.0 * mm, 0.0);
@@ -45,7 +45,7 @@ TEST(Breadth, CountsAStrayFractureOnlyAsItself) {
   EXPECT_NEAR(monitor.observe(frame).fractured_width, expected + 0.8 * mm, 1e-8);
 }
 
-TEST(Breadth, IsNotNarrowedByIntactCrumbs) {
+TEST(KerfWidth, IsNotReducedBySmallIntactFragments) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));
   Frame frame = make_cut(description, 30.0 * mm, 12.0 * mm, 0.0);
@@ -55,7 +55,7 @@ TEST(Breadth, IsNotNarrowedByIntactCrumbs) {
   EXPECT_NEAR(monitor.observe(frame).kerf_width, 12.0 * mm, 1e-6);
 }
 
-TEST(Breadth, IsOfTheOpeningWhenTheHalvesMoveApart) {
+TEST(KerfWidth, IncludesTheGapBetweenSeparatedHalves) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));
   Frame frame = make_cut(description, thickness, 12.0 * mm, 0.0);
@@ -67,7 +67,7 @@ TEST(Breadth, IsOfTheOpeningWhenTheHalvesMoveApart) {
   EXPECT_NEAR(state.fractured_width, 12.0 * mm, 1e-6);
 }
 
-TEST(Breadth, OfATiltedCutIsTakenAcrossTheJet) {
+TEST(KerfWidth, OfATiltedCutIsMeasuredAcrossTheJet) {
   const double angle = 0.5;
   const Case description = make_case(2, angle);
   Frame initial = make_block(2);
@@ -80,7 +80,7 @@ TEST(Breadth, OfATiltedCutIsTakenAcrossTheJet) {
   EXPECT_NEAR(state.kerf_width, 12.0 * mm, 1e-5);
 }
 
-TEST(Breadth, ChangesLessThanFivePercentWhenTheLayoutIsJittered) {
+TEST(KerfWidth, ChangesLessThanFivePercentWhenTheLayoutIsJittered) {
   const Case description = make_case(2);
   const Frame regular = make_cut(description, 30.0 * mm, 20.0 * mm, 0.0);
   for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -92,7 +92,7 @@ TEST(Breadth, ChangesLessThanFivePercentWhenTheLayoutIsJittered) {
   }
 }
 
-TEST(FracturedFraction, CountsTheFracturedAndTheGone) {
+TEST(FracturedFraction, CountsFracturedAndRemovedParticles) {
   const Case description = make_case(2);
   const Frame block = make_block(2);
   CutMonitor monitor(description, block);
@@ -106,7 +106,7 @@ TEST(FracturedFraction, CountsTheFracturedAndTheGone) {
   EXPECT_NEAR(state.fractured_fraction, 0.1, 1e-6);
 }
 
-TEST(CutMonitor, ResumedMeasuresAsIfNeverStopped) {
+TEST(CutMonitor, ResumedMonitorGivesTheSameMeasurements) {
   const Case description = make_case(2);
   const Frame block = make_block(2);
   CutMonitor whole(description, block), before(description, block), after(description, block);
@@ -124,7 +124,7 @@ TEST(CutMonitor, ResumedMeasuresAsIfNeverStopped) {
   EXPECT_EQ(whole.history().size(), after.history().size());
 }
 
-TEST(CutMonitor, TheOrderOfTheParticlesDoesNotMatter) {
+TEST(CutMonitor, IsIndependentOfTheParticleOrder) {
   const Case description = make_case(2);
   const Frame frame = make_cut(description, 30.0 * mm, 12.0 * mm, 1e-3);
   const CutState a = CutMonitor(description, make_block(2)).observe(frame);
@@ -135,7 +135,7 @@ TEST(CutMonitor, TheOrderOfTheParticlesDoesNotMatter) {
 }
 
 // Ids are unique, not small or without gaps.
-TEST(CutMonitor, AnyIdsWillDo) {
+TEST(CutMonitor, AcceptsNonconsecutiveIds) {
   const Case description = make_case(2);
   Frame block = make_block(2), frame = make_cut(description, 30.0 * mm, 12.0 * mm, 1e-3);
   const CutState a = CutMonitor(description, block).observe(frame);
@@ -188,7 +188,7 @@ TEST(CutMonitor, ABodyBesideTheJetOrBehindTheNozzleIsNoWorkpiece) {
   }
 }
 
-TEST(CutMonitor, BeforeTheFirstFrameAndWithNothingAtAllIsZero) {
+TEST(CutMonitor, IsZeroBeforeTheFirstFrameAndWithoutParticles) {
   CutMonitor monitor(Case{}, Frame{});
   EXPECT_FALSE(monitor.summary().cut_through);
   expect_no_cut(monitor, Frame{});

@@ -10,7 +10,7 @@ namespace {
 
 using namespace layout;
 
-TEST(CutThrough, IsWhenTheBlockIsInTwo) {
+TEST(CutThrough, IsTheTimeOfSeparationIntoTwoPieces) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));
   for (int n = 0; n <= 10; ++n) {
@@ -25,7 +25,7 @@ TEST(CutThrough, IsWhenTheBlockIsInTwo) {
 }
 
 // It says by what, and where on the axis the water was then, also of a nozzle that travels.
-TEST(CutThrough, SaysByWhatAndWhere) {
+TEST(CutThrough, StatesItsKindAndPosition) {
   for (const double angle : {0.0, 0.4}) {
     Case description = make_case(2, angle);
     description.jets[0].traverse = {2.0, 0.0, 0.0};
@@ -54,7 +54,7 @@ TEST(CutThrough, SaysByWhatAndWhere) {
   EXPECT_NEAR(monitor.summary().cut_through_place[1], -thickness, solid_spacing);
 }
 
-TEST(CutThrough, StaysWhenTheBlockCrumblesFurther) {
+TEST(CutThrough, IsKeptWhenTheBlockFragmentsFurther) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));
   monitor.observe(make_cut(description, thickness, 4.0 * mm, 1e-3));
@@ -66,7 +66,7 @@ TEST(CutThrough, StaysWhenTheBlockCrumblesFurther) {
 }
 
 // A round hole leaves the block in one piece.
-TEST(CutThrough, IsWhenAHoleReachesTheBottom) {
+TEST(CutThrough, IsTheTimeWhenAHoleReachesTheBottom) {
   const Case description = make_case(3);
   CutMonitor monitor(description, make_block(3));
   CutState state = monitor.observe(make_cut(description, thickness - 8.0 * mm, 12.0 * mm, 1e-3));
@@ -76,7 +76,7 @@ TEST(CutThrough, IsWhenAHoleReachesTheBottom) {
   EXPECT_TRUE(state.cut_through);
 }
 
-TEST(CutThrough, IsNotWhenTheWholeBlockIsPushedDown) {
+TEST(CutThrough, IsNotReachedByADisplacedBlock) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));
   Frame frame = make_cut(description, 10.0 * mm, 12.0 * mm, 1e-3);
@@ -86,7 +86,7 @@ TEST(CutThrough, IsNotWhenTheWholeBlockIsPushedDown) {
   EXPECT_FALSE(state.cut_through);
 }
 
-TEST(CutThrough, NeedsMorePiecesThanThereWere) {
+TEST(CutThrough, RequiresMorePiecesThanInitially) {
   Case description = make_case(2);
   description.bodies.push_back(description.bodies[0]);
   description.bodies[1].name = "lower";

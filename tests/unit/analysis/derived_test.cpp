@@ -23,7 +23,7 @@ Case tofu_at(double speed) {
 }
 
 // By hand from E = 1e5 Pa, nu = 0.3, rho = 940 kg/m3: K = E / 1.2, G = E / 2.6.
-TEST(Derived, WavesOfThePapersSolid) {
+TEST(Derived, WaveSpeedsOfThePaper) {
   const DerivedNumbers numbers = of("tofu-5ms");
   EXPECT_NEAR(numbers.bulk_modulus, 1e5 / 1.2, 1e-9 * 1e5);
   EXPECT_NEAR(numbers.shear_modulus, 1e5 / 2.6, 1e-9 * 1e5);
@@ -51,7 +51,7 @@ TEST(Derived, RayleighSpeedIsTheTrueRoot) {
   }
 }
 
-TEST(Derived, GroupsAndLoadsOfThePapersCases) {
+TEST(Derived, DimensionlessGroupsOfThePaper) {
   const DerivedNumbers slow = of("tofu-5ms"), fast = of("tofu-50ms");
   EXPECT_NEAR(slow.stagnation_pressure, 12.5e3, 1e-9 * 12.5e3);
   EXPECT_NEAR(slow.cauchy_number, 0.25, 1e-12);
@@ -129,7 +129,7 @@ TEST(Derived, WithoutAJet) {
 }
 
 // 2 L / c_p with the nearest side of the block that is neither absorbing nor a plane of symmetry.
-TEST(Derived, WavesComeBackFromTheNearestEdgeThatLetsThem) {
+TEST(Derived, WavesReflectFromTheNearestReflectingEdge) {
   Case description = tofu_at(5.0);
   const double c = of("tofu-5ms").longitudinal_speed;
   Body* block = nullptr;

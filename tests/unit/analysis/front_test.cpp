@@ -53,7 +53,7 @@ TEST_P(WaterFront, DiffersByTheDistanceThatTheWaterMoved) {
 }
 
 // A nozzle that has moved 20 mm along x, or is on its way, with its water beneath it.
-TEST_P(WaterFront, IsLookedForAlongTheWayOfTheNozzle) {
+TEST_P(WaterFront, IsMeasuredAlongTheTraverse) {
   const double angle = GetParam().angle, speed = 2.0;
   description_.jets[0].traverse = {speed * std::cos(angle), speed * std::sin(angle), 0.0};
   description_.jets[0].dwell = 1e-3;
@@ -82,7 +82,7 @@ TEST_P(WaterFront, ChangesLessThanFivePercentWhenTheLayoutIsJittered) {
   }
 }
 
-TEST_P(WaterFront, IsBlindToLeakedDrops) {
+TEST_P(WaterFront, IgnoresLeakedDrops) {
   Frame frame = frame_with_water(25.0 * mm);
   const double expected = depth_of(frame);
   for (int drop = 0; drop < 8; ++drop)  // a front of a full jet would be 10 or more

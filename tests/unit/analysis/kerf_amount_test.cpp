@@ -26,7 +26,7 @@ class KerfAmounts : public testing::TestWithParam<int> {
   }
 };
 
-TEST_P(KerfAmounts, RemovedIsWhatIsFracturedGoneOrACrumb) {
+TEST_P(KerfAmounts, RemovedSolidIsFracturedMissingOrFragmented) {
   const auto removed = [&](const Frame& frame) {
     return carving_.measure_pair(carving_.lay_out(0), frame).of<Removal>().volume;
   };
@@ -76,7 +76,7 @@ TEST_P(KerfAmounts, NothingRemovedHasNoSpecificEnergy) {
 
 // A kerf 12 mm wide; beside it solid that is hurt to 14 mm from the axis on the right and 10 mm on
 // the left, thus a mean zone of 6 mm.
-TEST_P(KerfAmounts, TheDamagedZoneIsItsBreadthBesideTheKerf) {
+TEST_P(KerfAmounts, DamagedZoneIsMeasuredBesideTheKerf) {
   const auto is_hurt = [](const Position& x) { return x[0] > -10.0 * mm && x[0] < 14.0 * mm; };
   const auto zone = [&](int seed, const std::string& column, float value) {
     const Frame regular = carving_.lay_out(0);
@@ -111,7 +111,7 @@ TEST_P(KerfAmounts, SingleFracturesMakeNoDamagedZone) {
 }
 
 // Two bodies, cut 20 mm wide through the upper and 12 mm wide half into the lower one.
-TEST_P(KerfAmounts, LayersAreMeasuredByThemselves) {
+TEST_P(KerfAmounts, LayersAreMeasuredSeparately) {
   constexpr double border = -20.0 * mm;
   for (const bool joined : {false, true}) {
     Case description = carving_.description();

@@ -7,7 +7,7 @@ namespace {
 
 using namespace layout;
 
-class DisturbedKerf : public testing::TestWithParam<int> {
+class KerfOfAMovedBlock : public testing::TestWithParam<int> {
  protected:
   static constexpr double width = 16.0 * mm, depth = 30.0 * mm;
   Carving carving_ = [] {
@@ -37,7 +37,7 @@ class DisturbedKerf : public testing::TestWithParam<int> {
   }
 };
 
-TEST_P(DisturbedKerf, IsNotNarrowedByCrumbs) {
+TEST_P(KerfOfAMovedBlock, IsNotNarrowedBySmallFragments) {
   for (const Position& place :
        {Position{0.0, -15.0 * mm, 0.0}, Position{2.0 * mm, -24.0 * mm, 0.0}})
     for (std::size_t row = 0; row < frame_.position.size(); ++row)
@@ -45,7 +45,7 @@ TEST_P(DisturbedKerf, IsNotNarrowedByCrumbs) {
   expect_kerf(frame_);
 }
 
-TEST_P(DisturbedKerf, IsNotChangedBySingleFractures) {
+TEST_P(KerfOfAMovedBlock, IsNotChangedBySingleFractures) {
   for (const Position& place :
        {Position{13.0 * mm, -15.0 * mm, 0.0}, Position{0.0, -35.0 * mm, 0.0},
         Position{-19.0 * mm, -5.0 * mm, 0.0}})
@@ -54,7 +54,7 @@ TEST_P(DisturbedKerf, IsNotChangedBySingleFractures) {
   expect_kerf(frame_);
 }
 
-TEST_P(DisturbedKerf, BeginsAtTheFaceAsLaidOutWhereverTheBlockWent) {
+TEST_P(KerfOfAMovedBlock, BeginsAtTheInitialFaceOfAMovedBlock) {
   expect_kerf(frame_);
   move(frame_, [](const Position& x) -> Position {
     return {x[0] + 9.0 * mm, x[1] - 40.0 * mm, x[2]};
@@ -63,7 +63,7 @@ TEST_P(DisturbedKerf, BeginsAtTheFaceAsLaidOutWhereverTheBlockWent) {
 }
 
 // The halves of a plate that was cut through have moved apart by 6 mm.
-TEST_P(DisturbedKerf, IsWiderAtPresentWhereTheHalvesMovedApart) {
+TEST_P(KerfOfAMovedBlock, CurrentWidthIncludesTheSeparationOfTheHalves) {
   change(frame_, Category::fractured,
          [](const Position& x) { return std::abs(x[0]) < width / 2.0; });
   for (std::size_t row = 0; row < frame_.position.size(); ++row)
@@ -75,7 +75,7 @@ TEST_P(DisturbedKerf, IsWiderAtPresentWhereTheHalvesMovedApart) {
 }
 
 // Nothing is fractured: the solid under the jet has flowed down and aside.
-TEST_P(DisturbedKerf, OfADentIsSeenAtPresentOnly) {
+TEST_P(KerfOfAMovedBlock, ADentHasACurrentWidthOnly) {
   Frame dented = initial_;
   move(dented, [](const Position& x) -> Position {
     const double share = std::abs(x[0]) < width / 2.0 ? 1.0 + x[1] / thickness : 0.0;
@@ -86,13 +86,13 @@ TEST_P(DisturbedKerf, OfADentIsSeenAtPresentOnly) {
               0.5 * solid_spacing);
 }
 
-TEST_P(DisturbedKerf, OfAHalfThatFellAwayReachesTheEdgeOfTheBlock) {
+TEST_P(KerfOfAMovedBlock, ReachesTheEdgeOfTheBlockWhereAHalfIsDetached) {
   const Frame half = without(frame_, [](const Position& x) { return x[0] > -width / 2.0; });
   const double breadth = 30.0 * mm + width / 2.0;
   EXPECT_NEAR(carving_.measure_pair(initial_, half).shape.middle.width, breadth, solid_spacing);
 }
 
-TEST_P(DisturbedKerf, TheOrderOfTheParticlesDoesNotMatter) {
+TEST_P(KerfOfAMovedBlock, IsIndependentOfTheParticleOrder) {
   const Kerf a = carving_.measure_pair(initial_, frame_);
   const Kerf b = carving_.measure_pair(initial_, shuffled(frame_, 5));
   EXPECT_EQ(a.shape.depth, b.shape.depth);
@@ -101,7 +101,7 @@ TEST_P(DisturbedKerf, TheOrderOfTheParticlesDoesNotMatter) {
   EXPECT_EQ(a.of<DamagedZone>().width, b.of<DamagedZone>().width);
 }
 
-TEST_P(DisturbedKerf, ThatIsShallowHasOneWidth) {
+TEST_P(KerfOfAMovedBlock, AShallowKerfHasOneWidth) {
   Frame shallow = initial_;
   change(shallow, Category::fractured,
          [](const Position& x) { return std::abs(x[0]) < width / 2.0 && x[1] > -8.0 * mm; });
@@ -112,7 +112,7 @@ TEST_P(DisturbedKerf, ThatIsShallowHasOneWidth) {
   EXPECT_EQ(shape.taper, 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(TwoAndThree, DisturbedKerf, testing::Values(2, 3));
+INSTANTIATE_TEST_SUITE_P(TwoAndThree, KerfOfAMovedBlock, testing::Values(2, 3));
 
 void expect_nothing(const Kerf& kerf) {
   EXPECT_EQ(kerf.shape.depth, 0.0);

@@ -46,7 +46,7 @@ class SplashOf : public testing::TestWithParam<std::pair<int, double>> {
   }
 };
 
-TEST_P(SplashOf, ItsAngleIsThatFromTheFace) {
+TEST_P(SplashOf, AngleIsMeasuredFromTheFace) {
   for (const double lean : {0.0, 0.2}) {
     Frame frame = make_block(GetParam().first);
     add_splash(frame, 0.6, 2.0 * mm, 8.0 * mm);
@@ -69,7 +69,7 @@ TEST_P(SplashOf, ItsAngleIsThatFromTheFace) {
   }
 }
 
-TEST_P(SplashOf, OtherWaterIsNone) {
+TEST_P(SplashOf, OtherWaterIsNotSplash) {
   Frame frame = make_block(GetParam().first);
   const std::size_t solids = frame.id.size();
   add_water(frame, description_, 20.0 * mm, jet_width);
@@ -103,7 +103,7 @@ Fragment make_fragment(double mass, double speed) {
   return fragment;
 }
 
-TEST(FragmentSizes, AreSharesOfTheMassOfWhatCameOff) {
+TEST(FragmentSizes, AreSharesOfTheDetachedMass) {
   std::vector<Fragment> fragments{make_fragment(40.0, 0.0), make_fragment(30.0, 1.0)};
   for (int n = 1; n <= 1000; ++n) fragments.push_back(make_fragment(1e-3 * n, 0.01 * n));
   const FragmentSizes sizes = measure_fragments(fragments, 500.0, 3);
@@ -130,7 +130,7 @@ TEST(FragmentSizes, OfNoneOrOneFragment) {
   for (const double speed : sizes.speed) EXPECT_NEAR(speed, 2.0, 1e-12);
 }
 
-TEST(Margin, IsThePartOfTheRunOrOfTheThicknessThatWasLeft) {
+TEST(Margin, IsTheRemainingShareOfTheRunOrTheThickness) {
   Carving carving;
   carving.time = 20e-3;
   carving.is_gone = [](const Position&) { return false; };
@@ -144,7 +144,7 @@ TEST(Margin, IsThePartOfTheRunOrOfTheThicknessThatWasLeft) {
   EXPECT_NEAR(carving.measure(0).of<CutMargin>().value, 0.25, 1e-12);
 }
 
-TEST(KerfConditionsOfACase, AreThoseOfItsFirstJetAndOfTheCut) {
+TEST(KerfConditionsOfACase, AreTakenFromTheFirstJetAndTheCut) {
   Case description = make_case(2);
   description.jets[0].traverse = {0.2, 0.0, 0.0};
   description.jets[0].start = 1e-3;
@@ -162,7 +162,7 @@ TEST(KerfConditionsOfACase, AreThoseOfItsFirstJetAndOfTheCut) {
   EXPECT_EQ(conditions.front_depth, 12.0 * mm);
 }
 
-TEST(CutSummaryOf, AKerfKnowsItsContact) {
+TEST(CutSummary, AKerfHasItsTimeOfContact) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));
   for (int n = 0; n < 5; ++n) {

@@ -23,7 +23,7 @@ struct Way {
   bool is_turned = false;
 };
 
-class TravellingKerf : public testing::TestWithParam<Way> {
+class TraversedKerf : public testing::TestWithParam<Way> {
  protected:
   static constexpr double now = 40.0 * mm;
   Carving carving_ = [] {
@@ -49,7 +49,7 @@ class TravellingKerf : public testing::TestWithParam<Way> {
 };
 
 // The front recedes by 0.4 of the depth; its levels are 46 mm from each other.
-TEST_P(TravellingKerf, ASlantedFrontLagsByItsSlant) {
+TEST_P(TraversedKerf, ASlantedFrontLagsByItsSlant) {
   const double slope = 0.4, between = thickness - 2.0 * 2.0 * solid_spacing;
   carving_.is_gone = [=](const Position& x) {
     return std::abs(across(x)) < 8.0 * mm && along(x) < now + 5.0 * mm + slope * x[1];
@@ -61,7 +61,7 @@ TEST_P(TravellingKerf, ASlantedFrontLagsByItsSlant) {
   expect_steady(carving_, {{"lag", lag_of, slope * between}, {"depth", depth_of, thickness}});
 }
 
-TEST_P(TravellingKerf, AnUprightFrontDoesNotLagAndOneThatLeadsAtItsFootLagsLess) {
+TEST_P(TraversedKerf, AnUprightFrontDoesNotLagAndOneThatLeadsAtItsFootLagsLess) {
   const double between = thickness - 2.0 * 2.0 * solid_spacing;
   for (const double slope : {0.0, -0.2}) {
     carving_.is_gone = [=](const Position& x) {
@@ -72,7 +72,7 @@ TEST_P(TravellingKerf, AnUprightFrontDoesNotLagAndOneThatLeadsAtItsFootLagsLess)
   }
 }
 
-TEST_P(TravellingKerf, ABlindGrooveHasTheDepthsItWasCutTo) {
+TEST_P(TraversedKerf, ABlindGrooveHasItsDepths) {
   const auto depth = [](double along) {
     return 24.0 * mm + 8.0 * mm * std::sin(along / (8.0 * mm));
   };
@@ -105,7 +105,7 @@ TEST_P(TravellingKerf, ABlindGrooveHasTheDepthsItWasCutTo) {
 }
 
 // Through on the first 30 mm of the 40 that the nozzle has come, then a groove.
-TEST_P(TravellingKerf, ThroughShareIsThePartOfTheWay) {
+TEST_P(TraversedKerf, ThroughShareIsTheCutPartOfThePath) {
   carving_.is_gone = [=](const Position& x) {
     return std::abs(across(x)) < 8.0 * mm && along(x) < now + 6.0 * mm &&
            (along(x) < 30.0 * mm || x[1] > -20.0 * mm);
@@ -115,13 +115,13 @@ TEST_P(TravellingKerf, ThroughShareIsThePartOfTheWay) {
                   2.0 * solid_spacing / now}});
 }
 
-INSTANTIATE_TEST_SUITE_P(Ways, TravellingKerf,
+INSTANTIATE_TEST_SUITE_P(Ways, TraversedKerf,
                          testing::Values(Way{}, Way{0.4, false}, Way{-0.3, true}));
 
 class FlatTraverse : public testing::TestWithParam<double> {};
 
 // In two dimensions the nozzle travels in the plane of the block.
-TEST_P(FlatTraverse, LagsAlikeBothWays) {
+TEST_P(FlatTraverse, LagIsEqualInBothDirections) {
   const double way = GetParam(), slope = 0.5;
   Carving carving;
   carving.conditions.contact_time = 0.0;
@@ -135,7 +135,7 @@ TEST_P(FlatTraverse, LagsAlikeBothWays) {
   expect_steady(carving, {{"lag", lag_of, slope * between}, {"depth", depth_of, 40.0 * mm}});
 }
 
-TEST_P(FlatTraverse, ThroughShareIsThePartOfTheWay) {
+TEST_P(FlatTraverse, ThroughShareIsTheCutPartOfThePath) {
   const double way = GetParam(), now = 30.0 * mm;
   Carving carving;
   carving.conditions.contact_time = 0.0;
@@ -150,7 +150,7 @@ TEST_P(FlatTraverse, ThroughShareIsThePartOfTheWay) {
                   solid_spacing / now}});
 }
 
-TEST(KerfAtRest, IsThroughOrNot) {
+TEST(KerfAtRest, ReportsCutThrough) {
   Carving carving;
   carving.conditions.contact_time = 0.0;
   for (const double depth : {30.0 * mm, thickness}) {

@@ -26,7 +26,7 @@ class LeakOf : public testing::TestWithParam<std::pair<int, double>> {
   static bool nothing(const Position&) { return false; }
 };
 
-TEST_P(LeakOf, WaterOnTheFaceAndInAKerfIsNone) {
+TEST_P(LeakOf, WaterOnTheFaceAndInAKerfIsNotLeaked) {
   const auto on_face = [](Frame& frame, const Case& description) {
     add_box(frame, water(description), {-20.0 * mm, 0.0, -8.0 * mm},
             {20.0 * mm, 4.0 * mm, 8.0 * mm});
@@ -46,7 +46,7 @@ TEST_P(LeakOf, WaterOnTheFaceAndInAKerfIsNone) {
   EXPECT_EQ(leak.mass, 0.0);
 }
 
-TEST_P(LeakOf, WaterDeepInsideIsAllOfIt) {
+TEST_P(LeakOf, WaterInsideTheSolidIsLeaked) {
   const auto split = [](Frame& frame, const Case& description) {
     add_box(frame, water(description), {-8.0 * mm, -12.0 * mm, -8.0 * mm},
             {8.0 * mm, -8.0 * mm, 8.0 * mm});

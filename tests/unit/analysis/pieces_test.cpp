@@ -21,7 +21,7 @@ class Pieces : public testing::TestWithParam<int> {
   int pieces(const Frame& frame) const { return pieces_of(description_, block_, frame); }
 };
 
-TEST_P(Pieces, AWholeBlockIsOne) {
+TEST_P(Pieces, AnIntactBlockIsOnePiece) {
   EXPECT_EQ(pieces(block_), 1);
 }
 
@@ -58,7 +58,7 @@ TEST_P(Pieces, FragmentsAreTheHalves) {
   EXPECT_GT(fragments[1].centre[0], solid_spacing);
 }
 
-TEST_P(Pieces, ACrackThatEndsOneParticleShortMakesNone) {
+TEST_P(Pieces, ACrackThatEndsOneParticleShortMakesOne) {
   Frame frame = block_;
   change(frame, Category::fractured, [](const Position& x) {
     return x[0] > 0.0 && x[0] < solid_spacing && x[1] > -thickness + solid_spacing;
@@ -73,7 +73,7 @@ TEST_P(Pieces, ADiagonalCrackOneParticleWideMakesTwo) {
   EXPECT_EQ(pieces(frame), 2);
 }
 
-TEST_P(Pieces, CrumbsBelowFivePercentAreNotCounted) {
+TEST_P(Pieces, FragmentsBelowFivePercentAreNotCounted) {
   const double half = -block_.position.front()[0] + solid_spacing / 2.0;
   Frame frame = block_;
   const auto crack_at = [&](double part) {
@@ -87,7 +87,7 @@ TEST_P(Pieces, CrumbsBelowFivePercentAreNotCounted) {
   EXPECT_EQ(crack_at(0.10), 2);
 }
 
-TEST_P(Pieces, HalvesThatPartedWithoutFractureAreTwo) {
+TEST_P(Pieces, HalvesSeparatedWithoutFractureAreTwo) {
   Frame frame = block_;
   move(frame, [](const Position& x) -> Position {
     return {x[0] + (x[0] > 0.0 ? 1.0 : -1.0) * 1.1 * solid_spacing, x[1], x[2]};
@@ -95,14 +95,14 @@ TEST_P(Pieces, HalvesThatPartedWithoutFractureAreTwo) {
   EXPECT_EQ(pieces(frame), 2);
 }
 
-TEST_P(Pieces, ABlockStretchedByHalfAndTurnedIsOne) {
+TEST_P(Pieces, AStretchedAndRotatedBlockIsOne) {
   Frame frame = block_;
   move(frame, [](const Position& x) -> Position { return {1.5 * x[0], x[1], x[2]}; });
   tilt(frame, 1.0);
   EXPECT_EQ(pieces(frame), 1);
 }
 
-TEST_P(Pieces, JitterChangesNothing) {
+TEST_P(Pieces, AreIndependentOfJitter) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Frame initial = block_;
     jitter(initial, 0.1, seed);
@@ -116,7 +116,7 @@ TEST_P(Pieces, JitterChangesNothing) {
   }
 }
 
-TEST_P(Pieces, TheOrderOfTheParticlesDoesNotMatter) {
+TEST_P(Pieces, AreIndependentOfTheParticleOrder) {
   Frame frame = block_;
   change(frame, Category::fractured, [](const Position& x) { return std::abs(x[0]) < 2.0 * mm; });
   EXPECT_EQ(pieces(shuffled(frame, 7)), pieces(frame));

@@ -41,27 +41,27 @@ spacing = "{}"
                     "case.toml");
 }
 
-TEST(CheckResolution, GoodSpacingsAreNotMentioned) {
+TEST(CheckResolution, AdequateSpacingsGiveNoWarning) {
   EXPECT_THAT(resolution_warnings(jet_on_block("1 mm", "")), IsEmpty());
   EXPECT_THAT(
       resolution_warnings(jet_on_block("1 mm", R"(grading = { levels = 2, width = "16 mm" })")),
       IsEmpty());
 }
 
-TEST(CheckResolution, CoarseSolidIsTold) {
+TEST(CheckResolution, WarnsOfACoarseSolid) {
   EXPECT_THAT(resolution_warnings(jet_on_block("2 mm", "")),
               Contains(AllOf(HasSubstr("body[1].spacing (\"block\") = 0.002 m"),
                              HasSubstr("2 x that of the water"), HasSubstr("at most 0.001 m"))));
 }
 
-TEST(CheckResolution, NarrowJetIsTold) {
+TEST(CheckResolution, WarnsOfANarrowJet) {
   EXPECT_THAT(resolution_warnings(jet_on_block("1 mm", "", "2 mm")),
               Contains(AllOf(HasSubstr("jet[1].spacing (\"jet\") = 0.002 m"),
                              HasSubstr("5 particles wide"), HasSubstr("0.001 m or less"))));
 }
 
 // The width passes, by 2 mm, what the reader refuses, but not two smoothing lengths of 4 mm.
-TEST(CheckResolution, ThinLevelsAndTheCutAreTold) {
+TEST(CheckResolution, WarnsOfThinLevelsAndACoarseCut) {
   const auto warnings =
       resolution_warnings(jet_on_block("1 mm", R"(grading = { levels = 2, width = "6 mm" })"));
   EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("body[1].grading.width (\"block\") = 0.006 m"),

@@ -39,7 +39,7 @@ shape = {{ type = "box", minimum = ["-10 mm", "0 mm"], maximum = ["10 mm", "6 mm
                      material);
 }
 
-TEST(CheckWarnings, NameASolidThatNeverBreaks) {
+TEST(CheckWarnings, WarnOfASolidThatCannotBreak) {
   const auto never = HasSubstr("\"block\" never breaks: its material \"gelatin-5\"");
   EXPECT_THAT(warnings_of(block_of("gelatin-5")), Contains(never));
   EXPECT_THAT(warnings_of(block_of("gelatin-5") + "fixed = true\n"), Not(Contains(never)));
@@ -49,8 +49,8 @@ TEST(CheckWarnings, NameASolidThatNeverBreaks) {
               Not(Contains(HasSubstr("never breaks"))));
 }
 
-TEST(CheckWarnings, NameAJetWithNothingToCut) {
-  const auto nothing = HasSubstr("nothing that it could cut");
+TEST(CheckWarnings, WarnOfAJetWithoutAWorkpiece) {
+  const auto nothing = HasSubstr("nothing that it can cut");
   EXPECT_THAT(warnings_of(""), Contains(nothing));
   EXPECT_THAT(warnings_of(block_of("tofu")), Not(Contains(nothing)));
 }

@@ -35,19 +35,19 @@ class Folder : public testing::Test {
   fs::path path_ = folder_ / "out/deep";
 };
 
-TEST_F(Folder, IsMadeWhenMissing) {
+TEST_F(Folder, IsCreatedIfMissing) {
   EXPECT_FALSE(RunFolder(path_, "the case\n", Existing::refuse).has_checkpoint());
   EXPECT_TRUE(fs::is_directory(path_));
 }
 
-TEST_F(Folder, WithARunIsRefusedUnlessAskedFor) {
+TEST_F(Folder, WithARunIsRefusedWithoutForce) {
   fill();
   EXPECT_THAT(refusal(Existing::refuse), AllOf(HasSubstr(path_.string()), HasSubstr("--resume"),
                                                HasSubstr("--force"), HasSubstr("--out")));
   EXPECT_TRUE(fs::exists(path_ / "result.json"));
 }
 
-TEST_F(Folder, IsClearedOfResultsAndOfNothingElseByForce) {
+TEST_F(Folder, ForceRemovesResultsOnly) {
   fill();
   write_file(path_ / "notes.txt", "mine");
   write_file(path_ / "photo.png", "mine");
@@ -57,21 +57,21 @@ TEST_F(Folder, IsClearedOfResultsAndOfNothingElseByForce) {
   EXPECT_TRUE(fs::is_empty(path_ / "frames"));
 }
 
-TEST_F(Folder, OfSomethingElseIsNeverTouched) {
+TEST_F(Folder, WithForeignFilesIsNotChanged) {
   fs::create_directories(path_);
   write_file(path_ / "thesis.tex", "years of work");
   for (const Existing existing : {Existing::refuse, Existing::resume, Existing::replace})
-    EXPECT_THAT(refusal(existing), HasSubstr("holds no run of Kerf"));
+    EXPECT_THAT(refusal(existing), HasSubstr("contains no run of Kerf"));
   EXPECT_TRUE(fs::exists(path_ / "thesis.tex"));
 }
 
-TEST_F(Folder, WithOnlyLeftoversCountsAsEmpty) {
+TEST_F(Folder, WithTemporaryFilesOnlyIsEmpty) {
   fs::create_directories(path_ / "frames");
   write_file(path_ / ".case.used.toml.tmp", "half a ca");
   EXPECT_EQ(refusal(Existing::refuse), "");
 }
 
-TEST_F(Folder, OfAnotherCaseWithoutACheckpointIsNotStartedOver) {
+TEST_F(Folder, OfAnotherCaseIsNotRestarted) {
   fill();
   EXPECT_THAT(refusal(Existing::resume, "another case\n"), HasSubstr("another case"));
   EXPECT_TRUE(fs::exists(path_ / "result.json"));
@@ -79,12 +79,12 @@ TEST_F(Folder, OfAnotherCaseWithoutACheckpointIsNotStartedOver) {
   EXPECT_FALSE(fs::exists(path_ / "result.json"));
 }
 
-TEST_F(Folder, IsHeldByOneRunAtATime) {
+TEST_F(Folder, IsLockedByOneRun) {
   const RunFolder first(path_, "the case\n", Existing::refuse);
   EXPECT_THAT(refusal(Existing::refuse), HasSubstr("in use by another run"));
 }
 
-TEST(Schedule, IsDueOnceForTimesThatComeTogether) {
+TEST(Schedule, IsDueOnceForCoincidentTimes) {
   Schedule schedule(std::vector<double>{0.0, 1.0, 1.5, 4.0});
   EXPECT_TRUE(schedule.due(0.0));
   EXPECT_FALSE(schedule.due(0.999));
@@ -94,7 +94,7 @@ TEST(Schedule, IsDueOnceForTimesThatComeTogether) {
   EXPECT_FALSE(schedule.due(1e9));
 }
 
-TEST(Schedule, RepeatsAndGoesOn) {
+TEST(Schedule, RepeatsAndResumes) {
   Schedule schedule(0.1);
   EXPECT_TRUE(schedule.due(0.0));
   EXPECT_FALSE(schedule.due(0.05));
@@ -108,7 +108,7 @@ TEST(Schedule, RepeatsAndGoesOn) {
   EXPECT_FALSE(never.due(1e9));
 }
 
-TEST(RunRecord, SurvivesAnArchive) {
+TEST(RunRecord, IsRestoredFromAnArchive) {
   RunRecord record;
   record.case_name = "tofu";
   record.finished = true;
@@ -148,7 +148,7 @@ TEST(RunRecord, SurvivesAnArchive) {
   EXPECT_FALSE(back.cut_history[1].cut_through);
 }
 
-TEST(Progress, NamesItsNumbers) {
+TEST(Progress, LabelsItsNumbers) {
   ProgressNumbers numbers;
   numbers.time = 0.0126;
   numbers.end = 0.03;

@@ -53,7 +53,7 @@ class Run : public testing::Test {
   Case description_ = test::fake_case();
 };
 
-TEST_F(Run, LeavesEverythingItPromises) {
+TEST_F(Run, WritesEveryDocumentedFile) {
   EXPECT_EQ(run(settings("a")).signal, 0);
   EXPECT_EQ(
       test::names_in(folder_ / "a"),
@@ -90,7 +90,7 @@ TEST_F(Run, WritesAtTheFirstStepAtOrAfterEachDueTime) {
   EXPECT_EQ(table.numbers("time").back(), 0.01);
 }
 
-TEST_F(Run, OutputDoesNotChangeWhatIsComputed) {
+TEST_F(Run, OutputDoesNotChangeTheComputation) {
   run(settings("a"));
   description_.output.frame_times = {0.0033};
   description_.output.picture_times.clear();
@@ -103,7 +103,7 @@ TEST_F(Run, OutputDoesNotChangeWhatIsComputed) {
   EXPECT_EQ(a.numbers("wall_pressure").back(), b.numbers("wall_pressure").back());
 }
 
-TEST_F(Run, KilledAnywhereItEndsAsIfNeverStopped) {
+TEST_F(Run, KilledRunResumesToTheSameResult) {
   run(settings("whole"));
   description_.output.checkpoint_interval = 2e-3;  // s, every few steps
   run(settings("frequent"));
@@ -119,7 +119,7 @@ TEST_F(Run, KilledAnywhereItEndsAsIfNeverStopped) {
   EXPECT_EQ(read_file(folder_ / "whole/series.csv"), read_file(folder_ / "frequent/series.csv"));
 }
 
-TEST_F(Run, KilledLongAfterItsCheckpointItEndsAsIfNeverStopped) {
+TEST_F(Run, KilledLongAfterACheckpointResumesToTheSameResult) {
   run(settings("whole"));
   // A signal leaves a checkpoint at step 100; the kill comes much later, after more output.
   run(settings("a"), [](std::uint64_t now) {
@@ -133,7 +133,7 @@ TEST_F(Run, KilledLongAfterItsCheckpointItEndsAsIfNeverStopped) {
   test::expect_same_results(folder_ / "whole", folder_ / "a");
 }
 
-TEST_F(Run, ASignalEndsItInGoodOrder) {
+TEST_F(Run, ASignalEndsItWithACheckpoint) {
   run(settings("whole"));
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const std::string name = std::to_string(signal);
@@ -148,7 +148,7 @@ TEST_F(Run, ASignalEndsItInGoodOrder) {
   }
 }
 
-TEST_F(Run, WallTimeAndStageTimesAddUpOverTheParts) {
+TEST_F(Run, WallTimesAddUpOverResumedParts) {
   run(settings("a"), [](std::uint64_t now) {
     if (now == 100) std::raise(SIGTERM);
   });
@@ -166,7 +166,7 @@ TEST_F(Run, ResumingAFinishedRunChangesNothing) {
   EXPECT_EQ(read_file(folder_ / "a/result.json"), before);
 }
 
-TEST_F(Run, ResumingAFinishedRunMakesALostResultAgain) {
+TEST_F(Run, ResumingAFinishedRunRewritesAMissingResult) {
   run(settings("a"));
   run(settings("b"));
   fs::remove(folder_ / "a/result.json");
@@ -175,7 +175,7 @@ TEST_F(Run, ResumingAFinishedRunMakesALostResultAgain) {
   test::expect_same_results(folder_ / "a", folder_ / "b");
 }
 
-TEST_F(Run, ResumingWithoutACheckpointStartsOver) {
+TEST_F(Run, ResumingWithoutACheckpointRestarts) {
   run(settings("whole"));
   const auto kill = [](std::uint64_t now) {
     if (now == 200) throw Killed();
@@ -186,13 +186,13 @@ TEST_F(Run, ResumingWithoutACheckpointStartsOver) {
   test::expect_same_results(folder_ / "whole", folder_ / "a");
 }
 
-TEST_F(Run, AFailureKeepsTheCheckpointAndSaysHowToGoOn) {
+TEST_F(Run, AFailureKeepsTheCheckpointAndNamesTheRemedy) {
   description_.output.checkpoint_interval = 1e-9;
   const auto fail = [](std::uint64_t now) {
     if (now == 200) throw UserError("particle 7 is not a number", exit_run_failed);
   };
   EXPECT_THAT(message_of<UserError>([&] { run(settings("a"), fail); }),
-              AllOf(HasSubstr("particle 7 is not a number"), HasSubstr("safe up to"),
+              AllOf(HasSubstr("particle 7 is not a number"), HasSubstr("saved up to"),
                     HasSubstr("kerf run fake.toml --resume")));
   EXPECT_THAT(read_file(folder_ / "a/log.txt"), HasSubstr("particle 7 is not a number"));
   run(settings("a", Existing::resume));

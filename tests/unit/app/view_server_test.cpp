@@ -96,21 +96,21 @@ TEST_F(View, FramesAreThoseOnTheDisk) {
   }
 }
 
-TEST_F(View, FollowsARunThatGoesOn) {
+TEST_F(View, FollowsARunInProgress) {
   EXPECT_EQ(run().at("live"), false);
   std::filesystem::remove(out_ / "result.json");
   EXPECT_EQ(run().at("live"), true);
-  EXPECT_THAT(client_->Get("/")->body, testing::HasSubstr("The run is going on"));
+  EXPECT_THAT(client_->Get("/")->body, testing::HasSubstr("The run is in progress"));
   EXPECT_GT(run().at("curves").at("time").size(), 2u);
 }
 
-TEST(ViewFolder, MustHoldARun) {
+TEST(ViewFolder, MustContainARun) {
   const test::TemporaryFolder folder;
   EXPECT_THAT(test::message_of<UserError>([&] { ViewServer server(folder / ""); }),
-              testing::HasSubstr("holds no run of Kerf"));
+              testing::HasSubstr("contains no run of Kerf"));
 }
 
-TEST_F(View, EndsAlsoWhenItWasToldToBeforeItBegan) {
+TEST_F(View, EndsIfStoppedBeforeTheStart) {
   ViewServer server(out_);
   server.bind(0);
   server.stop();
@@ -146,7 +146,7 @@ TEST_F(View, AMovieHasAllFrames) {
 }
 
 // Of a computer without ffmpeg, which is one where no program is found.
-TEST_F(View, AMovieWithoutFfmpegSaysWhatToInstall) {
+TEST_F(View, AMovieWithoutFfmpegNamesThePackage) {
   const std::string path = std::getenv("PATH");
   setenv("PATH", (folder_ / "nothing").c_str(), 1);
   const std::string refusal = test::message_of<UserError>(

@@ -94,7 +94,7 @@ class ContactOfBonds : public testing::Test {
 };
 TYPED_TEST_SUITE(ContactOfBonds, BothPrecisions);
 
-TYPED_TEST(ContactOfBonds, WholeBondsDoNotPush) {
+TYPED_TEST(ContactOfBonds, IntactBondsHaveNoContactForce) {
   constexpr int D = TypeParam::D;
   const auto layout = block<D>({.cells = {6, 4, 4}});
   TotalLagrangian<D, typename TypeParam::P> solid(layout);
@@ -106,7 +106,7 @@ TYPED_TEST(ContactOfBonds, WholeBondsDoNotPush) {
 
 // Across the cut only nearest neighbours overlap: each of the two rows at it is pushed away from
 // it by M d^(D-2) times the overlap of 5% of the spacing, M = K + 4 G / 3.
-TYPED_TEST(ContactOfBonds, BrokenBondsPush) {
+TYPED_TEST(ContactOfBonds, BrokenBondsHaveContactForce) {
   constexpr int D = TypeParam::D;
   const auto layout = block<D>({.cells = {6, 4, 4}});
   TotalLagrangian<D, typename TypeParam::P> solid(layout);
@@ -130,7 +130,7 @@ TYPED_TEST(ContactOfBonds, BrokenBondsPush) {
 }
 
 // Two arms of one piece that were laid out further apart than bonds reach, and have closed in.
-TYPED_TEST(ContactOfBonds, ArmsThatMeetPush) {
+TYPED_TEST(ContactOfBonds, SeparatePartsInContactRepel) {
   constexpr int D = TypeParam::D;
   auto layout = block<D>({.cells = {6, 4, 4}});
   const double gap = 4e-3;  // m

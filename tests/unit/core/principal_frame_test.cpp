@@ -55,7 +55,7 @@ struct Of {
 using Cases = testing::Types<Of<2, float>, Of<2, double>, Of<3, float>, Of<3, double>>;
 TYPED_TEST_SUITE(Frame, Cases);
 
-TYPED_TEST(Frame, GivesTheTensorBack) {
+TYPED_TEST(Frame, ReproducesTheTensor) {
   constexpr int D = TypeParam::D;
   using T = typename TypeParam::T;
   std::mt19937 engine(1);
@@ -64,7 +64,7 @@ TYPED_TEST(Frame, GivesTheTensorBack) {
 }
 
 // Two or three values that are the same but for a little: the closed forms fail here.
-TYPED_TEST(Frame, NearlyEqualValues) {
+TYPED_TEST(Frame, HandlesNearlyEqualValues) {
   constexpr int D = TypeParam::D;
   using T = typename TypeParam::T;
   std::mt19937 engine(2);
@@ -76,7 +76,7 @@ TYPED_TEST(Frame, NearlyEqualValues) {
     }
 }
 
-TYPED_TEST(Frame, NothingStaysNothing) {
+TYPED_TEST(Frame, HandlesTheZeroTensor) {
   constexpr int D = TypeParam::D;
   using T = typename TypeParam::T;
   const auto frame = PrincipalFrame<D, T>::of(SymmetricTensor<D, T>::zero());

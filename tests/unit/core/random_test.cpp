@@ -10,7 +10,7 @@ namespace {
 
 // The first numbers of the published generator with the seed 1234567 (S. Vigna's splitmix64.c, as
 // Rosetta Code lists them).
-TEST(Random, IsSplitMix64) {
+TEST(Random, EqualsSplitMix64) {
   const std::uint64_t published[] = {6457827717110365317u, 3203168211198807973u,
                                      9817491932198370423u, 4593380528125082431u,
                                      16408922859458223821u};

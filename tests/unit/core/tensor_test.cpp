@@ -31,7 +31,7 @@ SymmetricTensor<D, double> packed(const Matrix3& s) {
   return result;
 }
 
-TEST(SymmetricTensor, EveryEntryHasItsPlace) {
+TEST(SymmetricTensor, EntriesAreDistinct) {
   std::set<int> places;
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) {
@@ -80,7 +80,7 @@ TEST(Matrix, DividedByASymmetricOne) {
   expect_division<3>();
 }
 
-TEST(Matrix, IsLeftAloneByASingularOne) {
+TEST(Matrix, DivisionByASingularMatrixFails) {
   Matrix<2, double> y, m;
   for (int k = 0; k < 4; ++k) y.component[k] = k + 1.0, m.component[k] = 1.0;
   EXPECT_FALSE(divide(y, m, 0.1));

@@ -70,7 +70,7 @@ struct Diffused {
 };
 
 // Volumes are by densities, so that neither is exact by cancellation of equal weights.
-TYPED_TEST(DeltaSph, LinearDensityIsSeenExactlyAndDoesNotDiffuse) {
+TYPED_TEST(DeltaSph, LinearDensityHasAnExactGradientAndNoDiffusion) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;
   const Vector3 slope{3.0, -2.0, D == 3 ? 1.5 : 0.0};
@@ -134,7 +134,7 @@ TYPED_TEST(DeltaSph, DiffusionSmooths) {
 }
 
 // - 2 V_i V_j P_d nabla W against alpha rho c h V_i V_j (v_ij . r_ij / r^2) nabla W, and its power.
-TEST(CentralWater, IsMeansAndTheArtificialViscosity) {
+TEST(CentralWater, HasMeanPressureAndArtificialViscosity) {
   const RiemannSide<double> left{1010.0 * 50.0, 3e3, 2.0, 50.0},
       right{1010.0 * 50.0, 1e3, -1.0, 50.0};
   const double h = 1.3e-3, r = 1e-3;

@@ -38,19 +38,19 @@ double after_a_step(Phase phase, double kernel_sum, double max_relative_velocity
   return particles.compression[0] - (kernel_sum / lattice_kernel_sum - 1.0);
 }
 
-TEST(DensityReinitialisation, GoesAtTheRateOfTheStirring) {
+TEST(DensityReinitialisation, HasTheRateOfTheRelativeVelocity) {
   const double max_relative_velocity = 25.0;
   EXPECT_NEAR(after_a_step(Phase::water, 1.02, max_relative_velocity),
               0.01 * (1.0 - DensityReinitialisation<2, Double>::rate * max_relative_velocity * dt),
               1e-12);
 }
 
-TEST(DensityReinitialisation, NeverGoesPastTheRoom) {
+TEST(DensityReinitialisation, DoesNotOvershootTheKernelSum) {
   EXPECT_NEAR(after_a_step(Phase::water, 0.97, 1e6), 0.0, 1e-12);
 }
 
 // What a squeeze alone stirs does not count, where water may be shocked.
-TEST(DensityReinitialisation, WaitsForShocksToPass) {
+TEST(DensityReinitialisation, PausesDuringShocks) {
   const auto law = EquationOfState::shock_hugoniot;
   const double rate = DensityReinitialisation<2, Double>::rate;
   EXPECT_NEAR(after_a_step(Phase::water, 1.02, 25.0, 0, {law, 5.0}),
@@ -62,7 +62,7 @@ TEST(DensityReinitialisation, WaitsForShocksToPass) {
               0.01 * (1.0 - rate * 25.0 * dt), 1e-12);
 }
 
-TEST(DensityReinitialisation, LeavesTheRestAlone) {
+TEST(DensityReinitialisation, ChangesFluidParticlesOnly) {
   EXPECT_NEAR(after_a_step(Phase::water, 1.02, 0.0), 0.01, 1e-12);
   EXPECT_NEAR(after_a_step(Phase::water, 0.8, 25.0), 0.01, 1e-12);
   EXPECT_NEAR(after_a_step(Phase::solid, 1.02, 25.0), 0.01, 1e-12);

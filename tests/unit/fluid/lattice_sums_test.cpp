@@ -27,7 +27,7 @@ TEST(LatticeSums, AtTheUsualRatioInThePlane) {
 
 // The slope is what the kernel_sum loses when the lattice widens: d kernel_sum / d ln spacing = - D
 // slope.
-TEST(LatticeSums, SlopeIsThatOfTheFilling) {
+TEST(LatticeSums, SlopeIsTheDerivativeOfTheKernelSum) {
   const double ratio = 1.3, step = 1e-5;
   // Spacing 1 + s at the same h, with the weight of a particle kept: (1 + s)^-D at h / (1 + s).
   const auto kernel_sum = [&](double s) {

@@ -13,9 +13,9 @@ namespace {
 
 using Side = RiemannSide<double>;
 
-// Density, pressure, speed, speed of sound.
-Side side_of(double density, double pressure, double speed, double sound) {
-  return {density * sound, pressure, speed, sound};
+// Density, pressure, speed, sound speed.
+Side side_of(double density, double pressure, double speed, double sound_speed) {
+  return {density * sound_speed, pressure, speed, sound_speed};
 }
 
 TEST(Riemann, AgreesWithTheFormulas) {
@@ -39,7 +39,7 @@ TEST(Riemann, AgreesWithTheFormulas) {
 }
 
 // In strong shocks the difference in pressure counts by 1 - 20 (U_l - U_r) / c, not below 0.
-TEST(Riemann, SharpFrontsAreNotSmoothed) {
+TEST(Riemann, LimiterKeepsSharpFronts) {
   const double z = 2.0 * 1000.0 * 50.0;
   const auto speed = [](double approach) {
     const Side left = side_of(1000.0, 3e4, 0.5 * approach, 50.0);
@@ -78,7 +78,7 @@ TEST(Riemann, EqualStatesGiveThatState) {
   EXPECT_DOUBLE_EQ(star.speed, -2.3);
 }
 
-TEST(Riemann, NothingDissipatesWhereParticlesPart) {
+TEST(Riemann, SeparatingParticlesDissipateNothing) {
   for (double speed : {1e-6, 1.0, 1e3}) {
     const auto star =
         solve_riemann(side_of(1000.0, 1e4, -speed, 50.0), side_of(1000.0, 2e4, speed, 50.0));

@@ -100,7 +100,7 @@ using Kinds = testing::Types<Kind<2, Double>, Kind<2, Mixed>, Kind<3, Double>, K
 TYPED_TEST_SUITE(Shifting, Kinds);
 
 // Opposite neighbours cancel to rounding.
-TYPED_TEST(Shifting, LatticeStaysAsItIs) {
+TYPED_TEST(Shifting, LatticeIsUnchanged) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;
   Shifted<D, P> water(block(D, 0.0));
@@ -146,18 +146,18 @@ void expect_moved_from_the_crowd(double stirred, double share) {
   EXPECT_EQ(inside, std::pow(side - 10, D));
 }
 
-TYPED_TEST(Shifting, MovesFromTheCrowdInsideOnly) {
+TYPED_TEST(Shifting, ActsAgainstTheConcentrationGradientInside) {
   expect_moved_from_the_crowd<TypeParam::D, typename TypeParam::P>(
       max_relative_velocity, 20.0 * max_relative_velocity * dt);
 }
 
-TYPED_TEST(Shifting, IsBoundedHoweverFastTheWaterTurns) {
+TYPED_TEST(Shifting, IsBoundedForAnyVorticity) {
   expect_moved_from_the_crowd<TypeParam::D, typename TypeParam::P>(100.0 * max_relative_velocity,
                                                                    0.25);
 }
 
 // A hundred steps take more than half of the shaking out.
-TYPED_TEST(Shifting, EvensOut) {
+TYPED_TEST(Shifting, EqualisesTheDistribution) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;
   Shifted<D, P> water(block(D, 0.1));
@@ -179,7 +179,7 @@ TYPED_TEST(Shifting, EvensOut) {
 }
 
 // Neither what is not stirred, nor what is in a nozzle; at a wall along it only.
-TEST(Shifting2D, LeavesWhatItMust) {
+TEST(Shifting2D, ExcludesSurfacesAndOtherMatter) {
   Shifted<2, Double> water(block(2, 0.1));
   auto& p = water.loaded.particles;
   const Vector<2, double> up{{0.0, 1.0}};

@@ -14,7 +14,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr double spacing = 1e-3, h = 1.3e-3, mass = 1e-6, sound = 40.0, mu = 0.3,
+constexpr double spacing = 1e-3, h = 1.3e-3, mass = 1e-6, sound_speed = 40.0, mu = 0.3,
                  kernel_gradient_normalisation = 1.02;
 
 struct Drop {
@@ -52,8 +52,9 @@ RiemannSide<double> side_of(const Drop& drop, double hugoniot_slope, double spee
   const double density = mass / drop.volume,
                eta = std::max(0.0, 1.0 - (mass / (spacing * spacing * spacing)) / density),
                steep = hugoniot_slope * eta,
-               c = sound * (1.0 - eta) * std::sqrt((1.0 + steep) / (1.0 - steep)) / (1.0 - steep);
-  const double speed_of_sound = hugoniot_slope > 0.0 ? c : sound;
+               c = sound_speed * (1.0 - eta) * std::sqrt((1.0 + steep) / (1.0 - steep)) /
+                   (1.0 - steep);
+  const double speed_of_sound = hugoniot_slope > 0.0 ? c : sound_speed;
   return {density * speed_of_sound, drop.pressure, speed, speed_of_sound};
 }
 
@@ -116,7 +117,7 @@ FluidSums<D, Real> simd_sums(const std::vector<Drop>& drops, double hugoniot_slo
   FluidLaw<Real> law{};
   law.mass = Real(mass);
   law.volume = Real(spacing * spacing * spacing);
-  law.sound_speed = Real(sound);
+  law.sound_speed = Real(sound_speed);
   law.equations.shock_hugoniot.slope = Real(hugoniot_slope);
   law.equation_of_state =
       hugoniot_slope > 0.0 ? EquationOfState::shock_hugoniot : EquationOfState::tait;
@@ -174,24 +175,24 @@ TEST(FluidKernel, IsTheSumOfItsPairs) {
 }
 
 // riemann_parts and solve_riemann are two forms of one solution where the sound speed is constant.
-TEST(RiemannByVolumes, IsThatByImpedances) {
+TEST(RiemannByVolumes, AgreesWithTheFormByImpedances) {
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int n = 0; n < 100; ++n) {
     const double left_volume = 1e-9 * (1.0 + 0.3 * uniform(engine)),
                  right_volume = 1e-9 * (1.0 + 0.3 * uniform(engine)),
                  left_pressure = 1e4 * uniform(engine), right_pressure = 1e4 * uniform(engine),
-                 speed = sound * uniform(engine);
-    const auto due =
-        solve_riemann<double>({mass / left_volume * sound, left_pressure, 0.0, sound},
-                              {mass / right_volume * sound, right_pressure, speed, sound});
+                 speed = sound_speed * uniform(engine);
+    const auto due = solve_riemann<double>(
+        {mass / left_volume * sound_speed, left_pressure, 0.0, sound_speed},
+        {mass / right_volume * sound_speed, right_pressure, speed, sound_speed});
     const auto is =
         riemann_parts<double>({left_volume, left_pressure}, {right_volume, right_pressure}, speed,
-                              {3.0 * mass, mass * sound, 1.0 / (mass * sound)});
+                              {3.0 * mass, mass * sound_speed, 1.0 / (mass * sound_speed)});
     EXPECT_NEAR(is.pressure_force / is.volume, due.mean_pressure, 1e-13 * 1e4);
     EXPECT_NEAR(is.approach * is.dissipative_force / is.volume, due.dissipation,
                 1e-13 * std::abs(due.dissipation));
-    EXPECT_NEAR(left_volume * is.speed / is.volume, due.speed, 1e-13 * sound);
+    EXPECT_NEAR(left_volume * is.speed / is.volume, due.speed, 1e-13 * sound_speed);
   }
 }
 

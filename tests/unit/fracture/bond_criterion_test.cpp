@@ -119,7 +119,7 @@ TEST(BondCriterion, NoLimitNeverBreaks) {
 }
 
 // The bond that spans a crack is longer than the smeared tensors say, that beside it is not.
-TEST(BondCriterion, OnlyWhatOpensBreaks) {
+TEST(BondCriterion, OnlyStretchedBondsBreak) {
   for (auto criterion : {BondCriterion::principal_strain, BondCriterion::equivalent_strain}) {
     const UniformStrain smeared{0.3, 0.0, brittle(criterion, 0.1)};
     auto bond = smeared.bond(0.0);

@@ -129,7 +129,7 @@ TEST(GradyKipp, StrengthAndItsRateAreThoseOfTheClosedForm) {
 }
 
 // Single precision counts the same flaws but for those within its rounding.
-TEST(GradyKipp, SinglePrecisionHasTheSameFlaws) {
+TEST(GradyKipp, SinglePrecisionHasEqualFlaws) {
   const auto law = law_of(1e-6, 2);
   const auto single = GradyKipp<float>::from(law);
   for (std::uint64_t i = 0; i < 100; ++i) {

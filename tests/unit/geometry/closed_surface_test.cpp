@@ -32,7 +32,7 @@ TriangleMesh joined(TriangleMesh a, const TriangleMesh& b, bool turned) {
   return a;
 }
 
-TEST(ClosedSurface, ACubeHoldsWhatItsEdgesSay) {
+TEST(ClosedSurface, ContainsThePointsOfACube) {
   const ClosedSurface cube(as_read(cube_mesh(2.0, {-1.0, -1.0, -1.0})));
   EXPECT_NEAR(cube.volume(), 8.0, 1e-14);
   // Places on a grid that has the centre, faces, edges, corners and both diagonals of every face.
@@ -49,7 +49,7 @@ TEST(ClosedSurface, ACubeHoldsWhatItsEdgesSay) {
 }
 
 // An octahedron with rays along z through its two tips, its edges and its middle.
-TEST(ClosedSurface, RaysThroughCornersAndEdgesMissNothing) {
+TEST(ClosedSurface, RaysThroughCornersAndEdgesAreCountedOnce) {
   const ClosedSurface surface(as_read(sphere_mesh(1.0, 0)));
   EXPECT_NEAR(surface.volume(), 4.0 / 3.0, 1e-14);
   for (int i = -8; i <= 8; ++i)
@@ -77,7 +77,7 @@ TEST(ClosedSurface, ASphereConvergesWithItsTriangles) {
   EXPECT_LT(before, 2e-3 * 36.0 * pi);
 }
 
-TEST(ClosedSurface, ATorusIsWhereItShouldBe) {
+TEST(ClosedSurface, ContainsThePointsOfATorus) {
   const std::uint32_t sides = 96;
   const ClosedSurface torus(as_read(torus_mesh(3.0, 1.0, sides)));
   // Of the exact 6 pi^2 a polygon of n sides lacks less than (2 pi / n)^2 / 6 for either circle.
@@ -120,7 +120,7 @@ TEST(ClosedSurface, ASurfaceInsideOutIsTheSameRegion) {
 }
 
 // Turned about x, then y, then z: the corner (1, 2, 3) of a box is followed by hand.
-TEST(ClosedSurface, PartsAreScaledTurnedAndMoved) {
+TEST(ClosedSurface, PlacesAScaledAndRotatedPart) {
   MeshShape shape;
   shape.scale = 2.0;
   shape.rotation = {0.5 * pi, 0.5 * pi, 0.0};
@@ -133,7 +133,7 @@ TEST(ClosedSurface, PartsAreScaledTurnedAndMoved) {
 }
 
 // What is inside does not change when surface and point are turned together.
-TEST(ClosedSurface, TurningChangesNothingInside) {
+TEST(ClosedSurface, RotationKeepsTheInteriorPoints) {
   MeshShape shape;
   shape.scale = 1e-3;
   shape.rotation = {0.3, -0.7, 1.1};

@@ -71,7 +71,7 @@ void expect_same_room(const Body& body, int dimension) {
   EXPECT_LT(count, (dimension == 2 ? 0.6 : 0.4) * static_cast<double>(expected.size()));
 }
 
-TEST(GradedFill, FillsWhatTheUniformBodyFills) {
+TEST(GradedFill, HasTheVolumeOfTheUniformBody) {
   auto body = graded_body(holed_box(), 1e-3, 2, 8e-3);
   body.grading.lines = {{{0.0, 27e-3, 10e-3}, {0.0, -1.0, 0.0}, 2e-3}};
   expect_same_room(body, 2);
@@ -127,7 +127,7 @@ TEST(GradedFill, KeepsSymmetry) {
   EXPECT_EQ(places, mirrored);
 }
 
-TEST(GradedFill, UniformBodiesStayAsTheyWere) {
+TEST(GradedFill, UniformBodiesAreUnchanged) {
   const auto body = graded_body(holed_box(), 1e-3, 0, 0.0);
   const auto particles = fill_levels(body, 2);
   const auto points = fill(body, 2);

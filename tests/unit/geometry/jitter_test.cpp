@@ -48,7 +48,7 @@ double filling_spread(const Body& body, const std::vector<Point>& points, int di
 
 // What is left of a random step of 0.3 is off the lattice still, and no longer crowded: without
 // relaxation sum V W would spread by 9.4% in 2D.
-TEST(Jitter, LeavesTheLatticeAndKeepsTheVolumes) {
+TEST(Jitter, MovesParticlesAndKeepsTheVolumes) {
   for (const int dimension : {2, 3})
     for (const Lattice lattice : {Lattice::square, Lattice::hexagonal}) {
       Body body = block(dimension == 2 ? 24e-3 : 13e-3, 0.0, lattice);
@@ -74,7 +74,7 @@ TEST(Jitter, LeavesTheLatticeAndKeepsTheVolumes) {
     }
 }
 
-TEST(Jitter, SurfacesStay) {
+TEST(Jitter, SurfacesAreUnchanged) {
   for (const Lattice lattice : {Lattice::square, Lattice::hexagonal}) {
     const Body still = block(12e-3, 0.0, lattice);
     const auto nodes = fill(still, 2), points = fill(block(12e-3, 0.3, lattice), 2);
@@ -90,7 +90,7 @@ TEST(Jitter, SurfacesStay) {
 }
 
 // A slot thinner than a spacing, between two rows, and a disc.
-TEST(Jitter, StaysInTheShape) {
+TEST(Jitter, KeepsParticlesInTheShape) {
   Body body = block(12e-3, 0.3);
   Shape slot;
   slot.box = {{-1e-3, 5.9e-3, 0}, {6e-3, 6.1e-3, 0}};
@@ -107,7 +107,7 @@ TEST(Jitter, StaysInTheShape) {
   for (const Point& point : fill(disc, 2)) EXPECT_TRUE(contains(disc.shape, point, 2));
 }
 
-TEST(Jitter, IsThatOfItsSeed) {
+TEST(Jitter, DependsOnTheSeed) {
   Body body = block(8e-3, 0.2);
   const auto first = fill(body, 2);
   EXPECT_EQ(fill(body, 2), first);

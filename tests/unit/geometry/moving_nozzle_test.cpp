@@ -41,7 +41,7 @@ TEST(MovingNozzle, TraversesAfterItsDwell) {
   EXPECT_NEAR(mean_x(nozzle.emit(9e-3)), 2.0 * 5e-3, 1e-12);  // enters where the nozzle is
 }
 
-TEST(MovingNozzle, PulsesLetInTheirShare) {
+TEST(MovingNozzle, PulsesEmitTheirDutyCycle) {
   for (const double duty : {0.1, 0.25, 0.5, 0.9}) {
     Jet jet = plain_jet();
     jet.pulse_frequency = 400.0;
@@ -79,7 +79,7 @@ TEST(MovingNozzle, ASlotInSpaceHasItsArea) {
   EXPECT_NEAR(nozzle_area(jet, 3), 4e-6 * std::acos(-1.0), 1e-18);
 }
 
-TEST(MovingNozzle, KnowsHowMuchWillEnter) {
+TEST(MovingNozzle, EstimatesTheEnteringParticles) {
   Jet jet = plain_jet();
   jet.duty = 0.5;
   jet.pulse_frequency = 100.0;

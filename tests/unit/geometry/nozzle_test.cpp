@@ -96,7 +96,7 @@ TEST(Nozzle, ParticlesHaveTheMassOfTheirCell) {
 
 // At a plane through the axis the columns of one side are left, as they were: half the flow. Two
 // planes leave a quarter.
-TEST(Nozzle, IsCutAtSymmetryPlanes) {
+TEST(Nozzle, EndsAtSymmetryPlanes) {
   const Box domain{{0.0, -1.0, 0.0}, {1.0, 1.0, 1.0}};
   const Faces one{{true, false, false}, {}}, two{{true, false, true}, {}};
   for (int dimension : {2, 3}) {

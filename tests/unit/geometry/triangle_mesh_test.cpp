@@ -31,7 +31,7 @@ std::string refusal(const std::string& content, const std::string& format) {
   return "(read)";
 }
 
-TEST(TriangleMesh, EveryFormatHoldsTheSame) {
+TEST(TriangleMesh, EveryFormatGivesTheSameMesh) {
   const TriangleMesh torus = torus_mesh(3.0, 1.0, 12);
   for (const Format& format : formats) {
     const TriangleMesh read = read_triangles(format.write(torus), format.extension);
@@ -50,7 +50,7 @@ TEST(TriangleMesh, CoordinatesAreThoseOfTheFile) {
   }
 }
 
-TEST(TriangleMesh, TrianglesWithoutAreaAreLeftOut) {
+TEST(TriangleMesh, TrianglesWithoutAreaAreSkipped) {
   TriangleMesh cube = cube_mesh(1.0);
   cube.triangles.push_back({3, 3, 5});
   const TriangleMesh read = read_triangles(stl_text(cube), "stl");
@@ -58,7 +58,7 @@ TEST(TriangleMesh, TrianglesWithoutAreaAreLeftOut) {
   EXPECT_EQ(find_opening(read), "");
 }
 
-TEST(TriangleMesh, OpeningsAreFound) {
+TEST(TriangleMesh, OpenEdgesAreFound) {
   TriangleMesh lacking = cube_mesh(1.0);
   lacking.triangles.pop_back();
   EXPECT_THAT(find_opening(lacking), HasSubstr("3 edges do not belong to two triangles"));
@@ -70,7 +70,7 @@ TEST(TriangleMesh, OpeningsAreFound) {
   EXPECT_THAT(find_opening(turned), HasSubstr("3 pairs of neighbouring triangles"));
 }
 
-TEST(TriangleMesh, WhatIsNoMeshIsRefused) {
+TEST(TriangleMesh, InvalidFilesAreRefused) {
   EXPECT_NE(refusal("", "stl"), "(read)");
   EXPECT_NE(refusal("solid\nendsolid\n", "stl"), "(read)");
   EXPECT_NE(refusal("\x89PNG\r\n\x1a\n and so on and on and on", "stl"), "(read)");
@@ -82,7 +82,7 @@ TEST(TriangleMesh, WhatIsNoMeshIsRefused) {
 }
 
 // Files cut short and files with bytes changed at random are read or refused, whatever they hold.
-TEST(TriangleMesh, SpoiltFilesDoNoHarm) {
+TEST(TriangleMesh, DamagedFilesAreHandled) {
   std::mt19937 random(5);
   for (const Format& format : formats) {
     const std::string whole = format.write(sphere_mesh(1.0, 1));

@@ -77,7 +77,7 @@ void expect_refused(const std::string& text, const std::string& what, const std:
   }
 }
 
-TEST(Grading, WhatCannotBeIsRefused) {
+TEST(Grading, InvalidGradingIsRefused) {
   expect_refused(block_with(R"(grading = { levels = 2, width = "3.9 mm" })", jet),
                  "body[1].grading.width = \"3.9 mm\"", "at least 0.004 m");
   expect_refused(block_with(R"(grading = { levels = 2, width = "15 mm" })"),

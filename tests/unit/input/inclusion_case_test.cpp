@@ -52,7 +52,7 @@ Cell cell_of(const std::array<double, 3>& x) {
   return {std::lround(x[0] / 1e-3 - 0.5), std::lround(x[1] / 1e-3 - 0.5)};
 }
 
-TEST(InclusionOf, EveryPlaceOfTheLatticeHoldsOneParticle) {
+TEST(InclusionOf, EveryLatticeNodeHasOneParticle) {
   const Case read =
       parse_case(head + body("square", square) + body("disc", disc, "inclusion_of = \"square\"") +
                      body("core", core, "inclusion_of = \"disc\"", "water"),
@@ -111,7 +111,7 @@ TEST(InclusionOf, OfTheSameMaterialMovesAsOneBody) {
   EXPECT_LT(worst, 1e-9 * furthest);
 }
 
-TEST(InclusionOf, WhatCannotBeIsRefused) {
+TEST(InclusionOf, InvalidInclusionsAreRefused) {
   const auto refusal = [](const std::string& bodies) {
     return message_of<UserError>([&] { parse_case(head + bodies, "bad.toml"); });
   };
@@ -123,7 +123,7 @@ TEST(InclusionOf, WhatCannotBeIsRefused) {
               HasSubstr("an inclusion is bonded to the body that it lies in"));
   EXPECT_THAT(refusal(body("square", square, "inclusion_of = \"disc\"") +
                       body("disc", disc, "inclusion_of = \"square\"")),
-              HasSubstr("bodies lie in one another in a circle"));
+              HasSubstr("the bodies contain one another in a cycle"));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::string content(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-TEST(MaterialLibrary, IsTheFolder) {
+TEST(MaterialLibrary, EqualsTheFolder) {
   std::set<std::string> files, embedded;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     files.insert(entry.path().filename());
@@ -41,7 +41,7 @@ TEST(MaterialLibrary, IsTheFolder) {
   EXPECT_EQ(material_library().size(), files.size());
 }
 
-TEST(MaterialLibrary, HoldsWhatIssueThreeAsksFor) {
+TEST(MaterialLibrary, HasTheRequiredMaterials) {
   for (const char* name : {"tofu", "gelatin-5", "gelatin-10", "gelatin-20", "silicone",
                            "polyurethane-foam", "liver", "cortical-bone", "trabecular-bone", "pmma",
                            "sandstone", "granite", "concrete", "aluminium-6061", "copper", "glass"})
@@ -50,7 +50,7 @@ TEST(MaterialLibrary, HoldsWhatIssueThreeAsksFor) {
 }
 
 // These three were in the program before they were files: bit for bit what they were.
-TEST(MaterialLibrary, FirstThreeAreUnchanged) {
+TEST(MaterialLibrary, ReferenceMaterialsHaveTheirPublishedValues) {
   Material tofu;
   tofu.name = "tofu";
   tofu.kind = MaterialKind::elastic;
@@ -103,7 +103,7 @@ TEST(MaterialLibrary, EveryValueHasASource) {
 // Once the case schema has a key of that name, the value belongs to [[values]].
 // But for one, which a case takes in place of a strain, and in one formulation only; and for those
 // of laws of flow, which a case chooses.
-TEST(MaterialLibrary, WhatIsKnownIsNoKeyOfACase) {
+TEST(MaterialLibrary, InformativeValuesAreNotCaseKeys) {
   for (const KnownQuantity& quantity : known_quantities()) {
     const std::set<std::string> plain{"elastic", "water", "standard", "none"};
     const Key* key = find_key("materials", quantity.name, plain);
@@ -113,7 +113,7 @@ TEST(MaterialLibrary, WhatIsKnownIsNoKeyOfACase) {
 }
 
 // A slip of a prefix (MPa for kPa) would show in the wave speed or in the order of the strengths.
-TEST(MaterialLibrary, ValuesAreThoseOfMatter) {
+TEST(MaterialLibrary, ValuesArePhysical) {
   const auto known = [](const LibraryMaterial& material, const std::string& name) {
     for (const LibraryValue& value : material.known)
       if (value.name == name) return value.value;
@@ -160,7 +160,7 @@ TEST(MaterialLibrary, EveryMaterialMakesACase) {
 }
 
 // What a file leaves out is what a case file would have got.
-TEST(MaterialLibrary, LeftOutValuesAreTheDefaults) {
+TEST(MaterialLibrary, MissingValuesHaveTheDefaults) {
   const Material glass = find_library_material("glass")->material();
   EXPECT_EQ(glass.failure_strain, 0.0);
   EXPECT_EQ(glass.artificial_linear, 2.5);
@@ -170,7 +170,7 @@ TEST(MaterialLibrary, LeftOutValuesAreTheDefaults) {
 
 TEST(MaterialLibrary, PageIsUpToDate) {
   EXPECT_EQ(content(KERF_SOURCE_DIR "/docs/materials.md"), materials_page())
-      << "write it anew: kerf materials --page > docs/materials.md";
+      << "write it again: kerf materials --page > docs/materials.md";
 }
 
 const std::string good =
@@ -208,7 +208,7 @@ void expect_refused(const std::string& from, const std::string& to, const std::s
   }
 }
 
-TEST(MaterialFile, RefusesWhatItMustNotHold) {
+TEST(MaterialFile, RefusesForeignKeys) {
   expect_refused("source = \"weighed\"\n", "", "source must be a text");
   expect_refused("source = \"has_broken_bonds\"\n", "source = \"\"\n", "source must be a text");
   expect_refused("\"1 g/cm3\"", "1000", "value must be a text");

@@ -52,7 +52,7 @@ TEST(Overlay, ReplacesOtherLists) {
 }
 
 // Parts of a shape have no names.
-TEST(Overlay, ReplacesListsOfNamelessTables) {
+TEST(Overlay, ReplacesListsOfUnnamedTables) {
   const std::string notched = "[shape]\ntype = \"difference\"\nparts = [{ x = 1 }, { x = 2 }]";
   const auto result =
       toml::parse(overlay(notched, toml::parse("[shape]\nparts = [{ x = 1 }, { x = 3 }]")));

@@ -95,7 +95,7 @@ TEST(Read, MaterialsOverTheLibrary) {
   EXPECT_EQ(read.materials[0].failure_strain, 0.1);
 }
 
-TEST(Read, SoundOfFallingWater) {
+TEST(Read, SoundSpeedOfFallingWater) {
   const Case read = parse_case(R"(title = "dam"
 dimension = 2
 formulation = "shinohara2004"
@@ -126,7 +126,7 @@ TEST(Read, VelocitiesAndAngles) {
 
 // A case that uses everything comes back bit for bit.
 // budget: function: a table of cases reads best in one place
-TEST(Read, EveryKindOfThingComesBack) {
+TEST(Read, EverySectionIsReadBack) {
   const std::string text = R"toml(title = "all \"things\" \u00e9"
 dimension = 3
 formulation = "shinohara2004"
@@ -207,7 +207,7 @@ checkpoint_interval = "1 h"
   EXPECT_EQ(read.materials[0].sound_speed, 13.0 * 7.0);
 }
 
-TEST(Read, JitterComesBack) {
+TEST(Read, JitterIsReadBack) {
   std::string text = with("material = \"tofu\"", "material = \"tofu\"\njitter = 0.2\nseed = 77");
   text.replace(text.find("shinohara2004"), 13, "standard");
   const Case read = parse_case(text, "jittered.toml");
@@ -216,7 +216,7 @@ TEST(Read, JitterComesBack) {
   EXPECT_EQ(parse_case(write_used(read), "case.used.toml"), read);
 }
 
-TEST(Read, BoundariesOfTheStandardFormulationComeBack) {
+TEST(Read, BoundariesOfTheStandardFormulationAreReadBack) {
   const std::string text = R"toml(title = "quarter"
 dimension = 3
 formulation = "standard"

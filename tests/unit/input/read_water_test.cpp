@@ -46,7 +46,7 @@ TEST(ReadWater, SlowJetsAreWeaklyCompressible) {
   EXPECT_EQ(slow.materials[0].sound_speed, 1500.0);
 }
 
-TEST(ReadWater, FastJetsHaveTheSoundOfRealWater) {
+TEST(ReadWater, FastJetsHaveTheRealSoundSpeed) {
   for (const std::string own : {"", "[materials.own]\nbase = \"water\"\n"}) {
     const Case fast = read(jet_of("600 m/s", standard, own));
     EXPECT_EQ(fast.materials[0].equation_of_state, EquationOfState::shock_hugoniot);
@@ -59,7 +59,7 @@ TEST(ReadWater, FastJetsHaveTheSoundOfRealWater) {
 }
 
 // Who asks for a speed of sound, its factor, an exponent or a law gets it.
-TEST(ReadWater, WhatIsWrittenHolds) {
+TEST(ReadWater, ExplicitValuesAreKept) {
   const struct {
     const char* key;
     EquationOfState law;
@@ -77,7 +77,7 @@ TEST(ReadWater, WhatIsWrittenHolds) {
   }
 }
 
-TEST(ReadWater, ThePapersFormulationKnowsTaitAlone) {
+TEST(ReadWater, TheShinoharaFormulationHasTaitOnly) {
   const Case fast = read(jet_of("600 m/s", paper));
   EXPECT_EQ(fast.materials[0].equation_of_state, EquationOfState::tait);
   EXPECT_EQ(fast.materials[0].sound_speed, 6000.0);

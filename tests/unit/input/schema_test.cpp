@@ -161,7 +161,7 @@ TEST(Schema, EveryRowIsRefusedOutOfItsRange) {
   });
 }
 
-TEST(Schema, EveryRowIsMissedOrHasItsDefault) {
+TEST(Schema, EveryRowIsRequiredOrHasADefault) {
   for_each_stored_row([](const std::string& section, const Key& key, const Surroundings& around) {
     const ReadTable read = read_table(section, around, around.table);
     const std::string missing = fmt::format("{}.{}: the key is missing", table_path, key.name);
@@ -181,7 +181,7 @@ TEST(Schema, EveryRowIsMissedOrHasItsDefault) {
 }
 
 // Only these are read by hand; every other value is stored by its row.
-TEST(Schema, RowsWithoutAMemberAreKnown) {
+TEST(Schema, RowsWithoutAMemberAreListed) {
   std::set<std::string> by_hand;
   for_each_row([&](const std::string& section, const Key& key) {
     const bool is_table = key.kind == ValueKind::table || key.kind == ValueKind::tables;
@@ -210,7 +210,7 @@ TEST(Schema, IsConsistent) {
 TEST(Schema, KeysPageIsUpToDate) {
   std::ifstream stream(KERF_SOURCE_DIR "/docs/keys.md");
   const std::string page{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  EXPECT_EQ(page, keys_page()) << "write it anew: kerf check --keys > docs/keys.md";
+  EXPECT_EQ(page, keys_page()) << "write it again: kerf check --keys > docs/keys.md";
 }
 
 }  // namespace

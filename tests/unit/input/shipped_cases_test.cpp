@@ -24,7 +24,7 @@ std::vector<std::filesystem::path> case_files() {
   return files;
 }
 
-TEST(ShippedCases, AreAllThere) {
+TEST(ShippedCases, AreComplete) {
   std::vector<std::string> names;
   for (const auto& file : case_files()) names.push_back(file.stem());
   for (const char* name : {"tofu-5ms", "tofu-50ms", "tofu-50ms-erased", "tofu-2ms", "tofu-5ms-3d",
@@ -32,7 +32,7 @@ TEST(ShippedCases, AreAllThere) {
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
 }
 
-TEST(ShippedCases, ReadAndComeBackBitForBit) {
+TEST(ShippedCases, AreReadBackBitForBit) {
   for (const auto& file : case_files()) {
     const test::TemporaryFolder folder;
     const std::string name = folder / "case.used.toml";

@@ -57,7 +57,7 @@ TEST(Units, OtherUnits) {
   }
 }
 
-TEST(Units, WhatIsWrittenReadsBackToTheSameBits) {
+TEST(Units, WrittenQuantitiesAreReadBackBitForBit) {
   std::mt19937_64 random(1);
   for (const char* unit : {"m", "s", "m/s", "m/s2", "m2/s2", "Pa", "Pa s", "kg/m3", "rad"}) {
     std::uniform_real_distribution<double> exponent(-12.0, 12.0);

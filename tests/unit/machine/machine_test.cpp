@@ -60,7 +60,7 @@ TEST(Machine, SpeedIsBernoullisIntegral) {
   EXPECT_NEAR(jet_speed(1.0, 1000.0), std::sqrt(2e-3), 1e-9);  // without compression
 }
 
-TEST(Machine, CompressionGoesWithTheSpeedOfSound) {
+TEST(Machine, CompressionAgreesWithTheSoundSpeed) {
   EXPECT_NEAR(std::sqrt(compression_pressure / (compression_exponent * 998.2)),
               real_water_sound_speed, 0.002 * real_water_sound_speed);
 }
@@ -128,7 +128,7 @@ TEST(Machine, StandoffKeepsMassAndMomentum) {
   EXPECT_NEAR(jet_after(200.0, 1.0, 100.0, coherent_diameters).water_share, 0.02, 1e-12);
 }
 
-TEST(Machine, FansOpenAndKeepTheirFlow) {
+TEST(Machine, FansKeepTheirFlowRate) {
   Machine machine = plain_machine();
   machine.orifice_type = OrificeType::fan;
   machine.orifice_length = 1e-3;
@@ -140,7 +140,7 @@ TEST(Machine, FansOpenAndKeepTheirFlow) {
   EXPECT_NEAR(nozzle_area(jet, 3) * jet.speed, numbers.flow_rate, 1e-9 * numbers.flow_rate);
 }
 
-TEST(Machine, InThePlaneTheLeadAngleLeansToEitherSide) {
+TEST(Machine, LeadAngleHasEitherSignIn2D) {
   for (const double lead : {20.0, -20.0})
     for (const double forward : {1.0, -1.0}) {
       Machine machine = plain_machine();
@@ -153,7 +153,7 @@ TEST(Machine, InThePlaneTheLeadAngleLeansToEitherSide) {
 }
 
 // The angles are those between the vertical and the projections of the jet.
-TEST(Machine, LeadAndTiltLeanAlongAndRightOfTheTraverse) {
+TEST(Machine, LeadAndTiltArePositiveAlongAndRightOfTheTraverse) {
   Machine machine = plain_machine();
   machine.lead_angle = 20 * degree;
   machine.tilt_angle = 10 * degree;
@@ -170,7 +170,7 @@ TEST(Machine, LeadAndTiltLeanAlongAndRightOfTheTraverse) {
   }
 }
 
-TEST(Machine, InThePlaneAnOrificeIsASlit) {
+TEST(Machine, OrificeIsASlitIn2D) {
   const Machine machine = plain_machine();
   const auto numbers = machine_numbers(machine, water(), 2);
   EXPECT_NEAR(numbers.diameter, 0.12e-3 * 0.611, 0.0005 * numbers.diameter);

@@ -26,7 +26,7 @@ SymmetricTensor<D, double> some_strain(std::mt19937& engine, double size) {
 
 // S = d psi / dE by central differences, whose error is of the order of the square of the step; off
 // the diagonal a component stands for two.
-TYPED_TEST(Damaged, StressIsTheSlopeOfTheEnergy) {
+TYPED_TEST(Damaged, StressIsTheDerivativeOfTheEnergy) {
   constexpr int D = TypeParam::D;
   const auto solid = soft_solid(1e-3, D);
   std::mt19937 engine(4);
@@ -48,7 +48,7 @@ TYPED_TEST(Damaged, StressIsTheSlopeOfTheEnergy) {
 }
 
 // At small strain what is wholly damaged bears no uniaxial tension, and all of a compression.
-TYPED_TEST(Damaged, BearsCompressionOnly) {
+TYPED_TEST(Damaged, CarriesCompressionOnly) {
   constexpr int D = TypeParam::D;
   const auto solid = soft_solid(1e-3, D);
   auto green = SymmetricTensor<D, double>::zero();

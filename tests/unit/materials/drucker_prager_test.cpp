@@ -188,7 +188,7 @@ TEST(DruckerPragerReturn, IsTheNearestPoint) {
 }
 
 // Flow takes work out, never puts it in; what is left of the work is the error of steps.
-TYPED_TEST(Rock, WorkIsStoredOrSpent) {
+TYPED_TEST(Rock, WorkIsStoredOrDissipated) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(4);
   for (double dilation : {0.0, 0.3, friction})
@@ -213,7 +213,7 @@ TYPED_TEST(Rock, WorkIsStoredOrSpent) {
 }
 
 // Turning a rock on its way changes nothing: rounding only.
-TYPED_TEST(Rock, TurningTheBodyChangesNothing) {
+TYPED_TEST(Rock, IsIndependentOfRotation) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(5);
   const Eigen::Vector3d axis =

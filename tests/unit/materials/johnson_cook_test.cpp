@@ -6,7 +6,7 @@ namespace kerf::test {
 namespace {
 
 // A line, a parabola, a root with infinite slope at zero, and one that is next to zero.
-TEST(FallingRoot, FindsTheZero) {
+TEST(FallingRoot, FindsTheRoot) {
   int calls = 0;
   const auto root = [&calls](auto&& f, double high, double accuracy) {
     calls = 0;
@@ -71,7 +71,7 @@ Matrix3 plane_stretch(double strain, double volume = 0.0) {
 
 // Stress, rate and temperature at the end of each step are on the printed surface: to the accuracy
 // of the root, 4 roundings of the trial stress, and that of b_e in it.
-TYPED_TEST(JohnsonCookFlow, StaysOnTheSurface) {
+TYPED_TEST(JohnsonCookFlow, StressStaysOnTheYieldSurface) {
   constexpr int D = TypeParam::value;
   const auto parameters = steel_4340();
   const double dt = 1e-7, rate_0 = 1.0;
@@ -110,7 +110,7 @@ TYPED_TEST(JohnsonCookFlow, AdiabaticTemperature) {
 }
 
 // Molten metal is a fluid: pressure stays, shear goes.
-TYPED_TEST(JohnsonCookFlow, MoltenCarriesPressureOnly) {
+TYPED_TEST(JohnsonCookFlow, MoltenMetalCarriesPressureOnly) {
   constexpr int D = TypeParam::value;
   auto state = PlasticState<D, double>::virgin();
   state.temperature_rise = 2000.0;

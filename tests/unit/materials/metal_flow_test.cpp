@@ -48,7 +48,7 @@ struct PlasticPartOracle {
 };
 
 // Rounding of b_e of size 4 in strains, times the modulus; some fifty of them.
-TYPED_TEST(MetalFlow, IsThatOfThePlasticPart) {
+TYPED_TEST(MetalFlow, FollowsThePlasticStrain) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(1);
   auto parameters = linear_hardening(700e6, 2e9);
@@ -136,7 +136,7 @@ TYPED_TEST(MetalFlow, SimpleShear) {
 }
 
 // A rotation that turns the body along its path changes neither S nor the state: rounding only.
-TYPED_TEST(MetalFlow, TurningTheBodyChangesNothing) {
+TYPED_TEST(MetalFlow, IsIndependentOfRotation) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(4);
   const Eigen::Vector3d axis =
@@ -170,7 +170,7 @@ TYPED_TEST(MetalFlow, KeepsTheVolume) {
 
 // All of the work of the stress is stored, and given off to flow; the rest is the error of steps,
 // of first order.
-TYPED_TEST(MetalFlow, WorkIsStoredOrSpent) {
+TYPED_TEST(MetalFlow, WorkIsStoredOrDissipated) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(6);
   for (const auto& parameters : {linear_hardening(400e6, 1e9), steel_4340()})

@@ -50,8 +50,8 @@ TEST(ShockHugoniot, SoundSpeedIsTheSlopeOfPressure) {
   const auto water = shocked_water<double>();
   for (const double x : compressions) {
     const double square = slope([&](double at) { return pressure_at(water, at); }, x) / rho_0;
-    const double sound = sound_speed_at(water, x);
-    EXPECT_NEAR(sound * sound, square, 1e-8 * square);
+    const double sound_speed = sound_speed_at(water, x);
+    EXPECT_NEAR(sound_speed * sound_speed, square, 1e-8 * square);
   }
   EXPECT_NEAR(sound_speed_at(water, 0.0), c_0, 1e-12 * c_0);
 }
@@ -68,7 +68,7 @@ TEST(ShockHugoniot, ShocksRunAtTheirSpeed) {
 
 // Shocks of real water, worked out from the equation of state IAPWS-95 (Wagner & Pruss, J. Phys.
 // Chem. Ref. Data 31 (2002) 387) by mass, momentum and energy, from 20 C and 0.1 MPa.
-TEST(ShockHugoniot, IsThatOfWater) {
+TEST(ShockHugoniot, AgreesWithMeasurementsOfWater) {
   const struct {
     double u, speed;
   } shocks[] = {{100, 1670.8}, {200, 1874.3}, {300, 2077.8}, {400, 2278.0}, {500, 2475.6},
@@ -82,7 +82,7 @@ TEST(ShockHugoniot, SinglePrecisionKeepsSmallCompressions) {
   EXPECT_NEAR(pressure_at(single, 1e-6f), due, 1e-6 * due);
 }
 
-TEST(ShockHugoniot, OpensInsteadOfBeingPulled) {
+TEST(ShockHugoniot, CavitatesUnderTension) {
   const auto water = shocked_water<double>();
   EXPECT_EQ(pressure_at(water, -0.2), 0.0);
   EXPECT_EQ(energy_at(water, -0.2), 0.0);

@@ -71,7 +71,7 @@ class Memory : public ::testing::TestWithParam<Block> {
 // Of a block of 40 000 particles, where sides and what runs have once count for little. What a run
 // counts leaves out its sums' scratch (1% at most); the estimate knows no sides, where particles
 // have fewer neighbours (10% in 3D).
-TEST_P(Memory, IsWhatIsCountedAndExpected) {
+TEST_P(Memory, EstimateEqualsTheAllocation) {
   const double before = heap();
   if (before == 0.0) GTEST_SKIP() << "a sanitizer keeps the heap to itself";
   const Case description = case_of(GetParam());

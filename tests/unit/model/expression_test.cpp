@@ -44,7 +44,7 @@ TEST(Expression, CopiesAreIndependent) {
   EXPECT_EQ(second.evaluate(5.0), 10.0);
 }
 
-TEST(Expression, RefusesWhatItDoesNotKnow) {
+TEST(Expression, RefusesUnknownNames) {
   for (const char* text :
        {"u", "sine(t)", "t +", "(t", "", "t = 1", "1, 2", "\"t\"", "t; 1", "=", "t == "})
     EXPECT_THROW(Expression(text, {"t"}), UserError) << text;

@@ -46,7 +46,7 @@ TEST(LawKeys, EveryKeyHasItsOwnNumber) {
   EXPECT_GT(value, 20.0);
 }
 
-TEST(LawKeys, HeatIsThatOfMetals) {
+TEST(LawKeys, HeatKeysBelongToMetals) {
   for (const Key& key : law_keys("plasticity")) {
     if (key.name == "heat_capacity") {
       EXPECT_EQ(key.applies, "von_mises johnson_cook");
@@ -92,7 +92,7 @@ Medium<float> medium_of(const Material& material) {
   return Medium<float>::from(medium);
 }
 
-TEST(CanBreak, IsTheSameOfAMaterialAndItsMedium) {
+TEST(CanBreak, IsEqualForAMaterialAndItsMedium) {
   const struct {
     BondCriterion criterion;
     Limits limits;

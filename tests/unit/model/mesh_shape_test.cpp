@@ -44,7 +44,7 @@ shape = { type = "mesh", )" +
   TemporaryFolder folder_;
 };
 
-TEST_F(MeshShapes, TheFileLiesBesideTheCase) {
+TEST_F(MeshShapes, TheFileIsRelativeToTheCase) {
   write_file(folder_ / "cube.stl", stl_binary(cube_mesh(4.0)));
   const Case millimetres = read("file = \"cube.stl\"");
   EXPECT_EQ(bounding_box(millimetres.bodies[0].shape, 3), (Box{{0, 0, 0}, {4e-3, 4e-3, 4e-3}}));
@@ -117,7 +117,7 @@ TEST_F(MeshShapes, AForcedRunClearsTheCopies) {
   EXPECT_TRUE(std::filesystem::exists(run / "mesh-of-mine.stl"));
 }
 
-TEST_F(MeshShapes, WhatIsNoPartIsRefused) {
+TEST_F(MeshShapes, InvalidMeshesAreRefused) {
   TriangleMesh open = cube_mesh(4.0);
   open.triangles.pop_back();
   write_file(folder_ / "open.stl", stl_binary(open));
@@ -130,9 +130,9 @@ TEST_F(MeshShapes, WhatIsNoPartIsRefused) {
                               "closed: 3 edges do not belong to two triangles"),
                     HasSubstr("Allowed: STL (binary or text) or OBJ files of a closed surface. "
                               "Repair the mesh")));
-  EXPECT_THAT(refusal("file = \"text.stl\""), HasSubstr("it is not a sound stl file"));
-  EXPECT_THAT(refusal("file = \"flat.stl\""), HasSubstr("the surface encloses nothing"));
-  EXPECT_THAT(refusal("file = \"cube.step\""), HasSubstr("no format that is known by its name"));
+  EXPECT_THAT(refusal("file = \"text.stl\""), HasSubstr("it is not a valid stl file"));
+  EXPECT_THAT(refusal("file = \"flat.stl\""), HasSubstr("the surface encloses no volume"));
+  EXPECT_THAT(refusal("file = \"cube.step\""), HasSubstr("not that of a supported format"));
   EXPECT_THAT(refusal("file = \"none.stl\""), HasSubstr("there is no file"));
   EXPECT_THAT(refusal("file = \"/dev/zero.stl\""), HasSubstr("there is no file"));
   EXPECT_THAT(refusal("scale = \"1 mm\""), HasSubstr("the key is missing"));

@@ -73,7 +73,7 @@ struct Flight {
     for (std::size_t i = 0; i < id.size(); ++i)
       for (Index n = view.begin[i]; n < view.end[i]; ++n)
         listed.insert(
-            {id[i], id[mirrors.place(view.neighbour[n])], mirrors.code(view.neighbour[n])});
+            {id[i], id[mirrors.particle(view.neighbour[n])], mirrors.code(view.neighbour[n])});
     int result = 0;
     for (const MirrorCode code : images_of(mirrors))
       for (std::size_t i = 0; i < id.size(); ++i)
@@ -113,7 +113,7 @@ TYPED_TEST_SUITE(ListValidity, Dimensions);
 
 // What flies on together keeps its neighbours: till it has come half a limit of sight, and the
 // skin.
-TYPED_TEST(ListValidity, IsLongOfWhatFliesTogether) {
+TYPED_TEST(ListValidity, LastsLongForUniformMotion) {
   const Motion flight = [](const Vector3&, double t) { return Vector3(0.6 * t, 0.8 * t, 0.0); };
   const double longest = TestFixture::last(flight, 1e-4, true);
   EXPECT_GT(longest, 5.0 * skin);
@@ -138,7 +138,7 @@ TYPED_TEST(ListValidity, HasEveryPair) {
 }
 
 // Towards and along planes of symmetry, where images come to meet what they are of.
-TYPED_TEST(ListValidity, SeesImages) {
+TYPED_TEST(ListValidity, IncludesMirrorImages) {
   for (const double angle : {0.0, 0.7, 1.57, 2.5, 3.9, 5.2}) {
     const Motion motion = [angle](const Vector3&, double t) {
       return Vector3(t * std::cos(angle), t * std::sin(angle), 0.0);
@@ -150,7 +150,7 @@ TYPED_TEST(ListValidity, SeesImages) {
 }
 
 // Two bodies that are out of sight of one another when the list is built, one of them fast.
-TYPED_TEST(ListValidity, SeesWhatComesFromAfar) {
+TYPED_TEST(ListValidity, IncludesFastDistantParticles) {
   const Motion motion = [](const Vector3& x, double t) {
     return x[0] > 0.6 * width ? Vector3(-t, 0.0, 0.0) : Vector3(0.0, 0.0, 0.0);
   };

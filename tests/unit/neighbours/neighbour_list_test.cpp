@@ -120,7 +120,7 @@ TYPED_TEST(NeighbourLists, VastDomain) {
   expect_all_pairs(state, loaded, skin, skin);
 }
 
-TYPED_TEST(NeighbourLists, HoldsWhileNobodyMovedHalfTheSkin) {
+TYPED_TEST(NeighbourLists, IsValidUntilAParticleMovesHalfTheSkin) {
   constexpr int dimension = TestFixture::D;
   auto state = bag(dimension, 9, 0.3, 2.0);
   Loaded<dimension, Double> loaded(state, {0.0, 0.036, skin});
@@ -153,7 +153,7 @@ TYPED_TEST(NeighbourLists, HoldsWhileNobodyMovedHalfTheSkin) {
 }
 
 // The list of an empty run is empty, and one particle is not its own neighbour.
-TYPED_TEST(NeighbourLists, NoneAndOne) {
+TYPED_TEST(NeighbourLists, ZeroAndOneParticle) {
   ReferenceState state = bag(TestFixture::D, 1, 0.0);
   state.particles.resize(1);
   state.particles[0].source = 0;

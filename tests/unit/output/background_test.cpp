@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-TEST(Background, LetsTheCallerGoOn) {
+TEST(Background, ReturnsBeforeTheWorkEnds) {
   std::promise<void> gate;
   std::atomic<bool> is_done = false;
   Background background;
@@ -26,7 +26,7 @@ TEST(Background, LetsTheCallerGoOn) {
   EXPECT_TRUE(is_done);
 }
 
-TEST(Background, WorksInOrderAndNeverTwiceAtOnce) {
+TEST(Background, RunsJobsInOrderOneAtATime) {
   std::vector<int> order;
   std::atomic<int> at_work = 0;
   bool was_alone = true;
@@ -44,7 +44,7 @@ TEST(Background, WorksInOrderAndNeverTwiceAtOnce) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(order[static_cast<std::size_t>(i)], i);
 }
 
-TEST(Background, ThrowsOnceWhatTheWorkThrew) {
+TEST(Background, RethrowsAnExceptionOfTheWorkOnce) {
   Background background;
   bool is_next_done = false;
   background.submit([] { throw std::runtime_error("no space"); });
@@ -56,7 +56,7 @@ TEST(Background, ThrowsOnceWhatTheWorkThrew) {
   EXPECT_TRUE(is_next_done);
 }
 
-TEST(Background, EndsItsWorkBeforeItGoes) {
+TEST(Background, DestructorWaitsForTheWork) {
   bool is_done = false;
   {
     Background background;

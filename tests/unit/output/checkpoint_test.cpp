@@ -58,11 +58,11 @@ class CheckpointFile : public testing::Test {
   Checkpoint checkpoint_ = some_checkpoint();
 };
 
-TEST_F(CheckpointFile, GivesBackEveryBit) {
+TEST_F(CheckpointFile, RestoresEveryBit) {
   expect_equal(read_checkpoint(path_, case_text), checkpoint_);
 }
 
-TEST_F(CheckpointFile, TornAnywhereIsRefused) {
+TEST_F(CheckpointFile, TruncatedFileIsRefused) {
   const std::string whole = read_file(path_);
   ASSERT_GT(whole.size(), 800000u);
   for (int part = 0; part < 40; ++part) {
@@ -75,7 +75,7 @@ TEST_F(CheckpointFile, TornAnywhereIsRefused) {
   EXPECT_THAT(refusal(), HasSubstr("damaged"));
 }
 
-TEST_F(CheckpointFile, AnyChangedByteIsNoticed) {
+TEST_F(CheckpointFile, ChangedByteIsRefused) {
   const std::string whole = read_file(path_);
   for (std::size_t at = 0; at < whole.size(); at += at < 6000 ? 37 : 9973) {
     std::string changed = whole;
@@ -85,7 +85,7 @@ TEST_F(CheckpointFile, AnyChangedByteIsNoticed) {
   }
 }
 
-TEST_F(CheckpointFile, OfAnotherCaseNamesTheDifference) {
+TEST_F(CheckpointFile, FileOfAnotherCaseNamesTheDifference) {
   const std::string other = "title = \"a\"\nspeed = \"6 m/s\"\n";
   EXPECT_THAT(message_of<UserError>([&] { read_checkpoint(path_, other); }),
               AllOf(HasSubstr("another case"), HasSubstr("line 2"), HasSubstr("5 m/s"),
@@ -94,7 +94,7 @@ TEST_F(CheckpointFile, OfAnotherCaseNamesTheDifference) {
               AllOf(HasSubstr("line 3"), HasSubstr("more")));
 }
 
-TEST_F(CheckpointFile, OfAnotherFormatVersionSaysSo) {
+TEST_F(CheckpointFile, FileOfAnotherFormatVersionIsRefused) {
   std::string content = read_file(path_);
   const std::size_t at = content.rfind("version     2");
   ASSERT_NE(at, std::string::npos);
@@ -104,7 +104,7 @@ TEST_F(CheckpointFile, OfAnotherFormatVersionSaysSo) {
               AllOf(HasSubstr("version 7"), HasSubstr("reads version 2"), HasSubstr("--force")));
 }
 
-TEST_F(CheckpointFile, MissingOrForeignIsRefused) {
+TEST_F(CheckpointFile, MissingOrForeignFileIsRefused) {
   write_file(path_, "not HDF5 at all");
   EXPECT_THAT(refusal(), HasSubstr("is damaged or is not a checkpoint"));
   std::filesystem::remove(path_);

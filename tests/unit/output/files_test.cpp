@@ -23,7 +23,7 @@ std::ptrdiff_t entries_in(const fs::path& folder) {
   return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
 
-TEST(Files, WritesAndReplacesWithoutLeavingAnythingElse) {
+TEST(Files, WritesAndReplacesWithoutTemporaryFilesLeft) {
   const TemporaryFolder folder;
   write_file(folder / "a", "first, and longer");
   EXPECT_EQ(read_file(folder / "a"), "first, and longer");
@@ -32,7 +32,7 @@ TEST(Files, WritesAndReplacesWithoutLeavingAnythingElse) {
   EXPECT_EQ(entries_in(folder.path()), 1);
 }
 
-TEST(Files, AppendsToWhatIsThere) {
+TEST(Files, AppendsToAnExistingFile) {
   const TemporaryFolder folder;
   EXPECT_THROW(append_to_file(folder / "a", "none"), UserError);
   write_file(folder / "a", "one\n");
@@ -41,7 +41,7 @@ TEST(Files, AppendsToWhatIsThere) {
   EXPECT_EQ(read_file(folder / "a"), "one\ntwo\n");
 }
 
-TEST(Files, NamesTheFileAndTheRemedyWhenTheFolderIsGone) {
+TEST(Files, NamesTheFileAndTheRemedyForAMissingFolder) {
   const TemporaryFolder folder;
   const fs::path path = folder / "gone/a";
   EXPECT_THAT(message_of<UserError>([&] { write_file(path, "x"); }),
@@ -50,7 +50,7 @@ TEST(Files, NamesTheFileAndTheRemedyWhenTheFolderIsGone) {
               HasSubstr("cannot read " + path.string()));
 }
 
-TEST(Files, KeepsTheOldContentWhenTheNewCannotBeWritten) {
+TEST(Files, KeepsTheOldContentAfterAFailedWrite) {
   const TemporaryFolder folder;
   write_file(folder / "a", "old");
   // The place of the temporary file is taken by a folder, so opening it fails, even for root.
@@ -59,7 +59,7 @@ TEST(Files, KeepsTheOldContentWhenTheNewCannotBeWritten) {
   EXPECT_EQ(read_file(folder / "a"), "old");
 }
 
-TEST(Files, AFileInTheWayOfAFolderIsNamed) {
+TEST(Files, NamesAFileAtThePathOfAFolder) {
   const TemporaryFolder folder;
   write_file(folder / "a", "x");
   EXPECT_THAT(message_of<UserError>([&] { make_folder(folder / "a/b"); }),
@@ -69,7 +69,7 @@ TEST(Files, AFileInTheWayOfAFolderIsNamed) {
               HasSubstr("bring it back"));
 }
 
-TEST(FolderLock, LetsOneIn) {
+TEST(FolderLock, IsExclusive) {
   const TemporaryFolder folder;
   std::optional<FolderLock> first(std::in_place, folder.path());
   EXPECT_THAT(message_of<UserError>([&] { FolderLock second(folder.path()); }),

@@ -104,7 +104,7 @@ TEST(ResultMetrics, ReadTheKerf) {
   EXPECT_EQ(result_of(outcome_with_kerf()).at("opening").at("middle").at("width"), 2.0);
 }
 
-TEST(ResultMetrics, LeaveOutWhatACaseDoesNotHave) {
+TEST(ResultMetrics, OmitInapplicableMetrics) {
   RunOutcome outcome;
   for (const char* key : {"kerf", "opening", "machine"})
     EXPECT_FALSE(result_of(outcome).contains(key)) << key;

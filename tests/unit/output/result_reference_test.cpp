@@ -46,7 +46,7 @@ Json plain_result() {
   return Json::parse(result_of(RunOutcome{}).dump());
 }
 
-TEST(ResultReference, IsThatOfTheDocumentation) {
+TEST(ResultReference, EqualsTheDocumentation) {
   const std::string page = read_file(KERF_SOURCE_DIR "/docs/metrics.md");
   EXPECT_TRUE(page.ends_with("\n\n" + metrics_table()))
       << "docs/metrics.md does not end with what kerf check --metrics prints";

@@ -33,7 +33,7 @@ RunOutcome outcome_with_jet() {
   return outcome;
 }
 
-TEST(Result, HasEveryPromisedKey) {
+TEST(Result, HasEveryDocumentedKey) {
   const auto result = result_of(outcome_with_jet());
   for (const char* key : {"cut_through",
                           "cut_through_time",
@@ -73,7 +73,7 @@ TEST(Result, HasEveryPromisedKey) {
   EXPECT_EQ(result.at("balance").size(), balance_terms().size());
 }
 
-TEST(Result, CutThroughTimeIsNullUntilThereIsOne) {
+TEST(Result, CutThroughTimeIsNullBeforeTheCut) {
   RunOutcome outcome = outcome_with_jet();
   EXPECT_TRUE(result_of(outcome).at("cut_through_time").is_null());
   outcome.cut.cut_through = true;
@@ -81,7 +81,7 @@ TEST(Result, CutThroughTimeIsNullUntilThereIsOne) {
   EXPECT_EQ(result_of(outcome).at("cut_through_time"), 0.0221);
 }
 
-TEST(Result, SaysByWhatAndWhereItWasCutThrough) {
+TEST(Result, StatesKindAndPositionOfTheCutThrough) {
   RunOutcome outcome = outcome_with_jet();
   EXPECT_TRUE(result_of(outcome).at("cut_through_by").is_null());
   EXPECT_TRUE(result_of(outcome).at("cut_through_place").is_null());
@@ -107,7 +107,7 @@ TEST(Result, HasTheProfileOfTheKerfAndOfTheOpening) {
   EXPECT_EQ(result.at("opening").at("profile").at("depth"), nlohmann::ordered_json::array({4e-3}));
 }
 
-TEST(Result, IsJsonWhateverTheNumbers) {
+TEST(Result, IsValidJsonForAnyNumbers) {
   RunOutcome outcome = outcome_with_jet();
   outcome.cut.front_speed = std::numeric_limits<double>::infinity();
   outcome.balance.kinetic = std::numeric_limits<double>::quiet_NaN();
@@ -117,7 +117,7 @@ TEST(Result, IsJsonWhateverTheNumbers) {
   EXPECT_EQ(read.at("title"), "a \"title\"");
 }
 
-TEST(Verdict, SaysWhatHappened) {
+TEST(Verdict, DescribesTheOutcome) {
   RunOutcome outcome = outcome_with_jet();
   EXPECT_EQ(verdict_of(outcome),
             "The jet breaks nothing within 30 ms; its front presses 12.3 mm into the workpiece.");
@@ -152,7 +152,7 @@ auto named(const std::string& name) {
   return Contains(Field(&ValidityFlag::name, name));
 }
 
-TEST(Validity, NamesWhatIsWeakAndOnlyThat) {
+TEST(Validity, FlagsWeakRunsOnly) {
   RunOutcome outcome = outcome_with_jet();
   outcome.kerf.emplace();
   outcome.kerf->of<Leak>().water = 2.0;
@@ -183,7 +183,7 @@ TEST(Validity, NamesWhatIsWeakAndOnlyThat) {
 }
 
 // Breaks should take energy. One joule came into the outcome.
-TEST(Validity, BreaksThatPutEnergyInAreNamed) {
+TEST(Validity, FlagsBreaksThatAddEnergy) {
   RunOutcome outcome = outcome_with_jet();
   EXPECT_THAT(validity_of(outcome), Not(named("energy_from_breaks")));  // nothing broke
   for (const auto& [dissipated, state, part] : {std::tuple{0.3, State::good, "Breaks put 0%"},
@@ -194,7 +194,7 @@ TEST(Validity, BreaksThatPutEnergyInAreNamed) {
   }
 }
 
-TEST(Validity, WavesComeBackFromEdges) {
+TEST(Validity, FlagsReflectedWaves) {
   RunOutcome outcome = outcome_with_jet();
   outcome.derived.reflection_time = 0.01;
   outcome.cut.contact_time = std::nan("");  // nothing was hit
@@ -220,7 +220,7 @@ TEST(Validity, StandoffOfAMachineIsAModelBeyondTheCoherentLength) {
                      Field(&ValidityFlag::sentence, HasSubstr("is a model")))));
 }
 
-TEST(Validity, AMaterialWithoutStrengthIsNamed) {
+TEST(Validity, FlagsAMaterialWithoutStrength) {
   RunOutcome outcome = outcome_with_jet();
   outcome.description.materials.resize(1);
   Material& material = outcome.description.materials[0];
@@ -266,7 +266,7 @@ TEST(Validity, IsWrittenAsFlagsWithNumbers) {
   EXPECT_TRUE(result.at("validity").back().at("value").is_null());
 }
 
-TEST(StillCutting, LooksAtTheLastTenth) {
+TEST(StillCutting, TestsTheLastTenth) {
   std::vector<CutState> history(101);
   for (std::size_t i = 0; i < history.size(); ++i) {
     history[i].time = static_cast<double>(i);

@@ -74,7 +74,7 @@ class SeriesFile : public testing::Test {
   Case description_ = case_with_probes();
 };
 
-TEST_F(SeriesFile, GivesBackWhatWentIn) {
+TEST_F(SeriesFile, ReadsBackWhatWasWritten) {
   SeriesWriter writer(path_, description_);
   writer.start();
   for (const std::uint64_t step : {0u, 5u}) writer.append(sample_at(step));
@@ -91,7 +91,7 @@ TEST_F(SeriesFile, GivesBackWhatWentIn) {
   EXPECT_EQ(table.numbers("floor_force_x")[0], -10.0);
 }
 
-TEST_F(SeriesFile, CutBackAndContinuedIsTheSameAsUninterrupted) {
+TEST_F(SeriesFile, TruncatedAndContinuedFileIsComplete) {
   SeriesWriter whole(path_, description_);
   whole.start();
   for (std::uint64_t step = 0; step < 10; ++step) whole.append(sample_at(step));
@@ -109,7 +109,7 @@ TEST_F(SeriesFile, CutBackAndContinuedIsTheSameAsUninterrupted) {
   EXPECT_EQ(read_file(path_), expected);
 }
 
-TEST_F(SeriesFile, RefusesWhatIsNotItsOwn) {
+TEST_F(SeriesFile, RefusesForeignFiles) {
   SeriesWriter writer(path_, description_);
   writer.start();
   writer.append(sample_at(0));

@@ -69,7 +69,7 @@ class VtkHdf : public testing::Test {
   json content_;
 };
 
-TEST_F(VtkHdf, HoldsOneVertexPerParticleInDoublePrecision) {
+TEST_F(VtkHdf, HasOneVertexPerParticleInDoublePrecision) {
   EXPECT_EQ(content_.at("class"), "vtkUnstructuredGrid");
   EXPECT_EQ(content_.at("points_type"), "double");
   EXPECT_EQ(content_.at("points"), json(frame_.position));
@@ -78,7 +78,7 @@ TEST_F(VtkHdf, HoldsOneVertexPerParticleInDoublePrecision) {
   EXPECT_EQ(content_.at("bounds"), json({-0.1, 0.3, -0.7, 1.0 / 3.0, -0.5, 0.25}));
 }
 
-TEST_F(VtkHdf, HoldsEveryFieldOfTheFrame) {
+TEST_F(VtkHdf, HasEveryFieldOfTheFrame) {
   const json& arrays = content_.at("arrays");
   EXPECT_EQ(arrays.size(), 11u);
   expect_values(arrays.at("id"), "unsigned int", frame_.id);
@@ -104,7 +104,7 @@ TEST_F(VtkHdf, KeepsTheComponentsOfAColumnTogether) {
       EXPECT_EQ(stress[i][k].get<float>(), frame_.columns[1].values[6 * i + k]);
 }
 
-TEST_F(VtkHdf, KnowsItsTime) {
+TEST_F(VtkHdf, HasItsTime) {
   EXPECT_EQ(content_.at("time").get<double>(), frame_.time);
 }
 
@@ -112,7 +112,7 @@ TEST_F(VtkHdf, EqualFramesGiveEqualBytes) {
   EXPECT_EQ(vtkhdf_bytes(frame_), read_file(folder_ / "frames/case_00000.vtkhdf"));
 }
 
-TEST(VtkHdfSeries, NamesEveryFrameAndItsTimeAndGoesOnAfterARestore) {
+TEST(VtkHdfSeries, ListsFramesAndTimesAlsoAfterARestore) {
   const test::TemporaryFolder folder;
   Frame frame = three_particles();
   FrameWriter writer(folder.path(), "case");

@@ -140,7 +140,7 @@ TEST(Outflow, ParticlesOutsideTheDomainAreMarked) {
   EXPECT_EQ(flags_after(wall, -1.1, 0.0, false), 0);
 }
 
-TEST(Outflow, WaterThatFlowsBackIsErasedWhereTheCaseSaysSo) {
+TEST(Outflow, BackFlowIsRemovedOnRequest) {
   EXPECT_EQ(flags_after({}, -0.5, 0.6, true), flag::erased);
   EXPECT_EQ(flags_after({}, -0.5, 0.4, true), 0);
   EXPECT_EQ(flags_after({}, -0.5, 0.6, false), 0);

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 // The vectors of RFC 4648, section 10.
-TEST(Html, PngAddressIsBase64) {
+TEST(Html, PngUrlIsBase64) {
   const std::string start = "data:image/png;base64,";
   EXPECT_EQ(html::png_address(""), start);
   EXPECT_EQ(html::png_address("f"), start + "Zg==");
@@ -28,11 +28,11 @@ TEST(Html, PngAddressIsBase64) {
   EXPECT_EQ(html::png_address(std::string("\xff\x00\xfe", 3)), start + "/wD+");
 }
 
-TEST(Html, TextCannotBreakOut) {
+TEST(Html, TextIsEscaped) {
   EXPECT_EQ(html::escape("<b> & \"c\""), "&lt;b&gt; &amp; &quot;c&quot;");
 }
 
-TEST(Html, NumbersReadWell) {
+TEST(Html, NumbersAreFormatted) {
   const std::string thin = "\u202f";
   EXPECT_EQ(html::quantity(0.0224, "s"), "22.4" + thin + "ms");
   EXPECT_EQ(html::quantity(12500.0, "Pa"), "12.5" + thin + "kPa");
@@ -91,7 +91,7 @@ Plot some_plot() {
   return plot;
 }
 
-TEST(Plot, BreaksACurveWhereItHasNoValue) {
+TEST(Plot, InterruptsACurveAtMissingValues) {
   const std::string svg = draw_plot(some_plot());
   EXPECT_TRUE(svg.starts_with("<svg"));
   EXPECT_THAT(svg, AllOf(HasSubstr("</svg>"), HasSubstr("viewBox"), HasSubstr(">depth / mm</text>"),
@@ -105,7 +105,7 @@ TEST(Plot, BreaksACurveWhereItHasNoValue) {
 }
 
 // The grid lines stand at the numbers below them: a value at 20 mm lies on the line "20".
-TEST(Plot, DrawsValuesAtTheirPlaceAlongTheAxes) {
+TEST(Plot, DrawsValuesAtTheirCoordinates) {
   Plot plot{{"time", "s"}, {"depth", "m"}, {0.0, 0.010}, {{"a", {0.0, 0.020}}}};
   const std::string svg = draw_plot(plot);
   std::smatch last, tick;
@@ -128,7 +128,7 @@ TEST(Plot, LinksItsPoints) {
                     HasSubstr("<title>failed</title>"), HasSubstr(">speed in m/s</text>")));
 }
 
-TEST(Plot, DrawsNothingMuchWithoutData) {
+TEST(Plot, DrawsAnEmptyFrameWithoutData) {
   Plot plot{{"time", "s"}, {"depth", "m"}, {}, {}, {}, -1.0};
   EXPECT_TRUE(draw_plot(plot).starts_with("<svg"));
   plot.x = {0.0};

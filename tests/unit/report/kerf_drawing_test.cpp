@@ -78,7 +78,7 @@ TEST(KerfDrawing, ShowsTheCrackOfAPartedWorkpiece) {
   EXPECT_NEAR((end_y - y) / (end_y - 40.0), 0.4, 0.002);
 }
 
-TEST(KerfDrawing, ShowsTheLeanOfTheJet) {
+TEST(KerfDrawing, ShowsTheInclinationOfTheJet) {
   const double lean = 0.3;
   const auto axes = lines(draw_kerf(slot(0.002, 0.001, false), {lean, false}), jet);
   ASSERT_EQ(axes.size(), 1u);
@@ -87,7 +87,7 @@ TEST(KerfDrawing, ShowsTheLeanOfTheJet) {
   EXPECT_LT(y, 40.0);  // from above the workpiece
 }
 
-TEST(KerfDrawing, LeansAsTheJetIsSeenAlongItsWay) {
+TEST(KerfDrawing, ShowsTheInclinationInTheViewAlongTheTraverse) {
   Jet leaning;
   leaning.angle = 0.4;
   EXPECT_EQ(lean_of(leaning, 2), 0.4);

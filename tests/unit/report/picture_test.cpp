@@ -73,7 +73,7 @@ int dot_pixels(Colour colour) {
   return Image(draw_picture(Frame{}, case_2d())).count(code(colour));
 }
 
-TEST(Window, HoldsBodiesAndNozzleAndStaysInTheDomain) {
+TEST(Window, ContainsBodiesAndNozzleWithinTheDomain) {
   const Case description = case_2d();
   const Box window = picture_window(description);
   EXPECT_LT(window.minimum[0], -14e-3);
@@ -86,7 +86,7 @@ TEST(Window, HoldsBodiesAndNozzleAndStaysInTheDomain) {
   }
 }
 
-TEST(Picture, StrayDropsDoNotMoveTheWindow) {
+TEST(Picture, DistantDropsDoNotChangeTheWindow) {
   const Case description = case_2d();
   Frame frame = frame_with({0, 0.005, 0}, Category::solid, 2e-3);
   const Image near(draw_picture(frame, description));
@@ -112,7 +112,7 @@ TEST(Picture, ParticlesAreDiscsOfTheirSpacingAtTrueScale) {
   }
 }
 
-TEST(Picture, EveryKindHasItsColour) {
+TEST(Picture, EveryCategoryHasItsColour) {
   const Case description = case_2d();
   const std::pair<Category, Colour> kinds[] = {{Category::water, palette::water},
                                                {Category::solid, palette::solid},
@@ -140,7 +140,7 @@ Case case_3d() {
   return description;
 }
 
-TEST(Picture, OfThreeDimensionsCutsTheFrontAwayAndSlicesTheMiddle) {
+TEST(Picture, ShowsTheBackHalfAndTheMiddleSliceIn3D) {
   const Case description = case_3d();
   const auto blue = [&](double z) {
     Frame frame = frame_with({0, 5e-3, z}, Category::fractured, 4e-3);
@@ -167,7 +167,7 @@ TEST(Picture, OfThreeDimensionsCutsTheFrontAwayAndSlicesTheMiddle) {
 }
 
 // Everything at half the size: a quarter of the pixels have the colour of the water.
-TEST(Picture, ShrinksAsAWhole) {
+TEST(Picture, IsScaledUniformly) {
   const Case description = case_2d();
   const Frame frame = frame_with({0, 5e-3, 0}, Category::water, 8e-3);
   const Image whole(draw_picture(frame, description)), half(draw_picture(frame, description, 0.5));

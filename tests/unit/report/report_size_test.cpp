@@ -55,7 +55,7 @@ class ManyParticles : public testing::Test {
   std::vector<FrameFile> files_;
 };
 
-TEST_F(ManyParticles, AreAllShownWhereTheyFit) {
+TEST_F(ManyParticles, AreAllShownWithinTheSizeLimit) {
   ViewerPacker packer(description_);
   packer.look_at({files_.begin(), files_.begin() + 5});
   packer.fit(5'000'000);
@@ -76,7 +76,7 @@ TEST_F(ManyParticles, FramesAreLeftOutFirst) {
   EXPECT_EQ(frames.back().at("time"), files_.back().time);
 }
 
-TEST_F(ManyParticles, ThenParticlesTheSameOnesEverywhere) {
+TEST_F(ManyParticles, ThenTheSameParticlesInEveryFrame) {
   ViewerPacker packer(description_);
   packer.look_at(files_);
   const std::size_t budget = packer.whole_entry(0).dump().size();
@@ -107,7 +107,7 @@ TEST(ReportSize, StaysBelowTheLimit) {
   EXPECT_THAT(page, testing::HasSubstr("of the particles, drawn larger"));
 }
 
-TEST(ThinFigures, KeepPeaksAndTheEnds) {
+TEST(ThinFigures, KeepPeaksAndEnds) {
   constexpr std::size_t rows = 100'000, most = 1000;
   std::vector<double> time(rows), y(rows, 1.0), broken(rows, std::nan(""));
   for (std::size_t i = 0; i < rows; ++i) time[i] = 1e-6 * static_cast<double>(i);
@@ -127,7 +127,7 @@ TEST(ThinFigures, KeepPeaksAndTheEnds) {
   EXPECT_TRUE(std::isnan(figures[0].curves[1].y[3]));
 }
 
-TEST(ThinFigures, LeaveShortOnesAlone) {
+TEST(ThinFigures, KeepShortCurves) {
   std::vector<double> time{0.0, 1.0, 2.0};
   std::vector<ReportFigure> figures{{"a", {"a", "m"}, {{"a", {3.0, 4.0, 5.0}}}}};
   thin_figures(figures, time, 3);

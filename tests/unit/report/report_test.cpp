@@ -45,7 +45,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-TEST_F(Report, HoldsVerdictPicturesCurvesAndTables) {
+TEST_F(Report, HasResultPicturesCurvesAndTables) {
   const auto result = nlohmann::json::parse(read_file(out_ / "result.json"));
   EXPECT_THAT(page_, AllOf(HasSubstr(result.at("verdict").get<std::string>()),
                            HasSubstr("Cut &lt;of&gt; &amp; &quot;tofu&quot;"),
@@ -57,7 +57,7 @@ TEST_F(Report, HoldsVerdictPicturesCurvesAndTables) {
   EXPECT_EQ(count(page_, "<table>"), 9u);
 }
 
-TEST_F(Report, NeedsNothingFromOutside) {
+TEST_F(Report, HasNoExternalResources) {
   EXPECT_FALSE(std::regex_search(page_, std::regex("<(link|iframe|script[^>]*src)")));
   // Names of formats (xmlns) are not fetched; every other address must be inside the page.
   const std::regex address("(src|href)=\"[^d#][^\"]{0,60}");
@@ -77,7 +77,7 @@ TEST_F(Report, IdsAreUnique) {
   EXPECT_GT(found, 0u);
 }
 
-TEST_F(Report, HoldsTheCaseAsItWasRun) {
+TEST_F(Report, ContainsTheUsedCase) {
   const std::size_t begin = page_.find("<details class=\"case\">");
   ASSERT_NE(begin, std::string::npos);
   const std::string part = page_.substr(begin, page_.find("</details>", begin) - begin);
@@ -99,7 +99,7 @@ class ChangedReport : public Report {
   nlohmann::ordered_json result_;
 };
 
-TEST_F(ChangedReport, TellsACrackFromAKerf) {
+TEST_F(ChangedReport, DistinguishesACrackFromAKerf) {
   const std::string words = "parted without loss of material";
   result_["cut_through"] = true;
   result_["cut_through_time"] = 0.003;
@@ -116,7 +116,7 @@ TEST_F(ChangedReport, TellsACrackFromAKerf) {
   EXPECT_THAT(page(), Not(HasSubstr(words)));
 }
 
-TEST_F(ChangedReport, SaysOfWhatEveryDepthAndWidthIs) {
+TEST_F(ChangedReport, LabelsEveryDepthAndWidth) {
   result_["front_depth"] = 0.00626;
   result_["kerf"]["depth"] = 0.00534;
   result_["kerf"]["middle"]["width"] = 0.00119;
@@ -132,7 +132,7 @@ TEST_F(ChangedReport, SaysOfWhatEveryDepthAndWidthIs) {
             HasSubstr(figure("width of the opening", "kerf_width", "10.3"))));
 }
 
-TEST_F(ChangedReport, SaysThatItHasNoViewer) {
+TEST_F(ChangedReport, StatesThatTheViewerIsMissing) {
   const std::string without = report_page(out_, description_, {});
   const char* words =
       "This Kerf was built without the viewer: pictures instead of the moving scene";
@@ -143,7 +143,7 @@ TEST_F(ChangedReport, SaysThatItHasNoViewer) {
 }
 
 // A great many pictures: the page shows some, evenly spread, and says so.
-TEST_F(ChangedReport, HasRoomForSomePicturesOnly) {
+TEST_F(ChangedReport, LimitsTheNumberOfPictures) {
   const std::string png(900'000, 'x');
   auto& list = result_["pictures"];
   list.clear();
@@ -160,7 +160,7 @@ TEST_F(ChangedReport, HasRoomForSomePicturesOnly) {
 }
 
 // All that result.json has of the machine is in the report.
-TEST(MachineReport, ShowsTheWholeSetting) {
+TEST(MachineReport, ShowsAllSettings) {
   std::string text = test::fake_case_text;
   const std::size_t begin = text.find("[[jet]]"), end = text.find("[[probe]]");
   text.replace(begin, end - begin, R"([machine]
@@ -192,13 +192,13 @@ duty = 0.5
                     HasSubstr("15° from the vertical")));
 }
 
-TEST_F(Report, MadeAgainItIsTheSame) {
+TEST_F(Report, IsReproducible) {
   std::filesystem::remove(out_ / "report.html");
   write_report(out_, description_);
   EXPECT_EQ(read_file(out_ / "report.html"), page_);
 }
 
-TEST_F(Report, SaysWhatIsMissingOrDamaged) {
+TEST_F(Report, NamesMissingOrDamagedFiles) {
   const auto refusal = [&] {
     return message_of<UserError>([&] { write_report(out_, description_); });
   };

@@ -67,10 +67,10 @@ void expect_first_fracture(int dimension) {
   EXPECT_LT(due.size(), whole.id.size());  // a criterion that breaks all at once tests nothing
   EXPECT_NEAR(breaking->balance().dissipated_fracture, energy, 1e-5 * energy);
 }
-TEST(Fracture, BreaksWhatPassesTheFailureStrain2D) {
+TEST(Fracture, ParticlesBreakAboveTheFailureStrain2D) {
   expect_first_fracture(2);
 }
-TEST(Fracture, BreaksWhatPassesTheFailureStrain3D) {
+TEST(Fracture, ParticlesBreakAboveTheFailureStrain3D) {
   expect_first_fracture(3);
 }
 
@@ -100,10 +100,10 @@ void expect_broken_stays_broken(int dimension) {
   EXPECT_FALSE(before.empty());
   EXPECT_EQ(simulation->balance().mass_now, simulation->balance().mass_initial);
 }
-TEST(Fracture, BrokenBearsCompressionOnly2D) {
+TEST(Fracture, FracturedParticlesCarryCompressionOnly2D) {
   expect_broken_stays_broken(2);
 }
-TEST(Fracture, BrokenBearsCompressionOnly3D) {
+TEST(Fracture, FracturedParticlesCarryCompressionOnly3D) {
   expect_broken_stays_broken(3);
 }
 

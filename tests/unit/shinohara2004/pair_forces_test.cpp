@@ -82,7 +82,7 @@ TYPED_TEST(PairForces, CentralForcesHaveNoTorque) {
 }
 
 // What the forces do is what the balance books: pressure work and artificial dissipation.
-TYPED_TEST(PairForces, PowerIsBooked) {
+TYPED_TEST(PairForces, PowerIsRecorded) {
   auto state = TestFixture::bag(7);
   for (auto& medium : state.media) medium.viscosity = 0.0;
   for (auto& particle : state.particles) particle.shear.setZero();
@@ -135,7 +135,7 @@ TYPED_TEST(PairForces, NoCompressionInRotation) {
   }
 }
 
-TYPED_TEST(PairForces, RepulsionIsTheSlopeOfItsPotential) {
+TYPED_TEST(PairForces, RepulsionIsTheGradientOfItsPotential) {
   constexpr int dimension = TestFixture::D;
   ReferenceState state;
   state.dimension = dimension;

@@ -15,7 +15,7 @@
 namespace kerf::test {
 namespace {
 
-TEST(Balance, MassErrorIsWhatIsMissingOfAllThatEverWas) {
+TEST(Balance, MassErrorIsTheMissingShareOfTheTotalMass) {
   Balance balance;
   balance.mass_initial = 3.0;
   balance.mass_in = 1.0;
@@ -41,7 +41,7 @@ TEST(Balance, MomentumErrorIsRelativeToTheLargestTerm) {
   EXPECT_NEAR(balance.momentum_error(), 0.2 / 4.0, 1e-15);
 }
 
-TEST(Balance, EnergyDriftCountsAllThatCameInAndAllThatIsStoredOrDissipated) {
+TEST(Balance, EnergyDriftIsInputLessStoredAndDissipated) {
   Balance balance;
   balance.energy_initial = 1.0;
   balance.energy_in = 10.0;
@@ -148,7 +148,7 @@ TEST(BalanceSums, StateOfTheShinoharaFormulation) {
   EXPECT_NEAR(now.elastic_deviatoric, 3.0 * square / (4.0 * 1e6 * 2000.0 * 0.99), 1e-12);
 }
 
-TEST(BalanceSums, SolidsOfTheStandardFormulationStoreByDensityTheirShareOfTheBulkModulus) {
+TEST(BalanceSums, StandardSolidsStoreTheirExcessBulkEnergyByDensity) {
   FourParticles four({.rate_stress = false, .contact = true, .mirrored = false});
   auto& particles = four.particles;
   particles.compression[1] = 0.02;
@@ -162,7 +162,7 @@ TEST(BalanceSums, SolidsOfTheStandardFormulationStoreByDensityTheirShareOfTheBul
   EXPECT_EQ(now.elastic_deviatoric, 0.0);
 }
 
-TEST(BalanceSums, AStepAddsImpulsesWorkAndDissipation) {
+TEST(BalanceSums, StepAddsImpulsesWorkAndDissipation) {
   FourParticles four({.rate_stress = true, .contact = false, .mirrored = false});
   auto& particles = four.particles;
   const double dt = 0.1;
@@ -197,7 +197,7 @@ TEST(BalanceSums, AStepAddsImpulsesWorkAndDissipation) {
   EXPECT_NEAR(double(particles.pressure_work[0]), 0.7, 1e-15);
 }
 
-TEST(BalanceSums, OutflowTakesItsMassMomentumAndEnergyAlong) {
+TEST(BalanceSums, OutflowRemovesItsMassMomentumAndEnergy) {
   FourParticles four({.rate_stress = true, .contact = false, .mirrored = false});
   auto& particles = four.particles;
   particles.flags[0] = flag::outside;
@@ -227,7 +227,7 @@ std::string message_of(const Breakdown& breakdown) {
   }
 }
 
-TEST(Breakdown, SaysWhenWhereWhatAndWhatToDo) {
+TEST(Breakdown, MessageHasTimePlaceCauseAndRemedy) {
   Breakdown breakdown;
   breakdown.time = 0.0125;
   breakdown.step = 42;

@@ -23,7 +23,7 @@ Case one_block() {
   return c;
 }
 
-TEST(Populate, ParticlesMoveAsTheFormulasOfTheirBodySay) {
+TEST(Populate, ParticlesHaveTheVelocityOfTheExpressions) {
   Case c = one_block();
   c.bodies[0].velocity = {"2*x + y", "-3*y", "0"};
   const auto particles = run_settings(c).particles;
@@ -60,7 +60,7 @@ TEST(Populate, NoParticlesBeyondASymmetryPlane) {
   for (const NewParticle& particle : particles) EXPECT_GT(particle.position[0], 0.004);
 }
 
-TEST(Populate, WaterStandsInAShutNozzleAndFlowsThroughAnOpenOne) {
+TEST(Populate, WaterIsAtRestInAClosedNozzleAndMovesInAnOpenOne) {
   Case c = empty_case(2, PrecisionKind::double_precision);
   c.jets = {jet(5e-3, 5e-4, {0.0, 0.02, 0.0}, 2e-3)};
   c.jets[0].start = 1e-3;
@@ -78,7 +78,7 @@ TEST(Populate, WaterStandsInAShutNozzleAndFlowsThroughAnOpenOne) {
   EXPECT_EQ(after.position, water[0].position);
 }
 
-TEST(Motion, BodiesFollowTheirFormulas) {
+TEST(Motion, BodiesFollowTheirExpressions) {
   Case c = one_block();
   c.bodies.push_back(c.bodies[0]);
   c.bodies[1].name = "moved";
@@ -121,7 +121,7 @@ TEST(Symmetry, PlanesAreTheFacesThatTheCaseNames) {
   EXPECT_EQ(single_planes(mirrors).size(), 2u);
 }
 
-TEST(Symmetry, APieceIsJoinedToItsImageWhereItReachesThePlane) {
+TEST(Symmetry, APieceIsJoinedToItsImageAtThePlane) {
   Case c = one_block();
   c.bodies.push_back(
       body("apart", Role::elastic, box({spacing, 0.01, 0.0}, {0.006, 0.015, 0.0}), spacing));

@@ -37,7 +37,7 @@ TEST(Media, SolidHasTheModuliAndWavesOfItsYoungsModulus) {
   EXPECT_FALSE(solid.constrained);
 }
 
-TEST(Media, WaterUnderPressureHoldsTheMassThatTaitSqueezesIn) {
+TEST(Media, WaterUnderPressureHasTheDensityOfTait) {
   Case c = empty_case(3, PrecisionKind::double_precision);
   c.bodies = {body("water", Role::water, box({0.0, 0.0, 0.0}, {0.01, 0.01, 0.01}), 1e-3)};
   c.bodies[0].pressure = 2e5;
@@ -109,7 +109,7 @@ TEST(Levels, BodiesComeFirstThenJetsThenCoarserLevels) {
   EXPECT_EQ(media[2].phase, Phase::water);
 }
 
-TEST(Settings, NameTheOwnersOfParticles) {
+TEST(Settings, NameTheSourcesOfParticles) {
   Case c = empty_case(2, PrecisionKind::mixed);
   c.bodies = {block("plate", 2e-3)};
   c.jets = {jet(5e-3, 5e-4, {0.0, 0.02, 0.0}, 2e-3)};

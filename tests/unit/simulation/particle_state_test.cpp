@@ -67,7 +67,7 @@ std::map<std::string, std::string> bytes_of(const Particles<D, P>& particles) {
   return bytes;
 }
 
-TEST(StateIo, CheckpointsGiveEveryStateFieldBackBitForBit) {
+TEST(StateIo, CheckpointsRestoreEveryStateFieldBitForBit) {
   const FieldGroups all;
   auto particles = loaded<3, Mixed>(std::vector<NewParticle>(5), all);
   scramble(particles);
@@ -82,7 +82,7 @@ TEST(StateIo, CheckpointsGiveEveryStateFieldBackBitForBit) {
   EXPECT_EQ(std::get<std::vector<float>>(archive.arrays.at("particles/shear")).size(), 30u);
 }
 
-TEST(StateIo, GroupsThatARunLacksAreNotKept) {
+TEST(StateIo, AbsentGroupsAreNotStored) {
   const FieldGroups none{.rate_stress = false, .contact = false, .mirrored = false};
   Archive archive;
   save_fields(loaded<2, Double>(std::vector<NewParticle>(2), none), archive);

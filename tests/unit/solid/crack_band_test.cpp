@@ -63,7 +63,7 @@ double tears_at(const Medium<double>& medium, double jitter, double energy) {
   return 0.5 * modulus * strain * strain * height;
 }
 // The band of crack_band.hpp is one number for all of these; coarser strips are not wide.
-TEST(CrackBand, WideStripTearsWhenItShould) {
+TEST(CrackBand, WideStripBreaksAtTheCriticalStrain) {
   struct Strip {
     double spacing, jitter, poisson_ratio, energy;
     BondCriterion criterion = BondCriterion::principal_strain;

@@ -49,7 +49,7 @@ TYPED_TEST(Deformation, SmallStrain) {
             10.0 * TypeParam::rounding * size + 1e-14);
 }
 
-TYPED_TEST(Deformation, TenTurnsStoreNothing) {
+TYPED_TEST(Deformation, TenRotationsStoreNoEnergy) {
   constexpr int D = TypeParam::D;
   typename TestFixture::Trial trial(block<D>({.jitter = 0.25}));
   const auto& medium = trial.layout.media[0];
@@ -72,7 +72,7 @@ TYPED_TEST(Deformation, TenTurnsStoreNothing) {
 }
 
 // The shortest time of a wave and the particle that sets it, though most are passed over.
-TYPED_TEST(Deformation, ShortestWaveOfAll) {
+TYPED_TEST(Deformation, WaveTimeIsTheMinimumOverParticles) {
   constexpr int D = TypeParam::D;
   typename TestFixture::Trial trial(block<D>({.jitter = 0.25}));
   for (int n = 0; n < 5; ++n) {
@@ -90,7 +90,7 @@ TYPED_TEST(Deformation, ShortestWaveOfAll) {
 }
 
 // Bonds: all pairs closer than 2 h, by brute force.
-TYPED_TEST(Deformation, BondsAreAllClosePairs) {
+TYPED_TEST(Deformation, BondsAreAllPairsWithinTheCutoff) {
   constexpr int D = TypeParam::D;
   auto layout = block<D>({.jitter = 0.4, .seed = 4});
   auto coarse = soft_solid(1.7e-3, D), other = soft_solid(1e-3, D);

@@ -35,7 +35,7 @@ Square<D> stretch(double strain) {
 // At a deformation that is held, damage sets free what it takes from the stored energy, hourglass
 // control included; without a break nothing else does. Energies are sums in double of what fields
 // of single precision say.
-TYPED_TEST(Flaws, SetFreeWhatTheyTake) {
+TYPED_TEST(Flaws, ReleaseTheEnergyThatTheyRemove) {
   constexpr int D = TypeParam::D;
   auto trial = flawed_block<D, typename TypeParam::P>();
   trial.map(stretch<D>(0.012));
@@ -63,7 +63,7 @@ double energy_moved(SolidOnTrial<D, Double>& trial, std::size_t i, int axis, dou
 
 // The force with damage is the slope of the energy: work against it is what a small motion stores.
 // Central differences of a step of 1e-6 spacings; 1e-4 of the load of a face.
-TEST(FlawsInSpace, ForceIsTheSlopeOfTheEnergy) {
+TEST(FlawsInSpace, ForceIsTheGradientOfTheEnergy) {
   auto trial = flawed_block<3, Double>();
   trial.map(stretch<3>(0.012));
   trial.shake(2e-5, 3);
@@ -82,7 +82,7 @@ TEST(FlawsInSpace, ForceIsTheSlopeOfTheEnergy) {
 
 // Pulled on, the block parts: what has whole damage loses the bonds that open. Squeezed instead it
 // keeps them all.
-TYPED_TEST(Flaws, WholeDamageBreaksWhatOpens) {
+TYPED_TEST(Flaws, FullDamageBreaksStretchedBonds) {
   constexpr int D = TypeParam::D;
   for (const double strain : {0.02, -0.02}) {
     auto trial = flawed_block<D, typename TypeParam::P>();
@@ -98,7 +98,7 @@ TYPED_TEST(Flaws, WholeDamageBreaksWhatOpens) {
 }
 
 // What is saved carries on as if nothing had been.
-TYPED_TEST(Flaws, AreSavedToTheBit) {
+TYPED_TEST(Flaws, AreRestoredBitForBit) {
   constexpr int D = TypeParam::D;
   auto first = flawed_block<D, typename TypeParam::P>();
   first.map(stretch<D>(0.012));

@@ -58,7 +58,7 @@ TYPED_TEST(FlowingBlock, IsAMaterialPoint) {
   EXPECT_NEAR(booked, volume * work, 300 * TypeParam::rounding * volume * work);
 }
 
-TYPED_TEST(FlowingBlock, LooksLeaveNoTrace) {
+TYPED_TEST(FlowingBlock, EvaluationsKeepTheState) {
   constexpr int D = TypeParam::D;
   SolidOnTrial<D, typename TypeParam::P> plain(TestFixture::layout(TestFixture::soft_metal()));
   SolidOnTrial<D, typename TypeParam::P> looked_at(plain.layout);
@@ -78,7 +78,7 @@ TYPED_TEST(FlowingBlock, LooksLeaveNoTrace) {
 
 // Kinetic, stored and dissipated energy of a block that is squeezed by its own motion. Steps of
 // first order: a tenth of a percent of what came in.
-TYPED_TEST(FlowingBlock, KeepsTheEnergy) {
+TYPED_TEST(FlowingBlock, ConservesTheEnergy) {
   constexpr int D = TypeParam::D;
   using Real = typename TypeParam::Real;
   SolidOnTrial<D, typename TypeParam::P> trial(TestFixture::layout(TestFixture::soft_metal()));
@@ -109,7 +109,7 @@ TYPED_TEST(FlowingBlock, KeepsTheEnergy) {
   EXPECT_NEAR(held + plastic + viscous, came, 3e-3 * came);
 }
 
-TYPED_TEST(FlowingBlock, DuctileDamageLetsGo) {
+TYPED_TEST(FlowingBlock, DuctileDamageDetachesParticles) {
   constexpr int D = TypeParam::D;
   auto parameters = TestFixture::soft_metal();
   parameters.damage.constant = 0.1;

@@ -44,11 +44,11 @@ template <class Chosen>
 class SolidForce : public testing::Test {};
 TYPED_TEST_SUITE(SolidForce, BothPrecisions);
 template <class Chosen>
-class SolidSlope : public testing::Test {};
-TYPED_TEST_SUITE(SolidSlope, DoubleOnly);
+class SolidForceGradient : public testing::Test {};
+TYPED_TEST_SUITE(SolidForceGradient, DoubleOnly);
 
 // m a = - d(stored energy)/dx, elastic and hourglass part together, on every particle.
-TYPED_TEST(SolidSlope, IsThatOfTheStoredEnergy) {
+TYPED_TEST(SolidForceGradient, ForceIsTheGradientOfTheStoredEnergy) {
   constexpr int D = TypeParam::D;
   auto trial = deformed<D, Double>();
   trial.evaluate();
@@ -111,7 +111,7 @@ TYPED_TEST(SolidForce, SumsAndTorquesVanish) {
 }
 
 // The viscosity takes from the motion what it books, and resists approach only.
-TYPED_TEST(SolidForce, ViscousPowerIsBooked) {
+TYPED_TEST(SolidForce, ViscousPowerIsRecorded) {
   constexpr int D = TypeParam::D;
   using Trial = SolidOnTrial<D, typename TypeParam::P>;
   auto layout = mixed_block<D>();
@@ -142,7 +142,7 @@ TYPED_TEST(SolidForce, ViscousPowerIsBooked) {
 }
 
 // One closing pair, by hand: q |W'| V_i V_j.
-TYPED_TEST(SolidSlope, ViscousForceOfAWeakDeformation) {
+TYPED_TEST(SolidForceGradient, ViscousForceOfAWeakDeformation) {
   constexpr int D = TypeParam::D;
   auto medium = soft_solid(1e-3, D);
   medium.artificial_linear = 0.7;

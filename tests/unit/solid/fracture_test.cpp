@@ -54,7 +54,7 @@ TYPED_TEST(SolidFracture, BreaksAboveTheLimitOnly) {
 
 // Squeezed to a fifth of its volume, or turned inside out, a solid that can break is crushed: all
 // of it is detached, without stress. One that can't break bears it.
-TYPED_TEST(SolidFracture, CrushedBelowAFifthOfTheVolume) {
+TYPED_TEST(SolidFracture, FailsInCompressionBelowAFifthOfTheVolume) {
   constexpr int D = TypeParam::D;
   for (double limit : {0.0, 0.1})
     for (double volume : {0.9, 0.21, 0.19, -0.5}) {
@@ -153,7 +153,7 @@ struct AllButStraightBonds {
 
 // Both sides of a crack are held together by bonds that it has to turn, without stretching them, if
 // one side slides: they hold as long as the fits follow them, and let go of what slides away.
-TYPED_TEST(SolidFracture, SlidingFacesLetGo) {
+TYPED_TEST(SolidFracture, BondsOfSlidingFacesFail) {
   constexpr int D = TypeParam::D;
   for (const double turn : {0.02, 0.4}) {
     auto medium = soft_solid(1e-3, D);
@@ -184,7 +184,7 @@ TYPED_TEST(SolidFracture, SlidingFacesLetGo) {
 }
 
 // A particle within reach of D others has no strain of its own; one with many has.
-TYPED_TEST(SolidFracture, LooseParticles) {
+TYPED_TEST(SolidFracture, DetachedParticles) {
   constexpr int D = TypeParam::D;
   auto layout = block<D>({.cells = {5, 5, 5}});
   auto alone = layout.reference.back();
@@ -254,7 +254,7 @@ TYPED_TEST(PlaneFracture, CrackOfANotchedStrip) {
 }
 
 // Torn by its own motion: what is stored, moved, dissipated and released stays the same.
-TYPED_TEST(PlaneFracture, EnergyIsBooked) {
+TYPED_TEST(PlaneFracture, EnergyIsRecorded) {
   auto trial = notched_strip<typename TypeParam::P>();
   const double dt = 0.1 * 1e-3 / trial.layout.media[0].bond_wave_speed();
   for (std::size_t i = 0; i < trial.size(); ++i)

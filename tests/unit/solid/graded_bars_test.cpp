@@ -122,7 +122,7 @@ double bending_period(bool graded) {
   }
   return zeros.size() == 2 ? 2.0 * (zeros[1] - zeros[0]) : 0.0;
 }
-TEST(GradedBeam, BendsAsTheUniformOne) {
+TEST(GradedBeam, BendsLikeAUniformBeam) {
   const double uniform = bending_period(false), graded = bending_period(true);
   std::printf("bending: period %.5g s uniform, %.5g s graded\n", uniform, graded);
   // Eight coarse particles across the beam bend 2% too stiffly (docs/theory/total_lagrangian.md),
@@ -175,7 +175,7 @@ std::array<double, 2> tears(bool graded) {
   }
   return has_broken_bonds;
 }
-TEST(GradedStrip, CrackRunsThroughTheJump) {
+TEST(GradedStrip, CrackCrossesTheJump) {
   const auto uniform = tears(false), graded = tears(true);
   std::printf("strain when the crack passes 35 and 55 mm: uniform %.4f %.4f, graded %.4f %.4f\n",
               uniform[0], uniform[1], graded[0], graded[1]);

@@ -14,8 +14,8 @@ template <class Chosen>
 class GradedSolid : public testing::Test {};
 TYPED_TEST_SUITE(GradedSolid, BothPrecisions);
 template <class Chosen>
-class GradedSlope : public testing::Test {};
-TYPED_TEST_SUITE(GradedSlope, DoubleOnly);
+class GradedForce : public testing::Test {};
+TYPED_TEST_SUITE(GradedForce, DoubleOnly);
 
 template <int D>
 BlockChoice some_block() {
@@ -37,7 +37,7 @@ TYPED_TEST(GradedSolid, LinearMapsAreExact) {
 }
 
 // A rotation stores nothing and pulls nothing.
-TYPED_TEST(GradedSolid, RotationIsFree) {
+TYPED_TEST(GradedSolid, RotationStoresNoEnergy) {
   constexpr int D = TypeParam::D;
   SolidOnTrial<D, typename TypeParam::P> trial(graded_block<D>(some_block<D>()));
   const auto strained = [&](const Square<D>& map) {
@@ -75,7 +75,7 @@ TYPED_TEST(GradedSolid, SumsAndTorquesVanish) {
 }
 
 // The force is the slope of the stored energy beside the jump too: nothing was added that has none.
-TYPED_TEST(GradedSlope, IsThatOfTheStoredEnergy) {
+TYPED_TEST(GradedForce, ForceIsTheGradientOfTheStoredEnergy) {
   constexpr int D = TypeParam::D;
   SolidOnTrial<D, Double> trial(graded_block<D>(some_block<D>()));
   trial.map(some_map<D>());
@@ -113,7 +113,7 @@ bool is_inside(const SolidLayout<D>& layout, std::size_t i, const BlockChoice& c
 
 // Under a uniform stress sigma a face of a particle bears sigma d^(D-1). What the jump leaves out
 // of balance is a few hundredths of that; without the fit it is an eighth.
-TYPED_TEST(GradedSlope, UniformStressLeavesTheJumpAlone) {
+TYPED_TEST(GradedForce, UniformStressHasNoForceAtTheJump) {
   constexpr int D = TypeParam::D;
   const BlockChoice choice{.cells = D == 2 ? std::array{16, 16, 1} : std::array{10, 9, 9}};
   double left[2];
@@ -141,7 +141,7 @@ TYPED_TEST(GradedSlope, UniformStressLeavesTheJumpAlone) {
 }
 
 // Pairs without a jump near are left as they are, and no pair is turned into another.
-TYPED_TEST(GradedSlope, FactorsStayNearOne) {
+TYPED_TEST(GradedForce, FactorsAreNearOne) {
   constexpr int D = TypeParam::D;
   const auto choice = some_block<D>();
   SolidOnTrial<D, Double> trial(graded_block<D>(choice));
@@ -161,7 +161,7 @@ TYPED_TEST(GradedSlope, FactorsStayNearOne) {
 }
 
 // The energy of a free vibration, in which the jump takes part.
-TYPED_TEST(GradedSolid, VibrationKeepsItsEnergy) {
+TYPED_TEST(GradedSolid, VibrationConservesEnergy) {
   constexpr int D = TypeParam::D;
   SolidOnTrial<D, typename TypeParam::P> trial(graded_block<D>(some_block<D>()));
   const double length = 2e-3 * some_block<D>().cells[0];

@@ -39,7 +39,7 @@ SolidOnTrial<D, P> checkerboard(double amplitude, double hourglass) {
   return trial;
 }
 
-TYPED_TEST(Hourglass, CheckerboardIsNoStrainButStoresEnergy) {
+TYPED_TEST(Hourglass, CheckerboardHasNoStrainButEnergy) {
   constexpr int D = TypeParam::D;
   const double amplitude = 1e-5;
   auto trial = checkerboard<D, typename TypeParam::P>(amplitude, 0.5);
@@ -73,7 +73,7 @@ TYPED_TEST(Hourglass, CheckerboardIsNoStrainButStoresEnergy) {
   EXPECT_TRUE(seen);
 }
 
-TYPED_TEST(Hourglass, NothingHoldsItWithoutControl) {
+TYPED_TEST(Hourglass, CheckerboardIsUnresistedWithoutControl) {
   constexpr int D = TypeParam::D;
   auto trial = checkerboard<D, typename TypeParam::P>(1e-5, 0.0);
   EXPECT_EQ(trial.solid.energy().hourglass, 0.0);

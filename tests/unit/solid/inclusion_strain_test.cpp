@@ -30,7 +30,7 @@ struct Composite {
 
 // With the same numbers twice the interface is nowhere: strains and forces of a shaken and sheared
 // block are those of one material, to rounding.
-TEST(Inclusion, OfTheSameMaterialIsNotThere) {
+TEST(Inclusion, OfTheSameMaterialHasNoEffect) {
   Composite two(1.0, 10), one(1.0, 10);
   one.layout.medium_index.assign(one.layout.reference.size(), 0);
   SolidOnTrial<2, Double> a(two.layout), b(one.layout);
@@ -148,7 +148,7 @@ Errors errors_of(double stiffer, int cells) {
           std::abs(step / expected - 1.0)};
 }
 
-TEST(Inclusion, WithoutContrastTheStrainIsEven) {
+TEST(Inclusion, WithoutContrastTheStrainIsUniform) {
   const Errors errors = errors_of(1.0, 10);
   EXPECT_LT(errors.strain, 1e-4);
   EXPECT_LT(errors.spread, 1e-4);
@@ -157,7 +157,7 @@ TEST(Inclusion, WithoutContrastTheStrainIsEven) {
 
 // The interface is as wide as bonds are long, a quarter of the radius at ten spacings: what that
 // changes halves with the spacing.
-TEST(Inclusion, StiffOrSoftIsStrainedAsTheorySays) {
+TEST(Inclusion, StiffOrSoftHasTheStrainOfTheory) {
   const Errors soft = errors_of(0.2, 10), stiff = errors_of(10.0, 10), fine = errors_of(10.0, 20);
   for (const Errors& errors : {soft, stiff, fine})
     fmt::print("strain off by {:.4f}, spread by {:.4f}, stress off by {:.4f}\n", errors.strain,

@@ -69,7 +69,7 @@ UniformLoad load(const SolidLayout<2>& layout, const Square<2>& map, int a, int 
 
 // On the relaxed layout a stretch and a shear are even within 3% and as stiff as the material
 // within 0.5%; random steps of 0.3 alone would leave 20% and 11%.
-TEST(JitteredLayout, UniformLoadStaysUniform) {
+TEST(JitteredLayout, UniformLoadHasUniformStress) {
   const auto medium = soft_solid(1e-3, 2);
   Square<2> stretch = Square<2>::Identity(), shear = Square<2>::Identity();
   stretch(0, 0) += 1e-3;

@@ -158,7 +158,7 @@ class MirroredSolid : public testing::Test {
       std::map<Index, bool> own, due;
       for (Index k = a.bonds.first(i); k < a.bonds.last(i); ++k) {
         const Index entry = a.bonds.end(i, k);
-        own[copy.at(both.planes.code(entry)) * n + both.planes.place(entry)] = a.is_intact(i, k);
+        own[copy.at(both.planes.code(entry)) * n + both.planes.particle(entry)] = a.is_intact(i, k);
       }
       for (Index k = b.bonds.first(i); k < b.bonds.last(i); ++k)
         due[b.bonds.end(i, k)] = b.is_intact(i, k);
@@ -213,7 +213,7 @@ TYPED_TEST(MirroredSolid, Breaks) {
 }
 
 // What the images push is what the sum of all forces does not cancel, and acts across the plane.
-TYPED_TEST(MirroredSolid, ForceOfImagesIsBooked) {
+TYPED_TEST(MirroredSolid, ForceOfImagesIsRecorded) {
   constexpr int dimension = TypeParam::D;
   auto both = TestFixture::pair("x-", true);
   TestFixture::deform(both, 0.0, 8);

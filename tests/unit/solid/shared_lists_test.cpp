@@ -88,7 +88,7 @@ class SharedLists : public testing::Test {
 TYPED_TEST_SUITE(SharedLists, BothPrecisions);
 
 // The lists of the inner particles are one, so there are far fewer entries than bonds.
-TYPED_TEST(SharedLists, AreThoseOfRows) {
+TYPED_TEST(SharedLists, AreOnePerRow) {
   typename TestFixture::Both both(this->body());
   const auto stored = [](auto& trial) { return trial.solid.fields().bond_entry.size(); };
   EXPECT_EQ(stored(both.mixed_up), both.mixed_up.solid.entries());
@@ -96,7 +96,7 @@ TYPED_TEST(SharedLists, AreThoseOfRows) {
   EXPECT_EQ(both.in_rows.solid.entries(), both.mixed_up.solid.entries());
 }
 
-TYPED_TEST(SharedLists, HaveTheSameForces) {
+TYPED_TEST(SharedLists, GiveTheSameForces) {
   typename TestFixture::Both both(this->body());
   both.move(this->bend, this->flow);
   both.expect_same_forces();
@@ -110,7 +110,7 @@ struct AcrossSlit {
 };
 
 // With a slit from the start, and with bonds that broke.
-TYPED_TEST(SharedLists, BreakAlike) {
+TYPED_TEST(SharedLists, GiveTheSameBreaks) {
   constexpr int dimension = TypeParam::D;
   typename TestFixture::Both both(this->body(0.12));
   const auto pull = [](const auto& x) {
@@ -131,7 +131,7 @@ TYPED_TEST(SharedLists, BreakAlike) {
 
 // Neither a force nor a torque on the whole, though rounding is the same for all the inner
 // particles here, and adds up.
-TYPED_TEST(SharedLists, LeaveNothingOnTheWhole) {
+TYPED_TEST(SharedLists, GiveZeroTotalForce) {
   constexpr int dimension = TypeParam::D;
   using Position = Vector<dimension, double>;
   typename TestFixture::Both both(this->body());

@@ -35,7 +35,7 @@ TEST(Softening, StressFallsAlongALine) {
 }
 
 // What it takes is int psi_t dD, integrated here by the trapezoidal rule.
-TEST(Softening, TakesTheEnergyOfWhatItLoses) {
+TEST(Softening, DissipatesTheEnergyThatItRemoves) {
   const auto solid = softening_solid(1e-3, 2, 0.4);
   const auto energy = [&](double k) { return 0.5 * solid.young_modulus() * k * k; };
   double sum = 0.0, before = 0.1;
@@ -102,7 +102,7 @@ TYPED_TEST(Softened, StressIsTheSlopeOfTheEnergy) {
 }
 
 // Pressed together again a softened place bears as before; sheared and pulled, what is left.
-TEST(Softening, BearsPressureAsBefore) {
+TEST(Softening, CarriesCompressionUnreduced) {
   const auto solid = softening_solid(1e-3, 3, 0.4);
   for (double stretch : {-1e-3, 1e-3}) {
     auto h = Matrix<3, double>::zero();
@@ -140,7 +140,7 @@ double takes(const Medium<double>& medium, double jitter) {
   return (trial.solid.softening_work() + released) / 10e-3;
 }
 
-TEST(Softening, CrackTakesItsEnergy) {
+TEST(Softening, CrackDissipatesTheFractureEnergy) {
   struct Strip {
     double spacing, jitter, poisson_ratio, energy;
   };

@@ -69,7 +69,7 @@ TYPED_TEST(StandardPairs, ForcesSumToZero) {
 }
 
 // Water on solid is equal and opposite to solid on water: what the water gains the solid loses.
-TYPED_TEST(StandardPairs, WaterAndSolidPushEqually) {
+TYPED_TEST(StandardPairs, WaterAndSolidForcesAreOpposite) {
   constexpr int D = TypeParam::value;
   auto state = TestFixture::bag(6);
   const auto loaded = evaluated_standard<D, Double>(state);
@@ -96,7 +96,7 @@ TYPED_TEST(StandardPairs, CentralForcesHaveNoTorque) {
   EXPECT_LE(sum.torque.norm(), 1e-12 * sum.torque_scale);
 }
 
-TYPED_TEST(StandardPairs, LossIsNeverNegative) {
+TYPED_TEST(StandardPairs, DissipationIsNotNegative) {
   for (unsigned seed = 8; seed <= 40; ++seed) {
     auto state = TestFixture::bag(seed);
     if (seed % 2 == 0)
@@ -107,7 +107,7 @@ TYPED_TEST(StandardPairs, LossIsNeverNegative) {
 }
 
 // Each pair by itself, water and wall or solid included, so that no gain hides in a sum.
-TYPED_TEST(StandardPairs, LossOfEachPairIsNotNegative) {
+TYPED_TEST(StandardPairs, DissipationOfEachPairIsNotNegative) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(5);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -132,7 +132,7 @@ TYPED_TEST(StandardPairs, LossOfEachPairIsNotNegative) {
 
 // Water between two others, whose wall is neither's line of centres alone: what is damped is the
 // speed towards the wall, and it must lose by it wherever the two lie and however they move.
-TYPED_TEST(StandardPairs, LossInACornerIsNotNegative) {
+TYPED_TEST(StandardPairs, DissipationInACornerIsNotNegative) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(6);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -207,7 +207,7 @@ struct Touching {
   }
 };
 
-TYPED_TEST(StandardPairs, ContactIsTheSlopeOfItsPotential) {
+TYPED_TEST(StandardPairs, ContactForceIsTheGradientOfItsPotential) {
   constexpr int D = TypeParam::value;
   const auto look = [](const Vector3& x) {
     const Touching<D> touching(x);

@@ -46,7 +46,7 @@ CalibrationGoal cut_goal(double measured, double uncertainty) {
   return goal_of(text);
 }
 
-TEST(Calibration, RecoversTheEnergyAndPredictsAHeldBackSetting) {
+TEST(Calibration, RecoversTheEnergyAndPredictsAnUnusedMeasurement) {
   for (const double truth : {1.5, 4.0, 13.0, 60.0}) {
     CalibrationGoal goal = cut_goal(0.01, 0.0);
     goal.measured = depth(truth, 5.0);
@@ -110,7 +110,7 @@ TEST(Calibration, ScatterOfTheRunsIsInTheInterval) {
   EXPECT_GE(covered, 36);  // 95% less two standard deviations of such a count
 }
 
-TEST(Calibration, AThresholdTellsTheEnergyToo) {
+TEST(Calibration, RecoversTheEnergyFromAThreshold) {
   // Cuts from the speed 2 (Gc / 10)^0.5 on: at 3 m/s that is Gc = 22.5.
   const CalibrationGoal goal = goal_of(
       "metric = \"cut_through\"\ntolerance = 0.03\n[calibrate.at]\n\"jet.jet.speed\" = \"3 "
@@ -129,7 +129,7 @@ TEST(Calibration, AThresholdTellsTheEnergyToo) {
 }
 
 // Where it does not cut through there is no time of cutting through: such runs are left out.
-TEST(Calibration, RunsWithoutTheNumberAreLeftOut) {
+TEST(Calibration, RunsWithoutTheMetricAreSkipped) {
   CalibrationGoal goal = cut_goal(0.01, 0.0);
   goal.measured = depth(6.0, 5.0);
   test::SyntheticLaboratory laboratory(
@@ -148,7 +148,7 @@ TEST(Calibration, RunsWithoutTheNumberAreLeftOut) {
   EXPECT_THAT(calibrate(goal, 1.0, nothing).problem, HasSubstr("fewer than two runs"));
 }
 
-TEST(Calibration, AMeasurementOutOfReachIsSaid) {
+TEST(Calibration, ReportsAnUnreachableMeasurement) {
   CalibrationGoal goal = cut_goal(0.5, 0.0);
   test::SyntheticLaboratory laboratory(
       [](const Trial& trial) {
@@ -158,7 +158,7 @@ TEST(Calibration, AMeasurementOutOfReachIsSaid) {
   EXPECT_THAT(calibrate(goal, 1.0, laboratory).problem, HasSubstr("Widen the range"));
 }
 
-TEST(Calibration, AMetricThatHardlyDependsOnTheKeyTellsNothing) {
+TEST(Calibration, ReportsAnInsensitiveMetric) {
   CalibrationGoal goal = cut_goal(0.01, 0.0);
   test::SyntheticLaboratory laboratory(
       [](const Trial& trial) {

@@ -37,12 +37,12 @@ TEST(KeyPath, LeadsThroughTablesListsAndVectors) {
   EXPECT_EQ(changed("materials.curd.fracture_energy", 3.0).materials[0].fracture_energy, 3.0);
 }
 
-TEST(KeyPath, MakesATableThatTheCaseDoesNotWrite) {
+TEST(KeyPath, CreatesAMissingTable) {
   EXPECT_EQ(changed("output.series_interval", 1e-4).output.series_interval, 1e-4);
   EXPECT_EQ(changed("body.other.seed", 5.0).bodies[1].seed, 5u);
 }
 
-TEST(KeyPath, BasesAMaterialOfTheLibraryOnIt) {
+TEST(KeyPath, DerivesAMaterialFromTheLibrary) {
   const Case original = parse_case(test::small_case, "small");
   const Case result = changed("materials.gelatin-10.density", 1234.0);
   const auto gelatin = [](const Case& description) {
@@ -52,7 +52,7 @@ TEST(KeyPath, BasesAMaterialOfTheLibraryOnIt) {
   EXPECT_EQ(gelatin(result).youngs_modulus, gelatin(original).youngs_modulus);
 }
 
-TEST(KeyPath, SaysWhereItLeadsNowhere) {
+TEST(KeyPath, NamesTheInvalidPartOfAPath) {
   EXPECT_THAT(problem_of("jet.jet.sped"), HasSubstr("(is \"speed\" meant?)"));
   EXPECT_THAT(problem_of("jet.jett.speed"), HasSubstr("no jet of the name or number \"jett\""));
   EXPECT_THAT(problem_of("jet.1.speed"), HasSubstr("no jet of the name or number \"1\""));
@@ -65,7 +65,7 @@ TEST(KeyPath, SaysWhereItLeadsNowhere) {
   EXPECT_THAT(problem_of(""), HasSubstr("ends at a table"));
 }
 
-TEST(KeyPath, KnowsWhatIsOneNumber) {
+TEST(KeyPath, RecognisesSingleNumbers) {
   const toml::table table = toml::parse(test::small_case);
   EXPECT_TRUE(find_key_path("jet.jet.speed", table).is_number());
   EXPECT_TRUE(find_key_path("jet.jet.position.1", table).is_number());

@@ -72,7 +72,7 @@ TEST(LeastSquares, ALineHasTheErrorsOfItsClosedForm) {
 
 // Of 1000 sets with normal scatter the 95% interval covers the truth in 950, give or take three
 // standard deviations of such a count, 21.
-TEST(LeastSquares, IntervalsCoverAsOftenAsTheySay) {
+TEST(LeastSquares, IntervalsHaveTheirNominalCoverage) {
   int covered = 0, predicted = 0;
   for (std::uint64_t set = 0; set < 1000; ++set) {
     Eigen::MatrixXd matrix(7, 2);
@@ -94,7 +94,7 @@ TEST(LeastSquares, IntervalsCoverAsOftenAsTheySay) {
   EXPECT_NEAR(predicted, 950, 21);
 }
 
-TEST(LeastSquares, AModelThatIsNotLinearIsFollowedToItsMinimum) {
+TEST(LeastSquares, ANonlinearModelReachesItsMinimum) {
   const Model decay = [](const Eigen::VectorXd& p) {
     ModelValue value{Eigen::VectorXd(8), Eigen::MatrixXd(8, 2)};
     for (Eigen::Index i = 0; i < 8; ++i) {
@@ -113,7 +113,7 @@ TEST(LeastSquares, AModelThatIsNotLinearIsFollowedToItsMinimum) {
   EXPECT_NEAR(fit.parameters[1], 0.7, 1e-6);
 }
 
-TEST(LeastSquares, WhatCannotBeToldIsRefused) {
+TEST(LeastSquares, UndeterminedParametersAreRefused) {
   Eigen::MatrixXd same(5, 2);
   same.col(0).setOnes();
   same.col(1).setConstant(3.0);

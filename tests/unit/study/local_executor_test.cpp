@@ -60,26 +60,26 @@ class LocalExecutorTest : public testing::Test {
   CountingWatcher watcher_;
 };
 
-TEST_F(LocalExecutorTest, AsManyAtOnceAsItMayAndNoMore) {
+TEST_F(LocalExecutorTest, RunsUpToTheMaximumAtOnce) {
   LocalExecutor(program(), {8, 3, 1e9}).run(jobs(7), watcher_);
   EXPECT_EQ(watcher_.ends.size(), 7u);
   EXPECT_EQ(watcher_.most_at_work, 3u);
 }
 
-TEST_F(LocalExecutorTest, TheMemoryOfAllAtOnceIsWithinTheBudget) {
+TEST_F(LocalExecutorTest, ConcurrentRunsFitTheMemoryBudget) {
   LocalExecutor(program(), {8, 8, 9.0}).run(jobs(5, 4.0), watcher_);
   EXPECT_EQ(watcher_.ends.size(), 5u);
   EXPECT_EQ(watcher_.most_memory, 8.0);
 }
 
-TEST_F(LocalExecutorTest, ASmallRunPassesALargeOneThatHasToWait) {
+TEST_F(LocalExecutorTest, ASmallRunStartsBeforeAWaitingLargeOne) {
   LocalExecutor(program(), {8, 8, 9.0})
       .run({job("a", 6.0), job("large", 6.0), job("small", 2.0)}, watcher_);
   EXPECT_EQ(watcher_.most_memory, 8.0);
   EXPECT_EQ(watcher_.ends.back().first, "large");
 }
 
-TEST_F(LocalExecutorTest, ARunThatNeedsMoreThanThereIsFailsAndNoOther) {
+TEST_F(LocalExecutorTest, OnlyARunBeyondTheMemoryBudgetFails) {
   LocalExecutor(program(), {2, 2, 9.0}).run({job("huge", 10.0), job("small", 1.0)}, watcher_);
   ASSERT_EQ(watcher_.ends.size(), 2u);
   EXPECT_EQ(watcher_.ends[0].first, "huge");
@@ -87,7 +87,7 @@ TEST_F(LocalExecutorTest, ARunThatNeedsMoreThanThereIsFailsAndNoOther) {
   EXPECT_EQ(watcher_.ends[1].second.exit_code, 0);
 }
 
-TEST_F(LocalExecutorTest, CoresAreSharedAmongWhatRuns) {
+TEST_F(LocalExecutorTest, CoresAreSharedAmongRuns) {
   const auto threads_of = [&](const std::string& id) {
     std::istringstream words(read_file(folder_ / (id + ".txt")));
     for (std::string word; words >> word;)
@@ -102,7 +102,7 @@ TEST_F(LocalExecutorTest, CoresAreSharedAmongWhatRuns) {
   for (const char* id : {"0", "3", "5"}) EXPECT_EQ(threads_of(id), 1);
 }
 
-TEST_F(LocalExecutorTest, RunsAreToldTheirDevice) {
+TEST_F(LocalExecutorTest, RunsGetTheirDevice) {
   const auto words = [&] { return read_file(folder_ / "0.txt"); };
   LocalExecutor(program(), {1, 1, 1e9}).run(jobs(1), watcher_);
   EXPECT_THAT(words(), testing::HasSubstr("--device cpu"));
@@ -110,7 +110,7 @@ TEST_F(LocalExecutorTest, RunsAreToldTheirDevice) {
   EXPECT_THAT(words(), testing::HasSubstr("--device gpu"));
 }
 
-TEST_F(LocalExecutorTest, AFolderThatAnotherProcessHoldsIsWaitedFor) {
+TEST_F(LocalExecutorTest, WaitsForAFolderLockedByAnotherProcess) {
   make_folder(folder_ / "held");
   std::optional<FolderLock> lock(folder_ / "held");
   int looks = 0;
@@ -126,7 +126,7 @@ TEST_F(LocalExecutorTest, AFolderThatAnotherProcessHoldsIsWaitedFor) {
   EXPECT_GT(looks, 10);
 }
 
-TEST_F(LocalExecutorTest, ExitCodesAndSignalsAreTold) {
+TEST_F(LocalExecutorTest, ExitCodesAndSignalsAreReported) {
   write_script("case $2 in *code*) exit 7;; *) kill -11 $$;; esac");
   LocalExecutor(program(), {1, 1, 1e9}).run({job("code"), job("crash")}, watcher_);
   EXPECT_EQ(watcher_.ends[0].second.exit_code, 7);
@@ -134,7 +134,7 @@ TEST_F(LocalExecutorTest, ExitCodesAndSignalsAreTold) {
   EXPECT_EQ(watcher_.ends[1].second.signal, 11);
 }
 
-TEST_F(LocalExecutorTest, AStopReachesWhatRunsAndNothingStartsAfterIt) {
+TEST_F(LocalExecutorTest, AStopEndsRunsAndStartsNone) {
   write_script("trap 'exit 143' TERM; sleep 30 & wait");
   watcher_.on_look = [&] { return watcher_.most_at_work == 2; };
   LocalExecutor(program(), {2, 2, 1e9}).run(jobs(5), watcher_);

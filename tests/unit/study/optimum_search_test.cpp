@@ -53,7 +53,7 @@ TEST(OptimumSearch, FindsTheLeastEnergyOnTheEdgeOfCutThrough) {
   EXPECT_EQ(answer.runs, static_cast<int>(laboratory.asked.size()));
 }
 
-TEST(OptimumSearch, DraftsFindTheRegionAndFineRunsConfirmIt) {
+TEST(OptimumSearch, CoarseRunsFindTheRegionAndFineRunsConfirmIt) {
   const OptimumGoal goal =
       goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 60\n");
   // Coarse runs cut a little too easily: what they find best does not cut at the resolution asked.
@@ -72,7 +72,7 @@ TEST(OptimumSearch, DraftsFindTheRegionAndFineRunsConfirmIt) {
   EXPECT_LT(fine, answer.draft_runs);
 }
 
-TEST(OptimumSearch, StatesTheChangeToSpacingZero) {
+TEST(OptimumSearch, StatesTheExtrapolationToZeroSpacing) {
   const OptimumGoal goal =
       goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 40\n");
   // An error of 8% at the study's spacing, in proportion to the spacing: 16% in drafts.
@@ -92,7 +92,7 @@ TEST(OptimumSearch, StatesTheChangeToSpacingZero) {
   EXPECT_EQ(answer.high, answer.value);
 }
 
-TEST(OptimumSearch, WhereDraftsDoNotCutNothingIsExtrapolated) {
+TEST(OptimumSearch, DoesNotExtrapolateIfCoarseRunsDoNotCut) {
   const OptimumGoal goal =
       goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 40\n");
   test::SyntheticLaboratory laboratory(
@@ -107,7 +107,7 @@ TEST(OptimumSearch, WhereDraftsDoNotCutNothingIsExtrapolated) {
   EXPECT_EQ(answer.low, answer.value);
 }
 
-TEST(OptimumSearch, AsksForNoRunTwice) {
+TEST(OptimumSearch, RequestsNoRunTwice) {
   const OptimumGoal goal =
       goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 60\n");
   test::SyntheticLaboratory laboratory([](const Trial& trial) { return cut_by_flow(trial, 25.0); },
@@ -120,7 +120,7 @@ TEST(OptimumSearch, AsksForNoRunTwice) {
   EXPECT_EQ(answer.runs, static_cast<int>(laboratory.asked.size()));
 }
 
-TEST(OptimumSearch, FindsAMaximumInside) {
+TEST(OptimumSearch, FindsAnInteriorMaximum) {
   const OptimumGoal goal = goal_of(
       "find = \"maximum\"\nmetric = \"kerf.depth\"\ndraft = 1.0\nruns = 60\n"
       "where = { metric = \"front_speed\", at_most = \"9 m/s\" }\n");
@@ -137,7 +137,7 @@ TEST(OptimumSearch, FindsAMaximumInside) {
   EXPECT_NEAR(answer.setting.numbers.at("jet.jet.width"), 6.6e-3, 0.5e-3);
 }
 
-TEST(OptimumSearch, AStopPassesThroughTheSearchAsItIs) {
+TEST(OptimumSearch, ForwardsAStop) {
   const OptimumGoal goal =
       goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 1.0\nruns = 60\n");
   struct Stop {};
@@ -152,7 +152,7 @@ TEST(OptimumSearch, AStopPassesThroughTheSearchAsItIs) {
   EXPECT_EQ(runs, 19);
 }
 
-TEST(OptimumSearch, WhereNothingCutsThatIsSaid) {
+TEST(OptimumSearch, ReportsThatNoRunCuts) {
   const OptimumGoal goal =
       goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\nruns = 20\n");
   test::SyntheticLaboratory laboratory(

@@ -54,7 +54,7 @@ TEST(ReadStudy, NamesFileLineKeyValueRangeAndRemedy) {
   EXPECT_THAT(complaint(vary + "[design]\ntype = \"sobel\"\n"), HasSubstr("\"latin_hypercube\""));
 }
 
-TEST(ReadStudy, KeysThatNobodyWouldVaryAreRefused) {
+TEST(ReadStudy, KeysThatCannotVaryAreRefused) {
   const std::string search =
       "[search]\nfind = \"least\"\nkey = \"jet.jet.width\"\nfrom = \"2 mm\"\nto = \"4 mm\"\n";
   EXPECT_THAT(complaint(vary + search), HasSubstr("neither the search nor the calibration"));
@@ -62,7 +62,7 @@ TEST(ReadStudy, KeysThatNobodyWouldVaryAreRefused) {
   EXPECT_EQ(complaint(search), "");
 }
 
-TEST(ReadStudy, GoalsAreCheckedLikeTheRest) {
+TEST(ReadStudy, GoalsAreChecked) {
   EXPECT_THAT(complaint("[search]\nfind = \"leest\"\n"), HasSubstr("\"greatest\""));
   EXPECT_THAT(complaint("[search]\nfind = \"least\"\nkey = \"jet.jet.width\"\nfrom = \"2 mm\"\n"),
               HasSubstr("a range needs two numbers"));
@@ -79,7 +79,7 @@ TEST(ReadStudy, GoalsAreCheckedLikeTheRest) {
       HasSubstr("\"J\" is not the unit of an energy per volume"));
 }
 
-TEST(ReadStudy, ABaseThatIsNotThereIsNamedWithAGuess) {
+TEST(ReadStudy, AMissingBaseIsNamedWithASuggestion) {
   const EmbeddedText templates[] = {{"small", test::small_case}};
   EXPECT_THAT(test::message_of<UserError>(
                   [&] { parse_study("base = \"smal\"\n" + vary, "s.toml", templates); }),
@@ -94,7 +94,7 @@ TEST(ReadStudy, ABaseMayBeAFileBesideTheStudy) {
 }
 
 // A seed acts where the layout, or the flaws, are random: without that every repeat is one run.
-TEST(ReadStudy, RepeatsThatWouldBeTheSameRunAreRefused) {
+TEST(ReadStudy, RepeatsOfADeterministicRunAreRefused) {
   EXPECT_THAT(complaint("repeats = 3\n" + vary),
               AllOf(HasSubstr("every repeat is the same run"), HasSubstr("jitter")));
   const std::string jitter = "[set]\n\"body.block.jitter\" = 0.2\n";
@@ -102,7 +102,7 @@ TEST(ReadStudy, RepeatsThatWouldBeTheSameRunAreRefused) {
   EXPECT_EQ(complaint("repeats = 1\n" + vary), "");
 }
 
-TEST(CaseMaker, TheSameCaseHasTheSameNameHoweverItIsAskedFor) {
+TEST(CaseMaker, EqualCasesHaveEqualNames) {
   const CaseMaker by_name(test::plan_of(vary));
   const CaseMaker by_number(test::plan_of("[vary]\n\"jet.0.speed\" = [\"100 cm/s\"]\n"));
   const auto one = by_name.make({{{{"jet.jet.speed", 1.0}}, {}}, 0, 1.0});
@@ -114,7 +114,7 @@ TEST(CaseMaker, TheSameCaseHasTheSameNameHoweverItIsAskedFor) {
   EXPECT_EQ(by_name.make({{}, 0, 2.0}).spacing, 0.001);
 }
 
-TEST(CaseMaker, ACaseThatIsNotGoodIsToldOfInTheKeysOfTheStudy) {
+TEST(CaseMaker, ReportsAnInvalidCaseByTheKeysOfTheStudy) {
   const CaseMaker maker(test::plan_of("[vary]\n\"jet.jet.standoff\" = [\"2 mm\"]\n"));
   const std::string message = test::message_of<UserError>([&] {
     maker.make({{{{"jet.jet.standoff", -0.5}}, {}}, 0, 1.0});

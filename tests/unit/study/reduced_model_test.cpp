@@ -26,7 +26,7 @@ double bone_depth(double pressure, double dwell, double volume_share) {
   return 1e-3 * 0.22 * std::pow(dwell, 0.18) * (1.2 - volume_share) * (1e-6 * pressure - 29.0);
 }
 
-TEST(ReducedModel, ALineAboveAThresholdIsThatOfBone) {
+TEST(ReducedModel, RecoversALineAboveAThreshold) {
   std::vector<ModelDatum> data;
   for (const double pressure : {20e6, 25e6, 40e6, 50e6, 60e6, 70e6})
     data.push_back(
@@ -92,7 +92,7 @@ TEST(ReducedModel, TheIntervalOfTheThresholdCoversIt) {
   EXPECT_NEAR(covered, 475, 20);
 }
 
-TEST(ReducedModel, TheTableSpansTheDataAndNothingElse) {
+TEST(ReducedModel, TheTableCoversTheRangeOfTheData) {
   std::vector<ModelDatum> data;
   for (const double pressure : {40e6, 50e6, 60e6, 80e6})
     data.push_back({{{"machine.pressure", pressure}}, bone_depth(pressure, 1.0, 0.3)});
@@ -112,14 +112,14 @@ TEST(ReducedModel, TheTableSpansTheDataAndNothingElse) {
               1e-5);
 }
 
-TEST(ReducedModel, RunsThatDidNotCutAreNoData) {
+TEST(ReducedModel, RunsWithoutACutAreExcluded) {
   const ReducedModel model(
       goal_of(ModelForm::threshold_linear, {}),
       {{{{"machine.pressure", 1e6}}, 0.0}, {{{"machine.pressure", 2e6}}, 0.0}});
   EXPECT_THAT(model.problem(), testing::HasSubstr("no run has kerf.depth above 0"));
 }
 
-TEST(ReducedModel, AVariableThatDidNotVaryCannotBeTold) {
+TEST(ReducedModel, AConstantVariableIsReported) {
   std::vector<ModelDatum> data;
   for (const double pressure : {40e6, 50e6, 60e6, 80e6, 90e6})
     data.push_back(

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-TEST(ShippedStudies, ReadAndMakeGoodCases) {
+TEST(ShippedStudies, MakeValidCases) {
   ASSERT_GE(study_templates().size(), 4u);
   for (const EmbeddedText& entry : study_templates()) {
     const StudyPlan plan =
@@ -24,7 +24,7 @@ TEST(ShippedStudies, ReadAndMakeGoodCases) {
   }
 }
 
-TEST(ShippedStudies, BeginWithTheirNameAndWhatTheyAre) {
+TEST(ShippedStudies, BeginWithTheirNameAndDescription) {
   for (const EmbeddedText& entry : study_templates())
     EXPECT_TRUE(entry.text.starts_with("# " + std::string(entry.name) + ": ")) << entry.name;
 }

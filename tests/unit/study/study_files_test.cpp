@@ -35,7 +35,7 @@ StudyAnswers two_runs() {
   return answers;
 }
 
-TEST(StudyFiles, TheCsvQuotesAsRfc4180Has) {
+TEST(StudyFiles, TheCsvIsQuotedByRfc4180) {
   const std::string csv = study_csv(test::plan_of(map), two_runs().runs);
   EXPECT_THAT(csv, testing::StartsWith("id,state,jet.jet.speed (m/s),materials.curd.criterion,"));
   EXPECT_THAT(csv, HasSubstr("aa,done,1,crack_band,"));
@@ -55,7 +55,7 @@ TEST(StudyFiles, TheCsvHasTheUnitsOfItsMetrics) {
     EXPECT_THAT(csv, HasSubstr(heading));
 }
 
-TEST(StudyFiles, TheTableForPeopleIsInTheUnitsOfTheStudy) {
+TEST(StudyFiles, TheReadableTableHasTheUnitsOfTheStudy) {
   const std::string text = study_text(test::plan_of(map), two_runs().runs);
   EXPECT_THAT(text, HasSubstr("100 cm/s"));
   EXPECT_THAT(text, HasSubstr("cut through"));
@@ -80,7 +80,7 @@ TEST(StudyFiles, TheJsonHoldsKeysRunsAndBoundary) {
   EXPECT_EQ(json.count("search"), 0u);
 }
 
-TEST(StudyFiles, WhatWasNotFoundIsNull) {
+TEST(StudyFiles, MissingAnswersAreNull) {
   const StudyPlan plan = test::plan_of(
       "[search]\nfind = \"least\"\nkey = \"jet.jet.speed\"\nfrom = \"1 m/s\"\nto = \"2 m/s\"\n");
   StudyAnswers answers;
@@ -94,7 +94,7 @@ TEST(StudyFiles, WhatWasNotFoundIsNull) {
 }
 
 // Drafts that broke at half the speed are no hint of the error: the reader is told.
-TEST(StudyFiles, DraftsThatAreTooCoarseAreSaid) {
+TEST(StudyFiles, ReportsTooCoarseDrafts) {
   const StudyPlan plan = test::plan_of(
       "[search]\nfind = \"least\"\nkey = \"jet.jet.speed\"\nfrom = \"1 m/s\"\nto = \"9 m/s\"\n");
   StudyAnswers answers;

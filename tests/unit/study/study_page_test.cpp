@@ -78,7 +78,7 @@ TEST(StudyPage, HoldsTheModelOverTheRangeOfItsData) {
   }
 }
 
-TEST(StudyPage, LoadsNothingAndIsNotBrokenByWhatARunSaid) {
+TEST(StudyPage, HasNoExternalResourcesAndEscapesMessages) {
   const StudyPlan plan = test::plan_of(map);
   const std::string page = study_page(plan, answers_of(plan), StudyState::ended);
   EXPECT_THAT(page, Not(HasSubstr("</script><b>")));
@@ -104,7 +104,7 @@ TEST(StudyPage, WithoutItsScriptHasAMapAndATable) {
   EXPECT_EQ(static_map(alone, runs), "");
 }
 
-TEST(StudyPage, IsWrittenAnewWhenRunsHaveEnded) {
+TEST(StudyPage, IsRewrittenAfterRuns) {
   const StudyPlan plan = test::plan_of(map);
   const auto folder = std::filesystem::path(testing::TempDir()) / "kerf_study_page";
   std::filesystem::create_directories(folder);

@@ -69,7 +69,7 @@ class StudyRunsTest : public testing::Test {
   int signal_ = 0;
 };
 
-TEST_F(StudyRunsTest, ARunIsMadeOnceHoweverOftenItIsAskedFor) {
+TEST_F(StudyRunsTest, ARepeatedRequestRunsOnce) {
   laboratory().run(speeds({1.0, 2.0, 2.0}));
   EXPECT_EQ(executor_.ran.size(), 2u);
   const auto outcomes = laboratory().run(speeds({2.0, 3.0, 1.0}));
@@ -83,7 +83,7 @@ TEST_F(StudyRunsTest, ARunIsMadeOnceHoweverOftenItIsAskedFor) {
   EXPECT_EQ(outcomes[0].metrics.count("balance.mass"), 0u);
 }
 
-TEST_F(StudyRunsTest, AFailedRunStopsNoOtherAndIsNotTriedAgainUnasked) {
+TEST_F(StudyRunsTest, AFailedRunStopsNoOtherAndIsNotRepeated) {
   executor_.end = [this](const Job& job) {
     if (executor_.ran.size() != 1) return JobEnd{};
     write_file(job.output, "Starting\nkerf: error: a value is not a number.\n");
@@ -101,7 +101,7 @@ TEST_F(StudyRunsTest, AFailedRunStopsNoOtherAndIsNotTriedAgainUnasked) {
   EXPECT_EQ(executor_.ran.size(), 4u);
 }
 
-TEST_F(StudyRunsTest, ACrashIsTriedOnceMore) {
+TEST_F(StudyRunsTest, ACrashedRunIsRepeatedOnce) {
   int crashes = 1;
   executor_.end = [&](const Job&) { return crashes-- > 0 ? JobEnd{0, SIGSEGV, ""} : JobEnd{}; };
   EXPECT_FALSE(laboratory().run(speeds({1.0}))[0].failed);
@@ -112,7 +112,7 @@ TEST_F(StudyRunsTest, ACrashIsTriedOnceMore) {
   EXPECT_EQ(executor_.ran.size(), 4u);
 }
 
-TEST_F(StudyRunsTest, WhatWasAtWorkWhenAStudyDiedIsRunAgain) {
+TEST_F(StudyRunsTest, InterruptedRunsAreRepeated) {
   const ResolvedCase resolved = maker_.make(speeds({1.0})[0]);
   database_.add(resolved, speeds({1.0})[0]);
   database_.mark_started(resolved.id);
@@ -121,7 +121,7 @@ TEST_F(StudyRunsTest, WhatWasAtWorkWhenAStudyDiedIsRunAgain) {
   EXPECT_EQ(database_.find(resolved.id)->state, RunState::done);
 }
 
-TEST_F(StudyRunsTest, AStopLeavesTheRestForTheNextTime) {
+TEST_F(StudyRunsTest, AStopKeepsTheRemainingRunsPending) {
   signal_ = SIGTERM;
   executor_.stop_after = 2;
   EXPECT_THROW(laboratory().run(speeds({1.0, 2.0, 3.0, 4.0})), StudyStopped);
@@ -130,7 +130,7 @@ TEST_F(StudyRunsTest, AStopLeavesTheRestForTheNextTime) {
   EXPECT_EQ(executor_.ran.size(), 4u);
 }
 
-TEST_F(StudyRunsTest, ResultsThatCannotBeReadAreAFailure) {
+TEST_F(StudyRunsTest, UnreadableResultsAreAFailure) {
   executor_.end = [](const Job& job) {
     make_folder(job.folder);
     write_file(job.folder / "result.json", "{ has_broken_bonds");
@@ -154,7 +154,7 @@ TEST_F(StudyRunsTest, ResultsThatCannotBeReadAreAFailure) {
   EXPECT_THAT(outcome.error, HasSubstr("cannot be read"));
 }
 
-TEST_F(StudyRunsTest, TheDatabaseKeepsEverythingOfARun) {
+TEST_F(StudyRunsTest, TheDatabaseStoresAllValuesOfARun) {
   laboratory().run(speeds({2.5}));
   const StudyDatabase again(folder_ / "study.db");
   const RunRow row = again.runs().at(0);
@@ -169,7 +169,7 @@ TEST_F(StudyRunsTest, TheDatabaseKeepsEverythingOfARun) {
   for (const std::string& time : {row.made, row.started, row.ended}) EXPECT_EQ(time.size(), 20u);
 }
 
-TEST_F(StudyRunsTest, TheSameRunUnderTwoKeysAnswersToBoth) {
+TEST_F(StudyRunsTest, OneRunServesTwoKeys) {
   laboratory().run(speeds({5.0}));
   const ResolvedCase resolved = maker_.make(speeds({5.0})[0]);
   database_.add(resolved, {{{{"jet.jet.width", 0.004}}, {}}, 0, 1.0});
@@ -180,7 +180,7 @@ TEST_F(StudyRunsTest, TheSameRunUnderTwoKeysAnswersToBoth) {
   EXPECT_EQ(database_.find(resolved.id)->state, RunState::done);
 }
 
-TEST(StudyDatabase, AFolderThatCannotHoldItIsNamed) {
+TEST(StudyDatabase, NamesAFolderThatIsNotWritable) {
   EXPECT_THAT(test::message_of<UserError>([] { StudyDatabase("/proc/nowhere/study.db"); }),
               testing::AllOf(HasSubstr("/proc/nowhere/study.db"), HasSubstr("--out")));
 }
@@ -196,7 +196,7 @@ bool looks_into(const std::filesystem::path& file) {
 }
 
 // A study that begins, and others that look at it already.
-TEST(StudyDatabase, SeveralOpenANewOneAtOnce) {
+TEST(StudyDatabase, IsCreatedByConcurrentProcesses) {
   const test::TemporaryFolder folder;
   std::atomic<int> failures = 0;
   for (int round = 0; round < 50; ++round) {
@@ -218,7 +218,7 @@ RunRow verdict(double speed, double width, bool cuts) {
 }
 
 // Cuts where speed + width > 4.5, on a grid of whole numbers: between those whose sums are 4 and 5.
-TEST(Boundary, IsBetweenNeighboursWhoseVerdictsDiffer) {
+TEST(Boundary, LiesBetweenNeighboursWithDifferentResults) {
   std::vector<RunRow> runs;
   for (int speed = 1; speed <= 4; ++speed)
     for (int width = 1; width <= 4; ++width)

@@ -51,7 +51,7 @@ TEST(ThresholdSearch, FindsTheLeastSpeedWithinFivePercentInEightRuns) {
 }
 
 // Half of the range each time: log2 of the ratio of widths, and the ends where they were needed.
-TEST(ThresholdSearch, OneAtATimeTakesTheRunsOfABisection) {
+TEST(ThresholdSearch, SequentialSearchIsABisection) {
   const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.01\ndraft = 1.0\n");
   auto laboratory = cutter(3.9123, 1);
   const ThresholdAnswer answer = find_threshold(goal, {}, laboratory);
@@ -60,7 +60,7 @@ TEST(ThresholdSearch, OneAtATimeTakesTheRunsOfABisection) {
   EXPECT_EQ(laboratory.rounds, answer.runs);
 }
 
-TEST(ThresholdSearch, RunsSideBySideSaveRounds) {
+TEST(ThresholdSearch, ParallelRunsReduceTheRounds) {
   const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.01\ndraft = 1.0\n");
   auto one = cutter(3.9123, 1), three = cutter(3.9123, 3);
   find_threshold(goal, {}, one);
@@ -81,7 +81,7 @@ TEST(ThresholdSearch, FindsTheGreatestTraverseThatStillCuts) {
   EXPECT_LE(answer.bracket.half_width(), 0.02 * 3.4);
 }
 
-TEST(ThresholdSearch, OtherConditionsThanCutThrough) {
+TEST(ThresholdSearch, SupportsOtherConditions) {
   const ThresholdGoal goal = goal_of(
       "find = \"least\"\ndraft = 1.0\nwhere = { metric = \"kerf.depth\", at_least = \"10 mm\" }\n");
   test::SyntheticLaboratory laboratory(
@@ -95,7 +95,7 @@ TEST(ThresholdSearch, OtherConditionsThanCutThrough) {
 }
 
 // An error that goes with the spacing, t(d) = t0 + c d, is what the extrapolation takes away.
-TEST(ThresholdSearch, DraftsFindTheRegionAndTheResolutionIsExtrapolated) {
+TEST(ThresholdSearch, CoarseRunsFindTheRegionAndResolutionIsExtrapolated) {
   const ThresholdGoal goal =
       goal_of("find = \"least\"\ntolerance = 0.005\ndraft = 0.5\nruns = 60\n");
   for (const double change : {-0.3, -0.05, 0.0, 0.05, 0.3}) {
@@ -120,7 +120,7 @@ TEST(ThresholdSearch, DraftsFindTheRegionAndTheResolutionIsExtrapolated) {
   }
 }
 
-TEST(ThresholdSearch, GoodDraftsLeaveTwoFineRuns) {
+TEST(ThresholdSearch, AccurateCoarseRunsNeedTwoFineRuns) {
   const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.05\ndraft = 0.5\n");
   auto laboratory = cutter(3.93, 2);
   const ThresholdAnswer answer = find_threshold(goal, {{}, 0, 1.0}, laboratory);
@@ -128,7 +128,7 @@ TEST(ThresholdSearch, GoodDraftsLeaveTwoFineRuns) {
   EXPECT_LE(answer.runs, 8);
 }
 
-TEST(ThresholdSearch, TheBracketHoldsTheScatterOfTheLayouts) {
+TEST(ThresholdSearch, TheBracketContainsTheScatterOfLayouts) {
   const ThresholdGoal goal =
       goal_of("find = \"least\"\ntolerance = 0.02\ndraft = 1.0\nruns = 60\n");
   ThresholdGoal repeated = goal;
@@ -150,7 +150,7 @@ TEST(ThresholdSearch, TheBracketHoldsTheScatterOfTheLayouts) {
   EXPECT_GE(answer.bracket.high, 3.62);
 }
 
-TEST(ThresholdSearch, VerdictsThatAlternateAreWithinTheBracket) {
+TEST(ThresholdSearch, AlternatingResultsAreWithinTheBracket) {
   const ThresholdGoal goal =
       goal_of("find = \"least\"\ntolerance = 0.001\ndraft = 1.0\nruns = 40\n");
   // Cuts from 3.5 on, not between 3.8 and 4.1, and again from there: eight runs see all three.
@@ -167,7 +167,7 @@ TEST(ThresholdSearch, VerdictsThatAlternateAreWithinTheBracket) {
   EXPECT_FALSE(answer.is_within_tolerance);
 }
 
-TEST(ThresholdSearch, ARangeWithoutThresholdIsSaid) {
+TEST(ThresholdSearch, ReportsARangeWithoutAThreshold) {
   const ThresholdGoal goal = goal_of("find = \"least\"\n");
   auto always = cutter(1.0, 2), never = cutter(9.0, 2);
   EXPECT_THAT(find_threshold(goal, {}, always).problem,
@@ -177,7 +177,7 @@ TEST(ThresholdSearch, ARangeWithoutThresholdIsSaid) {
       testing::AllOf(HasSubstr("does not hold at jet.jet.speed = 5 m/s"), HasSubstr("Raise it")));
 }
 
-TEST(ThresholdSearch, AFailedRunStopsItWithItsError) {
+TEST(ThresholdSearch, AFailedRunStopsTheSearchWithItsError) {
   const ThresholdGoal goal = goal_of("find = \"least\"\n");
   class Broken : public Laboratory {
    public:
@@ -195,7 +195,7 @@ TEST(ThresholdSearch, AFailedRunStopsItWithItsError) {
 }
 
 // The first cut of 1 to 16 is at 4 by ratios, and at 8.5 by differences.
-TEST(Bisection, PartsAreEqualInRatiosWhereAskedFor) {
+TEST(Bisection, PartsHaveEqualRatiosOnALogarithmicAxis) {
   std::vector<double> tried;
   const auto verdicts = [&](const std::vector<double>& values) {
     tried.insert(tried.end(), values.begin(), values.end());
@@ -208,7 +208,7 @@ TEST(Bisection, PartsAreEqualInRatiosWhereAskedFor) {
   EXPECT_NEAR(tried[1], 8.5, 1e-12);
 }
 
-TEST(Bisection, AWrongGuessIsWidenedToTheSideWhereItIsWrong) {
+TEST(Bisection, WidensAWrongInitialBracketOnTheWrongSide) {
   for (const double threshold : {2.1, 2.9, 3.55, 4.2, 4.95}) {
     Bisection bisection(
         [&](const std::vector<double>& values) {

@@ -145,7 +145,7 @@ class Turning {
 };
 
 template <class Dimension>
-class RigidTurn : public testing::Test {
+class RigidRotation : public testing::Test {
  protected:
   static constexpr int D = Dimension::value;
   // One turn for all tests.
@@ -159,10 +159,10 @@ class RigidTurn : public testing::Test {
   }
 };
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(RigidTurn, Dimensions);
+TYPED_TEST_SUITE(RigidRotation, Dimensions);
 
 // The time stepping by itself, with the exact gradient of the motion.
-TYPED_TEST(RigidTurn, TimeSteppingKeepsTheStress) {
+TYPED_TEST(RigidRotation, TimeSteppingKeepsTheStress) {
   const Outcome outcome = Turning<TestFixture::D>().one_turn(Gradient::exact);
   TestFixture::print("exact gradient", outcome);
   EXPECT_LT(outcome.tensor, 1e-3);
@@ -172,7 +172,7 @@ TYPED_TEST(RigidTurn, TimeSteppingKeepsTheStress) {
 // The invariants of the stress, which fracture and energy see, whatever the gradient. The midpoint
 // rule lets the amplitude of a turning by an angle a per step grow by a^4/8; a tensor turns by
 // twice the angle of its body.
-TYPED_TEST(RigidTurn, InvariantsAreKept) {
+TYPED_TEST(RigidRotation, InvariantsAreKept) {
   const Outcome& outcome = TestFixture::turned_by_the_engine();
   const auto steps = static_cast<double>(outcome.steps);
   EXPECT_LT(outcome.magnitude, 1.1 * std::pow(4.0 * std::numbers::pi / steps, 4) / 8.0 * steps);
@@ -180,14 +180,14 @@ TYPED_TEST(RigidTurn, InvariantsAreKept) {
 }
 
 // The tensor itself in the axes of the body.
-TYPED_TEST(RigidTurn, StressTurnsWithTheBody) {
+TYPED_TEST(RigidRotation, StressTurnsWithTheBody) {
   const Outcome& outcome = TestFixture::turned_by_the_engine();
   TestFixture::print("gradient of the engine", outcome);
   EXPECT_LT(outcome.tensor, 0.01);
 }
 
 // A body that is moved along by expression keeps its stress to the last bit but rounding.
-TYPED_TEST(RigidTurn, TranslationKeepsTheStress) {
+TYPED_TEST(RigidRotation, TranslationKeepsTheStress) {
   constexpr int dimension = TestFixture::D;
   ReferenceState state = stressed_ball(dimension);
   for (auto& particle : state.particles)

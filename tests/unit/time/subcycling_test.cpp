@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-TEST(Subcycling, AsManyStepsAsFitAndNoMoreThanAllowed) {
+TEST(Subcycling, NumberOfSubstepsIsBounded) {
   const auto steps_of = [](int most, double dt, double longest) {
     Subcycling cycle(most);
     cycle.begin(dt, longest);
@@ -25,7 +25,7 @@ TEST(Subcycling, AsManyStepsAsFitAndNoMoreThanAllowed) {
   EXPECT_EQ(steps_of(8, 1.0, 0.0), 1) << "of a solid that nothing is known of yet";
 }
 
-TEST(Subcycling, LooksAheadToTheMiddleOfAllSteps) {
+TEST(Subcycling, PredictsToTheMiddleOfTheSolidStep) {
   Subcycling cycle(4);
   cycle.begin(2.0, 8.1);
   EXPECT_DOUBLE_EQ(cycle.length(), 8.0);
@@ -43,7 +43,7 @@ TEST(Subcycling, LooksAheadToTheMiddleOfAllSteps) {
   EXPECT_DOUBLE_EQ(cycle.time_since_middle(), 4.0);
 }
 
-TEST(Subcycling, AStepByItselfIsAsEver) {
+TEST(Subcycling, OneSubstepHasNoPrediction) {
   Subcycling cycle(1);
   for (const double dt : {0.3, 0.7, 0.1}) {
     EXPECT_TRUE(cycle.is_first_substep());
@@ -58,7 +58,7 @@ TEST(Subcycling, AStepByItselfIsAsEver) {
 }
 
 // Steps grow and shrink as the water has it.
-TEST(Subcycling, TakesNoLongerThanTheSolidAllowsAndBooksTheTimeThatGoesBy) {
+TEST(Subcycling, StepsWithinTheSolidLimitAndSumsTheirTime) {
   Subcycling cycle(8);
   const double longest = 5.0;
   double time = 0.0, booked = 0.0, in_cycle = 0.0;
@@ -80,7 +80,7 @@ TEST(Subcycling, TakesNoLongerThanTheSolidAllowsAndBooksTheTimeThatGoesBy) {
   EXPECT_NEAR(booked, time, longest) << "but for the last one, and what it owes";
 }
 
-TEST(Subcycling, GoesOnAsSaved) {
+TEST(Subcycling, ResumesFromASavedState) {
   Subcycling cycle(8), other(8);
   cycle.begin(1.0, 4.5);
   cycle.end_step(1.0);

@@ -128,7 +128,7 @@ void expect_in(const std::string& text, std::initializer_list<const char*> parts
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TEST(Breakdown, NotANumberIsRefused) {
+TEST(Breakdown, NotANumberStopsTheRun) {
   for (Role role : {Role::water, Role::elastic})
     for (const Damage& damage :
          {Damage{"velocity", 12, 0, nan}, Damage{"velocity", 12, 1, infinity},
@@ -167,14 +167,14 @@ TEST(Breakdown, NotANumberInAPosition) {
 
 // The same as a user can cause it: a motion that is prescribed for a while only, of a solid that
 // the loops follow and of a rigid body that they only push against.
-TEST(Breakdown, PrescribedMotionThatIsNoNumber) {
+TEST(Breakdown, PrescribedMotionThatIsNotANumber) {
   Case c = square(Role::elastic);
   c.bodies[0].displacement = {"t < 0.00005 ? 0 : sqrt(-1)", "0", "0"};
   const auto simulation = make_simulation(c);
   expect_in(refusal(*simulation, 20), {"body 'square'", "not a number"});
   EXPECT_EQ(simulation->balance().mass_out, 0.0);
 }
-TEST(Breakdown, PrescribedMotionOfAPlateThatIsNoNumber) {
+TEST(Breakdown, PrescribedMotionOfAPlateThatIsNotANumber) {
   Case c = square(Role::elastic);
   c.bodies.push_back(body("plate", Role::rigid, box({0.0, -0.004, 0.0}, {0.01, 0.0, 0.0}), 2e-3));
   c.bodies[1].displacement = {"0", "t < 0.00005 ? 0 : sqrt(-1)", "0"};
@@ -182,7 +182,7 @@ TEST(Breakdown, PrescribedMotionOfAPlateThatIsNoNumber) {
   expect_in(refusal(*simulation, 20), {"body 'plate'", "not a number"});
 }
 
-TEST(Breakdown, StepGoneToZero) {
+TEST(Breakdown, ZeroTimeStep) {
   Case c = square(Role::water);
   c.gravity = {0.0, -1e20, 0.0};
   const auto simulation = make_simulation(c);

@@ -92,7 +92,7 @@ TYPED_TEST(Verlet, IsOfSecondOrder) {
 
 // With a force that hangs on the speed, and a density whose rate does: both are known at the middle
 // of a step by the last one only. x = e^(-g t) cos(w t), d rho/dt = v / 10.
-TYPED_TEST(Verlet, WhatHangsOnSpeedIsOfSecondOrder) {
+TYPED_TEST(Verlet, VelocityDependentForcesAreOfSecondOrder) {
   constexpr int D = TypeParam::value;
   constexpr double g = 0.3, w = 1.1, end = 5.0;
   double errors[4];
@@ -133,7 +133,7 @@ TYPED_TEST(Verlet, WhatHangsOnSpeedIsOfSecondOrder) {
 
 // The nearby energy that it keeps is (1 + O((omega dt)^2)) of the true one: the swing is that of a
 // revolution, after a thousand of them as in the first.
-TYPED_TEST(Verlet, EnergySwingsButDoesNotDrift) {
+TYPED_TEST(Verlet, EnergyOscillatesWithoutDrift) {
   Oscillators<TypeParam::value> oscillators(0.1);
   double start[3], first[3] = {}, last[3] = {};
   for (int i = 0; i < 3; ++i) start[i] = oscillators.energy(i);

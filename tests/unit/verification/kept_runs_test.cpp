@@ -61,7 +61,7 @@ class KeptRunsTest : public testing::Test {
   bool made_ = false;
 };
 
-TEST_F(KeptRunsTest, IsNotMadeAgainAndSaysTheSame) {
+TEST_F(KeptRunsTest, IsReusedWithTheSameResult) {
   const Findings first = findings_of(plan_text("x", "3"));
   EXPECT_TRUE(made_);
   const Findings second = findings_of(plan_text("x", "3"));
@@ -75,14 +75,14 @@ TEST_F(KeptRunsTest, IsNotMadeAgainAndSaysTheSame) {
   EXPECT_EQ(second.looks[0].frame.position, first.looks[0].frame.position);
 }
 
-TEST_F(KeptRunsTest, IsJudgedAnew) {
+TEST_F(KeptRunsTest, IsCheckedAgain) {
   findings_of(plan_text("x", "3"));
   const Findings findings = findings_of(plan_text("x", "4"));
   EXPECT_FALSE(made_);
   EXPECT_EQ(findings.rows.at(0).verdict, Verdict::fail);
 }
 
-TEST_F(KeptRunsTest, OfAnotherCaseOrSignalIsMade) {
+TEST_F(KeptRunsTest, OfAnotherCaseOrSignalIsRun) {
   findings_of(plan_text("x", "3"));
   EXPECT_EQ(findings_of(plan_text("y", "3")).rows.at(0).measured, 0.0);
   EXPECT_TRUE(made_);
@@ -92,7 +92,7 @@ TEST_F(KeptRunsTest, OfAnotherCaseOrSignalIsMade) {
   EXPECT_TRUE(made_);
 }
 
-TEST_F(KeptRunsTest, ThatIsDamagedIsMadeAgain) {
+TEST_F(KeptRunsTest, DamagedRecordingIsRunAgain) {
   findings_of(plan_text("x", "3"));
   std::string bytes = read_file(kept_file());
   write_file(kept_file(), bytes.substr(0, bytes.size() / 2));
@@ -105,7 +105,7 @@ TEST_F(KeptRunsTest, ThatIsDamagedIsMadeAgain) {
   EXPECT_TRUE(made_);
 }
 
-TEST_F(KeptRunsTest, ThatIsLongCountsAsShort) {
+TEST_F(KeptRunsTest, LongRecordingServesAsAShortOne) {
   const std::string plan = plan_text("x", "3", "long = true\n");
   const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
   const KeptRuns kept(folder_.path() / "kept");
@@ -133,7 +133,7 @@ TEST_F(KeptRunsTest, KeepsWhatIsNotANumber) {
   EXPECT_EQ(found->series.at(0).value.at(1), 2.0);
 }
 
-TEST_F(KeptRunsTest, DoesNotHoldARunThatBrokeDown) {
+TEST_F(KeptRunsTest, DoesNotKeepAFailedRun) {
   const KeptRuns kept(folder_.path());
   Recording recording;
   recording.problem = "it broke down";

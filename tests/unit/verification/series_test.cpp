@@ -27,13 +27,13 @@ Parameters reduction(const std::map<std::string, std::string>& keys) {
   return parameters;
 }
 
-TEST(Series, MeanWeighsUnevenSamplesByTime) {
+TEST(Series, MeanWeightsUnevenSamplesByTime) {
   // A straight line has the mean of its ends, however it is sampled.
   const TimeSeries series{{0.0, 0.1, 0.2, 1.0}, {0.0, 0.1, 0.2, 1.0}};
   EXPECT_NEAR(reduce(series, reduction({{"reduce", "mean"}})), 0.5, 1e-14);
 }
 
-TEST(Series, WindowLeavesTheRestOut) {
+TEST(Series, WindowExcludesOtherSamples) {
   const auto series = sampled([](double t) { return t; }, 1.0, 100);
   const auto mean = reduction({{"reduce", "mean"}, {"from", "200 ms"}, {"to", "400 ms"}});
   EXPECT_NEAR(reduce(series, mean), 0.3, 1e-12);
@@ -43,7 +43,7 @@ TEST(Series, WindowLeavesTheRestOut) {
 
 // A load that is put on at once: 1 - exp(-a t) cos(w t) comes to rest at 1. The period need not be
 // known: windows of 2.8 to 3.2 of it will do, of which a plain mean is off by some percent.
-TEST(Series, HannMeanOfASwingThatDiesDown) {
+TEST(Series, HannMeanOfADampedOscillation) {
   const auto swing = [](double t) {
     return 1.0 - std::exp(-0.25 * t) * std::cos(2.0 * std::numbers::pi * t);
   };
@@ -98,7 +98,7 @@ TEST(Series, PeakAndLargest) {
   EXPECT_EQ(reduce(series, reduction({{"reduce", "largest"}})), -3.0);
 }
 
-TEST(Series, PeakOfMeanIsTheHeightOfARingingStep) {
+TEST(Series, PeakOfMeanIsTheHeightOfAnOscillatingStep) {
   // A step to 100 at t = 0.3 with ringing of period 0.02, of which the mean over 0.1 has none.
   const auto series = sampled(
       [](double t) {
@@ -124,7 +124,7 @@ TEST(Series, TimesOfALevel) {
   EXPECT_TRUE(std::isnan(reduce(series, reduction({{"reduce", "first_above"}, {"level", "7"}}))));
 }
 
-TEST(Series, RefusesWhatItDoesNotKnow) {
+TEST(Series, RefusesUnknownReductions) {
   const TimeSeries series{{0.0}, {0.0}};
   EXPECT_THROW(reduce(series, reduction({{"reduce", "median"}})), std::logic_error);
   EXPECT_THROW(reduce(series, reduction({})), std::logic_error);

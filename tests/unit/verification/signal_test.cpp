@@ -53,7 +53,7 @@ TEST_F(SignalTest, BodyMeanOfAFreeFlight) {
   EXPECT_NEAR(moved / (-2.0 * seconds), 1.0, 1e-5);
 }
 
-TEST_F(SignalTest, BodyMeanLessThatOfTheSameBodyIsNothing) {
+TEST_F(SignalTest, BodyMeanRelativeToItselfIsZero) {
   EXPECT_NEAR(value({{"signal", "body_mean"},
                      {"field", "velocity"},
                      {"axis", "x"},
@@ -76,7 +76,7 @@ TEST_F(SignalTest, BodyMeanProjectsOnAMode) {
               3.0, 1e-5);
 }
 
-TEST_F(SignalTest, KineticCentroidOfAnEvenMotionIsTheMiddle) {
+TEST_F(SignalTest, KineticCentroidOfAUniformMotionIsTheCentre) {
   EXPECT_NEAR(value({{"signal", "kinetic_centroid"}, {"axis", "x"}}), 0.010, 1e-7);
   EXPECT_NEAR(value({{"signal", "kinetic_centroid"}, {"axis", "x"}, {"weight", "x > 0.01"}}), 0.015,
               1e-7);
@@ -87,7 +87,7 @@ TEST_F(SignalTest, ProbesByNameAndComponent) {
   EXPECT_NEAR(value({{"signal", "probe"}, {"probe", "plane"}, {"component", "x"}}), 0.0, 1e-6);
 }
 
-TEST_F(SignalTest, LedgerKeepsTheKineticEnergy) {
+TEST_F(SignalTest, BalanceSignalIsTheKineticEnergy) {
   const double expected = 0.5 * 1000.0 * 0.02 * 0.01 * (9.0 + 4.0);
   EXPECT_NEAR(value({{"signal", "balance"}, {"field", "kinetic"}}) / expected, 1.0, 1e-6);
 }
@@ -114,7 +114,7 @@ TEST_F(SignalTest, AsymmetryOfABlockBesideTheMirror) {
   EXPECT_NEAR(value({{"signal", "asymmetry"}, {"axis", "x"}}), 1.0, 1e-12);
 }
 
-TEST_F(SignalTest, RefusesWhatThereIsNot) {
+TEST_F(SignalTest, RefusesUnknownNames) {
   EXPECT_THROW(value({{"signal", "colour"}}), std::logic_error);
   EXPECT_THROW(value({{"signal", "probe"}, {"probe", "nowhere"}, {"component", "x"}}),
                std::logic_error);
@@ -223,9 +223,9 @@ class TornSimulation : public test::FakeSimulation {
   double elastic = 0.0, hourglass = 0.0;
 };
 
-class TornTest : public ::testing::Test {
+class BrokenStripTest : public ::testing::Test {
  protected:
-  TornTest()
+  BrokenStripTest()
       : description_(test::fake_case()),
         simulation_(description_),
         beginning_(description_, simulation_) {}
@@ -245,7 +245,7 @@ class TornTest : public ::testing::Test {
   Beginning beginning_;
 };
 
-TEST_F(TornTest, HourglassShareIsOfTheMostElasticEnergySoFar) {
+TEST_F(BrokenStripTest, HourglassShareIsOfTheMostElasticEnergySoFar) {
   const Signal share = signal({{"signal", "hourglass_share"}});
   EXPECT_EQ(value(share), 0.0);
   simulation_.elastic = 2.0;
@@ -256,11 +256,11 @@ TEST_F(TornTest, HourglassShareIsOfTheMostElasticEnergySoFar) {
   EXPECT_EQ(value(share), 0.1);
 }
 
-TEST_F(TornTest, LargestDamage) {
+TEST_F(BrokenStripTest, LargestDamage) {
   EXPECT_EQ(value(signal({{"signal", "largest_damage"}})), 0.5);
 }
 
-TEST_F(TornTest, CrackAlongTheDiagonal) {
+TEST_F(BrokenStripTest, CrackAlongTheDiagonal) {
   std::map<std::string, std::string> keys{{"signal", "crack"}, {"tip_x", "0 mm"},
                                           {"tip_y", "0 mm"},   {"axis", "y"},
                                           {"damage", "0.3"},   {"field", "angle"}};

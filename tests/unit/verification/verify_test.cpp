@@ -72,7 +72,7 @@ TEST(Verify, PassesAndFailsByTheTolerance) {
   EXPECT_TRUE(has_failed(bad));
 }
 
-TEST(Verify, JudgesBounds) {
+TEST(Verify, ChecksBounds) {
   const auto verdict = [](const std::string& bounds) {
     return rows_of(plan_text("runs = \"plain\"\n" + bounds))[0].verdict;
   };
@@ -82,7 +82,7 @@ TEST(Verify, JudgesBounds) {
   EXPECT_EQ(verdict(""), Verdict::reported);
 }
 
-TEST(Verify, JudgesTheFinestRunOnlyUnlessAllAreMeant) {
+TEST(Verify, ChecksTheFinestRunUnlessAllAreRequested) {
   const std::string reference = "runs = [\"plain\", \"fast\"]\nreference = 600\ntolerance = 0.01\n";
   const auto finest = rows_of(plan_text(reference));
   ASSERT_EQ(finest.size(), 2u);
@@ -92,7 +92,7 @@ TEST(Verify, JudgesTheFinestRunOnlyUnlessAllAreMeant) {
   EXPECT_EQ(every[0].verdict, Verdict::fail);
 }
 
-TEST(Verify, JudgesFromANamedRunOn) {
+TEST(Verify, ChecksFromANamedRunOn) {
   const std::string reference = "reference = 600\ntolerance = 0.01\n";
   const std::string both = "runs = [\"plain\", \"fast\"]\n" + reference;
   const auto second = rows_of(plan_text(both, "judge = \"from fast\"\n"));
@@ -128,7 +128,7 @@ TEST(Verify, GivesTheCurvesOfAPlot) {
   EXPECT_EQ(curves[0].unit, "m/s");
 }
 
-TEST(Verify, LooksAtTheTimeOfAPicture) {
+TEST(Verify, TakesAPictureAtItsTime) {
   std::string plan = plan_text("runs = \"plain\"\n");
   EXPECT_TRUE(findings_of(plan).looks.empty());
   plan.replace(plan.find("name = \"plain\""), 14, "name = \"plain\"\npicture = \"0.05 ms\"");
@@ -139,14 +139,14 @@ TEST(Verify, LooksAtTheTimeOfAPicture) {
   EXPECT_LT(looks[0].frame.time, 0.1e-3);
 }
 
-TEST(Verify, LeavesLongRunsOutUnlessAsked) {
+TEST(Verify, SkipsLongRunsByDefault) {
   const std::string runs = "runs = [\"plain\", \"far\"]\n";
   EXPECT_EQ(rows_of(plan_text(runs)).size(), 1u);
   EXPECT_EQ(rows_of(plan_text(runs), true).size(), 2u);
   EXPECT_TRUE(rows_of(plan_text("runs = \"far\"\n")).empty());
 }
 
-TEST(Verify, MakesOnlyTheRunsAskedForLongOnesToo) {
+TEST(Verify, MakesTheRequestedRunsOnly) {
   const std::string plan = plan_text("runs = [\"plain\", \"far\"]\n");
   const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
   auto cases = read_verification_cases(texts, {});
@@ -157,7 +157,7 @@ TEST(Verify, MakesOnlyTheRunsAskedForLongOnesToo) {
   EXPECT_EQ(rows[0].run, "far");
 }
 
-TEST(Verify, ARunThatCannotBeMakesItsRowsFail) {
+TEST(Verify, AFailedRunFailsItsRows) {
   std::string plan = plan_text("runs = \"plain\"\n");
   plan.replace(plan.find("name = \"plain\""), 14, "name = \"plain\"\noverride.time.end = \"-1 s\"");
   const auto rows = rows_of(plan);
@@ -183,7 +183,7 @@ TEST(Verify, RefinementDividesSpacings) {
   EXPECT_DOUBLE_EQ(run.description().bodies[0].spacing, 0.001);
 }
 
-TEST(VerifyTable, JsonHoldsTheRow) {
+TEST(VerifyTable, JsonHasTheRow) {
   const auto rows = rows_of(plan_text("runs = \"plain\"\nreference = 300\ntolerance = 0.01"));
   const auto json = nlohmann::json::parse(to_json(rows));
   EXPECT_TRUE(json["passed"].get<bool>());
@@ -256,13 +256,13 @@ TEST(ValidationPage, NamesEverySignal) {
     EXPECT_NE(page.find("| `" + name + "` |"), std::string::npos) << name;
 }
 
-TEST(ShippedPlans, EveryRunIsAGoodCase) {
+TEST(ShippedPlans, EveryRunIsAValidCase) {
   for (const VerificationCase& entry : shipped())
     for (const PlannedRun& run : entry.runs)
       EXPECT_NO_THROW(run.description()) << entry.name << ", " << run.name;
 }
 
-TEST(ShippedPlans, EveryCaseJudgesSomething) {
+TEST(ShippedPlans, EveryCaseHasChecks) {
   for (const VerificationCase& entry : shipped()) {
     int judged = 0;
     for (const Check& check : entry.checks) judged += check.is_judged() ? 1 : 0;

@@ -44,7 +44,7 @@ TEST_F(WetBlockTest, WaterLiesHalfASpacingOfItsOwnAboveTheTop) {
   EXPECT_NEAR(value({{"signal", "deepest_water"}, {"body", "block"}}), -0.5 / 2.0, 1e-6);
 }
 
-TEST_F(WetBlockTest, TheTipOfAJetThatHasJustLeftLiesBetweenItAndTheLiquid) {
+TEST_F(WetBlockTest, TheTipOfANewJetLiesBetweenItAndTheLiquid) {
   // The uppermost row of the layer is half a spacing below the point aimed at, the water of the jet
   // within the nozzle, a millimetre and more above it.
   const double tip = value({{"signal", "jet_tip"}, {"body", "layer"}});
@@ -52,7 +52,7 @@ TEST_F(WetBlockTest, TheTipOfAJetThatHasJustLeftLiesBetweenItAndTheLiquid) {
   EXPECT_LE(tip, 0.5e-3);
 }
 
-TEST_F(WetBlockTest, ARegionHoldsTheRowsThatLieInIt) {
+TEST_F(WetBlockTest, ARegionContainsItsRows) {
   // Two of the layer's four rows of 20 particles.
   EXPECT_NEAR(value({{"signal", "region_volume"}, {"body", "layer"}, {"within", "y < 2e-3"}}),
               20e-3 * 2e-3, 1e-8);
@@ -77,7 +77,7 @@ TEST_F(WetBlockTest, NoElasticEnergyNoHourglassShare) {
   EXPECT_EQ(value({{"signal", "hourglass_share"}}), 0.0);
 }
 
-TEST_F(WetBlockTest, RefusesABodyThatThereIsNot) {
+TEST_F(WetBlockTest, RefusesAnUnknownBody) {
   EXPECT_THROW(value({{"signal", "deepest_water"}, {"body", "ghost"}}), std::logic_error);
   EXPECT_THROW(value({{"signal", "jet_tip"}, {"body", "ghost"}}), std::logic_error);
 }

@@ -89,7 +89,7 @@ Case standard_case(PrecisionKind precision = PrecisionKind::double_precision) {
 // below 1e-9 of a spacing and of the speeds.
 constexpr double grown = 1e-9;
 
-TEST(HalfOfTheWhole, RodFallsOnAWall) {
+TEST(HalfDomain, RodFallsOnAWall) {
   Case c = standard_case();
   c.materials[0].failure_strain = 0.0;
   c.materials[0].plasticity = PlasticLaw::von_mises;
@@ -104,7 +104,7 @@ TEST(HalfOfTheWhole, RodFallsOnAWall) {
   EXPECT_LT(gap.speed, grown * 3.0);
 }
 
-TEST(HalfOfTheWhole, JetOnAPlate) {
+TEST(HalfDomain, JetOnAPlate) {
   Case c = standard_case();
   c.bodies = {body("plate", Role::rigid, box({-0.02, -0.004, 0.0}, {0.02, 0.0, 0.0}), 1e-3)};
   c.jets = {jet(8e-3, 1e-3, {0.0, 0.0, 0.0}, 2e-3)};
@@ -114,7 +114,7 @@ TEST(HalfOfTheWhole, JetOnAPlate) {
 }
 
 // A strip drawn apart until it breaks: bonds that cross the plane among them.
-TEST(HalfOfTheWhole, StripIsTornApart) {
+TEST(HalfDomain, StripIsPulledApart) {
   Case c = standard_case();
   c.materials[0].failure_strain = 0.05;
   c.bodies = {body("strip", Role::elastic, box({-0.008, 0.0, 0.0}, {0.008, 0.012, 0.0}), 1e-3)};
@@ -126,7 +126,7 @@ TEST(HalfOfTheWhole, StripIsTornApart) {
 }
 
 // A block that comes to the plane meets its image there, as it would meet another block.
-TEST(HalfOfTheWhole, TwoBlocksCollide) {
+TEST(HalfDomain, TwoBlocksCollide) {
   Case c = standard_case();
   c.materials[0].failure_strain = 0.0;
   c.bodies = {body("right", Role::elastic, box({0.002, 0.0, 0.0}, {0.010, 0.008, 0.0}), 1e-3),
@@ -140,7 +140,7 @@ TEST(HalfOfTheWhole, TwoBlocksCollide) {
 }
 
 // Nothing passes a plane, not a drop either that is thrown at it at four times its speed of sound.
-TEST(SymmetryPlane, HoldsWhatIsThrownAtIt) {
+TEST(SymmetryPlane, IsNotCrossedByAFastDrop) {
   for (const PrecisionKind precision : {PrecisionKind::double_precision, PrecisionKind::mixed}) {
     const double rounding = precision == PrecisionKind::mixed ? 1e-5 : 1e-12;
     Case c = standard_case(precision);

@@ -31,9 +31,9 @@ Case quivering(int dimension, bool with_water) {
 
 // With constant forces within the solid's step its place and velocity at the end of it are those of
 // position Verlet with that step, to the last term.
-class SeparateSteps : public testing::TestWithParam<int> {};
+class SubcyclingRuns : public testing::TestWithParam<int> {};
 
-TEST_P(SeparateSteps, ASolidByItselfGoesOnAsByVerlet) {
+TEST_P(SubcyclingRuns, AnUncoupledSolidMovesAsByVerlet) {
   const Case with_water = quivering(GetParam(), true);
   const auto apart = make_simulation(with_water);
   take_steps(*apart, 1);  // of which the solid's waves are known
@@ -64,7 +64,7 @@ TEST_P(SeparateSteps, ASolidByItselfGoesOnAsByVerlet) {
 }
 
 // What a jet does to a free block of gel is much the same, and what one loses the other takes up.
-TEST_P(SeparateSteps, AJetPushesABlockAsWithOneStepForAll) {
+TEST_P(SubcyclingRuns, AJetLoadsABlockAsWithACommonStep) {
   Case c = standard_jet_on_block(GetParam(), PrecisionKind::double_precision);
   c.materials[0].failure_strain = 0.0;
   c.materials[1].sound_speed = 100.0;
@@ -86,7 +86,7 @@ TEST_P(SeparateSteps, AJetPushesABlockAsWithOneStepForAll) {
   EXPECT_NEAR(a.elastic_strain, b.elastic_strain, 0.03 * b.elastic_strain);
 }
 
-INSTANTIATE_TEST_SUITE_P(Dimensions, SeparateSteps, testing::Values(2, 3));
+INSTANTIATE_TEST_SUITE_P(Dimensions, SubcyclingRuns, testing::Values(2, 3));
 
 }  // namespace
 }  // namespace kerf::test

@@ -41,7 +41,7 @@ void expect_balanced(const Balance& now, PrecisionKind precision) {
 }
 
 // A jet on a block on a plate, with gravity, back_flow_removal and a domain that water leaves.
-void run_everything(int dimension, PrecisionKind precision, int steps) {
+void run_all_terms(int dimension, PrecisionKind precision, int steps) {
   Case c = jet_on_block(dimension, precision);
   c.back_flow_removal = BackFlowRemoval{};
   // A clamped body that pushes the block from the side: prescribed motion; a drop that flies out.
@@ -83,17 +83,17 @@ void run_everything(int dimension, PrecisionKind precision, int steps) {
   EXPECT_NEAR(now.mass_in + now.jet_mass_carried, due, 1e-12 * due);
   EXPECT_GE(now.jet_mass_carried, 0.0);
 }
-TEST(LedgerOfEverything, Mixed2D) {
-  run_everything(2, PrecisionKind::mixed, 1500);
+TEST(BalanceWithAllTerms, Mixed2D) {
+  run_all_terms(2, PrecisionKind::mixed, 1500);
 }
-TEST(LedgerOfEverything, Double2D) {
-  run_everything(2, PrecisionKind::double_precision, 1500);
+TEST(BalanceWithAllTerms, Double2D) {
+  run_all_terms(2, PrecisionKind::double_precision, 1500);
 }
-TEST(LedgerOfEverything, Mixed3D) {
-  run_everything(3, PrecisionKind::mixed, 600);
+TEST(BalanceWithAllTerms, Mixed3D) {
+  run_all_terms(3, PrecisionKind::mixed, 600);
 }
-TEST(LedgerOfEverything, Double3D) {
-  run_everything(3, PrecisionKind::double_precision, 600);
+TEST(BalanceWithAllTerms, Double3D) {
+  run_all_terms(3, PrecisionKind::double_precision, 600);
 }
 
 // Its totals against sums over the frames, which the balance has no part in.
@@ -121,7 +121,7 @@ TEST(Balance, AgreesWithTheFrame) {
 }
 
 // Free fall: momentum m g t, energy m g h.
-TEST(Balance, FreeFall) {
+TEST(Balance, FreeFallGainsMomentumAndEnergy) {
   for (PrecisionKind precision : both) {
     Case c = empty_case(2, precision);
     c.gravity = {0.5, -9.81, 0.0};
@@ -144,7 +144,7 @@ TEST(Balance, FreeFall) {
 
 // A block thrown on a plate comes back: the impulse of the plate is the change of momentum. Energy
 // is that of the throw.
-TEST(Balance, ThrownOnAPlate) {
+TEST(Balance, PlateImpulseReversesTheMomentum) {
   Case c = empty_case(2, PrecisionKind::double_precision);
   c.materials[0].failure_strain = 0.0;
   c.bodies = {body("block", Role::elastic, box({-0.01, 0.002, 0.0}, {0.01, 0.022, 0.0}), 2e-3),
