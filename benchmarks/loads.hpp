@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
-#include "model/case.hpp"
-
 namespace kerf {
+
+struct Case;
 
 enum class Load {
   water,   // a block of water

@@ -7,6 +7,7 @@
 #include "analysis/kerf_width.hpp"
 #include "analysis/pieces.hpp"
 #include "analysis/workpiece.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

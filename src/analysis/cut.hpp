@@ -10,11 +10,11 @@
 
 #include "analysis/metric.hpp"
 #include "analysis/pieces.hpp"
-#include "model/case.hpp"
 #include "simulation/frame.hpp"
 
 namespace kerf {
 
+struct Case;
 struct Workpiece;
 
 // The state of a cut at one instant.

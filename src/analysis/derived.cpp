@@ -20,6 +20,7 @@
 #include "geometry/nozzle.hpp"
 #include "geometry/shapes.hpp"
 #include "machine/characteristic_speed.hpp"
+#include "model/case.hpp"
 #include "model/material_laws.hpp"
 #include "neighbours/skin.hpp"
 

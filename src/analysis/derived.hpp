@@ -6,9 +6,10 @@
 #include <string>
 
 #include "analysis/metric.hpp"
-#include "model/case.hpp"
 
 namespace kerf {
+
+struct Case;
 
 struct DerivedNumbers {
   // Of the first elastic material that a jet or moving body can hit; 0 where there is none.

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "geometry/nozzle.hpp"
-#include "model/case.hpp"
+#include "model/jet.hpp"
 
 namespace kerf {
 

@@ -7,6 +7,7 @@
 
 #include "analysis/pieces.hpp"
 #include "geometry/nozzle.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

@@ -5,6 +5,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include "analysis/pieces.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

@@ -12,10 +12,11 @@
 #include <vector>
 
 #include "analysis/jet_axis.hpp"
-#include "model/case.hpp"
 #include "simulation/frame.hpp"
 
 namespace kerf {
+
+struct Case;
 
 // A slot is the index of a particle in these tables, in the order of the initial frame. Particles
 // are identified by their id, because a run sorts them and removes some.

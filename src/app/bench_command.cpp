@@ -17,6 +17,7 @@
 #include "core/version.hpp"
 #include "engine/device.hpp"
 #include "input/read.hpp"
+#include "model/case.hpp"
 #include "simd/instruction_set.hpp"
 
 namespace kerf {

@@ -21,6 +21,7 @@
 #include "input/read.hpp"
 #include "input/schema.hpp"
 #include "machine/machine_jet.hpp"
+#include "model/case.hpp"
 #include "output/readable.hpp"
 #include "output/result_reference.hpp"
 #include "report/html.hpp"

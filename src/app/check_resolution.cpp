@@ -8,6 +8,7 @@
 
 #include "analysis/jet_axis.hpp"
 #include "geometry/graded_fill.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

@@ -8,6 +8,7 @@
 #include "geometry/fill.hpp"
 #include "geometry/shapes.hpp"
 #include "machine/characteristic_speed.hpp"
+#include "model/case.hpp"
 #include "model/material_laws.hpp"
 
 namespace kerf {

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "analysis/derived.hpp"
-#include "model/case.hpp"
 
 namespace kerf {
+
+struct Case;
 
 // Returns a sentence for each thing that a run of the case will not resolve or represent correctly.
 std::vector<std::string> check_warnings(const Case& description, const DerivedNumbers& numbers);

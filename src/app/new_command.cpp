@@ -9,6 +9,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
+#include "model/case.hpp"
 #include "output/files.hpp"
 
 namespace kerf {

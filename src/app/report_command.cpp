@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/run_folder.hpp"
+#include "model/case.hpp"
 #include "report/picture.hpp"
 #include "report/report.hpp"
 

@@ -5,10 +5,11 @@
 #include <filesystem>
 #include <string>
 
-#include "model/case.hpp"
 #include "output/files.hpp"
 
 namespace kerf {
+
+struct Case;
 
 // The treatment of a folder that contains a run already.
 enum class Existing { refuse, resume, replace };

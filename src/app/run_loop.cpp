@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "model/case.hpp"
 #include "output/checkpoint.hpp"
 #include "output/result.hpp"
 #include "report/report.hpp"

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/error.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "analysis/derived.hpp"
 #include "app/run_loop.hpp"
+#include "model/case.hpp"
 #include "output/result.hpp"
 
 namespace kerf {

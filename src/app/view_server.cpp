@@ -9,6 +9,7 @@
 
 #include "app/run_folder.hpp"
 #include "core/error.hpp"
+#include "model/case.hpp"
 #include "report/html.hpp"
 #include "report/report.hpp"
 #include "report/report_figures.hpp"

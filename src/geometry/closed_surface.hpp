@@ -16,7 +16,7 @@
 #include <memory>
 
 #include "geometry/triangle_mesh.hpp"
-#include "model/case.hpp"
+#include "model/shape.hpp"
 
 namespace kerf {
 

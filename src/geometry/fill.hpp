@@ -14,7 +14,7 @@
 #include <functional>
 #include <vector>
 
-#include "model/case.hpp"
+#include "model/body.hpp"
 
 namespace kerf {
 

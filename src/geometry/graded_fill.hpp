@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "model/case.hpp"
+#include "model/body.hpp"
 
 namespace kerf {
 

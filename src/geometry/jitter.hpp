@@ -11,9 +11,11 @@
 
 #include <vector>
 
-#include "model/case.hpp"
+#include "model/point.hpp"
 
 namespace kerf {
+
+struct Body;
 
 // `nodes`: positions of the lattice nodes inside the shape, in order, m; replaced by the jittered
 // ones.

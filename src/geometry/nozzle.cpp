@@ -7,6 +7,7 @@
 
 #include "geometry/shapes.hpp"
 #include "model/expression.hpp"
+#include "model/jet.hpp"
 
 namespace kerf {
 namespace {

@@ -2,7 +2,7 @@
 // Shapes, which are regions of space: their interior, bounding box and volume.
 #pragma once
 
-#include "model/case.hpp"
+#include "model/shape.hpp"
 
 namespace kerf {
 

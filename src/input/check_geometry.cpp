@@ -12,6 +12,7 @@
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
 #include "input/units.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

@@ -12,6 +12,7 @@
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
 #include "kernels/wendland_c2.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

@@ -9,6 +9,7 @@
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
 #include "machine/characteristic_speed.hpp"
+#include "model/case.hpp"
 #include "model/material_laws.hpp"
 
 namespace kerf {

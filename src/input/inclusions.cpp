@@ -8,6 +8,7 @@
 
 #include "geometry/fill.hpp"
 #include "input/draft.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

@@ -7,6 +7,7 @@
 #include "input/draft.hpp"
 #include "input/sections.hpp"
 #include "input/toml_writer.hpp"
+#include "model/case.hpp"
 #include "model/expression.hpp"
 
 namespace kerf {

@@ -11,6 +11,7 @@
 #include "input/toml_writer.hpp"
 #include "machine/machine_jet.hpp"
 #include "machine/standoff.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

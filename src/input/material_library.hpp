@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "core/embedded_text.hpp"
-#include "model/case.hpp"
+#include "model/formulation.hpp"
+#include "model/material.hpp"
 
 namespace kerf {
 

@@ -8,6 +8,7 @@
 #include "input/material_library.hpp"
 #include "input/sections.hpp"
 #include "input/toml_writer.hpp"
+#include "model/case.hpp"
 #include "model/law_keys.hpp"
 
 namespace kerf {

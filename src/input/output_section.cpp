@@ -8,6 +8,7 @@
 #include "input/sections.hpp"
 #include "input/toml_writer.hpp"
 #include "input/units.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "input/draft.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string_view>
 
-#include "model/case.hpp"
-
 namespace kerf {
+
+struct Case;
 
 // Both throw a UserError that names file, line, key, value, allowed range and remedy of up to ten
 // problems. The same text gives the same Case, bit for bit.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/refine.hpp"
 
+#include "model/case.hpp"
+
 namespace kerf {
 
 Case refined(Case description, double refinement) {

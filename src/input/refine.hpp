@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/case.hpp"
-
 namespace kerf {
+
+struct Case;
 
 // Returns the case with every spacing divided by `refinement`, including that of a machine's water.
 Case refined(Case description, double refinement);

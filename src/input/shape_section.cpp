@@ -11,6 +11,7 @@
 #include "input/draft.hpp"
 #include "input/sections.hpp"
 #include "input/toml_writer.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

@@ -2,6 +2,7 @@
 #include "input/write_used.hpp"
 
 #include "input/toml_writer.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

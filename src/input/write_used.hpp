@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "model/case.hpp"
-
 namespace kerf {
+
+struct Case;
 
 // Returns the case as a complete case file: every default is written and every number is in SI
 // units with as many digits as it needs, so that the file is read back to the same Case, bit for

@@ -7,6 +7,7 @@
 
 #include "geometry/fill.hpp"
 #include "geometry/shapes.hpp"
+#include "model/case.hpp"
 #include "model/expression.hpp"
 
 namespace kerf {

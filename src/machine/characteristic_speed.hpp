@@ -3,9 +3,10 @@
 #pragma once
 
 #include "materials/shock_hugoniot.hpp"
-#include "model/case.hpp"
 
 namespace kerf {
+
+struct Case;
 
 // Of water at 20 C and 0.1 MPa (Wagner & Pruss, J. Phys. Chem. Ref. Data 31 (2002) 387: 1482).
 inline constexpr double real_water_sound_speed = 1481.0;

@@ -10,6 +10,9 @@
 #include "machine/contraction.hpp"
 #include "machine/jet_speed.hpp"
 #include "machine/standoff.hpp"
+#include "model/jet.hpp"
+#include "model/machine.hpp"
+#include "model/material.hpp"
 
 namespace kerf {
 

@@ -2,9 +2,11 @@
 // The jet of a machine, at its orifice and at the workpiece.
 #pragma once
 
-#include "model/case.hpp"
-
 namespace kerf {
+
+struct Jet;
+struct Machine;
+struct Material;
 
 // The properties of a jet that follow from the machine settings without a simulation.
 struct MachineNumbers {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/layer_metrics.hpp"
 
+#include "model/case.hpp"
+
 namespace kerf {
 
 const MetricList<NamedLayer>& NamedLayer::metrics() {

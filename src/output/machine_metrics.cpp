@@ -10,6 +10,7 @@
 #include "input/schema.hpp"
 #include "machine/machine_jet.hpp"
 #include "materials/laws.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

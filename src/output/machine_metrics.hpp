@@ -3,9 +3,10 @@
 #pragma once
 
 #include "analysis/metric.hpp"
-#include "model/case.hpp"
 
 namespace kerf {
+
+struct Case;
 
 // A case with a machine.
 struct MachineRecord {

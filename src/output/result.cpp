@@ -2,6 +2,7 @@
 #include "output/result.hpp"
 
 #include "core/version.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

@@ -11,11 +11,12 @@
 #include <vector>
 
 #include "analysis/cut.hpp"
-#include "model/case.hpp"
 #include "simulation/balance.hpp"
 #include "simulation/simulation.hpp"
 
 namespace kerf {
+
+struct Case;
 
 // The data of a row.
 struct SeriesSample {

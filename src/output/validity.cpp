@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/case.hpp"
 #include "output/result.hpp"
 
 namespace kerf {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/case.hpp"
 #include "output/readable.hpp"
 #include "output/result.hpp"
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/jet.hpp"
 #include "report/drawing.hpp"
 #include "report/html.hpp"
 

@@ -5,10 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "model/case.hpp"
 #include "report/palette.hpp"
 
 namespace kerf {
+
+struct Jet;
 
 // What the drawing shows besides the shape of the kerf.
 struct KerfSetting {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/kerf_shape.hpp"
+#include "model/case.hpp"
 #include "report/html.hpp"
 #include "report/kerf_drawing.hpp"
 #include "report/metric_rows.hpp"

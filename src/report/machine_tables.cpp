@@ -2,6 +2,7 @@
 // This file writes the tables of the workpiece and of the machine's setting.
 #include <fmt/format.h>
 
+#include "model/case.hpp"
 #include "report/html.hpp"
 #include "report/metric_rows.hpp"
 #include "report/report_parts.hpp"

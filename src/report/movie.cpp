@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "model/case.hpp"
 #include "output/read_frame.hpp"
 #include "report/picture.hpp"
 

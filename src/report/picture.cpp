@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "geometry/shapes.hpp"
+#include "model/case.hpp"
 #include "output/files.hpp"
 #include "report/picture_panels.hpp"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "model/case.hpp"
 #include "output/files.hpp"
 #include "report/html.hpp"
 #include "report/metric_rows.hpp"

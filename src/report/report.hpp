@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "model/case.hpp"
-
 namespace kerf {
+
+struct Case;
 
 // The largest size of the page, bytes, whatever the number of particles, frames and pictures.
 inline constexpr std::size_t report_limit = 15'000'000;

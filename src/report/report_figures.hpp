@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "model/case.hpp"
 #include "output/series.hpp"
 #include "report/plot.hpp"
 
 namespace kerf {
+
+struct Case;
 
 // A figure with curves over the times of the series, in SI units.
 struct ReportFigure {

@@ -8,9 +8,9 @@
 #include <limits>
 #include <string>
 
-#include "model/case.hpp"
-
 namespace kerf {
+
+struct Case;
 
 // Returns a number of result.json; NaN for null.
 inline double value_of(const nlohmann::ordered_json& value) {

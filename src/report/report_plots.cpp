@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/case.hpp"
 #include "output/balance_metrics.hpp"
 #include "report/html.hpp"
 #include "report/report_figures.hpp"

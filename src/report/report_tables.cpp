@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "model/case.hpp"
 #include "output/balance_metrics.hpp"
 #include "report/html.hpp"
 #include "report/metric_rows.hpp"

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "model/case.hpp"
 #include "report/html.hpp"
 #include "report/palette.hpp"
 #include "report/viewer_files.hpp"

@@ -9,12 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "model/case.hpp"
 #include "output/read_frame.hpp"
 #include "report/report_figures.hpp"
 #include "report/viewer_fields.hpp"
 
 namespace kerf {
+
+struct Case;
 
 // Packs the frames of one run. Each frame has bounds of its own, so that frames may be added while
 // the run proceeds.

@@ -14,6 +14,7 @@
 #include "input/read.hpp"
 #include "input/refine.hpp"
 #include "input/write_used.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

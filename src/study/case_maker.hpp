@@ -7,7 +7,6 @@
 
 #include <toml++/toml.h>
 
-#include "model/case.hpp"
 #include "study/laboratory.hpp"
 #include "study/study_plan.hpp"
 

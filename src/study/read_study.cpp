@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "input/read.hpp"
 #include "input/section.hpp"
+#include "model/case.hpp"
 #include "output/files.hpp"
 #include "study/read_study.hpp"
 #include "study/study_plan.hpp"

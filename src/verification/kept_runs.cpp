@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "model/case.hpp"
 #include "output/files.hpp"
 #include "output/read_frame.hpp"
 #include "output/vtkhdf.hpp"

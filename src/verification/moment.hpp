@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/cut.hpp"
+#include "model/case.hpp"
 #include "simulation/simulation.hpp"
 
 namespace kerf {

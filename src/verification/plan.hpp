@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "core/embedded_text.hpp"
-#include "model/case.hpp"
 #include "verification/parameters.hpp"
 
 namespace kerf {
+
+struct Case;
 
 struct PlannedRun {
   std::string name;

@@ -9,6 +9,7 @@
 #include "input/read.hpp"
 #include "input/refine.hpp"
 #include "input/units.hpp"
+#include "model/case.hpp"
 #include "model/expression.hpp"
 #include "verification/plan.hpp"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "model/case.hpp"
 #include "verification/signal.hpp"
 
 namespace kerf {

@@ -3,6 +3,7 @@
 // section of a stream. The region is where the formula "within" of x, y, z in m is not 0.
 #include <memory>
 
+#include "model/case.hpp"
 #include "model/expression.hpp"
 #include "verification/signal.hpp"
 

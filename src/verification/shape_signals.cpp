@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "analysis/workpiece.hpp"
+#include "model/case.hpp"
 #include "verification/signal.hpp"
 
 namespace kerf {

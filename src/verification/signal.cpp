@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "model/case.hpp"
 #include "output/balance_metrics.hpp"
 
 namespace kerf {

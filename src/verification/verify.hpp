@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/case.hpp"
 #include "simulation/frame.hpp"
 #include "verification/kept_runs.hpp"
 #include "verification/plan.hpp"

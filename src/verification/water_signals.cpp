@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/jet_axis.hpp"
+#include "model/case.hpp"
 #include "verification/signal.hpp"
 
 namespace kerf {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// A body of a case as plain data in SI units.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/shape.hpp"
+
+namespace kerf {
+
+enum class Role { elastic, water, rigid };
+inline constexpr std::array<std::string_view, 3> role_words{"elastic", "water", "rigid"};
+enum class Lattice { square, hexagonal };  // square is cubic in 3D
+inline constexpr std::array<std::string_view, 2> lattice_words{"square", "hexagonal"};
+
+// Which layer of a rigid body repels, eq. (43): the outermost one towards a side, or every side.
+enum class RepellingLayer { top, bottom, left, right, front, back, all };
+inline constexpr std::array<std::string_view, 7> repelling_layer_words{
+    "top", "bottom", "left", "right", "front", "back", "all"};
+
+// A body that is coarser further away from where it matters: its spacing doubles at the distances
+// width, 2 width, ... from `around`, or from the water of the jets.
+struct Grading {
+  int levels = 0;               // how often the spacing doubles at most; 0 = the body is uniform
+  double width = 0.0;           // m
+  std::optional<Shape> around;  // distances are from its bounding box; none = from the jets
+  // What follows from the jets of the case where `around` is none.
+  struct Line {
+    Point place{}, direction{};  // m, unit vector
+    double radius = 0.0;         // m
+    bool operator==(const Line&) const = default;
+  };
+  std::vector<Line> lines;
+  bool operator==(const Grading&) const = default;
+};
+
+struct Body {
+  std::string name;
+  Role role = Role::elastic;
+  int material = -1;  // index into Case::materials; -1 for rigid
+  Shape shape;
+  double spacing = 0.0;  // m
+  Lattice lattice = Lattice::square;
+  Point offset{};          // m, shift of the lattice origin
+  Grading grading;         // `spacing` is the finest
+  double jitter = 0.0;     // of the spacing, how far particles are taken off the lattice
+  std::uint64_t seed = 1;  // of what is random in this body
+  std::array<std::string, 3> velocity{"0", "0", "0"};  // m/s, expressions in x, y, z (m)
+  double pressure = 0.0;                               // Pa, of water as laid out
+  bool fixed = false;
+  // Prescribed displacement from the initial place, m, expressions in t (s); empty = free.
+  std::array<std::string, 3> displacement;
+  Faces absorbing;        // those that let waves out (elastic only)
+  std::string joined_to;  // name of a body this one is bonded to; empty = its own piece
+  // Rigid bodies only, eq. (43).
+  RepellingLayer repelling_layer = RepellingLayer::top;
+  double repulsion = 0.0;                                     // D, m^2/s^2
+  double friction = std::numeric_limits<double>::infinity();  // 1; infinity: the other decides
+  bool operator==(const Body&) const = default;
+};
+
+}  // namespace kerf

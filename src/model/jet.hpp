@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// A jet of a case as plain data in SI units.
+#pragma once
+
+#include <string>
+
+#include "model/point.hpp"
+
+namespace kerf {
+
+// A jet leaves its nozzle at `position - standoff * direction` and flies along
+// direction = (sin angle cos azimuth, -cos angle, sin angle sin azimuth). A nozzle that traverses
+// moves from there at the time start + dwell on; its water moves with it until it has left.
+struct Jet {
+  std::string name;
+  int material = -1;      // index into Case::materials, a water
+  double speed = 0.0;     // m/s, mean over the section
+  double width = 0.0;     // m, of a slot; diameter where the nozzle is round
+  double length = 0.0;    // m, 3D: of a slot, at right angles to `across` of JetAxis; 0 = round
+  Point position{};       // m, the point on the workpiece that the axis aims at
+  double standoff = 0.0;  // m
+  double angle = 0.0;     // rad, 0 = straight down
+  double azimuth = 0.0;   // rad, 3D only
+  double spacing = 0.0;   // m
+  double start = 0.0;     // s
+  double stop = 0.0;      // s; infinity = as long as the run lasts
+  Point traverse{};       // m/s, velocity of the nozzle
+  double dwell = 0.0;     // s, how long the nozzle stands still after `start`
+  // Water flows for the first `duty` of each period; 0 = without pause.
+  double pulse_frequency = 0.0;  // Hz
+  double duty = 1.0;             // 1
+  // Speed over the section, expression in r (0 on the axis, 1 at the edge), any scale: the mean is
+  // normalised to `speed`. "1" = uniform.
+  std::string profile = "1";
+  bool operator==(const Jet&) const = default;
+};
+
+}  // namespace kerf
