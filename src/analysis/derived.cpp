@@ -217,9 +217,9 @@ double particles_within(double spacings, int dimension) {
 
 // Returns an estimate of the memory, bytes: fields and the data of pair loops; 4 bytes for every
 // neighbour within 2 h and the skin of the list, and an eighth as reserve. Solids with bonds have
-// no lists of neighbours and further fields; their lists of bonds are small in bodies laid out in
-// rows, which share them, and take 4 bytes a bond in others. In cases with solids all particles
-// have fields for contact. A test compares the estimate with the heap.
+// no lists of neighbours and further fields; their lists of bonds are small in regular layouts,
+// which share them, and take 4 bytes per bond in others. In cases with solids all particles have
+// fields for contact. A test compares the estimate with the heap.
 double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const int dimension = description.dimension;
   const bool plane = dimension == 2, bonds = description.formulation == Formulation::standard;

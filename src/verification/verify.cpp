@@ -83,8 +83,8 @@ Recordings record_all(const VerificationCase& verification, bool all,
 const TimeSeries& series_of(const VerificationCase& verification, const Check& check,
                             const Recordings& recordings, const std::string& run) {
   const auto checks = checks_of(verification, run);
-  const auto place = std::find(checks.begin(), checks.end(), &check) - checks.begin();
-  return recordings.at(run).series.at(static_cast<std::size_t>(place));
+  const auto index = std::find(checks.begin(), checks.end(), &check) - checks.begin();
+  return recordings.at(run).series.at(static_cast<std::size_t>(index));
 }
 
 // In SI units; NaN when the run broke down.

@@ -175,7 +175,7 @@ TEST_F(Faults, ADeletedFolderIsNamedAndNotRecreated) {
   fs::rename(path("vanished"), path("moved"));
   const Ending ending = program.wait();
   EXPECT_EQ(ending.exit_code, exit_files);
-  EXPECT_THAT(ending.output, AllOf(HasSubstr(path("vanished").string()), HasSubstr("bring it back"),
+  EXPECT_THAT(ending.output, AllOf(HasSubstr(path("vanished").string()), HasSubstr("restore it"),
                                    HasSubstr("--resume")));
   EXPECT_FALSE(fs::exists(path("vanished")));
   expect_as_if_never_stopped("moved");
@@ -205,7 +205,7 @@ TEST_F(Faults, ACheckpointOfAnotherCaseIsRefused) {
               output())
           .wait();
   EXPECT_EQ(ending.exit_code, exit_files);
-  EXPECT_THAT(ending.output, AllOf(HasSubstr("is of another case"), HasSubstr("\"50 m/s\""),
+  EXPECT_THAT(ending.output, AllOf(HasSubstr("belongs to another case"), HasSubstr("\"50 m/s\""),
                                    HasSubstr("\"60 m/s\""), HasSubstr("--out")));
   expect_as_if_never_stopped("other");
 }

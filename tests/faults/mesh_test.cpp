@@ -49,7 +49,7 @@ TEST(MeshOfARun, IsCopiedAndCompared) {
   write_file(folder / "part.stl", stl_binary(other));
   const Ending refused = run(folder / "case.toml", "a", "--resume");
   EXPECT_EQ(refused.exit_code, exit_files);
-  EXPECT_THAT(refused.output, HasSubstr("checkpoint.h5 is of another case"));
+  EXPECT_THAT(refused.output, HasSubstr("checkpoint.h5 belongs to another case"));
   EXPECT_EQ(run(folder / "case.toml", "a", "--force").exit_code, 0);
 }
 

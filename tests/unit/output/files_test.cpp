@@ -45,7 +45,7 @@ TEST(Files, NamesTheFileAndTheRemedyForAMissingFolder) {
   const TemporaryFolder folder;
   const fs::path path = folder / "gone/a";
   EXPECT_THAT(message_of<UserError>([&] { write_file(path, "x"); }),
-              AllOf(HasSubstr("cannot write " + path.string()), HasSubstr("bring it back")));
+              AllOf(HasSubstr("cannot write " + path.string()), HasSubstr("restore it")));
   EXPECT_THAT(message_of<UserError>([&] { read_file(path); }),
               HasSubstr("cannot read " + path.string()));
 }
@@ -66,7 +66,7 @@ TEST(Files, NamesAFileAtThePathOfAFolder) {
               HasSubstr("cannot make the folder " + (folder / "a/b").string()));
   EXPECT_THROW(make_folder(folder / "a"), UserError);
   EXPECT_THAT(message_of<UserError>([&] { make_inner_folder(folder / "gone/frames"); }),
-              HasSubstr("bring it back"));
+              HasSubstr("restore it"));
 }
 
 TEST(FolderLock, IsExclusive) {

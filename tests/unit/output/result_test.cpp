@@ -159,7 +159,7 @@ TEST(Validity, FlagsWeakRunsOnly) {
   const auto good = validity_of(outcome);
   EXPECT_THAT(good, flag("resolution", State::good, "The jet is 12 particles wide."));
   EXPECT_THAT(good, flag("energy_drift", State::good, "closes to 0%"));
-  EXPECT_THAT(good, flag("standoff", State::note, "no drag, no break-up"));
+  EXPECT_THAT(good, flag("standoff", State::note, "no drag and no breakup"));
   EXPECT_THAT(good, flag("abrasive", State::note, "Abrasive is not modelled"));
   EXPECT_THAT(good, flag("leak", State::good, "0% of the jet's water"));
   EXPECT_THAT(good, flag("reflections", State::good, "No wave"));
@@ -186,9 +186,9 @@ TEST(Validity, FlagsWeakRunsOnly) {
 TEST(Validity, FlagsBreaksThatAddEnergy) {
   RunOutcome outcome = outcome_with_jet();
   EXPECT_THAT(validity_of(outcome), Not(named("energy_from_breaks")));  // nothing broke
-  for (const auto& [dissipated, state, part] : {std::tuple{0.3, State::good, "Breaks put 0%"},
-                                                {-0.01, State::good, "Breaks put 1%"},
-                                                {-0.3, State::warning, "Breaks put 30%"}}) {
+  for (const auto& [dissipated, state, part] : {std::tuple{0.3, State::good, "Breaks add 0%"},
+                                                {-0.01, State::good, "Breaks add 1%"},
+                                                {-0.3, State::warning, "Breaks add 30%"}}) {
     outcome.balance.dissipated_fracture = dissipated;
     EXPECT_THAT(validity_of(outcome), flag("energy_from_breaks", state, part)) << dissipated;
   }
@@ -212,7 +212,7 @@ TEST(Validity, StandoffOfAMachineIsAModelBeyondTheCoherentLength) {
   outcome.description.machine.emplace();
   outcome.description.machine->standoff = 0.04;
   outcome.description.machine->coherent_length = 0.05;
-  EXPECT_THAT(validity_of(outcome), flag("standoff", State::note, "arrives as it left"));
+  EXPECT_THAT(validity_of(outcome), flag("standoff", State::note, "is intact"));
   outcome.description.machine->coherent_length = 0.01;
   EXPECT_THAT(
       validity_of(outcome),

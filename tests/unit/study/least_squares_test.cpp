@@ -118,7 +118,7 @@ TEST(LeastSquares, UndeterminedParametersAreRefused) {
   same.col(0).setOnes();
   same.col(1).setConstant(3.0);
   EXPECT_THAT(fit_linear(same, Eigen::VectorXd::Ones(5)).problem,
-              testing::HasSubstr("do not tell the parameters apart"));
+              testing::HasSubstr("do not determine the parameters"));
   EXPECT_THAT(fit_linear(Eigen::MatrixXd::Ones(2, 2), Eigen::VectorXd::Ones(2)).problem,
               testing::HasSubstr("2 runs are too few for 2 parameters"));
 }

@@ -125,9 +125,9 @@ TEST(ReducedModel, AConstantVariableIsReported) {
     data.push_back(
         {{{"machine.pressure", pressure}, {"time.end", 1.0}}, bone_depth(pressure, 1.0, 0.3)});
   EXPECT_THAT(ReducedModel(goal_of(ModelForm::power, {"time.end"}), data).problem(),
-              testing::HasSubstr("do not tell the parameters apart"));
+              testing::HasSubstr("do not determine the parameters"));
   EXPECT_THAT(ReducedModel(goal_of(ModelForm::threshold_power, {"time.end"}), data).problem(),
-              testing::HasSubstr("do not tell the parameters apart"));
+              testing::HasSubstr("do not determine the parameters"));
 }
 
 }  // namespace

@@ -104,11 +104,10 @@ TEST(StudyFiles, ReportsTooCoarseDrafts) {
   answer.draft = Bracket{1.9, 2.1};
   answer.resolution_change = 2.0;
   answers.threshold = answer;
-  EXPECT_THAT(answers_text(describe_answers(plan, answers)), HasSubstr("too coarse to learn from"));
+  EXPECT_THAT(answers_text(describe_answers(plan, answers)), HasSubstr("are too coarse"));
   answers.threshold->draft = Bracket{3.8, 4.0};
   answers.threshold->resolution_change = 0.1;
-  EXPECT_THAT(answers_text(describe_answers(plan, answers)),
-              Not(HasSubstr("too coarse to learn from")));
+  EXPECT_THAT(answers_text(describe_answers(plan, answers)), Not(HasSubstr("are too coarse")));
 }
 
 }  // namespace
