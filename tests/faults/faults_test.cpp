@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can go wrong around a run, done to the real program: kill -9, signals, full, read-only and
-// vanished folders, damaged and foreign checkpoints. Every fault must end in one clear sentence and
-// a non-zero exit code, and a resumed run must end with the bytes of one that was left alone.
+// Faults of a run with the real program: kill -9, signals, full, read-only and deleted folders,
+// damaged and foreign checkpoints. Every fault must end with one clear sentence and a non-zero exit
+// code, and a resumed run must end with the same bytes as an uninterrupted one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ class Faults : public testing::Test {
   static Ending run(const std::string& name, const std::string& more = "") {
     return Program(run_arguments(name, more), output()).wait();
   }
-  // Runs until there is a checkpoint, then ends the program by the signal.
+  // Runs until a checkpoint exists, then ends the program by the signal.
   static Ending run_and_stop(const std::string& name, int signal) {
     Program program(run_arguments(name), output());
     EXPECT_TRUE(test::wait_for([&] { return fs::exists(path(name) / "checkpoint.h5"); }));
@@ -104,8 +104,9 @@ class Faults : public testing::Test {
   static inline std::unique_ptr<test::TemporaryFolder> folder_;
 };
 
-// Kills at the start, where the folder is made, and then at random places of the way to the end,
-// told by the growing series, so that they hit a running program however fast the machine is.
+// Kills the program at the start, when the folder is created, and then at random moments until the
+// end. The moments are measured by the growing series, so that they hit a running program on
+// machines of any speed.
 TEST_F(Faults, KilledRunResumesToTheSameResult) {
   std::mt19937 random(20040110);
   std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -146,7 +147,7 @@ TEST_F(Faults, AFullDiskKeepsTheLastCheckpoint) {
                                    HasSubstr("No space left on device"), HasSubstr("Free space"),
                                    HasSubstr("--resume")));
   ASSERT_TRUE(fs::exists(path("disk/out/checkpoint.h5")));
-  // Still full: it fails again, and the checkpoint is still good.
+  // The disk is still full: the program fails again, and the checkpoint is still valid.
   EXPECT_EQ(run("disk/out", "--resume").exit_code, exit_files);
   disk.resize(4 * size_of(path("whole")));
   expect_as_if_never_stopped("disk/out");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes that cannot be, bodies and jets that do not fit together, formulas that do not work.
+// Invalid shapes, inconsistent bodies and jets, and invalid expressions are refused.
 #include "refuse/bad_case.hpp"
 
 namespace kerf {

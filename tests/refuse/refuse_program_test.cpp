@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program itself: exit codes, where messages go, and what it prints of its own tables.
+// Exit codes of the program, the streams of its messages, and its printed tables.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -91,7 +91,7 @@ TEST(Program, ChecksACase) {
     EXPECT_NE(outcome.output.find(part), std::string::npos) << part;
 }
 
-// Every load is a case that runs, and its speed is a number.
+// Every built-in case runs, and its speed is a number.
 TEST(Program, BenchRunsEveryCase) {
   const auto file = std::filesystem::path(testing::TempDir()) / "kerf-bench.json";
   ASSERT_EQ(run("bench --seconds 0.1 --json " + file.string()).code, 0);

@@ -47,7 +47,7 @@ class Loaded {
     list.build(particles);
   }
 
-  // Position in the arrays of each particle of the ReferenceState.
+  // Index in the arrays of each particle of the ReferenceState.
   std::vector<std::size_t> places() const {
     const auto id = to_host(particles.id);
     std::vector<std::size_t> place(id.size());

@@ -104,7 +104,7 @@ Square<D> rotation(double angle) {
     return Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
 }
 
-// A solid with the positions and velocities that its caller holds.
+// A solid with the positions and velocities that the test sets.
 template <int D, class P>
 struct SolidOnTrial {
   using Real = typename P::Real;
