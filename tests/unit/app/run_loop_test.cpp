@@ -24,7 +24,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using BeforeStep = std::function<void(std::uint64_t)>;
 
-struct Killed {};  // no UserError, so the loop cannot tidy up after it: as good as kill -9
+struct Killed {};  // not a UserError: the loop cannot clean up after it, as after kill -9
 
 class Run : public testing::Test {
  protected:
@@ -71,7 +71,7 @@ TEST_F(Run, WritesEveryDocumentedFile) {
 
 TEST_F(Run, WritesAtTheFirstStepAtOrAfterEachDueTime) {
   run(settings("a"));
-  // The same steps without a loop around them are the oracle.
+  // The oracle is the same steps without the loop.
   FakeSimulation simulation(description_);
   std::vector<double> expected{0.0};
   for (double due = 1e-3; !simulation.finished();) {
@@ -84,7 +84,7 @@ TEST_F(Run, WritesAtTheFirstStepAtOrAfterEachDueTime) {
   std::vector<double> times;
   for (const json& file : series.at("files")) times.push_back(file.at("time"));
   EXPECT_EQ(times, expected);
-  EXPECT_EQ(result("a").at("pictures").size(), 3u);  // two asked for, and the end
+  EXPECT_EQ(result("a").at("pictures").size(), 3u);  // two requested ones, and the end
   const SeriesTable table(folder_ / "a/series.csv", description_);
   EXPECT_EQ(table.rows(), 51u);
   EXPECT_EQ(table.numbers("time").back(), 0.01);
@@ -121,7 +121,7 @@ TEST_F(Run, KilledRunResumesToTheSameResult) {
 
 TEST_F(Run, KilledLongAfterACheckpointResumesToTheSameResult) {
   run(settings("whole"));
-  // A signal leaves a checkpoint at step 100; the kill comes much later, after more output.
+  // A signal writes a checkpoint at step 100; the kill is much later, after more output.
   run(settings("a"), [](std::uint64_t now) {
     if (now == 100) std::raise(SIGTERM);
   });
