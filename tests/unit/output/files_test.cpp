@@ -53,7 +53,7 @@ TEST(Files, NamesTheFileAndTheRemedyForAMissingFolder) {
 TEST(Files, KeepsTheOldContentAfterAFailedWrite) {
   const TemporaryFolder folder;
   write_file(folder / "a", "old");
-  // The place of the temporary file is taken by a folder, so opening it fails, even for root.
+  // A folder has the name of the temporary file, so opening it fails, even for root.
   fs::create_directory(folder / ".a.tmp");
   EXPECT_THROW(write_file(folder / "a", "new"), UserError);
   EXPECT_EQ(read_file(folder / "a"), "old");

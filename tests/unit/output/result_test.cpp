@@ -182,7 +182,7 @@ TEST(Validity, FlagsWeakRunsOnly) {
   EXPECT_THAT(weak, flag("leak", State::warning, "5% of the jet's water"));
 }
 
-// Breaks should take energy. One joule came into the outcome.
+// Breaks should dissipate energy. The energy input of the outcome is one joule.
 TEST(Validity, FlagsBreaksThatAddEnergy) {
   RunOutcome outcome = outcome_with_jet();
   EXPECT_THAT(validity_of(outcome), Not(named("energy_from_breaks")));  // nothing broke
@@ -197,13 +197,13 @@ TEST(Validity, FlagsBreaksThatAddEnergy) {
 TEST(Validity, FlagsReflectedWaves) {
   RunOutcome outcome = outcome_with_jet();
   outcome.derived.reflection_time = 0.01;
-  outcome.cut.contact_time = std::nan("");  // nothing was hit
+  outcome.cut.contact_time = std::nan("");  // no contact
   EXPECT_THAT(validity_of(outcome), flag("reflections", State::good, "No wave"));
   outcome.cut.contact_time = 0.021;
   EXPECT_THAT(validity_of(outcome), flag("reflections", State::good, "No wave"));
   outcome.cut.contact_time = 0.019;
   EXPECT_THAT(validity_of(outcome), flag("reflections", State::note, "10 ms after"));
-  outcome.derived.reflection_time = 0.0;  // no edge lets them
+  outcome.derived.reflection_time = 0.0;  // no reflecting edge
   EXPECT_THAT(validity_of(outcome), flag("reflections", State::good, "No wave"));
 }
 
@@ -231,7 +231,7 @@ TEST(Validity, FlagsAMaterialWithoutStrength) {
   body.role = Role::elastic;
   body.material = 0;
   EXPECT_THAT(validity_of(outcome), flag("unbreakable", State::warning, "jelly has no strength"));
-  body.fixed = true;  // not what is cut
+  body.fixed = true;  // not part of the workpiece
   EXPECT_THAT(validity_of(outcome), Not(named("unbreakable")));
   body.fixed = false;
   material.failure_strain = 0.1;
@@ -276,7 +276,7 @@ TEST(StillCutting, TestsTheLastTenth) {
   EXPECT_FALSE(still_cutting(history));
   for (std::size_t i = 0; i < history.size(); ++i) history[i].front_depth = static_cast<double>(i);
   EXPECT_TRUE(still_cutting(history));
-  history.back().fractured_mass = 0.0;  // a dent, no cut
+  history.back().fractured_mass = 0.0;  // a dent without fracture
   EXPECT_FALSE(still_cutting(history));
   history.back().fractured_mass = 1.0;
   history.back().cut_through = true;
