@@ -100,7 +100,8 @@ TEST(MaterialLibrary, EveryValueHasASource) {
   }
 }
 
-// A value with the name of a case key belongs to [[values]].
+// A value with the name of a case key belongs to [[values]]. Exceptions are a key that replaces a
+// strain in one formulation, and keys of laws of plasticity, which a case chooses.
 TEST(MaterialLibrary, InformativeValuesAreNotCaseKeys) {
   for (const KnownQuantity& quantity : known_quantities()) {
     const std::set<std::string> plain{"elastic", "water", "standard", "none"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A total Lagrangian solid that flows: each particle goes the way of a material point, looks leave
-// no trace, no energy is lost from sight, and ductile damage lets particles go.
+// A total Lagrangian solid with plastic flow: each particle equals a material point, evaluations do
+// not change the state, the energy balance is closed, and ductile damage detaches particles.
 #include <cstring>
 
 #include "support/plastic_paths.hpp"
@@ -21,7 +21,7 @@ class FlowingBlock : public testing::Test {
     result.media[0].plastic = parameters;
     return result;
   }
-  // Squeezed along y and sheared, further with every step of 20.
+  // The block is compressed along y and sheared, more in each of 20 steps.
   static Square<dimension> path(int step) {
     Square<dimension> m = Square<dimension>::Identity();
     m(1, 1) -= 0.3 * step / 20.0;
@@ -31,7 +31,7 @@ class FlowingBlock : public testing::Test {
 };
 TYPED_TEST_SUITE(FlowingBlock, BothPrecisions);
 
-// In a uniform deformation, also of particles at the surface.
+// The deformation is uniform, also at the surface.
 TYPED_TEST(FlowingBlock, IsAMaterialPoint) {
   constexpr int D = TypeParam::D;
   using Real = typename TypeParam::Real;
@@ -76,8 +76,8 @@ TYPED_TEST(FlowingBlock, EvaluationsKeepTheState) {
   EXPECT_EQ(std::memcmp(a.flow.data(), b.flow.data(), a.flow.size() * sizeof(a.flow[0])), 0);
 }
 
-// Kinetic, stored and dissipated energy of a block that is squeezed by its own motion. Steps of
-// first order: a tenth of a percent of what came in.
+// The kinetic, stored and dissipated energy of a block that is compressed by its own motion. The
+// steps are of first order: a tenth of a percent of the input.
 TYPED_TEST(FlowingBlock, ConservesTheEnergy) {
   constexpr int D = TypeParam::D;
   using Real = typename TypeParam::Real;

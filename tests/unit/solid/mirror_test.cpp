@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A solid that is laid out at symmetry planes against the whole of it and its mirror images.
+// A solid at symmetry planes against the solid with explicit mirror images.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -31,7 +31,7 @@ class MirroredSolid : public testing::Test {
   using P = typename K::P;
   using Real = typename P::Real;
   using Trial = SolidOnTrial<D, P>;
-  // Sums over the same bonds in another order.
+  // The tolerance is that of sums over the same bonds in another order.
   static constexpr double tolerance = std::is_same_v<Real, float> ? 2e-5 : 1e-12;
 
   struct Pair {
@@ -40,7 +40,7 @@ class MirroredSolid : public testing::Test {
     Trial part, whole;
   };
 
-  // Two media of one piece, at the planes; a third that lies at none of them.
+  // Two media of one piece are at the planes; a third one is at none of them.
   static SolidLayout<D> layout_of_part(const MirrorPlanes<D>& planes, bool viscous, bool flows) {
     auto layout =
         block<D>({.cells = {part_cells, part_cells, part_cells}, .jitter = 0.2, .seed = 5});
@@ -92,8 +92,8 @@ class MirroredSolid : public testing::Test {
     return {planes, codes, Trial(layout), Trial(layout_of_whole(layout, codes))};
   }
 
-  // A motion of the part that each copy does mirrored. The planes hold: what moves is the room
-  // between.
+  // The mirrored motion of the part is that of each copy. The planes are fixed: only particles
+  // between them move.
   static void deform(Pair& both, double stretch, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -138,8 +138,8 @@ class MirroredSolid : public testing::Test {
     EXPECT_LE(force_error, tolerance * force_scale);
     EXPECT_LE(gradient_error, tolerance);
     EXPECT_GT(mirrored, 0.0);
-    if (both.codes.size() % 3 == 0) return;  // between two planes the images are not all of it
-    // Of the whole, the part holds its share.
+    if (both.codes.size() % 3 == 0) return;  // between two planes there are more images
+    // The part has its share of the energy of the full solid.
     const double share = 1.0 / static_cast<double>(both.codes.size());
     const auto energy = both.part.solid.energy(), whole = both.whole.solid.energy();
     EXPECT_NEAR(energy.elastic, share * whole.elastic, 10.0 * tolerance * energy.total());
@@ -148,7 +148,8 @@ class MirroredSolid : public testing::Test {
                 10.0 * tolerance * both.part.solid.viscous_power());
   }
 
-  // The bonds of each particle of the part: those of the whole, in whatever order, and as whole.
+  // The bonds of each particle of the part equal those in the full solid, in any order, and in the
+  // same state.
   static void expect_same_bonds(Pair& both) {
     const auto n = static_cast<Index>(both.part.size());
     const auto a = both.part.solid.view(), b = both.whole.solid.view();
@@ -183,7 +184,7 @@ TYPED_TEST(MirroredSolid, Viscosity) {
   TestFixture::expect_same(both);
 }
 
-// With the hourglass viscosity of what flows, and its plastic work.
+// The test includes the hourglass viscosity of plastic flow, and the plastic work.
 TYPED_TEST(MirroredSolid, Flow) {
   auto both = TestFixture::pair("x- y-", true, true);
   for (unsigned seed : {5u, 6u}) {
@@ -197,9 +198,11 @@ TYPED_TEST(MirroredSolid, Flow) {
   }
 }
 
-// Both ends of a bond decide same_fluid, and as in the whole. Stretched from the planes on.
+// Both ends of a bond reach the same decision, as in the full solid. The solid is stretched from
+// the planes.
 TYPED_TEST(MirroredSolid, Breaks) {
-  if (!std::is_same_v<typename TypeParam::Real, double>) return;  // a bond at its limit decides
+  if (!std::is_same_v<typename TypeParam::Real, double>)
+    return;  // the state of a bond at its limit depends on rounding
   auto both = TestFixture::pair("x- y-");
   TestFixture::deform(both, 0.12, 7);
   const auto part = both.part.solid.fracture();
@@ -212,7 +215,8 @@ TYPED_TEST(MirroredSolid, Breaks) {
   TestFixture::expect_same(both);
 }
 
-// What the images push is what the sum of all forces does not cancel, and acts across the plane.
+// The force of the images is the part that does not cancel in the sum of all forces, and is normal
+// to the plane.
 TYPED_TEST(MirroredSolid, ForceOfImagesIsRecorded) {
   constexpr int dimension = TypeParam::D;
   auto both = TestFixture::pair("x-", true);

@@ -93,7 +93,7 @@ TEST(ReadStudy, ABaseMayBeAFileBesideTheStudy) {
   EXPECT_EQ(read_study(folder / "study.toml", {}).axes.size(), 1u);
 }
 
-// A seed acts where the layout, or the flaws, are random: without that every repeat is one run.
+// A seed has an effect if the layout or the flaws are random; otherwise all repeats are one run.
 TEST(ReadStudy, RepeatsOfADeterministicRunAreRefused) {
   EXPECT_THAT(complaint("repeats = 3\n" + vary),
               AllOf(HasSubstr("all repeats are the same run"), HasSubstr("jitter")));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that a study leaves, for those who read them.
+// The files that a study writes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -93,7 +93,7 @@ TEST(StudyFiles, MissingAnswersAreNull) {
               HasSubstr("not found. it was not there"));
 }
 
-// Drafts that broke at half the speed are no hint of the error: the reader is told.
+// Drafts with half the threshold do not indicate the error: the answer states so.
 TEST(StudyFiles, ReportsTooCoarseDrafts) {
   const StudyPlan plan = test::plan_of(
       "[search]\nfind = \"least\"\nkey = \"jet.jet.speed\"\nfrom = \"1 m/s\"\nto = \"9 m/s\"\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of `kerf verify` that are kept, and what is not taken from there.
+// Runs of `kerf verify` that are kept, and runs that are not reused.
 #include "verification/kept_runs.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ axis = ")" +
 
 class KeptRunsTest : public testing::Test {
  protected:
-  // Makes the plan; `made_` then says whether its run was run.
+  // Runs the plan; `made_` then states whether its run was computed.
   Findings findings_of(const std::string& plan) {
     const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
     const auto cases = read_verification_cases(texts, {});
