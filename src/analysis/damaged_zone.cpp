@@ -14,14 +14,14 @@ constexpr double bins_per_spacing = 4.0;
 constexpr double least_filled = 0.25;
 
 // Marks the rows of a frame whose particles stand and are damaged.
-std::vector<std::uint8_t> find_hurt(const Frame& frame) {
-  std::vector<std::uint8_t> hurt(frame.id.size(), 0);
+std::vector<std::uint8_t> find_damaged(const Frame& frame) {
+  std::vector<std::uint8_t> damaged(frame.id.size(), 0);
   for (const Column& column : frame.columns) {
     if (column.name != "damage" && column.name != "flaw_damage") continue;
-    for (std::size_t row = 0; row < hurt.size(); ++row)
-      if (static_cast<double>(column.values[row]) > least_damage) hurt[row] = 1;
+    for (std::size_t row = 0; row < damaged.size(); ++row)
+      if (static_cast<double>(column.values[row]) > least_damage) damaged[row] = 1;
   }
-  return hurt;
+  return damaged;
 }
 
 // A layer of the workpiece: its volume by offset across the kerf.
@@ -82,7 +82,7 @@ void add_up(std::vector<double>& bins) {
 }
 
 void fill(Layer& layer, const KerfView& view, const KerfMap& map, const KerfAxes& axes) {
-  const std::vector<std::uint8_t> hurt = find_hurt(view.frame);
+  const std::vector<std::uint8_t> damaged = find_damaged(view.frame);
   const Workpiece& workpiece = view.workpiece;
   for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
     if (!view.holds(slot)) continue;
@@ -91,7 +91,8 @@ void fill(Layer& layer, const KerfView& view, const KerfMap& map, const KerfAxes
     const double volume = volume_in_layer(layer, map, point);
     if (volume <= 0.0) continue;
     spread(layer, point, volume, layer.all);
-    if (!view.standing[slot] || hurt[view.rows[slot]]) spread(layer, point, volume, layer.damaged);
+    if (!view.standing[slot] || damaged[view.rows[slot]])
+      spread(layer, point, volume, layer.damaged);
   }
   add_up(layer.all);
   add_up(layer.damaged);

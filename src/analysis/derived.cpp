@@ -227,15 +227,15 @@ double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const bool single = description.precision == PrecisionKind::mixed;
   const double wider = single ? 1.0 : 1.75;  // positions are in double precision in both
   const auto all = static_cast<double>(numbers.particles_expected);
-  const double held = bonds ? static_cast<double>(numbers.particles_elastic) : 0.0;
-  const double contact = held > 0.0 ? (plane ? 48.0 : 64.0) : 0.0;
+  const double bonded = bonds ? static_cast<double>(numbers.particles_elastic) : 0.0;
+  const double contact = bonded > 0.0 ? (plane ? 48.0 : 64.0) : 0.0;
   const double particle =
       wider * (contact + (bonds ? (plane ? 248.0 : 318.0) : (plane ? 278.0 : 396.0)));
   const double list = 4.5 * particles_within(reach + skin, dimension);
   const double solid = wider * (plane ? 195.0 : 280.0);
   const double jittered = bonds ? static_cast<double>(numbers.particles_jittered) : 0.0;
   const double bond_list = 4.0 * particles_within(reach, dimension);
-  return all * particle + (all - held) * list + held * solid + jittered * bond_list;
+  return all * particle + (all - bonded) * list + bonded * solid + jittered * bond_list;
 }
 
 }  // namespace

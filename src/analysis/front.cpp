@@ -41,12 +41,12 @@ double front_depth(const Workpiece& workpiece, const Frame& frame) {
   const double enough = (1.0 - 1e-6) * std::max(front_plug_fraction * plug,
                                                 front_least_particles * drops.front().mass);
   // The window [first, next) moves upwards; it is never longer than a jet width.
-  double held = 0.0;
+  double mass = 0.0;
   std::size_t first = 0;
   for (const Drop& drop : drops) {
-    held += drop.mass;
-    for (; drops[first].depth - drop.depth > jet.width; ++first) held -= drops[first].mass;
-    if (held >= enough) return std::max(0.0, drop.depth);
+    mass += drop.mass;
+    for (; drops[first].depth - drop.depth > jet.width; ++first) mass -= drops[first].mass;
+    if (mass >= enough) return std::max(0.0, drop.depth);
   }
   return 0.0;
 }

@@ -31,7 +31,7 @@ Limits find_limits(const KerfAxes& axes, const KerfPath& path) {
 
 // Fields of the initial solid, of its standing part, and of intact fragments that do not stand.
 struct Solids {
-  std::vector<SolidPoint> original, standing, crumbs;
+  std::vector<SolidPoint> original, standing, fragments;
 };
 
 Solids gather_solids(const KerfView& view, const KerfAxes& axes, const Limits& limits) {
@@ -46,7 +46,7 @@ Solids gather_solids(const KerfView& view, const KerfAxes& axes, const Limits& l
     if (view.places == KerfPlaces::present)
       point.position = axes.local(view.frame.position[view.rows[slot]]);
     if (!limits.hold(point.position)) continue;
-    (view.standing[slot] ? solids.standing : solids.crumbs).push_back(point);
+    (view.standing[slot] ? solids.standing : solids.fragments).push_back(point);
   }
   return solids;
 }
@@ -56,9 +56,9 @@ Solids gather_solids(const KerfView& view, const KerfAxes& axes, const Limits& l
 std::vector<float> share_of_standing(const SampleGrid& grid, Solids solids) {
   SolidField field(grid);
   field.add(solids.standing);
-  std::erase_if(solids.crumbs,
-                [&](const SolidPoint& crumb) { return field.share_with(crumb) < face; });
-  field.add(solids.crumbs);
+  std::erase_if(solids.fragments,
+                [&](const SolidPoint& fragment) { return field.share_with(fragment) < face; });
+  field.add(solids.fragments);
   return field.share();
 }
 

@@ -156,8 +156,8 @@ KeyPath find_key_path(const std::string& path, const toml::table& case_table) {
   result.text = path;
   result.segments = split_words(path, '.');
   toml::table copy = case_table;
-  Walk walk{result, &copy, "", 0};
-  while (!walk.is_done()) walk.step();
+  Walk pair_loop{result, &copy, "", 0};
+  while (!pair_loop.is_done()) pair_loop.step();
   if (result.problem.empty() && !result.key)
     result.problem = "the path ends at a table, not at a key";
   return result;

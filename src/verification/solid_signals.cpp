@@ -13,7 +13,7 @@ namespace kerf {
 
 namespace {
 
-// Share of broken bonds of each particle.
+// Returns the share of broken bonds of each particle.
 const std::vector<float>& damage_of(const Frame& frame) {
   for (const Column& column : frame.columns)
     if (column.name == "damage") return column.values;
@@ -25,7 +25,7 @@ struct Crack {
   double angle = 0.0;   // rad
 };
 
-// Positions with broken bonds, as offsets from the tip of the notch at which the crack starts.
+// The positions with broken bonds, as offsets from the tip of the notch at which the crack starts.
 struct CrackView {
   Point tip{};
   std::size_t axis = 0;  // of the notch
@@ -34,7 +34,7 @@ struct CrackView {
   std::vector<Point> position;  // of the first layout, by id
   std::vector<bool> counts;
 
-  Crack look(const Frame& frame) const {
+  Crack find_crack(const Frame& frame) const {
     const std::vector<float>& damage = damage_of(frame);
     Crack crack;
     double xx = 0.0, xy = 0.0, yy = 0.0, x = 0.0, y = 0.0;
@@ -48,7 +48,7 @@ struct CrackView {
       xx += dx * dx, xy += dx * dy, yy += dy * dy;
       x += dx, y += dy;
     }
-    // The line through the tip that the squares of the distances are least from.
+    // Finds the line through the tip with the least sum of squared distances.
     const double turn = 0.5 * std::atan2(2.0 * xy, xx - yy);
     const double along_notch = axis == 0 ? std::cos(turn) : std::sin(turn);
     const double forward = std::cos(turn) * x + std::sin(turn) * y < 0.0 ? -1.0 : 1.0;
@@ -79,8 +79,8 @@ Signal largest_damage_signal(const Parameters&, const Beginning&) {
 
 // A crack that starts at the tip of a notch along an axis: `length`, the largest distance from the
 // tip to a particle that has lost a share `damage` of its bonds or more; `angle` between the axis
-// and the line through the tip that fits these particles best. In the plane of x and y; positions
-// are those of the first layout, where the formula `where` is not 0 and within a distance of the
+// and the line through the tip that fits these particles best, in the plane of x and y. Positions
+// are those of the initial layout, where the formula `where` is not 0 and within a distance of the
 // tip.
 Signal crack_signal(const Parameters& parameters, const Beginning& beginning) {
   const auto view = std::make_shared<CrackView>();
@@ -102,7 +102,7 @@ Signal crack_signal(const Parameters& parameters, const Beginning& beginning) {
         frame.category[row] == Category::solid && where(frame.position[row]) != 0.0;
   }
   return [view, is_angle = field == "angle"](Moment& moment) {
-    const Crack crack = view->look(moment.frame());
+    const Crack crack = view->find_crack(moment.frame());
     return is_angle ? crack.angle : crack.length;
   };
 }

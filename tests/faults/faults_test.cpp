@@ -60,7 +60,7 @@ class Faults : public testing::Test {
   static void SetUpTestSuite() {
     folder_ = std::make_unique<test::TemporaryFolder>();
     write_file(case_file(), case_text);
-    const Ending ending = Program(run_arguments("whole"), output()).wait();
+    const Ending ending = Program(run_arguments("full"), output()).wait();
     ASSERT_EQ(ending.exit_code, 0) << ending.output;
   }
   static void TearDownTestSuite() { folder_.reset(); }
@@ -87,7 +87,7 @@ class Faults : public testing::Test {
   static void expect_as_if_never_stopped(const std::string& name) {
     const Ending ending = run(name, "--resume");
     ASSERT_EQ(ending.exit_code, 0) << ending.output;
-    test::expect_same_results(path("whole"), path(name));
+    test::expect_same_results(path("full"), path(name));
   }
   static double size_or_zero(const fs::path& file) {
     std::error_code missing;
@@ -110,13 +110,13 @@ class Faults : public testing::Test {
 TEST_F(Faults, KilledRunResumesToTheSameResult) {
   std::mt19937 random(20040110);
   std::uniform_real_distribution<double> share(0.0, 1.0);
-  const auto whole = static_cast<double>(fs::file_size(path("whole/series.csv")));
+  const auto full_size = static_cast<double>(fs::file_size(path("full/series.csv")));
   constexpr int rounds = 3, kills = 5;
   for (int round = 0; round < rounds; ++round) {
     const std::string name = "killed" + std::to_string(round);
     for (int place = 0; place < kills; ++place) {
       Program program(run_arguments(name, "--resume"), output());
-      const double target = whole * (place - 1 + 0.9 * share(random)) / (kills - 1);
+      const double target = full_size * (place - 1 + 0.9 * share(random)) / (kills - 1);
       EXPECT_TRUE(place == 0 || test::wait_for([&] {
                     return size_or_zero(path(name) / "series.csv") >= target;
                   }));
@@ -139,7 +139,7 @@ TEST_F(Faults, ASignalLeavesACheckpointAndAMessage) {
 }
 
 TEST_F(Faults, AFullDiskKeepsTheLastCheckpoint) {
-  const test::SmallDisk disk(path("disk"), size_of(path("whole")) * 6 / 10);
+  const test::SmallDisk disk(path("disk"), size_of(path("full")) * 6 / 10);
   if (!disk.there()) GTEST_SKIP() << "mounting a small disk needs root";
   const Ending ending = run("disk/out");
   EXPECT_EQ(ending.exit_code, exit_files) << ending.output;
@@ -149,7 +149,7 @@ TEST_F(Faults, AFullDiskKeepsTheLastCheckpoint) {
   ASSERT_TRUE(fs::exists(path("disk/out/checkpoint.h5")));
   // The disk is still full: the program fails again, and the checkpoint is still valid.
   EXPECT_EQ(run("disk/out", "--resume").exit_code, exit_files);
-  disk.resize(4 * size_of(path("whole")));
+  disk.resize(4 * size_of(path("full")));
   expect_as_if_never_stopped("disk/out");
 }
 
@@ -183,17 +183,17 @@ TEST_F(Faults, ADeletedFolderIsNamedAndNotRecreated) {
 }
 
 TEST_F(Faults, ATruncatedCheckpointIsRefusedAndKept) {
-  run_and_stop("has_broken_bonds", SIGKILL);
-  const fs::path checkpoint = path("has_broken_bonds/checkpoint.h5");
+  run_and_stop("damaged", SIGKILL);
+  const fs::path checkpoint = path("damaged/checkpoint.h5");
   const std::string half = read_file(checkpoint).substr(0, fs::file_size(checkpoint) / 2);
   write_file(checkpoint, half);
-  const Ending ending = run("has_broken_bonds", "--resume");
+  const Ending ending = run("damaged", "--resume");
   EXPECT_EQ(ending.exit_code, exit_files);
   EXPECT_THAT(ending.output,
               AllOf(HasSubstr(checkpoint.string()), HasSubstr("is damaged"), HasSubstr("--force")));
   EXPECT_EQ(read_file(checkpoint), half);
-  EXPECT_EQ(run("has_broken_bonds", "--force").exit_code, 0);
-  test::expect_same_results(path("whole"), path("has_broken_bonds"));
+  EXPECT_EQ(run("damaged", "--force").exit_code, 0);
+  test::expect_same_results(path("full"), path("damaged"));
 }
 
 TEST_F(Faults, ACheckpointOfAnotherCaseIsRefused) {
@@ -212,15 +212,15 @@ TEST_F(Faults, ACheckpointOfAnotherCaseIsRefused) {
 }
 
 TEST_F(Faults, ARunIsReplacedOnlyByForce) {
-  const std::string before = read_file(path("whole/result.json"));
-  const Ending ending = run("whole");
+  const std::string before = read_file(path("full/result.json"));
+  const Ending ending = run("full");
   EXPECT_EQ(ending.exit_code, exit_files);
   EXPECT_THAT(ending.output, AllOf(HasSubstr("contains a run already"), HasSubstr("--resume"),
                                    HasSubstr("--force"), HasSubstr("--out")));
-  const Ending again = run("whole", "--resume");
+  const Ending again = run("full", "--resume");
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_THAT(again.output, HasSubstr("finished already"));
-  EXPECT_EQ(read_file(path("whole/result.json")), before);
+  EXPECT_EQ(read_file(path("full/result.json")), before);
 }
 
 TEST_F(Faults, TwoRunsDoNotShareAFolder) {
@@ -233,7 +233,7 @@ TEST_F(Faults, TwoRunsDoNotShareAFolder) {
 }
 
 TEST_F(Faults, NoFaultLeavesPartsOfFiles) {
-  for (const auto& entry : fs::recursive_directory_iterator(path("whole")))
+  for (const auto& entry : fs::recursive_directory_iterator(path("full")))
     EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".tmp")));
 }
 

@@ -13,7 +13,7 @@ constexpr int subcycles = 4;
 
 // A vibrating block of tofu, alone or with distant water at rest, whose waves require shorter
 // steps.
-Case quivering(int dimension, bool with_water) {
+Case vibrating(int dimension, bool with_water) {
   Case c = empty_case(dimension, PrecisionKind::double_precision);
   c.formulation = Formulation::standard;
   c.smoothing_ratio = 1.3;
@@ -34,7 +34,7 @@ Case quivering(int dimension, bool with_water) {
 class SubcyclingRuns : public testing::TestWithParam<int> {};
 
 TEST_P(SubcyclingRuns, AnUncoupledSolidMovesAsByVerlet) {
-  const Case with_water = quivering(GetParam(), true);
+  const Case with_water = vibrating(GetParam(), true);
   const auto apart = make_simulation(with_water);
   take_steps(*apart, 1);  // after which the wave speed of the solid is known
   const double dt = apart->last_step().dt;
@@ -42,7 +42,7 @@ TEST_P(SubcyclingRuns, AnUncoupledSolidMovesAsByVerlet) {
   EXPECT_EQ(apart->last_step().limit, "acoustic (water)");
   EXPECT_NEAR(apart->time(), (1 + 40 * subcycles) * dt, 1e-9 * apart->time());
 
-  Case alone = quivering(GetParam(), false);
+  Case alone = vibrating(GetParam(), false);
   alone.time.maximum_step = dt;
   const auto verlet = make_simulation(alone);
   take_steps(*verlet, 1);

@@ -63,7 +63,7 @@ struct BadCase {
   std::vector<std::string> contains;  // allowed range and remedy
 };
 
-inline std::string spoilt(const BadCase& bad) {
+inline std::string changed_text(const BadCase& bad) {
   std::string text = good_case;
   const auto place = text.find(bad.from);
   EXPECT_NE(place, std::string::npos) << bad.name;
@@ -92,7 +92,7 @@ inline std::string message_of(const std::string& text) {
 
 inline void expect_refused(const std::vector<BadCase>& table) {
   for (const BadCase& bad : table) {
-    const std::string text = spoilt(bad);
+    const std::string text = changed_text(bad);
     const std::string message = message_of(text);
     const std::string start =
         "bad.toml:" + std::to_string(line_with(text, bad.at)) + ": " + bad.start;

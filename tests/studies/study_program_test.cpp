@@ -145,7 +145,7 @@ TEST_F(StudyProgram, AFailedRunStopsNoOther) {
   ASSERT_EQ(run("map.toml").exit_code, 0);
   const RunRow row = rows().at(2);
   fs::remove_all(out() / "runs" / row.id);
-  write_file(out() / "runs" / (row.id + ".toml"), "title = \"has_broken_bonds\"\n");
+  write_file(out() / "runs" / (row.id + ".toml"), "title = \"broken\"\n");
   StudyDatabase(out() / "study.db").mark_waiting(row.id);
   const Ending ending = run("map.toml");
   EXPECT_EQ(ending.exit_code, exit_run_failed) << ending.output;

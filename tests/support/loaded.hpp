@@ -18,7 +18,7 @@ namespace kerf::test {
 struct ListChoice {
   double minimum = 0.0, maximum = 0.014;  // m, of the domain along every axis
   double skin = 5e-4;                     // m
-  bool splits = false;                    // same_class is listed first
+  bool splits = false;                    // neighbours of the same fluid come first
 };
 
 template <int D, class P, class Scheme = JointPairs>

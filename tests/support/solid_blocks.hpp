@@ -129,7 +129,7 @@ struct SolidOnTrial {
         for (int b = 0; b < D; ++b) position[i][a] += m(a, b) * layout.reference[i][b];
       }
   }
-  void shake(double amplitude, unsigned seed) {
+  void displace_randomly(double amplitude, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
     for (auto& x : position)

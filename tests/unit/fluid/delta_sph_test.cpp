@@ -22,7 +22,7 @@ constexpr double spacing = 1e-3;
 template <class Compression>
 ReferenceState shaken_block(int dimension, const Compression& compression) {
   std::mt19937 engine(7);
-  std::uniform_real_distribution<double> shake(-0.2, 0.2);
+  std::uniform_real_distribution<double> displacement(-0.2, 0.2);
   ReferenceState state;
   state.dimension = dimension;
   auto water = bag_water(spacing, dimension);
@@ -34,7 +34,7 @@ ReferenceState shaken_block(int dimension, const Compression& compression) {
     ReferenceParticle particle;
     const int cell[3] = {k % side, k / side % side, k / (side * side)};
     for (int a = 0; a < dimension; ++a)
-      particle.position[a] = spacing * (cell[a] + 2.0 + shake(engine));
+      particle.position[a] = spacing * (cell[a] + 2.0 + displacement(engine));
     particle.compression = compression(particle.position);
     state.particles.push_back(particle);
   }

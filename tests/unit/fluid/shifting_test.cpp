@@ -26,10 +26,10 @@ struct Kind {
   using P = P_;
 };
 
-// A block of water whose lattice is randomly displaced by up to `shake` spacings.
-ReferenceState block(int dimension, double shake) {
+// A block of water whose lattice is randomly displaced by up to `amplitude` spacings.
+ReferenceState block(int dimension, double amplitude) {
   std::mt19937 engine(3);
-  std::uniform_real_distribution<double> uniform(-shake, shake);
+  std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
   ReferenceState state;
   state.dimension = dimension;
   auto water = bag_water(spacing, dimension);

@@ -179,7 +179,7 @@ const std::string good =
     "[[values]]\nkey = \"youngs_modulus\"\nvalue = \"2 kPa\"\nsource = \"pulled\"\nnote = "
     "\"cold\"\n"
     "[[values]]\nkey = \"poisson_ratio\"\nvalue = 0.25\nsource = \"pulled\"\n"
-    "[[known]]\nname = \"fracture_energy\"\nvalue = \"1 kJ/m2\"\nsource = \"has_broken_bonds\"\n";
+    "[[known]]\nname = \"fracture_energy\"\nvalue = \"1 kJ/m2\"\nsource = \"test\"\n";
 
 TEST(MaterialFile, IsRead) {
   const LibraryMaterial gum = read_library_material("gum", good);
@@ -210,7 +210,7 @@ void expect_refused(const std::string& from, const std::string& to, const std::s
 
 TEST(MaterialFile, RefusesForeignKeys) {
   expect_refused("source = \"weighed\"\n", "", "source must be a text");
-  expect_refused("source = \"has_broken_bonds\"\n", "source = \"\"\n", "source must be a text");
+  expect_refused("source = \"test\"\n", "source = \"\"\n", "source must be a text");
   expect_refused("\"1 g/cm3\"", "1000", "value must be a text");
   expect_refused("\"1 g/cm3\"", "\"1 g/cm2\"", "\"g/cm2\" is not the unit of a density");
   expect_refused("\"1 kJ/m2\"", "\"1 kJ\"", "\"kJ\" is not the unit of an energy per area");

@@ -31,8 +31,8 @@ TEST(CrackBand, EnergyPerAreaDoesNotDependOnSpacing) {
         failure_strain_of(energy, medium.bulk_modulus, medium.shear_modulus, spacing);
     auto trial = notched_strip<Mixed>(spacing, limit);
     area_energy[fine] = pull(trial, 0.03, 0.03) / 20e-3;
-    std::printf("has_broken_bonds in two, spacing %g mm: limit %.3f, %.3f J/m^2 of %.3f\n",
-                1e3 * spacing, limit, area_energy[fine], energy);
+    std::printf("strip in two, spacing %g mm: limit %.3f, %.3f J/m^2 of %.3f\n", 1e3 * spacing,
+                limit, area_energy[fine], energy);
     EXPECT_GT(area_energy[fine], 0.5 * energy);
     EXPECT_LT(area_energy[fine], energy);
   }

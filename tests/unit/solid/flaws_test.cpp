@@ -39,7 +39,7 @@ TYPED_TEST(Flaws, ReleaseTheEnergyThatTheyRemove) {
   constexpr int D = TypeParam::D;
   auto trial = flawed_block<D, typename TypeParam::P>();
   trial.map(stretch<D>(0.012));
-  trial.shake(1e-5, 3);
+  trial.displace_randomly(1e-5, 3);
   trial.deform();
   const double before = trial.solid.energy().total();
   double freed = 0.0;
@@ -66,7 +66,7 @@ double energy_moved(SolidOnTrial<D, Double>& trial, std::size_t i, int axis, dou
 TEST(FlawsInSpace, ForceIsTheGradientOfTheEnergy) {
   auto trial = flawed_block<3, Double>();
   trial.map(stretch<3>(0.012));
-  trial.shake(2e-5, 3);
+  trial.displace_randomly(2e-5, 3);
   trial.deform();
   for (int n = 0; n < 5; ++n) trial.solid.keep_damage(0.06);
   const double face = trial.layout.media[0].bulk_modulus * 0.012 * 1e-6, step = 1e-9;
@@ -92,8 +92,8 @@ TYPED_TEST(Flaws, FullDamageBreaksStretchedBonds) {
     for (int n = 0; n < 20; ++n) trial.solid.keep_damage(0.2);
     trial.map(stretch<D>(strain));
     trial.deform();
-    const FractureResult book = trial.solid.fracture();
-    EXPECT_EQ(book.bonds > 0, strain > 0.0);
+    const FractureResult result = trial.solid.fracture();
+    EXPECT_EQ(result.bonds > 0, strain > 0.0);
   }
 }
 

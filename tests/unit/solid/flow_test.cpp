@@ -38,7 +38,7 @@ TYPED_TEST(FlowingBlock, IsAMaterialPoint) {
   const auto parameters = TestFixture::soft_metal();
   SolidOnTrial<D, typename TypeParam::P> trial(TestFixture::layout(parameters));
   auto state = PlasticState<D, double>::virgin();
-  double work = 0.0, booked = 0.0;
+  double work = 0.0, recorded = 0.0;
   for (int step = 1; step <= 20; ++step) {
     trial.map(TestFixture::path(step));
     trial.deform();
@@ -47,7 +47,7 @@ TYPED_TEST(FlowingBlock, IsAMaterialPoint) {
     const auto result = advance(trial.layout.media[0], parameters, gradient_of<D>(f), 0.0, state);
     state = result.state;
     work += result.plastic_work;
-    booked += trial.solid.keep_flow();
+    recorded += trial.solid.keep_flow();
   }
   ASSERT_GT(state.plastic_strain, 0.2);
   const std::vector<PlasticState<D, Real>> flow = to_host(trial.solid.fields().flow_start);
@@ -55,7 +55,7 @@ TYPED_TEST(FlowingBlock, IsAMaterialPoint) {
     EXPECT_NEAR(particle.plastic_strain, state.plastic_strain, 100 * TypeParam::rounding);
   double volume = 0.0;
   for (std::size_t i = 0; i < trial.size(); ++i) volume += trial.layout.media[0].reference_volume();
-  EXPECT_NEAR(booked, volume * work, 300 * TypeParam::rounding * volume * work);
+  EXPECT_NEAR(recorded, volume * work, 300 * TypeParam::rounding * volume * work);
 }
 
 TYPED_TEST(FlowingBlock, EvaluationsKeepTheState) {
@@ -103,10 +103,10 @@ TYPED_TEST(FlowingBlock, ConservesTheEnergy) {
       trial.position[i] += 0.5 * dt * Vector<D, double>::from(trial.velocity[i]);
   }
   trial.deform();
-  const double held = kinetic() + trial.solid.energy().total() + trial.solid.flow_work();
+  const double stored = kinetic() + trial.solid.energy().total() + trial.solid.flow_work();
   EXPECT_GT(plastic, 0.3 * came);
   EXPECT_GE(viscous, 0.0);
-  EXPECT_NEAR(held + plastic + viscous, came, 3e-3 * came);
+  EXPECT_NEAR(stored + plastic + viscous, came, 3e-3 * came);
 }
 
 TYPED_TEST(FlowingBlock, DuctileDamageDetachesParticles) {
@@ -118,12 +118,12 @@ TYPED_TEST(FlowingBlock, DuctileDamageDetachesParticles) {
   for (int step = 1; step <= 20; ++step) {
     trial.map(TestFixture::path(step));
     trial.deform();
-    const FractureResult book = trial.solid.fracture();
+    const FractureResult result = trial.solid.fracture();
     const auto now = to_host(trial.solid.fields().current_flow);
     const double strain = now[0].plastic_strain;
-    EXPECT_EQ(book.detached > 0, strain >= 0.1) << strain;
-    if (book.detached > 0) {
-      EXPECT_EQ(book.detached, trial.size());
+    EXPECT_EQ(result.detached > 0, strain >= 0.1) << strain;
+    if (result.detached > 0) {
+      EXPECT_EQ(result.detached, trial.size());
       return;
     }
     trial.solid.keep_flow();

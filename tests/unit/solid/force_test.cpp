@@ -36,7 +36,7 @@ SolidOnTrial<D, P> deformed() {
   SolidOnTrial<D, P> trial(mixed_block<D>());
   trial.solid.cut(AcrossNotch<D>{});
   trial.map(some_map<D>());
-  trial.shake(0.1e-3, 8);
+  trial.displace_randomly(0.1e-3, 8);
   return trial;
 }
 
@@ -85,7 +85,7 @@ TYPED_TEST(SolidForce, SumsAndTorquesVanish) {
         medium.artificial_linear = medium.artificial_quadratic = 1.0;
     SolidOnTrial<D, typename TypeParam::P> trial(layout);
     trial.map(some_map<D>());
-    trial.shake(0.1e-3, 8);
+    trial.displace_randomly(0.1e-3, 8);
     std::mt19937 engine(3);
     std::uniform_real_distribution<double> uniform(-3.0, 3.0);
     for (auto& v : trial.velocity)
@@ -93,7 +93,7 @@ TYPED_TEST(SolidForce, SumsAndTorquesVanish) {
     trial.evaluate();
     auto sum = Vector<D, double>::zero();
     Square<D> torque = Square<D>::Zero();
-    double scale = 0.0, arm = 0.0, booked = 0.0;
+    double scale = 0.0, arm = 0.0, recorded = 0.0;
     for (std::size_t i = 0; i < trial.size(); ++i) {
       const auto f = trial.force(i);
       const auto& x = trial.position[i];
@@ -101,12 +101,12 @@ TYPED_TEST(SolidForce, SumsAndTorquesVanish) {
       scale += norm(f);
       arm += norm(f) * norm(x);
       torque += as_column(x) * as_column(f).transpose() - as_column(f) * as_column(x).transpose();
-      booked += trial.solid.fields().viscous_power[i];
+      recorded += trial.solid.fields().viscous_power[i];
     }
     // Pairs cancel to the last bit; the remainder is the rounding of the sum of each particle.
     EXPECT_LE(norm(sum), TypeParam::rounding * scale);
     EXPECT_LE(torque.cwiseAbs().maxCoeff(), 10.0 * TypeParam::rounding * arm);
-    EXPECT_EQ(booked > 0.0, viscous);
+    EXPECT_EQ(recorded > 0.0, viscous);
   }
 }
 
@@ -129,15 +129,15 @@ TYPED_TEST(SolidForce, ViscousPowerIsRecorded) {
             Vector<D, typename TypeParam::Real>::from(sign * 2000.0 * trial->position[i]);
       trial->evaluate();
     }
-    double difference = 0.0, scale = 0.0, booked = 0.0;
+    double difference = 0.0, scale = 0.0, recorded = 0.0;
     for (std::size_t i = 0; i < plain.size(); ++i) {
       const auto v = Vector<D, double>::from(viscous.velocity[i]);
       difference += dot(viscous.force(i) - plain.force(i), v);
       scale += norm(v) * (norm(viscous.force(i)) + norm(plain.force(i)));
-      booked += viscous.solid.fields().viscous_power[i];
+      recorded += viscous.solid.fields().viscous_power[i];
     }
-    EXPECT_NEAR(-difference, booked, 10.0 * TypeParam::rounding * scale);
-    EXPECT_EQ(booked > 0.0, sign < 0.0);
+    EXPECT_NEAR(-difference, recorded, 10.0 * TypeParam::rounding * scale);
+    EXPECT_EQ(recorded > 0.0, sign < 0.0);
   }
 }
 

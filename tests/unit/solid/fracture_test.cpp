@@ -45,9 +45,9 @@ TYPED_TEST(SolidFracture, BreaksAboveTheLimitOnly) {
     for (double share : {-5.0, -1.0, 0.0, 0.5, 0.999, 1.001}) {
       trial.map(stretch_along_x<D>(std::exp(share * limit)));
       trial.deform();
-      const FractureResult book = trial.solid.fracture();
-      EXPECT_EQ(book.bonds > 0, share > 1.0) << share;
-      EXPECT_EQ(book.released > 0.0, share > 1.0) << share;
+      const FractureResult result = trial.solid.fracture();
+      EXPECT_EQ(result.bonds > 0, share > 1.0) << share;
+      EXPECT_EQ(result.released > 0.0, share > 1.0) << share;
     }
   }
 }
@@ -64,10 +64,10 @@ TYPED_TEST(SolidFracture, FailsInCompressionBelowAFifthOfTheVolume) {
       if (volume < 0.0) map.row(0) *= -1.0;
       trial.map(map);
       trial.deform();
-      const FractureResult book = trial.solid.fracture();
-      EXPECT_EQ(book.detached, limit > 0.0 && volume < 0.2 ? trial.size() : 0u) << volume;
+      const FractureResult result = trial.solid.fracture();
+      EXPECT_EQ(result.detached, limit > 0.0 && volume < 0.2 ? trial.size() : 0u) << volume;
       trial.evaluate();
-      if (book.detached == 0) continue;
+      if (result.detached == 0) continue;
       for (Index i = 0; i < trial.size(); ++i) EXPECT_EQ(norm(trial.force(i)), 0.0);
       EXPECT_EQ(trial.solid.energy().total(), 0.0);
     }
@@ -108,9 +108,9 @@ TYPED_TEST(FractureByHand, PrincipalStrain) {
       of_mean += own <= above && by_place && std::min(largest(i), largest(j)) < 0.8 * above;
     }
   EXPECT_GT(of_mean, 3u);
-  const FractureResult book = trial.solid.fracture();
-  EXPECT_EQ(book.detached, 0u);
-  EXPECT_EQ(book.bonds, expected);
+  const FractureResult result = trial.solid.fracture();
+  EXPECT_EQ(result.detached, 0u);
+  EXPECT_EQ(result.bonds, expected);
 }
 
 // One half is moved away: the tensors of a band are strained, but only bonds across the gap break.
@@ -127,10 +127,10 @@ TYPED_TEST(SolidFracture, OnlyBondsAcrossTheGapBreak) {
       seeming = std::max(seeming, static_cast<double>(trial.gradient(i)(0, 0)));
     EXPECT_GT(seeming, 0.3);
     std::uint64_t broken = 0;
-    for (FractureResult book{.bonds = 1};
-         book.bonds > 0;) {  // the remaining bonds may break in turn
-      book = trial.solid.fracture();
-      broken += book.bonds;
+    for (FractureResult result{.bonds = 1};
+         result.bonds > 0;) {  // the remaining bonds may break in turn
+      result = trial.solid.fracture();
+      broken += result.bonds;
     }
     EXPECT_GT(broken, 0u);
     EXPECT_EQ(trial.solid.count().second, 0u);
@@ -171,7 +171,7 @@ TYPED_TEST(SolidFracture, BondsOfSlidingFacesFail) {
         trial.position[i][0] -= 1e-3 * (1.0 - std::cos(turn));
       }
     trial.deform();
-    for (FractureResult book{.bonds = 1}; book.bonds > 0;) book = trial.solid.fracture();
+    for (FractureResult result{.bonds = 1}; result.bonds > 0;) result = trial.solid.fracture();
     const auto solid = trial.solid.view();
     std::uint64_t across = 0;
     for (Index i = 0; i < trial.size(); ++i)

@@ -167,8 +167,8 @@ std::array<double, 2> tears(bool graded) {
   std::array<double, 2> has_broken_bonds{};
   trial.evaluate();
   for (double t = 0.0; t < 1.0 && has_broken_bonds[1] == 0.0; t += dt) {
-    const auto book = pull_once(trial, speed, dt);
-    if (book.bonds == 0) continue;
+    const auto result = pull_once(trial, speed, dt);
+    if (result.bonds == 0) continue;
     const double tip = crack_tip(trial);
     for (std::size_t n = 0; n < 2; ++n)
       if (has_broken_bonds[n] == 0.0 && tip > (n == 0 ? 35e-3 : 55e-3))

@@ -57,7 +57,7 @@ TYPED_TEST(GradedSolid, SumsAndTorquesVanish) {
   constexpr int D = TypeParam::D;
   SolidOnTrial<D, typename TypeParam::P> trial(graded_block<D>(some_block<D>()));
   trial.map(some_map<D>());
-  trial.shake(0.1e-3, 8);
+  trial.displace_randomly(0.1e-3, 8);
   trial.evaluate();
   auto sum = Vector<D, double>::zero();
   Square<D> torque = Square<D>::Zero();
@@ -79,7 +79,7 @@ TYPED_TEST(GradedForce, ForceIsTheGradientOfTheStoredEnergy) {
   constexpr int D = TypeParam::D;
   SolidOnTrial<D, Double> trial(graded_block<D>(some_block<D>()));
   trial.map(some_map<D>());
-  trial.shake(0.1e-3, 8);
+  trial.displace_randomly(0.1e-3, 8);
   trial.evaluate();
   std::vector<Vector<D, double>> force;
   double largest = 0.0, worst = 0.0;

@@ -36,7 +36,7 @@ TEST(Inclusion, OfTheSameMaterialHasNoEffect) {
   SolidOnTrial<2, Double> a(two.layout), b(one.layout);
   for (auto* trial : {&a, &b}) {
     trial->map(some_map<2>());
-    trial->shake(0.1 * two.d, 4);
+    trial->displace_randomly(0.1 * two.d, 4);
     trial->evaluate();
   }
   double largest = 0.0, worst = 0.0;

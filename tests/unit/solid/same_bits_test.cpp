@@ -86,18 +86,18 @@ TYPED_TEST(SameBits, ForAnyNumberOfThreads) {
 
 TYPED_TEST(SameBits, FromASavedState) {
   for (bool softens : {false, true}) {
-    auto whole = this->start(softens);
-    this->take_steps(whole, steps);
-    const auto saved = whole.solid.save();
+    auto uninterrupted = this->start(softens);
+    this->take_steps(uninterrupted, steps);
+    const auto saved = uninterrupted.solid.save();
     auto resumed = this->start(softens);
-    resumed.position = whole.position;
-    resumed.velocity = whole.velocity;
+    resumed.position = uninterrupted.position;
+    resumed.velocity = uninterrupted.velocity;
     resumed.solid.restore(saved);
     resumed.deform();
-    EXPECT_EQ(whole.solid.softening_work() > 0.0, softens);
-    const double released = this->take_steps(whole, 20);
+    EXPECT_EQ(uninterrupted.solid.softening_work() > 0.0, softens);
+    const double released = this->take_steps(uninterrupted, 20);
     EXPECT_EQ(this->take_steps(resumed, 20), released);
-    this->expect_same(whole, resumed);
+    this->expect_same(uninterrupted, resumed);
   }
 }
 

@@ -133,7 +133,7 @@ TEST_F(StudyRunsTest, AStopKeepsTheRemainingRunsPending) {
 TEST_F(StudyRunsTest, UnreadableResultsAreAFailure) {
   executor_.end = [](const Job& job) {
     make_folder(job.folder);
-    write_file(job.folder / "result.json", "{ has_broken_bonds");
+    write_file(job.folder / "result.json", "{ broken");
     return JobEnd{0, 0, ""};
   };
   class Torn : public Executor {
@@ -142,7 +142,7 @@ TEST_F(StudyRunsTest, UnreadableResultsAreAFailure) {
       for (const Job& job : jobs) {
         watcher.started(job);
         make_folder(job.folder);
-        write_file(job.folder / "result.json", "{ has_broken_bonds");
+        write_file(job.folder / "result.json", "{ broken");
         watcher.ended(job, {});
       }
     }

@@ -70,9 +70,9 @@ TEST_F(KeptRunsTest, IsReusedWithTheSameResult) {
   EXPECT_EQ(second.rows[0].measured, first.rows[0].measured);
   EXPECT_EQ(second.rows[0].seconds, first.rows[0].seconds);
   EXPECT_EQ(second.rows[0].verdict, Verdict::pass);
-  ASSERT_EQ(second.looks.size(), 1u);
-  EXPECT_EQ(second.looks[0].frame.time, first.looks[0].frame.time);
-  EXPECT_EQ(second.looks[0].frame.position, first.looks[0].frame.position);
+  ASSERT_EQ(second.images.size(), 1u);
+  EXPECT_EQ(second.images[0].frame.time, first.images[0].frame.time);
+  EXPECT_EQ(second.images[0].frame.position, first.images[0].frame.position);
 }
 
 TEST_F(KeptRunsTest, IsCheckedAgain) {

@@ -130,13 +130,13 @@ TEST(Verify, GivesTheCurvesOfAPlot) {
 
 TEST(Verify, TakesAPictureAtItsTime) {
   std::string plan = plan_text("runs = \"plain\"\n");
-  EXPECT_TRUE(findings_of(plan).looks.empty());
+  EXPECT_TRUE(findings_of(plan).images.empty());
   plan.replace(plan.find("name = \"plain\""), 14, "name = \"plain\"\npicture = \"0.05 ms\"");
-  const auto looks = findings_of(plan).looks;
-  ASSERT_EQ(looks.size(), 1u);
-  EXPECT_EQ(looks[0].run, "plain");
-  EXPECT_GE(looks[0].frame.time, 0.05e-3);
-  EXPECT_LT(looks[0].frame.time, 0.1e-3);
+  const auto images = findings_of(plan).images;
+  ASSERT_EQ(images.size(), 1u);
+  EXPECT_EQ(images[0].run, "plain");
+  EXPECT_GE(images[0].frame.time, 0.05e-3);
+  EXPECT_LT(images[0].frame.time, 0.1e-3);
 }
 
 TEST(Verify, SkipsLongRunsByDefault) {
