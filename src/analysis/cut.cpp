@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-// Slope of the least-squares line through (time, front depth).
+// Returns the slope of the least-squares line through (time, front depth), m/s.
 double slope(const std::vector<CutState>& states) {
   if (states.size() < 2) return 0.0;
   const double count = static_cast<double>(states.size());
@@ -82,7 +82,7 @@ CutSummary CutMonitor::summary() const {
     summary.cut_through_time = through->time;
     summary.severed = through->pieces > std::max(1, workpiece_->initial_pieces);
     if (workpiece_->jet)
-      summary.cut_through_place = workpiece_->jet->place(through->front_depth, through->time);
+      summary.cut_through_place = workpiece_->jet->point_at(through->front_depth, through->time);
   }
   std::vector<CutState> cutting;
   for (const CutState& state : history_) {

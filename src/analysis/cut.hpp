@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The monitor of a cut determines from each frame how deep the water is, what is broken and whether
-// the workpiece is cut through. docs/metrics.md has the definitions.
+// The monitor of a cut determines from each frame the depth of the water, the fractured solid and
+// whether the workpiece is cut through. docs/metrics.md has the definitions.
 #pragma once
 
 #include <array>

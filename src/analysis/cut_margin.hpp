@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// This measurement finds by how much a run cut through its workpiece, or failed to.
+// This measurement computes the margin of a cut.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace kerf {
 
 struct CutMargin {
-  // 1; after a cut the part of the run that was not needed, else minus the part of the thickness
-  // that the water has still to go.
+  // 1; the share of the run after the cut-through, else minus the share of the thickness below the
+  // water front.
   double value = 0.0;
 
   static CutMargin measure(const KerfScene& scene) {

@@ -14,14 +14,14 @@ constexpr double bins_per_spacing = 4.0;
 constexpr double least_filled = 0.25;
 
 // Marks the rows of a frame whose particles stand and are damaged.
-std::vector<std::uint8_t> find_hurt(const Frame& frame) {
-  std::vector<std::uint8_t> hurt(frame.id.size(), 0);
+std::vector<std::uint8_t> find_damaged(const Frame& frame) {
+  std::vector<std::uint8_t> damaged(frame.id.size(), 0);
   for (const Column& column : frame.columns) {
     if (column.name != "damage" && column.name != "flaw_damage") continue;
-    for (std::size_t row = 0; row < hurt.size(); ++row)
-      if (static_cast<double>(column.values[row]) > least_damage) hurt[row] = 1;
+    for (std::size_t row = 0; row < damaged.size(); ++row)
+      if (static_cast<double>(column.values[row]) > least_damage) damaged[row] = 1;
   }
-  return hurt;
+  return damaged;
 }
 
 // A layer of the workpiece: its volume by offset across the kerf.
@@ -55,21 +55,21 @@ Layer make_layer(const KerfMap& map, const KerfAxes& axes, const KerfPath& path,
 double volume_in_layer(const Layer& layer, const KerfMap& map, const SolidPoint& point) {
   const SampleGrid& grid = map.grid;
   const bool flat = grid.dimension == 2;
-  const double across = std::round((point.place[0] - grid.low[0]) / grid.step);
-  const double along = flat ? 0.0 : std::round((point.place[1] - grid.low[1]) / grid.step);
+  const double across = std::round((point.position[0] - grid.low[0]) / grid.step);
+  const double along = flat ? 0.0 : std::round((point.position[1] - grid.low[1]) / grid.step);
   if (across < 0.0 || across >= static_cast<double>(grid.count[0])) return 0.0;
   if (along < 0.0 || along >= static_cast<double>(grid.count[1])) return 0.0;
   const KerfColumn& column =
       map.column(static_cast<std::size_t>(across), static_cast<std::size_t>(along));
   if (!column.exists) return 0.0;
-  const double below = point.place[2] - column.top - layer.middle;
+  const double below = point.position[2] - column.top - layer.middle;
   return point.volume * cell_share(below, point.size, layer.thickness) *
-         (flat ? 1.0 : cell_share(point.place[1] - layer.centre, point.size, layer.length));
+         (flat ? 1.0 : cell_share(point.position[1] - layer.centre, point.size, layer.length));
 }
 
 // Distributes a volume over the bins that the particle covers.
 void spread(const Layer& layer, const SolidPoint& point, double volume, std::vector<double>& bins) {
-  const double begin = (point.place[0] - point.size / 2.0 - layer.low) / layer.bin;
+  const double begin = (point.position[0] - point.size / 2.0 - layer.low) / layer.bin;
   const double end = begin + point.size / layer.bin;
   const double last = std::min(end, static_cast<double>(bins.size()));
   for (double n = std::max(0.0, std::floor(begin)); n < last; n += 1.0)
@@ -82,7 +82,7 @@ void add_up(std::vector<double>& bins) {
 }
 
 void fill(Layer& layer, const KerfView& view, const KerfMap& map, const KerfAxes& axes) {
-  const std::vector<std::uint8_t> hurt = find_hurt(view.frame);
+  const std::vector<std::uint8_t> damaged = find_damaged(view.frame);
   const Workpiece& workpiece = view.workpiece;
   for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
     if (!view.holds(slot)) continue;
@@ -91,7 +91,8 @@ void fill(Layer& layer, const KerfView& view, const KerfMap& map, const KerfAxes
     const double volume = volume_in_layer(layer, map, point);
     if (volume <= 0.0) continue;
     spread(layer, point, volume, layer.all);
-    if (!view.standing[slot] || hurt[view.rows[slot]]) spread(layer, point, volume, layer.damaged);
+    if (!view.standing[slot] || damaged[view.rows[slot]])
+      spread(layer, point, volume, layer.damaged);
   }
   add_up(layer.all);
   add_up(layer.damaged);

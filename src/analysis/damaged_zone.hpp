@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// This measurement finds how far the solid beside a kerf is damaged.
+// This measurement computes the width of the damaged solid beside a kerf.
 #pragma once
 
 #include "analysis/kerf_scene.hpp"
@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-// Material is damaged if it no longer stands, or if one of the columns "damage" (broken bonds) and
+// Material is damaged if it does not stand, or if one of the columns "damage" (broken bonds) and
 // "flaw_damage" of the frame exceeds this value.
 inline constexpr double least_damage = 0.1;
 // The zone ends where the next stretch outwards holds less than this share of damaged material.

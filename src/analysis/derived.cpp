@@ -218,9 +218,9 @@ double particles_within(double spacings, int dimension) {
 
 // Returns an estimate of the memory, bytes: fields and the data of pair loops; 4 bytes for every
 // neighbour within 2 h and the skin of the list, and an eighth as reserve. Solids with bonds have
-// no lists of neighbours and further fields; their lists of bonds are small in bodies laid out in
-// rows, which share them, and take 4 bytes a bond in others. In cases with solids all particles
-// have fields for contact. A test compares the estimate with the heap.
+// no lists of neighbours and further fields; their lists of bonds are small in regular layouts,
+// which share them, and take 4 bytes per bond in others. In cases with solids all particles have
+// fields for contact. A test compares the estimate with the heap.
 double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const int dimension = description.dimension;
   const bool plane = dimension == 2, bonds = description.formulation == Formulation::standard;
@@ -228,15 +228,15 @@ double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const bool single = description.precision == PrecisionKind::mixed;
   const double wider = single ? 1.0 : 1.75;  // positions are in double precision in both
   const auto all = static_cast<double>(numbers.particles_expected);
-  const double held = bonds ? static_cast<double>(numbers.particles_elastic) : 0.0;
-  const double contact = held > 0.0 ? (plane ? 48.0 : 64.0) : 0.0;
+  const double bonded = bonds ? static_cast<double>(numbers.particles_elastic) : 0.0;
+  const double contact = bonded > 0.0 ? (plane ? 48.0 : 64.0) : 0.0;
   const double particle =
       wider * (contact + (bonds ? (plane ? 248.0 : 318.0) : (plane ? 278.0 : 396.0)));
   const double list = 4.5 * particles_within(reach + skin, dimension);
   const double solid = wider * (plane ? 195.0 : 280.0);
   const double jittered = bonds ? static_cast<double>(numbers.particles_jittered) : 0.0;
   const double bond_list = 4.0 * particles_within(reach, dimension);
-  return all * particle + (all - held) * list + held * solid + jittered * bond_list;
+  return all * particle + (all - bonded) * list + bonded * solid + jittered * bond_list;
 }
 
 }  // namespace

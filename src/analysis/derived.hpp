@@ -12,15 +12,15 @@ namespace kerf {
 struct Case;
 
 struct DerivedNumbers {
-  // Of the first elastic material that a jet or moving body can hit; 0 where there is none.
+  // These are of the first elastic material that a jet or moving body can hit; 0 if there is none.
   double bulk_modulus = 0.0;        // Pa, E / 3(1 - 2 nu)
   double shear_modulus = 0.0;       // Pa, E / 2(1 + nu)
   double bulk_speed = 0.0;          // m/s, sqrt(K / rho), the c of eq. (32)
   double longitudinal_speed = 0.0;  // m/s, c_p = sqrt((K + 4G/3) / rho)
   double shear_speed = 0.0;         // m/s, c_s
   double rayleigh_speed = 0.0;      // m/s, c_R, root of the Rayleigh equation
-  // s, after which the first wave is back from an edge of the solid beside the jet that does not
-  // absorb, 2 L / c_p; 0 where there is no such edge.
+  // s, 2 L / c_p: time until the first wave returns from an edge of the solid beside the jet that
+  // does not absorb; 0 if there is no such edge.
   double reflection_time = 0.0;
   double jet_speed = 0.0;          // m/s, the fastest jet; else the fastest initial body speed
   double water_sound_speed = 0.0;  // m/s, numerical
@@ -46,7 +46,7 @@ struct DerivedNumbers {
   double memory = 0.0;  // bytes, estimate
   std::string regime;   // "no jet", "elastic dimple", "crack-led", "erosion", "hydrodynamic"
 
-  // Those that result.json repeats.
+  // Returns the metrics of these numbers that result.json contains.
   static const MetricList<DerivedNumbers>& metrics();
 };
 

@@ -36,17 +36,17 @@ double front_depth(const Workpiece& workpiece, const Frame& frame) {
   const auto drops = drops_near_axis(workpiece, frame);
   if (drops.empty()) return 0.0;
   const double plug = workpiece.jet_density * jet.section * jet.width;
-  // The bound is slightly lower, so that rounding does not decide where a lattice holds exactly
-  // this much.
+  // The bound is slightly lower, so that the result does not depend on rounding if a lattice has
+  // exactly this mass.
   const double enough = (1.0 - 1e-6) * std::max(front_plug_fraction * plug,
                                                 front_least_particles * drops.front().mass);
   // The window [first, next) moves upwards; it is never longer than a jet width.
-  double held = 0.0;
+  double mass = 0.0;
   std::size_t first = 0;
   for (const Drop& drop : drops) {
-    held += drop.mass;
-    for (; drops[first].depth - drop.depth > jet.width; ++first) held -= drops[first].mass;
-    if (held >= enough) return std::max(0.0, drop.depth);
+    mass += drop.mass;
+    for (; drops[first].depth - drop.depth > jet.width; ++first) mass -= drops[first].mass;
+    if (mass >= enough) return std::max(0.0, drop.depth);
   }
   return 0.0;
 }

@@ -12,7 +12,7 @@ namespace kerf {
 // The front is the depth beyond which the next jet width holds less than this part of a plug of the
 // jet (nozzle section times jet width), so that single leaked drops do not make a front.
 inline constexpr double front_plug_fraction = 0.1;
-// Nor do fewer particles than this, where the jet is only a few particles wide.
+// Fewer particles than this do not make a front either, if the jet is only a few particles wide.
 inline constexpr double front_least_particles = 3.0;
 
 // Returns the depth of the water front of the first jet, m; 0 before contact or without a jet.

@@ -52,13 +52,13 @@ struct JetAxis {
     }
     if (square == 0.0) return x;
     const double nearest = std::clamp(way / square, 0.0, std::max(0.0, time - moves_from));
-    Vector3 place = x;
-    for (std::size_t a = 0; a < 3; ++a) place[a] -= nearest * travel[a];
-    return place;
+    Vector3 moved = x;
+    for (std::size_t a = 0; a < 3; ++a) moved[a] -= nearest * travel[a];
+    return moved;
   }
 
   // Returns the point of the axis at a depth, m, and a time, s.
-  Vector3 place(double depth, double time) const {
+  Vector3 point_at(double depth, double time) const {
     Vector3 x = aim;
     for (std::size_t a = 0; a < 3; ++a)
       x[a] += depth * along[a] + std::max(0.0, time - moves_from) * travel[a];

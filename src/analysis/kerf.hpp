@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kerf at one instant: its shape, what was removed, damage, splash, leaked water, fragments,
 // layers. docs/metrics.md defines the numbers. Depth and widths of the kerf are measured in
-// analysis/kerf_shape.hpp, the width of the opening at present in analysis/kerf_width.hpp.
+// analysis/kerf_shape.hpp, the current width of the opening in analysis/kerf_width.hpp.
 #pragma once
 
 #include <tuple>
@@ -31,8 +31,8 @@ struct KerfLayer {
 };
 
 struct Kerf {
-  KerfShape shape;    // of what was taken away, on the workpiece as laid out
-  KerfShape opening;  // of what is open at present: what flowed aside without breaking too
+  KerfShape shape;    // of the removed material, in the initial layout
+  KerfShape opening;  // of the current opening, which includes material displaced without fracture
   KerfMeasurements measurements;  // zero or nan without a workpiece or a jet
   std::vector<KerfLayer> layers;  // the upper first; empty where the workpiece is one body
 

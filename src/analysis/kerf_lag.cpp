@@ -40,8 +40,8 @@ std::vector<Station> stations_backwards(const KerfMap& map, const KerfAxes& axes
 
 // Returns the position at which the kerf first is open at a depth; nan where it never is, or where
 // the first station is open.
-double front_place(const KerfMap& map, const std::vector<Station>& stations,
-                   const SectionProbe& probe, double below) {
+double front_position(const KerfMap& map, const std::vector<Station>& stations,
+                      const SectionProbe& probe, double below) {
   double before = 0.0;
   for (std::size_t n = 0; n < stations.size(); ++n) {
     const std::size_t index = stations[n].index;
@@ -63,16 +63,16 @@ double measure_lag(const KerfMap& map, const KerfAxes& axes, const KerfPath& pat
                    const SectionProbe& probe, const KerfShape& shape) {
   if (shape.middle.below <= 0.0) return nan;
   const auto stations = stations_backwards(map, axes, path, probe);
-  const auto place = [&](const KerfLevel& level) {
+  const auto mean_position = [&](const KerfLevel& level) {
     const int rows = 2 * static_cast<int>(std::ceil(level.half / map.grid.step));
     double sum = 0.0;
     for (int row = 0; row < rows; ++row)
-      sum += front_place(map, stations, probe,
-                         level.below + level.half * ((2 * row + 1.0) / rows - 1.0));
+      sum += front_position(map, stations, probe,
+                            level.below + level.half * ((2 * row + 1.0) / rows - 1.0));
     return sum / rows;
   };
   const bool forwards = axes.travel[0] + axes.travel[1] > 0.0;
-  return (forwards ? 1.0 : -1.0) * (place(shape.top) - place(shape.bottom));
+  return (forwards ? 1.0 : -1.0) * (mean_position(shape.top) - mean_position(shape.bottom));
 }
 
 }  // namespace kerf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// This measurement finds how far the bottom of a cutting front trails behind its top.
+// This measurement computes the lag of a cutting front: the distance of its bottom behind its top.
 #pragma once
 
 #include "analysis/kerf_sections.hpp"

@@ -29,9 +29,9 @@ Limits find_limits(const KerfAxes& axes, const KerfPath& path) {
   return limits;
 }
 
-// The initial solid, the part of it that stands, and intact fragments that do not.
+// Fields of the initial solid, of its standing part, and of intact fragments that do not stand.
 struct Solids {
-  std::vector<SolidPoint> original, standing, crumbs;
+  std::vector<SolidPoint> original, standing, fragments;
 };
 
 Solids gather_solids(const KerfView& view, const KerfAxes& axes, const Limits& limits) {
@@ -41,12 +41,12 @@ Solids gather_solids(const KerfView& view, const KerfAxes& axes, const Limits& l
     if (!view.holds(slot)) continue;
     SolidPoint point{axes.local(workpiece.position[slot]), workpiece.volume[slot],
                      workpiece.size[slot]};
-    if (limits.hold(point.place)) solids.original.push_back(point);
+    if (limits.hold(point.position)) solids.original.push_back(point);
     if (!is_intact(view.frame, view.rows[slot])) continue;
     if (view.places == KerfPlaces::present)
-      point.place = axes.local(view.frame.position[view.rows[slot]]);
-    if (!limits.hold(point.place)) continue;
-    (view.standing[slot] ? solids.standing : solids.crumbs).push_back(point);
+      point.position = axes.local(view.frame.position[view.rows[slot]]);
+    if (!limits.hold(point.position)) continue;
+    (view.standing[slot] ? solids.standing : solids.fragments).push_back(point);
   }
   return solids;
 }
@@ -56,9 +56,9 @@ Solids gather_solids(const KerfView& view, const KerfAxes& axes, const Limits& l
 std::vector<float> share_of_standing(const SampleGrid& grid, Solids solids) {
   SolidField field(grid);
   field.add(solids.standing);
-  std::erase_if(solids.crumbs,
-                [&](const SolidPoint& crumb) { return field.share_with(crumb) < face; });
-  field.add(solids.crumbs);
+  std::erase_if(solids.fragments,
+                [&](const SolidPoint& fragment) { return field.share_with(fragment) < face; });
+  field.add(solids.fragments);
   return field.share();
 }
 
@@ -112,14 +112,14 @@ std::vector<std::uint8_t> find_standing(const Workpiece& workpiece, const Frame&
 
 double KerfMap::taken_below_top(std::size_t i, std::size_t j, double below) const {
   const KerfColumn& here = column(i, j);
-  // The far face is as rough as the lattice.
+  // The far face has the roughness of the lattice.
   const double roughness = samples_per_spacing * grid.step;
   if (!here.exists || here.top + below > here.bottom + roughness) return 0.0;
   const double depth = std::min(here.top + below, here.bottom);
-  const double place =
+  const double sample =
       std::clamp((depth - grid.low[2]) / grid.step, 0.0, static_cast<double>(grid.count[2] - 1));
-  const auto k = static_cast<std::size_t>(place);
-  const double part = place - static_cast<double>(k);
+  const auto k = static_cast<std::size_t>(sample);
+  const double part = sample - static_cast<double>(k);
   const float* samples = &taken[grid.index(i, j, 0)];
   const std::size_t next = std::min(k + 1, grid.count[2] - 1);
   return (1.0 - part) * static_cast<double>(samples[k]) + part * static_cast<double>(samples[next]);
@@ -135,7 +135,7 @@ KerfMap make_kerf_map(const KerfView& view, const KerfAxes& axes, const KerfPath
   field.add(solids.original);
   const std::vector<float>& original = field.share();
   map.taken = share_of_standing(map.grid, solids);
-  // Beside a face of the workpiece less than 1 stood there at first.
+  // Beside a face of the workpiece the initial share is below 1.
   for (std::size_t n = 0; n < original.size(); ++n)
     map.taken[n] = std::clamp(1.0f - map.taken[n] / std::max(original[n], face), 0.0f, 1.0f);
   map.columns.resize(map.grid.count[0] * map.grid.count[1]);

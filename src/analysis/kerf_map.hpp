@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The map of a kerf describes what is left of a workpiece, or of one of its layers, column by
+// The map of a kerf describes the remaining part of a workpiece, or of one of its layers, column by
 // column along the jet.
 #pragma once
 
@@ -13,9 +13,9 @@
 
 namespace kerf {
 
-// The positions of the solid that a map uses. Laid out: initial positions, which show what was
-// removed, without dents, recoil and the motion of separated halves. Present: current positions,
-// which also show what flowed aside without breaking.
+// The positions of the solid that a map uses. Laid out: initial positions, which show the removed
+// material without dents, recoil and the motion of separated halves. Present: current positions,
+// which also show material that was displaced without fracture.
 enum class KerfPlaces { laid_out, present };
 
 // Marks the solid that stands, by slot: intact and in a counted piece, or intact and in no piece of
@@ -34,7 +34,7 @@ struct KerfColumn {
 
 struct KerfMap {
   SampleGrid grid;
-  std::vector<float> taken;  // by sample: 0 in standing solid, 1 where it is gone; 1/2 is the face
+  std::vector<float> taken;  // by sample: 0 in standing solid, 1 where it is removed; 1/2: the face
   std::vector<KerfColumn> columns;
 
   const KerfColumn& column(std::size_t i, std::size_t j) const {
@@ -44,8 +44,7 @@ struct KerfMap {
   double taken_below_top(std::size_t i, std::size_t j, double below) const;
 };
 
-// The part of the path of the nozzle on which it has cut so far, as positions of the axis at depth
-// 0.
+// The part of the path of the nozzle on which it has cut, as positions of the axis at depth 0.
 struct KerfPath {
   std::array<double, 3> begin{};  // m, local
   std::array<double, 3> end{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the measurements of a kerf start from.
+// The input of the measurements of a kerf.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// What a frame does not contain.
+// The conditions of a kerf that a frame does not contain.
 struct KerfConditions {
   std::array<double, 3> traverse{};  // m/s, velocity of the nozzle
   double moves_from = 0.0;           // s, when the traverse began
@@ -22,13 +22,13 @@ struct KerfConditions {
   double front_depth = 0.0;                                            // m, of the water
 };
 
-// The conditions of the first jet of the case, after a run that went as `summary` says.
+// Returns the conditions for the first jet of the case, after a run with this summary.
 KerfConditions kerf_conditions(const Case& description, const CutSummary& summary);
 
-// A kerf at one instant: particles, the kerf's own coordinates, and what stands, column by column.
+// A kerf at one instant: particles, local coordinates, and the standing solid by columns.
 struct KerfScene {
   const KerfView& view;    // workpiece, frame and standing particles
-  const KerfMap& map;      // of what was taken away, on the workpiece as laid out
+  const KerfMap& map;      // of the removed material, in the initial layout
   const KerfAxes& axes;    // local coordinates
   const KerfPath& path;    // of the axis so far
   const KerfShape& shape;  // depth, widths, taper and lag on that map

@@ -8,8 +8,8 @@
 namespace kerf {
 namespace {
 
-// What the breadth of the probe reaches: of a value for each sample across, the lowest of that many
-// largest ones; 0 where there are less.
+// Returns the value that is reached over the breadth of the probe: of one value per sample across,
+// the lowest of that many largest ones; 0 if there are fewer.
 double reached_by_breadth(std::vector<double> values, const KerfMap& map,
                           const SectionProbe& probe) {
   const auto needed =
@@ -20,10 +20,10 @@ double reached_by_breadth(std::vector<double> values, const KerfMap& map,
   return *least;
 }
 
-// m, of a sample across from the tube; not positive inside.
+// Returns the distance of a sample from the tube across it, m; not positive inside.
 double beside_tube(const KerfMap& map, std::size_t i, const SectionProbe& probe) {
-  const double place = map.grid.at(0, i);
-  return std::max(probe.tube_low - place, place - probe.tube_high);
+  const double across = map.grid.at(0, i);
+  return std::max(probe.tube_low - across, across - probe.tube_high);
 }
 
 }  // namespace
@@ -66,9 +66,9 @@ double width_below_top(const KerfMap& map, std::size_t j, const SectionProbe& pr
     const bool opens = before < 0.5 && now >= 0.5, closes = before >= 0.5 && now < 0.5;
     if (opens || closes) {
       const double part = (0.5 - before) / (now - before);
-      const double place = map.grid.at(0, i) + (part - 1.0) * map.grid.step;
-      if (opens) begin = place;
-      if (closes && begin <= probe.tube_high && place >= probe.tube_low) width += place - begin;
+      const double edge = map.grid.at(0, i) + (part - 1.0) * map.grid.step;
+      if (opens) begin = edge;
+      if (closes && begin <= probe.tube_high && edge >= probe.tube_low) width += edge - begin;
     }
     before = now;
   }

@@ -19,7 +19,7 @@ struct SectionProbe {
   double breadth = 0.0;    // m, over which a kerf must reach its depth
   double tube_low = 0.0;   // m, crosswise, the space of the jet or of its path in the section
   double tube_high = 0.0;  // m
-  double reach = 0.0;      // m, how far beside the tube the depth is looked for
+  double reach = 0.0;      // m, distance beside the tube up to which the depth is measured
 };
 
 struct KerfSection {

@@ -10,12 +10,12 @@
 namespace kerf {
 namespace {
 
-// A width is that of a layer from the face down to twice this part of the depth, and to at least
-// four spacings; so much for the middle and the bottom. The bottom of a blind kerf, which is round,
-// is left out by half a layer.
+// A width is the mean over a layer from the face down to twice this part of the depth, and to at
+// least four spacings; the layers of the middle and the bottom have the same thickness. The layer
+// of the bottom ends half a layer above the bottom of a blind kerf, which is round.
 constexpr double edge_fraction = 0.05;
 constexpr double least_edge = 2.0;  // spacings
-// A kerf that is less deep, in spacings, has but one level.
+// A kerf that is less deep than this, in spacings, has one level only.
 constexpr double least_levels = 8.0;
 
 SectionProbe make_probe(const KerfAxes& axes, const KerfPath& path, double spacing) {
@@ -77,7 +77,7 @@ void measure_widths(const KerfMap& map, const std::vector<KerfSection>& passed,
   if (shape.depth < spacing) return;
   const double edge = std::max(least_edge * spacing, edge_fraction * shape.depth);
   const bool deep = shape.depth >= least_levels * spacing;
-  // The last half spacing before a face is as rough as the lattice.
+  // The last half spacing before a face has the roughness of the lattice.
   const double half = deep ? edge - spacing / 2.0 : shape.depth / 4.0;
   const auto level = [&](double below) { return measure_level(map, passed, probe, below, half); };
   shape.middle = level(shape.depth / 2.0);
@@ -151,9 +151,9 @@ double find_through_share(const KerfMap& map, const std::vector<KerfSection>& pa
     const double low = std::min(path.begin[0], path.end[0]);
     const double high = std::max(path.begin[0], path.end[0]);
     for (std::size_t i = 0; i < map.grid.count[0]; ++i) {
-      const double place = map.grid.at(0, i);
+      const double across = map.grid.at(0, i);
       if (const KerfColumn& column = map.column(i, 0);
-          column.exists && place >= low && place <= high)
+          column.exists && across >= low && across <= high)
         add(column.depth, column.bottom - column.top);
     }
   }

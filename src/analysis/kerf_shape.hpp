@@ -10,7 +10,7 @@
 namespace kerf {
 
 struct ProfilePoint {
-  double position = 0.0;  // m, along the cut, or from the axis where the nozzle stands still
+  double position = 0.0;  // m, along the cut, or from the axis for a nozzle at rest
   double depth = 0.0;     // m, of the kerf below the face
 };
 
@@ -21,7 +21,7 @@ struct KerfLevel {
 };
 
 struct KerfShape {
-  double thickness = 0.0;  // m, of what is cut, along the jet
+  double thickness = 0.0;  // m, of the workpiece or layer, along the jet
   double depth = 0.0;      // m, reached below the face, along the jet
   bool through = false;    // depth within one spacing of the thickness
   // 1, share of the path of the axis since contact on which it is; 0 or 1 for a nozzle at rest
@@ -33,7 +33,7 @@ struct KerfShape {
   // the distance from the axis.
   std::vector<ProfilePoint> profile;
 
-  // "{}" in labels and meanings stands for what has the shape: a kerf, an opening, a layer.
+  // "{}" in labels and meanings is replaced by the object: a kerf, an opening, a layer.
   static const MetricList<KerfShape>& metrics();
 };
 

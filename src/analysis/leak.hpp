@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// This measurement finds the water that entered intact solid, where the gaps are too narrow for it.
+// This measurement computes the mass of water inside intact solid, whose gaps are too narrow for
+// it.
 #pragma once
 
 #include "analysis/kerf_scene.hpp"

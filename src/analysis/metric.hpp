@@ -20,7 +20,7 @@ namespace kerf {
 struct MetricUnit {
   std::string in_space;    // in three dimensions
   bool extensive = false;  // in two dimensions the quantity is counted per metre of depth
-  bool is_share = false;   // a pure number that reads best in per cent
+  bool is_share = false;   // a pure number that is shown in per cent
 
   MetricUnit(const char* unit, bool is_extensive = false)
       : in_space(unit), extensive(is_extensive) {}
@@ -38,7 +38,7 @@ inline MetricUnit share() {
 
 enum class MetricKind { number, count, flag, text, numbers };
 
-// What a reader needs to know about a metric.
+// The description of a metric.
 struct MetricText {
   std::string name;  // key in its record; a dot leads into a record inside: "top.width"
   MetricUnit unit;
@@ -48,7 +48,7 @@ struct MetricText {
   bool may_be_missing = false;  // the value may be null
 };
 
-// No value, a flag, a count, a number (not-a-number = there is none), a text, or several numbers.
+// A value of a metric: none, a flag, a count, a number (NaN = none), a text, or several numbers.
 using MetricValue =
     std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>>;
 

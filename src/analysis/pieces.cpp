@@ -2,7 +2,7 @@
 #include "analysis/pieces.hpp"
 
 #include <algorithm>
-// Boost.Geometry includes a header of Boost.Core by its old name, which causes a warning.
+// Boost.Geometry includes a header of Boost.Core by a deprecated name, which causes a warning.
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>

@@ -17,8 +17,8 @@ namespace kerf {
 // or hexagonal lattice (1 spacing), but not the diagonal of a square one (1.41), across which a
 // crack one particle wide would be bridged.
 inline constexpr double bond_reach = 1.3;  // spacings
-// A bond between two intact particles is broken at this distance. A stretch of 2 is far beyond what
-// the solids of the library bear without fracture.
+// A bond between two intact particles is broken at this distance. A stretch of 2 is far above the
+// failure strains of the solids of the library.
 inline constexpr double bond_limit = 2.0;  // spacings
 // Smaller pieces, as a share of the workpiece, are not counted.
 inline constexpr double piece_mass_fraction = 0.05;

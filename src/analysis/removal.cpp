@@ -6,7 +6,7 @@
 namespace kerf {
 namespace {
 
-// The jet since it met the workpiece.
+// The duration and energy of the jet since contact.
 struct JetWork {
   double duration = 0.0;  // s
   double energy = 0.0;    // J (2D: J/m), kinetic

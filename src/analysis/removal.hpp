@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// This measurement finds the volume that a jet has removed, the removal rate and the energy per
+// This measurement computes the volume that a jet has removed, the removal rate and the energy per
 // volume.
 #pragma once
 

@@ -32,13 +32,13 @@ void find_weights(const SampleGrid& grid, std::size_t axis, const SolidPoint& po
     weights.value.push_back(1.0);
     return;
   }
-  const double place = (point.place[axis] - grid.low[axis]) / grid.step;
+  const double centre = (point.position[axis] - grid.low[axis]) / grid.step;
   const double width = reach * point.size / grid.step;
-  const double last = std::min(static_cast<double>(grid.count[axis]) - 1.0, place + width);
-  const double first = std::max(0.0, std::ceil(place - width));
+  const double last = std::min(static_cast<double>(grid.count[axis]) - 1.0, centre + width);
+  const double first = std::max(0.0, std::ceil(centre - width));
   weights.first = static_cast<std::size_t>(first);
   for (double n = first; n <= last; n += 1.0)
-    weights.value.push_back(cubic_spline((n - place) * grid.step / point.size));
+    weights.value.push_back(cubic_spline((n - centre) * grid.step / point.size));
 }
 
 }  // namespace
@@ -51,8 +51,8 @@ SampleGrid make_grid(const std::vector<SolidPoint>& points, const std::array<dou
   for (const SolidPoint& point : points)
     for (std::size_t a = 0; a < 3; ++a) {
       const double margin = reach * point.size;
-      least[a] = std::min(least[a], std::max(low[a], point.place[a] - margin));
-      most[a] = std::max(most[a], std::min(high[a], point.place[a] + margin));
+      least[a] = std::min(least[a], std::max(low[a], point.position[a] - margin));
+      most[a] = std::max(most[a], std::min(high[a], point.position[a] + margin));
     }
   SampleGrid grid;
   grid.dimension = dimension;
@@ -93,12 +93,12 @@ void SolidField::add(const std::vector<SolidPoint>& points) {
   }
 }
 
-float SolidField::share_at(const std::array<double, 3>& place) const {
+float SolidField::share_at(const std::array<double, 3>& position) const {
   if (share_.empty()) return 0.0f;
   std::array<std::size_t, 3> nearest{};
   for (std::size_t a = 0; a < 3; ++a) {
     if (grid_.count[a] == 1) continue;
-    const double sample = std::round((place[a] - grid_.low[a]) / grid_.step);
+    const double sample = std::round((position[a] - grid_.low[a]) / grid_.step);
     if (sample < 0.0 || sample >= static_cast<double>(grid_.count[a])) return 0.0f;
     nearest[a] = static_cast<std::size_t>(sample);
   }
@@ -107,7 +107,7 @@ float SolidField::share_at(const std::array<double, 3>& place) const {
 
 float SolidField::share_with(const SolidPoint& point) const {
   const double own = point.volume * std::pow(cubic_spline(0.0) / point.size, grid_.dimension);
-  return share_at(point.place) + static_cast<float>(own);
+  return share_at(point.position) + static_cast<float>(own);
 }
 
 }  // namespace kerf

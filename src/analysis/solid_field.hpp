@@ -12,7 +12,7 @@ namespace kerf {
 // The samples of a box, in local coordinates of a kerf (KerfAxes). Those of a column along the jet
 // are contiguous. In 2D there is one sample along the kerf.
 struct SampleGrid {
-  std::array<double, 3> low{};  // m, place of the first sample
+  std::array<double, 3> low{};  // m, position of the first sample
   std::array<std::size_t, 3> count{};
   double step = 0.0;  // m
   int dimension = 2;
@@ -27,9 +27,9 @@ struct SampleGrid {
 };
 
 struct SolidPoint {
-  std::array<double, 3> place{};  // m, local
-  double volume = 0.0;            // m^3 (2D: m^2)
-  double size = 0.0;              // m, spacing
+  std::array<double, 3> position{};  // m, local
+  double volume = 0.0;               // m^3 (2D: m^2)
+  double size = 0.0;                 // m, spacing
 };
 
 // Returns the smallest grid of that step around the points, with margins for the reach of each, and
@@ -47,7 +47,7 @@ class SolidField {
 
   void add(const std::vector<SolidPoint>& points);
   // The share at the nearest sample; 0 outside the grid.
-  float share_at(const std::array<double, 3>& place) const;
+  float share_at(const std::array<double, 3>& position) const;
   // The share at a particle that was not added, with its own contribution.
   float share_with(const SolidPoint& point) const;
   const std::vector<float>& share() const { return share_; }

@@ -12,7 +12,7 @@ using Vector3 = KerfAxes::Vector3;
 // The face of the workpiece around the axis as a plane, in local coordinates.
 struct Face {
   bool exists = false;
-  Vector3 place{};   // m
+  Vector3 point{};   // m
   Vector3 normal{};  // unit, out of the workpiece
 };
 
@@ -30,10 +30,10 @@ Face fit_face(const KerfMap& map, const KerfAxes& axes, const Vector3& axis) {
   if (tops.empty()) return face;
   face.exists = true;
   for (const Vector3& top : tops)
-    for (std::size_t a = 0; a < 3; ++a) face.place[a] += top[a] / static_cast<double>(tops.size());
+    for (std::size_t a = 0; a < 3; ++a) face.point[a] += top[a] / static_cast<double>(tops.size());
   double uu = 0.0, us = 0.0, ss = 0.0, uz = 0.0, sz = 0.0;
   for (const Vector3& top : tops) {
-    const double u = top[0] - face.place[0], s = top[1] - face.place[1], z = top[2] - face.place[2];
+    const double u = top[0] - face.point[0], s = top[1] - face.point[1], z = top[2] - face.point[2];
     uu += u * u, us += u * s, ss += s * s, uz += u * z, sz += s * z;
   }
   const double determinant = uu * ss - us * us;
@@ -72,7 +72,7 @@ Splash Splash::measure(const KerfScene& scene) {
     if (frame.source[row] != view.workpiece.jet_source || frame.upstream[row] != 0) continue;
     const double spacing = frame.spacing[row];
     const Vector3 x = axes.local(frame.position[row]);
-    const Vector3 from_face{x[0] - face.place[0], x[1] - face.place[1], x[2] - face.place[2]};
+    const Vector3 from_face{x[0] - face.point[0], x[1] - face.point[1], x[2] - face.point[2]};
     if (KerfAxes::dot(from_face, face.normal) < spacing) continue;
     if (std::hypot(x[0] - path.end[0], x[1] - path.end[1]) < axes.jet.width / 2.0 + spacing)
       continue;

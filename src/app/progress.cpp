@@ -39,8 +39,8 @@ void Bar::show(double share, const std::string& words) {
   std::string bar;
   for (int i = 0; i < bar_cells; ++i) bar += i < filled ? "█" : "░";
   const int room = terminal_width() - bar_cells - 2;
-  const std::string seen = room > 0 ? words.substr(0, static_cast<std::size_t>(room)) : "";
-  fmt::print("\r{} {}\033[K", bar, seen);
+  const std::string shown = room > 0 ? words.substr(0, static_cast<std::size_t>(room)) : "";
+  fmt::print("\r{} {}\033[K", bar, shown);
   std::fflush(stdout);
   is_shown_ = true;
 }

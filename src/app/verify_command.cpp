@@ -99,7 +99,7 @@ Findings verify_and_print(const std::vector<VerificationCase>& cases, bool all,
     std::fflush(stdout);
     append(findings.rows, found.rows);
     append(findings.curves, found.curves);
-    append(findings.looks, found.looks);
+    append(findings.images, found.images);
   }
   return findings;
 }

@@ -68,11 +68,11 @@ class Figures {
     const std::string name = file_name_of(curves.case_name + " " + curves.quantity);
     add(curves.case_name, name + ".svg", caption_of(curves), draw_curves(curves));
   }
-  void add(const RunLook& look) {
-    const std::string name = file_name_of(look.case_name + " " + look.run);
-    add(look.case_name, name + ".png",
-        fmt::format("{}, {:.4g} ms", look.run, 1e3 * look.frame.time),
-        draw_picture(look.frame, look.description, picture_scale));
+  void add(const RunImage& image) {
+    const std::string name = file_name_of(image.case_name + " " + image.run);
+    add(image.case_name, name + ".png",
+        fmt::format("{}, {:.4g} ms", image.run, 1e3 * image.frame.time),
+        draw_picture(image.frame, image.description, picture_scale));
   }
   // Removes the figures that `page` does not show.
   void remove_all_but_those_of(const std::string& page) const {
@@ -108,7 +108,7 @@ void write_verification_page(const std::filesystem::path& page,
                     exit_files);
   Figures figures(page.parent_path() / image_folder);
   for (const CheckCurves& curves : findings.curves) figures.add(curves);
-  for (const RunLook& look : findings.looks) figures.add(look);
+  for (const RunImage& image : findings.images) figures.add(image);
   const auto first = begin + table_begin.size();
   text.replace(first, end - first, to_markdown(cases, findings.rows, figures.by_case()));
   write_file(page, text);

@@ -18,7 +18,7 @@ namespace kerf {
 template <int D, class P, class Bonds>
 struct SolidContact {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false, only_adds = true;
+  static constexpr bool includes_rigid = false, only_adds = true;
   struct Sum {
     Vector<D, Real> contact{};
     Real contact_energy{};

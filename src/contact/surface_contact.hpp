@@ -68,7 +68,7 @@ KERF_FUNCTION bool is_surface_contact(const ParticleView<D, P>& particles, const
 template <int D, class P>
 struct SurfaceOverlap {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   struct Side {
     Real kernel_sum{};
     Vector<D, Real> slope{};
@@ -120,7 +120,7 @@ struct SurfaceOverlap {
 template <int D, class P>
 struct SurfaceContact {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   struct Sum {
     Vector<D, Real> normal_force{}, friction{}, by_rigid{};
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program throws two kinds of error: one that the user can put right, with a sentence that says
-// what is wrong, where, and what to do; and one of the program itself.
+// The program throws two kinds of error. A UserError can be corrected by the user; its sentence
+// states the cause and the remedy. All others are errors of the program.
 #pragma once
 
 #include <stdexcept>

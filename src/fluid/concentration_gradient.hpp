@@ -19,7 +19,7 @@ struct ConcentrationGradient {
 template <int D, class P>
 struct ConcentrationGradientSum {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   struct Sum {
     Vector<D, Real> gradient{};
     bool near_free_surface = false;

@@ -15,7 +15,7 @@ namespace kerf {
 template <int D, class P>
 struct DensityDiffusion {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   static constexpr double strength = 0.1;  // delta; Antuono et al.
   struct Sum {
     Real diffused{};  // 1/s

@@ -15,7 +15,7 @@ namespace kerf {
 template <int D, class P>
 struct DensityGradient {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   // Of the sum in brackets, whose determinant is 1 inside and some hundredths in a corner of a
   // block.
   static constexpr double least_determinant = 1e-3;

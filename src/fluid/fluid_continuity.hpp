@@ -15,7 +15,7 @@ namespace kerf {
 template <int D, class P>
 struct FluidContinuity {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   struct Sum {
     Real compression_rate{};  // 1/s, minus the volumetric strain rate
     Vector<D, Real> wall{};   // 1/m, - sum V nabla W over the wall, along its normal

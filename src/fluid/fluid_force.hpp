@@ -15,7 +15,7 @@ namespace kerf {
 template <int D, class P>
 struct FluidForce {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   struct Sum {
     Vector<D, Real> pressure_force{}, dissipative_force{}, wall_force{};  // N
   };

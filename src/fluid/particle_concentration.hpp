@@ -36,7 +36,7 @@ KERF_FUNCTION typename P::Real rearrangement_rate(const ParticleView<D, P>& part
 template <int D, class P, class Kernel>
 struct ParticleConcentration {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   struct Sum {
     Real kernel_sum{};
     Real fastest_squared{};  // m^2/s^2

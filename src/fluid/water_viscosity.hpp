@@ -23,7 +23,7 @@ KERF_FUNCTION Real viscosity_between(const Medium<Real>& a, const Medium<Real>& 
 template <int D, class P>
 struct WaterViscosity {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false, only_adds = true;
+  static constexpr bool includes_rigid = false, only_adds = true;
   struct Sum {
     Vector<D, Real> friction{}, wall_friction{};
   };

@@ -135,10 +135,10 @@ class Tree {
       return;
     }
     if (is_far_enough(cell, middle)) {
-      long held = 0;
-      visit_finest(cell, middle, [&](const Point&) { ++held; });
-      if (held == 0) return;
-      if (held == 1L << (cell.level * dimension_)) {
+      long sites = 0;
+      visit_finest(cell, middle, [&](const Point&) { ++sites; });
+      if (sites == 0) return;
+      if (sites == 1L << (cell.level * dimension_)) {
         keep(cell, middle);
         return;
       }

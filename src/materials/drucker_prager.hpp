@@ -41,7 +41,7 @@ struct DruckerPrager {
       "Rock and soil, whose strength grows with pressure: the cone of Drucker & Prager with a cap "
       "on tension";
   static constexpr bool is_metal = false;
-  static constexpr bool feels_temperature = false;
+  static constexpr bool depends_on_temperature = false;
   static std::vector<Key> rows() {
     using Law = DruckerPrager<double>;
     return {

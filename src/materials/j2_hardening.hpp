@@ -23,7 +23,7 @@ struct J2Hardening {
   static constexpr std::string_view sentence =
       "Metal by von Mises with linear hardening and Voce's";
   static constexpr bool is_metal = true;
-  static constexpr bool feels_temperature = false;
+  static constexpr bool depends_on_temperature = false;
   static std::vector<Key> rows() {
     using Law = J2Hardening<double>;
     return {{"yield_strength",

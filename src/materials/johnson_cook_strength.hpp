@@ -33,7 +33,7 @@ struct JohnsonCookStrength {
       "Metal at high rates by Johnson & Cook, sigma_y = (A + B eps_p^n) (1 + C ln rate*) (1 - "
       "T*^m)";
   static constexpr bool is_metal = true;
-  static constexpr bool feels_temperature = true;
+  static constexpr bool depends_on_temperature = true;
   static std::vector<Key> rows() {
     using Law = JohnsonCookStrength<double>;
     return {{"yield_strength",

@@ -5,7 +5,7 @@
 //                                               pressure, Pa
 //   is_metal                                    whether flow keeps the volume, and heat and ductile
 //                                               damage apply
-//   feels_temperature                           whether the temperature changes the strength
+//   depends_on_temperature                           whether the temperature changes the strength
 //   strength(plastic strain, rate, T*)          of a metal, Pa (return_mapping.hpp)
 //   flow(solid, trial stress)                   of other solids: the flow of a step
 #pragma once
@@ -23,7 +23,7 @@ template <class T>
 struct NoPlasticity {
   static constexpr std::string_view sentence = "No flow: the elastic law alone";
   static constexpr bool is_metal = true;  // the volume is that of the whole deformation
-  static constexpr bool feels_temperature = false;
+  static constexpr bool depends_on_temperature = false;
 
   KERF_FUNCTION T first_strength() const { return T(0); }
   KERF_FUNCTION PlasticFlow<T> flow(const ElasticModuli<T>&, const MeridianStress<T>&) const {

@@ -69,7 +69,7 @@ std::string plastic_laws(const Condition& holds) {
 std::vector<Key> keys_of_plasticity() {
   static const std::string metals = plastic_laws([](const auto& law) { return law.is_metal; });
   static const std::string warm =
-      plastic_laws([](const auto& law) { return law.feels_temperature; });
+      plastic_laws([](const auto& law) { return law.depends_on_temperature; });
   std::vector<Key> keys = keys_of_laws<PlasticLawSet<double>, OfPlasticity>();
   add_rows<OfMaterial<&MaterialLaws::heat>>(PlasticHeat<double>::rows(), metals, keys);
   add_rows<OfMaterial<&MaterialLaws::heat>>(PlasticHeat<double>::temperature_rows(), warm, keys);

@@ -10,7 +10,7 @@ namespace kerf {
 
 // The terms of the balance; vectors have three components.
 const MetricList<Balance>& balance_terms();
-// What the balance misses, relative to what came in.
+// The errors of the balance: missing mass, momentum and energy, relative to what came in.
 const MetricList<Balance>& balance_errors();
 
 }  // namespace kerf

@@ -119,7 +119,7 @@ void check_seal(std::string_view content, const std::filesystem::path& path) {
   if (version != 0 && seal == seal_of(content.substr(0, split), version))
     throw UserError(
         fmt::format("{} has version {} of the checkpoint format, this program (kerf {}) "
-                    "reads version {}. Go on with the program that wrote it, or start "
+                    "reads version {}. Continue with the program that wrote it, or start "
                     "the run again with --force.",
                     path.string(), version, program_version, format_version),
         exit_files);
@@ -152,7 +152,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
     const Handle file = hdf5::open(path);
     const std::string stored = read_text(file, "case");
     if (stored != case_text)
-      throw UserError(fmt::format("{} is of another case: {}. Go on with the case it is of, or "
+      throw UserError(fmt::format("{} belongs to another case: {}. Continue with that case, or "
                                   "choose another folder with --out.",
                                   path.string(), difference(stored, case_text)),
                       exit_files);

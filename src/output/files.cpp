@@ -27,10 +27,10 @@ const char* remedy_of(int error) {
     case EACCES:
     case EPERM:
     case EROFS:
-      return "Choose a folder you may write to with --out, or change its permissions.";
+      return "Choose a writable folder with --out, or change its permissions.";
     case ENOENT:
     case ENOTDIR:
-      return "The folder is not there (any more): bring it back, or choose another.";
+      return "The folder does not exist: restore it, or choose another.";
     case EFBIG:
       return "The file would be larger than is allowed here: raise the limit.";
     default:
@@ -44,7 +44,7 @@ const char* remedy_of(int error) {
       exit_files);
 }
 
-// An open file. Write errors become UserErrors that name `shown`, the file that the user knows.
+// An open file. Write errors become UserErrors that name `shown`, the path that the user gave.
 class OpenFile {
  public:
   OpenFile(const fs::path& path, int flags, fs::path shown) : shown_(std::move(shown)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // These functions write files atomically: a path holds either the old content or the new. Their
-// errors say what the user can do about the disk.
+// errors state the remedy.
 #pragma once
 
 #include <filesystem>

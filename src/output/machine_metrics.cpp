@@ -17,7 +17,7 @@ namespace {
 
 using List = MetricList<MachineRecord>;
 
-// The keys of a setting that are numbers; unit and meaning are those of the keys of a case file.
+// The settings that are numbers; their units and meanings are those of the keys of a case file.
 constexpr std::pair<const char*, const char*> labels[] = {
     {"pressure", "pressure at the orifice"},
     {"orifice_diameter", "diameter of the orifice"},

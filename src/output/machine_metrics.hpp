@@ -12,7 +12,7 @@ struct Case;
 struct MachineRecord {
   const Case& description;
 
-  // A number of the setting that the machine does not have is missing.
+  // Settings that the machine does not have are missing.
   static const MetricList<MachineRecord>& setting();
   static const MetricList<MachineRecord>& jet();
 };

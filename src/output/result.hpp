@@ -27,7 +27,7 @@ struct RunPicture {
   static const MetricList<RunPicture>& metrics();
 };
 
-// Everything that result.json says about a run.
+// All data of a run that result.json contains.
 struct RunOutcome {
   Case description;
   std::string case_name;
@@ -48,7 +48,7 @@ struct RunOutcome {
   std::size_t frames = 0;  // that were written
   std::vector<RunPicture> pictures;
 
-  // How large the run was, what it ran on, and the files besides.
+  // Return the metrics of the size of the run, of the computer, and of the files.
   static const MetricList<RunOutcome>& run_metrics();
   static const MetricList<RunOutcome>& file_metrics();
 };
@@ -56,8 +56,7 @@ struct RunOutcome {
 // Returns whether solid broke and the front went deeper in the last tenth of the history.
 bool still_cutting(const std::vector<CutState>& history);
 
-// Returns one sentence: whether and when the jet cut through, how deep it came, or that it broke
-// nothing.
+// Returns one sentence: whether and when the jet cut through, its depth, or that nothing broke.
 std::string verdict_of(const RunOutcome& outcome);
 
 nlohmann::ordered_json result_of(const RunOutcome& outcome);

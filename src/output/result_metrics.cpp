@@ -30,11 +30,11 @@ Json json_of(const MetricValue& value) {
 
 // Writes a value at a path of keys that are joined by dots.
 void put(Json& object, std::string_view path, Json value) {
-  Json* place = &object;
+  Json* target = &object;
   for (std::size_t dot; (dot = path.find('.')) != std::string_view::npos;
        path.remove_prefix(dot + 1))
-    place = &(*place)[std::string(path.substr(0, dot))];
-  (*place)[std::string(path)] = std::move(value);
+    target = &(*target)[std::string(path.substr(0, dot))];
+  (*target)[std::string(path)] = std::move(value);
 }
 
 template <class Record>
@@ -64,7 +64,7 @@ void add(Table& table, const MetricList<Record>& metrics, When when, Reach reach
   }
 }
 
-// Adds the metrics of a record under a name, with a word for what has them.
+// Adds the metrics of a record under a name, with a word for the object that they describe.
 template <class Record, class Reach>
 void add_under(Table& table, const MetricList<Record>& metrics, const std::string& prefix,
                const std::string& word, Reach reach) {
@@ -110,7 +110,8 @@ ResultMetric free_table(MetricText text, Reach reach) {
 }
 
 void add_cut(Table& table) {
-  // The state at the end; the summary knows whether the workpiece was cut through at any time.
+  // The state is that at the end; the summary has whether the workpiece was cut through at any
+  // time.
   add(table, CutState::metrics(), When::always, [](const RunOutcome& outcome) {
     CutState state = outcome.cut.last;
     state.cut_through = outcome.cut.cut_through;

@@ -25,7 +25,7 @@ struct ResultMetric : MetricText {
     records,  // a list of objects with the keys of `entries`
     table     // an object of numbers with free names
   };
-  // Which cases have the key; `with_such_machine`: where the machine has that number.
+  // The cases that have the key; `with_such_machine`: those whose machine has that number.
   enum class When { always, with_jet, with_machine, with_such_machine };
 
   Form form = Form::value;
@@ -38,12 +38,12 @@ struct ResultMetric : MetricText {
 // Every key of result.json in its order; a dot leads into an object.
 const std::vector<ResultMetric>& result_metrics();
 
-// The metric of that name, null where there is none.
+// Returns the metric of that name, or null.
 const ResultMetric* find_result_metric(std::string_view name);
-// The SI unit of a metric in a case of that dimension; "" = a pure number, a word, or an unknown
-// name.
+// Returns the SI unit of a metric in a case of that dimension; "" for a pure number, a word, or an
+// unknown name.
 std::string metric_unit(std::string_view name, int dimension);
-// The label of a metric; the name itself where it is unknown.
+// Returns the label of a metric; the name itself if it is unknown.
 std::string metric_label(std::string_view name);
 
 }  // namespace kerf

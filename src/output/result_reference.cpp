@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 using Form = ResultMetric::Form;
 using When = ResultMetric::When;
 
-// What stands in the column of units: the unit of a number, or what else the value is.
+// Returns the text of the column of units: the unit of a number, or the type of another value.
 std::string unit_text(const MetricText& metric) {
   if (metric.kind == MetricKind::flag) return "true or false";
   if (metric.kind == MetricKind::text) return "text";
@@ -46,7 +46,7 @@ Json object_schema() {
           {"additionalProperties", false}};
 }
 
-// Which keys must be there.
+// The requirement of a key.
 struct Required {
   bool object, key;  // the object that holds the key, and in it the key
 };

@@ -7,11 +7,11 @@
 
 namespace kerf {
 
-// The table of docs/metrics.md: name, unit, label and meaning of every metric, as Markdown.
+// Returns the table of docs/metrics.md: name, unit, label and meaning of every metric, as Markdown.
 std::string metrics_table();
 
-// docs/result.schema.json: the JSON Schema (draft 7) of result.json. Beside the keywords of the
-// standard each number has "unit" and, where it differs in two dimensions, "unit_2d".
+// Returns docs/result.schema.json: the JSON Schema (draft 7) of result.json. Beside the keywords of
+// the standard each number has "unit" and, where it differs in two dimensions, "unit_2d".
 nlohmann::ordered_json result_schema();
 
 }  // namespace kerf

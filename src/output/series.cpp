@@ -47,7 +47,7 @@ std::string header_line(const std::vector<SeriesColumn>& columns) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
-  throw UserError(fmt::format("{}: {}. Start the run again with --force, or bring back the file "
+  throw UserError(fmt::format("{}: {}. Start the run again with --force, or restore the file "
                               "that the run wrote.",
                               path.string(), why),
                   exit_files);

@@ -11,7 +11,8 @@ namespace {
 
 using Columns = std::vector<SeriesColumn>;
 
-// The shortest text that reads back to the same bits; of several numbers the one at `index`.
+// Returns the shortest text that is read back to the same bits; `index` selects one of several
+// numbers.
 template <class Value>
 std::string text_of(const Value& value, std::size_t index = 0) {
   if constexpr (std::is_same_v<Value, std::vector<double>>)
@@ -67,11 +68,11 @@ void add_metrics(Columns& columns, const MetricList<Record>& metrics, int dimens
 }
 
 void add_probes(Columns& columns, const Case& description) {
-  std::size_t place = 0;  // in SeriesSample::probes
+  std::size_t index = 0;  // in SeriesSample::probes
   const auto add = [&](const std::string& name, const std::string& unit) {
     columns.push_back(
-        column(name, unit, [place](const SeriesSample& s) { return s.probes.at(place); }));
-    ++place;
+        column(name, unit, [index](const SeriesSample& s) { return s.probes.at(index); }));
+    ++index;
   };
   for (const Probe& probe : description.probes) {
     const bool point = probe.kind == Probe::Kind::point;

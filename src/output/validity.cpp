@@ -24,19 +24,19 @@ State good_if(bool good) {
   return good ? State::good : State::warning;
 }
 
-// With a machine a model describes the jet in the air; the particles fly the last part of the
-// standoff.
+// With a machine a model describes the jet in air; only the last part of the standoff is simulated.
 ValidityFlag standoff_flag(const Machine& machine) {
   const bool whole = machine.standoff <= machine.coherent_length;
   return {"standoff", State::note, machine.standoff, machine.coherent_length,
           whole
               ? fmt::format("The standoff of {:.3g} mm is within the {:.3g} mm over which the jet "
-                            "is taken as whole: it arrives as it left. Air is not simulated.",
+                            "is intact. Air is not simulated.",
                             1e3 * machine.standoff, 1e3 * machine.coherent_length)
-              : fmt::format("The standoff of {:.3g} mm is beyond the {:.3g} mm over which the jet "
-                            "stays whole: how wide, slow and broken up it arrives is a model, "
-                            "with a wide margin. Air is not simulated.",
-                            1e3 * machine.standoff, 1e3 * machine.coherent_length)};
+              : fmt::format(
+                    "The standoff of {:.3g} mm is beyond the {:.3g} mm over which the jet "
+                    "stays intact: its width, speed and breakup at the workpiece follow a model "
+                    "with a wide margin. Air is not simulated.",
+                    1e3 * machine.standoff, 1e3 * machine.coherent_length)};
 }
 
 double longest_standoff(const Case& description) {
@@ -65,21 +65,23 @@ ValidityFlag resolution_flag(double resolution) {
   const bool good = resolution * rounding >= enough_resolution;
   return {"resolution", good_if(good), resolution, enough_resolution,
           good ? fmt::format("The jet is {:.3g} particles wide.", resolution)
-               : fmt::format("The jet is only {:.3g} particles wide: fewer than {:g} blur it. "
-                             "Halve the jet's spacing.",
-                             resolution, enough_resolution)};
+               : fmt::format(
+                     "The jet is only {:.3g} particles wide: fewer than {:g} do not resolve it. "
+                     "Halve the jet's spacing.",
+                     resolution, enough_resolution)};
 }
 
 ValidityFlag mach_flag(const DerivedNumbers& derived) {
   const double mach = derived.mach;
   if (!derived.water_is_weakly_compressible)
-    return {"mach",
-            State::good,
-            mach,
-            {},
-            fmt::format("The jet's Mach number is {:.2g} in water that is as stiff as its equation "
-                        "of state says: the first impact peak is that of a shock.",
-                        mach)};
+    return {
+        "mach",
+        State::good,
+        mach,
+        {},
+        fmt::format("The jet's Mach number is {:.2g} in water with the stiffness of its equation "
+                    "of state says: the first impact peak is that of a shock.",
+                    mach)};
   const bool good = mach <= weak_compression * rounding;
   return {"mach", good_if(good), mach, weak_compression,
           good ? fmt::format("The jet's Mach number is {:.2g} in water made softer than real "
@@ -105,22 +107,24 @@ ValidityFlag drift_flag(double drift) {
 // all bonds.
 ValidityFlag break_flag(double gain) {
   const bool good = gain <= small_drift;
-  return {"energy_from_breaks", good_if(good), gain, small_drift,
-          good ? fmt::format("Breaks put {:.2g}% of all energy in.", 100.0 * gain)
-               : fmt::format("Breaks put {:.2g}% of all energy in, more than {:g}%, where they "
-                             "should take some: fragments and debris may be too fast, and the cut "
-                             "too easy.",
-                             100.0 * gain, 100.0 * small_drift)};
+  return {
+      "energy_from_breaks", good_if(good), gain, small_drift,
+      good ? fmt::format("Breaks add {:.2g}% of all energy.", 100.0 * gain)
+           : fmt::format("Breaks add {:.2g}% of all energy, more than {:g}%, where they "
+                         "should dissipate some: fragments and debris may be too fast, and the cut "
+                         "too easy.",
+                         100.0 * gain, 100.0 * small_drift)};
 }
 
 ValidityFlag leak_flag(const Leak& leak) {
   const bool good = leak.share() <= small_leak;
   return {"leak", good_if(good), leak.share(), small_leak,
-          good ? fmt::format("{:.2g}% of the jet's water lies inside whole solid.",
-                             100.0 * leak.share())
-               : fmt::format("{:.2g}% of the jet's water lies inside whole solid, more than {:g}%: "
-                             "it leaked in. Give solid and water the same spacing.",
-                             100.0 * leak.share(), 100.0 * small_leak)};
+          good
+              ? fmt::format("{:.2g}% of the jet's water lies inside intact solid.",
+                            100.0 * leak.share())
+              : fmt::format("{:.2g}% of the jet's water lies inside intact solid, more than {:g}%: "
+                            "it leaked in. Give solid and water the same spacing.",
+                            100.0 * leak.share(), 100.0 * small_leak)};
 }
 
 // Reflections from edges are correct for a workpiece of that size, and wrong for a part of a larger
@@ -131,11 +135,12 @@ ValidityFlag reflection_flag(const RunOutcome& outcome) {
   const bool echoes = returns > 0.0 && passed > returns;
   return {"reflections", echoes ? State::note : State::good, std::isnan(passed) ? 0.0 : passed,
           returns > 0.0 ? std::optional<double>(returns) : std::nullopt,
-          echoes ? fmt::format("Waves are back from the workpiece's edges {:.3g} ms after first "
-                               "contact: the result is that of a workpiece of this size. Of a part "
-                               "of a larger one, make the edges absorbing.",
-                               1e3 * returns)
-                 : "No wave came back from an edge of the workpiece."};
+          echoes
+              ? fmt::format("Waves reflected by the workpiece's edges return {:.3g} ms after first "
+                            "contact: the result is that of a workpiece of this size. If it is a "
+                            "part of a larger one, make the edges absorbing.",
+                            1e3 * returns)
+              : "No wave came back from an edge of the workpiece."};
 }
 
 void add_of_jet(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
@@ -160,7 +165,7 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
                      State::note,
                      {},
                      {},
-                     "Two dimensions: everything is a slot of endless depth, and water cannot "
+                     "Two dimensions: the model is a slot of infinite depth, and water cannot "
                      "escape sideways."});
   if (description.machine)
     flags.push_back(standoff_flag(*description.machine));
@@ -169,7 +174,7 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
                      State::note,
                      standoff,
                      {},
-                     "The jet flies its standoff without air: no drag, no break-up."});
+                     "Air is not simulated: the jet has no drag and no breakup."});
   if (description.jets.empty()) return;
   if (const Material* material = unbreakable_material(description))
     flags.push_back({"unbreakable",
@@ -218,11 +223,11 @@ std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
                      State::warning,
                      {},
                      {},
-                     "The run ended while the jet was still cutting: let it run longer."});
+                     "The run ended while the jet was still cutting: choose a later end."});
   add_of_jet(outcome, flags);
   if (derived.solid_to_water_spacing > rounding)
     flags.push_back({"solid_spacing", State::warning, derived.solid_to_water_spacing, 1.0,
-                     fmt::format("The solid's spacing is {:.3g} times the water's: water can slip "
+                     fmt::format("The solid's spacing is {:.3g} times the water's: water can pass "
                                  "between the solid's particles.",
                                  derived.solid_to_water_spacing)});
   flags.push_back(drift_flag(outcome.balance.energy_drift()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The validity flags say what a run can and cannot promise. docs/results.md lists them.
+// The validity flags state the limits of a run and of its model. docs/results.md lists them.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace kerf {
 struct RunOutcome;
 
 struct ValidityFlag {
-  // good: within its limit; note: a limit of the model, whatever the numbers; warning: beyond it.
+  // good: within its limit; warning: beyond it; note: a limit of the model, for any numbers.
   enum class State { good, note, warning };
   std::string name;
   State state = State::note;

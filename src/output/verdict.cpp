@@ -19,7 +19,7 @@ std::string depth_sentence(const RunOutcome& outcome) {
   return fmt::format("The jet does not cut through within {}; its front is {} deep.", end, front);
 }
 
-// For a nozzle that travels one hole is not a cut.
+// With a moving nozzle one hole is not a cut, so the cut share of its path is stated.
 std::string way_clause(const RunOutcome& outcome) {
   const auto& travel = outcome.description.jets.front().traverse;
   if (travel == std::array<double, 3>{} || !outcome.kerf) return "";

@@ -10,7 +10,7 @@ namespace kerf {
 template <int D, class P>
 struct BodyForce {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   struct Sum {};
   Vector<D, Real> gravity;  // m/s^2
 

@@ -32,7 +32,7 @@ struct FilteredPairLoop : Terms... {
   using Real = typename P::Real;
   using Sums = TermSums<Terms...>;
   using Kernel = typename Scheme::template Kernel<D>;
-  static constexpr bool feels_rigid = (Terms::feels_rigid || ...);
+  static constexpr bool includes_rigid = (Terms::includes_rigid || ...);
 
   ParticleView<D, P> particles;
   NeighbourView list;
@@ -91,7 +91,7 @@ struct FilteredPairLoop : Terms... {
           pair.mirror, particles.position[i], particles.position[pair.j]));
       pair.distance = norm(pair.separation);
       if (Scheme::rigid_repels && pair.medium_j->phase == Phase::rigid) {
-        if constexpr (feels_rigid) add_rigid(pair, sums);
+        if constexpr (includes_rigid) add_rigid(pair, sums);
         continue;
       }
       pair.smoothing_length = Scheme::template smoothing_length<Real>(medium_i, *pair.medium_j);
@@ -156,7 +156,7 @@ struct FilteredPairLoop : Terms... {
   }
   template <class Term>
   KERF_FUNCTION void add_rigid_to(const Pair<D, P>& pair, Sums& sums) const {
-    if constexpr (Term::feels_rigid)
+    if constexpr (Term::includes_rigid)
       static_cast<const Term&>(*this).add_rigid(particles, pair,
                                                 static_cast<typename Term::Sum&>(sums));
   }

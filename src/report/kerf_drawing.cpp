@@ -32,8 +32,8 @@ struct Section {
   std::array<Level, 3> levels{};
 };
 
-// This class maps the section onto the drawing at one scale. The faces of the workpiece are level
-// however the jet leans, so a point `across` the jet and `below` its face lies at
+// This class maps the section onto the drawing at one scale. The faces of the workpiece are
+// horizontal for any inclination of the jet, so a point `across` the jet and `below` its face is at
 // across / cos(lean) + below sin(lean).
 class SectionDrawing {
  public:
@@ -158,7 +158,7 @@ double lean_of(const Jet& jet, int dimension) {
   const double speed = std::hypot(jet.traverse[0], jet.traverse[2]);
   if (!(speed > 0.0)) return jet.angle;
   const double ahead = std::atan2(jet.traverse[2], jet.traverse[0]);
-  // The right of the way is a quarter of a turn from it, from x to z.
+  // The right of the traverse is a quarter turn from it, from x to z.
   return std::atan(std::tan(jet.angle) * std::sin(jet.azimuth - ahead));
 }
 

@@ -11,7 +11,7 @@ namespace kerf {
 
 struct Jet;
 
-// What the drawing shows besides the shape of the kerf.
+// The data of the drawing besides the shape of the kerf.
 struct KerfSetting {
   double lean = 0.0;    // rad, of the jet from the vertical; positive = towards the right
   bool parted = false;  // the workpiece is in two, by a crack where the kerf does not go through

@@ -13,7 +13,7 @@ namespace {
 using html::Row;
 using Json = nlohmann::ordered_json;
 
-// Collects rows of the machine; a row is left out where result.json does not have its number.
+// Collects rows of the machine; a row is omitted if result.json does not have its number.
 class MachineRows {
  public:
   explicit MachineRows(const Json& result) : result_(result) {}
@@ -59,7 +59,7 @@ void add_jet(MachineRows& rows) {
 
 void add_way(MachineRows& rows) {
   rows.add("standoff");
-  rows.add("coherent_length", "then the air breaks the jet up");
+  rows.add("coherent_length", "then the jet breaks up in air");
   rows.add("width_at_workpiece", "a model of the air");
   rows.add("water_share_at_workpiece", "a model of the air");
   rows.add("lead_angle", "leans forwards");

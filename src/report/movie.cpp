@@ -28,11 +28,11 @@ fs::path write_movie(const fs::path& folder, const Case& description,
   if (ffmpeg.empty())
     throw UserError(
         "--movie: there is no ffmpeg. Install it (Debian: apt-get install ffmpeg), or "
-        "look at the moving picture in report.html.",
+        "watch the animation in report.html.",
         exit_files);
   const auto files = frame_files(folder);
   if (files.empty())
-    throw UserError(fmt::format("--movie: {} holds no frames yet.", folder.string()), exit_files);
+    throw UserError(fmt::format("--movie: {} has no frames yet.", folder.string()), exit_files);
   const double rate =
       std::min(fastest, std::max(slowest, static_cast<double>(files.size()) / length));
   const fs::path target = folder / "movie.mp4";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // This header defines the colours of pictures and curves. Particles have those of Shinohara et al.
 // (2004): water green, solid red, fractured blue, plate yellow; their lightness differs as well
-// (light, dark, middle, bright), for readers who do not tell red from green. Curves have the
-// palette of Okabe & Ito (2008), made for such readers.
+// (light, dark, middle, bright), for readers with red-green blindness. Curves have the palette of
+// Okabe & Ito (2008), designed for colour blindness.
 #pragma once
 
 #include <fmt/format.h>

@@ -130,7 +130,7 @@ std::vector<std::size_t> slice_of(const Frame& frame, double z) {
 
 // Returns the mirror image, which is shown where a plane of symmetry bounds the domain in front.
 Frame mirrored(Frame frame, double plane) {
-  for (auto& place : frame.position) place[2] = 2.0 * plane - place[2];
+  for (auto& position : frame.position) position[2] = 2.0 * plane - position[2];
   return frame;
 }
 

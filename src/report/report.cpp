@@ -151,7 +151,7 @@ std::string used_case(const fs::path& folder) {
 
 Json read_result(const fs::path& path) {
   if (!fs::exists(path))
-    throw UserError(fmt::format("there is no {}: the run has not ended yet. Go on with it by 'kerf "
+    throw UserError(fmt::format("there is no {}: the run has not ended yet. Continue it with 'kerf "
                                 "run CASE --out {} --resume'.",
                                 path.string(), path.parent_path().string()),
                     exit_files);

@@ -18,7 +18,7 @@ namespace kerf {
 template <int D, class P>
 struct ArtificialViscosity {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   struct Sum {
     Vector<D, Real> viscous{};
     Real power{};

@@ -11,7 +11,7 @@ namespace kerf {
 template <int D, class P>
 struct Continuity {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   struct Sum {
     Real density_rate{};
   };

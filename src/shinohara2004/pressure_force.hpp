@@ -14,7 +14,7 @@ namespace kerf {
 template <int D, class P>
 struct PressureForce {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   struct Sum {
     Vector<D, Real> pressure{};
     Real pressure_power{};

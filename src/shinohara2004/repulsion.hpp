@@ -11,7 +11,7 @@ namespace kerf {
 template <int D, class P>
 struct Repulsion {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = true;
+  static constexpr bool includes_rigid = true;
   struct Sum {
     Vector<D, Real> repulsion{};
     Real potential{};

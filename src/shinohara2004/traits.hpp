@@ -36,12 +36,13 @@ struct JointPairs {
   KERF_FUNCTION static PairClass pair_class(const ParticleView<D, P>&, Index, Index) {
     return PairClass::other;
   }
-  // Two of one kind have one reach and are same_class same_fluid; 0 where there is more to ask.
+  // Returns the kind of a particle: two particles of one kind have the same reach and the class
+  // same_fluid; 0 if that does not hold.
   template <int D, class P>
   KERF_FUNCTION static std::uint32_t kind(const ParticleView<D, P>& particles, Index i) {
     return particles.medium(i).phase == Phase::rigid ? 0u : particles.source[i] + 1u;
   }
-  // Distance from which on the two do nothing to one another, m.
+  // Returns the distance from which on the two do not interact, m.
   template <class Kernel, class View, class Pair>
   KERF_FUNCTION static auto cutoff(const View&, const Pair& pair) {
     return decltype(pair.distance)(Kernel::support) * pair.smoothing_length;

@@ -18,7 +18,7 @@ namespace kerf {
 template <int D, class P>
 struct VelocityGradient {
   using Real = typename P::Real;
-  static constexpr bool feels_rigid = false;
+  static constexpr bool includes_rigid = false;
   // M is 1 within a solid and about 1/2 at a free surface. A particle with one or two neighbours,
   // whose M is less than this in some direction, keeps the plain sum.
   static constexpr Real least_moment = Real(0.1);

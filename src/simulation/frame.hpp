@@ -19,7 +19,7 @@ struct Column {
   std::string unit;
   int components = 1;
   std::vector<float> values;
-  std::string label{};  // for readers; empty = the name says it
+  std::string label{};  // label of the column; empty = its name
 };
 
 struct Frame {

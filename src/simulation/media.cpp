@@ -15,9 +15,9 @@
 namespace kerf {
 namespace {
 
-// n of detached solid: that of water. Solids have 3 to 7; it says how much stiffer than K they are
-// when squeezed by a pressure like K.
-constexpr double loose_exponent = 7.0;
+// The exponent n of detached solid is that of water. Solids have 3 to 7; it determines how much the
+// stiffness exceeds K at pressures of the order of K.
+constexpr double detached_exponent = 7.0;
 
 void set_material(Medium<double>& medium, const Material& material) {
   medium.density = material.density;
@@ -44,7 +44,7 @@ void set_material(Medium<double>& medium, const Material& material) {
   medium.criterion = material.criterion;
   medium.plastic = plastic_parameters(material);
   medium.sound_speed = std::sqrt(medium.bulk_modulus / material.density);
-  medium.tait = {loose_exponent, medium.bulk_modulus / loose_exponent};
+  medium.tait = {detached_exponent, medium.bulk_modulus / detached_exponent};
   medium.longitudinal_speed =
       std::sqrt((medium.bulk_modulus + 4.0 / 3.0 * medium.shear_modulus) / material.density);
 }

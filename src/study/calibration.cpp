@@ -170,7 +170,7 @@ class Calibrator {
     answer_.low = std::exp(root - half);
     answer_.high = std::exp(root + half);
     if (!has_slope(line, 1.0))
-      answer_.problem = fmt::format("{} hardly depends on {} here, so it cannot tell it",
+      answer_.problem = fmt::format("{} hardly depends on {} here and cannot determine it",
                                     goal_.metric, goal_.axis.name());
   }
 

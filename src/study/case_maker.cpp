@@ -92,7 +92,7 @@ ResolvedCase CaseMaker::make(const Trial& trial) const {
     result.memory = derive(description).memory;
     return result;
   } catch (const UserError& error) {
-    throw UserError(fmt::format("{}: with {} the case is not good:{}", file_name_,
+    throw UserError(fmt::format("{}: with {} the case is not valid:{}", file_name_,
                                 show(trial.setting, axes_),
                                 without_place(error.what(), file_name_)));
   }

@@ -48,7 +48,7 @@ std::string lacks(const std::string& what, const std::string& word,
                   const std::vector<std::string>& known) {
   const std::string guess = closest(word, known);
   std::string sentence = fmt::format("{} \"{}\"", what, word);
-  if (!guess.empty()) sentence += fmt::format(" (is \"{}\" meant?)", guess);
+  if (!guess.empty()) sentence += fmt::format(" (did you mean \"{}\"?)", guess);
   return sentence;
 }
 
@@ -116,7 +116,7 @@ struct Walk {
     const std::string& word = path.segments[at++];
     toml::array* list = node ? node->as_array() : nullptr;
     if (key.kind != ValueKind::vector || at != path.segments.size())
-      fail(fmt::format("\"{}\" holds nothing that has names or numbers", key.name));
+      fail(fmt::format("\"{}\" has no entries with names or numbers", key.name));
     else if (!list || !as_index(word) || *as_index(word) >= list->size())
       fail(fmt::format("the case writes no \"{}\" with an entry {} (the first is 0)", key.name,
                        word));
@@ -156,8 +156,8 @@ KeyPath find_key_path(const std::string& path, const toml::table& case_table) {
   result.text = path;
   result.segments = split_words(path, '.');
   toml::table copy = case_table;
-  Walk walk{result, &copy, "", 0};
-  while (!walk.is_done()) walk.step();
+  Walk pair_loop{result, &copy, "", 0};
+  while (!pair_loop.is_done()) pair_loop.step();
   if (result.problem.empty() && !result.key)
     result.problem = "the path ends at a table, not at a key";
   return result;
@@ -175,7 +175,7 @@ void set_key(toml::table& case_table, const KeyPath& path, const toml::node& val
 }
 
 void set_number(toml::table& case_table, const KeyPath& path, double value) {
-  require(path.is_number(), "a number is put where none can be");
+  require(path.is_number(), "a number is set for a key that cannot have one");
   if (path.key->kind == ValueKind::integer)
     set_key(case_table, path, toml::value<std::int64_t>(static_cast<std::int64_t>(value)));
   else if (path.key->unit.empty())

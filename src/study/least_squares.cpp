@@ -33,7 +33,7 @@ Fit too_few(Eigen::Index data, Eigen::Index parameters) {
 
 Fit undetermined() {
   Fit fit;
-  fit.problem = "the runs do not tell the parameters apart: vary every variable, by itself";
+  fit.problem = "the runs do not determine the parameters: vary each variable independently";
   return fit;
 }
 

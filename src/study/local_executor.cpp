@@ -98,7 +98,7 @@ class LocalQueue {
   std::string too_large(const Job& job) const {
     return fmt::format(
         "the run needs about {:.2g} GiB of memory and the study may use {:.2g} GiB. "
-        "Raise --memory, or run it coarser",
+        "Raise --memory, or use a larger spacing",
         job.memory / gibibyte, budget_.memory / gibibyte);
   }
 

@@ -141,16 +141,16 @@ class Search {
     optimiser.set_initial_step(first_step);
     optimiser.set_xtol_abs(goal_.tolerance);
     optimiser.set_maxeval(most);
-    Shares place = start.shares;
+    Shares start_point = start.shares;
     double found = 0.0;
     try {
-      optimiser.optimize(place, found);
+      optimiser.optimize(start_point, found);
     } catch (const nlopt::roundoff_limited&) {
       // When no step improves the objective, the best run is the answer.
     } catch (const nlopt::forced_stop&) {
       std::rethrow_exception(steps.error);
     }
-    pull_back(place, until_runs);
+    pull_back(start_point, until_runs);
   }
 
   // The search ends near the limit of the condition, often beyond it. Bisects from there towards

@@ -40,29 +40,29 @@ void for_each_key(const toml::table& table, const std::string& prefix,
   }
 }
 
-void AxisReader::refuse(const std::string& place, const std::string& what,
+void AxisReader::refuse(const std::string& reported_key, const std::string& what,
                         const std::string& allowed, const std::string& remedy) {
-  problems_.add({place, what, allowed, remedy});
+  problems_.add({reported_key, what, allowed, remedy});
 }
 
-std::optional<KeyPath> AxisReader::key(const std::string& path, const std::string& place) {
+std::optional<KeyPath> AxisReader::key(const std::string& path, const std::string& reported_key) {
   KeyPath result = find_key_path(path, base_);
   if (result.problem.empty()) return result;
-  refuse(place, result.problem,
+  refuse(reported_key, result.problem,
          "a key of the case, such as \"machine.pressure\" or, of lists, "
          "\"body.NAME.spacing\"",
          "docs/keys.md has all keys");
   return std::nullopt;
 }
 
-std::optional<double> AxisReader::number(const KeyPath& path, const std::string& place,
+std::optional<double> AxisReader::number(const KeyPath& path, const std::string& reported_key,
                                          const toml::node& node) {
   const Key& key = *path.key;
   const std::string allowed = allowed_text(key);
   double value = 0.0;
   if (key.unit.empty()) {
     if (!node.is_number()) {
-      refuse(place, "this is no number", allowed, remedy_of_list);
+      refuse(reported_key, "this is no number", allowed, remedy_of_list);
       return std::nullopt;
     }
     value = *node.value<double>();
@@ -71,41 +71,43 @@ std::optional<double> AxisReader::number(const KeyPath& path, const std::string&
     const Quantity quantity =
         written ? read_quantity(*written, path.unit()) : Quantity{0.0, "a unit is missing"};
     if (!quantity.problem.empty()) {
-      refuse(place, fmt::format("{}: {}", show(node), quantity.problem), allowed,
+      refuse(reported_key, fmt::format("{}: {}", show(node), quantity.problem), allowed,
              fmt::format("Write a text such as \"{}\"", example_of(path.unit())));
       return std::nullopt;
     }
     value = quantity.value;
   }
   if (in_range(key, value)) return value;
-  refuse(place, fmt::format("{} is out of range", show(node)), allowed,
+  refuse(reported_key, fmt::format("{} is out of range", show(node)), allowed,
          "Choose a value in the range");
   return std::nullopt;
 }
 
-std::optional<Axis> AxisReader::axis(const std::string& path, const std::string& place,
+std::optional<Axis> AxisReader::axis(const std::string& path, const std::string& reported_key,
                                      const toml::node& node) {
-  auto found = key(path, place);
+  auto found = key(path, reported_key);
   if (!found) return std::nullopt;
-  if (const toml::array* values = node.as_array()) return list(*found, place, *values);
-  if (const toml::table* table = node.as_table()) return range_of_table(*found, place, *table);
-  return list(*found, place, toml::array{node});
+  if (const toml::array* values = node.as_array()) return list(*found, reported_key, *values);
+  if (const toml::table* table = node.as_table())
+    return range_of_table(*found, reported_key, *table);
+  return list(*found, reported_key, toml::array{node});
 }
 
-std::optional<Axis> AxisReader::list(KeyPath path, const std::string& place,
+std::optional<Axis> AxisReader::list(KeyPath path, const std::string& reported_key,
                                      const toml::array& values) {
   Axis axis;
   axis.path = std::move(path);
   if (values.empty()) {
-    refuse(place, "the list is empty", "at least one value", remedy_of_list);
+    refuse(reported_key, "the list is empty", "at least one value", remedy_of_list);
     return std::nullopt;
   }
   const ValueKind kind = axis.path.key->kind;
   const bool is_word =
       kind == ValueKind::word || kind == ValueKind::name || kind == ValueKind::text;
   if (!is_word && !axis.path.is_number()) {
-    refuse(place, "a study cannot vary this key as a whole", "a key that holds one number or word",
-           "Of a list of numbers name one by its place, the first is 0: \"....position.0\"");
+    refuse(reported_key, "a study cannot vary this key as a whole",
+           "a key that holds one number or word",
+           "Name one number of a list by its index, from 0: \"....position.0\"");
     return std::nullopt;
   }
   for (const toml::node& value : values) {
@@ -113,7 +115,7 @@ std::optional<Axis> AxisReader::list(KeyPath path, const std::string& place,
       axis.words.push_back(value.value_or(std::string()));
       continue;
     }
-    const auto number = this->number(axis.path, place, value);
+    const auto number = this->number(axis.path, reported_key, value);
     if (!number) return std::nullopt;
     axis.values.push_back(*number);
   }
@@ -121,33 +123,34 @@ std::optional<Axis> AxisReader::list(KeyPath path, const std::string& place,
   return axis;
 }
 
-std::optional<Axis> AxisReader::range_of_table(KeyPath path, const std::string& place,
+std::optional<Axis> AxisReader::range_of_table(KeyPath path, const std::string& reported_key,
                                                const toml::table& table) {
-  StudySection section(problems_, table, place);
+  StudySection section(problems_, table, reported_key);
   const toml::node *from = section.node("from"), *to = section.node("to");
   const int count = section.whole("count", 2, most_levels, 5);
   const bool is_logarithmic = section.word("scale", scale_words, 0) == 1;
   section.refuse_unknown();
-  auto axis = range(path.text, place, from, to);
+  auto axis = range(path.text, reported_key, from, to);
   if (!axis) return std::nullopt;
   axis->is_logarithmic = is_logarithmic;
-  fill(*axis, axis->values.front(), axis->values.back(), count, place);
+  fill(*axis, axis->values.front(), axis->values.back(), count, reported_key);
   return axis;
 }
 
-std::optional<Axis> AxisReader::range(const std::string& path, const std::string& place,
+std::optional<Axis> AxisReader::range(const std::string& path, const std::string& reported_key,
                                       const toml::node* from, const toml::node* to) {
-  const auto found = key(path, place);
+  const auto found = key(path, reported_key);
   if (!found) return std::nullopt;
   if (!from || !to || !found->is_number()) {
-    refuse(place, "a range needs two numbers, from and to", allowed_text(*found->key),
+    refuse(reported_key, "a range needs two numbers, from and to", allowed_text(*found->key),
            remedy_of_list);
     return std::nullopt;
   }
-  const auto first = number(*found, place, *from), last = number(*found, place, *to);
+  const auto first = number(*found, reported_key, *from), last = number(*found, reported_key, *to);
   if (!first || !last) return std::nullopt;
   if (*first >= *last) {
-    refuse(place, "from is not less than to", allowed_text(*found->key), "Swap or correct them");
+    refuse(reported_key, "from is not less than to", allowed_text(*found->key),
+           "Swap or correct them");
     return std::nullopt;
   }
   Axis axis;
@@ -158,9 +161,10 @@ std::optional<Axis> AxisReader::range(const std::string& path, const std::string
   return axis;
 }
 
-void AxisReader::fill(Axis& axis, double from, double to, int count, const std::string& place) {
+void AxisReader::fill(Axis& axis, double from, double to, int count,
+                      const std::string& reported_key) {
   if (axis.is_logarithmic && from <= 0.0) {
-    refuse(place, "a range of ratios starts at 0 or below", "from greater than 0",
+    refuse(reported_key, "a range of ratios starts at 0 or below", "from greater than 0",
            "Correct from, or write scale = \"linear\"");
     axis.is_logarithmic = false;
   }

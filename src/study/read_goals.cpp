@@ -91,7 +91,7 @@ void read_optimum(StudySection& section, StudyPlan& plan) {
   for (const Axis& axis : plan.axes)
     if (axis.is_range) goal.axes.push_back(axis);
   if (goal.axes.empty() || goal.axes.size() != plan.axes.size())
-    section.refuse("find", "what is looked for lies in ranges, and [vary] has a list or nothing",
+    section.refuse("find", "the search needs ranges, and [vary] has a list or nothing",
                    "ranges in [vary]", "Write { from = ..., to = ... } for each key of [vary]");
   plan.optimum = std::move(goal);
 }
@@ -109,12 +109,12 @@ void read_search(StudySection& top, AxisReader& reader, StudyPlan& plan) {
 }
 
 // Reads a table of keys and values; the axes hold the units in which they are written.
-Setting read_setting(StudySection& parent, const toml::table& table, const std::string& place,
-                     AxisReader& reader, std::vector<Axis>& axes) {
+Setting read_setting(StudySection& parent, const toml::table& table,
+                     const std::string& reported_key, AxisReader& reader, std::vector<Axis>& axes) {
   Setting setting;
   const auto is_value = [](const toml::table&) { return false; };
   for_each_key(table, "", is_value, [&](const std::string& path, const toml::node& node) {
-    const std::string where = fmt::format("{}.{}", place, path);
+    const std::string where = fmt::format("{}.{}", reported_key, path);
     parent.problems().mention(where, static_cast<int>(node.source().begin.line), show(node));
     const auto axis = reader.axis(path, where, node);
     if (!axis) return;
@@ -165,13 +165,13 @@ void read_model(StudySection& top, StudyPlan& plan) {
   goal.table_points = section.whole("table_points", 2, 1000, goal.table_points);
   if (goal.drive.empty() && goal.form != ModelForm::power)
     section.refuse("drive", "the key is missing", "a varied key, or a metric",
-                   "Name what has the threshold, such as \"machine.pressure\"");
+                   "Name the variable with the threshold, such as \"machine.pressure\"");
   if (goal.form == ModelForm::threshold_linear && !goal.variables.empty())
     section.refuse("variables", "the linear form has none besides the drive", "no such key",
                    "Remove it, or choose form = \"threshold_power\"");
   if (goal.drive.empty() && goal.variables.empty())
-    section.refuse("variables", "there is nothing that the metric may depend on",
-                   "a list of varied keys or metrics", "Add one");
+    section.refuse("variables", "the model has no variables", "a list of varied keys or metrics",
+                   "Add one");
   section.refuse_unknown();
   plan.model = std::move(goal);
 }

@@ -60,9 +60,9 @@ void read_set(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   if (!set) return;
   const auto is_value = [](const toml::table&) { return false; };
   for_each_key(*set, "", is_value, [&](const std::string& path, const toml::node& node) {
-    const std::string place = "set." + path;
-    top.problems().mention(place, static_cast<int>(node.source().begin.line), show(node));
-    if (const auto key = reader.key(path, place)) set_key(plan.base, *key, node);
+    const std::string reported_key = "set." + path;
+    top.problems().mention(reported_key, static_cast<int>(node.source().begin.line), show(node));
+    if (const auto key = reader.key(path, reported_key)) set_key(plan.base, *key, node);
   });
 }
 
@@ -70,9 +70,9 @@ void read_vary(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   const toml::table* vary = top.table("vary");
   if (!vary) return;
   for_each_key(*vary, "", is_range, [&](const std::string& path, const toml::node& node) {
-    const std::string place = "vary." + path;
-    top.problems().mention(place, static_cast<int>(node.source().begin.line), show(node));
-    if (auto axis = reader.axis(path, place, node)) plan.axes.push_back(std::move(*axis));
+    const std::string reported_key = "vary." + path;
+    top.problems().mention(reported_key, static_cast<int>(node.source().begin.line), show(node));
+    if (auto axis = reader.axis(path, reported_key, node)) plan.axes.push_back(std::move(*axis));
   });
   // TOML does not keep the order of keys: the order of the lines is restored.
   const auto line = [&](const Axis& axis) {
@@ -131,9 +131,8 @@ void check_repeats(StudySection& top, const StudyPlan& plan, const Case& base) {
     return axis.name().ends_with(".jitter");
   });
   if (plan.repeats == 1 || is_random || is_varied) return;
-  top.refuse("repeats",
-             "no body of the case is laid out at random, so every repeat is the same run", "1",
-             "Give a body jitter, [set] \"body.NAME.jitter\" = 0.2, or remove the key");
+  top.refuse("repeats", "no body of the case has a random layout, so all repeats are the same run",
+             "1", "Give a body jitter, [set] \"body.NAME.jitter\" = 0.2, or remove the key");
 }
 
 }  // namespace

@@ -68,30 +68,31 @@ void for_each_key(const toml::table& table, const std::string& prefix,
                   const std::function<bool(const toml::table&)>& is_leaf,
                   const std::function<void(const std::string& path, const toml::node&)>& leaf);
 
-// Reads varied keys. Problems are noted at `place`, the key as the study file has it
+// Reads varied keys. Problems are noted at `reported_key`, the key as the study file has it
 // ("vary.jet.jet.speed").
 class AxisReader {
  public:
   AxisReader(Problems& problems, const toml::table& base) : problems_(problems), base_(base) {}
 
   // Returns the key of the case; nothing, with a problem noted, where the path leads to none.
-  std::optional<KeyPath> key(const std::string& path, const std::string& place);
+  std::optional<KeyPath> key(const std::string& path, const std::string& reported_key);
   // Reads a list of values, a range { from, to, count, scale }, or one value.
-  std::optional<Axis> axis(const std::string& path, const std::string& place,
+  std::optional<Axis> axis(const std::string& path, const std::string& reported_key,
                            const toml::node& node);
   // Reads a range from its two ends.
-  std::optional<Axis> range(const std::string& path, const std::string& place,
+  std::optional<Axis> range(const std::string& path, const std::string& reported_key,
                             const toml::node* from, const toml::node* to);
   // Reads one number of the key in SI units; nothing, with a problem noted, where it is wrong.
-  std::optional<double> number(const KeyPath& path, const std::string& place,
+  std::optional<double> number(const KeyPath& path, const std::string& reported_key,
                                const toml::node& node);
 
  private:
-  std::optional<Axis> list(KeyPath path, const std::string& place, const toml::array& values);
-  std::optional<Axis> range_of_table(KeyPath path, const std::string& place,
+  std::optional<Axis> list(KeyPath path, const std::string& reported_key,
+                           const toml::array& values);
+  std::optional<Axis> range_of_table(KeyPath path, const std::string& reported_key,
                                      const toml::table& table);
-  void fill(Axis& axis, double from, double to, int count, const std::string& place);
-  void refuse(const std::string& place, const std::string& what, const std::string& allowed,
+  void fill(Axis& axis, double from, double to, int count, const std::string& reported_key);
+  void refuse(const std::string& reported_key, const std::string& what, const std::string& allowed,
               const std::string& remedy);
 
   Problems& problems_;

@@ -132,7 +132,7 @@ void ReducedModel::fit_powers(const std::vector<ModelDatum>& data) {
   }
   const Eigen::VectorXd start = power_start(data);
   if (start.size() == 0) {
-    fit_.problem = "the runs do not tell the parameters apart: vary every variable, by itself";
+    fit_.problem = "the runs do not determine the parameters: vary each variable independently";
     return;
   }
   fit_ = fit_model([&](const Eigen::VectorXd& parameters) { return powers(data, parameters); },
@@ -203,15 +203,15 @@ std::string ReducedModel::table_csv(
   std::size_t rows = 1;
   for (std::size_t i = 0; i < variables.size(); ++i) rows *= points;
   for (std::size_t row = 0; row < rows; ++row) {
-    std::map<std::string, double> place;
+    std::map<std::string, double> point;
     std::size_t left = row;
     for (auto name = variables.rbegin(); name != variables.rend(); ++name, left /= points) {
       const ModelRange range = ranges_.at(*name);
       const double share = static_cast<double>(left % points) / (goal_.table_points - 1);
-      place[*name] = between(range.low, range.high, share, false);
+      point[*name] = between(range.low, range.high, share, false);
     }
-    const ModelPrediction value = predict(place);
-    for (const std::string& name : variables) text += shortest(place[name]) + ",";
+    const ModelPrediction value = predict(point);
+    for (const std::string& name : variables) text += shortest(point[name]) + ",";
     text += fmt::format("{:.6g},{:.6g},{:.6g}\r\n", value.value, value.low, value.high);
   }
   return text;

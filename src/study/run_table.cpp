@@ -73,14 +73,14 @@ std::string cell(const RunColumn& column, std::size_t row) {
   return std::isnan(column.numbers[row]) ? "" : shortest(column.numbers[row]);
 }
 
-// Stores each word as its place in the list of choices, which is an attribute; -1 = none of them.
+// Stores each word as its index in the list of choices, which is an attribute; -1 = none of them.
 void write_choices(const hdf5::Handle& table, const RunColumn& column) {
-  std::vector<std::int64_t> places;
+  std::vector<std::int64_t> indices;
   for (const std::string& word : column.words) {
-    const auto place = std::find(column.choices.begin(), column.choices.end(), word);
-    places.push_back(place == column.choices.end() ? -1 : place - column.choices.begin());
+    const auto found = std::find(column.choices.begin(), column.choices.end(), word);
+    indices.push_back(found == column.choices.end() ? -1 : found - column.choices.begin());
   }
-  const hdf5::Handle array = hdf5::write(table, column.name, hdf5::block(places));
+  const hdf5::Handle array = hdf5::write(table, column.name, hdf5::block(indices));
   hdf5::write_text_attribute(array, "words", fmt::format("{}", fmt::join(column.choices, "\n")));
 }
 

@@ -65,8 +65,8 @@ class SlurmQueue {
     silences_ = queue ? 0 : silences_ + 1;
     if (silences_ > most_silences || (silences_ > 0 && !has_answered_))
       throw UserError(fmt::format("--on slurm: squeue does not answer: {} Is Slurm installed and "
-                                  "running here? What is in the queue goes on; start the study "
-                                  "again to take it up.",
+                                  "running here? Queued runs continue; start the study "
+                                  "again to adopt them.",
                                   arrays_.last_complaint()),
                       exit_files);
     has_answered_ = has_answered_ || queue.has_value();
@@ -76,10 +76,10 @@ class SlurmQueue {
   void look_at(const std::map<std::string, bool>& queue) {
     std::vector<std::string> lost, ended;
     for (auto& [id, watched] : open_) {
-      const auto place = queue.find(id);
-      if (place != queue.end()) {
+      const auto queued = queue.find(id);
+      if (queued != queue.end()) {
         watched.missing = 0;
-        if (place->second) note_start(watched);
+        if (queued->second) note_start(watched);
       } else if (arrays_.exit_code(id)) {
         ended.push_back(id);
       } else if (++watched.missing >= looks_missing) {

@@ -81,7 +81,7 @@ Answer describe(const ThresholdGoal& goal, const ThresholdAnswer& answer) {
   if (std::abs(answer.resolution_change) >
       2.0 * (answer.bracket.half_width() + answer.draft->half_width()))
     result.notes.emplace_back(
-        "the drafts broke elsewhere: too coarse to learn from; choose draft nearer to 1, or a "
+        "the drafts have a different threshold and are too coarse; choose draft nearer to 1, or a "
         "finer "
         "study");
   return result;

@@ -153,7 +153,7 @@ StudyDatabase::StudyDatabase(const std::filesystem::path& file) try
   open_or_set_up(*database_);
   if (const int found = version_of(*database_); found != version)
     fail(file,
-         fmt::format("it has version {} of the tables and this program knows {}", found, version));
+         fmt::format("it has version {} of the tables and this program reads {}", found, version));
   database_->exec("PRAGMA synchronous = FULL");  // changes survive a loss of power
 } catch (const SQLite::Exception& error) {
   fail(file, error.what());

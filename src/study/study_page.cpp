@@ -27,14 +27,14 @@ constexpr std::size_t most_levels = 9;   // of another variable, each with a cur
 constexpr std::size_t most_curves = 81;  // along one variable
 constexpr const char* state_words[] = {"running", "stopped", "ended"};
 
-using Places = std::vector<std::map<std::string, double>>;
+using Points = std::vector<std::map<std::string, double>>;
 
-// Returns every combination of the places with the values of one more variable.
-Places combined(const Places& places, const std::string& name, const std::set<double>& values) {
-  Places result;
-  for (const auto& place : places)
+// Returns every combination of the points with the values of one more variable.
+Points combined(const Points& points, const std::string& name, const std::set<double>& values) {
+  Points result;
+  for (const auto& point : points)
     for (const double value : values) {
-      result.push_back(place);
+      result.push_back(point);
       result.back()[name] = value;
     }
   return result;
@@ -42,9 +42,9 @@ Places combined(const Places& places, const std::string& name, const std::set<do
 
 // Returns the values of the other variables at which runs exist, one curve each; none where there
 // would be too many curves.
-Places curve_places(const std::vector<std::string>& variables, const std::string& along,
-                    const ReducedModel& model, const std::vector<RunRow>& runs) {
-  Places places{{}};
+Points curve_points_of(const std::vector<std::string>& variables, const std::string& along,
+                       const ReducedModel& model, const std::vector<RunRow>& runs) {
+  Points points{{}};
   for (const std::string& name : variables) {
     if (name == along) continue;
     const ModelRange range = model.ranges().at(name);
@@ -54,10 +54,10 @@ Places curve_places(const std::vector<std::string>& variables, const std::string
           value && *value >= range.low && *value <= range.high)
         values.insert(*value);
     if (values.size() > most_levels) return {};
-    places = combined(places, name, values);
-    if (places.size() > most_curves) return {};
+    points = combined(points, name, values);
+    if (points.size() > most_curves) return {};
   }
-  return places;
+  return points;
 }
 
 Json model_points(const StudyPlan& plan, const StudyAnswers& answers) {
@@ -67,9 +67,9 @@ Json model_points(const StudyPlan& plan, const StudyAnswers& answers) {
   if (!plan.model->drive.empty()) variables.insert(variables.begin(), plan.model->drive);
   for (const std::string& along : variables) {
     const ModelRange range = answers.model->ranges().at(along);
-    for (const auto& place : curve_places(variables, along, *answers.model, answers.runs))
+    for (const auto& point : curve_points_of(variables, along, *answers.model, answers.runs))
       for (int i = 0; i < curve_points; ++i) {
-        auto at = place;
+        auto at = point;
         at[along] = between(range.low, range.high, i / (curve_points - 1.0), false);
         const ModelPrediction says = answers.model->predict(at);
         points.push_back({{"along", along},
@@ -104,8 +104,8 @@ std::string heading(const StudyPlan& plan) {
 
 std::string static_part(const StudyPlan& plan, const StudyAnswers& answers, bool has_script) {
   const char* why =
-      has_script ? "The maps of this page want JavaScript; without it, this is what there is."
-                 : "This program was built without npm, so this page has no moving maps.";
+      has_script ? "The maps of this page need JavaScript; this is the content without it."
+                 : "This program was built without npm, so this page has no interactive maps.";
   std::string words = html::escape(answers_text(describe_answers(plan, answers)));
   if (!words.empty()) words = "<pre class=\"answers\">" + words + "</pre>\n";
   return fmt::format("<p class=\"meta\">{}</p>\n{}{}{}", why, words, static_map(plan, answers.runs),

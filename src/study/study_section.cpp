@@ -85,7 +85,7 @@ std::size_t StudySection::word(std::string_view name, std::span<const std::strin
   const std::string written = text(name);
   const auto found = std::find(words.begin(), words.end(), written);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  refuse(name, "this is not one of the words that it may be", allowed, "Choose one of them");
+  refuse(name, "the word is unknown", allowed, "Choose one of them");
   return fallback.value_or(0);
 }
 

@@ -28,10 +28,11 @@ Verdicts verdicts_of(const ThresholdGoal& goal, const Trial& at, Laboratory& lab
     std::vector<bool> verdicts;
     for (const Outcome& outcome : laboratory.run(trials)) {
       if (outcome.failed)
-        throw UserError(fmt::format("the search stopped: the run {} failed: {}. Put it right, then "
-                                    "start the study again with --retry.",
-                                    outcome.id, outcome.error),
-                        exit_run_failed);
+        throw UserError(
+            fmt::format("the search stopped: the run {} failed: {}. Correct the cause, then "
+                        "start the study again with --retry.",
+                        outcome.id, outcome.error),
+            exit_run_failed);
       verdicts.push_back(is_beyond(goal, outcome));
     }
     return verdicts;

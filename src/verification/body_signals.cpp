@@ -20,7 +20,7 @@ std::size_t body_index(const Parameters& parameters, const Beginning& beginning,
 
 // The initial position and weight of each particle by its id; 0 for those that do not count.
 struct Weights {
-  std::vector<Point> place;
+  std::vector<Point> position;
   std::vector<double> weight;  // mass times the formula
   double total = 0.0;          // of their sizes
 
@@ -33,11 +33,11 @@ std::shared_ptr<const Weights> make_weights(const Parameters& parameters,
   const std::size_t body = body_index(parameters, beginning);
   const Frame& frame = beginning.frame;
   auto result = std::make_shared<Weights>();
-  result->place.resize(frame.id.size());
+  result->position.resize(frame.id.size());
   result->weight.resize(frame.id.size(), 0.0);
   for (std::size_t row = 0; row < frame.id.size(); ++row) {
     const std::uint32_t id = frame.id[row];
-    result->place[id] = frame.position[row];
+    result->position[id] = frame.position[row];
     if (frame.category[row] == Category::rigid) continue;
     if (body != everything && frame.source[row] != body) continue;
     result->weight[id] = static_cast<double>(frame.mass[row]) * formula(frame.position[row]);
@@ -67,8 +67,8 @@ Signal body_mean_signal(const Parameters& parameters, const Beginning& beginning
       const std::uint32_t id = frame.id[row];
       const bool counts = weights->has(id), is_ground = frame.source[row] == less;
       if (!counts && !is_ground) continue;
-      const double value =
-          moved ? frame.position[row][axis] - weights->place[id][axis] : frame.velocity[row][axis];
+      const double value = moved ? frame.position[row][axis] - weights->position[id][axis]
+                                 : frame.velocity[row][axis];
       if (counts) {
         sum += weights->weight[id] * value;
         weight += weights->weight[id];
@@ -95,7 +95,7 @@ Signal kinetic_centroid_signal(const Parameters& parameters, const Beginning& be
       if (!weights->has(id)) continue;
       const double v = frame.velocity[row][axis];
       const double energy = weights->weight[id] * v * v;
-      sum += energy * weights->place[id][axis];
+      sum += energy * weights->position[id][axis];
       total += energy;
     }
     return total > 0.0 ? sum / total : 0.0;
@@ -114,22 +114,22 @@ Signal profile_error_signal(const Parameters& parameters, const Beginning& begin
   return [weights, formula, height](Moment& moment) {
     struct Layer {
       double count = 0.0, pressure = 0.0;
-      Point place{};
+      Point position{};
     };
     const Frame& frame = moment.frame();
     std::map<long, Layer> layers;
     for (std::size_t row = 0; row < frame.id.size(); ++row) {
       if (!weights->has(frame.id[row])) continue;
-      const Point& place = frame.position[row];
-      Layer& layer = layers[std::lround(std::floor(place[1] / (height * frame.spacing[row])))];
+      const Point& position = frame.position[row];
+      Layer& layer = layers[std::lround(std::floor(position[1] / (height * frame.spacing[row])))];
       layer.count += 1.0;
       layer.pressure += frame.pressure[row];
-      for (std::size_t a = 0; a < 3; ++a) layer.place[a] += place[a];
+      for (std::size_t a = 0; a < 3; ++a) layer.position[a] += position[a];
     }
     double error = 0.0, scale = 0.0;
     for (auto& [number, layer] : layers) {
-      for (double& x : layer.place) x /= layer.count;
-      const double expected = (*formula)(layer.place);
+      for (double& x : layer.position) x /= layer.count;
+      const double expected = (*formula)(layer.position);
       const double gap = layer.pressure / layer.count - expected;
       error += gap * gap;
       scale += expected * expected;

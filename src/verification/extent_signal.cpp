@@ -44,7 +44,7 @@ double square_distance(const Point& a, const Point& b) {
 
 struct Laid {
   std::uint32_t id;
-  Point place;
+  Point position;
   double spacing;
 };
 
@@ -53,17 +53,17 @@ struct Laid {
 std::vector<Edge> find_edges(const std::vector<Laid>& particles, const Along& along,
                              double inwards) {
   const auto surface = [&](const Laid& particle) {
-    return -inwards * along.of(particle.place) + 0.5 * particle.spacing;
+    return -inwards * along.of(particle.position) + 0.5 * particle.spacing;
   };
   double outermost = -std::numeric_limits<double>::infinity();
   for (const Laid& particle : particles) outermost = std::max(outermost, surface(particle));
   std::vector<Edge> edges;
   for (const Laid& particle : particles) {
     if (surface(particle) < outermost - 0.999 * particle.spacing) continue;
-    const Point target = along.moved(particle.place, inwards * particle.spacing);
+    const Point target = along.moved(particle.position, inwards * particle.spacing);
     const auto nearest =
         std::min_element(particles.begin(), particles.end(), [&](const Laid& a, const Laid& b) {
-          return square_distance(a.place, target) < square_distance(b.place, target);
+          return square_distance(a.position, target) < square_distance(b.position, target);
         });
     if (nearest->id != particle.id) edges.push_back({particle.id, nearest->id});
   }

@@ -71,7 +71,7 @@ std::optional<Recording> KeptRuns::find(const std::string& case_name, const Plan
     if (kept.at("identity") != identity_of(run, checks)) return std::nullopt;
     Recording recording = recording_of(kept);
     if (kept.at("has_look").get<bool>())
-      recording.look = read_frame(stem.string() + ".vtkhdf", run.description().dimension);
+      recording.image = read_frame(stem.string() + ".vtkhdf", run.description().dimension);
     return recording;
   } catch (const Json::exception&) {
     return std::nullopt;
@@ -91,8 +91,8 @@ void KeptRuns::keep(const std::string& case_name, const PlannedRun& run,
   const Json kept{{"identity", identity_of(run, checks)},
                   {"series", std::move(series)},
                   {"seconds", recording.seconds},
-                  {"has_look", recording.look.has_value()}};
-  if (recording.look) write_file(stem.string() + ".vtkhdf", vtkhdf_bytes(*recording.look));
+                  {"has_look", recording.image.has_value()}};
+  if (recording.image) write_file(stem.string() + ".vtkhdf", vtkhdf_bytes(*recording.image));
   const std::vector<std::uint8_t> bytes = Json::to_cbor(kept);
   write_file(stem.string() + ".cbor", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }

@@ -33,7 +33,7 @@ class KeptRuns {
   std::filesystem::path folder_;
 };
 
-// "jet speed, 2 mm" -> "jet-speed-2-mm"
+// Returns a file name: "jet-speed-2-mm" for "jet speed, 2 mm".
 std::string file_name_of(const std::string& text);
 
 }  // namespace kerf

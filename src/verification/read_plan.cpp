@@ -127,10 +127,10 @@ VerificationCase read_verification(const std::string& name, const Sources& sourc
 
 bool Check::judges(const std::string& run, const std::vector<std::string>& made) const {
   if (judged_from.empty()) return run == made.back();
-  const auto place = [this](const std::string& name) {
+  const auto index_of = [this](const std::string& name) {
     return std::find(runs.begin(), runs.end(), name);
   };
-  return place(run) >= place(judged_from);
+  return index_of(run) >= index_of(judged_from);
 }
 
 Case PlannedRun::description() const {

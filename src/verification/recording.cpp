@@ -38,8 +38,8 @@ void record(const PlannedRun& run, const std::vector<const Check*>& checks,
     simulation->advance();
     if (simulation->time() < next && !simulation->finished()) continue;
     sample(signals, Moment(beginning, *simulation), recording);
-    if (run.picture_time && !recording.look && simulation->time() >= *run.picture_time)
-      recording.look = simulation->frame();
+    if (run.picture_time && !recording.image && simulation->time() >= *run.picture_time)
+      recording.image = simulation->frame();
     next = interval * (std::floor(simulation->time() / interval) + 1.0);
     progress(run.name, simulation->time() / description.time.end);
   }

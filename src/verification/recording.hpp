@@ -15,9 +15,9 @@ namespace kerf {
 
 struct Recording {
   std::vector<TimeSeries> series;  // the signal of each check over time
-  std::optional<Frame> look;       // at the time of the picture
+  std::optional<Frame> image;      // at the time of the picture
   double seconds = 0.0;            // that the run took
-  std::string problem;             // why it broke down
+  std::string problem;             // why it failed
   bool was_kept = false;           // made by an earlier kerf verify
 };
 

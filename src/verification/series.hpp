@@ -16,15 +16,14 @@ struct TimeSeries {
 // Returns the value at a time, linear between samples; NaN outside.
 double value_at(const TimeSeries& series, double time);
 
-// The number that the key "reduce" asks for, over the samples between "from" and "to":
+// Returns the number that the key "reduce" selects, over the samples between "from" and "to":
 //   last, mean, peak (greatest value), largest (greatest magnitude, with its sign)
-//   hann_mean      mean with the weight 1 - cos: what a swing swings about
+//   hann_mean      mean with the weight 1 - cos: the centre of an oscillation
 //   peak_of_mean   greatest mean over a stretch of time "over" long
 //   slope          of the least-squares line, per second
 //   period         mean time between crossings of zero in the same direction
-//   first_above, last_above   the time the signal is at "level" (in the SI unit "level_unit") or
-//   more
-// NaN when there is none. Throws std::logic_error for a reduction that is not there.
+//   first_above, last_above   the time at which the signal reaches "level" (in "level_unit")
+// NaN if there is none. Throws std::logic_error for an unknown reduction.
 double reduce(const TimeSeries& series, const Parameters& parameters);
 
 }  // namespace kerf

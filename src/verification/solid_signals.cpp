@@ -13,7 +13,7 @@ namespace kerf {
 
 namespace {
 
-// Share of broken bonds of each particle.
+// Returns the share of broken bonds of each particle.
 const std::vector<float>& damage_of(const Frame& frame) {
   for (const Column& column : frame.columns)
     if (column.name == "damage") return column.values;
@@ -25,30 +25,30 @@ struct Crack {
   double angle = 0.0;   // rad
 };
 
-// Positions with broken bonds, as offsets from the tip of the notch at which the crack starts.
+// The positions with broken bonds, as offsets from the tip of the notch at which the crack starts.
 struct CrackView {
   Point tip{};
   std::size_t axis = 0;  // of the notch
   double least_damage = 0.0;
-  double within = 0.0;       // m from the tip
-  std::vector<Point> place;  // of the first layout, by id
+  double within = 0.0;          // m from the tip
+  std::vector<Point> position;  // of the first layout, by id
   std::vector<bool> counts;
 
-  Crack look(const Frame& frame) const {
+  Crack find_crack(const Frame& frame) const {
     const std::vector<float>& damage = damage_of(frame);
     Crack crack;
     double xx = 0.0, xy = 0.0, yy = 0.0, x = 0.0, y = 0.0;
     for (std::size_t row = 0; row < frame.id.size(); ++row) {
       const std::uint32_t id = frame.id[row];
       if (id >= counts.size() || !counts[id] || damage[row] < least_damage) continue;
-      const double dx = place[id][0] - tip[0], dy = place[id][1] - tip[1];
+      const double dx = position[id][0] - tip[0], dy = position[id][1] - tip[1];
       const double distance = std::hypot(dx, dy);
       if (distance > within) continue;
       crack.length = std::max(crack.length, distance);
       xx += dx * dx, xy += dx * dy, yy += dy * dy;
       x += dx, y += dy;
     }
-    // The line through the tip that the squares of the distances are least from.
+    // Finds the line through the tip with the least sum of squared distances.
     const double turn = 0.5 * std::atan2(2.0 * xy, xx - yy);
     const double along_notch = axis == 0 ? std::cos(turn) : std::sin(turn);
     const double forward = std::cos(turn) * x + std::sin(turn) * y < 0.0 ? -1.0 : 1.0;
@@ -79,8 +79,9 @@ Signal largest_damage_signal(const Parameters&, const Beginning&) {
 
 // A crack that starts at the tip of a notch along an axis: `length`, the largest distance from the
 // tip to a particle that has lost a share `damage` of its bonds or more; `angle` between the axis
-// and the line through the tip that fits these particles best. In the plane of x and y; places are
-// those of the first layout, where the formula `where` is not 0 and within a distance of the tip.
+// and the line through the tip that fits these particles best, in the plane of x and y. Positions
+// are those of the initial layout, where the formula `where` is not 0 and within a distance of the
+// tip.
 Signal crack_signal(const Parameters& parameters, const Beginning& beginning) {
   const auto view = std::make_shared<CrackView>();
   view->tip = {parameters.number("tip_x", "m"), parameters.number("tip_y", "m"), 0.0};
@@ -93,15 +94,15 @@ Signal crack_signal(const Parameters& parameters, const Beginning& beginning) {
   if (field != "length" && field != "angle") parameters.fail("field is length or angle");
   const Expression where(parameters.text("where", "1"), {"x", "y", "z"});
   const Frame& frame = beginning.frame;
-  view->place.resize(frame.id.size());
+  view->position.resize(frame.id.size());
   view->counts.resize(frame.id.size());
   for (std::size_t row = 0; row < frame.id.size(); ++row) {
-    view->place[frame.id[row]] = frame.position[row];
+    view->position[frame.id[row]] = frame.position[row];
     view->counts[frame.id[row]] =
         frame.category[row] == Category::solid && where(frame.position[row]) != 0.0;
   }
   return [view, is_angle = field == "angle"](Moment& moment) {
-    const Crack crack = view->look(moment.frame());
+    const Crack crack = view->find_crack(moment.frame());
     return is_angle ? crack.angle : crack.length;
   };
 }

@@ -49,7 +49,7 @@ void judge(const Check& check, bool is_judged, Row& row) {
   row.verdict = good ? Verdict::pass : Verdict::fail;
 }
 
-// The checks that look at a run.
+// Returns the checks that need a run.
 std::vector<const Check*> checks_of(const VerificationCase& verification, const std::string& run) {
   std::vector<const Check*> checks;
   for (const Check& check : verification.checks)
@@ -83,18 +83,18 @@ Recordings record_all(const VerificationCase& verification, bool all,
 const TimeSeries& series_of(const VerificationCase& verification, const Check& check,
                             const Recordings& recordings, const std::string& run) {
   const auto checks = checks_of(verification, run);
-  const auto place = std::find(checks.begin(), checks.end(), &check) - checks.begin();
-  return recordings.at(run).series.at(static_cast<std::size_t>(place));
+  const auto index = std::find(checks.begin(), checks.end(), &check) - checks.begin();
+  return recordings.at(run).series.at(static_cast<std::size_t>(index));
 }
 
-// In SI units; NaN when the run broke down.
+// Returns the measured value in SI units; NaN if the run failed.
 double measured_in(const VerificationCase& verification, const Check& check,
                    const Recordings& recordings, const std::string& run) {
   if (!recordings.at(run).problem.empty()) return std::numeric_limits<double>::quiet_NaN();
   return reduce(series_of(verification, check, recordings, run), check.parameters);
 }
 
-// Whether the number of a check is a value of its signal, so that the two may share an axis.
+// Returns whether the number of a check is a value of its signal, so that both may share an axis.
 bool compares_values(const Check& check) {
   static const std::set<std::string> values{"last",    "mean", "hann_mean",
                                             "largest", "peak", "peak_of_mean"};
@@ -150,9 +150,9 @@ Findings verify(const VerificationCase& verification, bool all, const VerifyProg
       findings.curves.push_back(curves_of(verification, check, recordings, due));
   }
   for (auto& [run, recording] : recordings)
-    if (recording.look)
-      findings.looks.push_back({verification.name, run, verification.run(run).description(),
-                                std::move(*recording.look)});
+    if (recording.image)
+      findings.images.push_back({verification.name, run, verification.run(run).description(),
+                                 std::move(*recording.image)});
   return findings;
 }
 

@@ -39,8 +39,8 @@ struct CheckCurves {
   std::optional<double> reference;  // in `unit`, where the check compares a value of the signal
 };
 
-// A run at the time for which its plan requests a picture.
-struct RunLook {
+// The state of a run at the time of the picture that its plan requests.
+struct RunImage {
   std::string case_name, run;
   Case description;
   Frame frame;
@@ -49,7 +49,7 @@ struct RunLook {
 struct Findings {
   std::vector<Row> rows;
   std::vector<CheckCurves> curves;  // of the checks with `plot`
-  std::vector<RunLook> looks;
+  std::vector<RunImage> images;
 };
 
 // Runs a case and judges its checks. Each run that a due check needs is made once, or taken from

@@ -50,9 +50,9 @@ Signal jet_tip_signal(const Parameters& parameters, const Beginning& beginning) 
   };
 }
 
-// Part of the flow of the first jet that goes the way it leans (+x): mass times speed along x of
-// its water between `beyond` and `beyond` + `band` from the point it aims at that moves away from
-// there, on that side, over the sum of both sides. 1/2 before there is any.
+// The share of the flow of the first jet in the direction of its inclination (+x): mass times speed
+// along x of its water between `beyond` and `beyond` + `band` from the point aimed at, which moves
+// away from it on that side, over the sum of both sides; 1/2 before there is any.
 Signal forward_share_signal(const Parameters& parameters, const Beginning& beginning) {
   const auto source = static_cast<std::uint16_t>(beginning.description.bodies.size());
   const double x = beginning.description.jets.at(0).position[0];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can go wrong around a run, done to the real program: kill -9, signals, full, read-only and
-// vanished folders, damaged and foreign checkpoints. Every fault must end in one clear sentence and
-// a non-zero exit code, and a resumed run must end with the bytes of one that was left alone.
+// Faults of a run with the real program: kill -9, signals, full, read-only and deleted folders,
+// damaged and foreign checkpoints. Every fault must end with one clear sentence and a non-zero exit
+// code, and a resumed run must end with the same bytes as an uninterrupted one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ class Faults : public testing::Test {
   static void SetUpTestSuite() {
     folder_ = std::make_unique<test::TemporaryFolder>();
     write_file(case_file(), case_text);
-    const Ending ending = Program(run_arguments("whole"), output()).wait();
+    const Ending ending = Program(run_arguments("full"), output()).wait();
     ASSERT_EQ(ending.exit_code, 0) << ending.output;
   }
   static void TearDownTestSuite() { folder_.reset(); }
@@ -78,7 +78,7 @@ class Faults : public testing::Test {
   static Ending run(const std::string& name, const std::string& more = "") {
     return Program(run_arguments(name, more), output()).wait();
   }
-  // Runs until there is a checkpoint, then ends the program by the signal.
+  // Runs until a checkpoint exists, then ends the program by the signal.
   static Ending run_and_stop(const std::string& name, int signal) {
     Program program(run_arguments(name), output());
     EXPECT_TRUE(test::wait_for([&] { return fs::exists(path(name) / "checkpoint.h5"); }));
@@ -87,7 +87,7 @@ class Faults : public testing::Test {
   static void expect_as_if_never_stopped(const std::string& name) {
     const Ending ending = run(name, "--resume");
     ASSERT_EQ(ending.exit_code, 0) << ending.output;
-    test::expect_same_results(path("whole"), path(name));
+    test::expect_same_results(path("full"), path(name));
   }
   static double size_or_zero(const fs::path& file) {
     std::error_code missing;
@@ -104,18 +104,19 @@ class Faults : public testing::Test {
   static inline std::unique_ptr<test::TemporaryFolder> folder_;
 };
 
-// Kills at the start, where the folder is made, and then at random places of the way to the end,
-// told by the growing series, so that they hit a running program however fast the machine is.
+// Kills the program at the start, when the folder is created, and then at random moments until the
+// end. The moments are measured by the growing series, so that they hit a running program on
+// machines of any speed.
 TEST_F(Faults, KilledRunResumesToTheSameResult) {
   std::mt19937 random(20040110);
   std::uniform_real_distribution<double> share(0.0, 1.0);
-  const auto whole = static_cast<double>(fs::file_size(path("whole/series.csv")));
+  const auto full_size = static_cast<double>(fs::file_size(path("full/series.csv")));
   constexpr int rounds = 3, kills = 5;
   for (int round = 0; round < rounds; ++round) {
     const std::string name = "killed" + std::to_string(round);
     for (int place = 0; place < kills; ++place) {
       Program program(run_arguments(name, "--resume"), output());
-      const double target = whole * (place - 1 + 0.9 * share(random)) / (kills - 1);
+      const double target = full_size * (place - 1 + 0.9 * share(random)) / (kills - 1);
       EXPECT_TRUE(place == 0 || test::wait_for([&] {
                     return size_or_zero(path(name) / "series.csv") >= target;
                   }));
@@ -138,7 +139,7 @@ TEST_F(Faults, ASignalLeavesACheckpointAndAMessage) {
 }
 
 TEST_F(Faults, AFullDiskKeepsTheLastCheckpoint) {
-  const test::SmallDisk disk(path("disk"), size_of(path("whole")) * 6 / 10);
+  const test::SmallDisk disk(path("disk"), size_of(path("full")) * 6 / 10);
   if (!disk.there()) GTEST_SKIP() << "mounting a small disk needs root";
   const Ending ending = run("disk/out");
   EXPECT_EQ(ending.exit_code, exit_files) << ending.output;
@@ -146,9 +147,9 @@ TEST_F(Faults, AFullDiskKeepsTheLastCheckpoint) {
                                    HasSubstr("No space left on device"), HasSubstr("Free space"),
                                    HasSubstr("--resume")));
   ASSERT_TRUE(fs::exists(path("disk/out/checkpoint.h5")));
-  // Still full: it fails again, and the checkpoint is still good.
+  // The disk is still full: the program fails again, and the checkpoint is still valid.
   EXPECT_EQ(run("disk/out", "--resume").exit_code, exit_files);
-  disk.resize(4 * size_of(path("whole")));
+  disk.resize(4 * size_of(path("full")));
   expect_as_if_never_stopped("disk/out");
 }
 
@@ -175,24 +176,24 @@ TEST_F(Faults, ADeletedFolderIsNamedAndNotRecreated) {
   fs::rename(path("vanished"), path("moved"));
   const Ending ending = program.wait();
   EXPECT_EQ(ending.exit_code, exit_files);
-  EXPECT_THAT(ending.output, AllOf(HasSubstr(path("vanished").string()), HasSubstr("bring it back"),
+  EXPECT_THAT(ending.output, AllOf(HasSubstr(path("vanished").string()), HasSubstr("restore it"),
                                    HasSubstr("--resume")));
   EXPECT_FALSE(fs::exists(path("vanished")));
   expect_as_if_never_stopped("moved");
 }
 
 TEST_F(Faults, ATruncatedCheckpointIsRefusedAndKept) {
-  run_and_stop("has_broken_bonds", SIGKILL);
-  const fs::path checkpoint = path("has_broken_bonds/checkpoint.h5");
+  run_and_stop("damaged", SIGKILL);
+  const fs::path checkpoint = path("damaged/checkpoint.h5");
   const std::string half = read_file(checkpoint).substr(0, fs::file_size(checkpoint) / 2);
   write_file(checkpoint, half);
-  const Ending ending = run("has_broken_bonds", "--resume");
+  const Ending ending = run("damaged", "--resume");
   EXPECT_EQ(ending.exit_code, exit_files);
   EXPECT_THAT(ending.output,
               AllOf(HasSubstr(checkpoint.string()), HasSubstr("is damaged"), HasSubstr("--force")));
   EXPECT_EQ(read_file(checkpoint), half);
-  EXPECT_EQ(run("has_broken_bonds", "--force").exit_code, 0);
-  test::expect_same_results(path("whole"), path("has_broken_bonds"));
+  EXPECT_EQ(run("damaged", "--force").exit_code, 0);
+  test::expect_same_results(path("full"), path("damaged"));
 }
 
 TEST_F(Faults, ACheckpointOfAnotherCaseIsRefused) {
@@ -205,21 +206,21 @@ TEST_F(Faults, ACheckpointOfAnotherCaseIsRefused) {
               output())
           .wait();
   EXPECT_EQ(ending.exit_code, exit_files);
-  EXPECT_THAT(ending.output, AllOf(HasSubstr("is of another case"), HasSubstr("\"50 m/s\""),
+  EXPECT_THAT(ending.output, AllOf(HasSubstr("belongs to another case"), HasSubstr("\"50 m/s\""),
                                    HasSubstr("\"60 m/s\""), HasSubstr("--out")));
   expect_as_if_never_stopped("other");
 }
 
 TEST_F(Faults, ARunIsReplacedOnlyByForce) {
-  const std::string before = read_file(path("whole/result.json"));
-  const Ending ending = run("whole");
+  const std::string before = read_file(path("full/result.json"));
+  const Ending ending = run("full");
   EXPECT_EQ(ending.exit_code, exit_files);
   EXPECT_THAT(ending.output, AllOf(HasSubstr("contains a run already"), HasSubstr("--resume"),
                                    HasSubstr("--force"), HasSubstr("--out")));
-  const Ending again = run("whole", "--resume");
+  const Ending again = run("full", "--resume");
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_THAT(again.output, HasSubstr("finished already"));
-  EXPECT_EQ(read_file(path("whole/result.json")), before);
+  EXPECT_EQ(read_file(path("full/result.json")), before);
 }
 
 TEST_F(Faults, TwoRunsDoNotShareAFolder) {
@@ -232,7 +233,7 @@ TEST_F(Faults, TwoRunsDoNotShareAFolder) {
 }
 
 TEST_F(Faults, NoFaultLeavesPartsOfFiles) {
-  for (const auto& entry : fs::recursive_directory_iterator(path("whole")))
+  for (const auto& entry : fs::recursive_directory_iterator(path("full")))
     EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".tmp")));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A part out of a file, in the real program: the result folder keeps it, and what ran is what runs
-// again.
+// A mesh from a file, with the real program: the result folder keeps a copy, which a resumed run
+// uses.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,14 +42,14 @@ TEST(MeshOfARun, IsCopiedAndCompared) {
   EXPECT_EQ(read_file(folder / "a/case.used.toml"), read_file(folder / "b/case.used.toml"));
   EXPECT_EQ(read_file(folder / "a/series.csv"), read_file(folder / "b/series.csv"));
   EXPECT_EQ(run(folder / "case.toml", "a", "--resume").exit_code, 0);
-  // The same cube with another diagonal in one face: not the same file.
+  // The same cube with another diagonal in one face is a different file.
   TriangleMesh other = cube_mesh(6.0);
   other.triangles[0] = {0, 2, 1};
   other.triangles[1] = {2, 3, 1};
   write_file(folder / "part.stl", stl_binary(other));
   const Ending refused = run(folder / "case.toml", "a", "--resume");
   EXPECT_EQ(refused.exit_code, exit_files);
-  EXPECT_THAT(refused.output, HasSubstr("checkpoint.h5 is of another case"));
+  EXPECT_THAT(refused.output, HasSubstr("checkpoint.h5 belongs to another case"));
   EXPECT_EQ(run(folder / "case.toml", "a", "--force").exit_code, 0);
 }
 

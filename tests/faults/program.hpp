@@ -79,7 +79,7 @@ bool wait_for(const Condition& condition) {
   return false;
 }
 
-// A disk of its own in memory, where the user may mount one.
+// A small disk in memory, if the user may mount one.
 class SmallDisk {
  public:
   SmallDisk(std::filesystem::path place, std::size_t bytes) : place_(std::move(place)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// --device: what it refuses, and where a run says that it was computed.
+// The option --device: its refusals, and the device that a result names.
 #include "engine/device.hpp"
 
 #include <gmock/gmock.h>

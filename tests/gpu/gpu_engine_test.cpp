@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engine for GPUs beside that of the program, on the same cases. Emulated: what a GPU goes
-// through (general walks, lists in passes, sums in a tree), on threads of this machine.
+// The engine for GPUs against that of the program, on the same cases. The emulated engine runs the
+// code path of a GPU (general pair loops, lists in passes, sums in a tree) on threads of this
+// machine.
 #include "engine/device.hpp"
 #include "support/farthest.hpp"
 #include "support/runs.hpp"
@@ -28,8 +29,9 @@ class GpuEngineTest : public testing::TestWithParam<Run> {
   }
 };
 
-// Sums in another order round in another way: after 60 steps, in which the jet meets the block,
-// what single precision leaves (6e-8) has grown by the steps and by the stiffness of the contact.
+// Different orders of summation give different rounding errors: after 60 steps, in which the jet
+// hits the block, those of single precision (6e-8) have grown with the steps and with the stiffness
+// of the contact.
 TEST_P(GpuEngineTest, SameWithinRounding) {
   const Case c = description();
   const auto processor = make_on(Device::cpu, c), gpu = make_on(Device::gpu, c);
@@ -56,7 +58,7 @@ TEST_P(GpuEngineTest, SameBitsAfterARestart) {
   expect_same_bits_after_restart(description());
 }
 
-// A checkpoint belongs to no device.
+// A checkpoint is independent of the device.
 TEST_P(GpuEngineTest, ContinuesARunOfTheCpu) {
   const Case c = description();
   const auto processor = make_on(Device::cpu, c);
@@ -88,7 +90,7 @@ TEST_P(GpuEngineTest, HasFractureAndOutflow) {
 
 TEST_P(GpuEngineTest, ReportsErrorsLikeTheCpuEngine) {
   Case c = description();
-  c.precision = PrecisionKind::double_precision;  // not in the library of the tests
+  c.precision = PrecisionKind::double_precision;  // not part of the library of the tests
   c.dimension = 3;
   set_device(Device::gpu);
   EXPECT_THROW(make_simulation(c), UserError);

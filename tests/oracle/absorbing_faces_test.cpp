@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Absorbing faces: the force on a block that moves as a whole, and waves that come to them.
+// Absorbing faces: the force on a rigidly moving block, and waves that reach the faces.
 #include <cmath>
 #include <numbers>
 
@@ -27,8 +27,8 @@ Speeds speeds_of(const Material& m) {
           std::sqrt(m.youngs_modulus / (2.0 * (1.0 + nu) * m.density))};
 }
 
-// A block that moves as a whole feels rho c_p v on the area of the face along its normal, rho c_s v
-// along it: on lattices of every kind, whose particles share the area of the face.
+// A block in rigid motion gets the force rho c_p v per area of the face along its normal and rho
+// c_s v along it, on lattices of every kind, whose particles share the area of the face.
 TEST(AbsorbingFaces, HaveTheImpedanceOfTheFace) {
   struct Choice {
     int dimension;
@@ -57,12 +57,12 @@ TEST(AbsorbingFaces, HaveTheImpedanceOfTheFace) {
     simulation->advance();
     const Balance balance = simulation->balance();
     const double dt = simulation->last_step().dt;
-    // V / layer of all: the mass of one outer layer of the block, as laid out.
+    // V / layer over all particles: the mass of one outer layer of the block in the initial layout.
     const double layers = choice.axis == 0 ? 12.0 : choice.axis == 1 ? 10.0 : 8.0;
     const double thickness = size[choice.axis] / layers;
     const auto speeds = speeds_of(c.materials[0]);
     const double area = mass / c.materials[0].density / layers / thickness;
-    // Staggered rows: where every other one is shifted by half a spacing it may hold one less.
+    // Every other row is shifted by half a spacing and may have one particle less.
     const double slack = hexagonal ? 0.08 : 1e-9;
     for (std::size_t a = 0; a < static_cast<std::size_t>(choice.dimension); ++a) {
       const double c_a = a == choice.axis ? speeds.pressure : speeds.shear;
@@ -74,8 +74,8 @@ TEST(AbsorbingFaces, HaveTheImpedanceOfTheFace) {
   }
 }
 
-// The face of a graded body, fine in the middle of its length and coarse at its ends: each particle
-// bears the area of its own layer.
+// The face of a graded body is fine in the middle of its length and coarse at its ends; each
+// particle has the area of its own layer.
 TEST(AbsorbingFaces, HaveTheImpedanceOfAGradedFace) {
   for (const std::size_t axis : {0, 1}) {
     Case c = block_case(2, PrecisionKind::double_precision);
@@ -100,8 +100,8 @@ TEST(AbsorbingFaces, HaveTheImpedanceOfAGradedFace) {
   }
 }
 
-// A pulse runs along a strip whose long sides are symmetry planes, so that it is a plane wave, to
-// absorbing ends. Energy that is left, over that at the start.
+// A pulse travels along a strip with symmetry planes on its long sides, as a plane wave, to
+// absorbing ends. Returns the remaining energy over the initial one.
 double left_over(double spacing, bool shear) {
   Case c = block_case(2, PrecisionKind::double_precision);
   const double length = 0.1, width = 4e-3;
@@ -110,7 +110,7 @@ double left_over(double spacing, bool shear) {
   c.bodies = {
       body("strip", Role::elastic, box({-length, 0.0, 0.0}, {length, width, 0.0}), spacing)};
   c.bodies[0].absorbing.minimum[0] = c.bodies[0].absorbing.maximum[0] = true;
-  // Small, so that the wave is linear; 20 mm wide.
+  // The amplitude is small, so that the wave is linear; the pulse is 20 mm wide.
   c.bodies[0].velocity[shear ? 1 : 0] = "1e-3 * exp(-(x / 0.02)^2)";
   const auto speeds = speeds_of(c.materials[0]);
   c.time.end = 1.8 * length / (shear ? speeds.shear : speeds.pressure);
@@ -118,13 +118,14 @@ double left_over(double spacing, bool shear) {
   const double before = simulation->balance().kinetic;
   while (!simulation->finished()) simulation->advance();
   const Balance balance = simulation->balance();
-  // Position Verlet keeps an energy that is off by (omega dt)^2, omega = c / 10 mm, dt = 0.3 d / c.
+  // Position Verlet conserves an energy that differs by (omega dt)^2, with omega = c / 10 mm and dt
+  // = 0.3 d / c.
   EXPECT_LT(std::abs(balance.energy_drift()), std::pow(0.3 * spacing / 0.01, 2));
   EXPECT_LT(balance.momentum_error(), 1e-9);
   return (balance.kinetic + balance.elastic_strain + balance.hourglass) / before;
 }
 
-// What comes back of a wave is of the order of (spacing / length of the wave) of its amplitude.
+// The reflected amplitude is of the order of (spacing / length of the wave) of that of the wave.
 TEST(AbsorbingFaces, AbsorbAPlaneWave) {
   const double coarse = std::sqrt(left_over(2e-3, false)), fine = std::sqrt(left_over(1e-3, false));
   EXPECT_LT(coarse, 0.04);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The balance against what can be worked out by hand or from frames, over short runs.
+// The balance of short runs against values computed by hand or from frames.
 #include "simulation/balance.hpp"
 
 #include <cmath>
@@ -13,12 +13,12 @@ namespace {
 
 constexpr auto both = {PrecisionKind::mixed, PrecisionKind::double_precision};
 
-// Rounding of sums of some thousand steps.
+// Returns the rounding error of sums over some thousand steps.
 double momentum_tolerance(PrecisionKind precision) {
   return precision == PrecisionKind::mixed ? 1e-6 : 1e-12;
 }
 
-// Momentum by the sum over a frame, with the masses of the case.
+// Returns the momentum as a sum over a frame, with the masses of the case.
 std::array<double, 3> momentum_of(const Frame& frame, const std::vector<double>& mass) {
   std::array<double, 3> sum{};
   for (std::size_t k = 0; k < frame.id.size(); ++k)
@@ -40,11 +40,11 @@ void expect_balanced(const Balance& now, PrecisionKind precision) {
   EXPECT_LE(now.momentum_error(), momentum_tolerance(precision));
 }
 
-// A jet on a block on a plate, with gravity, back_flow_removal and a domain that water leaves.
+// Runs a jet on a block on a plate, with gravity, back_flow_removal and a domain that water leaves.
 void run_all_terms(int dimension, PrecisionKind precision, int steps) {
   Case c = jet_on_block(dimension, precision);
   c.back_flow_removal = BackFlowRemoval{};
-  // A clamped body that pushes the block from the side: prescribed motion; a drop that flies out.
+  // A body with prescribed motion loads the block from the side; a drop leaves the domain.
   const double z = dimension == 3 ? 0.004 : 0.0;
   c.bodies.push_back(
       body("pusher", Role::elastic, box({-0.0118, 0.002, -z}, {-0.0098, 0.006, z}), 1e-3));
@@ -76,7 +76,7 @@ void run_all_terms(int dimension, PrecisionKind precision, int steps) {
   EXPECT_NE(now.work_constraint, 0.0);
   EXPECT_GT(now.impulse_plate[1], 0.0);
   EXPECT_LE(std::abs(now.energy_drift()), 0.02);
-  // The jet's mass to rounding: rho V A t = in + carried.
+  // The mass of the jet is exact up to rounding: rho V A t = in + carried.
   const double area = dimension == 2 ? 5e-3 : std::numbers::pi * 25e-6 / 4.0;
   const double due = 1000.0 * 5.0 * area * simulation->time();
   EXPECT_NEAR(now.jet_mass_due, due, 1e-12 * due);
@@ -96,7 +96,7 @@ TEST(BalanceWithAllTerms, Double3D) {
   run_all_terms(3, PrecisionKind::double_precision, 600);
 }
 
-// Its totals against sums over the frames, which the balance has no part in.
+// The totals of the balance equal independent sums over the frame.
 TEST(Balance, AgreesWithTheFrame) {
   Case c = jet_on_block(2, PrecisionKind::double_precision);
   const auto simulation = make_simulation(c);
@@ -120,7 +120,7 @@ TEST(Balance, AgreesWithTheFrame) {
     EXPECT_NEAR(balance.momentum_now[a], momentum[a], 1e-12 * balance.momentum_scale);
 }
 
-// Free fall: momentum m g t, energy m g h.
+// In free fall the momentum is m g t and the energy m g h.
 TEST(Balance, FreeFallGainsMomentumAndEnergy) {
   for (PrecisionKind precision : both) {
     Case c = empty_case(2, precision);
@@ -142,8 +142,8 @@ TEST(Balance, FreeFallGainsMomentumAndEnergy) {
   }
 }
 
-// A block thrown on a plate comes back: the impulse of the plate is the change of momentum. Energy
-// is that of the throw.
+// A block rebounds from a plate: the impulse of the plate is the change of momentum, and the energy
+// is that at the start.
 TEST(Balance, PlateImpulseReversesTheMomentum) {
   Case c = empty_case(2, PrecisionKind::double_precision);
   c.materials[0].failure_strain = 0.0;
@@ -154,13 +154,13 @@ TEST(Balance, PlateImpulseReversesTheMomentum) {
   while (simulation->time() < 0.02) simulation->advance();
   const Balance now = simulation->balance();
   const double thrown = 0.5 * 940.0 * 4e-4;
-  EXPECT_GT(now.momentum_now[1], 0.0);  // on its way back
+  EXPECT_GT(now.momentum_now[1], 0.0);  // after the rebound
   EXPECT_NEAR(now.impulse_plate[1], thrown + now.momentum_now[1], 1e-12 * thrown);
   EXPECT_LE(std::abs(now.energy_drift()), 0.01);
-  EXPECT_EQ(now.force_plate[1], 0.0);  // off the plate again
+  EXPECT_EQ(now.force_plate[1], 0.0);  // the block has left the plate
 }
 
-// A body laid out within the reach of the plate starts with that potential.
+// A body that is in the repulsive range of the plate at the start has that potential energy.
 TEST(Balance, InitialEnergyHasThePotentialOfThePlate) {
   Case c = empty_case(2, PrecisionKind::double_precision);
   c.bodies = {body("block", Role::elastic, box({-0.01, 0.0, 0.0}, {0.01, 0.02, 0.0}), 2e-3),
@@ -172,8 +172,8 @@ TEST(Balance, InitialEnergyHasThePotentialOfThePlate) {
   EXPECT_NEAR(start.energy_initial, start.energy_total(), 1e-12 * start.energy_total());
 }
 
-// A square of water that is squeezed and lets go: what the equation of state stores is the work
-// that was done against pressure, for one medium of nearly even density.
+// A square of water is compressed and expands: the energy stored by the equation of state is the
+// work against pressure, for one medium of nearly uniform density.
 TEST(Balance, PressureWorkIsStored) {
   for (PrecisionKind precision : both) {
     Case c = empty_case(2, precision);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block slides on a plate of particles: by Coulomb's law it slows down by friction x g; without
-// friction the plate, though made of particles, takes nothing.
+// A block slides on a plate of particles. By Coulomb's law its deceleration is friction x g;
+// without friction the plate of particles does not decelerate it.
 #include <cmath>
 #include <string>
 
@@ -46,8 +46,8 @@ Slide slide(int dimension, double friction, double speed, double seconds) {
   return result;
 }
 
-// At rest it sinks in by less than a tenth of a spacing, and it does not leave the plate. The rest
-// of 1% is its own swinging: it falls onto its weight.
+// At rest the overlap with the plate is less than a tenth of a spacing, and the block does not lift
+// off. The remaining 1% is its oscillation under its weight.
 TEST(Friction, SlowsDownBySlidingFriction) {
   for (int dimension : {2, 3}) {
     const Slide after = slide(dimension, 0.3, 0.5, 0.04);
@@ -64,7 +64,7 @@ TEST(Friction, DoesNotActWithoutACoefficient) {
     EXPECT_NEAR(slide(dimension, 0.0, 0.5, 0.04).speed, 0.5, 5e-4) << dimension;
 }
 
-// 0.2 m/s are gone after 33 ms.
+// The speed of 0.2 m/s is 0 after 33 ms.
 TEST(Friction, ComesToRest) {
   EXPECT_NEAR(slide(2, 0.6, 0.2, 0.04).speed, 0.0, 5e-3);
 }

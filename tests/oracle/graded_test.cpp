@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nearly incompressible solids whose spacing jumps, and how their particles look for neighbours.
+// Nearly incompressible solids with jumps of the spacing, and the search for their neighbours.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -10,8 +10,8 @@
 namespace kerf::test {
 namespace {
 
-// A column of gel, held from the side, falls on a floor with V and comes to rest behind a wave,
-// under rho c_p V; see nearly_incompressible_test.cpp. It is fine below y = 15 mm and coarse above.
+// A laterally confined column of gel hits a floor with V and comes to rest behind a wave, under rho
+// c_p V; see nearly_incompressible_test.cpp. It is fine below y = 15 mm and coarse above.
 Case column(bool graded) {
   Case c = empty_case(2, PrecisionKind::mixed);
   c.formulation = Formulation::standard;
@@ -34,7 +34,7 @@ struct Pressed {
   double mean = 0.0;     // Pa
   double scatter = 0.0;  // Pa, root of the mean square
 };
-// - sigma_yy of the gel between two heights, away from the walls.
+// Returns - sigma_yy of the gel between two heights, away from the walls.
 Pressed pressure_between(const Frame& frame, double low, double high) {
   const Column* shear = nullptr;
   for (const Column& column : frame.columns)
@@ -51,9 +51,9 @@ Pressed pressure_between(const Frame& frame, double low, double high) {
   return {mean, std::sqrt(std::max(0.0, square / count - mean * mean))};
 }
 
-// The graded column has the spacing of the uniform one in its coarse part, and half of it below. A
-// column of one spacing bears 3 to 6% less than rho c V, for the time that its layers take to fill
-// the gap at the walls; the graded one must be no further off, and no rougher.
+// The graded column has the spacing of the uniform one in its coarse part, and half of it below.
+// The stress in a column of one spacing is 3 to 6% below rho c V while its layers fill the gap at
+// the walls; the error and the scatter of the graded one must not be larger.
 TEST(Graded, PressureIsContinuousAtAJump) {
   const double k = 1e5 / (3.0 * (1.0 - 2.0 * 0.49)), g = 1e5 / (2.0 * 1.49);
   const double wave = std::sqrt((k + 4.0 / 3.0 * g) / 940.0), due = 940.0 * wave * 0.05;
@@ -70,7 +70,7 @@ TEST(Graded, PressureIsContinuousAtAJump) {
                   at[graded][n].scatter / due);
     }
     EXPECT_LT(std::abs(simulation->balance().energy_drift()), 1e-3);
-    for (const std::uint16_t source : frame.source) EXPECT_LT(source, 4);  // one body to others
+    for (const std::uint16_t source : frame.source) EXPECT_LT(source, 4);  // a body has one source in frames
   }
   for (int n = 0; n < 3; ++n) {
     const double off = std::abs(at[0][n].mean - due);
@@ -79,7 +79,7 @@ TEST(Graded, PressureIsContinuousAtAJump) {
   }
 }
 
-// The list finds as many neighbours by a grid for each level as the particles have by brute force.
+// The list has as many neighbours, by a grid for each level, as a brute-force search finds.
 TEST(Graded, NeighboursOfEveryLevelAreFound) {
   Case c = empty_case(2, PrecisionKind::double_precision);
   c.formulation = Formulation::standard;

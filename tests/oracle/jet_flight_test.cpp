@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A jet that meets nothing: it flies as it left the nozzle, a lattice at constant speed, every
-// particle once.
+// A free jet keeps the lattice of the nozzle at constant speed, with every particle once.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -48,7 +47,8 @@ void expect_free_flight(int dimension, Formulation formulation, double width = 4
   const Frame frame = simulation->frame();
   const std::size_t layers = frame.id.size() / nozzle.columns();
   EXPECT_EQ(frame.id.size(), layers * nozzle.columns());
-  // Four layers stood in the nozzle; V t / d more had come when the last step began.
+  // Four layers were in the nozzle at the start; V t / d more had entered at the start of the last
+  // step.
   const double began = simulation->time() - simulation->last_step().dt;
   EXPECT_EQ(layers, 4 + static_cast<std::size_t>(5.0 * (began - 2e-4) / 1e-3));
   const double phase = along(nozzle, frame.position[0]);
@@ -76,7 +76,7 @@ TEST(FreeJet, KeepsItsLatticeInTheStandardFormulation3D) {
   expect_free_flight(3, Formulation::standard);
 }
 
-// Wide enough to have an inside.
+// The jet is wide enough to have interior particles.
 TEST(FreeJet, IsNotShifted2D) {
   expect_free_flight(2, Formulation::standard, 10e-3, {WaterScheme::riemann, true});
 }
@@ -84,8 +84,8 @@ TEST(FreeJet, IsNotShifted3D) {
   expect_free_flight(3, Formulation::standard, 9e-3, {WaterScheme::delta_sph, true});
 }
 
-// A nozzle that is shut in mid-run: the water behind the exit stands; what came is rho V A times
-// the time that it was open, the start and stop falling within steps.
+// A nozzle closes during the run: the water behind the exit stops; the mass is rho V A times the
+// time that the nozzle was open, with the start and stop within steps.
 TEST(FreeJet, StartsAndStopsWithinSteps) {
   for (int dimension : {2, 3}) {
     const Case c = free_jet(dimension, 1.5e-3);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solid whose bulk modulus acts by its density, and solid that has come loose, against closed
-// forms.
+// Solids whose bulk modulus acts by the density, and debris, against closed forms.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -11,7 +10,7 @@
 namespace kerf::test {
 namespace {
 
-// A trough 20 mm wide inside, of rigid walls three layers and more thick.
+// A trough 20 mm wide inside, with rigid walls of three layers or more.
 Case trough(double height) {
   Case c = empty_case(2, PrecisionKind::mixed);
   c.formulation = Formulation::standard;
@@ -22,9 +21,8 @@ Case trough(double height) {
   return c;
 }
 
-// A column of gel, held from the side, falls on a floor with V: behind the wave that goes up from
-// there with c_p^2 = (K + 4 G / 3) / rho it stands still and bears rho c_p V, as in one-dimensional
-// strain.
+// A laterally confined column of gel hits a floor with V: behind the wave that travels upwards with
+// c_p^2 = (K + 4 G / 3) / rho it is at rest under rho c_p V, as in one-dimensional strain.
 TEST(NearlyIncompressible, ColumnOnAFloor) {
   const double length = 0.04, speed = 0.05;
   Case c = trough(0.05);
@@ -47,7 +45,7 @@ TEST(NearlyIncompressible, ColumnOnAFloor) {
   for (std::size_t i = 0; i < frame.id.size(); ++i) {
     if (frame.category[i] != Category::solid || std::abs(frame.position[i][0]) > 0.005) continue;
     const double y = frame.position[i][1];
-    if (y > 0.036) {  // where the wave has not been
+    if (y > 0.036) {  // ahead of the wave
       before += frame.velocity[i][1];
       ahead += 1.0;
     }
@@ -63,7 +61,7 @@ TEST(NearlyIncompressible, ColumnOnAFloor) {
   EXPECT_LE(std::abs(simulation->balance().energy_drift()), 0.01);
 }
 
-// Mean pressure over rho g H in each of ten layers of what lies in the trough, added to `sum`.
+// Adds the mean pressure over rho g H in each of ten layers of the content of the trough to `sum`.
 void add_profile(const Frame& frame, double scale, std::array<double, 10>& sum) {
   std::array<double, 10> pressure{}, count{};
   for (std::size_t i = 0; i < frame.id.size(); ++i) {
@@ -76,9 +74,9 @@ void add_profile(const Frame& frame, double scale, std::array<double, 10>& sum) 
   for (std::size_t k = 0; k < 10; ++k) sum[k] += pressure[k] / std::max(1.0, count[k]);
 }
 
-// Solid that breaks at the least strain, and is shaken so that it does, stands in a trough as a
-// liquid of its density: p = rho g h, and the floor bears the weight. Means over five periods 4 H /
-// c of the waves that its fall leaves.
+// A solid that breaks at a very small strain, and is excited so that it does, rests in a trough as
+// a liquid of its density: p = rho g h, and the floor carries the weight. Means are over five
+// periods 4 H / c of the waves of its fall.
 TEST(Debris, StandsAsALiquid) {
   const double depth = 0.02, gravity = 100.0, scale = 940.0 * gravity * depth;
   Case c = trough(0.03);

@@ -21,12 +21,12 @@ struct Kind {
   using Precision = P;
 };
 
-// Double: what is left is the rounding of sums of some hundred terms in another order. Mixed:
-// single precision in fields and pairs.
+// In double precision the tolerance is the rounding of sums of some hundred terms in different
+// orders; in mixed precision it is single precision in fields and pairs.
 template <class P>
 constexpr double tolerance = std::is_same_v<P, Double> ? 1e-12 : 1e-4;
 
-// The largest error of a field over the largest value of that field.
+// Checks the largest error of a field over the largest value of that field.
 struct Worst {
   double error = 0.0, scale = 0.0;
   void add(double difference, double magnitude) {
@@ -113,7 +113,7 @@ TYPED_TEST(RatesOracle, ArtificialStress) {
   TestFixture::compare(state, TestFixture::evaluated(state));
 }
 
-// Each term alone: in the sum of all, the strong ones would hide a fault of the weak ones.
+// Each term is tested alone, because strong terms would hide an error of weak ones.
 TYPED_TEST(RatesOracle, ViscousStressAlone) {
   auto state = TestFixture::bag(5);
   for (auto& medium : state.media)

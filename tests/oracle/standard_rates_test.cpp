@@ -13,8 +13,8 @@ class StandardRatesOracle : public testing::Test {
  protected:
   static constexpr int dimension = K::D;
   using Precision = typename K::P;
-  // Double: what is left is the rounding of sums of some hundred terms in another order. Mixed:
-  // single precision in fields and pairs.
+  // In double precision the tolerance is the rounding of sums of some hundred terms in different
+  // orders; in mixed precision it is single precision in fields and pairs.
   static constexpr double tolerance = std::is_same_v<Precision, Double> ? 1e-12 : 1e-4;
 
   struct Gaps {
@@ -56,7 +56,7 @@ TYPED_TEST(StandardRatesOracle, MixedParticlesWithGravity) {
   constexpr int D = TypeParam::D;
   for (unsigned seed : {1u, 2u, 3u}) {
     auto state = wet_bag(D, seed);
-    state.gravity = {3000.0, -9810.0, D == 3 ? 700.0 : 0.0};  // to be seen beside the pressures
+    state.gravity = {3000.0, -9810.0, D == 3 ? 700.0 : 0.0};  // large enough to be significant beside the pressures
     if (seed > 1) stiffen_volume(state);
     const auto gaps =
         TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state));
@@ -66,7 +66,7 @@ TYPED_TEST(StandardRatesOracle, MixedParticlesWithGravity) {
   }
 }
 
-// All by the general terms, without the SIMD kernels.
+// All pairs use the general terms, without the SIMD kernels.
 TYPED_TEST(StandardRatesOracle, MixedParticlesInOnePairLoop) {
   constexpr int D = TypeParam::D;
   auto state = wet_bag(D, 2);
@@ -77,8 +77,8 @@ TYPED_TEST(StandardRatesOracle, MixedParticlesInOnePairLoop) {
   EXPECT_GT(gaps.pressure_force.scale, 0.0);
 }
 
-// Each term alone: in the sum of all, the strong ones would hide a fault of the weak ones. Water
-// that expands everywhere and has no pressure feels its viscosity only.
+// Each term is tested alone, because strong terms would hide an error of weak ones. Water that
+// expands everywhere and has no pressure has viscous forces only.
 TYPED_TEST(StandardRatesOracle, ViscosityAlone) {
   constexpr int D = TypeParam::D;
   auto state = wet_bag(D, 4);
@@ -128,8 +128,8 @@ TYPED_TEST(StandardRatesOracle, WithNormalsOfWalls) {
   EXPECT_GT(gaps.damping.scale, 0.0);
 }
 
-// How full the room around a particle is, against the double sum. What is of another phase and
-// squeezed takes up less than at rest.
+// The kernel sum of particles against the double sum. Compressed neighbours of another phase have a
+// smaller volume than at rest.
 TYPED_TEST(StandardRatesOracle, KernelSum) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;
@@ -142,7 +142,7 @@ TYPED_TEST(StandardRatesOracle, KernelSum) {
     const ReferenceParticle& a = state.particles[i];
     const auto& m = state.medium(i);
     const bool flows = m.phase == Phase::water || a.fractured;
-    if (!flows) continue;  // others do not see all of their neighbours
+    if (!flows) continue;  // the lists of others do not have all neighbours
     double due = m.volume * wendland(0.0, m.smoothing_length, D);
     for (std::size_t j = 0; j < place.size(); ++j) {
       if (j == i) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Short runs of the `standard` formulation against what must stay the same in them: mass, momentum,
-// and energy where nothing can take it.
+// Short runs of the `standard` formulation against conserved quantities: mass, momentum, and energy
+// in runs without dissipation.
 #include <cmath>
 
 #include "support/runs.hpp"
@@ -11,7 +11,8 @@ namespace {
 
 constexpr auto both = {PrecisionKind::mixed, PrecisionKind::double_precision};
 
-// Rounding of the sums of some hundred steps: forces are equal and opposite to the last digits.
+// Returns the rounding error of sums over some hundred steps: forces are equal and opposite to the
+// last digits.
 double momentum_tolerance(PrecisionKind precision) {
   return precision == PrecisionKind::mixed ? 1e-6 : 1e-10;
 }
@@ -26,8 +27,8 @@ void print(const char* what, const Balance& now) {
               now.momentum_error(), now.energy_drift());
 }
 
-// A jet breaks a block on a plate; with gravity, back_flow_removal, a body moved from the side and
-// a drop that flies out.
+// A jet breaks a block on a plate, with gravity, back_flow_removal, a body with prescribed motion
+// at the side and a drop that leaves the domain.
 void run_everything(int dimension, PrecisionKind precision, int steps) {
   Case c = standard_jet_on_block(dimension, precision);
   c.back_flow_removal = BackFlowRemoval{};
@@ -69,8 +70,8 @@ TEST(StandardBalance, AllTermsDouble3D) {
   run_everything(3, PrecisionKind::double_precision, 500);
 }
 
-// Two jittered blocks that are joined, a third on top and one beside them, on a plate: as laid out
-// no body pushes another, and no bond is strained. Nothing moves, to the last bit.
+// Two joined jittered blocks, a third on top and one beside them, on a plate: in the initial layout
+// no body exerts a force on another, and no bond is strained. Nothing moves, to the last bit.
 TEST(StandardBalance, JitteredInitialLayoutIsAtRest) {
   for (const int dimension : {2, 3}) {
     Case c = empty_case(dimension, PrecisionKind::mixed);
@@ -95,7 +96,7 @@ TEST(StandardBalance, JitteredInitialLayoutIsAtRest) {
   }
 }
 
-// Momentum, mass and kinetic energy by sums over a frame, which the balance has no part in.
+// Momentum, mass and kinetic energy equal independent sums over a frame.
 TEST(StandardBalance, AgreesWithTheFrame) {
   const auto simulation =
       make_simulation(standard_jet_on_block(2, PrecisionKind::double_precision));
@@ -122,8 +123,8 @@ TEST(StandardBalance, AgreesWithTheFrame) {
     EXPECT_NEAR(balance.momentum_now[a], momentum[a], 1e-12 * balance.momentum_scale);
 }
 
-// A block flies out of the domain edge first, row by row; those that are left behind fly on. In the
-// end nothing is there.
+// A block leaves the domain edge first, row by row; the remaining rows continue to move. At the end
+// no particle is left.
 void fly_out(int dimension, PrecisionKind precision, double failure_strain) {
   Case c = empty_case(dimension, precision);
   c.formulation = Formulation::standard;
@@ -132,7 +133,7 @@ void fly_out(int dimension, PrecisionKind precision, double failure_strain) {
   const double z = dimension == 3 ? 0.003 : 0.0;
   c.domain = {{-0.02, -0.02, -0.02}, {0.01, 0.02, 0.02}};
   c.bodies = {body("block", Role::elastic, box({-0.006, 0.0, 0.0}, {0.006, 0.006, z}), 1e-3)};
-  c.bodies[0].velocity = {"4+300*y", "100*(x+0.004)", "0"};  // also turns and shears
+  c.bodies[0].velocity = {"4+300*y", "100*(x+0.004)", "0"};  // with rotation and shear
   const auto simulation = make_simulation(c);
   const double mass = simulation->balance().mass_now;
   bool half_way = false;
@@ -157,8 +158,8 @@ TEST(StandardBalance, SolidLeavesTheDomain) {
       for (double failure_strain : {0.0, 0.05}) fly_out(dimension, precision, failure_strain);
 }
 
-// A plane through a block that falls freely passes no force: gravity is none that one side of a
-// plane exerts on the other. The block is hung on nothing and squeezed by nothing.
+// No force acts across a plane through a freely falling block, because gravity is not a force of
+// one side of the plane on the other. The block is not supported or loaded.
 TEST(StandardProbes, NoForceAcrossAPlaneInFreeFall) {
   for (PrecisionKind precision : both) {
     Case c = empty_case(2, precision);
@@ -175,15 +176,16 @@ TEST(StandardProbes, NoForceAcrossAPlaneInFreeFall) {
     const auto simulation = make_simulation(c);
     take_steps(*simulation, 50);
     const double weight = 9.81 * (940.0 + 1000.0) * 1e-4;  // N/m
-    // Rounding of places of 0.01 m in double over bonds of 1 mm, times moduli of 1e5 Pa.
+    // The error is the rounding of coordinates of 0.01 m in double over bonds of 1 mm, times moduli
+    // of 1e5 Pa.
     const double digits = precision == PrecisionKind::mixed ? 1e-5 : 1e-9;
     for (const double force : simulation->probe_values()) EXPECT_NEAR(force, 0.0, digits * weight);
     EXPECT_LT(simulation->balance().momentum_now[1], 0.0);
   }
 }
 
-// A block squeezed evenly by its velocity at the start: the pressure that a point inside shows is
-// that of the frame's particles around it.
+// A block is compressed uniformly by its initial velocity: the pressure of a probe inside it is
+// that of the surrounding particles of the frame.
 TEST(StandardProbes, PointInASolidShowsItsPressure) {
   Case c = empty_case(2, PrecisionKind::double_precision);
   c.formulation = Formulation::standard;
@@ -209,8 +211,8 @@ TEST(StandardProbes, PointInASolidShowsItsPressure) {
   EXPECT_LE(shown, (1.0 + 1e-6) * greatest);
 }
 
-// Two blocks without damping collide: what their motion loses their elasticity holds, and gives
-// back.
+// Two blocks collide without damping: the kinetic energy that they lose is stored as elastic energy
+// and recovered.
 void collide(int dimension, PrecisionKind precision, double poisson_ratio) {
   Case c = empty_case(dimension, precision);
   c.formulation = Formulation::standard;
@@ -241,7 +243,7 @@ void collide(int dimension, PrecisionKind precision, double poisson_ratio) {
   if (poisson_ratio < 0.4) {
     EXPECT_GT(stored, 0.3);
   }
-  EXPECT_EQ(end.plate_potential, 0.0);  // apart again
+  EXPECT_EQ(end.plate_potential, 0.0);  // separated
   EXPECT_LE(worst, 0.01);
   expect_balanced(end, precision);
 }

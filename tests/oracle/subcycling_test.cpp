@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate steps for water and solids (time/subcycling.hpp).
+// Runs with subcycling: steps of the water within steps of the solids (time/subcycling.hpp).
 #include <cmath>
 
 #include "engine/device.hpp"
@@ -11,9 +11,9 @@ namespace {
 
 constexpr int subcycles = 4;
 
-// A block of tofu that quivers, by itself or with still water far from it, whose waves ask for
-// shorter steps.
-Case quivering(int dimension, bool with_water) {
+// A vibrating block of tofu, alone or with distant water at rest, whose waves require shorter
+// steps.
+Case vibrating(int dimension, bool with_water) {
   Case c = empty_case(dimension, PrecisionKind::double_precision);
   c.formulation = Formulation::standard;
   c.smoothing_ratio = 1.3;
@@ -29,20 +29,20 @@ Case quivering(int dimension, bool with_water) {
   return c;
 }
 
-// With constant forces within the solid's step its place and velocity at the end of it are those of
-// position Verlet with that step, to the last term.
+// With constant forces within the step of the solid its position and velocity at the end of it
+// equal those of position Verlet with that step, up to rounding.
 class SubcyclingRuns : public testing::TestWithParam<int> {};
 
 TEST_P(SubcyclingRuns, AnUncoupledSolidMovesAsByVerlet) {
-  const Case with_water = quivering(GetParam(), true);
+  const Case with_water = vibrating(GetParam(), true);
   const auto apart = make_simulation(with_water);
-  take_steps(*apart, 1);  // of which the solid's waves are known
+  take_steps(*apart, 1);  // after which the wave speed of the solid is known
   const double dt = apart->last_step().dt;
   take_steps(*apart, 40 * subcycles);
   EXPECT_EQ(apart->last_step().limit, "acoustic (water)");
   EXPECT_NEAR(apart->time(), (1 + 40 * subcycles) * dt, 1e-9 * apart->time());
 
-  Case alone = quivering(GetParam(), false);
+  Case alone = vibrating(GetParam(), false);
   alone.time.maximum_step = dt;
   const auto verlet = make_simulation(alone);
   take_steps(*verlet, 1);
@@ -63,7 +63,8 @@ TEST_P(SubcyclingRuns, AnUncoupledSolidMovesAsByVerlet) {
   EXPECT_LT(distance, 1e-9 * moved);
 }
 
-// What a jet does to a free block of gel is much the same, and what one loses the other takes up.
+// The load of a jet on a free block of gel is about the same, and the impulses of both are equal
+// and opposite.
 TEST_P(SubcyclingRuns, AJetLoadsABlockAsWithACommonStep) {
   Case c = standard_jet_on_block(GetParam(), PrecisionKind::double_precision);
   c.materials[0].failure_strain = 0.0;

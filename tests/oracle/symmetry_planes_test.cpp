@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pair sums of a part between symmetry planes against plain double loops over the part and its
-// mirror images together, without any plane.
+// Pair sums of a part between symmetry planes against plain double loops over the part and explicit
+// mirror images, without planes.
 #include <gtest/gtest.h>
 
 #include "support/gap.hpp"
@@ -28,8 +28,8 @@ class SymmetryPlanes : public testing::Test {
     return loaded;
   }
 
-  // Between planes in some faces of [0, per_side mm]^D. The first of the solids is one with its
-  // images, the other is not.
+  // The planes are in some faces of [0, per_side mm]^D. The first of the solids is one piece with
+  // its images, the other is not.
   static void compare(const std::string& faces, int per_side, unsigned seed) {
     auto part = wet_bag(D, seed, per_side);
     const auto planes = planes_of<D>(faces, per_side * bag_spacing);
@@ -75,7 +75,7 @@ class SymmetryPlanes : public testing::Test {
       EXPECT_GT(gap.scale, 0.0);
       EXPECT_LE(gap.error, tolerance * gap.scale);
     }
-    // All that pushes the part together is booked: rigid bodies and images.
+    // All external forces on the part are recorded: those of rigid bodies and of images.
     EXPECT_GT(scale, 0.0);
     EXPECT_LE((sum - booked).norm(), tolerance * (scale + sum.norm()));
   }
@@ -98,7 +98,7 @@ TYPED_TEST(SymmetryPlanes, ThreeThatCross) {
   if (TypeParam::D == 3) TestFixture::compare("x+ y- z-", 6, 5);
 }
 
-// So far apart that no image of an image is seen, by way of the touch of images neither.
+// The planes are so far apart that no image of an image is within reach, also in contact.
 TYPED_TEST(SymmetryPlanes, TwoAcross) {
   if (TypeParam::D == 2) TestFixture::compare("y- y+", 22, 6);
 }

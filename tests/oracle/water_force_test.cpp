@@ -10,7 +10,7 @@
 namespace kerf::test {
 namespace {
 
-// A block that nothing holds, in a domain that nothing leaves.
+// A free block in a domain that no particle leaves.
 Case free_block(int dimension, Formulation formulation, PrecisionKind precision) {
   Case c = jet_on_block(dimension, precision, formulation);
   c.gravity = {};
@@ -19,7 +19,7 @@ Case free_block(int dimension, Formulation formulation, PrecisionKind precision)
   return c;
 }
 
-// All that a free block gains in momentum comes from the water.
+// The momentum gain of a free block is the impulse of the water.
 void expect_impulse(int dimension, Formulation formulation, PrecisionKind precision) {
   const auto simulation = make_simulation(free_block(dimension, formulation, precision));
   take_steps(*simulation, dimension == 2 ? 800 : 250);
@@ -32,7 +32,7 @@ void expect_impulse(int dimension, Formulation formulation, PrecisionKind precis
   const Balance balance = simulation->balance();
   const double struck = std::abs(momentum[1]);
   ASSERT_GT(struck, 0.01 * std::abs(balance.momentum_in[1]));
-  const double digits = precision == PrecisionKind::mixed ? 1e-4 : 1e-6;  // a frame's mass: single
+  const double digits = precision == PrecisionKind::mixed ? 1e-4 : 1e-6;  // the masses of a frame are in single precision
   for (std::size_t a = 0; a < 3; ++a)
     EXPECT_NEAR(balance.impulse_water[a], momentum[a], digits * struck) << "xyz"[a];
 }
@@ -44,8 +44,8 @@ TEST(WaterForce, EqualsTheMomentumGainOfAFreeBlock) {
         expect_impulse(dimension, formulation, precision);
 }
 
-// A jet that leaves a broad block along its face gives up all of its momentum: F = rho w V^2 (for
-// instance Batchelor, An Introduction to Fluid Dynamics, 1967, section 6.3).
+// A jet that is deflected along the face of a broad block loses all of its momentum: F = rho w V^2
+// (for instance Batchelor, An Introduction to Fluid Dynamics, 1967, section 6.3).
 TEST(WaterForce, OfAJetEqualsItsMomentumFlux) {
   Case c = jet_on_block(2, PrecisionKind::mixed, Formulation::standard);
   c.gravity = {};

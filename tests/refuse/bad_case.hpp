@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A good case and ways to spoil it.
+// A valid case and changes that make it invalid.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -56,14 +56,14 @@ spacing = "1 mm"
 
 struct BadCase {
   std::string name;
-  std::string from;                   // text of the good case ...
-  std::string to;                     // ... and what stands there instead
+  std::string from;                   // text of the valid case ...
+  std::string to;                     // ... and its replacement
   std::string at;                     // text in the line that the message must name
   std::string start;                  // what follows "bad.toml:LINE: "
   std::vector<std::string> contains;  // allowed range and remedy
 };
 
-inline std::string spoilt(const BadCase& bad) {
+inline std::string changed_text(const BadCase& bad) {
   std::string text = good_case;
   const auto place = text.find(bad.from);
   EXPECT_NE(place, std::string::npos) << bad.name;
@@ -71,7 +71,7 @@ inline std::string spoilt(const BadCase& bad) {
   return text;
 }
 
-// 1-based line of the first place of `what`.
+// Returns the line of the first occurrence of `what`, from 1.
 inline int line_with(const std::string& text, const std::string& what) {
   const auto place = text.find(what);
   EXPECT_NE(place, std::string::npos) << what;
@@ -92,7 +92,7 @@ inline std::string message_of(const std::string& text) {
 
 inline void expect_refused(const std::vector<BadCase>& table) {
   for (const BadCase& bad : table) {
-    const std::string text = spoilt(bad);
+    const std::string text = changed_text(bad);
     const std::string message = message_of(text);
     const std::string start =
         "bad.toml:" + std::to_string(line_with(text, bad.at)) + ": " + bad.start;

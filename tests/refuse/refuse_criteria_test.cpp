@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Criteria of fracture that lack something or contradict another key.
+// Fracture criteria with missing or contradictory keys are refused.
 #include "refuse/bad_case.hpp"
 
 namespace kerf {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flaws of rock that do not fit.
+// Invalid flaws of rock are refused.
 #include "refuse/bad_case.hpp"
 
 namespace kerf {
 namespace {
 
-// Flaws are given by both numbers, and stand alone.
+// Flaws need both numbers and exclude other limits.
 TEST(Refuse, Flaws) {
   const std::string top = paper,
                     rock =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes that cannot be, bodies and jets that do not fit together, formulas that do not work.
+// Invalid shapes, inconsistent bodies and jets, and invalid expressions are refused.
 #include "refuse/bad_case.hpp"
 
 namespace kerf {
@@ -70,7 +70,7 @@ TEST(Refuse, Shapes) {
                  "the body \"plate\" overlaps the body \"block\", for example at",
                  {"body[2].shape", "bodies that touch at most", "difference"}),
        }) {
-    const std::string message = message_of(spoilt(bad));
+    const std::string message = message_of(changed_text(bad));
     for (const std::string& part : bad.contains)
       EXPECT_NE(message.find(part), std::string::npos)
           << bad.name << "\n  wanted " << part << "\n  got    " << message;

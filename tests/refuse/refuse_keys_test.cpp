@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys that are unknown, missing, out of place or at odds with each other.
+// Unknown, missing, inapplicable and contradictory keys are refused.
 #include "refuse/bad_case.hpp"
 
 namespace kerf {

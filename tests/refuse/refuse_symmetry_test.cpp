@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What symmetry planes and absorbing faces cannot be.
+// Invalid symmetry planes and absorbing faces are refused.
 #include "refuse/bad_case.hpp"
 
 namespace kerf {
 namespace {
 
-// Half of a jet on a block on a plate: the plane is x = 0.
+// Half of a jet on a block on a plate; the symmetry plane is x = 0.
 const std::string half_case = R"(title = "half"
 dimension = 2
 formulation = "standard"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of the wrong type, unit, dimension or size.
+// Values of the wrong type, unit, dimension or size are refused.
 #include "refuse/bad_case.hpp"
 
 namespace kerf {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same bits for any number of threads, after a restart at any step, and whether or not somebody
-// looked in between.
+// Results have the same bits for any number of threads, after a restart at any step, and with or
+// without output between steps.
 #include <oneapi/tbb/task_arena.h>
 
 #include <random>
@@ -49,7 +49,7 @@ class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind, 
   }
   int steps() const { return std::get<0>(GetParam()) == 2 ? 500 : 200; }
 
-  // On that many threads even where there are fewer cores.
+  // Sets the number of threads even if there are fewer cores.
   static std::unique_ptr<Simulation> run_on(int threads, const Case& description, int steps) {
     set_threads(threads);
     return tbb::task_arena(threads).execute([&] {
@@ -62,9 +62,9 @@ class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind, 
 
 TEST_P(SameAnswer, AnyNumberOfThreads) {
   const auto one = run_on(1, description(), steps());
-  // The case has what could go wrong: inflow, outflow, fracture.
+  // The case has inflow, outflow and fracture.
   EXPECT_GT(one->balance().mass_in, 0.0);
-  // A bond may store more in its neighbours than it gives up.
+  // The neighbours of a broken bond may store more energy than the bond releases.
   EXPECT_NE(one->balance().dissipated_fracture, 0.0);
   if (std::get<0>(GetParam()) == 2) {
     EXPECT_GT(one->balance().mass_out + one->balance().mass_erased, 0.0);
@@ -88,7 +88,8 @@ TEST_P(SameAnswer, AfterARestart) {
   expect_same_run(*whole, *resumed);
 }
 
-// Resuming writes the same checkpoint again, and restarting at every few steps changes nothing.
+// A resumed run writes the same checkpoint again, and restarts after every few steps change
+// nothing.
 TEST_P(SameAnswer, AfterManyRestarts) {
   const Case c = description();
   const auto whole = make_simulation(c);
@@ -116,14 +117,14 @@ TEST_P(SameAnswer, OutputDoesNotChangeTheState) {
     if (n % 13 == 0) saved(*looked_at);
   }
   expect_same_run(*undisturbed, *looked_at);
-  // What is seen does not depend on what was looked at before.
+  // Output does not depend on earlier output.
   const auto probes = undisturbed->probe_values();
   expect_same_ledger(undisturbed->balance(), looked_at->balance());
   expect_same_frame(undisturbed->frame(), looked_at->frame());
   EXPECT_EQ(probes, looked_at->probe_values());
 }
 
-// A look at the restored state shows what the saved one showed.
+// The frame of the restored state equals that of the saved one.
 TEST_P(SameAnswer, RestoredStateHasTheSameFrame) {
   const Case c = description();
   const auto first = make_simulation(c);

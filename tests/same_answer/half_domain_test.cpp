@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Half of a problem beside a symmetry plane goes like half of the whole problem.
+// A run of half of a problem beside a symmetry plane equals half of the run of the full problem.
 #include <cmath>
 
 #include "model/material_laws.hpp"
@@ -9,20 +9,22 @@
 namespace kerf::test {
 namespace {
 
-// The part of the case at x > 0.
+// Returns the part of the case at x > 0.
 Case right_half(Case c) {
   c.domain.minimum[0] = 0.0;
   c.symmetry.minimum[0] = true;
   return c;
 }
 
-// The farthest that any particle of the half is from its like in the whole, m and m/s.
+// The largest difference between a particle of the half and its counterpart in the full problem, m
+// and m/s.
 struct Gap {
   double place = 0.0, speed = 0.0;
-  Balance balance;  // of the whole
+  Balance balance;  // of the full problem
 };
 
-// Particles of the start by their ids: that of the whole which is where that of the half is.
+// Maps the ids of the initial particles of the half to those of the full problem at the same
+// positions.
 std::map<std::uint32_t, std::uint32_t> likes(const Frame& half, const Frame& whole) {
   std::map<std::uint32_t, std::uint32_t> like;
   for (std::size_t k = 0; k < half.id.size(); ++k)
@@ -52,7 +54,7 @@ Gap run_both(const Case& description, int steps) {
   const auto place = by_id(b);
   Gap gap;
   for (std::size_t k = 0; k < a.id.size(); ++k) {
-    if (!like.count(a.id[k])) continue;  // came later
+    if (!like.count(a.id[k])) continue;  // entered after the start
     const auto found = place.find(like.at(a.id[k]));
     if (found == place.end()) {
       ADD_FAILURE() << "particle " << a.id[k] << " has left the whole only";
@@ -62,7 +64,7 @@ Gap run_both(const Case& description, int steps) {
     gap.speed = std::max(gap.speed, distance(a.velocity[k], b.velocity[found->second]));
     EXPECT_EQ(a.category[k], b.category[found->second]);
   }
-  // Of everything that adds up, the half holds half; momentum is booked to the last digits.
+  // Sums over the half are half of the sums over the full problem; momentum agrees up to rounding.
   const Balance one = half->balance(), two = whole->balance();
   EXPECT_NEAR(one.kinetic, 0.5 * two.kinetic, 1e-9 * two.kinetic);
   EXPECT_NEAR(one.elastic_strain, 0.5 * two.elastic_strain, 1e-9 * two.kinetic);
@@ -85,8 +87,8 @@ Case standard_case(PrecisionKind precision = PrecisionKind::double_precision) {
   return c;
 }
 
-// Sums in another order differ by 1e-16; what a crash makes of that in some hundred steps stays
-// below 1e-9 of a spacing and of the speeds.
+// Different orders of summation give differences of 1e-16; after an impact of some hundred steps
+// they are below 1e-9 of a spacing and of the speeds.
 constexpr double grown = 1e-9;
 
 TEST(HalfDomain, RodFallsOnAWall) {
@@ -113,7 +115,7 @@ TEST(HalfDomain, JetOnAPlate) {
   EXPECT_LT(gap.speed, grown * 5.0);
 }
 
-// A strip drawn apart until it breaks: bonds that cross the plane among them.
+// A strip is pulled apart until it breaks; some of its bonds cross the plane.
 TEST(HalfDomain, StripIsPulledApart) {
   Case c = standard_case();
   c.materials[0].failure_strain = 0.05;
@@ -125,7 +127,7 @@ TEST(HalfDomain, StripIsPulledApart) {
   EXPECT_LT(gap.speed, grown * 1.0);
 }
 
-// A block that comes to the plane meets its image there, as it would meet another block.
+// A block that reaches the plane is in contact with its image, as with another block.
 TEST(HalfDomain, TwoBlocksCollide) {
   Case c = standard_case();
   c.materials[0].failure_strain = 0.0;
@@ -134,12 +136,13 @@ TEST(HalfDomain, TwoBlocksCollide) {
   c.bodies[0].velocity = {"-2", "0", "0"};
   c.bodies[1].velocity = {"2", "0", "0"};
   const Gap gap = run_both(c, 200);
-  EXPECT_LT(gap.balance.kinetic, 0.8 * 4.0 * 940.0 * 64e-6);  // of the start: they have met
+  EXPECT_LT(gap.balance.kinetic, 0.8 * 4.0 * 940.0 * 64e-6);  // of the initial energy: the blocks have collided
   EXPECT_LT(gap.place, grown * 1e-3);
   EXPECT_LT(gap.speed, grown * 2.0);
 }
 
-// Nothing passes a plane, not a drop either that is thrown at it at four times its speed of sound.
+// No particle crosses a symmetry plane, not even a drop that moves towards it at four times its
+// sound speed.
 TEST(SymmetryPlane, IsNotCrossedByAFastDrop) {
   for (const PrecisionKind precision : {PrecisionKind::double_precision, PrecisionKind::mixed}) {
     const double rounding = precision == PrecisionKind::mixed ? 1e-5 : 1e-12;
@@ -157,12 +160,12 @@ TEST(SymmetryPlane, IsNotCrossedByAFastDrop) {
       const Balance balance = simulation->balance();
       ASSERT_LT(balance.momentum_error(), rounding);
       ASSERT_LT(std::abs(balance.energy_drift()), rounding);
-      // Along the plane it pushes nothing but rounding errors.
+      // Along the plane the impulse is only rounding error.
       ASSERT_LE(std::abs(balance.impulse_constraint[1]), rounding * balance.momentum_scale);
     }
     const Balance balance = simulation->balance();
     EXPECT_EQ(balance.mass_out, 0.0);
-    // All that came towards the plane was stopped or turned back.
+    // All momentum towards the plane was stopped or reversed.
     EXPECT_GT(balance.impulse_constraint[0], 16e-6 * 1000.0 * 20.0);
   }
 }

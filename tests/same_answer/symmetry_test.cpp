@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A symmetric set-up stays symmetric, and precision changes nothing but digits.
+// A symmetric case stays symmetric, and the precision changes only the last digits.
 #include <cmath>
 
 #include "support/runs.hpp"
@@ -10,8 +10,8 @@ namespace {
 
 using Map = std::array<double, 3> (*)(const std::array<double, 3>&);
 
-// Worst distance from the image of a particle to the nearest particle of its kind, m, and worst
-// difference of their velocities, m/s.
+// The largest distance from the image of a particle to the nearest particle of its source, m, and
+// the largest difference of their velocities, m/s.
 struct Asymmetry {
   double position = 0.0, velocity = 0.0, speed = 0.0;
 };
@@ -49,8 +49,9 @@ std::array<double, 3> exchange(const std::array<double, 3>& v) {
   return {v[2], v[1], v[0]};
 }
 
-// Neighbours on the two sides are summed in another order: 1e-16 per step at first, which impact
-// and fracture make grow; a fault in a term shows at the size of a spacing.
+// Neighbours on the two sides are summed in different orders: the initial differences of 1e-16 per
+// step grow by impact and fracture. An error in a term would give differences of the order of a
+// spacing.
 void expect_symmetric(const Frame& frame, Map image, double tolerance) {
   const Asymmetry worst = asymmetry(frame, image);
   std::printf("asymmetry: %.2e m, %.2e of the greatest speed\n", worst.position,
@@ -76,7 +77,7 @@ TEST(Symmetry, Jet3D) {
   expect_symmetric(frame, exchange, 1e-11);
 }
 
-// The same steps in both precisions: the step is set by the case, well below the stable one.
+// Both precisions take the same steps: the case sets the step, well below the stable one.
 void expect_precisions_agree(int dimension, int steps, double tolerance) {
   Frame frames[2];
   for (PrecisionKind precision : {PrecisionKind::mixed, PrecisionKind::double_precision}) {
@@ -99,7 +100,7 @@ void expect_precisions_agree(int dimension, int steps, double tolerance) {
     moved = std::max(moved, std::abs(frames[0].velocity[k][1]));
   }
   std::printf("mixed from double: %.2e m, %.2e m/s\n", position, velocity);
-  EXPECT_GT(position, 0.0);  // they are two precisions
+  EXPECT_GT(position, 0.0);  // the precisions differ
   EXPECT_LT(position, tolerance * 5e-4);
   EXPECT_LT(velocity, tolerance * moved);
 }

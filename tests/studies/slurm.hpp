@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cluster of this one machine, on the loopback interface, for as long as a test runs.
+// A cluster that consists of this machine, on the loopback interface, for the duration of a test.
 #pragma once
 
 #include <fcntl.h>
@@ -21,7 +21,7 @@
 
 namespace kerf::test {
 
-// A program that goes on until it is told to end, or this one does.
+// A program that runs until it is ended, or until this program ends.
 class Daemon {
  public:
   Daemon(const std::vector<std::string>& words, const std::filesystem::path& output) {
@@ -50,7 +50,7 @@ class Daemon {
 
 class SlurmOfOneNode {
  public:
-  // Why there is none; empty when it is up.
+  // The reason why there is no cluster; empty if it runs.
   std::string start() {
     if (geteuid() != 0) return "starting Slurm's daemons needs root";
     for (const char* program : {"munged", "slurmctld", "slurmd", "sbatch", "scancel"})

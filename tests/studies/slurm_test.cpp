@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies as job arrays of a real Slurm, where it can be started here.
+// Studies as job arrays of a real Slurm, if it can be started on this machine.
 #include "slurm.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// kerf study as a user runs it, and as the world ends it.
+// The program `kerf study`, also when it is stopped or killed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -105,7 +105,7 @@ TEST_F(StudyProgram, KilledStudyCompletesWithoutRepeatedRuns) {
   const Ending ending = run("map.toml");
   ASSERT_EQ(ending.exit_code, 0) << ending.output;
   EXPECT_EQ(count(RunState::done), 6u);
-  // What was done at a kill was neither started nor ended again.
+  // Runs that were complete at the kill are not started again.
   std::set<std::string> at_the_end;
   for (const RunRow& row : rows()) {
     at_the_end.insert(row.id + " " + row.ended);
@@ -141,12 +141,11 @@ TEST_F(StudyProgram, AnExtendedStudyRunsNewCasesOnly) {
 }
 
 TEST_F(StudyProgram, AFailedRunStopsNoOther) {
-  // A run that meets a folder which is no run of Kerf fails; which run that is, a first study
-  // tells.
+  // A run with a folder that is not one of Kerf fails; a first study determines the id of that run.
   ASSERT_EQ(run("map.toml").exit_code, 0);
   const RunRow row = rows().at(2);
   fs::remove_all(out() / "runs" / row.id);
-  write_file(out() / "runs" / (row.id + ".toml"), "title = \"has_broken_bonds\"\n");
+  write_file(out() / "runs" / (row.id + ".toml"), "title = \"broken\"\n");
   StudyDatabase(out() / "study.db").mark_waiting(row.id);
   const Ending ending = run("map.toml");
   EXPECT_EQ(ending.exit_code, exit_run_failed) << ending.output;
@@ -180,7 +179,7 @@ TEST_F(StudyProgram, FindsTheLeastSpeedThatASweepBrackets) {
   const auto& found = json.at("search");
   ASSERT_EQ(found.at("problem"), "") << ending.output;
   ASSERT_GE(json.at("boundary").size(), 1u);
-  // Every run below the bracket does not cut, every one above does.
+  // No run below the bracket cuts, and every run above it does.
   for (const auto& entry : json.at("runs")) {
     const double speed = entry.at("setting").at("jet.jet.speed");
     const double cuts = entry.at("metrics").at("cut_through");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A fake simulation without computing cost: a block breaks under a jet by an artificial rule. Its
-// steps vary and depend on the whole history, so a run that loses any state on resuming
-// differs.
+// steps vary and depend on the complete history, so that a run that loses any state when it is
+// resumed gives different results.
 #pragma once
 
 #include <cmath>

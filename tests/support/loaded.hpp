@@ -18,7 +18,7 @@ namespace kerf::test {
 struct ListChoice {
   double minimum = 0.0, maximum = 0.014;  // m, of the domain along every axis
   double skin = 5e-4;                     // m
-  bool splits = false;                    // same_class is listed first
+  bool splits = false;                    // neighbours of the same fluid come first
 };
 
 template <int D, class P, class Scheme = JointPairs>
@@ -47,7 +47,7 @@ class Loaded {
     list.build(particles);
   }
 
-  // Position in the arrays of each particle of the ReferenceState.
+  // Index in the arrays of each particle of the ReferenceState.
   std::vector<std::size_t> places() const {
     const auto id = to_host(particles.id);
     std::vector<std::size_t> place(id.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A strip with a notch that is stretched until it tears.
+// A strip with a notch that is stretched until it breaks.
 #pragma once
 
 #include "support/solid_blocks.hpp"
@@ -30,8 +30,8 @@ double pulling_step(const SolidOnTrial<2, P>& trial) {  // s
   return 0.2 * medium.spacing / medium.bond_wave_speed();
 }
 
-// Takes a step in which the two ends of a strip 20 mm high move apart; returns what breaks in it
-// and the energy that this releases.
+// Takes a step in which the two ends of a strip 20 mm high move apart; returns the broken bonds and
+// the released energy.
 template <class P>
 FractureResult pull_once(SolidOnTrial<2, P>& trial, double speed, double dt) {
   trial.kick(0.5 * dt);
@@ -48,7 +48,7 @@ FractureResult pull_once(SolidOnTrial<2, P>& trial, double speed, double dt) {
   return book;
 }
 
-// Moves the two ends apart for `time`, in which the strip tears; returns the released energy, J/m.
+// Moves the two ends apart for `time`, until the strip is broken; returns the released energy, J/m.
 template <class P>
 double pull(SolidOnTrial<2, P>& trial, double speed, double time) {
   const double dt = pulling_step(trial);

@@ -49,7 +49,7 @@ class ReferenceStandard {
   // Returns whether an intact bond joins two particles, given by their numbers.
   using Bonded = std::function<bool(std::size_t, std::size_t)>;
 
-  // Whether the normals of walls are known; otherwise the line of centres replaces them.
+  // Whether the normals of walls are used; otherwise the line of centres replaces them.
   enum class Normals { unknown, known };
   ReferenceStandard(const ReferenceState& state, const Bonded& bonded,
                     Normals normals = Normals::unknown)

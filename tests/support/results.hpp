@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares two result folders as a user would: everything except the clock must be equal.
+// Compares two result folders: all files except measured times must be equal.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ inline std::set<std::string> names_in(const std::filesystem::path& folder) {
   return names;
 }
 
-// Compares whole contents, because the bytes of pictures would not help in a message.
+// Compares complete contents, because the bytes of pictures would not help in a message.
 inline void expect_same_results(const std::filesystem::path& a, const std::filesystem::path& b) {
   EXPECT_TRUE(read_file(a / "series.csv") == read_file(b / "series.csv"));
   EXPECT_EQ(result_without_clock(a), result_without_clock(b));

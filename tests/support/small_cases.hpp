@@ -78,8 +78,8 @@ inline Jet jet(double width, double spacing, const Point& position, double stand
   return j;
 }
 
-// A jet hits a small block of tofu on a plate: inflow, impact, fracture, splash over the
-// edge of a narrow domain. Symmetric about x = 0 (and z = 0).
+// A jet hits a small block of tofu on a plate: inflow, impact, fracture, and outflow over the edges
+// of a narrow domain. The case is symmetric about x = 0 (and z = 0).
 inline Case jet_on_block(int dimension, PrecisionKind precision) {
   Case c = empty_case(dimension, precision);
   const double z = dimension == 3 ? 1.0 : 0.0;

@@ -104,7 +104,7 @@ Square<D> rotation(double angle) {
     return Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
 }
 
-// A solid with the positions and velocities that its caller holds.
+// A solid with the positions and velocities that the test sets.
 template <int D, class P>
 struct SolidOnTrial {
   using Real = typename P::Real;
@@ -129,7 +129,7 @@ struct SolidOnTrial {
         for (int b = 0; b < D; ++b) position[i][a] += m(a, b) * layout.reference[i][b];
       }
   }
-  void shake(double amplitude, unsigned seed) {
+  void displace_randomly(double amplitude, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
     for (auto& x : position)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A GPU that is none: the ways of a GPU through the engine, its loops on threads of this machine.
-// For tests, and for those who change the engine and have no GPU.
+// The emulated GPU: it runs the GPU code path of the engine on CPU threads.
+// It serves tests and development of the engine without a GPU.
 #include "core/processor.hpp"
 #include "engine/gpu/this_gpu.hpp"
 

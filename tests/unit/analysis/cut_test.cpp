@@ -20,8 +20,8 @@ TEST(KerfWidth, OfASlotIsItsWidth) {
   }
 }
 
-// In a strip half a jet width thick through the axis of a round hole 16 mm wide the mean chord is
-// 2 * integral of sqrt(R^2 - z^2) over the strip; a lattice of 2 mm shows it in steps of 2 mm.
+// In a strip half a jet width thick through the axis of a round hole 16 mm wide the mean chord is 2
+// * integral of sqrt(R^2 - z^2) over the strip; a lattice of 2 mm resolves it in steps of 2 mm.
 TEST(KerfWidth, OfARoundHoleIsItsMeanChordNearTheAxis) {
   const Case description = make_case(3);
   CutMonitor monitor(description, make_block(3));
@@ -134,7 +134,7 @@ TEST(CutMonitor, IsIndependentOfTheParticleOrder) {
   EXPECT_EQ(a.kerf_width, b.kerf_width);
 }
 
-// Ids are unique, not small or without gaps.
+// Ids are unique, but need not be small or consecutive.
 TEST(CutMonitor, AcceptsNonconsecutiveIds) {
   const Case description = make_case(2);
   Frame block = make_block(2), frame = make_cut(description, 30.0 * mm, 12.0 * mm, 1e-3);

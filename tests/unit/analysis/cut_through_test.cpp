@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When, by what and where a block is cut through, and how fast the water got there.
+// Time, kind and position of the cut-through of a block, and the speed of the water front.
 #include <gtest/gtest.h>
 
 #include "analysis/cut.hpp"
@@ -24,7 +24,8 @@ TEST(CutThrough, IsTheTimeOfSeparationIntoTwoPieces) {
   EXPECT_DOUBLE_EQ(monitor.summary().cut_through_time, 7e-3);
 }
 
-// It says by what, and where on the axis the water was then, also of a nozzle that travels.
+// The summary has the kind and the position of the front on the axis at that time, also for a
+// moving nozzle.
 TEST(CutThrough, StatesItsKindAndPosition) {
   for (const double angle : {0.0, 0.4}) {
     Case description = make_case(2, angle);
@@ -65,7 +66,7 @@ TEST(CutThrough, IsKeptWhenTheBlockFragmentsFurther) {
   EXPECT_DOUBLE_EQ(monitor.summary().cut_through_time, 1e-3);
 }
 
-// A round hole leaves the block in one piece.
+// A block with a round hole is one piece.
 TEST(CutThrough, IsTheTimeWhenAHoleReachesTheBottom) {
   const Case description = make_case(3);
   CutMonitor monitor(description, make_block(3));
@@ -106,7 +107,7 @@ TEST(FrontSpeed, IsTheSlopeBetweenContactAndExit) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));
   const double speed = 2.2;
-  for (int n = -10; n <= 60; ++n) {  // 0.5 ms apart; first above the block, at last below it
+  for (int n = -10; n <= 60; ++n) {  // 0.5 ms apart; the front is first above the block, at the end below it
     const double time = n * 0.5e-3;
     const double below = std::max(0.0, speed * time - thickness);
     const double depth = n < 0 ? -5.0 * mm : speed * time + 4.0 * below;

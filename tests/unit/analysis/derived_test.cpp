@@ -22,7 +22,8 @@ Case tofu_at(double speed) {
   return description;
 }
 
-// By hand from E = 1e5 Pa, nu = 0.3, rho = 940 kg/m3: K = E / 1.2, G = E / 2.6.
+// The values are computed by hand from E = 1e5 Pa, nu = 0.3, rho = 940 kg/m3: K = E / 1.2, G = E /
+// 2.6.
 TEST(Derived, WaveSpeedsOfThePaper) {
   const DerivedNumbers numbers = of("tofu-5ms");
   EXPECT_NEAR(numbers.bulk_modulus, 1e5 / 1.2, 1e-9 * 1e5);
@@ -75,7 +76,8 @@ TEST(Derived, Regimes) {
   EXPECT_EQ(derive(tofu_at(50.0)).regime, "hydrodynamic");
   EXPECT_EQ(of("rings").regime, "no jet");
 
-  // By its fracture energy: Gc = w d M strain^2 / 2, on the block's spacing of 2 mm.
+  // The failure strain follows from the fracture energy: Gc = w d M strain^2 / 2, with the spacing
+  // of the block of 2 mm.
   Case tough = tofu_at(5.0);
   for (Material& material : tough.materials)
     if (material.kind == MaterialKind::elastic) {
@@ -87,9 +89,9 @@ TEST(Derived, Regimes) {
   EXPECT_EQ(derive(tough).regime, "elastic dimple");
 }
 
-// Softening: fails at its strain; where the spacing is too coarse for that, at the strain that
-// makes w d E strain^2 / 2 its energy (Bazant & Oh 1983). 2 Gc / (w E strain^2) is 0.75 mm for
-// 1 J/m2.
+// With softening the failure strain is that of the material; if the spacing is too coarse for that,
+// it is the strain at which w d E strain^2 / 2 is the fracture energy (Bazant & Oh 1983). 2 Gc / (w
+// E strain^2) is 0.75 mm for 1 J/m2.
 TEST(Derived, StrengthOfAMaterialThatSoftens) {
   Case soft = tofu_at(5.0);
   soft.formulation = Formulation::standard;
@@ -109,7 +111,7 @@ TEST(Derived, ParticlesAndSteps) {
   const DerivedNumbers numbers = of("tofu-5ms");
   EXPECT_EQ(numbers.particles_initial, 50u * 25u + 61u * 2u);
   EXPECT_NEAR(static_cast<double>(numbers.particles_expected), 1250.0 + 122.0 + 1500.0, 1.0);
-  // The water limits: 0.25 x 1.5 mm / (50 + 5 + 1.2 x 0.01 x 50) m/s.
+  // The water limits the step: 0.25 x 1.5 mm / (50 + 5 + 1.2 x 0.01 x 50) m/s.
   EXPECT_NEAR(numbers.time_step, 0.25 * 1.5e-3 / 55.6, 1e-12);
   EXPECT_NEAR(numbers.steps, 0.03 * 55.6 / (0.25 * 1.5e-3), 1.0);
   // Round jet of 10 mm in 3D.
@@ -123,7 +125,7 @@ TEST(Derived, WithoutAJet) {
   const DerivedNumbers rods = of("rod-impact");
   EXPECT_NEAR(rods.jet_speed, 0.5, 1e-12);
   EXPECT_NEAR(rods.longitudinal_speed, 100.0, 1e-9);
-  // Equal impedances: half of rho c v.
+  // Equal impedances give half of rho c v.
   EXPECT_NEAR(rods.contact_stress, 0.5 * 1000.0 * 100.0 * 0.5, 1e-6);
   EXPECT_NEAR(of("tank").water_sound_speed, 10.0 * std::sqrt(2.0 * 9.81 * 0.1), 1e-9);
 }

@@ -33,8 +33,8 @@ class WaterFront : public testing::TestWithParam<Layout> {
   }
 };
 
-// A front that is the full jet lags by the tenth of a plug that it must hold beyond it; a narrower
-// one lags by as much more as it is narrower. Half of a jet width of lag is the limit here.
+// The front of a full jet lags by the tenth of a plug that must be beyond it; that of a narrower
+// stream lags by more in proportion. The limit here is half of a jet width.
 TEST_P(WaterFront, IsTheDepthOfTheWater) {
   const double section = GetParam().dimension == 3 ? std::pow(GetParam().breadth / jet_width, 2)
                                                    : GetParam().breadth / jet_width;
@@ -52,7 +52,7 @@ TEST_P(WaterFront, DiffersByTheDistanceThatTheWaterMoved) {
   EXPECT_NEAR(moved, 17.0 * mm, 1e-6 * mm);
 }
 
-// A nozzle that has moved 20 mm along x, or is on its way, with its water beneath it.
+// A nozzle that has moved 20 mm along x, or is moving, with its water below it.
 TEST_P(WaterFront, IsMeasuredAlongTheTraverse) {
   const double angle = GetParam().angle, speed = 2.0;
   description_.jets[0].traverse = {speed * std::cos(angle), speed * std::sin(angle), 0.0};
@@ -64,11 +64,11 @@ TEST_P(WaterFront, IsMeasuredAlongTheTraverse) {
     frame.position[row][0] += 20.0 * mm * std::cos(angle);
     frame.position[row][1] += 20.0 * mm * std::sin(angle);
   }
-  frame.time = 1e-3;  // still where it was
+  frame.time = 1e-3;  // before the traverse
   EXPECT_LT(depth_of(frame), 1e-9);
   frame.time = 11e-3;
   EXPECT_NEAR(depth_of(frame), expected, 1e-6);
-  frame.time = 50e-3;  // further on: water that it left behind counts
+  frame.time = 50e-3;  // later: the water behind the nozzle counts
   EXPECT_NEAR(depth_of(frame), expected, 1e-6);
 }
 
@@ -85,7 +85,7 @@ TEST_P(WaterFront, ChangesLessThanFivePercentWhenTheLayoutIsJittered) {
 TEST_P(WaterFront, IgnoresLeakedDrops) {
   Frame frame = frame_with_water(25.0 * mm);
   const double expected = depth_of(frame);
-  for (int drop = 0; drop < 8; ++drop)  // a front of a full jet would be 10 or more
+  for (int drop = 0; drop < 8; ++drop)  // a front of a full jet needs 10 or more
     for (const double depth : {36.0 * mm, 47.0 * mm, 60.0 * mm}) {
       const double angle = GetParam().angle;
       const double x = (drop - 3.5) * mm;
@@ -131,7 +131,7 @@ TEST(WaterFrontOfNoCut, IgnoresWaterThatRunsDownBesideTheBlock) {
   EXPECT_EQ(monitor.observe(frame).front_depth, 0.0);
 }
 
-// A jet only three particles wide still has a front, which a leaked drop or two do not move.
+// A jet of three particles across also has a front, which one or two leaked drops do not move.
 TEST(WaterFrontOfNoCut, IsFoundForACoarseJet) {
   Case description = make_case(2);
   description.jets[0].width = 3.0 * mm;

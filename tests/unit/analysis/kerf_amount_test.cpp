@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a jet took away, what it hurt beside the kerf, and that layer by layer.
+// The removed volume, the damaged zone beside the kerf, and both by layers.
 #include "kerf_layout.hpp"
 
 namespace kerf {
@@ -38,7 +38,7 @@ TEST_P(KerfAmounts, RemovedSolidIsFracturedMissingOrFragmented) {
   EXPECT_NEAR(removed(frame), slot_volume, 1e-6 * slot_volume);
   const Frame gone = without(frame, [](const Position& x) { return slot(x, 8.0 * mm, 20.0 * mm); });
   EXPECT_NEAR(removed(gone), slot_volume, 1e-6 * slot_volume);
-  // A crumb in the middle of the slot that is still whole, and one that came off the corner.
+  // A small intact fragment in the middle of the slot, and one detached from the corner.
   Frame crumbs = frame;
   for (std::size_t row = 0; row < crumbs.position.size(); ++row)
     if (slot(crumbs.position[row], 4.0 * mm, 20.0 * mm)) crumbs.category[row] = Category::solid;
@@ -74,8 +74,8 @@ TEST_P(KerfAmounts, NothingRemovedHasNoSpecificEnergy) {
   EXPECT_TRUE(std::isnan(removal.specific_energy));
 }
 
-// A kerf 12 mm wide; beside it solid that is hurt to 14 mm from the axis on the right and 10 mm on
-// the left, thus a mean zone of 6 mm.
+// A kerf 12 mm wide; the solid beside it is damaged up to 14 mm from the axis on the right and 10
+// mm on the left, so the mean zone is 6 mm.
 TEST_P(KerfAmounts, DamagedZoneIsMeasuredBesideTheKerf) {
   const auto is_hurt = [](const Position& x) { return x[0] > -10.0 * mm && x[0] < 14.0 * mm; };
   const auto zone = [&](int seed, const std::string& column, float value) {
@@ -132,7 +132,7 @@ TEST_P(KerfAmounts, LayersAreMeasuredSeparately) {
       const CutMonitor monitor(description, initial);
       const Kerf kerf = measure_kerf(monitor.workpiece(), frame, carving_.conditions);
       ASSERT_EQ(kerf.layers.size(), 2u);
-      // Far off its place a particle has no neighbours that a piece could hold it by.
+      // A particle far from its initial position has no neighbours in a piece.
       const double bound = (seed > 0 ? 1.0 : 0.0) * std::pow(solid_spacing, GetParam()) +
                            1e-6 * 400.0 * mm * mm * length();
       const KerfLayer &upper = kerf.layers[0], &lower = kerf.layers[1];

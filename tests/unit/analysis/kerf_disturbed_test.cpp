@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must not change a kerf, and cases that have none.
+// Disturbances that must not change a kerf, and cases without one.
 #include "kerf_layout.hpp"
 
 namespace kerf {
@@ -74,7 +74,7 @@ TEST_P(KerfOfAMovedBlock, CurrentWidthIncludesTheSeparationOfTheHalves) {
               0.5 * mm);
 }
 
-// Nothing is fractured: the solid under the jet has flowed down and aside.
+// No particle is fractured: the solid under the jet is displaced downwards and sideways.
 TEST_P(KerfOfAMovedBlock, ADentHasACurrentWidthOnly) {
   Frame dented = initial_;
   move(dented, [](const Position& x) -> Position {

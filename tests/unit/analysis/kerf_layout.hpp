@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hand-made kerfs with known shapes, on regular and jittered lattices, before straight and tilted
-// jets. Places in a cut are (crosswise, depth down the jet, lengthwise), as in layout.hpp but for
-// the sign of the depth.
+// Artificial kerfs with known shapes, on regular and jittered lattices, with straight and inclined
+// jets. Positions in a cut are (crosswise, depth along the jet, lengthwise), as in layout.hpp
+// except for the sign of the depth.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,18 +20,18 @@ inline constexpr double steady = 0.05;      // change of a measure that a jitter
 struct Carving {
   int dimension = 2;
   double angle = 0.0;           // rad, of the jet
-  bool is_block_tilted = true;  // so that the jet meets it at right angles
+  bool is_block_tilted = true;  // so that the jet is normal to its face
   Position low{-50.0 * mm, -thickness, -20.0 * mm};
   Position high{50.0 * mm, 0.0, 20.0 * mm};
-  std::function<bool(const Position&)> is_gone;  // by place before the tilt
+  std::function<bool(const Position&)> is_gone;  // by position before the tilt
   double time = 0.0;                             // s, of the frame
   KerfConditions conditions;
 
-  // A tilted block is the same but for its coordinates: two layouts show whether these are right.
+  // A tilted block differs in its coordinates only: both layouts test these.
   int seeds() const { return dimension == 3 && angle != 0.0 && is_block_tilted ? 2 : all_seeds; }
   Case description() const { return make_case(dimension, angle); }
 
-  // Before the cut; seed 0 = the regular lattice.
+  // The block before the cut; seed 0 = the regular lattice.
   Frame lay_out(int seed) const {
     Frame frame;
     frame.dimension = dimension;
@@ -39,7 +39,8 @@ struct Carving {
     if (seed > 0) jitter(frame, most_jitter, static_cast<unsigned>(seed));
     return frame;
   }
-  // What is gone is chosen by the places of the regular lattice: jitter then only shifts particles.
+  // Removed particles are chosen by their positions on the regular lattice, so that jitter only
+  // displaces particles.
   Kerf measure(int seed) const {
     const Frame regular = lay_out(0);
     Frame initial = lay_out(seed), frame = initial;
@@ -47,13 +48,14 @@ struct Carving {
       if (is_gone(regular.position[row])) frame.category[row] = Category::fractured;
     return measure_pair(std::move(initial), std::move(frame));
   }
-  // Or by the jittered places, as a cut would: other particles are gone for each seed.
+  // Removed particles are chosen by their jittered positions, so that each seed removes different
+  // ones.
   Kerf measure_recut(int seed) const {
     Frame initial = lay_out(seed), frame = initial;
     change(frame, Category::fractured, is_gone);
     return measure_pair(std::move(initial), std::move(frame));
   }
-  // Of frames before the tilt.
+  // A change of frames before the tilt.
   Kerf measure_pair(Frame initial, Frame frame) const {
     if (is_block_tilted) tilt(initial, angle);
     if (is_block_tilted) tilt(frame, angle);
@@ -70,8 +72,9 @@ struct Measure {
   double bound = solid_spacing;
 };
 
-// The measures are exact to within their bounds on the regular lattice, on jittered ones and where
-// these are cut anew, and jitter changes them by less than 5%. The largest change is recorded.
+// The measurements are within their bounds on the regular lattice and on jittered ones with either
+// choice of removed particles, and jitter changes them by less than 5%. The largest change is
+// recorded.
 inline void expect_steady(const Carving& carving, const std::vector<Measure>& measures) {
   const Kerf regular = carving.measure(0);
   std::vector<double> most(measures.size(), 0.0), error = most;

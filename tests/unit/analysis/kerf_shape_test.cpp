@@ -38,7 +38,7 @@ double bottom_of(const Kerf& kerf) {
   return kerf.shape.bottom.width;
 }
 
-// Its faces lie between rows of the lattice.
+// The faces of the slot are between rows of the lattice.
 TEST_P(KerfOf, AStraightBlindSlot) {
   const double width = 24.0 * mm, depth = 30.0 * mm;
   carving_.is_gone = [=](const Position& x) {
@@ -56,7 +56,8 @@ TEST_P(KerfOf, AStraightBlindSlot) {
                            {"bottom", bottom_of, width}});
 }
 
-// 30 mm wide at the top and 10 mm at the bottom, 50 mm below; and the other way round.
+// The slot is 30 mm wide at the top and 10 mm at the bottom, 50 mm below; the second one is
+// reversed.
 TEST_P(KerfOf, ATaperedSlot) {
   const double slope = 0.2, middle = 20.0 * mm, edge = 4.0 * mm;
   for (const double sign : {1.0, -1.0}) {
@@ -122,7 +123,7 @@ TEST_P(KerfOf, ARoundCrater) {
   expect_crater(carving_, depth);
 }
 
-// A jet that leans makes a slot that leans: its depth is along the jet, its width across.
+// An inclined jet cuts an inclined slot: its depth is along the jet, its width across.
 TEST_P(KerfOf, ASlotInASlopingFace) {
   const double lean = GetParam().angle + 0.25, depth = 28.0 * mm, width = 20.0 * mm;
   carving_.angle = lean;

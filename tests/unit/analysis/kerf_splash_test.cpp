@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splash, fragments, margin, and what is asked of a case and its run.
+// Splash, fragments, margin, and the conditions of a case and its run.
 #include <numbers>
 
 #include "analysis/fragment_sizes.hpp"
@@ -14,7 +14,7 @@ class SplashOf : public testing::TestWithParam<std::pair<int, double>> {
  protected:
   Case description_ = make_case(GetParam().first, GetParam().second);
 
-  // Water beside the jet and above the block that flies off at `angle` from the face.
+  // Water beside the jet and above the block that moves away at `angle` from the face.
   void add_splash(Frame& frame, double angle, double low, double high) const {
     Frame lattice;
     lattice.dimension = frame.dimension;
@@ -75,7 +75,7 @@ TEST_P(SplashOf, OtherWaterIsNotSplash) {
   add_water(frame, description_, 20.0 * mm, jet_width);
   for (std::size_t row = solids; row < frame.id.size(); ++row)
     frame.velocity[row] = {0.0, 5.0, 0.0};
-  add_splash(frame, -0.5, 2.0 * mm, 8.0 * mm);  // comes down
+  add_splash(frame, -0.5, 2.0 * mm, 8.0 * mm);  // moves downwards
   add_splash(frame, 0.5, -12.0 * mm, 0.0);      // in the kerf
   const std::size_t slow = frame.id.size();
   add_splash(frame, 0.5, 8.0 * mm, 10.0 * mm);
@@ -110,7 +110,7 @@ TEST(FragmentSizes, AreSharesOfTheDetachedMass) {
   EXPECT_EQ(sizes.count, 1000u);
   EXPECT_DOUBLE_EQ(sizes.largest_mass, 1.0);
   EXPECT_NEAR(sizes.total_mass, 500.5, 1e-6);
-  // Mass up to m of masses spread evenly from 0 to 1 is m^2 of it.
+  // For masses distributed uniformly from 0 to 1 the share of the mass below m is m^2.
   for (std::size_t n = 0; n < 3; ++n) {
     const double mass = std::sqrt(fragment_shares[n]);
     EXPECT_NEAR(sizes.mass[n], mass, 1e-3);
@@ -138,7 +138,7 @@ TEST(Margin, IsTheRemainingShareOfTheRunOrTheThickness) {
   EXPECT_NEAR(carving.measure(0).of<CutMargin>().value, -0.2, 1e-6);
   carving.conditions.front_depth = 0.0;
   EXPECT_NEAR(carving.measure(0).of<CutMargin>().value, -1.0, 1e-6);
-  carving.conditions.front_depth = 2.0 * thickness;  // of a block that was pushed down
+  carving.conditions.front_depth = 2.0 * thickness;  // of a block that is displaced downwards
   EXPECT_EQ(carving.measure(0).of<CutMargin>().value, 0.0);
   carving.conditions.cut_through_time = 15e-3;
   EXPECT_NEAR(carving.measure(0).of<CutMargin>().value, 0.25, 1e-12);

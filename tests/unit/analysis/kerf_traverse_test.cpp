@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kerfs of a nozzle that travels.
+// Kerfs of a moving nozzle.
 #include "kerf_layout.hpp"
 
 namespace kerf {
@@ -16,8 +16,9 @@ double depth_of(const Kerf& kerf) {
   return kerf.shape.depth;
 }
 
-// A slab along the way of the nozzle, which has come from the origin to 40 mm. The angles are those
-// of the jet, which leans against the way it goes or with it, and of that way about the vertical.
+// A slab along the path of the nozzle, which has moved from the origin to 40 mm. The angles are
+// those of the jet, which is inclined against or along the traverse, and of the traverse about the
+// vertical.
 struct Way {
   double angle = 0.0;  // rad
   bool is_turned = false;
@@ -48,7 +49,7 @@ class TraversedKerf : public testing::TestWithParam<Way> {
   static double across(const Position& x) { return x[2 - way()]; }
 };
 
-// The front recedes by 0.4 of the depth; its levels are 46 mm from each other.
+// The front trails by 0.4 of the depth; its levels are 46 mm apart.
 TEST_P(TraversedKerf, ASlantedFrontLagsByItsSlant) {
   const double slope = 0.4, between = thickness - 2.0 * 2.0 * solid_spacing;
   carving_.is_gone = [=](const Position& x) {
@@ -104,7 +105,7 @@ TEST_P(TraversedKerf, ABlindGrooveHasItsDepths) {
                                                std::to_string(error / solid_spacing));
 }
 
-// Through on the first 30 mm of the 40 that the nozzle has come, then a groove.
+// The kerf is through on the first 30 mm of the 40 mm of the path, then a groove.
 TEST_P(TraversedKerf, ThroughShareIsTheCutPartOfThePath) {
   carving_.is_gone = [=](const Position& x) {
     return std::abs(across(x)) < 8.0 * mm && along(x) < now + 6.0 * mm &&
@@ -120,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, TraversedKerf,
 
 class FlatTraverse : public testing::TestWithParam<double> {};
 
-// In two dimensions the nozzle travels in the plane of the block.
+// In two dimensions the nozzle moves in the plane of the block.
 TEST_P(FlatTraverse, LagIsEqualInBothDirections) {
   const double way = GetParam(), slope = 0.5;
   Carving carving;

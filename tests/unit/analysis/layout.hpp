@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hand-made cases and frames with known answers: a block below y = 0, a jet that comes from above.
+// Artificial cases and frames with known results: a block below y = 0 and a jet from above.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ inline constexpr double thickness = 50.0 * mm;
 using Position = std::array<double, 3>;
 
 // A jet of 10 mm that aims at the origin and one elastic body without a shape: the frames below
-// say where its particles are.
+// define its particles.
 inline Case make_case(int dimension, double angle = 0.0) {
   Case description;
   description.dimension = dimension;
@@ -118,7 +118,7 @@ inline void change(Frame& frame, Category category,
       frame.category[row] = category;
 }
 
-// A slot `breadth` wide cut to `depth`: the solid in it is fractured and water stands in it.
+// A slot of width `breadth` and depth `depth`: the solid in it is fractured and water fills it.
 inline Frame make_cut(const Case& description, double depth, double breadth, double time) {
   Frame frame = make_block(description.dimension);
   frame.time = time;
@@ -133,7 +133,7 @@ inline void move(Frame& frame, const std::function<Position(const Position&)>& t
   for (Position& x : frame.position) x = to(x);
 }
 
-// Turns a layout made for a jet straight down into that of a jet at `angle`.
+// Rotates a layout for a vertical jet to that of a jet at `angle`.
 inline void tilt(Frame& frame, double angle) {
   move(frame, [&](const Position& x) -> Position {
     return {x[0] * std::cos(angle) - x[1] * std::sin(angle),
@@ -141,7 +141,7 @@ inline void tilt(Frame& frame, double angle) {
   });
 }
 
-// Shifts every particle by up to `part` of its spacing along each axis.
+// Displaces every particle by up to `part` of its spacing along each axis.
 inline void jitter(Frame& frame, double part, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> shift(-part, part);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Water inside whole solid, in hand-made frames.
+// Water inside intact solid, in artificial frames.
 #include "kerf_layout.hpp"
 
 namespace kerf {

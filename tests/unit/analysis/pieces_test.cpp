@@ -32,7 +32,7 @@ TEST_P(Pieces, AThroughCrackOneParticleWideMakesTwo) {
   EXPECT_EQ(pieces_of(description_, initial, block_), 2);
 }
 
-// Mass, place and speed of both halves, and of the crack nothing.
+// Mass, centre and velocity of both halves, without the crack.
 TEST_P(Pieces, FragmentsAreTheHalves) {
   Frame frame = block_;
   change(frame, Category::fractured,
@@ -107,7 +107,7 @@ TEST_P(Pieces, AreIndependentOfJitter) {
     Frame initial = block_;
     jitter(initial, 0.1, seed);
     Frame frame = initial;
-    // By the regular place: a jittered crack one particle wide.
+    // The crack is chosen on the regular lattice: a jittered crack one particle wide.
     for (std::size_t row = 0; row < frame.position.size(); ++row)
       if (std::abs(block_.position[row][0] - 1.0 * mm) < 0.1 * mm)
         frame.category[row] = Category::fractured;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warnings of spacings that are too coarse where it matters.
+// Warnings of spacings that are too coarse.
 #include "app/check_warnings.hpp"
 
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ TEST(CheckResolution, WarnsOfANarrowJet) {
                              HasSubstr("5 particles wide"), HasSubstr("0.001 m or less"))));
 }
 
-// The width passes, by 2 mm, what the reader refuses, but not two smoothing lengths of 4 mm.
+// The width of 2 mm is accepted by the reader, but is below two smoothing lengths of 4 mm.
 TEST(CheckResolution, WarnsOfThinLevelsAndACoarseCut) {
   const auto warnings =
       resolution_warnings(jet_on_block("1 mm", R"(grading = { levels = 2, width = "6 mm" })"));

@@ -24,7 +24,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using BeforeStep = std::function<void(std::uint64_t)>;
 
-struct Killed {};  // no UserError, so the loop cannot tidy up after it: as good as kill -9
+struct Killed {};  // not a UserError: the loop cannot clean up after it, as after kill -9
 
 class Run : public testing::Test {
  protected:
@@ -71,7 +71,7 @@ TEST_F(Run, WritesEveryDocumentedFile) {
 
 TEST_F(Run, WritesAtTheFirstStepAtOrAfterEachDueTime) {
   run(settings("a"));
-  // The same steps without a loop around them are the oracle.
+  // The oracle is the same steps without the loop.
   FakeSimulation simulation(description_);
   std::vector<double> expected{0.0};
   for (double due = 1e-3; !simulation.finished();) {
@@ -84,7 +84,7 @@ TEST_F(Run, WritesAtTheFirstStepAtOrAfterEachDueTime) {
   std::vector<double> times;
   for (const json& file : series.at("files")) times.push_back(file.at("time"));
   EXPECT_EQ(times, expected);
-  EXPECT_EQ(result("a").at("pictures").size(), 3u);  // two asked for, and the end
+  EXPECT_EQ(result("a").at("pictures").size(), 3u);  // two requested ones, and the end
   const SeriesTable table(folder_ / "a/series.csv", description_);
   EXPECT_EQ(table.rows(), 51u);
   EXPECT_EQ(table.numbers("time").back(), 0.01);
@@ -104,7 +104,7 @@ TEST_F(Run, OutputDoesNotChangeTheComputation) {
 }
 
 TEST_F(Run, KilledRunResumesToTheSameResult) {
-  run(settings("whole"));
+  run(settings("full"));
   description_.output.checkpoint_interval = 2e-3;  // s, every few steps
   run(settings("frequent"));
   for (const std::uint64_t step : {1u, 58u, 200u, 390u}) {
@@ -116,12 +116,12 @@ TEST_F(Run, KilledRunResumesToTheSameResult) {
     run(settings(name, Existing::resume));
     test::expect_same_results(folder_ / "frequent", folder_ / name);
   }
-  EXPECT_EQ(read_file(folder_ / "whole/series.csv"), read_file(folder_ / "frequent/series.csv"));
+  EXPECT_EQ(read_file(folder_ / "full/series.csv"), read_file(folder_ / "frequent/series.csv"));
 }
 
 TEST_F(Run, KilledLongAfterACheckpointResumesToTheSameResult) {
-  run(settings("whole"));
-  // A signal leaves a checkpoint at step 100; the kill comes much later, after more output.
+  run(settings("full"));
+  // A signal writes a checkpoint at step 100; the kill is much later, after more output.
   run(settings("a"), [](std::uint64_t now) {
     if (now == 100) std::raise(SIGTERM);
   });
@@ -130,11 +130,11 @@ TEST_F(Run, KilledLongAfterACheckpointResumesToTheSameResult) {
   };
   EXPECT_THROW(run(settings("a", Existing::resume), kill), Killed);
   run(settings("a", Existing::resume));
-  test::expect_same_results(folder_ / "whole", folder_ / "a");
+  test::expect_same_results(folder_ / "full", folder_ / "a");
 }
 
 TEST_F(Run, ASignalEndsItWithACheckpoint) {
-  run(settings("whole"));
+  run(settings("full"));
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const std::string name = std::to_string(signal);
     const RunEnd end = run(settings(name), [signal](std::uint64_t now) {
@@ -144,7 +144,7 @@ TEST_F(Run, ASignalEndsItWithACheckpoint) {
     EXPECT_FALSE(fs::exists(folder_ / (name + "/result.json")));
     EXPECT_THAT(read_file(folder_ / (name + "/log.txt")), HasSubstr("kerf run fake.toml --resume"));
     run(settings(name, Existing::resume));
-    test::expect_same_results(folder_ / "whole", folder_ / name);
+    test::expect_same_results(folder_ / "full", folder_ / name);
   }
 }
 
@@ -176,14 +176,14 @@ TEST_F(Run, ResumingAFinishedRunRewritesAMissingResult) {
 }
 
 TEST_F(Run, ResumingWithoutACheckpointRestarts) {
-  run(settings("whole"));
+  run(settings("full"));
   const auto kill = [](std::uint64_t now) {
     if (now == 200) throw Killed();
   };
   EXPECT_THROW(run(settings("a"), kill), Killed);
   ASSERT_FALSE(fs::exists(folder_ / "a/checkpoint.h5"));
   run(settings("a", Existing::resume));
-  test::expect_same_results(folder_ / "whole", folder_ / "a");
+  test::expect_same_results(folder_ / "full", folder_ / "a");
 }
 
 TEST_F(Run, AFailureKeepsTheCheckpointAndNamesTheRemedy) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kerf view, asked as a browser asks it; frames are unpacked by zlib and compared with those on the
-// disk.
+// The server of kerf view with the requests of a browser; frames are decompressed by zlib and
+// compared with those on the disk.
 #include "app/view_server.hpp"
 
 #include <gmock/gmock.h>
@@ -145,7 +145,7 @@ TEST_F(View, AMovieHasAllFrames) {
   EXPECT_EQ(std::stoul(counted), frames);
 }
 
-// Of a computer without ffmpeg, which is one where no program is found.
+// A computer without ffmpeg is simulated by an empty search path.
 TEST_F(View, AMovieWithoutFfmpegNamesThePackage) {
   const std::string path = std::getenv("PATH");
   setenv("PATH", (folder_ / "nothing").c_str(), 1);

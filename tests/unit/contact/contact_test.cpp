@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact beside bonds: what is bonded does not also push, what has come apart does.
+// Contact of one solid: bonded particles have no contact force, particles with a broken bond have
+// one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ struct ApartAt {
   }
 };
 
-// A block of 6 x 4 (x 4) particles squeezed to 95%, so that all neighbours overlap.
+// A block of 6 x 4 (x 4) particles compressed to 95%, so that all neighbours overlap.
 template <class K>
 class ContactOfBonds : public testing::Test {
  protected:
@@ -29,7 +30,7 @@ class ContactOfBonds : public testing::Test {
   using Precision = typename K::P;
   using Real = typename Precision::Real;
 
-  // `gap`: by how much less than laid out the particles beyond the cut are away, m.
+  // `gap`: reduction of the initial distance of the particles beyond the cut, m.
   static ReferenceState squeezed(const SolidLayout<dimension>& layout, double gap) {
     ReferenceState state;
     state.dimension = dimension;
@@ -53,8 +54,8 @@ class ContactOfBonds : public testing::Test {
     return state;
   }
 
-  // Contact force on each particle of the layout by the bonds of `solid`, N: the same with and
-  // without fully bonded neighbours. `fully_bonded`: how many particles are skipped.
+  // Returns the contact force on each particle of the layout by the bonds of `solid`, N; it is the
+  // same with and without fully bonded neighbours. `fully_bonded`: number of skipped particles.
   static std::vector<Vector3> forces(const SolidLayout<dimension>& layout,
                                      TotalLagrangian<dimension, Precision>& solid,
                                      std::size_t& fully_bonded, double gap = 0.0) {
@@ -104,8 +105,8 @@ TYPED_TEST(ContactOfBonds, IntactBondsHaveNoContactForce) {
   EXPECT_EQ(fully_bonded, layout.reference.size());
 }
 
-// Across the cut only nearest neighbours overlap: each of the two rows at it is pushed away from
-// it by M d^(D-2) times the overlap of 5% of the spacing, M = K + 4 G / 3.
+// Across the cut only nearest neighbours overlap: each of the two rows at it is repelled from it by
+// M d^(D-2) times the overlap of 5% of the spacing, M = K + 4 G / 3.
 TYPED_TEST(ContactOfBonds, BrokenBondsHaveContactForce) {
   constexpr int D = TypeParam::D;
   const auto layout = block<D>({.cells = {6, 4, 4}});
@@ -126,10 +127,10 @@ TYPED_TEST(ContactOfBonds, BrokenBondsHaveContactForce) {
     EXPECT_LE((forces[s] - expected).norm(), 20.0 * TypeParam::rounding * due) << s;
   }
   EXPECT_EQ(pushed, D == 2 ? 8u : 32u);
-  EXPECT_LT(fully_bonded, layout.reference.size());  // bonds reach further than contact
+  EXPECT_LT(fully_bonded, layout.reference.size());  // bonds have a longer range than contact
 }
 
-// Two arms of one piece that were laid out further apart than bonds reach, and have closed in.
+// Two arms of one piece with an initial distance beyond the range of bonds, which have approached.
 TYPED_TEST(ContactOfBonds, SeparatePartsInContactRepel) {
   constexpr int D = TypeParam::D;
   auto layout = block<D>({.cells = {6, 4, 4}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Principal frames: they give the tensor back, and Eigen's iterative solver finds the same values.
+// Principal frames reproduce the tensor, and Eigen's iterative solver finds the same values.
 #include "core/principal_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TYPED_TEST(Frame, ReproducesTheTensor) {
     for (T size : {T(1), T(1e-6)}) expect_frame<D, T>(size * random_tensor<D, T>(engine), size);
 }
 
-// Two or three values that are the same but for a little: the closed forms fail here.
+// Two or three values are nearly equal: the closed forms fail here.
 TYPED_TEST(Frame, HandlesNearlyEqualValues) {
   constexpr int D = TypeParam::D;
   using T = typename TypeParam::T;

@@ -17,7 +17,8 @@ TEST(Random, EqualsSplitMix64) {
   for (std::uint64_t n = 0; n < 5; ++n) EXPECT_EQ(random_bits(1234567, n), published[n]);
 }
 
-// Mean 1/2 and variance 1/12, within four standard errors of 10^5 numbers; neighbours unrelated.
+// The mean is 1/2 and the variance 1/12, within four standard errors of 10^5 numbers; neighbours
+// are uncorrelated.
 TEST(Random, NumbersAreUniform) {
   constexpr int count = 100000;
   double sum = 0.0, square = 0.0, product = 0.0, last = 0.5;

@@ -124,7 +124,8 @@ TEST(VectorOf, Algebra) {
   EXPECT_EQ(w[2], 7.0);
 }
 
-// The positive part of a tensor: s+ and s - s+ are semidefinite of either sign and commute.
+// For the positive part s+ of a tensor s, s+ and s - s+ are semidefinite of either sign and
+// commute.
 template <int D>
 void expect_tensile_part(const Matrix3& s) {
   const auto part = tensile_part(packed<D>(s));

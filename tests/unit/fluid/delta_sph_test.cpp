@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The terms of delta-SPH against double loops written from Antuono et al. (2010), and what makes
-// them fit for free surfaces: a linear density has its exact gradient and does not diffuse.
+// The terms of delta-SPH against double loops written from Antuono et al. (2010), and their
+// property at free surfaces: a linear density has its exact gradient and does not diffuse.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -18,11 +18,11 @@ namespace {
 
 constexpr double spacing = 1e-3;
 
-// A block of water of 10 particles a side, shaken, with free surfaces all around.
+// A block of water of 10 particles a side, randomly displaced, with free surfaces on all sides.
 template <class Compression>
 ReferenceState shaken_block(int dimension, const Compression& compression) {
   std::mt19937 engine(7);
-  std::uniform_real_distribution<double> shake(-0.2, 0.2);
+  std::uniform_real_distribution<double> displacement(-0.2, 0.2);
   ReferenceState state;
   state.dimension = dimension;
   auto water = bag_water(spacing, dimension);
@@ -34,7 +34,7 @@ ReferenceState shaken_block(int dimension, const Compression& compression) {
     ReferenceParticle particle;
     const int cell[3] = {k % side, k / side % side, k / (side * side)};
     for (int a = 0; a < dimension; ++a)
-      particle.position[a] = spacing * (cell[a] + 2.0 + shake(engine));
+      particle.position[a] = spacing * (cell[a] + 2.0 + displacement(engine));
     particle.compression = compression(particle.position);
     state.particles.push_back(particle);
   }
@@ -69,7 +69,7 @@ struct Diffused {
   Array<Vector<D, typename P::Real>> gradient;
 };
 
-// Volumes are by densities, so that neither is exact by cancellation of equal weights.
+// Volumes follow from densities, so that neither result is exact by cancellation of equal weights.
 TYPED_TEST(DeltaSph, LinearDensityHasAnExactGradientAndNoDiffusion) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;
@@ -79,7 +79,7 @@ TYPED_TEST(DeltaSph, LinearDensityHasAnExactGradientAndNoDiffusion) {
   for (Index i = 0; i < now.loaded.particles.size(); ++i) {
     EXPECT_LE((as_eigen(Vector<D, typename P::Real>(now.gradient[i])) - slope).norm(),
               tolerance * slope.norm());
-    // delta h c / d times the differences that cancel, of about a spacing's.
+    // The tolerance is delta h c / d times the differences that cancel, of about one spacing.
     EXPECT_LE(std::abs(double(now.loaded.particles.compression_rate[i])),
               tolerance * 0.1 * 1.3 * 50.0 * slope.norm());
   }
@@ -121,7 +121,7 @@ TYPED_TEST(DeltaSph, DiffusionIsTheSumOfItsPairs) {
   EXPECT_LE(error, (std::is_same_v<P, Double> ? 1e-12 : 1e-4) * largest);
 }
 
-// It smooths: the squares of the differences of density shrink.
+// Diffusion smooths: the squares of the differences of density decrease.
 TYPED_TEST(DeltaSph, DiffusionSmooths) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;
@@ -145,7 +145,7 @@ TEST(CentralWater, HasMeanPressureAndArtificialViscosity) {
   const double along = -(left.speed - right.speed) * r / (r * r);
   EXPECT_NEAR(-2.0 * star.dissipation, 0.02 * 1010.0 * 50.0 * h * along, 1e-9);
   const auto parting = CentralWater::solve(right, left, h / r);
-  EXPECT_EQ(parting.dissipation, -star.dissipation);  // it holds back what parts
+  EXPECT_EQ(parting.dissipation, -star.dissipation);  // it resists separation
 }
 
 }  // namespace

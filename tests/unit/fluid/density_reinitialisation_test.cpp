@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Water in motion goes back to the density of the room that it fills; what rests, what is at a free
-// surface and what is still in its nozzle does not.
+// The density of moving water returns to that of its kernel sum; water at rest, at a free surface
+// or in its nozzle is excluded.
 #include "fluid/density_reinitialisation.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,8 @@ struct Shock {
   double squeeze = 0.0;  // 1/s, - div v
 };
 
-// Compression, after one step, of a particle that is 1% denser than the room says.
+// Returns the compression, after one step, of a particle whose density is 1% above that of its
+// kernel sum.
 double after_a_step(Phase phase, double kernel_sum, double max_relative_velocity,
                     std::uint8_t flags = 0, const Shock& shock = {}) {
   Particles<2, Double> particles;
@@ -49,7 +50,7 @@ TEST(DensityReinitialisation, DoesNotOvershootTheKernelSum) {
   EXPECT_NEAR(after_a_step(Phase::water, 0.97, 1e6), 0.0, 1e-12);
 }
 
-// What a squeeze alone stirs does not count, where water may be shocked.
+// Relative velocity by compression alone does not count in water with shocks.
 TEST(DensityReinitialisation, PausesDuringShocks) {
   const auto law = EquationOfState::shock_hugoniot;
   const double rate = DensityReinitialisation<2, Double>::rate;

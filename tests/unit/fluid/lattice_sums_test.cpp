@@ -8,7 +8,7 @@
 namespace kerf::test::lattice_sums_test {
 namespace {
 
-// For many neighbours the sums are the integrals, which are 1.
+// For many neighbours the sums approach the integrals, which are 1.
 TEST(LatticeSums, ApproachTheIntegrals) {
   const LatticeSums plane = lattice_sums<2, WendlandC2<2>>(4.0);
   EXPECT_NEAR(plane.kernel_sum, 1.0, 1e-3);
@@ -18,15 +18,15 @@ TEST(LatticeSums, ApproachTheIntegrals) {
   EXPECT_NEAR(space.slope, 1.0, 1e-3);
 }
 
-// By a sum written out over the places of the square lattice.
+// The reference is an explicit sum over the nodes of the square lattice.
 TEST(LatticeSums, AtTheUsualRatioInThePlane) {
   const LatticeSums sums = lattice_sums<2, WendlandC2<2>>(1.3);
   EXPECT_NEAR(sums.kernel_sum, 1.0105, 5e-5);
   EXPECT_NEAR(sums.slope, 0.9739, 5e-5);
 }
 
-// The slope is what the kernel_sum loses when the lattice widens: d kernel_sum / d ln spacing = - D
-// slope.
+// The slope is the decrease of the kernel sum when the lattice expands: d kernel_sum / d ln spacing
+// = - D slope.
 TEST(LatticeSums, SlopeIsTheDerivativeOfTheKernelSum) {
   const double ratio = 1.3, step = 1e-5;
   // Spacing 1 + s at the same h, with the weight of a particle kept: (1 + s)^-D at h / (1 + s).

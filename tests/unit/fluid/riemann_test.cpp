@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Riemann solution between particles against formulas written out by hand, and its limits.
+// The Riemann solution between particles against formulas computed by hand, and its limits.
 #include "fluid/riemann.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(Riemann, AgreesWithTheFormulas) {
     const StarState due = reference_star(l, r);
     const auto star = solve_riemann(side_of(l.density, l.pressure, l.speed, l.sound_speed),
                                     side_of(r.density, r.pressure, r.speed, r.sound_speed));
-    // Rounding of sums of terms of 1e5 Pa and 20 m/s.
+    // The tolerance is the rounding of sums of terms of 1e5 Pa and 20 m/s.
     EXPECT_NEAR(star.mean_pressure, due.mean, 1e-14 * 1e5);
     EXPECT_NEAR(star.dissipation, std::max(due.dissipation, 0.0), 1e-14 * 1e6);
     EXPECT_NEAR(star.speed, due.speed, 1e-14 * 20.0);
@@ -38,7 +38,7 @@ TEST(Riemann, AgreesWithTheFormulas) {
   }
 }
 
-// In strong shocks the difference in pressure counts by 1 - 20 (U_l - U_r) / c, not below 0.
+// In strong shocks the weight of the pressure difference is 1 - 20 (U_l - U_r) / c, but at least 0.
 TEST(Riemann, LimiterKeepsSharpFronts) {
   const double z = 2.0 * 1000.0 * 50.0;
   const auto speed = [](double approach) {
@@ -52,7 +52,7 @@ TEST(Riemann, LimiterKeepsSharpFronts) {
   EXPECT_NEAR(speed(-5.0), 2e4 / z, 1e-12);
 }
 
-// Two of one kind: the mean pressure and the mean speed of Zhang, Hu & Adams (2017).
+// Two equal particles have the mean pressure and the mean speed of Zhang, Hu & Adams (2017).
 TEST(Riemann, EqualImpedancesGiveMeans) {
   const double z = 1000.0 * 50.0;
   const auto star =
@@ -62,8 +62,8 @@ TEST(Riemann, EqualImpedancesGiveMeans) {
   EXPECT_DOUBLE_EQ(star.dissipation, 0.5 * (3.0 * 3.0 / 50.0) * z * 3.0);
 }
 
-// Between water and something much heavier and stiffer the speed is that of the latter, and the
-// pressure that of the water: a wall.
+// Between water and a much heavier and stiffer side, a wall, the speed is that of the wall and the
+// pressure that of the water.
 TEST(Riemann, HeavySideIsAWall) {
   const auto star = solve_riemann(side_of(1000.0, 3e4, 2.0, 50.0), side_of(1e8, 1e4, -1.0, 5e4));
   EXPECT_NEAR(star.mean_pressure, 3e4, 1e-3);
@@ -101,9 +101,9 @@ TEST(Riemann, BetaSaturatesAtOne) {
   EXPECT_NEAR(dissipation(9.9), 0.99 * 0.5 * 1000.0 * c * 9.9, 1e-8);
 }
 
-// A wall is the mirror of the water: the mean of both speeds is the wall's, water at its speed
-// feels its own pressure only, and the water's weight is added on the way down, never taken off. It
-// diffuses density from the wall as that between two rows of the water does.
+// A wall mirrors the water: the mean of both speeds is that of the wall. Water at the speed of the
+// wall has only its own pressure. The weight of the water is added downwards and never subtracted.
+// Density diffusion from the wall is that between two rows of the water.
 TEST(Riemann, WallMirrorsTheWater) {
   const Side water = side_of(1010.0, 2e4, 3.0, 50.0);
   const auto star = solve_riemann_at_wall(water, 1.0, 100.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particles of water are moved to where fewer are, and only where that changes no surface.
+// Shifting moves particles of water to positions with fewer neighbours, without a change of
+// surfaces.
 #include "fluid/shifting.hpp"
 
 #include <gtest/gtest.h>
@@ -25,10 +26,10 @@ struct Kind {
   using P = P_;
 };
 
-// A block of water, its lattice shaken by `shake` spacings.
-ReferenceState block(int dimension, double shake) {
+// A block of water whose lattice is randomly displaced by up to `amplitude` spacings.
+ReferenceState block(int dimension, double amplitude) {
   std::mt19937 engine(3);
-  std::uniform_real_distribution<double> uniform(-shake, shake);
+  std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
   ReferenceState state;
   state.dimension = dimension;
   auto water = bag_water(spacing, dimension);
@@ -79,7 +80,7 @@ struct Shifted {
         loaded.particles.size(),
         ShiftParticles<D, P>{loaded.particles.view(), pointer(concentration_gradient), dt});
   }
-  // Rows between a place and the nearest side of the block, from 0.
+  // Returns the number of rows between a position and the nearest side of the block, from 0.
   int depth(Index i) const {
     int least = side;
     const Vector<D, double> place = loaded.particles.build_position[i];
@@ -129,7 +130,7 @@ void expect_moved_from_the_crowd(double stirred, double share) {
     if (water.depth(i) < 3) {
       EXPECT_EQ(moved.norm(), 0.0);
     }
-    if (water.depth(i) < 5) continue;  // shaken, it may see one that lacks neighbours
+    if (water.depth(i) < 5) continue;  // a displaced particle may have a neighbour near the surface
     ++inside;
     Vector3 concentration_gradient = Vector3::Zero();
     for (const ReferenceParticle& other : state.particles) {
@@ -156,7 +157,7 @@ TYPED_TEST(Shifting, IsBoundedForAnyVorticity) {
                                                                    0.25);
 }
 
-// A hundred steps take more than half of the shaking out.
+// A hundred steps remove more than half of the random displacement.
 TYPED_TEST(Shifting, EqualisesTheDistribution) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;
@@ -178,7 +179,8 @@ TYPED_TEST(Shifting, EqualisesTheDistribution) {
   EXPECT_LT(concentration_gradient(), 0.25 * before);
 }
 
-// Neither what is not stirred, nor what is in a nozzle; at a wall along it only.
+// Water without relative velocity, and water in a nozzle, is not shifted; at a wall it is shifted
+// only along the wall.
 TEST(Shifting2D, ExcludesSurfacesAndOtherMatter) {
   Shifted<2, Double> water(block(2, 0.1));
   auto& p = water.loaded.particles;

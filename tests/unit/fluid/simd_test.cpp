@@ -22,7 +22,7 @@ struct Drop {
   bool surface;
 };
 
-// Some thousand neighbours of particle 0 in a ball of 3 h, at random.
+// Some thousand neighbours of particle 0 at random in a ball of 3 h.
 template <int D>
 std::vector<Drop> cloud(int count, unsigned seed) {
   std::mt19937 engine(seed);
@@ -46,8 +46,8 @@ std::vector<Drop> cloud(int count, unsigned seed) {
   return drops;
 }
 
-// Impedance and sound speed by its density, c of materials/shock_hugoniot.hpp where there are
-// shocks.
+// Returns the impedance and the sound speed at the density; with shocks, c of
+// materials/shock_hugoniot.hpp.
 RiemannSide<double> side_of(const Drop& drop, double hugoniot_slope, double speed) {
   const double density = mass / drop.volume,
                eta = std::max(0.0, 1.0 - (mass / (spacing * spacing * spacing)) / density),
@@ -196,7 +196,7 @@ TEST(RiemannByVolumes, AgreesWithTheFormByImpedances) {
   }
 }
 
-// Fixed-point coordinates wrap around: differences hold wherever in space the particles are.
+// Fixed-point coordinates wrap around: differences are valid at all positions.
 TEST(FixedPointScale, DifferencesHoldAnywhere) {
   const auto unit = FixedPointScale<float>::of_spacing(spacing);
   for (double where : {0.0, -3.0, 0.5, 1e3}) {

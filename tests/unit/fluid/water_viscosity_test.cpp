@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Viscosity of water on a lattice against mu times the Laplacian.
+// The viscosity of water on a lattice against mu times the Laplacian.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -9,9 +9,9 @@
 namespace kerf::test::water_viscosity_test {
 namespace {
 
-// A wave of shear of 50 spacings in water without pressure: the sum falls short of the Laplacian by
-// less than 0.5%, by the finite length of the wave over that of the kernel. Nor is there any other
-// dissipation where the viscosity is enough by itself, however fast the wave.
+// A shear wave of 50 spacings in water without pressure: the sum is below the Laplacian by less
+// than 0.5%, because the wave has a finite length compared with the kernel. If the viscosity
+// suffices, there is no other dissipation at any speed of the wave.
 void expect_viscosity_alone(double speed) {
   constexpr int cells = 61;
   constexpr double length = 50.0 * bag_spacing, k = 2.0 * std::numbers::pi / length;

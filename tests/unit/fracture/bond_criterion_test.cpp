@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which bonds of a uniform strain a criterion breaks, over all directions.
+// The bonds that a criterion breaks in a uniform strain, over all directions.
 #include "fracture/bond_criterion.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ struct UniformStrain {
   double prepared() const {
     return prepare_criterion(solid, ElasticParticle<2, double>{solid, green()});
   }
-  int broken() const {  // of 180 directions, one a degree
+  int broken() const {  // number of 180 directions, 1 degree apart
     int count = 0;
     for (int degree = 0; degree < 180; ++degree)
       count += bond_breaks(bond((degree + 0.5) * std::numbers::pi / 180.0), solid);
@@ -63,9 +63,9 @@ TEST(BondCriterion, EquivalentStrain) {
   EXPECT_EQ((UniformStrain{0.1499, 0.0, solid}.broken()), 0);  // 2/3 e
   EXPECT_GT((UniformStrain{0.1501, 0.0, solid}.broken()), 170);
   EXPECT_EQ((UniformStrain{-0.3, 0.0, solid}.broken()), 0);  // no bond is stretched
-  // Pure shear: 2/sqrt(3) e.
+  // Pure shear has 2/sqrt(3) e.
   EXPECT_EQ((UniformStrain{0.0866, -0.0866, solid}.broken()), 0);
-  // Stretched, e^(2e) cos^2 + e^(-2e) sin^2 > 1, within atan(e^e) = 47.5 degrees of x.
+  // Bonds are stretched, e^(2e) cos^2 + e^(-2e) sin^2 > 1, within atan(e^e) = 47.5 degrees of x.
   EXPECT_EQ((UniformStrain{0.0867, -0.0867, solid}.broken()), 94);
 }
 
@@ -84,12 +84,12 @@ TEST(BondCriterion, PrincipalStress) {
   const auto solid = strong(1.8e6);
   EXPECT_EQ((UniformStrain{0.99e-3, 0.0, solid}.broken()), 0);
   const int in_tension = UniformStrain{1.01e-3, 0.0, solid}.broken();
-  EXPECT_GT(in_tension, 90);  // those across, not those along the crack
+  EXPECT_GT(in_tension, 90);  // the bonds across the crack, not those along it
   EXPECT_LT(in_tension, 150);
-  // With the other strain as large the stress is 2.4 GPa times it.
+  // If the other strain is equal, the stress is 2.4 GPa times it.
   EXPECT_EQ((UniformStrain{0.74e-3, 0.74e-3, solid}.broken()), 0);
   EXPECT_EQ((UniformStrain{0.76e-3, 0.76e-3, solid}.broken()), 180);
-  // Pure shear: 2 G times the strain.
+  // In pure shear it is 2 G times the strain.
   EXPECT_EQ((UniformStrain{1.48e-3, -1.48e-3, solid}.broken()), 0);
   EXPECT_GT((UniformStrain{1.52e-3, -1.52e-3, solid}.broken()), 45);
   EXPECT_EQ((UniformStrain{-0.1, -0.1, solid}.broken()), 0);
@@ -102,10 +102,10 @@ TEST(BondCriterion, StrainEnergy) {
   // Uniaxial strain stores M e^2 / 2: the limit is that strain.
   EXPECT_EQ((UniformStrain{0.0999, 0.0, solid}.broken()), 0);
   EXPECT_GT((UniformStrain{0.1001, 0.0, solid}.broken()), 90);
-  // Both strains: (K + G / 3) e^2 per half; e = limit sqrt(1.8 / 4.8).
+  // Both strains store (K + G / 3) e^2 per half; e = limit sqrt(1.8 / 4.8).
   EXPECT_EQ((UniformStrain{0.0611, 0.0611, solid}.broken()), 0);
   EXPECT_EQ((UniformStrain{0.0614, 0.0614, solid}.broken()), 180);
-  // What is squeezed stores nothing that opens a crack: G e^2.
+  // Compression stores no energy that opens a crack; the rest is G e^2.
   const double sheared = 0.1 * std::sqrt(1.8 / 1.2);
   EXPECT_EQ((UniformStrain{-0.3, -0.3, solid}.broken()), 0);
   EXPECT_NEAR((UniformStrain{sheared, -sheared, solid}.prepared()), 0.1, 1e-12);
@@ -118,7 +118,7 @@ TEST(BondCriterion, NoLimitNeverBreaks) {
   EXPECT_EQ((UniformStrain{2.0, 2.0, strong(0.0)}.broken()), 0);
 }
 
-// The bond that spans a crack is longer than the smeared tensors say, that beside it is not.
+// The bond across a crack is longer than the smoothed tensors indicate, a bond beside it is not.
 TEST(BondCriterion, OnlyStretchedBondsBreak) {
   for (auto criterion : {BondCriterion::principal_strain, BondCriterion::equivalent_strain}) {
     const UniformStrain smeared{0.3, 0.0, brittle(criterion, 0.1)};
@@ -127,7 +127,7 @@ TEST(BondCriterion, OnlyStretchedBondsBreak) {
     EXPECT_FALSE(bond_breaks(bond, smeared.solid));
     bond.own = 1.0;
     EXPECT_TRUE(bond_breaks(bond, smeared.solid));
-    const UniformStrain faint{0.02, 0.0, brittle(criterion, 0.1)};  // but far apart
+    const UniformStrain faint{0.02, 0.0, brittle(criterion, 0.1)};  // but with a long bond
     bond = faint.bond(1.0);
     bond.own = 1.0;
     EXPECT_TRUE(bond_breaks(bond, faint.solid));

@@ -19,8 +19,8 @@ GradyKipp<double> law_of(double volume, std::uint64_t seed) {
   return GradyKipp<double>::of({per_volume, exponent, crack_speed}, volume, seed);
 }
 
-// The weakest of all flaws of a body is active at a strain whose mean is
-// (k V)^(-1/m) Gamma(1 + 1/m), whatever the number of particles.
+// The weakest flaw of a body is active at a strain with the mean (k V)^(-1/m) Gamma(1 + 1/m), for
+// any number of particles.
 TEST(GradyKipp, WeakestFlawIsThatOfTheBody) {
   constexpr double body = 1e-3;  // m^3
   constexpr int trials = 400;
@@ -40,8 +40,8 @@ TEST(GradyKipp, WeakestFlawIsThatOfTheBody) {
   }
 }
 
-// The number of flaws of a particle that are active at a strain has the mean and the variance
-// k V strain^m of Poisson's law.
+// The number of flaws of a particle that are active at a strain has the mean and the variance k V
+// strain^m of Poisson's law.
 TEST(GradyKipp, ActiveFlawsAreAPoissonProcess) {
   constexpr int particles = 4000;
   const auto law = law_of(1e-6, 5);
@@ -58,8 +58,8 @@ TEST(GradyKipp, ActiveFlawsAreAPoissonProcess) {
   EXPECT_NEAR(variance, wanted, 4.0 * std::sqrt((wanted + 2.0 * wanted * wanted) / particles));
 }
 
-// One crack alone: D^(1/3) grows at c_g / R, whatever the step; it stands still where the strain is
-// less than what made it.
+// For one crack D^(1/3) grows at the rate c_g / R for any step; it does not grow at strains below
+// its activation strain.
 TEST(GradyKipp, OneCrackGrowsAtItsSpeed) {
   const double volume = 1e-6, radius = std::cbrt(0.75 * volume / std::numbers::pi);
   const auto law = law_of(volume, 1);
@@ -80,7 +80,7 @@ TEST(GradyKipp, OneCrackGrowsAtItsSpeed) {
 }
 
 struct LargestStress {
-  double damage, strain;  // when the mean stress is largest
+  double damage, strain;  // at the maximum of the mean stress
   double peak;            // of strain (1 - D)
 };
 
@@ -104,9 +104,9 @@ LargestStress pull(double rate, double volume) {
 }
 
 // D = A rate^m t^(m+3), A = 8 pi k c_g^3 / ((m+1)(m+2)(m+3)): the stress E strain (1 - D) is
-// largest at D = 1 / (m + 4), where strain^(m+3) = rate^3 / (A (m+4)). So strength goes with
-// rate^(3/(m+3)). Particles of 10^4 flaws at that strain, of 20 and of one: the mean is the same,
-// but for cracks that end at their particle, which make those of one flaw 1.6% stronger.
+// largest at D = 1 / (m + 4), where strain^(m+3) = rate^3 / (A (m+4)), so strength is proportional
+// to rate^(3/(m+3)). Particles have 10^4 flaws at that strain, or 20, or one. The mean is the same,
+// except that cracks end at their particle, which increases the strength with one flaw by 1.6%.
 TEST(GradyKipp, StrengthAndItsRateAreThoseOfTheClosedForm) {
   const double m = exponent, cube = std::pow(crack_speed, 3);
   const double growth =
@@ -128,7 +128,7 @@ TEST(GradyKipp, StrengthAndItsRateAreThoseOfTheClosedForm) {
   EXPECT_NEAR(std::log(peaks[1] / peaks[0]) / std::log(16.0), 3.0 / (m + 3.0), 0.01);
 }
 
-// Single precision counts the same flaws but for those within its rounding.
+// Single precision counts the same flaws, except those within its rounding.
 TEST(GradyKipp, SinglePrecisionHasEqualFlaws) {
   const auto law = law_of(1e-6, 2);
   const auto single = GradyKipp<float>::from(law);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is inside a surface of triangles, against closed forms.
+// The interior of a surface of triangles against closed forms.
 #include "geometry/closed_surface.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// As a file would hold it: corners that the triangles share are found, coordinates have seven
-// digits.
+// Returns the mesh as read from a file: shared corners are merged, coordinates have seven digits.
 TriangleMesh as_read(const TriangleMesh& mesh) {
   TriangleMesh read = read_triangles(stl_binary(mesh), "stl");
   EXPECT_EQ(find_opening(read), "");
@@ -35,7 +34,8 @@ TriangleMesh joined(TriangleMesh a, const TriangleMesh& b, bool turned) {
 TEST(ClosedSurface, ContainsThePointsOfACube) {
   const ClosedSurface cube(as_read(cube_mesh(2.0, {-1.0, -1.0, -1.0})));
   EXPECT_NEAR(cube.volume(), 8.0, 1e-14);
-  // Places on a grid that has the centre, faces, edges, corners and both diagonals of every face.
+  // The points are on a grid that includes the centre, faces, edges, corners and both diagonals of
+  // every face.
   for (int i = -6; i <= 6; ++i)
     for (int j = -6; j <= 6; ++j)
       for (int k = -6; k <= 6; ++k) {
@@ -43,12 +43,12 @@ TEST(ClosedSurface, ContainsThePointsOfACube) {
         EXPECT_EQ(cube.contains({0.25 * i, 0.25 * j, 0.25 * k}), inside)
             << i << ' ' << j << ' ' << k;
       }
-  // The slack is 1e-6 of the edge: 2e-6.
+  // The tolerance is 1e-6 of the edge: 2e-6.
   EXPECT_TRUE(cube.contains({0.3, 0.1, 1.0 + 1.5e-6}));
   EXPECT_FALSE(cube.contains({0.3, 0.1, 1.0 + 3e-6}));
 }
 
-// An octahedron with rays along z through its two tips, its edges and its middle.
+// An octahedron with rays along z through its two corners, its edges and its centre.
 TEST(ClosedSurface, RaysThroughCornersAndEdgesAreCountedOnce) {
   const ClosedSurface surface(as_read(sphere_mesh(1.0, 0)));
   EXPECT_NEAR(surface.volume(), 4.0 / 3.0, 1e-14);
@@ -61,14 +61,14 @@ TEST(ClosedSurface, RaysThroughCornersAndEdgesAreCountedOnce) {
       }
 }
 
-// The polyhedron lies in the sphere, less than the height of its flattest cap below it.
+// The polyhedron is inside the sphere, within the height of its flattest cap.
 TEST(ClosedSurface, ASphereConvergesWithItsTriangles) {
   double before = 0.0;
   for (int splits = 2; splits <= 5; ++splits) {
     const ClosedSurface sphere(as_read(sphere_mesh(3.0, splits)));
     const double lack = 36.0 * pi - sphere.volume();
     EXPECT_GT(lack, 0.0);
-    // Of second order in the edges, which are halved: a quarter.
+    // The error is of second order in the edges, which are halved: a quarter.
     if (before > 0.0) {
       EXPECT_NEAR(lack / before, 0.25, 0.02);
     }
@@ -80,9 +80,10 @@ TEST(ClosedSurface, ASphereConvergesWithItsTriangles) {
 TEST(ClosedSurface, ContainsThePointsOfATorus) {
   const std::uint32_t sides = 96;
   const ClosedSurface torus(as_read(torus_mesh(3.0, 1.0, sides)));
-  // Of the exact 6 pi^2 a polygon of n sides lacks less than (2 pi / n)^2 / 6 for either circle.
+  // The deficit of a polygon of n sides to the exact 6 pi^2 is less than (2 pi / n)^2 / 6 for
+  // either circle.
   EXPECT_NEAR(torus.volume(), 6.0 * pi * pi, 2.0 * std::pow(2.0 * pi / sides, 2) / 6.0 * 60.0);
-  // Chords lie up to (pi / n)^2 / 2 of a radius inside their circles, the larger of which is 4.
+  // Chords are up to (pi / n)^2 / 2 of a radius inside their circles, the larger of which is 4.
   const double band = 4.0 * std::pow(pi / sides, 2);
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> uniform(-4.2, 4.2);
@@ -119,7 +120,8 @@ TEST(ClosedSurface, ASurfaceInsideOutIsTheSameRegion) {
   EXPECT_TRUE(cube.contains({0.5, 0.5, 0.5}));
 }
 
-// Turned about x, then y, then z: the corner (1, 2, 3) of a box is followed by hand.
+// The box is rotated about x, then y, then z: the image of its corner (1, 2, 3) is computed by
+// hand.
 TEST(ClosedSurface, PlacesAScaledAndRotatedPart) {
   MeshShape shape;
   shape.scale = 2.0;
@@ -132,7 +134,7 @@ TEST(ClosedSurface, PlacesAScaledAndRotatedPart) {
   EXPECT_EQ(mesh.corners[0], (Point{14.0, 14.0, 28.0}));
 }
 
-// What is inside does not change when surface and point are turned together.
+// The interior does not change when surface and point are rotated together.
 TEST(ClosedSurface, RotationKeepsTheInteriorPoints) {
   MeshShape shape;
   shape.scale = 1e-3;

@@ -33,7 +33,7 @@ Body round_body(Shape::Kind kind, double radius, double inner, double spacing, L
   return body;
 }
 
-// Symmetric to the last bit about 0 along an axis.
+// Checks symmetry to the last bit about 0 along an axis.
 bool mirrored(const std::vector<Point>& points, std::size_t axis) {
   const std::set<Point> all(points.begin(), points.end());
   return std::all_of(points.begin(), points.end(), [&](Point point) {
@@ -64,7 +64,7 @@ TEST(Fill, ABoxHoldsExactlyItsParticles) {
   EXPECT_TRUE(mirrored(fill(box_body({-0.02, 0, -0.02}, {0.02, 0.02, 0.02}, 0.002), 3), 2));
 }
 
-// Whatever the rounding of length / spacing.
+// The result is independent of the rounding of length / spacing.
 TEST(Fill, WholeSpacingsGiveWholeRows) {
   for (int n = 1; n < 200; ++n)
     for (const double d : {0.001, 0.0003, 0.002, 0.07}) {
@@ -91,7 +91,7 @@ TEST(Fill, RoundShapesAreSymmetricAndOfTheRightArea) {
         EXPECT_TRUE(mirrored(points, 1)) << d;
         const double area = static_cast<double>(points.size()) * particle_volume(*body, 2);
         const double exact = volume_estimate(body->shape, 2);
-        // Gauss's circle problem: the error is of the order of the rim's length times d.
+        // By Gauss's circle problem the error is of the order of the circumference times d.
         EXPECT_NEAR(area, exact, 0.02 * exact) << d;
       }
     }
@@ -135,7 +135,7 @@ TEST(Fill, OffsetShiftsTheLattice) {
   EXPECT_EQ(points.size(), 100u);
   EXPECT_NEAR(points.front()[0], 0.08, 1e-15);
   EXPECT_NEAR(points.front()[1], 0.03, 1e-15);
-  block.offset = {0.1, 0.0, 0.0};  // a whole spacing changes nothing
+  block.offset = {0.1, 0.0, 0.0};  // an offset of one spacing has no effect
   EXPECT_EQ(fill(block, 2).size(), 100u);
 }
 
@@ -185,7 +185,7 @@ TEST(Repelling, OutermostLayers) {
     }
 }
 
-// The inside of a tank: floor and walls, seen from the water.
+// The inner sides of a tank: floor and walls on the side of the water.
 TEST(Repelling, InnerSidesOfATank) {
   Body tank = box_body({-0.7, -0.2, 0}, {0.7, 0.8, 0}, 0.1);
   Shape outer = tank.shape, inner = tank.shape;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies of several spacings fill what uniform ones fill, and are fine where they should be.
+// Bodies of several spacings fill the same region as uniform ones, and are fine in the right
+// region.
 #include "geometry/graded_fill.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ Shape holed_box() {
   return shape;
 }
 
-// The finest cells that a particle covers, as whole numbers.
+// Returns the finest cells that a particle covers, as integers.
 void cover(const GradedParticle& particle, double spacing, int dimension,
            std::multiset<std::array<long, 3>>& covered) {
   const long across = 1L << particle.level;
@@ -55,7 +56,7 @@ void cover(const GradedParticle& particle, double spacing, int dimension,
   }
 }
 
-// Each cell of the uniform body is covered once, and nothing else is.
+// Each cell of the uniform body is covered exactly once, and no other cell is covered.
 void expect_same_room(const Body& body, int dimension) {
   Body uniform = body;
   uniform.grading.levels = 0;
@@ -78,8 +79,8 @@ TEST(GradedFill, HasTheVolumeOfTheUniformBody) {
   expect_same_room(body, 3);
 }
 
-// No particle is coarser than its nearest point allows, and one of which that is true is not split
-// without need: the lattice decides by whole cells.
+// No particle is coarser than its nearest point allows, and no cell is split unnecessarily: the
+// lattice has whole cells.
 TEST(GradedFill, SpacingFollowsTheDistance) {
   auto body = graded_body(box({-64e-3, 0.0, 0.0}, {64e-3, 32e-3, 0.0}), 1e-3, 3, 10e-3);
   body.grading.around = box({-4e-3, 20e-3, 0.0}, {4e-3, 40e-3, 0.0});
@@ -89,16 +90,16 @@ TEST(GradedFill, SpacingFollowsTheDistance) {
     if (particle.level > 0) {
       EXPECT_GE(distance - half * std::sqrt(2.0), 10e-3 * particle.level - 1e-12);
     }
-    // Its parent, twice as wide, has its middle no further than half a diagonal away.
+    // Its parent is twice as wide, with its centre at most half a diagonal away.
     if (particle.level < 3) {
       EXPECT_LT(distance - 3.0 * half * std::sqrt(2.0), 10e-3 * (particle.level + 1));
     }
   }
 }
 
-// By brute force: the cells of two particles that touch differ by one level at most.
+// By a brute-force test the cells of two particles in contact differ by one level at most.
 TEST(GradedFill, NeighboursDifferByOneLevel) {
-  auto body = graded_body(holed_box(), 1e-3, 3, 8e-3);  // the least width that is accepted
+  auto body = graded_body(holed_box(), 1e-3, 3, 8e-3);  // the smallest accepted width
   body.grading.lines = {{{-20e-3, 27e-3, 10e-3}, {0.6, -0.8, 0.0}, 2e-3}};
   const auto particles = fill_levels(body, 2);
   int jumps = 0;
@@ -114,7 +115,7 @@ TEST(GradedFill, NeighboursDifferByOneLevel) {
   EXPECT_GT(jumps, 0);
 }
 
-// A body that is symmetric about the jet is laid out so.
+// A body that is symmetric about the jet has a symmetric layout.
 TEST(GradedFill, KeepsSymmetry) {
   auto body = graded_body(box({-51e-3, 0.0, 0.0}, {51e-3, 25e-3, 0.0}), 1e-3, 2, 8e-3);
   body.grading.lines = {{{0.0, 25e-3, 0.0}, {0.0, -1.0, 0.0}, 5e-3}};

@@ -46,8 +46,8 @@ double filling_spread(const Body& body, const std::vector<Point>& points, int di
   return std::sqrt(square / count / (mean * mean) - 1.0);
 }
 
-// What is left of a random step of 0.3 is off the lattice still, and no longer crowded: without
-// relaxation sum V W would spread by 9.4% in 2D.
+// After the relaxation a random displacement of 0.3 is still off the lattice, but its concentration
+// is even: without relaxation sum V W would scatter by 9.4% in 2D.
 TEST(Jitter, MovesParticlesAndKeepsTheVolumes) {
   for (const int dimension : {2, 3})
     for (const Lattice lattice : {Lattice::square, Lattice::hexagonal}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inflow against the integral of rho V A, and the lattice that it must keep.
+// Inflow against the integral of rho V A, and its lattice.
 #include "geometry/nozzle.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ std::vector<Named> jets() {
   return all;
 }
 
-// Times of steps of random length, 0.1 to 1.5 spacings long.
+// Returns times of steps of random length, 0.1 to 1.5 spacings long.
 std::vector<double> times_until(double end, const Jet& jet) {
   std::mt19937 engine(9);
   std::uniform_real_distribution<double> length(0.1, 1.5);
@@ -75,7 +75,7 @@ TEST(Nozzle, MassIsTheIntegralOfTheFlow) {
       const double carried = nozzle.mass_due(t) - nozzle.mass_emitted();
       EXPECT_NEAR(nozzle.mass_emitted(), mass, 1e-12 * mass);
       EXPECT_NEAR(mass + carried, flow * open, 1e-12 * flow * std::max(open, 1e-3));
-      // Less than a layer is carried, and never more has entered than is due.
+      // The remainder is less than a layer, and the emitted mass never exceeds the integral.
       const double layer = nozzle.particle_mass() * static_cast<double>(nozzle.columns());
       EXPECT_GE(carried, -1e-12 * flow * 0.02);
       EXPECT_LT(carried, layer * (1.0 + 1e-9));
@@ -84,7 +84,7 @@ TEST(Nozzle, MassIsTheIntegralOfTheFlow) {
   }
 }
 
-// Mass per particle is that of a cell: rho d^2 (d^3) where the width is a multiple of d.
+// The mass of a particle is that of a cell: rho d^2 (d^3) if the width is a multiple of d.
 TEST(Nozzle, ParticlesHaveTheMassOfTheirCell) {
   const Nozzle slot(jet(10e-3, 1e-3, {}, 0.02), density, 2);
   EXPECT_EQ(slot.columns(), 10u);
@@ -94,8 +94,8 @@ TEST(Nozzle, ParticlesHaveTheMassOfTheirCell) {
   EXPECT_NEAR(round.particle_mass(), density * 1e-9, 0.05 * density * 1e-9);
 }
 
-// At a plane through the axis the columns of one side are left, as they were: half the flow. Two
-// planes leave a quarter.
+// At a plane through the axis the columns of one side remain unchanged: half the flow. Two planes
+// leave a quarter.
 TEST(Nozzle, EndsAtSymmetryPlanes) {
   const Box domain{{0.0, -1.0, 0.0}, {1.0, 1.0, 1.0}};
   const Faces one{{true, false, false}, {}}, two{{true, false, true}, {}};
@@ -115,7 +115,8 @@ TEST(Nozzle, EndsAtSymmetryPlanes) {
   }
 }
 
-// Columns stand evenly about the axis, within the section, on the side the paper's slot has.
+// Columns are distributed evenly about the axis, within the section, on the side of the slot in the
+// paper.
 TEST(Nozzle, ColumnsFillTheSection) {
   for (const auto& [name, dimension, description] : jets()) {
     SCOPED_TRACE(std::string(name) + (dimension == 2 ? ", slot" : ", round"));
@@ -152,8 +153,8 @@ TEST(Nozzle, DirectionAndExit) {
   }
 }
 
-// The particles of each column, carried along it at their own speed from when they entered, the
-// standing water included.
+// Returns the particles of each column, moved along it at their own speed since their entry,
+// including the initial water.
 class Columns {
  public:
   struct Mover {
@@ -181,7 +182,7 @@ class Columns {
     last_ = t;
   }
 
-  // From the one that is farthest behind.
+  // They are sorted from the last one.
   std::vector<std::vector<Mover>> sorted() const {
     auto result = columns_;
     for (auto& column : result)
@@ -196,7 +197,7 @@ class Columns {
   double last_ = 0.0;
 };
 
-// A gap of d everywhere, so one particle at each place.
+// Neighbours are d apart everywhere, so there is one particle at each site.
 TEST(Nozzle, LayersAreASpacingApart) {
   for (const auto& [name, dimension, description] : jets()) {
     SCOPED_TRACE(std::string(name) + (dimension == 2 ? ", slot" : ", round"));
@@ -206,7 +207,7 @@ TEST(Nozzle, LayersAreASpacingApart) {
     for (const auto& column : columns.sorted()) {
       for (std::size_t n = 1; n < column.size(); ++n)
         EXPECT_NEAR(column[n].place - column[n - 1].place, d, 1e-11 * d);
-      // What has just left the nozzle has water behind it over the whole support, 3 d.
+      // A particle that has just left the nozzle has water behind it over the full support, 3 d.
       const auto free = std::find_if(column.begin(), column.end(),
                                      [](const auto& mover) { return mover.place > 0.0; });
       ASSERT_NE(free, column.end());
@@ -239,12 +240,13 @@ TEST(Nozzle, ProfileKeepsTheMeanSpeed) {
       fastest = std::max(fastest, water[k].speed);
     }
     EXPECT_NEAR(mean, 5.0, 1e-12 * 5.0);
-    // Parabola: the axis is 3/2 of the mean of a slot, twice that of a round section.
+    // For a parabola the speed on the axis is 3/2 of the mean of a slot, twice that of a round
+    // section.
     EXPECT_NEAR(fastest / mean, dimension == 2 ? 1.5 : 2.0, 0.05);
   }
 }
 
-// A nozzle that takes over the counts of another emits what that one would have emitted.
+// A nozzle with the restored counts of another emits the same particles.
 TEST(Nozzle, ResumesFromItsCounts) {
   for (const auto& [name, dimension, description] : jets()) {
     SCOPED_TRACE(std::string(name) + (dimension == 2 ? ", slot" : ", round"));
@@ -267,7 +269,7 @@ TEST(Nozzle, ResumesFromItsCounts) {
   }
 }
 
-// However long the run and however it is cut into steps, the count is the same whole number.
+// The count is the same integer for any length of the run and of its steps.
 TEST(Nozzle, CountDoesNotDependOnTheSteps) {
   const Jet description = jet(7e-3, 1e-3, {}, 0.02);
   Nozzle fine(description, density, 2), coarse(description, density, 2);

@@ -44,8 +44,8 @@ Shape of_parts(Shape::Kind kind, std::vector<Shape> parts) {
   return shape;
 }
 
-// The share of random points that `contains` accepts, an oracle for volumes and boxes: its standard
-// error is below 0.2% of the box.
+// Returns the share of random points that `contains` accepts, an oracle for volumes and boxes: its
+// standard error is below 0.2% of the box.
 double sampled_volume(const Shape& shape, int dimension) {
   const Box around = bounding_box(shape, dimension);
   Box larger = around;
@@ -124,7 +124,7 @@ TEST(Shapes, BoundaryPointsAreInside) {
 TEST(Shapes, BoxOfATiltedCylinderIsTight) {
   const Shape cylinder = round(Shape::Kind::disc, 0.5, 0.0, 3.0);
   const Box around = bounding_box(cylinder, 3);
-  // An end disc of radius r with axis n reaches r sqrt(1 - n_a^2) along coordinate a.
+  // An end disc of radius r with axis n extends r sqrt(1 - n_a^2) along coordinate a.
   EXPECT_NEAR(around.minimum[0], 0.3 - 0.5 * std::sqrt(8.0 / 9.0), 1e-14);
   EXPECT_NEAR(around.maximum[1], -0.2 + 2.0 + 0.5 * std::sqrt(5.0 / 9.0), 1e-14);
 }

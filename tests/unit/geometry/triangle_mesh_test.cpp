@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes out of files, sound and spoilt.
+// Meshes from files, valid and damaged.
 #include "geometry/triangle_mesh.hpp"
 
 #include <gmock/gmock.h>
@@ -41,7 +41,7 @@ TEST(TriangleMesh, EveryFormatGivesTheSameMesh) {
   }
 }
 
-// 0.3 is 0.300000012 in single precision; the file said 0.3.
+// 0.3 is 0.300000012 in single precision; the file has 0.3.
 TEST(TriangleMesh, CoordinatesAreThoseOfTheFile) {
   for (const Format& format : formats) {
     const TriangleMesh read = read_triangles(format.write(cube_mesh(0.3)), format.extension);
@@ -75,13 +75,13 @@ TEST(TriangleMesh, InvalidFilesAreRefused) {
   EXPECT_NE(refusal("solid\nendsolid\n", "stl"), "(read)");
   EXPECT_NE(refusal("\x89PNG\r\n\x1a\n and so on and on and on", "stl"), "(read)");
   EXPECT_NE(refusal("v 0 0 0\nv 1 0 0\nv 0 1 0\n", "obj"), "(read)");
-  // A sound file under another name is not guessed.
+  // The format of a valid file with another extension is not guessed.
   EXPECT_NE(refusal(obj_text(cube_mesh(1.0)), "stl"), "(read)");
   const TriangleMesh endless{{{0, 0, 0}, {1, 0, 0}, {0, HUGE_VAL, 0}}, {{0, 1, 2}}};
   EXPECT_NE(refusal(stl_binary(endless), "stl"), "(read)");
 }
 
-// Files cut short and files with bytes changed at random are read or refused, whatever they hold.
+// Truncated files and files with random changes are either read or refused.
 TEST(TriangleMesh, DamagedFilesAreHandled) {
   std::mt19937 random(5);
   for (const Format& format : formats) {
@@ -97,7 +97,7 @@ TEST(TriangleMesh, DamagedFilesAreHandled) {
         ++refused;
       }
     }
-    // Bytes of a normal, of the header or of a last digit do not open a surface.
+    // Changes of a normal, of the header or of a last digit do not open a surface.
     EXPECT_GT(refused, 500) << format.name;
   }
 }

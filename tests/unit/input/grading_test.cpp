@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keys of graded bodies: read, written back, refused.
+// The keys of graded bodies are read, written and refused.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `inclusion_of`: what it makes of the shapes, lattices and bonds of a case.
+// The effect of `inclusion_of` on the shapes, lattices and bonds of a case.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ std::string body(const std::string& name, const std::string& shape, const std::s
 
 const std::string square =
     R"(type = "box", minimum = ["-10 mm", "-10 mm"], maximum = ["10 mm", "10 mm"])";
-// Their own lattices, centred on their middles, lie askew to that of the square.
+// Without the shift their lattices, which are centred, do not match that of the square.
 const std::string disc = R"(type = "disc", centre = ["1.3 mm", "0.7 mm"], radius = "6 mm")";
 const std::string core = R"(type = "disc", centre = ["1.1 mm", "0.9 mm"], radius = "2.7 mm")";
 
@@ -72,12 +72,12 @@ TEST(InclusionOf, EveryLatticeNodeHasOneParticle) {
   EXPECT_EQ(found.size(), 400u);
   for (const auto& [place, count] : found) EXPECT_EQ(count, 1);
   EXPECT_EQ(read.bodies[1].joined_to, "square");
-  EXPECT_EQ(read.bodies[2].joined_to, "");  // water is bonded to nothing
+  EXPECT_EQ(read.bodies[2].joined_to, "");  // water has no bonds
   EXPECT_EQ(parse_case(write_used(read), "case.used.toml"), read) << write_used(read);
 }
 
-// With the modulus of what is around it, an inclusion moves as if it were not there. Particles are
-// told apart by where they were laid out; in double only the order of sums differs.
+// An inclusion with the modulus of the surrounding body has no effect on the motion. Particles are
+// identified by their initial positions; in double precision only the order of sums differs.
 TEST(InclusionOf, OfTheSameMaterialMovesAsOneBody) {
   const std::string exact = "precision = \"double\"\n";
   const auto whole =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library: its files, its sources, its use in a case.
+// The files of the library, its sources, and its use in a case.
 #include "input/material_library.hpp"
 
 #include <gmock/gmock.h>
@@ -49,7 +49,7 @@ TEST(MaterialLibrary, HasTheRequiredMaterials) {
   EXPECT_EQ(find_library_material("unobtainium"), nullptr);
 }
 
-// These three were in the program before they were files: bit for bit what they were.
+// The values of these three materials equal the published ones bit for bit.
 TEST(MaterialLibrary, ReferenceMaterialsHaveTheirPublishedValues) {
   Material tofu;
   tofu.name = "tofu";
@@ -81,7 +81,7 @@ TEST(MaterialLibrary, ReferenceMaterialsHaveTheirPublishedValues) {
   EXPECT_EQ(find_library_material("rubber")->material(), rubber);
 }
 
-// Who and when, or where to read it; a number that was chosen says why.
+// A source has author and year, or an address; a chosen number has its reason.
 void expect_source(const LibraryMaterial& material, const LibraryValue& value) {
   static const std::regex named(
       "(19|20)[0-9][0-9]|https?://[a-z]+|^chosen: |^never fractures: |^reference density ");
@@ -100,9 +100,8 @@ TEST(MaterialLibrary, EveryValueHasASource) {
   }
 }
 
-// Once the case schema has a key of that name, the value belongs to [[values]].
-// But for one, which a case takes in place of a strain, and in one formulation only; and for those
-// of laws of flow, which a case chooses.
+// A value with the name of a case key belongs to [[values]]. Exceptions are a key that replaces a
+// strain in one formulation, and keys of laws of plasticity, which a case chooses.
 TEST(MaterialLibrary, InformativeValuesAreNotCaseKeys) {
   for (const KnownQuantity& quantity : known_quantities()) {
     const std::set<std::string> plain{"elastic", "water", "standard", "none"};
@@ -112,7 +111,8 @@ TEST(MaterialLibrary, InformativeValuesAreNotCaseKeys) {
   }
 }
 
-// A slip of a prefix (MPa for kPa) would show in the wave speed or in the order of the strengths.
+// A wrong prefix (MPa instead of kPa) would appear in the wave speed or in the order of the
+// strengths.
 TEST(MaterialLibrary, ValuesArePhysical) {
   const auto known = [](const LibraryMaterial& material, const std::string& name) {
     for (const LibraryValue& value : material.known)
@@ -127,8 +127,8 @@ TEST(MaterialLibrary, ValuesArePhysical) {
     const double rod_speed = std::sqrt(material.youngs_modulus / material.density);
     EXPECT_GT(rod_speed, 1.0) << entry.name;
     EXPECT_LT(rod_speed, 6000.0) << entry.name;
-    // Brittle ones are stronger in compression, and all break far below their modulus; liver is
-    // said to hold 50 times its own.
+    // Brittle materials are stronger in compression, and all strengths are far below the modulus,
+    // except that of liver, which is said to be 50 times its modulus.
     const double tension = known(entry, "tensile_strength");
     const double compression = known(entry, "compressive_strength");
     if (compression > 0.0 && tension > 0.0) {
@@ -154,12 +154,12 @@ TEST(MaterialLibrary, EveryMaterialMakesACase) {
     const Case read = parse_case(case_of(entry.name), "block.toml");
     const Material& used = read.materials.at(static_cast<std::size_t>(read.bodies.at(0).material));
     Material expected = entry.material(read.formulation);
-    expected.sound_speed = used.sound_speed;  // of water, found from the case
+    expected.sound_speed = used.sound_speed;  // computed from the case
     EXPECT_EQ(used, expected) << entry.name;
   }
 }
 
-// What a file leaves out is what a case file would have got.
+// Values that a file omits have the defaults of a case file.
 TEST(MaterialLibrary, MissingValuesHaveTheDefaults) {
   const Material glass = find_library_material("glass")->material();
   EXPECT_EQ(glass.failure_strain, 0.0);
@@ -179,7 +179,7 @@ const std::string good =
     "[[values]]\nkey = \"youngs_modulus\"\nvalue = \"2 kPa\"\nsource = \"pulled\"\nnote = "
     "\"cold\"\n"
     "[[values]]\nkey = \"poisson_ratio\"\nvalue = 0.25\nsource = \"pulled\"\n"
-    "[[known]]\nname = \"fracture_energy\"\nvalue = \"1 kJ/m2\"\nsource = \"has_broken_bonds\"\n";
+    "[[known]]\nname = \"fracture_energy\"\nvalue = \"1 kJ/m2\"\nsource = \"test\"\n";
 
 TEST(MaterialFile, IsRead) {
   const LibraryMaterial gum = read_library_material("gum", good);
@@ -210,7 +210,7 @@ void expect_refused(const std::string& from, const std::string& to, const std::s
 
 TEST(MaterialFile, RefusesForeignKeys) {
   expect_refused("source = \"weighed\"\n", "", "source must be a text");
-  expect_refused("source = \"has_broken_bonds\"\n", "source = \"\"\n", "source must be a text");
+  expect_refused("source = \"test\"\n", "source = \"\"\n", "source must be a text");
   expect_refused("\"1 g/cm3\"", "1000", "value must be a text");
   expect_refused("\"1 g/cm3\"", "\"1 g/cm2\"", "\"g/cm2\" is not the unit of a density");
   expect_refused("\"1 kJ/m2\"", "\"1 kJ\"", "\"kJ\" is not the unit of an energy per area");

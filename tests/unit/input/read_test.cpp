@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a case file means, and the defaults.
+// The meaning of a case file, and the defaults.
 #include "input/read.hpp"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(Read, DefaultsOfAMinimalCase) {
   EXPECT_EQ(read.artificial_stress.epsilon, 0.0);
   EXPECT_EQ(read.output.frame_times.size(), 21u);
   EXPECT_EQ(read.output.frame_times.back(), 0.01);
-  // Everything lies in -40 .. 40 by -10 .. 50 mm; half of 80 mm is added.
+  // All bodies and jets are within -40 .. 40 by -10 .. 50 mm; half of 80 mm is added.
   EXPECT_DOUBLE_EQ(read.domain.minimum[0], -0.08);
   EXPECT_DOUBLE_EQ(read.domain.maximum[1], 0.09);
   EXPECT_EQ(read.domain.maximum[2], 0.0);
@@ -124,8 +124,7 @@ TEST(Read, VelocitiesAndAngles) {
   EXPECT_NEAR(tilted.jets[0].angle, std::numbers::pi / 6.0, 1e-15);
 }
 
-// A case that uses everything comes back bit for bit.
-// budget: function: a table of cases reads best in one place
+// A case with every section is read back bit for bit.
 TEST(Read, EverySectionIsReadBack) {
   const std::string text = R"toml(title = "all \"things\" \u00e9"
 dimension = 3

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which equation of state and speed of sound a water has, and how its equations are summed.
+// The equation of state and sound speed of a water, and its numerical scheme.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -58,7 +58,7 @@ TEST(ReadWater, FastJetsHaveTheRealSoundSpeed) {
   }
 }
 
-// Who asks for a speed of sound, its factor, an exponent or a law gets it.
+// An explicit sound speed, factor, exponent or law is used.
 TEST(ReadWater, ExplicitValuesAreKept) {
   const struct {
     const char* key;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The structures that store the values of the keys of a section, a table in which a key has a
-// meaning, and values for it: what the tests of all rows of the schema need.
+// The structures that store the values of the keys of a section, a table in which a key applies,
+// and values for it: the data for tests of all rows of the schema.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ constexpr const char* table_path = "table";
 // A structure that stores values of keys, without its type.
 struct Storage {
   const void* id;
-  bool is_model;  // and not a draft, whose values go into the model by way of the rest of the case
+  bool is_model;  // and not a draft, whose values are transferred to the model with the rest of the case
   std::function<void(Section&)> read;
   std::function<ValueReference(const Key&)> value;
   std::function<void(TomlWriter&, const std::string&, const std::set<std::string>&)> write;
@@ -49,7 +49,7 @@ Storage draft() {
   return storage(false, std::make_shared<Structure>());
 }
 
-// Those of a section, in the order in which they are read.
+// Returns the structures of a section, in the order in which they are read.
 inline std::vector<Storage> storages_of(std::string_view section) {
   if (section == "time") return {model<TimeControl>()};
   if (section == "materials") return {model<Material>(), draft<MaterialDraft>()};
@@ -68,14 +68,14 @@ inline std::vector<Storage> storages_of(std::string_view section) {
       storage(false, std::make_shared<Draft>(Draft{Reading{Problems(""), {}}, {}, {}, {}, {}}))};
 }
 
-// A table of a case file in which a key has a meaning.
+// A table of a case file in which a key applies.
 struct Surroundings {
   Case description;                  // its dimension and formulation
-  std::set<std::string> conditions;  // that no key of the table states
+  std::set<std::string> conditions;  // conditions that no key of the table states
   toml::table table;
 };
 
-// The key of a section of which `word` is a choice; null where there is none.
+// Returns the key of a section that has `word` as a choice; null if there is none.
 inline const Key* key_with_choice(const std::string& section, const std::string& word) {
   for (const Key& key : keys_of(section))
     if (key.kind == ValueKind::word &&
@@ -84,7 +84,7 @@ inline const Key* key_with_choice(const std::string& section, const std::string&
   return nullptr;
 }
 
-// Puts the words into the table that the first alternative of the conditions of the key asks for.
+// Writes the words that the first alternative of the conditions of the key requires into the table.
 inline void satisfy(const std::string& section, const Key& key, Surroundings& around) {
   if (key.applies.empty()) return;
   for (const std::string& condition : split_words(split_words(key.applies).front(), '+')) {
@@ -101,7 +101,7 @@ inline void satisfy(const std::string& section, const Key& key, Surroundings& ar
   }
 }
 
-// A number in the range of a key.
+// Returns a number in the range of a key.
 inline double number_of(const Key& key) {
   const Range& range = key.range;
   if (key.kind == ValueKind::integer) return range.maximum;
@@ -121,7 +121,7 @@ inline std::string repeated(const std::string& entry, int times) {
       "[{}]", fmt::join(std::vector<std::string>(static_cast<std::size_t>(times), entry), ", "));
 }
 
-// A value of a key that is allowed, or with another number one that may not be.
+// Returns an allowed value of a key, or with another number one that may not be allowed.
 inline std::string value_text(const Key& key, double number, int dimension) {
   const std::string entry = entry_text(key, number);
   switch (key.kind) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every row of the tables of case keys is read into its member, refused when it is wrong, written
-// back and documented. The tests go over all rows, so that a new one needs no test of its own.
+// Every row of the tables of case keys is read into its member, refused if it is wrong, written and
+// documented. The tests cover all rows, so that a new row needs no test of its own.
 #include "input/schema.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace test;
 
-// Whether the value that is stored is that of value_text(key, number_of(key), dimension).
+// Returns whether the stored value is that of value_text(key, number_of(key), dimension).
 struct IsStored {
   const Key& key;
   int dimension;
@@ -57,7 +57,7 @@ struct IsStored {
   }
 };
 
-// The structures of a section after a table was read, and the complaints.
+// The structures of a section after a table was read, and the messages.
 struct ReadTable {
   std::vector<Storage> storages;
   std::string problems;
@@ -133,7 +133,7 @@ TEST(Schema, EveryRowIsReadAndWrittenBack) {
   });
 }
 
-// Values out of the range, or of another kind where any number is allowed.
+// The values are out of range, or of another type if any number is allowed.
 std::vector<std::string> wrong_values(const Key& key, int dimension) {
   std::vector<std::string> values;
   const Range& range = key.range;
@@ -180,7 +180,7 @@ TEST(Schema, EveryRowIsRequiredOrHasADefault) {
   });
 }
 
-// Only these are read by hand; every other value is stored by its row.
+// Only these values are read by separate code; all others are stored by their rows.
 TEST(Schema, RowsWithoutAMemberAreListed) {
   std::set<std::string> by_hand;
   for_each_row([&](const std::string& section, const Key& key) {

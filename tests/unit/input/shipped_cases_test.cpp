@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every file of cases/ reads, and what is written back as case.used.toml is the same case.
+// Every file of cases/ is valid, and its case.used.toml is the same case.
 #include <gtest/gtest.h>
 
 #include <filesystem>

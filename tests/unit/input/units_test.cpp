@@ -18,7 +18,7 @@ struct Reading {
   double value;
 };
 
-// The literal on the right is the double nearest to the decimal number, and so must the value be.
+// The literal on the right is the double nearest to the decimal number, which the value must equal.
 TEST(Units, DecimalPrefixesAreCorrectlyRounded) {
   for (const Reading& reading : {Reading{"0.3 mm", "m", 0.3e-3},
                                  {"50 mm", "m", 0.05},

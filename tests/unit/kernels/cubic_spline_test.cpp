@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel against the polynomials as printed, quadrature and finite differences.
+// The kernel against the printed polynomials, quadrature and finite differences.
 #include "kernels/cubic_spline.hpp"
 
 #include <gtest/gtest.h>
@@ -35,8 +35,8 @@ TYPED_TEST(Kernel, AsPrinted) {
     }
 }
 
-// Midpoint rule over the square or cube that holds the support, not in the radial variable: neither
-// the normalisation nor the volume element is taken for granted.
+// The midpoint rule is over the square or cube that contains the support, not over the radius, so
+// that it tests both the normalisation and the volume element.
 TYPED_TEST(Kernel, IntegratesToOne) {
   constexpr int dimension = TestFixture::D;
   constexpr int cells = dimension == 2 ? 800 : 240;
@@ -52,14 +52,14 @@ TYPED_TEST(Kernel, IntegratesToOne) {
   EXPECT_NEAR(sum * std::pow(step, dimension), 1.0, 1e-6);
 }
 
-// The same by Simpson's rule in the radius, to rounding.
+// The same integral by Simpson's rule over the radius is exact up to rounding.
 TYPED_TEST(Kernel, RadialIntegral) {
   const double h = 3e-3, pi = std::numbers::pi;
   const auto shell = [&](double r) {
     return TestFixture::value(r, h) * (TestFixture::D == 2 ? 2.0 * pi * r : 4.0 * pi * r * r);
   };
   double sum = 0.0;
-  constexpr int cells = 2000;  // a break at s = 1 falls on a node
+  constexpr int cells = 2000;  // so that s = 1 is a node
   const double step = 2.0 * h / cells;
   for (int k = 0; k < cells; ++k)
     sum += step / 6.0 * (shell(k * step) + 4.0 * shell((k + 0.5) * step) + shell((k + 1) * step));
@@ -97,7 +97,7 @@ TYPED_TEST(Kernel, ZeroOutside) {
     }
 }
 
-// It pushes apart at every distance: the slope is never positive, in single precision either.
+// The kernel is repulsive at every distance: the slope is never positive, also in single precision.
 TYPED_TEST(Kernel, FallsEverywhere) {
   for (int k = 0; k <= 4000; ++k) {
     const double r = 0.0005 * k;

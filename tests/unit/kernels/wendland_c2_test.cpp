@@ -19,7 +19,7 @@ class Wendland : public testing::Test {
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(Wendland, Dimensions);
 
-// Simpson's rule over shells, which takes the volume element for granted.
+// Simpson's rule over shells assumes the volume element.
 TYPED_TEST(Wendland, RadialIntegral) {
   const double h = 3e-3, pi = std::numbers::pi;
   const auto shell = [&](double r) {
@@ -33,7 +33,7 @@ TYPED_TEST(Wendland, RadialIntegral) {
   EXPECT_NEAR(sum, 1.0, 1e-12);
 }
 
-// The midpoint rule on a square or cube, which does not.
+// The midpoint rule over a square or cube does not assume it.
 TYPED_TEST(Wendland, IntegratesToOne) {
   constexpr int dimension = TypeParam::value, cells = dimension == 2 ? 800 : 160;
   const double h = 0.7, step = 4.0 * h / cells;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the setting of a machine to its jet, against tables and closed forms.
+// The jet of a machine against tables and closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,7 +65,8 @@ TEST(Machine, CompressionAgreesWithTheSoundSpeed) {
               real_water_sound_speed, 0.002 * real_water_sound_speed);
 }
 
-// Kirchhoff's slit, Borda's mouthpiece and the table of von Mises (1917) between.
+// The contraction of Kirchhoff's slit, Borda's mouthpiece and the table of von Mises (1917) between
+// them.
 TEST(Machine, ContractionOfAFunnel) {
   EXPECT_NEAR(contraction(90 * degree), std::numbers::pi / (std::numbers::pi + 2.0), 1e-12);
   EXPECT_NEAR(contraction(180 * degree), 0.5, 1e-12);
@@ -83,8 +84,8 @@ TEST(Contraction, IsLessInANarrowVessel) {
   EXPECT_NEAR(contraction(90 * degree, 0.999), 1.0, 0.05);
 }
 
-// Beside a long mouthpiece water is at rest under the full pressure V^2 / 2 (density 1). Momentum
-// along a channel of width 1, with U = s C_c V, is then
+// Beside a long mouthpiece water is at rest under the full pressure V^2 / 2 (density 1). The
+// momentum along a channel of width 1, with U = s C_c V, is then
 //   (V^2 - U^2) / 2 - (1 - s) V^2 / 2 = s C_c V^2 - U^2,   or   s C_c^2 - 2 C_c + 1 = 0.
 TEST(Contraction, OfBordasMouthpieceInAChannelObeysMomentum) {
   for (const double s : {0.2, 0.5}) {
@@ -112,7 +113,7 @@ TEST(Machine, FlowRatePowerAndSizeOfAJet) {
   EXPECT_LE(jet.standoff, 2.0 * jet.width);
 }
 
-// Mass and momentum of what arrives are those of what left, whatever the standoff.
+// Mass flow and momentum flux at the workpiece equal those at the orifice at any standoff.
 TEST(Machine, StandoffKeepsMassAndMomentum) {
   for (const double standoff : {1e-3, 10e-3, 40e-3}) {
     Machine machine = plain_machine();

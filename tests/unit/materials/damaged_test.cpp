@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tension that damage takes off an elastic solid.
+// An elastic solid whose tension is reduced by damage.
 #include "materials/damaged.hpp"
 
 #include <gtest/gtest.h>
@@ -24,8 +24,8 @@ SymmetricTensor<D, double> some_strain(std::mt19937& engine, double size) {
   return green;
 }
 
-// S = d psi / dE by central differences, whose error is of the order of the square of the step; off
-// the diagonal a component stands for two.
+// S = d psi / dE by central differences, whose error is of second order in the step; an
+// off-diagonal component counts twice.
 TYPED_TEST(Damaged, StressIsTheDerivativeOfTheEnergy) {
   constexpr int D = TypeParam::D;
   const auto solid = soft_solid(1e-3, D);
@@ -47,26 +47,26 @@ TYPED_TEST(Damaged, StressIsTheDerivativeOfTheEnergy) {
   }
 }
 
-// At small strain what is wholly damaged bears no uniaxial tension, and all of a compression.
+// At small strain a fully damaged solid carries no uniaxial tension, and all of a compression.
 TYPED_TEST(Damaged, CarriesCompressionOnly) {
   constexpr int D = TypeParam::D;
   const auto solid = soft_solid(1e-3, D);
   auto green = SymmetricTensor<D, double>::zero();
   green(0, 0) = 1e-5;
-  const auto pulled = second_piola(solid, green, 1.0), whole = second_piola(solid, green);
-  EXPECT_NEAR(pulled(0, 0), 0.0, 1e-4 * whole(0, 0));
+  const auto pulled = second_piola(solid, green, 1.0), undamaged = second_piola(solid, green);
+  EXPECT_NEAR(pulled(0, 0), 0.0, 1e-4 * undamaged(0, 0));
   green(0, 0) = -1e-5;
   const auto pressed = second_piola(solid, green, 1.0);
   EXPECT_EQ(pressed(0, 0), second_piola(solid, green)(0, 0));
   EXPECT_EQ(energy_density(solid, green, 1.0), energy_density(solid, green));
-  // Sheared: half of the energy is tension's.
+  // In shear half of the energy is tensile.
   green = SymmetricTensor<D, double>::zero();
   green(0, 1) = 1e-5;
   EXPECT_NEAR(energy_density(solid, green, 1.0), 0.5 * energy_density(solid, green),
               1e-4 * energy_density(solid, green));
 }
 
-// The largest principal stress over E: in a uniaxial stress that is the strain.
+// The largest principal stress over E is the strain in a uniaxial stress.
 TYPED_TEST(Damaged, ScalarStrainIsThatOfATensileTest) {
   const auto solid = soft_solid(1e-3, TypeParam::D);
   const double strain = 1e-6, nu = 0.3;

@@ -33,8 +33,8 @@ double mohr_coulomb_strength(double pressure) {
   return pressure * n + 2.0 * cohesion * std::sqrt(n);
 }
 
-// Pressed along the axis, two principal stresses are the lesser; from the side, two are the
-// greater.
+// In axial compression two principal stresses are the smaller ones; in lateral compression two are
+// the larger ones.
 TEST(DruckerPragerCone, TouchesMohrCoulomb) {
   const auto outer = rock_law(0.0, no_cut_off, ConeMatch::compression).drucker_prager;
   const auto inner = rock_law(0.0, no_cut_off, ConeMatch::extension).drucker_prager;
@@ -54,9 +54,9 @@ TEST(DruckerPragerCone, WithoutFrictionIsVonMises) {
   EXPECT_EQ(cone.tension, 3e6);
 }
 
-// A free cylinder pressed further than it bears: tau stays at 2 c cos phi / (1 - sin phi) and
-// nothing at the sides while the strain is elastic plus gamma (-1 + m/3, 1/2 + m/3, 1/2 + m/3),
-// with m the slope of the flow. The direction stays, so that any step is exact.
+// A free cylinder is compressed beyond its strength: tau stays at 2 c cos phi / (1 - sin phi), with
+// no lateral stress, while the strain is elastic plus gamma (-1 + m/3, 1/2 + m/3, 1/2 + m/3), with
+// m the slope of the flow. The direction is constant, so that any step is exact.
 TEST(DruckerPragerCylinder, UniaxialCompressiveStrength) {
   const double strength = 2.0 * cohesion * std::cos(friction) / (1.0 - std::sin(friction));
   const double e = rock().young_modulus(), nu = 0.5 - e / (6.0 * rock().bulk_modulus);
@@ -75,15 +75,15 @@ TEST(DruckerPragerCylinder, UniaxialCompressiveStrength) {
       EXPECT_NEAR(stress(1, 1), -strength, 1e-12 * rock().bulk_modulus);
       EXPECT_NEAR(stress(0, 0), 0.0, 1e-12 * rock().bulk_modulus);
       EXPECT_NEAR(state.plastic_strain, gamma, 1e-12);
-      // ln det C_p = 2 m gamma: dilation, and only that, takes volume.
+      // ln det C_p = 2 m gamma: only dilation changes the volume.
       EXPECT_NEAR(-0.5 * std::log(plastic_metric(state).determinant()), m * gamma, 1e-12);
     }
   }
 }
 
-// Plane strain in steady flow along the normal of the cone: Mohr & Coulomb's
-// (sigma_1 - sigma_3)/2 = c cos phi - sin phi (sigma_1 + sigma_3)/2, and the ratio of the rates of
-// volume and shear is sin psi. What the elastic strain still takes in falls with the strain.
+// Plane strain in steady flow along the normal of the cone follows Mohr & Coulomb's (sigma_1 -
+// sigma_3)/2 = c cos phi - sin phi (sigma_1 + sigma_3)/2, and the ratio of the rates of volume and
+// shear is sin psi. The remaining share of the elastic strain decreases with the strain.
 TEST(DruckerPragerPlane, CollapseOfMohrCoulomb) {
   const auto parameters = rock_law(friction, no_cut_off, ConeMatch::plane_strain);
   auto state = PlasticState<2, double>::virgin();
@@ -119,14 +119,14 @@ TEST(DruckerPragerPlane, DilationIsTheSineOfItsAngle) {
     change = (now - stress).cwiseAbs().maxCoeff();
     stress = now;
   }
-  EXPECT_LE(change, 1e-9 * cohesion);  // steady: such a strain is all plastic
+  EXPECT_LE(change, 1e-9 * cohesion);  // steady: the strain increment is plastic
 }
 
 template <class Dimension>
 class Rock : public testing::Test {};
 TYPED_TEST_SUITE(Rock, Dimensions);
 
-// Pulled apart on all sides: the mean stress stops at the cap, or at the apex where there is none.
+// In triaxial tension the mean stress stops at the cap, or at the apex without a cap.
 TYPED_TEST(Rock, TensionStopsAtTheCap) {
   constexpr int D = TypeParam::value;
   const double apex = cohesion / std::tan(friction);
@@ -144,20 +144,20 @@ TYPED_TEST(Rock, TensionStopsAtTheCap) {
     EXPECT_LE(equivalent_stress(stress), parameters.drucker_prager.strength -
                                              parameters.drucker_prager.friction * most +
                                              1e-13 * rock().bulk_modulus);
-    // The gap has to close before the rock bears pressure again: at F = 1 it is under pressure.
+    // The gap must close before the rock is under pressure again: at F = 1 it is under pressure.
     const auto back = advance(rock(), parameters, Matrix<D, double>::zero(), 0.0, pulled.state);
     EXPECT_LT(matrix_of(back.stress).trace(), -3.0 * most);
   }
 }
 
-// With flow along the normals the return is the admissible point nearest to the trial in the energy
-// (q - q')^2 / 6 G + (p - p')^2 / 2 K (Simo 1992). The search walks along the edges of the region.
+// With associated flow the return is the admissible point nearest to the trial in the energy (q -
+// q')^2 / 6 G + (p - p')^2 / 2 K (Simo 1992). The search follows the edges of the region.
 TEST(DruckerPragerReturn, IsTheNearestPoint) {
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const auto cone = rock_law(friction, 4e6, ConeMatch::compression).drucker_prager;
   const double g = rock().shear_modulus, k = rock().bulk_modulus;
-  const double edge = cone.strength - cone.friction * cone.tension;  // q where cone and cap meet
+  const double edge = cone.strength - cone.friction * cone.tension;  // q at the intersection of cone and cap
   int capped = 0, edged = 0;
   for (int n = 0; n < 300; ++n) {
     const MeridianStress<double> trial{30e6 * (1.0 + uniform(engine)), 20e6 * uniform(engine)};
@@ -177,7 +177,7 @@ TEST(DruckerPragerReturn, IsTheNearestPoint) {
     const double q = trial.equivalent - 3.0 * g * flow.shear, p = trial.mean - k * flow.volume;
     EXPECT_LE(q + cone.friction * p, cone.strength * (1.0 + 1e-14));
     EXPECT_LE(p, cone.tension * (1.0 + 1e-14));
-    // A step of the search is 4 kPa: next to the least, distance^2 / 6 G of that is left.
+    // A step of the search is 4 kPa: beside the minimum an error of distance^2 / 6 G remains.
     EXPECT_NEAR(distance(q, p), least, 4e3 * 4e3 / (2.0 * k) + 1e-14 * least);
     const bool is_capped = !inside && std::abs(p - cone.tension) < 1.0;
     capped += is_capped;
@@ -187,7 +187,8 @@ TEST(DruckerPragerReturn, IsTheNearestPoint) {
   EXPECT_GT(edged, 20);
 }
 
-// Flow takes work out, never puts it in; what is left of the work is the error of steps.
+// Plastic flow dissipates work and never adds it; the remaining difference is the error of the
+// steps.
 TYPED_TEST(Rock, WorkIsStoredOrDissipated) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(4);
@@ -212,7 +213,7 @@ TYPED_TEST(Rock, WorkIsStoredOrDissipated) {
     }
 }
 
-// Turning a rock on its way changes nothing: rounding only.
+// A rotation of the rock along its path changes rounding only.
 TYPED_TEST(Rock, IsIndependentOfRotation) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(5);
@@ -232,8 +233,8 @@ TYPED_TEST(Rock, IsIndependentOfRotation) {
   }
 }
 
-// 1000 steps in single precision beside double ones: sqrt(1000) roundings of 6e-8 in strain, of the
-// deviator and, since flow changes it, of the volume.
+// 1000 steps in single precision against double precision: sqrt(1000) roundings of 6e-8 in strain,
+// of the deviator and, since flow changes it, of the volume.
 TYPED_TEST(Rock, SinglePrecision) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(6);

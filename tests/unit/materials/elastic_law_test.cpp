@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elastic laws against the difference quotient of their energy, Hooke's law, and closed forms.
+// Elastic laws against finite differences of their energy, Hooke's law, and closed forms.
 #include "materials/elastic_law.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Matrix<D, T> piola(const ElasticSolid<T>& solid, const Matrix<D, T>& h) {
   return first_piola(second_piola(solid, green_strain(h)), h);
 }
 
-// Energies written down from their definition in C and J, on Eigen's matrices.
+// The energies are written from their definitions in C and J, on Eigen's matrices.
 double energy_by_definition(const ElasticSolid<double>& solid, const Eigen::Matrix3d& f) {
   const double g = solid.shear_modulus, k = solid.bulk_modulus;
   const Eigen::Matrix3d c = f.transpose() * f;
@@ -134,7 +134,7 @@ TYPED_TEST(Law, SinglePrecision) {
     }
 }
 
-// A rotation on top changes no energy and turns the stress.
+// An additional rotation does not change the energy and rotates the stress.
 TYPED_TEST(Law, RotationTurnsTheStress) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(4);

@@ -11,7 +11,7 @@
 namespace kerf::test {
 namespace {
 
-// Simpson's rule.
+// Integrates by Simpson's rule.
 template <class Function>
 double integral(const Function& f, double from, double to) {
   constexpr int cells = 2000;
@@ -24,7 +24,7 @@ double integral(const Function& f, double from, double to) {
   return sum * step / 6.0;
 }
 
-// p / rho^2 over rho from rho_0, J/kg.
+// Returns the integral of p / rho^2 over rho from rho_0, J/kg.
 template <class Pressure>
 double energy_by_quadrature(const Pressure& pressure, double density, double compression) {
   const auto integrand = [&](double rho) { return pressure(rho / density - 1.0) / (rho * rho); };

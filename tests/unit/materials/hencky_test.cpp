@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elastic part of solids that flow, against the difference quotient of its energy.
+// The elastic part of solids with plastic flow against finite differences of its energy.
 #include "materials/hencky.hpp"
 
 #include "support/plastic_paths.hpp"
@@ -58,7 +58,7 @@ void expect_slope(const ElasticModuli<double>& solid, const PlasticParameters<do
 TYPED_TEST(Hencky, StressIsTheSlopeOfTheEnergy) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(1);
-  PlasticParameters<double> metal, rock;  // too strong to flow
+  PlasticParameters<double> metal, rock;  // with a strength above all stresses
   rock.law = PlasticLaw::drucker_prager;
   rock.drucker_prager.strength = rock.drucker_prager.tension = 1e20;
   int tried = 0;
@@ -73,7 +73,8 @@ TYPED_TEST(Hencky, StressIsTheSlopeOfTheEnergy) {
   EXPECT_GT(tried, 30);
 }
 
-// Relative to the stress of such a strain, not to the modulus: some thirty roundings of 6e-8.
+// The tolerance is relative to the stress of such a strain, not to the modulus: some thirty
+// roundings of 6e-8.
 TYPED_TEST(Hencky, SinglePrecisionKeepsSmallStrains) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(2);

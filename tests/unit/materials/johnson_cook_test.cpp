@@ -5,7 +5,7 @@
 namespace kerf::test {
 namespace {
 
-// A line, a parabola, a root with infinite slope at zero, and one that is next to zero.
+// A line, a parabola, a root with infinite slope at zero, and a root close to zero.
 TEST(FallingRoot, FindsTheRoot) {
   int calls = 0;
   const auto root = [&calls](auto&& f, double high, double accuracy) {
@@ -36,7 +36,7 @@ TEST(JohnsonCook, StrengthAsPrinted) {
   EXPECT_NEAR(homologous, 206.0 / 1499.0, 1e-15);
   const double strength = parameters.johnson_cook.strength(0.1, 1000.0, homologous);
   EXPECT_NEAR(strength, 1023.6977e6, 100.0);
-  // Slow, cold and molten.
+  // The states are slow, cold and molten.
   EXPECT_EQ(parameters.johnson_cook.strength(0.0, 1e-3, 0.0), 792e6);
   EXPECT_EQ(parameters.heat.homologous_temperature(-50.0), 0.0);
   EXPECT_EQ(parameters.heat.homologous_temperature(5000.0), 1.0);
@@ -51,7 +51,7 @@ TEST(JohnsonCook, FailureStrainAsPrinted) {
   EXPECT_NEAR(damage.failure_strain(1.0, 3.0, 1000.0, 0.5), 1.77104 * 1.305, 3e-5);
   const double most = 0.05 + 3.44 * std::exp(-2.12 * 1.5);
   EXPECT_NEAR(damage.failure_strain(1.5, 1.0, 0.0, 0.0), most, 1e-15);
-  EXPECT_NEAR(damage.failure_strain(9.0, 1.0, 0.0, 0.0), most, 1e-15);  // held there
+  EXPECT_NEAR(damage.failure_strain(9.0, 1.0, 0.0, 0.0), most, 1e-15);  // constant above
   EXPECT_NEAR(damage.failure_strain(1.0, 0.0, 0.0, 0.0), most, 1e-15);  // molten
   EXPECT_GT(damage.failure_strain(-1.0, 0.0, 0.0, 0.0), 1e6);
   auto brittle = damage;
@@ -63,14 +63,14 @@ template <class Dimension>
 class JohnsonCookFlow : public testing::Test {};
 TYPED_TEST_SUITE(JohnsonCookFlow, Dimensions);
 
-// Shape at constant volume and, on top, a volume of logarithm `volume`.
+// A change of shape at constant volume with an additional volume change of logarithm `volume`.
 Matrix3 plane_stretch(double strain, double volume = 0.0) {
   const double more = 0.5 * volume;
   return Eigen::Vector3d(std::exp(strain + more), std::exp(more - strain), 1.0).asDiagonal();
 }
 
-// Stress, rate and temperature at the end of each step are on the printed surface: to the accuracy
-// of the root, 4 roundings of the trial stress, and that of b_e in it.
+// Stress, rate and temperature at the end of each step satisfy the printed yield function: to the
+// accuracy of the root, 4 roundings of the trial stress, and that of b_e in it.
 TYPED_TEST(JohnsonCookFlow, StressStaysOnTheYieldSurface) {
   constexpr int D = TypeParam::value;
   const auto parameters = steel_4340();
@@ -109,7 +109,7 @@ TYPED_TEST(JohnsonCookFlow, AdiabaticTemperature) {
   EXPECT_NEAR(fine / coarse, 0.5, 0.02);
 }
 
-// Molten metal is a fluid: pressure stays, shear goes.
+// Molten metal is a fluid: it has pressure and no shear stress.
 TYPED_TEST(JohnsonCookFlow, MoltenMetalCarriesPressureOnly) {
   constexpr int D = TypeParam::value;
   auto state = PlasticState<D, double>::virgin();
@@ -119,11 +119,11 @@ TYPED_TEST(JohnsonCookFlow, MoltenMetalCarriesPressureOnly) {
   EXPECT_LE(equivalent_stress(kirchhoff(f, result)), 1e-13 * steel().bulk_modulus);
   EXPECT_NEAR(kirchhoff(f, result).trace() / 3.0, -0.02 * steel().bulk_modulus,
               1e-13 * steel().bulk_modulus);
-  EXPECT_LE(result.state.damage, 1e-10);  // all of its flow under pressure without end
+  EXPECT_LE(result.state.damage, 1e-10);  // because it flows under very high pressure only
 }
 
-// A metal that does not harden, stretched at a volume that keeps mean / q: it fails when the
-// plastic strain reaches eps_f of that ratio, within a step of it.
+// A metal without hardening is stretched at a volume that keeps mean / q: it fails when the plastic
+// strain reaches eps_f of that ratio, within one step.
 TYPED_TEST(JohnsonCookFlow, DamageIsOneAtTheFailureStrain) {
   constexpr int D = TypeParam::value;
   auto parameters = linear_hardening(800e6, 0.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flow of metals against closed forms and against a return that keeps the plastic part of the
-// deformation itself.
+// Flow of metals against closed forms and against a return mapping that stores the plastic part of
+// the deformation.
 #include <cstring>
 
 #include "support/plastic_paths.hpp"
@@ -12,8 +12,8 @@ template <class Dimension>
 class MetalFlow : public testing::Test {};
 TYPED_TEST_SUITE(MetalFlow, Dimensions);
 
-// The same step in another form (Weber & Anand 1990): F_p itself is kept, strains are logarithms of
-// full matrices in the intermediate configuration, and the flow is found by bisection.
+// The same step in another form (Weber & Anand 1990): F_p is stored, strains are logarithms of full
+// matrices in the intermediate configuration, and bisection finds the flow.
 struct PlasticPartOracle {
   ElasticModuli<double> solid;
   J2Hardening<double> law;
@@ -38,8 +38,8 @@ struct PlasticPartOracle {
       plastic_strain += low;
       deviator *= 1.0 - 3.0 * g * low / trial;
     }
-    // From the intermediate to the reference configuration: S = F_p^-1 S_e F_p^-T, and S_e is the
-    // Mandel stress times C_e^-1, which has the same axes.
+    // The stress is pulled back from the intermediate to the reference configuration: S = F_p^-1
+    // S_e F_p^-T, and S_e is the Mandel stress times C_e^-1, which has the same axes.
     const Matrix3 mandel = deviator + solid.bulk_modulus * strain.trace() * one;
     const Matrix3 after = f * plastic.inverse();
     const Matrix3 back = plastic.inverse();
@@ -47,7 +47,7 @@ struct PlasticPartOracle {
   }
 };
 
-// Rounding of b_e of size 4 in strains, times the modulus; some fifty of them.
+// The tolerance is some fifty roundings of b_e of size 4 in strains, times the modulus.
 TYPED_TEST(MetalFlow, FollowsThePlasticStrain) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(1);
@@ -70,9 +70,9 @@ TYPED_TEST(MetalFlow, FollowsThePlasticStrain) {
   }
 }
 
-// A bar, its sides free: tau = E (eps - eps_p) = sigma_0 + H eps_p in logarithmic strain, so
-// tau = (sigma_0 + H eps) / (1 + H / E), and the true stress is tau / J, ln J = (1 - 2 nu) tau / E.
-// The flow keeps its direction, so that long steps are exact too.
+// For a bar with free sides tau = E (eps - eps_p) = sigma_0 + H eps_p in logarithmic strain, so tau
+// = (sigma_0 + H eps) / (1 + H / E), and the true stress is tau / J, ln J = (1 - 2 nu) tau / E. The
+// flow keeps its direction, so that long steps are exact too.
 TEST(MetalBar, Tension) {
   const double yield = 400e6, modulus = 1e9;
   const double k = steel().bulk_modulus, e = steel().young_modulus();
@@ -113,9 +113,9 @@ TYPED_TEST(MetalFlow, PlaneStretchAtConstantVolume) {
   }
 }
 
-// Simple shear of a metal that does not harden: in steady flow the stress is sigma_0 / sqrt(3) and
-// flow grows by shear / sqrt(3), but for the elastic strain, sigma_0 / G, which the axes of the
-// flow lag behind by. The steps add an error of their own size.
+// In simple shear of a metal without hardening the stress in steady flow is sigma_0 / sqrt(3) and
+// the flow grows by shear / sqrt(3), except for the elastic strain, sigma_0 / G, by which the axes
+// of the flow lag. The steps add an error of their own size.
 TYPED_TEST(MetalFlow, SimpleShear) {
   constexpr int D = TypeParam::value;
   const double yield = 400e6, elastic = yield / steel().shear_modulus;
@@ -135,7 +135,7 @@ TYPED_TEST(MetalFlow, SimpleShear) {
   EXPECT_NEAR(grown, 1.5 / std::sqrt(3.0), elastic * 1.5);
 }
 
-// A rotation that turns the body along its path changes neither S nor the state: rounding only.
+// A rotation of the body along its path changes neither S nor the state, up to rounding.
 TYPED_TEST(MetalFlow, IsIndependentOfRotation) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(4);
@@ -168,8 +168,7 @@ TYPED_TEST(MetalFlow, KeepsTheVolume) {
   }
 }
 
-// All of the work of the stress is stored, and given off to flow; the rest is the error of steps,
-// of first order.
+// All work of the stress is stored or dissipated; the rest is the error of steps, of first order.
 TYPED_TEST(MetalFlow, WorkIsStoredOrDissipated) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(6);
@@ -203,7 +202,7 @@ TYPED_TEST(MetalFlow, StepsConverge) {
   }
 }
 
-// Unloading leaves every bit of the state, and a second look at a step sees the same.
+// Unloading does not change the state, and a second evaluation of a step gives the same result.
 TYPED_TEST(MetalFlow, UnloadingKeepsTheState) {
   constexpr int D = TypeParam::value;
   const auto at = [](double strain) {
@@ -222,8 +221,9 @@ TYPED_TEST(MetalFlow, UnloadingKeepsTheState) {
   EXPECT_LT(unloaded.stored_energy, loaded.stored_energy);
 }
 
-// 1000 steps in single precision beside double ones. Stress: four roundings of b_e, 6e-8 each,
-// times G. What adds up over the steps rounds each time, either way: sqrt(1000) roundings, 2e-6.
+// 1000 steps in single precision against double precision. Stress: four roundings of b_e, 6e-8
+// each, times G. Accumulated values are rounded in each step in either direction: sqrt(1000)
+// roundings, 2e-6.
 TYPED_TEST(MetalFlow, SinglePrecision) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(8);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Water whose shocks run at c + s u: its pressure, energy and speed of sound belong together, and a
-// shock has the speed and the pressure that mass and momentum say.
+// Water with shock speeds c + s u: its pressure, energy and sound speed are consistent, and a shock
+// has the speed and the pressure of the balances of mass and momentum.
 #include "materials/shock_hugoniot.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(ShockHugoniot, PressureIsTheSlopeOfEnergy) {
     const double by_energy =
         rho * rho / rho_0 * slope([&](double at) { return energy_at(water, at); }, x);
     const double pressure = pressure_at(water, x);
-    // At 1e-4 the energy is a difference that has lost eight digits.
+    // At 1e-4 the energy is a difference that loses eight digits.
     EXPECT_NEAR(by_energy, pressure, (x < 1e-3 ? 1e-5 : 1e-8) * pressure);
   }
 }
@@ -56,7 +56,8 @@ TEST(ShockHugoniot, SoundSpeedIsTheSlopeOfPressure) {
   EXPECT_NEAR(sound_speed_at(water, 0.0), c_0, 1e-12 * c_0);
 }
 
-// Behind a shock of p = rho_0 U u the density is rho_0 U / (U - u): mass and momentum.
+// Behind a shock of p = rho_0 U u the density is rho_0 U / (U - u) by the balances of mass and
+// momentum.
 TEST(ShockHugoniot, ShocksRunAtTheirSpeed) {
   const auto water = shocked_water<double>();
   for (const double u : {1.0, 100.0, 300.0, 600.0, 900.0}) {
@@ -66,8 +67,9 @@ TEST(ShockHugoniot, ShocksRunAtTheirSpeed) {
   }
 }
 
-// Shocks of real water, worked out from the equation of state IAPWS-95 (Wagner & Pruss, J. Phys.
-// Chem. Ref. Data 31 (2002) 387) by mass, momentum and energy, from 20 C and 0.1 MPa.
+// Shocks of real water, computed from the equation of state IAPWS-95 (Wagner & Pruss, J. Phys.
+// Chem. Ref. Data 31 (2002) 387) by the balances of mass, momentum and energy, from 20 C and 0.1
+// MPa.
 TEST(ShockHugoniot, AgreesWithMeasurementsOfWater) {
   const struct {
     double u, speed;
@@ -89,7 +91,7 @@ TEST(ShockHugoniot, CavitatesUnderTension) {
   EXPECT_EQ(sound_speed_at(water, -0.5), c_0);
 }
 
-// rho_0 s / (s - 1) is where the pressure is infinite.
+// The pressure is infinite at rho_0 s / (s - 1).
 TEST(ShockHugoniot, ReachesNoGreaterDensity) {
   const auto water = shocked_water<double>();
   EXPECT_FALSE(is_too_dense(water, 0.99 / (s - 1.0)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run says that it takes of memory, and what `kerf check` expects, against the heap.
+// The memory that a run reports, and the estimate of `kerf check`, against the heap.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -64,13 +64,13 @@ double heap() {
 
 class Memory : public ::testing::TestWithParam<Block> {
  protected:
-  // Threads, units and the like, which the program makes once.
+  // The program allocates threads, units and similar data once.
   static void SetUpTestSuite() { make_simulation(case_of({"standard", "tofu", 2}))->advance(); }
 };
 
-// Of a block of 40 000 particles, where sides and what runs have once count for little. What a run
-// counts leaves out its sums' scratch (1% at most); the estimate knows no sides, where particles
-// have fewer neighbours (10% in 3D).
+// The block has 40 000 particles, so that its faces and the constant data of a run are negligible.
+// The report of a run omits the scratch memory of sums (1% at most); the estimate ignores faces,
+// where particles have fewer neighbours (10% in 3D).
 TEST_P(Memory, EstimateEqualsTheAllocation) {
   const double before = heap();
   if (before == 0.0) GTEST_SKIP() << "a sanitizer keeps the heap to itself";
@@ -83,7 +83,8 @@ TEST_P(Memory, EstimateEqualsTheAllocation) {
   EXPECT_NEAR(derive(description).memory, held, 0.15 * held);
 }
 
-// What a water particle in 3D may take in single precision, besides the list of its neighbours.
+// The memory budget of a water particle in 3D in single precision, besides the list of its
+// neighbours.
 TEST(MemoryBudget, OfWater) {
   constexpr double budget = 400.0, entry = 4.0;  // bytes
   const auto simulation = make_simulation(case_of({"standard", "still_water", 3}));
@@ -94,7 +95,7 @@ TEST(MemoryBudget, OfWater) {
       budget);
 }
 
-// And a particle of a solid with all its bonds, in rows or off them.
+// The budget of a particle of a solid with all its bonds, in regular and other layouts.
 TEST(MemoryBudget, OfSolid) {
   for (const double jitter : {0.0, 0.2}) {
     const auto simulation = make_simulation(case_of({"standard", "tofu", 3, "mixed", jitter}));

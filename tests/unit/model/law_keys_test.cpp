@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lists of laws: words, sentences and keys, and whether a material can break.
+// The lists of laws with their words, sentences and keys, and whether a material can break.
 #include "model/law_keys.hpp"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ Material limited(BondCriterion criterion, const Limits& limits) {
   if (limits.ductile > 0.0) material.plasticity = PlasticLaw::von_mises;
   return material;
 }
-// The same as the loops over bonds have it.
+// The result equals that of the loops over bonds.
 Medium<float> medium_of(const Material& material) {
   Medium<double> medium;
   medium.criterion = material.criterion;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes of the type "mesh": keys, files, what is refused, and the case that was used.
+// Shapes of the type "mesh": keys, files, refusals, and the used case.
 #include "model/mesh_shape.hpp"
 
 #include <gmock/gmock.h>
@@ -61,7 +61,7 @@ TEST_F(MeshShapes, TheFileIsRelativeToTheCase) {
   }
 }
 
-// Particles of a sphere fill it the better the finer they are.
+// Finer particles fill the volume of a sphere better.
 TEST_F(MeshShapes, ParticlesFillTheVolume) {
   write_file(folder_ / "ball.stl", stl_text(sphere_mesh(4.0, 4)));
   Body ball = read("file = \"ball.stl\"").bodies[0];
@@ -69,7 +69,7 @@ TEST_F(MeshShapes, ParticlesFillTheVolume) {
   for (const double spacing : {0.5e-3, 0.25e-3, 0.125e-3}) {
     ball.spacing = spacing;
     const double filled = static_cast<double>(fill(ball, 3).size()) * particle_volume(ball, 3);
-    // As points of a lattice in a sphere: of second order in spacing over radius.
+    // The error for the points of a lattice in a sphere is of second order in spacing over radius.
     EXPECT_NEAR(filled / volume, 1.0, 2.0 * std::pow(spacing / 4e-3, 2)) << spacing;
   }
 }
@@ -90,13 +90,13 @@ TEST_F(MeshShapes, TheUsedCaseFindsTheCopy) {
   EXPECT_EQ(read_file(run / name), read_file(folder_ / "ring.obj"));
   EXPECT_TRUE(is_kept_mesh_name(name)) << name;
   EXPECT_FALSE(is_kept_mesh_name("mesh-of-mine.stl"));
-  // Another mesh under the old name is not what ran.
+  // Another mesh under the old name is refused.
   write_file(run / name, obj_text(torus_mesh(3.0, 1.0, 17)));
   EXPECT_THAT(message_of<UserError>([&] { read_case(run / "case.used.toml"); }),
               AllOf(HasSubstr("shape.checksum = "), HasSubstr("that of the file is ")));
 }
 
-// What a checkpoint compares is the text of the used case.
+// A checkpoint compares the text of the used case.
 TEST_F(MeshShapes, AChangedFileIsAnotherCase) {
   write_file(folder_ / "part.stl", stl_binary(cube_mesh(4.0)));
   const std::string before = write_used(read("file = \"part.stl\""));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A list that says that it holds has every pair that is within reach, however the particles got
-// there: against all pairs. And it says so for as long as it should.
+// A list that is reported as valid has every pair within reach for any motion of the particles,
+// against all pairs; and it is valid for the expected time.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -16,9 +16,9 @@ namespace {
 
 constexpr double skin = 5e-4, width = 0.06;  // m
 using Motion =
-    std::function<Vector3(const Vector3&, double)>;  // displacement at a place, of a time
+    std::function<Vector3(const Vector3&, double)>;  // displacement at a position and time
 
-// Particles far enough spread that there are many patches, none of them rigid.
+// The particles are spread over many patches; none of them is rigid.
 ReferenceState spread(int dimension, unsigned seed) {
   BagChoice choice;
   choice.dimension = dimension;
@@ -50,7 +50,8 @@ struct Flight {
     loaded.rebuild();
     for (const auto& particle : state.particles) start.push_back(particle.position);
   }
-  // Moves all of them, and tells the list how far; without `notes` that it must look.
+  // Moves all particles, and reports the displacement to the list; without `notes` the list must
+  // check the positions.
   void move(const Motion& motion, double time, bool notes) {
     const auto place = loaded.places();
     MotionSquares moved;
@@ -65,7 +66,7 @@ struct Flight {
     }
     loaded.list.note(notes ? moved.roots() : StepMotion{1e300, 1e300});
   }
-  // Pairs within reach that are not in the list.
+  // Returns the pairs within reach that are not in the list.
   int missing() const {
     const auto id = to_host(loaded.particles.id);
     const NeighbourView view = loaded.list.view();
@@ -94,8 +95,8 @@ class ListValidity : public testing::Test {
  protected:
   static constexpr int D = Dimension::value;
 
-  // Moves in small steps until the list no longer holds; it must have had every pair until then.
-  // How long that took.
+  // Moves in small steps until the list is not valid; until then it must have every pair. Returns
+  // the distance moved.
   static double last(const Motion& motion, double step, bool notes, const std::string& faces = "") {
     Flight<D> flight(spread(D, 3), faces);
     EXPECT_EQ(flight.missing(), 0);
@@ -111,8 +112,7 @@ class ListValidity : public testing::Test {
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(ListValidity, Dimensions);
 
-// What flies on together keeps its neighbours: till it has come half a limit of sight, and the
-// skin.
+// Particles in common motion keep their neighbours, up to half of the range and the skin.
 TYPED_TEST(ListValidity, LastsLongForUniformMotion) {
   const Motion flight = [](const Vector3&, double t) { return Vector3(0.6 * t, 0.8 * t, 0.0); };
   const double longest = TestFixture::last(flight, 1e-4, true);
@@ -120,7 +120,8 @@ TYPED_TEST(ListValidity, LastsLongForUniformMotion) {
   EXPECT_LT(longest, 1e300);
 }
 
-// Whirls, shear and jitter: whatever is asked, and whether or not steps are noted.
+// The list is valid for vortices, shear and jitter, for any query, and with or without notes of the
+// steps.
 TYPED_TEST(ListValidity, HasEveryPair) {
   std::mt19937 engine(4);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -137,19 +138,19 @@ TYPED_TEST(ListValidity, HasEveryPair) {
   }
 }
 
-// Towards and along planes of symmetry, where images come to meet what they are of.
+// Particles move towards and along symmetry planes, where they meet their images.
 TYPED_TEST(ListValidity, IncludesMirrorImages) {
   for (const double angle : {0.0, 0.7, 1.57, 2.5, 3.9, 5.2}) {
     const Motion motion = [angle](const Vector3&, double t) {
       return Vector3(t * std::cos(angle), t * std::sin(angle), 0.0);
     };
     const double longest = TestFixture::last(motion, 2e-5, true, "x- y+");
-    EXPECT_LT(longest, 3.0 * skin) << angle;  // they come together at twice the speed
+    EXPECT_LT(longest, 3.0 * skin) << angle;  // they approach at twice the speed
     EXPECT_EQ(longest, TestFixture::last(motion, 2e-5, false, "x- y+"));
   }
 }
 
-// Two bodies that are out of sight of one another when the list is built, one of them fast.
+// Two bodies out of reach of one another when the list is built, one of them fast.
 TYPED_TEST(ListValidity, IncludesFastDistantParticles) {
   const Motion motion = [](const Vector3& x, double t) {
     return x[0] > 0.6 * width ? Vector3(-t, 0.0, 0.0) : Vector3(0.0, 0.0, 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The neighbour list against all pairs, and the rules of who sees whom.
+// The neighbour list against all pairs, and the rules of interaction.
 #include "neighbours/neighbour_list.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double skin = 5e-4;  // m
 
-// How far i sees j, from the text of the model: h_i + h_j = 2 (h_i + h_j)/2 among water and solid;
-// d_0 for the repelling layer of a rigid body; a rigid body sees nobody.
+// Returns the reach of j on i, from the definition of the model: h_i + h_j = 2 (h_i + h_j)/2 among
+// water and solid; d_0 for the repelling layer of a rigid body; 0 for a rigid body i.
 double sight(const ReferenceState& state, std::size_t i, std::size_t j) {
   const auto &a = state.medium(i), &b = state.medium(j);
   if (a.phase == Phase::rigid) return 0.0;
@@ -24,8 +24,8 @@ double sight(const ReferenceState& state, std::size_t i, std::size_t j) {
   return state.particles[j].repelling ? 0.5 * (a.spacing + b.spacing) : 0.0;
 }
 
-// Every pair within `least_skin` of its sight must be listed, no pair beyond `most_skin` may be; a
-// distance that is equal to the limit but for rounding may fall on either side.
+// Every pair within the reach and `least_skin` must be listed, no pair beyond `most_skin` may be
+// listed; a distance equal to the limit up to rounding may have either result.
 template <int D>
 void expect_all_pairs(const ReferenceState& state, const Loaded<D, Double>& loaded,
                       double least_skin, double most_skin) {
@@ -45,7 +45,7 @@ void expect_all_pairs(const ReferenceState& state, const Loaded<D, Double>& load
       pairs += must ? 1 : 0;
     }
   }
-  EXPECT_GT(pairs, n);  // otherwise nothing has been tested
+  EXPECT_GT(pairs, n);  // otherwise nothing is tested
 }
 
 ReferenceState bag(int dimension, unsigned seed, double jitter, double stretch = 1.0) {
@@ -75,7 +75,8 @@ TYPED_TEST(NeighbourLists, RandomPoints) {
   }
 }
 
-// Spread out, so that the reach is a fraction of the domain and there are many cells.
+// The particles are spread out, so that the reach is a fraction of the domain and there are many
+// cells.
 TYPED_TEST(NeighbourLists, RandomPointsInManyCells) {
   auto state = bag(TestFixture::D, 3, 0.49, 8.0);
   std::mt19937 engine(5);
@@ -98,7 +99,7 @@ TYPED_TEST(NeighbourLists, Lattice) {
 TYPED_TEST(NeighbourLists, SizeRatios) {
   for (std::size_t coarse : {std::size_t{2}, std::size_t{3}, std::size_t{4}}) {
     auto state = bag(TestFixture::D, 6, 0.3, 3.0);
-    // Solid of 1, 2 or 4 times the spacing beside water of the finest.
+    // Solids of 1, 2 or 4 times the spacing beside water of the finest spacing.
     for (auto& particle : state.particles) particle.source = particle.source % 2 ? coarse : 0;
     for (auto& particle : state.particles) particle.repelling = false;
     const Loaded<TestFixture::D, Double> loaded(state, {0.0, 0.054, skin});
@@ -106,14 +107,14 @@ TYPED_TEST(NeighbourLists, SizeRatios) {
   }
 }
 
-// Most of the particles lie beyond the domain on every side.
+// Most of the particles are beyond the domain on every side.
 TYPED_TEST(NeighbourLists, ParticlesOutsideTheDomain) {
   const auto state = bag(TestFixture::D, 7, 0.4, 6.0);
   const Loaded<TestFixture::D, Double> loaded(state, {0.04, 0.07, skin});
   expect_all_pairs(state, loaded, skin, skin);
 }
 
-// A domain of so many cells that they have to grow.
+// A domain with so many cells that they must be enlarged.
 TYPED_TEST(NeighbourLists, VastDomain) {
   const auto state = bag(TestFixture::D, 8, 0.4);
   const Loaded<TestFixture::D, Double> loaded(state, {-300.0, 300.0, skin});
@@ -135,7 +136,7 @@ TYPED_TEST(NeighbourLists, IsValidUntilAParticleMovesHalfTheSkin) {
   }
   EXPECT_FALSE(loaded.list.is_outdated(loaded.particles, 0.0));
   expect_all_pairs(state, loaded, 0.0, 2.0 * skin);
-  // One that goes on moving passes half the skin within the horizon.
+  // A particle in steady motion moves half the skin within the horizon.
   for (std::size_t k = 0; k < place.size(); ++k)
     loaded.particles.velocity[k] = Vector<dimension, double>::zero();
   auto fast = Vector<dimension, double>::zero();

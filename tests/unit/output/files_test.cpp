@@ -45,7 +45,7 @@ TEST(Files, NamesTheFileAndTheRemedyForAMissingFolder) {
   const TemporaryFolder folder;
   const fs::path path = folder / "gone/a";
   EXPECT_THAT(message_of<UserError>([&] { write_file(path, "x"); }),
-              AllOf(HasSubstr("cannot write " + path.string()), HasSubstr("bring it back")));
+              AllOf(HasSubstr("cannot write " + path.string()), HasSubstr("restore it")));
   EXPECT_THAT(message_of<UserError>([&] { read_file(path); }),
               HasSubstr("cannot read " + path.string()));
 }
@@ -53,7 +53,7 @@ TEST(Files, NamesTheFileAndTheRemedyForAMissingFolder) {
 TEST(Files, KeepsTheOldContentAfterAFailedWrite) {
   const TemporaryFolder folder;
   write_file(folder / "a", "old");
-  // The place of the temporary file is taken by a folder, so opening it fails, even for root.
+  // A folder has the name of the temporary file, so opening it fails, even for root.
   fs::create_directory(folder / ".a.tmp");
   EXPECT_THROW(write_file(folder / "a", "new"), UserError);
   EXPECT_EQ(read_file(folder / "a"), "old");
@@ -66,7 +66,7 @@ TEST(Files, NamesAFileAtThePathOfAFolder) {
               HasSubstr("cannot make the folder " + (folder / "a/b").string()));
   EXPECT_THROW(make_folder(folder / "a"), UserError);
   EXPECT_THAT(message_of<UserError>([&] { make_inner_folder(folder / "gone/frames"); }),
-              HasSubstr("bring it back"));
+              HasSubstr("restore it"));
 }
 
 TEST(FolderLock, IsExclusive) {

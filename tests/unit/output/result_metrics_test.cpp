@@ -28,7 +28,7 @@ TEST(ResultMetrics, HaveMeaningsThatAreSentences) {
   }
 }
 
-// Amounts are counted per metre of depth in two dimensions, where a volume is an area.
+// In two dimensions extensive quantities are per metre of depth, and a volume is an area.
 TEST(ResultMetrics, HaveTheUnitsOfTheirDimension) {
   struct Expected {
     const char *name, *space, *plane;

@@ -24,8 +24,8 @@ using Json = nlohmann::json;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// What an independent validator says of `result` by the schema in docs/; empty where nothing is
-// wrong.
+// Returns the errors that an independent validator finds in `result` by the schema in docs/; empty
+// if there are none.
 std::string problems_of(const Json& result) {
   const Json document = Json::parse(read_file(KERF_SOURCE_DIR "/docs/result.schema.json"));
   valijson::Schema schema;

@@ -159,7 +159,7 @@ TEST(Validity, FlagsWeakRunsOnly) {
   const auto good = validity_of(outcome);
   EXPECT_THAT(good, flag("resolution", State::good, "The jet is 12 particles wide."));
   EXPECT_THAT(good, flag("energy_drift", State::good, "closes to 0%"));
-  EXPECT_THAT(good, flag("standoff", State::note, "no drag, no break-up"));
+  EXPECT_THAT(good, flag("standoff", State::note, "no drag and no breakup"));
   EXPECT_THAT(good, flag("abrasive", State::note, "Abrasive is not modelled"));
   EXPECT_THAT(good, flag("leak", State::good, "0% of the jet's water"));
   EXPECT_THAT(good, flag("reflections", State::good, "No wave"));
@@ -182,13 +182,13 @@ TEST(Validity, FlagsWeakRunsOnly) {
   EXPECT_THAT(weak, flag("leak", State::warning, "5% of the jet's water"));
 }
 
-// Breaks should take energy. One joule came into the outcome.
+// Breaks should dissipate energy. The energy input of the outcome is one joule.
 TEST(Validity, FlagsBreaksThatAddEnergy) {
   RunOutcome outcome = outcome_with_jet();
   EXPECT_THAT(validity_of(outcome), Not(named("energy_from_breaks")));  // nothing broke
-  for (const auto& [dissipated, state, part] : {std::tuple{0.3, State::good, "Breaks put 0%"},
-                                                {-0.01, State::good, "Breaks put 1%"},
-                                                {-0.3, State::warning, "Breaks put 30%"}}) {
+  for (const auto& [dissipated, state, part] : {std::tuple{0.3, State::good, "Breaks add 0%"},
+                                                {-0.01, State::good, "Breaks add 1%"},
+                                                {-0.3, State::warning, "Breaks add 30%"}}) {
     outcome.balance.dissipated_fracture = dissipated;
     EXPECT_THAT(validity_of(outcome), flag("energy_from_breaks", state, part)) << dissipated;
   }
@@ -197,13 +197,13 @@ TEST(Validity, FlagsBreaksThatAddEnergy) {
 TEST(Validity, FlagsReflectedWaves) {
   RunOutcome outcome = outcome_with_jet();
   outcome.derived.reflection_time = 0.01;
-  outcome.cut.contact_time = std::nan("");  // nothing was hit
+  outcome.cut.contact_time = std::nan("");  // no contact
   EXPECT_THAT(validity_of(outcome), flag("reflections", State::good, "No wave"));
   outcome.cut.contact_time = 0.021;
   EXPECT_THAT(validity_of(outcome), flag("reflections", State::good, "No wave"));
   outcome.cut.contact_time = 0.019;
   EXPECT_THAT(validity_of(outcome), flag("reflections", State::note, "10 ms after"));
-  outcome.derived.reflection_time = 0.0;  // no edge lets them
+  outcome.derived.reflection_time = 0.0;  // no reflecting edge
   EXPECT_THAT(validity_of(outcome), flag("reflections", State::good, "No wave"));
 }
 
@@ -212,7 +212,7 @@ TEST(Validity, StandoffOfAMachineIsAModelBeyondTheCoherentLength) {
   outcome.description.machine.emplace();
   outcome.description.machine->standoff = 0.04;
   outcome.description.machine->coherent_length = 0.05;
-  EXPECT_THAT(validity_of(outcome), flag("standoff", State::note, "arrives as it left"));
+  EXPECT_THAT(validity_of(outcome), flag("standoff", State::note, "is intact"));
   outcome.description.machine->coherent_length = 0.01;
   EXPECT_THAT(
       validity_of(outcome),
@@ -231,7 +231,7 @@ TEST(Validity, FlagsAMaterialWithoutStrength) {
   body.role = Role::elastic;
   body.material = 0;
   EXPECT_THAT(validity_of(outcome), flag("unbreakable", State::warning, "jelly has no strength"));
-  body.fixed = true;  // not what is cut
+  body.fixed = true;  // not part of the workpiece
   EXPECT_THAT(validity_of(outcome), Not(named("unbreakable")));
   body.fixed = false;
   material.failure_strain = 0.1;
@@ -276,7 +276,7 @@ TEST(StillCutting, TestsTheLastTenth) {
   EXPECT_FALSE(still_cutting(history));
   for (std::size_t i = 0; i < history.size(); ++i) history[i].front_depth = static_cast<double>(i);
   EXPECT_TRUE(still_cutting(history));
-  history.back().fractured_mass = 0.0;  // a dent, no cut
+  history.back().fractured_mass = 0.0;  // a dent without fracture
   EXPECT_FALSE(still_cutting(history));
   history.back().fractured_mass = 1.0;
   history.back().cut_through = true;

@@ -97,7 +97,7 @@ TEST_F(SeriesFile, TruncatedAndContinuedFileIsComplete) {
   for (std::uint64_t step = 0; step < 10; ++step) whole.append(sample_at(step));
   const std::string expected = read_file(path_);
 
-  // Killed after step 7, in the middle of a row; the checkpoint is of step 4.
+  // The run is killed after step 7, in the middle of a row; the checkpoint is of step 4.
   SeriesWriter killed(path_, description_);
   killed.start();
   for (std::uint64_t step = 0; step < 8; ++step) killed.append(sample_at(step));

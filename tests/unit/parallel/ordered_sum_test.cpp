@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loops, reductions and sums: the same bits for any number of threads.
+// Loops, reductions and sums have the same bits for any number of threads.
 #include "parallel/ordered_sum.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ struct Count {
   void operator()(Index i) const { ++visits[i]; }
 };
 
-// Of any size from 1e-8 to 1e8 and both signs, so that the order of a sum shows.
+// The values are from 1e-8 to 1e8 with both signs, so that the order of a sum matters.
 std::vector<double> numbers(std::size_t count) {
   std::mt19937_64 engine(count + 1);
   std::uniform_real_distribution<double> sign(-1.0, 1.0), power(-8.0, 8.0);
@@ -47,7 +47,7 @@ class AnyThreads : public testing::Test {
  protected:
   ~AnyThreads() override { set_threads(0); }
 
-  // Runs `work` with that many threads even where there are fewer cores.
+  // Runs `work` with that number of threads even if there are fewer cores.
   template <class Work>
   static auto with_threads(int threads, const Work& work) {
     set_threads(threads);
@@ -77,7 +77,7 @@ TEST_F(AnyThreads, SumsHaveTheSameBits) {
   }
 }
 
-// The scratch space of a long sum must not leak into a shorter one.
+// The scratch memory of a long sum must not affect a shorter one.
 TEST_F(AnyThreads, ShortSumAfterALongOne) {
   Array<double> device;
   to_device(std::vector<double>(5000, 1.0), device);
@@ -104,7 +104,7 @@ TEST_F(AnyThreads, ReduceUnordered) {
       });
     }
   }
-  // Nothing to reduce: the initial value.
+  // An empty reduction returns the initial value.
   EXPECT_EQ(reduce_unordered(0, Fetch{nullptr}, 7.0, thrust::minimum<double>()), 7.0);
 }
 

@@ -104,7 +104,7 @@ TEST(Reorder, OutflowIsRemovedAndTheOthersKeepTheirOrder) {
   EXPECT_EQ(particles.start_position.size(), 3u);
 }
 
-// A jet straight down whose nozzle ends at y = 0.
+// A vertical jet with its exit at y = 0.
 std::uint8_t flags_after(NewParticle particle, double y, double vertical_speed,
                          bool removes_back_flow) {
   auto particles = particles_of({particle});
@@ -134,7 +134,7 @@ TEST(Outflow, ParticlesOutsideTheDomainAreMarked) {
   EXPECT_EQ(flags_after({}, -1.1, -5.0, false), flag::outside);
   EXPECT_EQ(flags_after({}, 1.1, -5.0, false), flag::outside);
   EXPECT_EQ(flags_after({}, -0.9, -5.0, false), 0);
-  EXPECT_EQ(flags_after({}, none, -5.0, false), 0);  // the time step finds it
+  EXPECT_EQ(flags_after({}, none, -5.0, false), 0);  // the time step reports it
   NewParticle wall;
   wall.source = 1;
   EXPECT_EQ(flags_after(wall, -1.1, 0.0, false), 0);

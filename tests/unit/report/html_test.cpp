@@ -46,7 +46,7 @@ TEST(Html, NumbersAreFormatted) {
   EXPECT_EQ(html::count(123), "123");
 }
 
-// A prefix would be raised to the power too.
+// The power would apply to a prefix too.
 TEST(Html, UnitsThatBeginWithAPowerGetNoPrefix) {
   const std::string thin = "\u202f";
   EXPECT_EQ(html::quantity(0.011976, "m²/s"), "0.01198" + thin + "m²/s");
@@ -104,7 +104,7 @@ TEST(Plot, InterruptsACurveAtMissingValues) {
   EXPECT_EQ(std::count(commands.begin(), commands.end(), 'L'), 47);
 }
 
-// The grid lines stand at the numbers below them: a value at 20 mm lies on the line "20".
+// The grid lines are at the numbers below them: a value at 20 mm is on the line "20".
 TEST(Plot, DrawsValuesAtTheirCoordinates) {
   Plot plot{{"time", "s"}, {"depth", "m"}, {0.0, 0.010}, {{"a", {0.0, 0.020}}}};
   const std::string svg = draw_plot(plot);
@@ -113,7 +113,7 @@ TEST(Plot, DrawsValuesAtTheirCoordinates) {
                                 std::regex("L([0-9.]+) ([0-9.]+)\" fill=\"none\" "
                                            "stroke=\"#0072b2\"")));
   ASSERT_TRUE(std::regex_search(svg, tick, std::regex("y=\"([0-9.]+)\"[^>]*>20</text>")));
-  EXPECT_NEAR(std::stod(tick[1]) - std::stod(last[2]), 5.0, 0.11);  // half of the digits' height
+  EXPECT_NEAR(std::stod(tick[1]) - std::stod(last[2]), 5.0, 0.11);  // half of the height of the digits
   ASSERT_TRUE(std::regex_search(svg, tick, std::regex("x=\"([0-9.]+)\"[^>]*>10</text>")));
   EXPECT_NEAR(std::stod(tick[1]), std::stod(last[1]), 0.11);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drawing of a kerf carries the numbers it was given, and is as wide as they say.
+// The drawing of a kerf has the given numbers and dimensions to scale.
 #include "report/kerf_drawing.hpp"
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ TEST(KerfDrawing, NamesItsDimensions) {
     EXPECT_THAT(svg, HasSubstr(width));
 }
 
-// The two halves of the solid face each other across the top width, at the scale of the thickness.
+// The two halves of the solid are separated by the top width, at the scale of the thickness.
 TEST(KerfDrawing, IsToScale) {
   const std::string svg = draw_kerf(slot(0.004, 0.002, true));
   const std::regex half(
@@ -63,7 +63,8 @@ std::vector<std::array<double, 4>> lines(const std::string& svg, const std::stri
 constexpr const char* crack = "data-line=\"crack\"";
 constexpr const char* jet = "12 3 2 3";
 
-// 4 mm of the 10 mm came apart by a crack: it goes from the bottom of the kerf to the far face.
+// 4 mm of the 10 mm separated by a crack, which extends from the bottom of the kerf to the far
+// face.
 TEST(KerfDrawing, ShowsTheCrackOfAPartedWorkpiece) {
   const Json kerf = slot(0.002, 0.001, false);
   EXPECT_TRUE(lines(draw_kerf(kerf), crack).empty());
@@ -91,7 +92,7 @@ TEST(KerfDrawing, ShowsTheInclinationInTheViewAlongTheTraverse) {
   Jet leaning;
   leaning.angle = 0.4;
   EXPECT_EQ(lean_of(leaning, 2), 0.4);
-  EXPECT_EQ(lean_of(leaning, 3), 0.4);  // at rest: seen from its side
+  EXPECT_EQ(lean_of(leaning, 3), 0.4);  // at rest: in the plane of the jet
   leaning.traverse = {2.0, 0.0, 0.0};
   EXPECT_NEAR(lean_of(leaning, 3), 0.0, 1e-15);  // forwards
   leaning.azimuth = 0.5 * std::numbers::pi;      // towards z, the right of x
@@ -112,7 +113,7 @@ TEST(KerfDrawing, IsEmptyWithoutAKerf) {
   Json nothing = slot(0.0, 0.0, false);
   nothing["depth"] = 0.0;
   EXPECT_EQ(draw_kerf(nothing), "");
-  EXPECT_NE(draw_kerf(nothing, {0.0, true}), "");  // parted by a crack alone
+  EXPECT_NE(draw_kerf(nothing, {0.0, true}), "");  // separated by a crack alone
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ Frame frame_with(const std::array<double, 3>& place, Category category, double s
   return frame;
 }
 
-// Pixels of the legend's dot, which every picture has.
+// The number of pixels of the dot in the legend of every picture.
 int dot_pixels(Colour colour) {
   return Image(draw_picture(Frame{}, case_2d())).count(code(colour));
 }
@@ -97,7 +97,7 @@ TEST(Picture, DistantDropsDoNotChangeTheWindow) {
   EXPECT_EQ(near.count(code(palette::solid)), far.count(code(palette::solid)));
 }
 
-// A disc of diameter d covers pi d^2 / 4; its soft edge takes about one pixel all around.
+// A disc of diameter d covers pi d^2 / 4; its antialiased edge is about one pixel wide.
 TEST(Picture, ParticlesAreDiscsOfTheirSpacingAtTrueScale) {
   const Case description = case_2d();
   const Box window = picture_window(description);
@@ -166,7 +166,7 @@ TEST(Picture, ShowsTheBackHalfAndTheMiddleSliceIn3D) {
   EXPECT_EQ(front_right, 0);
 }
 
-// Everything at half the size: a quarter of the pixels have the colour of the water.
+// At half the size a quarter of the pixels have the colour of the water.
 TEST(Picture, IsScaledUniformly) {
   const Case description = case_2d();
   const Frame frame = frame_with({0, 5e-3, 0}, Category::water, 8e-3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report of a long run of many particles stays small.
+// The report of a long run with many particles is small.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 namespace kerf {
 namespace {
 
-// Particles at random places, which are packed less well than any real ones.
+// Particles at random positions, which are compressed less well than real ones.
 Frame crowd(std::size_t count, double time) {
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -39,7 +39,7 @@ Frame crowd(std::size_t count, double time) {
   return frame;
 }
 
-// A run in files: its frames are one and the same file, at different times.
+// The files of a run: its frames are one file at different times.
 class ManyParticles : public testing::Test {
  protected:
   ManyParticles() {
@@ -87,7 +87,7 @@ TEST_F(ManyParticles, ThenTheSameParticlesInEveryFrame) {
   const auto kept = frames.front().at("count").get<double>();
   EXPECT_NEAR(kept / particles, packer.share(), 0.01);
   for (const auto& frame : frames) EXPECT_EQ(frame.at("data"), frames.front().at("data"));
-  // As much area in all: fewer particles, larger ones.
+  // The total area is constant: fewer particles, larger ones.
   const double spacing = packer.head().at("spacings").at(0).get<double>();
   EXPECT_NEAR(packer.share() * spacing * spacing, 1e-8, 1e-12);
 }
@@ -97,7 +97,7 @@ TEST(ReportSize, StaysBelowTheLimit) {
   Case description = test::fake_case();
   const test::TemporaryFolder folder;
   test::run_fake(description, folder / "out");
-  // Eight frames would take more than there is.
+  // Eight frames exceed the budget.
   const std::string frame = vtkhdf_bytes(crowd(300'000, 0.0));
   for (const FrameFile& file : frame_files(folder / "out")) write_file(file.path, frame);
   write_report(folder / "out", description);

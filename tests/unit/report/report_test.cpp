@@ -24,7 +24,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-// A whole run of the made-up simulation, and the page it ends with.
+// A complete run of the fake simulation, and its report.
 class Report : public testing::Test {
  protected:
   void SetUp() override {
@@ -59,7 +59,7 @@ TEST_F(Report, HasResultPicturesCurvesAndTables) {
 
 TEST_F(Report, HasNoExternalResources) {
   EXPECT_FALSE(std::regex_search(page_, std::regex("<(link|iframe|script[^>]*src)")));
-  // Names of formats (xmlns) are not fetched; every other address must be inside the page.
+  // Names of formats (xmlns) are not loaded; every other address must be inside the page.
   const std::regex address("(src|href)=\"[^d#][^\"]{0,60}");
   std::string outside;
   for (std::sregex_iterator it(page_.begin(), page_.end(), address), end; it != end; ++it)
@@ -85,7 +85,7 @@ TEST_F(Report, ContainsTheUsedCase) {
   EXPECT_THAT(part, HasSubstr("Cut &lt;of&gt; &amp;"));
 }
 
-// Chosen numbers in the result of that run.
+// Sets chosen numbers in the result of that run.
 class ChangedReport : public Report {
  protected:
   void SetUp() override {
@@ -142,7 +142,7 @@ TEST_F(ChangedReport, StatesThatTheViewerIsMissing) {
   EXPECT_EQ(count(page_, words), viewer_text("script").empty() ? 1u : 0u);
 }
 
-// A great many pictures: the page shows some, evenly spread, and says so.
+// With very many pictures the page shows some, evenly spaced, and states so.
 TEST_F(ChangedReport, LimitsTheNumberOfPictures) {
   const std::string png(900'000, 'x');
   auto& list = result_["pictures"];
@@ -159,7 +159,7 @@ TEST_F(ChangedReport, LimitsTheNumberOfPictures) {
                           HasSubstr("Some of 40 pictures")));
 }
 
-// All that result.json has of the machine is in the report.
+// All numbers of the machine in result.json are in the report.
 TEST(MachineReport, ShowsAllSettings) {
   std::string text = test::fake_case_text;
   const std::size_t begin = text.find("[[jet]]"), end = text.find("[[probe]]");

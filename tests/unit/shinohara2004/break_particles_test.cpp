@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fracture in a run: who breaks, what is left of it, and what energy goes, against a twin run of a
-// material that never breaks.
+// Fracture in a run: the broken particles, their state, and the released energy, against a run with
+// a material that cannot break.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -64,7 +64,7 @@ void expect_first_fracture(int dimension) {
               (4.0 * shear_modulus * static_cast<double>(whole.density[k]));
   }
   EXPECT_EQ(fractured(broken), due);
-  EXPECT_LT(due.size(), whole.id.size());  // a criterion that breaks all at once tests nothing
+  EXPECT_LT(due.size(), whole.id.size());  // the criterion must not break all particles at once
   EXPECT_NEAR(breaking->balance().dissipated_fracture, energy, 1e-5 * energy);
 }
 TEST(Fracture, ParticlesBreakAboveTheFailureStrain2D) {

@@ -84,8 +84,8 @@ TEST(HookeSolid, UniaxialStrain) {
   expect_uniaxial<3>(2);
 }
 
-// Plane strain: the stress out of the plane is that of three dimensions with e_zz = 0, and s stays
-// without trace.
+// In plane strain the stress out of the plane is that of three dimensions with e_zz = 0, and s has
+// no trace.
 TEST(HookeSolid, PlaneStrainKeepsTheStressOutOfThePlane) {
   Matrix<2, double> plane;
   Matrix<3, double> space = Matrix<3, double>::zero();
@@ -101,7 +101,7 @@ TEST(HookeSolid, PlaneStrainKeepsTheStressOutOfThePlane) {
   EXPECT_NEAR(s2(0, 0) + s2(1, 1) + s2(2, 2), 0.0, 1e-12 * g);
 }
 
-// The rate is that of matrix algebra, 2 G dev(e) + w s - s w with w s of the standard form.
+// The rate equals that of matrix algebra, 2 G dev(e) + w s - s w with w s of the standard form.
 TEST(HookeSolid, JaumannRateIsTheCommutatorWithTheSpin) {
   std::mt19937 engine(2);
   std::uniform_real_distribution<double> distribution(-1.0, 1.0);
@@ -137,7 +137,7 @@ TEST(HookeSolid, FracturedBearsCompressionOnly) {
   EXPECT_GT(HookeSolid::volumetric_energy(solid, -0.02, false), 0.0);
 }
 
-// Half of stress times elastic strain, s : s / 4G per volume.
+// The energy is half of stress times elastic strain, s : s / 4G per volume.
 TEST(HookeSolid, DeviatoricEnergy) {
   SymmetricTensor<2, double> s = SymmetricTensor<2, double>::zero();
   s(0, 1) = 300.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws that pair forces must obey whatever their size: action and reaction, no torque by central
-// forces, no rate in a rigid motion, repulsion as the slope of its potential.
+// Laws that pair forces of any magnitude must satisfy: action and reaction, no torque by central
+// forces, no rate in a rigid motion, repulsion as the gradient of its potential.
 #include <gtest/gtest.h>
 
 #include "shinohara2004/rates.hpp"
@@ -81,7 +81,7 @@ TYPED_TEST(PairForces, CentralForcesHaveNoTorque) {
   EXPECT_LE(sum.torque.norm(), 1e-12 * sum.torque_scale);
 }
 
-// What the forces do is what the balance books: pressure work and artificial dissipation.
+// The power of the forces equals that in the balance: pressure work and artificial dissipation.
 TYPED_TEST(PairForces, PowerIsRecorded) {
   auto state = TestFixture::bag(7);
   for (auto& medium : state.media) medium.viscosity = 0.0;
@@ -92,7 +92,7 @@ TYPED_TEST(PairForces, PowerIsRecorded) {
   EXPECT_GT(std::abs(sum.power), 1e-3 * sum.power_scale);
 }
 
-// The shear forces do -s : grad v of work on each volume, since both sums run over the same pairs.
+// The shear forces have the power -s : grad v per volume, since both sums are over the same pairs.
 TYPED_TEST(PairForces, ShearPowerIsStressPower) {
   auto state = TestFixture::bag(8);
   for (auto& medium : state.media) medium.artificial_linear = medium.artificial_quadratic = 0.0;
@@ -165,7 +165,7 @@ TYPED_TEST(PairForces, RepulsionIsTheGradientOfItsPotential) {
     const double slope = (place_at(ahead).second - place_at(behind).second) / (2.0 * step);
     EXPECT_NEAR(force[a], -slope, 1e-6 * force.norm());
   }
-  // Both vanish from d_0 = 1.5 mm on.
+  // Both are 0 from d_0 = 1.5 mm on.
   const auto [none, zero] = place_at({5.6e-3, 5e-3 + 1.5e-3, third});
   EXPECT_EQ(none.norm(), 0.0);
   EXPECT_EQ(zero, 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The balance of mass, momentum and energy against sums by hand.
+// The balance of mass, momentum and energy against sums computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ TEST(Balance, EnergyDriftIsInputLessStoredAndDissipated) {
   balance.energy_initial = 1.0;
   balance.energy_in = 10.0;
   balance.energy_out = 2.0;
-  balance.work_gravity = -1.0;  // does not count as supplied
+  balance.work_gravity = -1.0;  // not part of the energy input
   balance.work_constraint = 3.0;
   balance.kinetic = 4.0;
   balance.pressure_work = 2.0;
@@ -123,7 +123,7 @@ TEST(BalanceSums, StateOfTheShinoharaFormulation) {
   particles.pressure_work[3] = 0.25;
   particles.compression[0] = 0.02;
   particles.compression[1] = -0.01;
-  particles.compression[3] = -0.01;  // cannot be pulled
+  particles.compression[3] = -0.01;  // no tension
   auto shear = SymmetricTensor<2, double>::zero();
   shear(0, 0) = 4e3;
   shear(1, 1) = -3e3;
@@ -188,7 +188,8 @@ TEST(BalanceSums, StepAddsImpulsesWorkAndDissipation) {
   const Balance& sum = accumulator.totals();
   EXPECT_NEAR(sum.impulse_gravity[1], -10.0 * 8.0 * dt, 1e-14);
   EXPECT_NEAR(sum.impulse_plate[1], 2.0 * 2.0 * dt, 1e-15);
-  // Of the water's acceleration (5, -4), (0, -10) is gravity and (0, 2) the wall.
+  // The water's acceleration is (5, -4), of which (0, -10) is gravity and (0, 2) is due to the
+  // wall.
   EXPECT_NEAR(sum.impulse_water[0], -2.0 * 5.0 * dt, 1e-15);
   EXPECT_NEAR(sum.impulse_water[1], -2.0 * 4.0 * dt, 1e-15);
   EXPECT_NEAR(sum.work_gravity, 3.0 * 10.0 * 0.2, 1e-14);

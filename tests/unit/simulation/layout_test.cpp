@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The particles that a run starts with, their prescribed motion, the symmetry planes and the
-// absorbing faces, against counts and positions by hand.
+// The initial particles of a run, their prescribed motion, the symmetry planes and the absorbing
+// faces, against counts and positions computed by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -151,7 +151,7 @@ TEST(AbsorbingSites, RowsAtTheFacesAreDampedByTheImpedanceOfTheirWaves) {
   c.bodies[0].absorbing.minimum = {true, true, false};
   const auto sites = sites_of(c);
   EXPECT_EQ(sites.size(), 10u + 5u - 1u);
-  // rho c v on the face of a particle, over its mass: c / spacing.
+  // The rate is rho c v on the face of a particle over its mass: c / spacing.
   const double shear = std::sqrt(1e5 / 2.6 / 940.0) / spacing;
   const double pressure = std::sqrt((1e5 / 1.2 + 4.0 / 3.0 * 1e5 / 2.6) / 940.0) / spacing;
   int corners = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Media, levels and settings of a case against the closed forms of elasticity and of the equation
-// of Tait, and against counts by hand.
+// Media, levels and settings of a case against the closed forms of elasticity and of Tait's
+// equation of state, and against counts by hand.
 #include "simulation/media.hpp"
 
 #include <gtest/gtest.h>

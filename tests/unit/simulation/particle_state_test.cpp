@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What leaves the particles of a run: checkpoints, frames and probes.
+// The output of the particles of a run: checkpoints, frames and probes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -206,7 +206,7 @@ TEST(Probes, PointInterpolatesPressureAndVelocity) {
   EXPECT_NEAR(values[2], 0.0, 1e-13);
   EXPECT_EQ(values[3], 0.0);
   values.clear();
-  probes.sample_point(particles, {1.0, 1.0, 0.0}, values);  // nothing near
+  probes.sample_point(particles, {1.0, 1.0, 0.0}, values);  // no particle near
   EXPECT_EQ(values, std::vector<double>(4, 0.0));
 }
 
@@ -220,7 +220,7 @@ TEST(Probes, MirrorImagesCountAtASymmetryPlane) {
   std::vector<double> values;
   probes.sample_point(particles, {0.0, 0.0, 0.0}, values);
   EXPECT_NEAR(values[0], 5e4, 1e-8);
-  EXPECT_NEAR(values[1], 0.0, 1e-13);  // along the normal an image has the opposite velocity
+  EXPECT_NEAR(values[1], 0.0, 1e-13);  // the normal velocity of an image is opposite
 }
 
 TEST(Probes, PlaneSumsMassTimesAccelerationOfAllButWalls) {

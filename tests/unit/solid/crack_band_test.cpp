@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The energy that a crack takes per area is the material's: crack_band.hpp.
+// The energy of a crack per area is that of the material (fracture/crack_band.hpp).
 #include "fracture/crack_band.hpp"
 
 #include <gtest/gtest.h>
@@ -11,15 +11,16 @@
 namespace kerf::test {
 namespace {
 
-// Half way up, from the left to the middle of a strip 80 mm wide and 20 mm high.
+// A notch at half height, from the left to the middle of a strip 80 mm wide and 20 mm high.
 struct LongNotch {
   KERF_FUNCTION bool operator()(const Vector<2, double>& a, const Vector<2, double>& b) const {
     return a[0] < 40e-3 && b[0] < 40e-3 && (a[1] < 10e-3) != (b[1] < 10e-3);
   }
 };
 
-// The strain that follows from an energy per area of crack: a strip has_broken_bonds in two gives
-// up as much of it by its bonds whatever the spacing (more than half; the rest goes off as waves).
+// With the failure strain that follows from an energy per area of crack, a strip that is pulled in
+// two releases that energy by its bonds at any spacing (more than half of it; the rest goes into
+// waves).
 TEST(CrackBand, EnergyPerAreaDoesNotDependOnSpacing) {
   const double energy = 2.0;  // J/m^2
   double area_energy[2];
@@ -30,17 +31,18 @@ TEST(CrackBand, EnergyPerAreaDoesNotDependOnSpacing) {
         failure_strain_of(energy, medium.bulk_modulus, medium.shear_modulus, spacing);
     auto trial = notched_strip<Mixed>(spacing, limit);
     area_energy[fine] = pull(trial, 0.03, 0.03) / 20e-3;
-    std::printf("has_broken_bonds in two, spacing %g mm: limit %.3f, %.3f J/m^2 of %.3f\n",
-                1e3 * spacing, limit, area_energy[fine], energy);
+    std::printf("strip in two, spacing %g mm: limit %.3f, %.3f J/m^2 of %.3f\n", 1e3 * spacing,
+                limit, area_energy[fine], energy);
     EXPECT_GT(area_energy[fine], 0.5 * energy);
     EXPECT_LT(area_energy[fine], energy);
   }
   EXPECT_NEAR(area_energy[0], area_energy[1], 0.1 * area_energy[1]);
 }
 
-// A wide strip, clamped above and below, with a long notch half way up: a crack takes W H per area
-// as it runs (Rivlin & Thomas, J. Polym. Sci. 10 (1953) 291), with W what is stored far ahead per
-// volume and H the height. What is available when the first bond breaks, J/m^2.
+// A wide strip is clamped above and below and has a long notch at half height: a running crack
+// releases W H per area (Rivlin & Thomas, J. Polym. Sci. 10 (1953) 291), with W the energy stored
+// per volume far ahead and H the height. Returns the available energy when the first bond breaks,
+// J/m^2.
 double tears_at(const Medium<double>& medium, double jitter, double energy) {
   const double spacing = medium.spacing;
   const int wide = static_cast<int>(std::lround(80e-3 / spacing));
@@ -57,12 +59,13 @@ double tears_at(const Medium<double>& medium, double jitter, double energy) {
   trial.evaluate();
   for (double t = 0.0; t < 1.0 && has_broken_bonds == 0.0; t += dt)
     if (pull_once(trial, speed, dt).bonds > 0) has_broken_bonds = t;
-  // Between the clamped rows; no strain along the strip.
+  // The strain is between the clamped rows, without strain along the strip.
   const double height = 16e-3 + spacing, strain = 2.0 * speed * has_broken_bonds / height;
   const double modulus = medium.bulk_modulus + 4.0 / 3.0 * medium.shear_modulus;
   return 0.5 * modulus * strain * strain * height;
 }
-// The band of crack_band.hpp is one number for all of these; coarser strips are not wide.
+// The factor of crack_band.hpp is one number for all these cases; coarser strips are not wide
+// enough.
 TEST(CrackBand, WideStripBreaksAtTheCriticalStrain) {
   struct Strip {
     double spacing, jitter, poisson_ratio, energy;

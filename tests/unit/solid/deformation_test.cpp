@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The deformation gradient against the maps that make it.
+// The deformation gradient against the maps that define it.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -13,7 +13,7 @@ template <class Chosen>
 class Deformation : public testing::Test {
  protected:
   using Trial = SolidOnTrial<Chosen::D, typename Chosen::P>;
-  // The far shift of the body must cost no digits.
+  // The large displacement of the body must not lose digits.
   static double worst_gradient(Trial& trial, const Square<Chosen::D>& map, double shift) {
     using Tensor = Square<Chosen::D>;
     trial.map(map, shift);
@@ -71,13 +71,13 @@ TYPED_TEST(Deformation, TenRotationsStoreNoEnergy) {
   }
 }
 
-// The shortest time of a wave and the particle that sets it, though most are passed over.
+// The shortest time of a wave and the particle that sets it, although most particles are skipped.
 TYPED_TEST(Deformation, WaveTimeIsTheMinimumOverParticles) {
   constexpr int D = TypeParam::D;
   typename TestFixture::Trial trial(block<D>({.jitter = 0.25}));
   for (int n = 0; n < 5; ++n) {
     trial.map(rotation<D>(0.4 * n) * (Square<D>::Identity() + 0.1 * n * some_map<D>()), 0.0);
-    for (auto& x : trial.position)  // not the same everywhere
+    for (auto& x : trial.position)  // not uniform
       for (int a = 0; a < D; ++a) x[a] *= 1.0 - 20.0 * n * x[a];
     trial.deform();
     const StretchLimit<D, typename TypeParam::P> limit{trial.solid.view()};
@@ -89,7 +89,7 @@ TYPED_TEST(Deformation, WaveTimeIsTheMinimumOverParticles) {
   }
 }
 
-// Bonds: all pairs closer than 2 h, by brute force.
+// Bonds are all pairs closer than 2 h, by a brute-force search.
 TYPED_TEST(Deformation, BondsAreAllPairsWithinTheCutoff) {
   constexpr int D = TypeParam::D;
   auto layout = block<D>({.jitter = 0.4, .seed = 4});

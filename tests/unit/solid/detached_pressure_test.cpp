@@ -12,7 +12,7 @@ template <class Chosen>
 class DetachedPressure : public testing::Test {};
 TYPED_TEST_SUITE(DetachedPressure, BothPrecisions);
 
-// Neo-Hookean: p = K_b (1 / J - J) / 2 by the bonds, and the rest of K by the density.
+// For a neo-Hookean solid p = K_b (1 / J - J) / 2 by the bonds, and the rest of K by the density.
 TYPED_TEST(DetachedPressure, IsUnchanged) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;

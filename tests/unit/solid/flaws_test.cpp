@@ -9,7 +9,7 @@ namespace {
 
 template <class T>
 class Flaws : public testing::Test {};
-// Both dimensions, both precisions.
+// The tests run in both dimensions and both precisions.
 using FlawKinds = testing::Types<Kind<2, Mixed>, Kind<3, Double>>;
 TYPED_TEST_SUITE(Flaws, FlawKinds);
 
@@ -32,14 +32,14 @@ Square<D> stretch(double strain) {
   return map;
 }
 
-// At a deformation that is held, damage sets free what it takes from the stored energy, hourglass
-// control included; without a break nothing else does. Energies are sums in double of what fields
-// of single precision say.
+// At a constant deformation damage releases the energy that it removes from the stored energy,
+// including hourglass control; without a break nothing else releases energy. Energies are sums in
+// double of fields in single precision.
 TYPED_TEST(Flaws, ReleaseTheEnergyThatTheyRemove) {
   constexpr int D = TypeParam::D;
   auto trial = flawed_block<D, typename TypeParam::P>();
   trial.map(stretch<D>(0.012));
-  trial.shake(1e-5, 3);
+  trial.displace_randomly(1e-5, 3);
   trial.deform();
   const double before = trial.solid.energy().total();
   double freed = 0.0;
@@ -50,7 +50,7 @@ TYPED_TEST(Flaws, ReleaseTheEnergyThatTheyRemove) {
   EXPECT_NEAR(before - after, freed, 100.0 * TypeParam::rounding * before);
 }
 
-// Stored energy when one particle is moved along an axis.
+// Returns the stored energy if one particle is displaced along an axis.
 template <int D>
 double energy_moved(SolidOnTrial<D, Double>& trial, std::size_t i, int axis, double shift) {
   auto moved = trial.position;
@@ -61,12 +61,12 @@ double energy_moved(SolidOnTrial<D, Double>& trial, std::size_t i, int axis, dou
   return trial.solid.energy().total();
 }
 
-// The force with damage is the slope of the energy: work against it is what a small motion stores.
-// Central differences of a step of 1e-6 spacings; 1e-4 of the load of a face.
+// The force with damage is minus the gradient of the energy: the work of a small motion is stored.
+// Central differences have a step of 1e-6 spacings; the tolerance is 1e-4 of the load of a face.
 TEST(FlawsInSpace, ForceIsTheGradientOfTheEnergy) {
   auto trial = flawed_block<3, Double>();
   trial.map(stretch<3>(0.012));
-  trial.shake(2e-5, 3);
+  trial.displace_randomly(2e-5, 3);
   trial.deform();
   for (int n = 0; n < 5; ++n) trial.solid.keep_damage(0.06);
   const double face = trial.layout.media[0].bulk_modulus * 0.012 * 1e-6, step = 1e-9;
@@ -80,8 +80,8 @@ TEST(FlawsInSpace, ForceIsTheGradientOfTheEnergy) {
     }
 }
 
-// Pulled on, the block parts: what has whole damage loses the bonds that open. Squeezed instead it
-// keeps them all.
+// In tension the block separates: fully damaged particles lose their stretched bonds. In
+// compression it keeps all bonds.
 TYPED_TEST(Flaws, FullDamageBreaksStretchedBonds) {
   constexpr int D = TypeParam::D;
   for (const double strain : {0.02, -0.02}) {
@@ -92,12 +92,12 @@ TYPED_TEST(Flaws, FullDamageBreaksStretchedBonds) {
     for (int n = 0; n < 20; ++n) trial.solid.keep_damage(0.2);
     trial.map(stretch<D>(strain));
     trial.deform();
-    const FractureResult book = trial.solid.fracture();
-    EXPECT_EQ(book.bonds > 0, strain > 0.0);
+    const FractureResult result = trial.solid.fracture();
+    EXPECT_EQ(result.bonds > 0, strain > 0.0);
   }
 }
 
-// What is saved carries on as if nothing had been.
+// A restored state continues with the same results.
 TYPED_TEST(Flaws, AreRestoredBitForBit) {
   constexpr int D = TypeParam::D;
   auto first = flawed_block<D, typename TypeParam::P>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A total Lagrangian solid that flows: each particle goes the way of a material point, looks leave
-// no trace, no energy is lost from sight, and ductile damage lets particles go.
+// A total Lagrangian solid with plastic flow: each particle equals a material point, evaluations do
+// not change the state, the energy balance is closed, and ductile damage detaches particles.
 #include <cstring>
 
 #include "support/plastic_paths.hpp"
@@ -21,7 +21,7 @@ class FlowingBlock : public testing::Test {
     result.media[0].plastic = parameters;
     return result;
   }
-  // Squeezed along y and sheared, further with every step of 20.
+  // The block is compressed along y and sheared, more in each of 20 steps.
   static Square<dimension> path(int step) {
     Square<dimension> m = Square<dimension>::Identity();
     m(1, 1) -= 0.3 * step / 20.0;
@@ -31,14 +31,14 @@ class FlowingBlock : public testing::Test {
 };
 TYPED_TEST_SUITE(FlowingBlock, BothPrecisions);
 
-// In a uniform deformation, also of particles at the surface.
+// The deformation is uniform, also at the surface.
 TYPED_TEST(FlowingBlock, IsAMaterialPoint) {
   constexpr int D = TypeParam::D;
   using Real = typename TypeParam::Real;
   const auto parameters = TestFixture::soft_metal();
   SolidOnTrial<D, typename TypeParam::P> trial(TestFixture::layout(parameters));
   auto state = PlasticState<D, double>::virgin();
-  double work = 0.0, booked = 0.0;
+  double work = 0.0, recorded = 0.0;
   for (int step = 1; step <= 20; ++step) {
     trial.map(TestFixture::path(step));
     trial.deform();
@@ -47,7 +47,7 @@ TYPED_TEST(FlowingBlock, IsAMaterialPoint) {
     const auto result = advance(trial.layout.media[0], parameters, gradient_of<D>(f), 0.0, state);
     state = result.state;
     work += result.plastic_work;
-    booked += trial.solid.keep_flow();
+    recorded += trial.solid.keep_flow();
   }
   ASSERT_GT(state.plastic_strain, 0.2);
   const std::vector<PlasticState<D, Real>> flow = to_host(trial.solid.fields().flow_start);
@@ -55,7 +55,7 @@ TYPED_TEST(FlowingBlock, IsAMaterialPoint) {
     EXPECT_NEAR(particle.plastic_strain, state.plastic_strain, 100 * TypeParam::rounding);
   double volume = 0.0;
   for (std::size_t i = 0; i < trial.size(); ++i) volume += trial.layout.media[0].reference_volume();
-  EXPECT_NEAR(booked, volume * work, 300 * TypeParam::rounding * volume * work);
+  EXPECT_NEAR(recorded, volume * work, 300 * TypeParam::rounding * volume * work);
 }
 
 TYPED_TEST(FlowingBlock, EvaluationsKeepTheState) {
@@ -76,8 +76,8 @@ TYPED_TEST(FlowingBlock, EvaluationsKeepTheState) {
   EXPECT_EQ(std::memcmp(a.flow.data(), b.flow.data(), a.flow.size() * sizeof(a.flow[0])), 0);
 }
 
-// Kinetic, stored and dissipated energy of a block that is squeezed by its own motion. Steps of
-// first order: a tenth of a percent of what came in.
+// The kinetic, stored and dissipated energy of a block that is compressed by its own motion. The
+// steps are of first order: a tenth of a percent of the input.
 TYPED_TEST(FlowingBlock, ConservesTheEnergy) {
   constexpr int D = TypeParam::D;
   using Real = typename TypeParam::Real;
@@ -103,10 +103,10 @@ TYPED_TEST(FlowingBlock, ConservesTheEnergy) {
       trial.position[i] += 0.5 * dt * Vector<D, double>::from(trial.velocity[i]);
   }
   trial.deform();
-  const double held = kinetic() + trial.solid.energy().total() + trial.solid.flow_work();
+  const double stored = kinetic() + trial.solid.energy().total() + trial.solid.flow_work();
   EXPECT_GT(plastic, 0.3 * came);
   EXPECT_GE(viscous, 0.0);
-  EXPECT_NEAR(held + plastic + viscous, came, 3e-3 * came);
+  EXPECT_NEAR(stored + plastic + viscous, came, 3e-3 * came);
 }
 
 TYPED_TEST(FlowingBlock, DuctileDamageDetachesParticles) {
@@ -118,12 +118,12 @@ TYPED_TEST(FlowingBlock, DuctileDamageDetachesParticles) {
   for (int step = 1; step <= 20; ++step) {
     trial.map(TestFixture::path(step));
     trial.deform();
-    const FractureResult book = trial.solid.fracture();
+    const FractureResult result = trial.solid.fracture();
     const auto now = to_host(trial.solid.fields().current_flow);
     const double strain = now[0].plastic_strain;
-    EXPECT_EQ(book.detached > 0, strain >= 0.1) << strain;
-    if (book.detached > 0) {
-      EXPECT_EQ(book.detached, trial.size());
+    EXPECT_EQ(result.detached > 0, strain >= 0.1) << strain;
+    if (result.detached > 0) {
+      EXPECT_EQ(result.detached, trial.size());
       return;
     }
     trial.solid.keep_flow();

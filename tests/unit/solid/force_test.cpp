@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces against the slope of the stored energy, and against what every force must obey.
+// Forces against the gradient of the stored energy, and against general laws of forces.
 #include <gtest/gtest.h>
 
 #include "support/solid_blocks.hpp"
@@ -7,7 +7,7 @@
 namespace kerf::test {
 namespace {
 
-// Two materials in one piece, jittered, some bonds cut: nothing is left to symmetry.
+// Two materials in one piece, jittered, with some bonds cut, so that the layout has no symmetry.
 template <int D>
 SolidLayout<D> mixed_block(double jitter = 0.2) {
   auto layout = block<D>({.cells = {6, 6, 5}, .jitter = jitter, .seed = 7});
@@ -36,7 +36,7 @@ SolidOnTrial<D, P> deformed() {
   SolidOnTrial<D, P> trial(mixed_block<D>());
   trial.solid.cut(AcrossNotch<D>{});
   trial.map(some_map<D>());
-  trial.shake(0.1e-3, 8);
+  trial.displace_randomly(0.1e-3, 8);
   return trial;
 }
 
@@ -47,7 +47,7 @@ template <class Chosen>
 class SolidForceGradient : public testing::Test {};
 TYPED_TEST_SUITE(SolidForceGradient, DoubleOnly);
 
-// m a = - d(stored energy)/dx, elastic and hourglass part together, on every particle.
+// m a = - d(stored energy)/dx on every particle, for the elastic and the hourglass part together.
 TYPED_TEST(SolidForceGradient, ForceIsTheGradientOfTheStoredEnergy) {
   constexpr int D = TypeParam::D;
   auto trial = deformed<D, Double>();
@@ -75,7 +75,7 @@ TYPED_TEST(SolidForceGradient, ForceIsTheGradientOfTheStoredEnergy) {
   EXPECT_LE(worst, 1e-7 * largest);
 }
 
-// Without and with viscosity: action and reaction, and no torque on the whole.
+// Without and with viscosity the forces satisfy action and reaction and have no total torque.
 TYPED_TEST(SolidForce, SumsAndTorquesVanish) {
   constexpr int D = TypeParam::D;
   for (bool viscous : {false, true}) {
@@ -85,7 +85,7 @@ TYPED_TEST(SolidForce, SumsAndTorquesVanish) {
         medium.artificial_linear = medium.artificial_quadratic = 1.0;
     SolidOnTrial<D, typename TypeParam::P> trial(layout);
     trial.map(some_map<D>());
-    trial.shake(0.1e-3, 8);
+    trial.displace_randomly(0.1e-3, 8);
     std::mt19937 engine(3);
     std::uniform_real_distribution<double> uniform(-3.0, 3.0);
     for (auto& v : trial.velocity)
@@ -93,7 +93,7 @@ TYPED_TEST(SolidForce, SumsAndTorquesVanish) {
     trial.evaluate();
     auto sum = Vector<D, double>::zero();
     Square<D> torque = Square<D>::Zero();
-    double scale = 0.0, arm = 0.0, booked = 0.0;
+    double scale = 0.0, arm = 0.0, recorded = 0.0;
     for (std::size_t i = 0; i < trial.size(); ++i) {
       const auto f = trial.force(i);
       const auto& x = trial.position[i];
@@ -101,16 +101,16 @@ TYPED_TEST(SolidForce, SumsAndTorquesVanish) {
       scale += norm(f);
       arm += norm(f) * norm(x);
       torque += as_column(x) * as_column(f).transpose() - as_column(f) * as_column(x).transpose();
-      booked += trial.solid.fields().viscous_power[i];
+      recorded += trial.solid.fields().viscous_power[i];
     }
-    // Pairs cancel to the last bit; what is left is the rounding of each particle's sum.
+    // Pairs cancel to the last bit; the remainder is the rounding of the sum of each particle.
     EXPECT_LE(norm(sum), TypeParam::rounding * scale);
     EXPECT_LE(torque.cwiseAbs().maxCoeff(), 10.0 * TypeParam::rounding * arm);
-    EXPECT_EQ(booked > 0.0, viscous);
+    EXPECT_EQ(recorded > 0.0, viscous);
   }
 }
 
-// The viscosity takes from the motion what it books, and resists approach only.
+// The viscosity dissipates the power that it records, and resists approach only.
 TYPED_TEST(SolidForce, ViscousPowerIsRecorded) {
   constexpr int D = TypeParam::D;
   using Trial = SolidOnTrial<D, typename TypeParam::P>;
@@ -129,19 +129,21 @@ TYPED_TEST(SolidForce, ViscousPowerIsRecorded) {
             Vector<D, typename TypeParam::Real>::from(sign * 2000.0 * trial->position[i]);
       trial->evaluate();
     }
-    double difference = 0.0, scale = 0.0, booked = 0.0;
+    double difference = 0.0, scale = 0.0, recorded = 0.0;
     for (std::size_t i = 0; i < plain.size(); ++i) {
       const auto v = Vector<D, double>::from(viscous.velocity[i]);
       difference += dot(viscous.force(i) - plain.force(i), v);
       scale += norm(v) * (norm(viscous.force(i)) + norm(plain.force(i)));
-      booked += viscous.solid.fields().viscous_power[i];
+      recorded += viscous.solid.fields().viscous_power[i];
     }
-    EXPECT_NEAR(-difference, booked, 10.0 * TypeParam::rounding * scale);
-    EXPECT_EQ(booked > 0.0, sign < 0.0);
+    EXPECT_NEAR(-difference, recorded, 10.0 * TypeParam::rounding * scale);
+    EXPECT_EQ(recorded > 0.0, sign < 0.0);
   }
 }
 
-// One closing pair, by hand: q |W'| V_i V_j.
+// One approaching pair, computed by hand: q
+// W'
+// V_i V_j.
 TYPED_TEST(SolidForceGradient, ViscousForceOfAWeakDeformation) {
   constexpr int D = TypeParam::D;
   auto medium = soft_solid(1e-3, D);
@@ -167,8 +169,9 @@ TYPED_TEST(SolidForceGradient, ViscousForceOfAWeakDeformation) {
   EXPECT_NEAR(trial.force(middle)[0], expected, 1e-12 * std::abs(expected));
 }
 
-// A bar stretched evenly in its length and held across: the closed form of the neo-Hookean law,
-// sigma_xx = G lambda^(-5/3) (2/3)(lambda^2 - 1) + K/2 (lambda - 1/lambda).
+// A bar is stretched uniformly along its length and confined laterally: the closed form of the
+// neo-Hookean law is
+//   sigma_xx = G lambda^(-5/3) (2/3)(lambda^2 - 1) + K/2 (lambda - 1/lambda).
 TYPED_TEST(SolidForce, StretchedBar) {
   constexpr int D = TypeParam::D;
   using Real = typename TypeParam::Real;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which bonds break, what becomes of the pieces, and the energy of it.
+// The broken bonds, the pieces, and the released energy.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ Square<D> stretch_along_x(double stretch) {
   return map;
 }
 
-// Nothing breaks below the limit, nor in compression. For the equivalent strain, 2/3 of a uniaxial
+// No bond breaks below the limit or in compression. For the equivalent strain, 2/3 of a uniaxial
 // one, the limit is 3/2 as high.
 TYPED_TEST(SolidFracture, BreaksAboveTheLimitOnly) {
   constexpr int D = TypeParam::D;
@@ -45,15 +45,16 @@ TYPED_TEST(SolidFracture, BreaksAboveTheLimitOnly) {
     for (double share : {-5.0, -1.0, 0.0, 0.5, 0.999, 1.001}) {
       trial.map(stretch_along_x<D>(std::exp(share * limit)));
       trial.deform();
-      const FractureResult book = trial.solid.fracture();
-      EXPECT_EQ(book.bonds > 0, share > 1.0) << share;
-      EXPECT_EQ(book.released > 0.0, share > 1.0) << share;
+      const FractureResult result = trial.solid.fracture();
+      EXPECT_EQ(result.bonds > 0, share > 1.0) << share;
+      EXPECT_EQ(result.released > 0.0, share > 1.0) << share;
     }
   }
 }
 
-// Squeezed to a fifth of its volume, or turned inside out, a solid that can break is crushed: all
-// of it is detached, without stress. One that can't break bears it.
+// A solid that can break and is compressed to a fifth of its volume, or turned inside out, fails in
+// compression: all particles are detached, without stress. A solid that cannot break carries the
+// stress.
 TYPED_TEST(SolidFracture, FailsInCompressionBelowAFifthOfTheVolume) {
   constexpr int D = TypeParam::D;
   for (double limit : {0.0, 0.1})
@@ -63,17 +64,17 @@ TYPED_TEST(SolidFracture, FailsInCompressionBelowAFifthOfTheVolume) {
       if (volume < 0.0) map.row(0) *= -1.0;
       trial.map(map);
       trial.deform();
-      const FractureResult book = trial.solid.fracture();
-      EXPECT_EQ(book.detached, limit > 0.0 && volume < 0.2 ? trial.size() : 0u) << volume;
+      const FractureResult result = trial.solid.fracture();
+      EXPECT_EQ(result.detached, limit > 0.0 && volume < 0.2 ? trial.size() : 0u) << volume;
       trial.evaluate();
-      if (book.detached == 0) continue;
+      if (result.detached == 0) continue;
       for (Index i = 0; i < trial.size(); ++i) EXPECT_EQ(norm(trial.force(i)), 0.0);
       EXPECT_EQ(trial.solid.energy().total(), 0.0);
     }
 }
 
-// Which bonds break by the largest principal strain, worked out for all pairs with Eigen's
-// principal values: some by the mean of two ends of which one is strained little.
+// The bonds that break by the largest principal strain, computed for all pairs with Eigen's
+// principal values: some break by the mean of two ends of which one has a small strain.
 TYPED_TEST(FractureByHand, PrincipalStrain) {
   constexpr int D = TypeParam::D;
   const double limit = 0.1, above = std::expm1(2.0 * limit);
@@ -107,12 +108,12 @@ TYPED_TEST(FractureByHand, PrincipalStrain) {
       of_mean += own <= above && by_place && std::min(largest(i), largest(j)) < 0.8 * above;
     }
   EXPECT_GT(of_mean, 3u);
-  const FractureResult book = trial.solid.fracture();
-  EXPECT_EQ(book.detached, 0u);
-  EXPECT_EQ(book.bonds, expected);
+  const FractureResult result = trial.solid.fracture();
+  EXPECT_EQ(result.detached, 0u);
+  EXPECT_EQ(result.bonds, expected);
 }
 
-// One half is moved away: the tensors of a band seem strained, but only bonds across the gap break.
+// One half is moved away: the tensors of a band are strained, but only bonds across the gap break.
 TYPED_TEST(SolidFracture, OnlyBondsAcrossTheGapBreak) {
   constexpr int D = TypeParam::D;
   for (auto criterion : {BondCriterion::principal_strain, BondCriterion::equivalent_strain}) {
@@ -126,9 +127,10 @@ TYPED_TEST(SolidFracture, OnlyBondsAcrossTheGapBreak) {
       seeming = std::max(seeming, static_cast<double>(trial.gradient(i)(0, 0)));
     EXPECT_GT(seeming, 0.3);
     std::uint64_t broken = 0;
-    for (FractureResult book{.bonds = 1}; book.bonds > 0;) {  // what is left may break in turn
-      book = trial.solid.fracture();
-      broken += book.bonds;
+    for (FractureResult result{.bonds = 1};
+         result.bonds > 0;) {  // the remaining bonds may break in turn
+      result = trial.solid.fracture();
+      broken += result.bonds;
     }
     EXPECT_GT(broken, 0u);
     EXPECT_EQ(trial.solid.count().second, 0u);
@@ -136,12 +138,12 @@ TYPED_TEST(SolidFracture, OnlyBondsAcrossTheGapBreak) {
     for (Index i = 0; i < trial.size(); ++i)
       for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
         ASSERT_EQ(!solid.is_intact(i, k), is_upper(i) != is_upper(solid.bonds.end(i, k)));
-    // Both halves are at rest again.
+    // Both halves are at rest.
     EXPECT_LE(trial.solid.energy().total(), 1e-9);
   }
 }
 
-// Keeps of the bonds across a plane only those along x.
+// Keeps only the bonds along x of those across a plane.
 struct AllButStraightBonds {
   template <class Position>
   KERF_FUNCTION bool operator()(const Position& x, const Position& y) const {
@@ -151,8 +153,8 @@ struct AllButStraightBonds {
   }
 };
 
-// Both sides of a crack are held together by bonds that it has to turn, without stretching them, if
-// one side slides: they hold as long as the fits follow them, and let go of what slides away.
+// Bonds between both sides of a crack turn without stretch if one side slides: they are intact
+// while the deformation gradients follow them, and fail when the sides have slid apart.
 TYPED_TEST(SolidFracture, BondsOfSlidingFacesFail) {
   constexpr int D = TypeParam::D;
   for (const double turn : {0.02, 0.4}) {
@@ -169,7 +171,7 @@ TYPED_TEST(SolidFracture, BondsOfSlidingFacesFail) {
         trial.position[i][0] -= 1e-3 * (1.0 - std::cos(turn));
       }
     trial.deform();
-    for (FractureResult book{.bonds = 1}; book.bonds > 0;) book = trial.solid.fracture();
+    for (FractureResult result{.bonds = 1}; result.bonds > 0;) result = trial.solid.fracture();
     const auto solid = trial.solid.view();
     std::uint64_t across = 0;
     for (Index i = 0; i < trial.size(); ++i)
@@ -183,16 +185,16 @@ TYPED_TEST(SolidFracture, BondsOfSlidingFacesFail) {
   }
 }
 
-// A particle within reach of D others has no strain of its own; one with many has.
+// A particle with D neighbours has no strain of its own; one with many has.
 TYPED_TEST(SolidFracture, DetachedParticles) {
   constexpr int D = TypeParam::D;
   auto layout = block<D>({.cells = {5, 5, 5}});
   auto alone = layout.reference.back();
   for (int a = 0; a < D; ++a) alone[a] += 10e-3;
-  layout.reference.push_back(alone);  // sees nobody
+  layout.reference.push_back(alone);  // has no neighbour
   auto far = layout.reference.front();
   far[0] -= 2.5e-3;
-  layout.reference.push_back(far);  // sees one
+  layout.reference.push_back(far);  // has one neighbour
   layout.medium_index.resize(layout.reference.size(), 0);
   SolidOnTrial<D, typename TypeParam::P> trial(layout);
   EXPECT_EQ(trial.solid.count().second, 2u);
@@ -202,12 +204,12 @@ TYPED_TEST(SolidFracture, DetachedParticles) {
     EXPECT_EQ(trial.solid.fields().detached[i], 1);
     EXPECT_EQ(norm(trial.force(i)), 0.0);
   }
-  // A row of particles cannot tell a strain across it: all detached.
+  // A single row of particles does not determine the strain across it: all are detached.
   SolidOnTrial<D, typename TypeParam::P> row(block<D>({.cells = {20, 1, 1}}));
   EXPECT_EQ(row.solid.count(), std::make_pair(std::uint64_t(0), Index(20)));
 }
 
-// Which piece each particle is part of, by its intact bonds.
+// Returns the piece of each particle, by its intact bonds.
 template <int D, class P>
 std::vector<Index> pieces_of(SolidOnTrial<D, P>& trial) {
   std::vector<Index> root(trial.size());
@@ -224,8 +226,8 @@ std::vector<Index> pieces_of(SolidOnTrial<D, P>& trial) {
   return root;
 }
 
-// The crack runs from the notch to the other side, between the rows on both sides of the notch's
-// line; no particle is used up by it, and the two halves feel nothing of one another.
+// The crack extends from the notch to the other side, between the rows on both sides of the line of
+// the notch; no particle is detached by it, and the two halves exert no force on one another.
 TYPED_TEST(PlaneFracture, CrackOfANotchedStrip) {
   auto trial = notched_strip<typename TypeParam::P>();
   pull(trial, 0.03, 0.04);
@@ -253,7 +255,8 @@ TYPED_TEST(PlaneFracture, CrackOfANotchedStrip) {
     EXPECT_LE(norm(trial.force(i) - force[i]), 100.0 * TypeParam::rounding * largest);
 }
 
-// Torn by its own motion: what is stored, moved, dissipated and released stays the same.
+// A strip breaks by its own motion: the sum of stored, kinetic, dissipated and released energy is
+// constant.
 TYPED_TEST(PlaneFracture, EnergyIsRecorded) {
   auto trial = notched_strip<typename TypeParam::P>();
   const double dt = 0.1 * 1e-3 / trial.layout.media[0].bond_wave_speed();

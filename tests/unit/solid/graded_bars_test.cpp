@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bars, beams and strips whose spacing jumps, against uniform ones and theory.
+// Bars, beams and strips with jumps of the spacing, against uniform ones and theory.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -12,7 +12,7 @@
 namespace kerf::test {
 namespace {
 
-// A bar that is pulled at its ends comes to rest with one stress throughout.
+// A bar under tension comes to rest with uniform stress.
 TEST(GradedBar, CarriesOneStress) {
   const BlockChoice choice{.cells = {30, 8, 1}};
   auto medium = soft_solid(choice.spacing, 2);
@@ -46,9 +46,9 @@ TEST(GradedBar, CarriesOneStress) {
   EXPECT_LE(worst, 0.03);
 }
 
-// A pulse that runs along a bar (nu = 0, so that P waves are bar waves) from the fine into the
-// coarse half or back. `length_in_coarse`: 4 standard deviations or so. Returns the speed that
-// comes back over that of the pulse.
+// A pulse travels along a bar (nu = 0, so that P waves are bar waves) from the fine into the coarse
+// half or back. `length_in_coarse`: about 4 standard deviations. Returns the reflected speed over
+// that of the pulse.
 double reflected(double length_in_coarse, bool from_fine) {
   const double coarse = 1e-3, long_half = 60.0 * coarse, width = length_in_coarse * coarse;
   auto medium = soft_solid(0.5 * coarse, 2);
@@ -84,8 +84,9 @@ TEST(GradedBar, WavesPassTheJump) {
   }
 }
 
-// Bending: the first mode of a free beam, fine in the middle third, keeps the frequency of the
-// beam that is fine throughout. Euler-Bernoulli would be off by the shear of a beam so thick.
+// The first bending mode of a free beam that is fine in the middle third has the frequency of the
+// beam that is fine everywhere. Euler-Bernoulli theory would be wrong by the shear of such a thick
+// beam.
 double bending_period(bool graded) {
   const double fine = 0.5e-3, length = 72e-3;
   auto medium = soft_solid(fine, 2);
@@ -96,7 +97,7 @@ double bending_period(bool graded) {
         return graded && std::abs(x[0] - 0.5 * length) > length / 6.0;
       });
   SolidOnTrial<2, Double> trial(layout);
-  // The first mode of a free beam, about: zeros at 0.224 of the length from the ends.
+  // The approximate first mode of a free beam has zeros at 0.224 of the length from the ends.
   const auto mode = [&](double x) {
     return std::cos(2.0 * (x / length - 0.5) * 2.365) -
            0.133 * std::cosh(2.0 * (x / length - 0.5) * 2.365);
@@ -125,19 +126,19 @@ double bending_period(bool graded) {
 TEST(GradedBeam, BendsLikeAUniformBeam) {
   const double uniform = bending_period(false), graded = bending_period(true);
   std::printf("bending: period %.5g s uniform, %.5g s graded\n", uniform, graded);
-  // Eight coarse particles across the beam bend 2% too stiffly (docs/theory/total_lagrangian.md),
-  // over the two outer thirds, which bend least.
+  // Eight coarse particles across the beam are 2% too stiff in bending
+  // (docs/theory/total_lagrangian.md), over the two outer thirds, which bend least.
   EXPECT_GT(uniform, 0.0);
   EXPECT_NEAR(graded, uniform, 0.02 * uniform);
 }
 
-// Half way up, from the left into a strip 80 mm wide and 20 mm high.
+// A notch at half height, from the left into a strip 80 mm wide and 20 mm high.
 struct LongNotch {
   KERF_FUNCTION bool operator()(const Vector<2, double>& a, const Vector<2, double>& b) const {
     return a[0] < 30e-3 && b[0] < 30e-3 && (a[1] < 10e-3) != (b[1] < 10e-3);
   }
 };
-// The furthest middle of a broken bond along x, m.
+// Returns the largest x of the middle of a broken bond, m.
 double crack_tip(SolidOnTrial<2, Mixed>& trial) {
   const auto solid = trial.solid.view();
   const auto& place = trial.layout.reference;
@@ -148,9 +149,9 @@ double crack_tip(SolidOnTrial<2, Mixed>& trial) {
         tip = std::max(tip, 0.5 * (place[i][0] + place[solid.bonds.end(i, k)][0]));
   return tip;
 }
-// The crack runs along a strip that is pulled ever further, when the energy ahead of it is Gc; the
-// band of each level is its own (fracture/crack_band.hpp). Returns the strain of the strip
-// when the crack passes x = 35 mm and 55 mm. The jump is at 45 mm.
+// The crack runs along a strip under increasing strain when the energy ahead of it is Gc; each
+// level has its own band (fracture/crack_band.hpp). Returns the strain of the strip when the crack
+// passes x = 35 mm and 55 mm. The jump is at 45 mm.
 std::array<double, 2> tears(bool graded) {
   const double fine = 0.5e-3, energy = 1.4;
   auto medium = soft_solid(fine, 2);
@@ -166,8 +167,8 @@ std::array<double, 2> tears(bool graded) {
   std::array<double, 2> has_broken_bonds{};
   trial.evaluate();
   for (double t = 0.0; t < 1.0 && has_broken_bonds[1] == 0.0; t += dt) {
-    const auto book = pull_once(trial, speed, dt);
-    if (book.bonds == 0) continue;
+    const auto result = pull_once(trial, speed, dt);
+    if (result.bonds == 0) continue;
     const double tip = crack_tip(trial);
     for (std::size_t n = 0; n < 2; ++n)
       if (has_broken_bonds[n] == 0.0 && tip > (n == 0 ? 35e-3 : 55e-3))
@@ -180,7 +181,8 @@ TEST(GradedStrip, CrackCrossesTheJump) {
   std::printf("strain when the crack passes 35 and 55 mm: uniform %.4f %.4f, graded %.4f %.4f\n",
               uniform[0], uniform[1], graded[0], graded[1]);
   EXPECT_GT(uniform[1], 0.0);
-  // Gc goes with the square: 10% of it, as crack_band.hpp holds for uniform strips.
+  // Gc is proportional to the square of the strain: the tolerance is 10% of Gc, as for uniform
+  // strips.
   EXPECT_NEAR(graded[0], uniform[0], 0.02 * uniform[0]);
   EXPECT_NEAR(graded[1], uniform[1], 0.05 * uniform[1]);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solids whose spacing jumps: what holds for uniform ones holds for them.
+// Solids with jumps of the spacing have the properties of uniform ones.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -22,7 +22,7 @@ BlockChoice some_block() {
   return {.cells = D == 2 ? std::array{14, 8, 1} : std::array{8, 5, 5}};
 }
 
-// Every gradient is that of the map, on both sides of the jump.
+// Every deformation gradient is that of the map, on both sides of the jump.
 TYPED_TEST(GradedSolid, LinearMapsAreExact) {
   constexpr int D = TypeParam::D;
   SolidOnTrial<D, typename TypeParam::P> trial(graded_block<D>(some_block<D>()));
@@ -36,7 +36,7 @@ TYPED_TEST(GradedSolid, LinearMapsAreExact) {
   EXPECT_LE(worst, 30.0 * TypeParam::rounding);
 }
 
-// A rotation stores nothing and pulls nothing.
+// A rotation has no energy and no force.
 TYPED_TEST(GradedSolid, RotationStoresNoEnergy) {
   constexpr int D = TypeParam::D;
   SolidOnTrial<D, typename TypeParam::P> trial(graded_block<D>(some_block<D>()));
@@ -52,12 +52,12 @@ TYPED_TEST(GradedSolid, RotationStoresNoEnergy) {
   EXPECT_LE(strained(rotation<D>(1.0)), 1e3 * TypeParam::rounding * scale);
 }
 
-// Pairs cancel to the last bit, and no torque is left, whatever the motion.
+// Pairs cancel to the last bit, and there is no torque, for any motion.
 TYPED_TEST(GradedSolid, SumsAndTorquesVanish) {
   constexpr int D = TypeParam::D;
   SolidOnTrial<D, typename TypeParam::P> trial(graded_block<D>(some_block<D>()));
   trial.map(some_map<D>());
-  trial.shake(0.1e-3, 8);
+  trial.displace_randomly(0.1e-3, 8);
   trial.evaluate();
   auto sum = Vector<D, double>::zero();
   Square<D> torque = Square<D>::Zero();
@@ -74,12 +74,12 @@ TYPED_TEST(GradedSolid, SumsAndTorquesVanish) {
   EXPECT_LE(torque.cwiseAbs().maxCoeff(), 10.0 * TypeParam::rounding * arm);
 }
 
-// The force is the slope of the stored energy beside the jump too: nothing was added that has none.
+// The force is the gradient of the stored energy beside the jump too: no other force acts.
 TYPED_TEST(GradedForce, ForceIsTheGradientOfTheStoredEnergy) {
   constexpr int D = TypeParam::D;
   SolidOnTrial<D, Double> trial(graded_block<D>(some_block<D>()));
   trial.map(some_map<D>());
-  trial.shake(0.1e-3, 8);
+  trial.displace_randomly(0.1e-3, 8);
   trial.evaluate();
   std::vector<Vector<D, double>> force;
   double largest = 0.0, worst = 0.0;
@@ -101,7 +101,7 @@ TYPED_TEST(GradedForce, ForceIsTheGradientOfTheStoredEnergy) {
   EXPECT_LE(worst, 1e-7 * largest);
 }
 
-// The particle is further than the kernel of the coarse ones from every face.
+// The particle is further from every face than the kernel of the coarse particles.
 template <int D>
 bool is_inside(const SolidLayout<D>& layout, std::size_t i, const BlockChoice& choice) {
   for (int a = 0; a < D; ++a) {
@@ -111,8 +111,8 @@ bool is_inside(const SolidLayout<D>& layout, std::size_t i, const BlockChoice& c
   return true;
 }
 
-// Under a uniform stress sigma a face of a particle bears sigma d^(D-1). What the jump leaves out
-// of balance is a few hundredths of that; without the fit it is an eighth.
+// Under a uniform stress sigma the face of a particle carries sigma d^(D-1). The residual force at
+// the jump is a few hundredths of that; without the gradient correction it is an eighth.
 TYPED_TEST(GradedForce, UniformStressHasNoForceAtTheJump) {
   constexpr int D = TypeParam::D;
   const BlockChoice choice{.cells = D == 2 ? std::array{16, 16, 1} : std::array{10, 9, 9}};
@@ -140,7 +140,7 @@ TYPED_TEST(GradedForce, UniformStressHasNoForceAtTheJump) {
   EXPECT_LE(left[1], 0.35 * left[0]);
 }
 
-// Pairs without a jump near are left as they are, and no pair is turned into another.
+// Pairs without a jump near are unchanged, and no pair changes its sign.
 TYPED_TEST(GradedForce, FactorsAreNearOne) {
   constexpr int D = TypeParam::D;
   const auto choice = some_block<D>();
@@ -153,14 +153,14 @@ TYPED_TEST(GradedForce, FactorsAreNearOne) {
     for (Index k = bonds.first(i); k < bonds.last(i); ++k) {
       EXPECT_GT(factors[k], 0.4);
       EXPECT_LT(factors[k], 2.0);
-      if (from_jump > 11.0) {  // the kernels of one coarse particle that sees the jump and of its
-        EXPECT_EQ(factors[k], 1.0);  // neighbour
+      if (from_jump > 11.0) {        // outside the kernels of one coarse particle beside the
+        EXPECT_EQ(factors[k], 1.0);  // jump and of its neighbour
       }
     }
   }
 }
 
-// The energy of a free vibration, in which the jump takes part.
+// The energy of a free vibration that includes the jump is conserved.
 TYPED_TEST(GradedSolid, VibrationConservesEnergy) {
   constexpr int D = TypeParam::D;
   SolidOnTrial<D, typename TypeParam::P> trial(graded_block<D>(some_block<D>()));
@@ -179,7 +179,7 @@ TYPED_TEST(GradedSolid, VibrationConservesEnergy) {
     drift = std::max(drift, std::abs(trial.kinetic_energy() + energy - start) / start);
   }
   EXPECT_GT(stored, 0.5);
-  // Of the second order in the step, as of uniform solids.
+  // The error is of second order in the step, as for uniform solids.
   EXPECT_LE(drift, 2e-3);
 }
 

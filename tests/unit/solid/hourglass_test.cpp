@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion that the deformation gradient does not see, and what holds it.
+// The motion that the deformation gradient does not represent, and its control.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -15,7 +15,7 @@ TYPED_TEST_SUITE(Hourglass, BothPrecisions);
 
 constexpr int block_cells = 11;
 
-// The particle in the middle, more than two supports from every face.
+// Returns the particle in the middle, more than two supports from every face.
 template <int D>
 bool is_inside(std::size_t k) {
   std::size_t rest = k;
@@ -24,7 +24,7 @@ bool is_inside(std::size_t k) {
   return true;
 }
 
-// Every second particle is moved to one side, the others to the other.
+// Every second particle is displaced to one side, the others to the other.
 template <int D, class P>
 SolidOnTrial<D, P> checkerboard(double amplitude, double hourglass) {
   auto medium = soft_solid(1e-3, D);
@@ -65,7 +65,7 @@ TYPED_TEST(Hourglass, CheckerboardHasNoStrainButEnergy) {
     const double stored = 0.5 * medium.hourglass_modulus() * medium.reference_volume() * sum * 4.0 *
                           amplitude * amplitude;
     EXPECT_NEAR(energy_of(trial.solid.view(), k).hourglass, stored, 1e-5 * stored);
-    // It pulls back: all particles share one amplitude and one energy, f = -
+    // The force is restoring: all particles share one amplitude and one energy, f = -
     // d(stored)/d(amplitude).
     const double moved = trial.position[k][0] - trial.layout.reference[k][0];
     EXPECT_NEAR(trial.force(k)[0], -2.0 * stored / moved, 1e-5 * stored / amplitude);
@@ -84,8 +84,8 @@ TYPED_TEST(Hourglass, CheckerboardIsUnresistedWithoutControl) {
   }
 }
 
-// The stiffness of the checkerboard leaves the time step to the elastic waves: its frequency stays
-// below that of a chain of springs with the longitudinal wave's speed, 2 c / spacing.
+// The elastic waves determine the time step in spite of the stiffness of the checkerboard: its
+// frequency is below that of a chain of springs with the longitudinal wave speed, 2 c / spacing.
 TYPED_TEST(Hourglass, IsNotTheFastestMotion) {
   constexpr int D = TypeParam::D;
   const double amplitude = 1e-5;
@@ -99,8 +99,10 @@ TYPED_TEST(Hourglass, IsNotTheFastestMotion) {
   }
 }
 
-// A shear wave u_y = a sin(k x): the fit is too soft by k^2 m / 3 with m = sum V x^4 |W'|/R, near
-// 1.4 spacing^2; zeta = 4 G / 3 E makes up for it, which leaves the fourth order.
+// For a shear wave u_y = a sin(k x) the deformation gradient is too soft by k^2 m / 3 with m = sum
+// V x^4
+// W'
+// /R, near 1.4 spacing^2; zeta = 4 G / 3 E compensates this, which leaves the fourth order.
 TYPED_TEST(Hourglass, ShearWavesAreExactToThirdOrder) {
   constexpr int D = TypeParam::D;
   const double k = 0.3e3, amplitude = 1e-8;
@@ -124,8 +126,8 @@ TYPED_TEST(Hourglass, ShearWavesAreExactToThirdOrder) {
   }
 }
 
-// A quadratic field (pure bending) is what the control takes for noise: its energy against that of
-// the bending falls with the square of the spacing.
+// The control treats a quadratic field (pure bending) as noise: its energy over that of the bending
+// decreases with the square of the spacing.
 TYPED_TEST(Hourglass, BendingIsHardlyStiffened) {
   constexpr int D = TypeParam::D;
   double last = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two materials in one piece: the bonds across the interface carry what the theory says.
+// Two materials in one piece: the forces of bonds across the interface agree with theory.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 namespace kerf::test {
 namespace {
 
-// A square of 40 mm x 40 mm about the origin whose inner disc is of a second material, so many
-// times as stiff; `cells` particles to the radius of the disc.
+// A square of 40 mm x 40 mm about the origin with an inner disc of a second material of the given
+// relative stiffness; `cells`: particles per radius of the disc.
 struct Composite {
   static constexpr double radius = 10e-3, clamped = 16e-3;  // m
   double d;                                                 // m, spacing
@@ -28,15 +28,15 @@ struct Composite {
   }
 };
 
-// With the same numbers twice the interface is nowhere: strains and forces of a shaken and sheared
-// block are those of one material, to rounding.
+// With two equal materials the interface has no effect: strains and forces of a randomly displaced
+// and sheared block are those of one material, up to rounding.
 TEST(Inclusion, OfTheSameMaterialHasNoEffect) {
   Composite two(1.0, 10), one(1.0, 10);
   one.layout.medium_index.assign(one.layout.reference.size(), 0);
   SolidOnTrial<2, Double> a(two.layout), b(one.layout);
   for (auto* trial : {&a, &b}) {
     trial->map(some_map<2>());
-    trial->shake(0.1 * two.d, 4);
+    trial->displace_randomly(0.1 * two.d, 4);
     trial->evaluate();
   }
   double largest = 0.0, worst = 0.0;
@@ -48,9 +48,10 @@ TEST(Inclusion, OfTheSameMaterialHasNoEffect) {
   EXPECT_LT(worst, 1e-13 * largest);
 }
 
-// A disc in an endless plane that is stretched by e on all sides (plane strain): inside, the strain
-// is e (K' + G) / (K'_i + G) everywhere, K' = K + G/3 and K'_i that of the disc; outside, the
-// displacement is e r + (A - e) R^2 / r. The outermost particles are held where this puts them.
+// A disc in an infinite plane that is stretched by e on all sides (plane strain): inside, the
+// strain is e (K' + G) / (K'_i + G) everywhere, K' = K + G/3 and K'_i that of the disc; outside,
+// the displacement is e r + (A - e) R^2 / r. The outermost particles are fixed at these
+// displacements.
 struct Theory {
   double far, inside;
   double displacement(double r) const {
@@ -66,8 +67,7 @@ Theory theory_of(const Composite& composite, double far) {
                    (plane(composite.layout.media[1]) + matrix.shear_modulus)};
 }
 
-// Relaxed by a walk that loses speed in every step, long enough for waves to cross the square
-// often.
+// The layout is relaxed by damped steps for several transits of waves across the square.
 void relax(SolidOnTrial<2, Double>& trial, const Composite& composite, const Theory& theory) {
   const auto hold = [&] {
     for (std::size_t i = 0; i < trial.size(); ++i) {
@@ -93,7 +93,7 @@ void relax(SolidOnTrial<2, Double>& trial, const Composite& composite, const The
   }
 }
 
-// The mean of a quantity of the particles between two radii, m.
+// Returns the mean of a quantity of the particles between two radii, m.
 template <class Quantity>
 double mean_between(const SolidOnTrial<2, Double>& trial, double low, double high,
                     const Quantity& quantity) {
@@ -109,17 +109,18 @@ double mean_between(const SolidOnTrial<2, Double>& trial, double low, double hig
 
 struct Errors {
   double strain = 0.0;  // of the mean strain in the disc
-  double spread = 0.0;  // how far strains stray from that
+  double spread = 0.0;  // deviation of the strains from that
   double stress = 0.0;  // of the radial stress outside over that inside
 };
 
 Errors errors_of(double stiffer, int cells) {
-  const double far = 1e-5;  // small against 1, so that theory is linear
+  const double far = 1e-5;  // small compared with 1, so that theory is linear
   const Composite composite(stiffer, cells);
   const Theory theory = theory_of(composite, far);
   SolidOnTrial<2, Double> trial(composite.layout);
   relax(trial, composite, theory);
-  // Away from the interface by more than the reach of bonds, 2.6 spacings of at most a tenth of R.
+  // The radii are further from the interface than the range of bonds, 2.6 spacings of at most a
+  // tenth of R.
   const double R = Composite::radius, core = 0.7 * R;
   const auto strain = [&](std::size_t i, double) {
     return as_square(trial.gradient(i)).trace() / 2.0;
@@ -135,7 +136,7 @@ Errors errors_of(double stiffer, int cells) {
     const double lambda = medium.bulk_modulus - 2.0 / 3.0 * medium.shear_modulus;
     return lambda * e.trace() + 2.0 * medium.shear_modulus * n.dot(e * n);
   };
-  // Outside it is 2 K' e - 2 G (A - e) R^2 / r^2, which at r = R is that of the inside.
+  // Outside the stress is 2 K' e - 2 G (A - e) R^2 / r^2, which at r = R is that of the inside.
   const double g = composite.layout.media[0].shear_modulus;
   const double plane = composite.layout.media[0].bulk_modulus + g / 3.0;
   const auto theoretical = [&](std::size_t, double r) {
@@ -155,8 +156,8 @@ TEST(Inclusion, WithoutContrastTheStrainIsUniform) {
   EXPECT_LT(errors.stress, 1e-4);
 }
 
-// The interface is as wide as bonds are long, a quarter of the radius at ten spacings: what that
-// changes halves with the spacing.
+// The width of the interface is the length of bonds, a quarter of the radius at ten spacings: its
+// effect halves with the spacing.
 TEST(Inclusion, StiffOrSoftHasTheStrainOfTheory) {
   const Errors soft = errors_of(0.2, 10), stiff = errors_of(10.0, 10), fine = errors_of(10.0, 20);
   for (const Errors& errors : {soft, stiff, fine})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A solid on a jittered layout against one on the lattice. Its gradient is exact for linear maps on
 // any layout; its force is not, since particles of equal volumes fill space unevenly: under a
-// uniform load it is strained unevenly and gives way more than the material.
+// uniform load its strain is uneven and its stiffness is below that of the material.
 #include "geometry/jitter.hpp"
 
 #include <cstdio>
@@ -37,7 +37,7 @@ bool is_inside(const Vector<2, double>& x, double depth, double width) {
   return x[0] > depth && x[1] > depth && x[0] < width - depth && x[1] < width - depth;
 }
 
-// The edge of the block, three rows wide, is strained uniformly; the rest finds its rest.
+// The edge of the block, three rows wide, is strained uniformly; the rest relaxes to equilibrium.
 UniformLoad load(const SolidLayout<2>& layout, const Square<2>& map, int a, int b) {
   SolidOnTrial<2, Double> trial(layout);
   trial.map(map);
@@ -67,8 +67,8 @@ UniformLoad load(const SolidLayout<2>& layout, const Square<2>& map, int a, int 
   return result;
 }
 
-// On the relaxed layout a stretch and a shear are even within 3% and as stiff as the material
-// within 0.5%; random steps of 0.3 alone would leave 20% and 11%.
+// On the relaxed layout a stretch and a shear are uniform within 3% and the stiffness is that of
+// the material within 0.5%; random displacements of 0.3 alone would give 20% and 11%.
 TEST(JitteredLayout, UniformLoadHasUniformStress) {
   const auto medium = soft_solid(1e-3, 2);
   Square<2> stretch = Square<2>::Identity(), shear = Square<2>::Identity();
@@ -79,7 +79,7 @@ TEST(JitteredLayout, UniformLoadHasUniformStress) {
     const auto pulled = load(layout, stretch, 0, 0), sheared = load(layout, shear, 0, 1);
     std::printf("jitter %.1f: stretch %+.5f, %.4f uneven; shear %+.5f, %.4f uneven\n", jitter,
                 pulled.excess, pulled.spread, sheared.excess, sheared.spread);
-    EXPECT_LE(pulled.excess, 1e-9);  // it is at rest at less energy
+    EXPECT_LE(pulled.excess, 1e-9);  // the energy at equilibrium is lower
     EXPECT_NEAR(pulled.excess, 0.0, jitter > 0.0 ? 5e-3 : 1e-9);
     EXPECT_NEAR(sheared.excess, 0.0, jitter > 0.0 ? 5e-3 : 1e-9);
     EXPECT_LT(pulled.spread, jitter > 0.0 ? 0.03 : 1e-6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A solid that is laid out at symmetry planes against the whole of it and its mirror images.
+// A solid at symmetry planes against the solid with explicit mirror images.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -31,16 +31,16 @@ class MirroredSolid : public testing::Test {
   using P = typename K::P;
   using Real = typename P::Real;
   using Trial = SolidOnTrial<D, P>;
-  // Sums over the same bonds in another order.
+  // The tolerance is that of sums over the same bonds in another order.
   static constexpr double tolerance = std::is_same_v<Real, float> ? 2e-5 : 1e-12;
 
   struct Pair {
     MirrorPlanes<D> planes;
     std::vector<MirrorCode> codes;
-    Trial part, whole;
+    Trial part, full;
   };
 
-  // Two media of one piece, at the planes; a third that lies at none of them.
+  // Two media of one piece are at the planes; a third one is at none of them.
   static SolidLayout<D> layout_of_part(const MirrorPlanes<D>& planes, bool viscous, bool flows) {
     auto layout =
         block<D>({.cells = {part_cells, part_cells, part_cells}, .jitter = 0.2, .seed = 5});
@@ -68,21 +68,21 @@ class MirroredSolid : public testing::Test {
 
   static SolidLayout<D> layout_of_whole(const SolidLayout<D>& part,
                                         const std::vector<MirrorCode>& codes) {
-    SolidLayout<D> whole;
+    SolidLayout<D> full;
     for (std::size_t c = 0; c < codes.size(); ++c) {
       for (Medium<double> medium : part.media) {
         if (medium.joined_mirrors == 0) medium.piece = static_cast<std::uint16_t>(10 + c);
         medium.joined_mirrors = 0;
-        whole.media.push_back(medium);
+        full.media.push_back(medium);
       }
       for (std::size_t i = 0; i < part.reference.size(); ++i) {
-        whole.reference.push_back(
+        full.reference.push_back(
             as_vector<D>(mirrored_place(part.mirrors, codes[c], as_point(part.reference[i]))));
-        whole.medium_index.push_back(
+        full.medium_index.push_back(
             static_cast<std::uint16_t>(part.medium_index[i] + c * part.media.size()));
       }
     }
-    return whole;
+    return full;
   }
 
   static Pair pair(const std::string& faces, bool viscous = false, bool flows = false) {
@@ -92,8 +92,8 @@ class MirroredSolid : public testing::Test {
     return {planes, codes, Trial(layout), Trial(layout_of_whole(layout, codes))};
   }
 
-  // A motion of the part that each copy does mirrored. The planes hold: what moves is the room
-  // between.
+  // The mirrored motion of the part is that of each copy. The planes are fixed: only particles
+  // between them move.
   static void deform(Pair& both, double stretch, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -107,14 +107,13 @@ class MirroredSolid : public testing::Test {
       for (std::size_t c = 0; c < both.codes.size(); ++c) {
         const auto x = as_point(both.part.position[i]);
         const auto v = as_point(Vector<D, double>::from(both.part.velocity[i]));
-        both.whole.position[c * n + i] =
-            as_vector<D>(mirrored_place(both.planes, both.codes[c], x));
-        both.whole.velocity[c * n + i] =
+        both.full.position[c * n + i] = as_vector<D>(mirrored_place(both.planes, both.codes[c], x));
+        both.full.velocity[c * n + i] =
             Vector<D, Real>::from(as_vector<D>(mirrored_vector(both.planes, both.codes[c], v)));
       }
     }
     both.part.deform();
-    both.whole.deform();
+    both.full.deform();
   }
 
   static void accelerate(Trial& trial) {
@@ -124,34 +123,35 @@ class MirroredSolid : public testing::Test {
 
   static void expect_same(Pair& both) {
     accelerate(both.part);
-    accelerate(both.whole);
+    accelerate(both.full);
     double force_scale = 0.0, force_error = 0.0, gradient_error = 0.0, mirrored = 0.0;
     for (std::size_t i = 0; i < both.part.size(); ++i) {
-      force_scale = std::max(force_scale, norm(both.whole.force(i)));
-      force_error = std::max(force_error, norm(both.part.force(i) - both.whole.force(i)));
+      force_scale = std::max(force_scale, norm(both.full.force(i)));
+      force_error = std::max(force_error, norm(both.part.force(i) - both.full.force(i)));
       const auto own = as_square<D>(both.part.gradient(i));
-      const auto due = as_square<D>(both.whole.gradient(i));
+      const auto due = as_square<D>(both.full.gradient(i));
       gradient_error = std::max(gradient_error, (own - due).cwiseAbs().maxCoeff());
       mirrored += norm(Vector<D, Real>(both.part.solid.fields().mirror_acceleration[i]));
-      EXPECT_EQ(both.part.solid.fields().detached[i], both.whole.solid.fields().detached[i]);
+      EXPECT_EQ(both.part.solid.fields().detached[i], both.full.solid.fields().detached[i]);
     }
     EXPECT_LE(force_error, tolerance * force_scale);
     EXPECT_LE(gradient_error, tolerance);
     EXPECT_GT(mirrored, 0.0);
-    if (both.codes.size() % 3 == 0) return;  // between two planes the images are not all of it
-    // Of the whole, the part holds its share.
+    if (both.codes.size() % 3 == 0) return;  // between two planes there are more images
+    // The part has its share of the energy of the full solid.
     const double share = 1.0 / static_cast<double>(both.codes.size());
-    const auto energy = both.part.solid.energy(), whole = both.whole.solid.energy();
-    EXPECT_NEAR(energy.elastic, share * whole.elastic, 10.0 * tolerance * energy.total());
-    EXPECT_NEAR(energy.hourglass, share * whole.hourglass, 10.0 * tolerance * energy.total());
-    EXPECT_NEAR(both.part.solid.viscous_power(), share * both.whole.solid.viscous_power(),
+    const auto energy = both.part.solid.energy(), full = both.full.solid.energy();
+    EXPECT_NEAR(energy.elastic, share * full.elastic, 10.0 * tolerance * energy.total());
+    EXPECT_NEAR(energy.hourglass, share * full.hourglass, 10.0 * tolerance * energy.total());
+    EXPECT_NEAR(both.part.solid.viscous_power(), share * both.full.solid.viscous_power(),
                 10.0 * tolerance * both.part.solid.viscous_power());
   }
 
-  // The bonds of each particle of the part: those of the whole, in whatever order, and as whole.
+  // The bonds of each particle of the part equal those in the full solid, in any order, and in the
+  // same state.
   static void expect_same_bonds(Pair& both) {
     const auto n = static_cast<Index>(both.part.size());
-    const auto a = both.part.solid.view(), b = both.whole.solid.view();
+    const auto a = both.part.solid.view(), b = both.full.solid.view();
     std::map<MirrorCode, Index> copy;
     for (std::size_t c = 0; c < both.codes.size(); ++c) copy[both.codes[c]] = static_cast<Index>(c);
     for (Index i = 0; i < n; ++i) {
@@ -183,7 +183,7 @@ TYPED_TEST(MirroredSolid, Viscosity) {
   TestFixture::expect_same(both);
 }
 
-// With the hourglass viscosity of what flows, and its plastic work.
+// The test includes the hourglass viscosity of plastic flow, and the plastic work.
 TYPED_TEST(MirroredSolid, Flow) {
   auto both = TestFixture::pair("x- y-", true, true);
   for (unsigned seed : {5u, 6u}) {
@@ -191,46 +191,49 @@ TYPED_TEST(MirroredSolid, Flow) {
     const double share = 1.0 / static_cast<double>(both.codes.size());
     const double work = both.part.solid.keep_flow();
     EXPECT_GT(work, 0.0);
-    EXPECT_NEAR(work, share * both.whole.solid.keep_flow(), 10.0 * TestFixture::tolerance * work);
+    EXPECT_NEAR(work, share * both.full.solid.keep_flow(), 10.0 * TestFixture::tolerance * work);
     TestFixture::deform(both, 0.0, seed);
     TestFixture::expect_same(both);
   }
 }
 
-// Both ends of a bond decide same_fluid, and as in the whole. Stretched from the planes on.
+// Both ends of a bond reach the same decision, as in the full solid. The solid is stretched from
+// the planes.
 TYPED_TEST(MirroredSolid, Breaks) {
-  if (!std::is_same_v<typename TypeParam::Real, double>) return;  // a bond at its limit decides
+  if (!std::is_same_v<typename TypeParam::Real, double>)
+    return;  // the state of a bond at its limit depends on rounding
   auto both = TestFixture::pair("x- y-");
   TestFixture::deform(both, 0.12, 7);
   const auto part = both.part.solid.fracture();
-  const auto whole = both.whole.solid.fracture();
-  EXPECT_GT(whole.bonds, 0u);
-  EXPECT_EQ(whole.detached, part.detached * both.codes.size());
+  const auto full = both.full.solid.fracture();
+  EXPECT_GT(full.bonds, 0u);
+  EXPECT_EQ(full.detached, part.detached * both.codes.size());
   const double share = 1.0 / static_cast<double>(both.codes.size());
-  EXPECT_NEAR(part.released, share * whole.released, 1e-10 * std::abs(part.released));
+  EXPECT_NEAR(part.released, share * full.released, 1e-10 * std::abs(part.released));
   TestFixture::expect_same_bonds(both);
   TestFixture::expect_same(both);
 }
 
-// What the images push is what the sum of all forces does not cancel, and acts across the plane.
+// The force of the images is the part that does not cancel in the sum of all forces, and is normal
+// to the plane.
 TYPED_TEST(MirroredSolid, ForceOfImagesIsRecorded) {
   constexpr int dimension = TypeParam::D;
   auto both = TestFixture::pair("x-", true);
   TestFixture::deform(both, 0.0, 8);
   TestFixture::accelerate(both.part);
-  auto sum = Vector<dimension, double>::zero(), booked = sum;
+  auto sum = Vector<dimension, double>::zero(), recorded = sum;
   double scale = 0.0;
   for (std::size_t i = 0; i < both.part.size(); ++i) {
     const double m = both.part.layout.media[both.part.layout.medium_index[i]].mass;
     const Vector<dimension, typename TypeParam::Real> by_images =
         both.part.solid.fields().mirror_acceleration[i];
     sum += both.part.force(i);
-    booked += m * Vector<dimension, double>::from(by_images);
+    recorded += m * Vector<dimension, double>::from(by_images);
     scale += norm(both.part.force(i));
   }
-  EXPECT_LE(norm(sum - booked), TypeParam::rounding * scale);
-  for (int a = 1; a < dimension; ++a) EXPECT_LE(std::abs(booked[a]), TypeParam::rounding * scale);
-  EXPECT_GT(std::abs(booked[0]), 1e-3 * scale);
+  EXPECT_LE(norm(sum - recorded), TypeParam::rounding * scale);
+  for (int a = 1; a < dimension; ++a) EXPECT_LE(std::abs(recorded[a]), TypeParam::rounding * scale);
+  EXPECT_GT(std::abs(recorded[0]), 1e-3 * scale);
 }
 
 }  // namespace

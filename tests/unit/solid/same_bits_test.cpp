@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same bits for any number of threads, and from a saved state.
+// The solid has the same bits for any number of threads, and from a saved state.
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>
@@ -16,7 +16,7 @@ class SameBits : public testing::Test {
  protected:
   using Trial = SolidOnTrial<Chosen::D, typename Chosen::P>;
 
-  // A block that flies apart along x and breaks, by a strain or after it has softened.
+  // A block expands along x and breaks, by a strain or after softening.
   static Trial start(bool softens = false) {
     constexpr int dimension = Chosen::D;
     auto medium = soft_solid(1e-3, dimension);
@@ -61,7 +61,7 @@ class SameBits : public testing::Test {
     EXPECT_TRUE(are_same(a.solid.save().strain, b.solid.save().strain));
     EXPECT_EQ(a.solid.energy().total(), b.solid.energy().total());
   }
-  // On that many threads even where there are fewer cores.
+  // Sets the number of threads even if there are fewer cores.
   static Trial run_on(int threads, int steps) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     return tbb::task_arena(threads).execute([&] {
@@ -77,7 +77,7 @@ constexpr int steps = 60;
 
 TYPED_TEST(SameBits, ForAnyNumberOfThreads) {
   auto one = this->run_on(1, steps);
-  EXPECT_LT(one.solid.count().first, this->start().solid.count().first);  // something broke
+  EXPECT_LT(one.solid.count().first, this->start().solid.count().first);  // some bonds broke
   for (int threads : {2, 3}) {
     auto other = this->run_on(threads, steps);
     this->expect_same(one, other);
@@ -86,18 +86,18 @@ TYPED_TEST(SameBits, ForAnyNumberOfThreads) {
 
 TYPED_TEST(SameBits, FromASavedState) {
   for (bool softens : {false, true}) {
-    auto whole = this->start(softens);
-    this->take_steps(whole, steps);
-    const auto saved = whole.solid.save();
+    auto uninterrupted = this->start(softens);
+    this->take_steps(uninterrupted, steps);
+    const auto saved = uninterrupted.solid.save();
     auto resumed = this->start(softens);
-    resumed.position = whole.position;
-    resumed.velocity = whole.velocity;
+    resumed.position = uninterrupted.position;
+    resumed.velocity = uninterrupted.velocity;
     resumed.solid.restore(saved);
     resumed.deform();
-    EXPECT_EQ(whole.solid.softening_work() > 0.0, softens);
-    const double released = this->take_steps(whole, 20);
+    EXPECT_EQ(uninterrupted.solid.softening_work() > 0.0, softens);
+    const double released = this->take_steps(uninterrupted, 20);
     EXPECT_EQ(this->take_steps(resumed, 20), released);
-    this->expect_same(whole, resumed);
+    this->expect_same(uninterrupted, resumed);
   }
 }
 

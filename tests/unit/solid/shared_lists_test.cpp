@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particles in rows share their lists of bonds (solid/share_lists.hpp). The same body with its
-// particles numbered at random shares none, and must do the same.
+// Particles of a regular layout share their lists of bonds (solid/share_lists.hpp). The same body
+// with randomly numbered particles shares none, and must give the same results.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace kerf::test {
 namespace {
 
-// A body in rows and itself in another order; `place` of each particle in that order.
+// A regular body and the same body in another order; `place`: index of each particle in that order.
 template <class Chosen>
 class SharedLists : public testing::Test {
  protected:
@@ -25,7 +25,7 @@ class SharedLists : public testing::Test {
     explicit Both(const SolidLayout<D>& layout)
         : in_rows(layout), mixed_up(shuffled(layout, place)) {}
 
-    // Both go to f(X) with the velocity v(X).
+    // Both bodies are moved to f(X) with the velocity v(X).
     template <class Map, class Flow>
     void move(const Map& f, const Flow& v) {
       for (Trial* trial : {&in_rows, &mixed_up}) {
@@ -37,7 +37,7 @@ class SharedLists : public testing::Test {
         trial->evaluate();
       }
     }
-    // Of all particles.
+    // Compares the values of all particles.
     void expect_same_forces() {
       double scale = 0.0, power = 0.0;
       for (std::size_t i = 0; i < in_rows.size(); ++i) {
@@ -73,7 +73,8 @@ class SharedLists : public testing::Test {
     medium.failure_strain = failure_strain;
     return block<D>({.cells = {18, 15, D == 2 ? 1 : 12}}, medium);
   }
-  // Uneven, up to a tenth; and a flow that closes some bonds and opens others.
+  // The deformation is uneven, up to a tenth; the velocity shortens some bonds and stretches
+  // others.
   static Vector<D, double> bend(const Vector<D, double>& x) {
     auto y = x;
     for (int a = 0; a < D; ++a) y[a] += 2e-4 * std::sin(400.0 * x[(a + 1) % D] + a);
@@ -87,7 +88,7 @@ class SharedLists : public testing::Test {
 };
 TYPED_TEST_SUITE(SharedLists, BothPrecisions);
 
-// The lists of the inner particles are one, so there are far fewer entries than bonds.
+// The inner particles share one list, so there are far fewer entries than bonds.
 TYPED_TEST(SharedLists, AreOnePerRow) {
   typename TestFixture::Both both(this->body());
   const auto stored = [](auto& trial) { return trial.solid.fields().bond_entry.size(); };
@@ -109,7 +110,7 @@ struct AcrossSlit {
   }
 };
 
-// With a slit from the start, and with bonds that broke.
+// The body has an initial slit and broken bonds.
 TYPED_TEST(SharedLists, GiveTheSameBreaks) {
   constexpr int dimension = TypeParam::D;
   typename TestFixture::Both both(this->body(0.12));
@@ -129,8 +130,8 @@ TYPED_TEST(SharedLists, GiveTheSameBreaks) {
   both.expect_same_forces();
 }
 
-// Neither a force nor a torque on the whole, though rounding is the same for all the inner
-// particles here, and adds up.
+// There is no total force or torque, although the rounding is equal for all inner particles here
+// and accumulates.
 TYPED_TEST(SharedLists, GiveZeroTotalForce) {
   constexpr int dimension = TypeParam::D;
   using Position = Vector<dimension, double>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Softening over a crack band: the law, the energy it takes, and that a crack takes its Gc.
+// Softening over a crack band: the law, its dissipated energy, and the energy Gc of a crack.
 #include "fracture/softening.hpp"
 
 #include <gtest/gtest.h>
@@ -23,8 +23,8 @@ Medium<double> softening_solid(double spacing, int dimension, double end,
   return medium;
 }
 
-// In a tensile test of a linear solid the stress E k (1 - D) falls along a straight line from
-// E e_0 to 0 at e_f.
+// In a tensile test of a linear solid the stress E k (1 - D) decreases along a straight line from E
+// e_0 to 0 at e_f.
 TEST(Softening, StressFallsAlongALine) {
   const auto solid = softening_solid(1e-3, 2, 0.4);
   EXPECT_EQ(whole_share(solid, 0.05), 1.0);
@@ -34,7 +34,7 @@ TEST(Softening, StressFallsAlongALine) {
     EXPECT_NEAR(k * whole_share(solid, k), 0.1 * (0.4 - k) / 0.3, 1e-15);
 }
 
-// What it takes is int psi_t dD, integrated here by the trapezoidal rule.
+// The dissipated energy is int psi_t dD, integrated here by the trapezoidal rule.
 TEST(Softening, DissipatesTheEnergyThatItRemoves) {
   const auto solid = softening_solid(1e-3, 2, 0.4);
   const auto energy = [&](double k) { return 0.5 * solid.young_modulus() * k * k; };
@@ -55,7 +55,7 @@ template <class Chosen>
 struct Softened : testing::Test {};
 TYPED_TEST_SUITE(Softened, DoubleOnly);
 
-// A tensile test of small strain: k is the strain itself. The sides are free to contract.
+// A tensile test of small strain: k is the strain itself. The sides contract freely.
 TYPED_TEST(Softened, StrainIsThatOfATensileTest) {
   constexpr int D = TypeParam::D;
   auto solid = softening_solid(1e-3, D, 0.4, D == 2 ? 0.0 : 0.3);  // 2D: plane strain
@@ -65,12 +65,12 @@ TYPED_TEST(Softened, StrainIsThatOfATensileTest) {
     h(0, 0) = 1e-4;
     for (int a = 1; a < D; ++a) h(a, a) = D == 2 ? 0.0 : -0.3e-4;
     EXPECT_NEAR(tensile_strain(solid, h), 1e-4, 1e-4 * 1e-3);
-    h(0, 0) = -1e-4;  // pressed: the shear counts, the volume does not
+    h(0, 0) = -1e-4;  // in compression the shear counts, the volume does not
     EXPECT_LT(tensile_strain(solid, h), 1e-4);
   }
 }
 
-// The stress of what is left is the slope of the energy of what is left, by central differences.
+// The remaining stress is the derivative of the remaining energy, by central differences.
 template <int D>
 void expect_slope(const Medium<double>& solid, const Matrix<D, double>& h) {
   const auto energy = [&](const Matrix<D, double>& at) {
@@ -101,7 +101,8 @@ TYPED_TEST(Softened, StressIsTheSlopeOfTheEnergy) {
     }
 }
 
-// Pressed together again a softened place bears as before; sheared and pulled, what is left.
+// Softened material carries compression undiminished; in shear and tension it carries the
+// remainder.
 TEST(Softening, CarriesCompressionUnreduced) {
   const auto solid = softening_solid(1e-3, 3, 0.4);
   for (double stretch : {-1e-3, 1e-3}) {
@@ -109,12 +110,13 @@ TEST(Softening, CarriesCompressionUnreduced) {
     for (int a = 0; a < 3; ++a) h(a, a) = stretch;
     const auto green = green_strain(h);
     const double left = second_piola(softened(solid, green, 0.25), green)(0, 0);
-    const double whole = second_piola(solid, green)(0, 0);
-    EXPECT_NEAR(left / whole, stretch < 0.0 ? 1.0 : 0.25, 1e-3);
+    const double undamaged = second_piola(solid, green)(0, 0);
+    EXPECT_NEAR(left / undamaged, stretch < 0.0 ? 1.0 : 0.25, 1e-3);
   }
 }
 
-// Half way up, from both sides of a strip 20 mm wide and 20 mm high, that leave 10 mm.
+// Notches at half height from both sides of a strip 20 mm wide and 20 mm high, with 10 mm between
+// them.
 struct TwoNotches {
   KERF_FUNCTION bool operator()(const Vector<2, double>& a, const Vector<2, double>& b) const {
     if ((a[1] < 10e-3) == (b[1] < 10e-3)) return false;
@@ -122,9 +124,9 @@ struct TwoNotches {
   }
 };
 
-// Energy per area of crack when a strip is slowly pulled in two, J/m^2. What the strip stores is
-// less than what the crack takes, so that it opens no faster than it is pulled. 10 spacings across
-// are too few: at 2 mm it takes 1.3 of Gc.
+// Returns the energy per area of crack of a strip that is slowly pulled in two, J/m^2. The energy
+// stored in the strip is less than that of the crack, so that the crack opens no faster than the
+// ends move. 10 spacings across are too few: at 2 mm the energy is 1.3 Gc.
 double takes(const Medium<double>& medium, double jitter) {
   const int cells = static_cast<int>(std::lround(20e-3 / medium.spacing));
   auto damped = medium;

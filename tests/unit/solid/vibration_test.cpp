@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Free vibration of bars and plates against theory, and the energy of the loop.
+// Free vibration of bars and plates against theory, and conservation of energy.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -19,12 +19,11 @@ TYPED_TEST_SUITE(PlaneVibration, PlaneOnly);
 
 struct Motion {
   double period = 0.0;  // s
-  double drift = 0.0;   // largest change of the total energy, share of it
+  double drift = 0.0;   // largest relative change of the total energy
 };
 
-// Lets the solid go with velocities `shape` and follows its projection on the shape for two
-// periods: the period is twice the time between the zeros of the first and second crossing, by
-// interpolation.
+// Starts the solid with velocities `shape` and follows its projection on the shape for two periods:
+// the period is twice the time between the first and second zero crossing, by interpolation.
 template <int D, class P>
 Motion vibrate(SolidOnTrial<D, P>& trial,
                const std::function<Vector<D, double>(const Vector<D, double>&)>& shape, double dt) {
@@ -57,8 +56,8 @@ Motion vibrate(SolidOnTrial<D, P>& trial,
   return motion;
 }
 
-// The first longitudinal mode of a free bar with nu = 0: period 2 L / sqrt(E / rho), without any
-// effect of the width. Velocities of 1e-3 of the wave's keep it linear.
+// The first longitudinal mode of a free bar with nu = 0 has the period 2 L / sqrt(E / rho), without
+// any effect of the width. Velocities of 1e-3 of the wave speed keep it linear.
 TYPED_TEST(Vibration, LongitudinalPeriodOfABar) {
   constexpr int D = TypeParam::D;
   const double length = 0.02, e = 1e5;
@@ -82,7 +81,7 @@ TYPED_TEST(Vibration, LongitudinalPeriodOfABar) {
     this->RecordProperty(
         "ppm_" + std::to_string(cells),
         std::to_string(1e6 * errors.back()) + " drift_ppm " + std::to_string(1e6 * motion.drift));
-    // Kick-drift-kick keeps the energy to (omega dt)^2 / 8 of itself.
+    // Kick-drift-kick conserves the energy to (omega dt)^2 / 8 of itself.
     const double phase = 2.0 * std::numbers::pi * 0.25 * spacing / (2.0 * length);
     EXPECT_LE(motion.drift, phase * phase / 4.0 + 1e-5);
   }

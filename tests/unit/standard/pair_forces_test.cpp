@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws that the pair sums of the `standard` formulation must obey whatever their size: action and
-// reaction, no torque of central forces, loss never negative, contact as the slope of its
-// potential.
+// Laws that the pair sums of the `standard` formulation must satisfy for any magnitude: action and
+// reaction, no torque of central forces, no negative dissipation, contact force as the gradient of
+// its potential.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -17,7 +17,7 @@ class StandardPairs : public testing::Test {
   static constexpr int dimension = Dimension::value;
   using Bag = LoadedStandard<dimension, Double>;
 
-  // A bag without rigid particles, which are not acted upon.
+  // The particles have no rigid ones, on which no forces act.
   static ReferenceState bag(unsigned seed) {
     ReferenceState state = wet_bag(dimension, seed);
     std::erase_if(state.particles, [&](const ReferenceParticle& p) {
@@ -52,8 +52,8 @@ class StandardPairs : public testing::Test {
 };
 TYPED_TEST_SUITE(StandardPairs, BagDimensions);
 
-// Water with water and with solid, and solids in contact; gravity enters the pairs of water and
-// solid, and is itself taken off.
+// The pairs are water with water and with solid, and solids in contact; gravity enters the pairs of
+// water and solid, and is subtracted.
 TYPED_TEST(StandardPairs, ForcesSumToZero) {
   constexpr int D = TypeParam::value;
   for (unsigned seed = 1; seed <= 5; ++seed) {
@@ -68,7 +68,8 @@ TYPED_TEST(StandardPairs, ForcesSumToZero) {
   }
 }
 
-// Water on solid is equal and opposite to solid on water: what the water gains the solid loses.
+// The force of water on solid is opposite to that of solid on water: the momentum gain of the water
+// is the loss of the solid.
 TYPED_TEST(StandardPairs, WaterAndSolidForcesAreOpposite) {
   constexpr int D = TypeParam::value;
   auto state = TestFixture::bag(6);
@@ -87,7 +88,7 @@ TYPED_TEST(StandardPairs, WaterAndSolidForcesAreOpposite) {
 }
 
 // Pressure, its dissipation and contact act along the line of centres, viscosity and friction along
-// the velocity; without these nothing turns.
+// the velocity; without these there is no torque.
 TYPED_TEST(StandardPairs, CentralForcesHaveNoTorque) {
   auto state = TestFixture::bag(7);
   for (auto& medium : state.media) medium.viscosity = medium.friction = 0.0;
@@ -106,7 +107,7 @@ TYPED_TEST(StandardPairs, DissipationIsNotNegative) {
   }
 }
 
-// Each pair by itself, water and wall or solid included, so that no gain hides in a sum.
+// Each pair is tested alone, including water with wall or solid, so that no gain cancels in a sum.
 TYPED_TEST(StandardPairs, DissipationOfEachPairIsNotNegative) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(5);
@@ -130,8 +131,9 @@ TYPED_TEST(StandardPairs, DissipationOfEachPairIsNotNegative) {
   }
 }
 
-// Water between two others, whose wall is neither's line of centres alone: what is damped is the
-// speed towards the wall, and it must lose by it wherever the two lie and however they move.
+// Water between two wall particles, so that the normal of the wall is not the line of centres: the
+// velocity towards the wall is damped, and the dissipation must not be negative for any position
+// and motion.
 TYPED_TEST(StandardPairs, DissipationInACornerIsNotNegative) {
   constexpr int D = TypeParam::value;
   std::mt19937 engine(6);
@@ -153,7 +155,7 @@ TYPED_TEST(StandardPairs, DissipationInACornerIsNotNegative) {
     for (std::size_t k : {1u, 2u})
       if (state.medium(k).phase == Phase::rigid) state.particles[k].velocity.setZero();
     LoadedStandard<D, Double> loaded(state, {.splits = true});
-    evaluate_standard(state, loaded);  // finds the normal
+    evaluate_standard(state, loaded);  // computes the normal
     evaluate_standard(state, loaded);
     const double loss = TestFixture::sums(state, loaded).loss;
     EXPECT_GE(loss, -1e-13);
@@ -174,7 +176,7 @@ TYPED_TEST(StandardPairs, NoRatesInTranslation) {
   double scale = 0.0;
   for (std::size_t i = 0; i < place.size(); ++i)
     scale = std::max(scale, std::abs(double(loaded.particles.compression_rate[place[i]])));
-  // Waters of one pressure each: what is left is the diffusion between the two kinds.
+  // Both waters have uniform pressure: only the diffusion between them remains.
   for (std::size_t i = 0; i < place.size(); ++i)
     if (state.medium(i).phase != Phase::rigid) {
       EXPECT_LE(TestFixture::of(loaded.particles.damping_acceleration[place[i]]).norm(), 1e-9);
@@ -198,7 +200,8 @@ struct Touching {
                               {4.3e-3, 4.8e-3, 0.0},
                               {4.9e-3, 5.9e-3, -third},
                               {5.0e-3, 4.1e-3, third}};
-    const std::size_t sources[] = {2, 2, 3, 4, 5};  // the coarse ones have another modulus below
+    const std::size_t sources[] = {2, 2, 3, 4,
+                                   5};  // the coarse particles have another modulus below
     for (std::size_t k = 0; k < 5; ++k) {
       state.particles[k].position = places[k];
       state.particles[k].source = sources[k];
@@ -225,7 +228,7 @@ TYPED_TEST(StandardPairs, ContactForceIsTheGradientOfItsPotential) {
   const Vector3 here(5.1e-3, 5.0e-3, D == 3 ? 0.1e-3 : 0.0);
   const Vector3 force = look(here).first;
   EXPECT_GT(force.norm(), 0.0);
-  const double step = 1e-8;  // of a quadratic potential: only rounding is left
+  const double step = 1e-8;  // the potential is quadratic: only rounding remains
   for (int a = 0; a < D; ++a) {
     Vector3 ahead = here, behind = here;
     ahead[a] += step;

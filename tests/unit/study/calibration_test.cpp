@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calibrations of simulators whose law is known.
+// Calibrations of model functions with known results.
 #include "study/searches.hpp"
 
 #include <gmock/gmock.h>
@@ -29,7 +29,7 @@ double energy_of(const Trial& trial) {
 double speed_of(const Trial& trial) {
   return trial.setting.numbers.at("jet.jet.speed");
 }
-// A depth that falls with the energy of fracture and grows with the speed.
+// A depth that decreases with the fracture energy and increases with the speed.
 double depth(double fracture_energy, double speed) {
   return 0.01 * std::pow(fracture_energy / 10.0, -0.4) * (speed / 5.0) / (1.0 + 0.1 * speed);
 }
@@ -83,7 +83,7 @@ TEST(Calibration, TheIntervalFollowsFromTheUncertaintyOfWhatWasMeasured) {
       2);
   const CalibrationAnswer answer = calibrate(goal, 1.0, laboratory);
   ASSERT_EQ(answer.problem, "");
-  // The line through curved data leaves a residual too, which makes it wider.
+  // The line through curved data has a residual too, which widens the interval.
   EXPECT_GE(std::log(answer.high / answer.value), 0.9 * 0.25);
   EXPECT_LE(std::log(answer.high / answer.value), 1.6 * 0.25);
   EXPECT_NEAR(answer.sensitivity / (-0.4 * goal.measured), 1.0, 0.1);
@@ -111,7 +111,7 @@ TEST(Calibration, ScatterOfTheRunsIsInTheInterval) {
 }
 
 TEST(Calibration, RecoversTheEnergyFromAThreshold) {
-  // Cuts from the speed 2 (Gc / 10)^0.5 on: at 3 m/s that is Gc = 22.5.
+  // The model cuts from the speed 2 (Gc / 10)^0.5 on: at 3 m/s that is Gc = 22.5.
   const CalibrationGoal goal = goal_of(
       "metric = \"cut_through\"\ntolerance = 0.03\n[calibrate.at]\n\"jet.jet.speed\" = \"3 "
       "m/s\"\n");
@@ -128,7 +128,7 @@ TEST(Calibration, RecoversTheEnergyFromAThreshold) {
   EXPECT_NEAR(answer.value / 22.5, 1.0, 0.05);
 }
 
-// Where it does not cut through there is no time of cutting through: such runs are left out.
+// A run without cut-through has no time of cut-through and is skipped.
 TEST(Calibration, RunsWithoutTheMetricAreSkipped) {
   CalibrationGoal goal = cut_goal(0.01, 0.0);
   goal.measured = depth(6.0, 5.0);

@@ -31,7 +31,8 @@ TEST(Design, AGridHasEachCombinationOnceWithTheLastKeyFastest) {
   EXPECT_EQ(seen.size(), settings.size());
 }
 
-// McKay, Beckman & Conover (1979): one point in each of the equal parts, along every axis.
+// A Latin hypercube (McKay, Beckman & Conover 1979) has one point in each of the equal parts of
+// every axis.
 TEST(Design, ALatinHypercubeHasOnePointInEachPart) {
   constexpr std::size_t dimensions = 4, count = 17;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {

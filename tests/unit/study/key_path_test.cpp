@@ -53,15 +53,15 @@ TEST(KeyPath, DerivesAMaterialFromTheLibrary) {
 }
 
 TEST(KeyPath, NamesTheInvalidPartOfAPath) {
-  EXPECT_THAT(problem_of("jet.jet.sped"), HasSubstr("(is \"speed\" meant?)"));
+  EXPECT_THAT(problem_of("jet.jet.sped"), HasSubstr("(did you mean \"speed\"?)"));
   EXPECT_THAT(problem_of("jet.jett.speed"), HasSubstr("no jet of the name or number \"jett\""));
   EXPECT_THAT(problem_of("jet.1.speed"), HasSubstr("no jet of the name or number \"1\""));
-  EXPECT_THAT(problem_of("machin.pressure"), HasSubstr("(is \"machine\" meant?)"));
+  EXPECT_THAT(problem_of("machin.pressure"), HasSubstr("(did you mean \"machine\"?)"));
   EXPECT_THAT(problem_of("body.block"), HasSubstr("ends at a table"));
   EXPECT_THAT(problem_of("body"), HasSubstr("ends at a list"));
   EXPECT_THAT(problem_of("body.block.shape.maximum.2"), HasSubstr("entry 2"));
   EXPECT_THAT(problem_of("materials.cheese.density"), HasSubstr("\"cheese\""));
-  EXPECT_THAT(problem_of("jet.jet.speed.0"), HasSubstr("holds nothing"));
+  EXPECT_THAT(problem_of("jet.jet.speed.0"), HasSubstr("has no entries"));
   EXPECT_THAT(problem_of(""), HasSubstr("ends at a table"));
 }
 

@@ -28,7 +28,7 @@ TEST(LeastSquares, StudentsFactorIsThatOfTheClosedForms) {
         student_factor(2, coverage) / (coverage * std::sqrt(2.0 / (1.0 - coverage * coverage))),
         1.0, 1e-9);
   }
-  // Of many it is the normal distribution's.
+  // For many degrees of freedom it is the normal distribution.
   EXPECT_NEAR(student_factor(1000000, 0.95), 1.959964, 1e-4);
 }
 
@@ -70,8 +70,8 @@ TEST(LeastSquares, ALineHasTheErrorsOfItsClosedForm) {
               1e-10);
 }
 
-// Of 1000 sets with normal scatter the 95% interval covers the truth in 950, give or take three
-// standard deviations of such a count, 21.
+// Of 1000 data sets with normal scatter the 95% interval contains the true value in 950, within
+// three standard deviations of such a count, 21.
 TEST(LeastSquares, IntervalsHaveTheirNominalCoverage) {
   int covered = 0, predicted = 0;
   for (std::uint64_t set = 0; set < 1000; ++set) {
@@ -118,7 +118,7 @@ TEST(LeastSquares, UndeterminedParametersAreRefused) {
   same.col(0).setOnes();
   same.col(1).setConstant(3.0);
   EXPECT_THAT(fit_linear(same, Eigen::VectorXd::Ones(5)).problem,
-              testing::HasSubstr("do not tell the parameters apart"));
+              testing::HasSubstr("do not determine the parameters"));
   EXPECT_THAT(fit_linear(Eigen::MatrixXd::Ones(2, 2), Eigen::VectorXd::Ones(2)).problem,
               testing::HasSubstr("2 runs are too few for 2 parameters"));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cores, memory and folders, with a program in the place of Kerf that tells how many of it are at
-// work.
+// Cores, memory and folders of runs, with a test program instead of Kerf that records the number of
+// its running processes.
 #include "study/local_executor.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Optima of simulators whose best setting is known.
+// Optima of model functions with known best settings.
 #include "study/searches.hpp"
 
 #include <gmock/gmock.h>
@@ -29,8 +29,8 @@ double width_of(const Trial& trial) {
   return 1e3 * trial.setting.numbers.at("jet.jet.width");
 }
 
-// Cuts where speed x width >= 25 (m/s, mm); the energy to cut is speed^3 width, least where the jet
-// is slow and wide: on the hyperbola at width 10, speed 2.5, energy 156.
+// The model cuts if speed x width >= 25 (m/s, mm); the energy of the cut is speed^3 width, least
+// for slow and wide jets: on the hyperbola at width 10, speed 2.5, energy 156.
 std::map<std::string, double> cut_by_flow(const Trial& trial, double needed) {
   const double margin = speed_of(trial) * width_of(trial) / needed - 1.0;
   return {{"cut_through", margin >= 0.0 ? 1.0 : 0.0},
@@ -56,7 +56,8 @@ TEST(OptimumSearch, FindsTheLeastEnergyOnTheEdgeOfCutThrough) {
 TEST(OptimumSearch, CoarseRunsFindTheRegionAndFineRunsConfirmIt) {
   const OptimumGoal goal =
       goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 60\n");
-  // Coarse runs cut a little too easily: what they find best does not cut at the resolution asked.
+  // Coarse runs cut slightly too easily: their best setting does not cut at the requested
+  // resolution.
   test::SyntheticLaboratory laboratory(
       [](const Trial& trial) { return cut_by_flow(trial, trial.refinement < 1.0 ? 23.0 : 25.0); },
       2);
@@ -75,7 +76,7 @@ TEST(OptimumSearch, CoarseRunsFindTheRegionAndFineRunsConfirmIt) {
 TEST(OptimumSearch, StatesTheExtrapolationToZeroSpacing) {
   const OptimumGoal goal =
       goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 40\n");
-  // An error of 8% at the study's spacing, in proportion to the spacing: 16% in drafts.
+  // The error is 8% at the spacing of the study, proportional to the spacing: 16% in drafts.
   test::SyntheticLaboratory laboratory(
       [](const Trial& trial) {
         auto metrics = cut_by_flow(trial, 25.0);
@@ -102,7 +103,7 @@ TEST(OptimumSearch, DoesNotExtrapolateIfCoarseRunsDoNotCut) {
   ASSERT_EQ(answer.problem, "");
   const double flow =
       1e3 * answer.setting.numbers.at("jet.jet.speed") * answer.setting.numbers.at("jet.jet.width");
-  EXPECT_LT(flow, 35.0);  // or the test would show nothing
+  EXPECT_LT(flow, 35.0);  // otherwise the test is not significant
   EXPECT_FALSE(answer.extrapolated.has_value());
   EXPECT_EQ(answer.low, answer.value);
 }
@@ -144,7 +145,7 @@ TEST(OptimumSearch, ForwardsAStop) {
   int runs = 0;
   test::SyntheticLaboratory laboratory(
       [&](const Trial& trial) {
-        if (++runs > 18) throw Stop();  // past the first points, in NLopt's hands
+        if (++runs > 18) throw Stop();  // after the first points, within NLopt
         return cut_by_flow(trial, 25.0);
       },
       2);

@@ -93,10 +93,10 @@ TEST(ReadStudy, ABaseMayBeAFileBesideTheStudy) {
   EXPECT_EQ(read_study(folder / "study.toml", {}).axes.size(), 1u);
 }
 
-// A seed acts where the layout, or the flaws, are random: without that every repeat is one run.
+// A seed has an effect if the layout or the flaws are random; otherwise all repeats are one run.
 TEST(ReadStudy, RepeatsOfADeterministicRunAreRefused) {
   EXPECT_THAT(complaint("repeats = 3\n" + vary),
-              AllOf(HasSubstr("every repeat is the same run"), HasSubstr("jitter")));
+              AllOf(HasSubstr("all repeats are the same run"), HasSubstr("jitter")));
   const std::string jitter = "[set]\n\"body.block.jitter\" = 0.2\n";
   EXPECT_EQ(complaint("repeats = 3\n" + jitter + vary), "");
   EXPECT_EQ(complaint("repeats = 1\n" + vary), "");
@@ -119,7 +119,7 @@ TEST(CaseMaker, ReportsAnInvalidCaseByTheKeysOfTheStudy) {
   const std::string message = test::message_of<UserError>([&] {
     maker.make({{{{"jet.jet.standoff", -0.5}}, {}}, 0, 1.0});
   });
-  EXPECT_THAT(message, AllOf(HasSubstr("jet.jet.standoff = -500 mm"), HasSubstr("not good")));
+  EXPECT_THAT(message, AllOf(HasSubstr("jet.jet.standoff = -500 mm"), HasSubstr("not valid")));
 }
 
 }  // namespace

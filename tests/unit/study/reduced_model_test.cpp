@@ -72,15 +72,15 @@ TEST(ReducedModel, APlainPowerLawIsRecovered) {
   EXPECT_NEAR(model.parameters()[2].value, -0.5, 1e-9);
 }
 
-// The threshold is a ratio of two fitted numbers: its interval must cover it as often as it says,
-// 475 of 500, give or take three standard deviations, 15, and 1% for the error of a ratio.
+// The threshold is a ratio of two fitted numbers: its interval must have its nominal coverage, 475
+// of 500, within three standard deviations, 15, and 1% for the error of a ratio.
 TEST(ReducedModel, TheIntervalOfTheThresholdCoversIt) {
   int covered = 0;
   for (std::uint64_t set = 0; set < 500; ++set) {
     std::vector<ModelDatum> data;
     std::uint64_t n = 0;
     for (double pressure = 35e6; pressure < 80e6; pressure += 5e6) {
-      double error = -6.0;  // of twelve uniform numbers the sum is nearly normal
+      double error = -6.0;  // the sum of twelve uniform numbers is nearly normal
       for (int i = 0; i < 12; ++i) error += random_number(set, n++);
       data.push_back(
           {{{"machine.pressure", pressure}}, bone_depth(pressure, 1.0, 0.3) + 1e-4 * error});
@@ -125,9 +125,9 @@ TEST(ReducedModel, AConstantVariableIsReported) {
     data.push_back(
         {{{"machine.pressure", pressure}, {"time.end", 1.0}}, bone_depth(pressure, 1.0, 0.3)});
   EXPECT_THAT(ReducedModel(goal_of(ModelForm::power, {"time.end"}), data).problem(),
-              testing::HasSubstr("do not tell the parameters apart"));
+              testing::HasSubstr("do not determine the parameters"));
   EXPECT_THAT(ReducedModel(goal_of(ModelForm::threshold_power, {"time.end"}), data).problem(),
-              testing::HasSubstr("do not tell the parameters apart"));
+              testing::HasSubstr("do not determine the parameters"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every study of cases/studies/ reads, and the ends of its ranges are good cases.
+// Every study of cases/studies/ is valid, and the ends of its ranges are valid cases.
 #include <gtest/gtest.h>
 
 #include "app/embedded.hpp"

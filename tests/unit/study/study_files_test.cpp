@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that a study leaves, for those who read them.
+// The files that a study writes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -93,7 +93,7 @@ TEST(StudyFiles, MissingAnswersAreNull) {
               HasSubstr("not found. it was not there"));
 }
 
-// Drafts that broke at half the speed are no hint of the error: the reader is told.
+// Drafts with half the threshold do not indicate the error: the answer states so.
 TEST(StudyFiles, ReportsTooCoarseDrafts) {
   const StudyPlan plan = test::plan_of(
       "[search]\nfind = \"least\"\nkey = \"jet.jet.speed\"\nfrom = \"1 m/s\"\nto = \"9 m/s\"\n");
@@ -104,11 +104,10 @@ TEST(StudyFiles, ReportsTooCoarseDrafts) {
   answer.draft = Bracket{1.9, 2.1};
   answer.resolution_change = 2.0;
   answers.threshold = answer;
-  EXPECT_THAT(answers_text(describe_answers(plan, answers)), HasSubstr("too coarse to learn from"));
+  EXPECT_THAT(answers_text(describe_answers(plan, answers)), HasSubstr("are too coarse"));
   answers.threshold->draft = Bracket{3.8, 4.0};
   answers.threshold->resolution_change = 0.1;
-  EXPECT_THAT(answers_text(describe_answers(plan, answers)),
-              Not(HasSubstr("too coarse to learn from")));
+  EXPECT_THAT(answers_text(describe_answers(plan, answers)), Not(HasSubstr("are too coarse")));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of a study: what is packed into it, and what it is without its script.
+// The page of a study: its data, and its content without the script.
 #include "study/study_page.hpp"
 
 #include <fmt/format.h>
@@ -118,8 +118,8 @@ TEST(StudyPage, IsRewrittenAfterRuns) {
   EXPECT_EQ(asked, 1);
   const std::string page = read_file(folder / "study.html");
   EXPECT_THAT(page, HasSubstr("runs/run0/report.html"));
-  EXPECT_THAT(page, HasSubstr(answers_of(plan).model->formula()));  // also while it runs
-  file.follow(0, 6, answers);                                       // nothing new
+  EXPECT_THAT(page, HasSubstr(answers_of(plan).model->formula()));  // also during the runs
+  file.follow(0, 6, answers);                                       // no new runs
   file.follow(1, 6, answers);                                       // too soon
   EXPECT_EQ(asked, 1);
   std::filesystem::remove_all(folder);

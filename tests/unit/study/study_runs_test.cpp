@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is run, what is not run again, and what study.db says of it.
+// New and repeated runs, and their entries in study.db.
 #include "study/study_runs.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Ends runs at once, as it is told to.
+// Ends runs at once with the given results.
 class InstantExecutor : public Executor {
  public:
   std::function<JobEnd(const Job&)> end = [](const Job&) { return JobEnd{}; };
@@ -133,7 +133,7 @@ TEST_F(StudyRunsTest, AStopKeepsTheRemainingRunsPending) {
 TEST_F(StudyRunsTest, UnreadableResultsAreAFailure) {
   executor_.end = [](const Job& job) {
     make_folder(job.folder);
-    write_file(job.folder / "result.json", "{ has_broken_bonds");
+    write_file(job.folder / "result.json", "{ broken");
     return JobEnd{0, 0, ""};
   };
   class Torn : public Executor {
@@ -142,7 +142,7 @@ TEST_F(StudyRunsTest, UnreadableResultsAreAFailure) {
       for (const Job& job : jobs) {
         watcher.started(job);
         make_folder(job.folder);
-        write_file(job.folder / "result.json", "{ has_broken_bonds");
+        write_file(job.folder / "result.json", "{ broken");
         watcher.ended(job, {});
       }
     }
@@ -185,7 +185,7 @@ TEST(StudyDatabase, NamesAFolderThatIsNotWritable) {
               testing::AllOf(HasSubstr("/proc/nowhere/study.db"), HasSubstr("--out")));
 }
 
-// Looks into it some times; whether that went well.
+// Reads the database several times; returns whether that succeeded.
 bool looks_into(const std::filesystem::path& file) {
   try {
     for (int look = 0; look < 3; ++look) StudyDatabase(file).runs();
@@ -195,7 +195,7 @@ bool looks_into(const std::filesystem::path& file) {
   }
 }
 
-// A study that begins, and others that look at it already.
+// A study starts while other processes read its database.
 TEST(StudyDatabase, IsCreatedByConcurrentProcesses) {
   const test::TemporaryFolder folder;
   std::atomic<int> failures = 0;
@@ -217,7 +217,8 @@ RunRow verdict(double speed, double width, bool cuts) {
   return row;
 }
 
-// Cuts where speed + width > 4.5, on a grid of whole numbers: between those whose sums are 4 and 5.
+// The model cuts if speed + width > 4.5, on a grid of integers: the boundary is between sums of 4
+// and 5.
 TEST(Boundary, LiesBetweenNeighboursWithDifferentResults) {
   std::vector<RunRow> runs;
   for (int speed = 1; speed <= 4; ++speed)

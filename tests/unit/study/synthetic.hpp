@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies of a small case, and laboratories whose answers are known in closed form.
+// Studies of a small case, and laboratories with results in closed form.
 #pragma once
 
 #include <functional>
@@ -41,13 +41,13 @@ standoff = "2 mm"
 spacing = "2 mm"
 )";
 
-// A study of the small case, which the program would find as a template.
+// A study of the small case, which is given as a template.
 inline StudyPlan plan_of(const std::string& text) {
   const EmbeddedText templates[] = {{"small", small_case}};
   return parse_study("base = \"small\"\n" + text, "my-study.toml", templates);
 }
 
-// Answers by a function, and keeps what it was asked.
+// Gives results by a function, and records the requests.
 class SyntheticLaboratory : public Laboratory {
  public:
   using Answer = std::function<std::map<std::string, double>(const Trial&)>;

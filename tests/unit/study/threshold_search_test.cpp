@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches of simulators whose threshold is known.
+// Searches of model functions with a known threshold.
 #include "study/searches.hpp"
 
 #include <gmock/gmock.h>
@@ -26,7 +26,7 @@ double speed_of(const Trial& trial) {
   return trial.setting.numbers.at("jet.jet.speed");
 }
 
-// Cuts from a speed on.
+// The model cuts from a speed on.
 test::SyntheticLaboratory cutter(double threshold, int side_by_side) {
   return {[=](const Trial& trial) {
             return std::map<std::string, double>{{"cut_through", speed_of(trial) >= threshold}};
@@ -50,7 +50,7 @@ TEST(ThresholdSearch, FindsTheLeastSpeedWithinFivePercentInEightRuns) {
     }
 }
 
-// Half of the range each time: log2 of the ratio of widths, and the ends where they were needed.
+// Each step halves the range: log2 of the ratio of widths, and the ends if they are needed.
 TEST(ThresholdSearch, SequentialSearchIsABisection) {
   const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.01\ndraft = 1.0\n");
   auto laboratory = cutter(3.9123, 1);
@@ -94,7 +94,7 @@ TEST(ThresholdSearch, SupportsOtherConditions) {
   EXPECT_GE(answer.bracket.high, 4.0);
 }
 
-// An error that goes with the spacing, t(d) = t0 + c d, is what the extrapolation takes away.
+// The extrapolation removes an error that is proportional to the spacing, t(d) = t0 + c d.
 TEST(ThresholdSearch, CoarseRunsFindTheRegionAndResolutionIsExtrapolated) {
   const ThresholdGoal goal =
       goal_of("find = \"least\"\ntolerance = 0.005\ndraft = 0.5\nruns = 60\n");
@@ -110,7 +110,7 @@ TEST(ThresholdSearch, CoarseRunsFindTheRegionAndResolutionIsExtrapolated) {
     ASSERT_EQ(answer.problem, "") << change;
     EXPECT_LT(answer.bracket.low, exact + change);
     EXPECT_GE(answer.bracket.high, exact + change);
-    // Each middle is within its tolerance: so is their difference, within the sum of both.
+    // Each middle is within its tolerance, so their difference is within the sum of both.
     const double rounding = 0.005 * (exact + 2 * change + 2 * (exact + change));
     EXPECT_NEAR(answer.extrapolated, exact, rounding);
     EXPECT_LE(answer.stated.low, answer.extrapolated);
@@ -153,7 +153,8 @@ TEST(ThresholdSearch, TheBracketContainsTheScatterOfLayouts) {
 TEST(ThresholdSearch, AlternatingResultsAreWithinTheBracket) {
   const ThresholdGoal goal =
       goal_of("find = \"least\"\ntolerance = 0.001\ndraft = 1.0\nruns = 40\n");
-  // Cuts from 3.5 on, not between 3.8 and 4.1, and again from there: eight runs see all three.
+  // The model cuts from 3.5 on, not between 3.8 and 4.1, and again from there: eight runs find all
+  // three changes.
   test::SyntheticLaboratory laboratory(
       [](const Trial& trial) {
         const double speed = speed_of(trial);
@@ -194,7 +195,7 @@ TEST(ThresholdSearch, AFailedRunStopsTheSearchWithItsError) {
   }
 }
 
-// The first cut of 1 to 16 is at 4 by ratios, and at 8.5 by differences.
+// The first division of 1 to 16 is at 4 by ratios, and at 8.5 by differences.
 TEST(Bisection, PartsHaveEqualRatiosOnALogarithmicAxis) {
   std::vector<double> tried;
   const auto verdicts = [&](const std::vector<double>& values) {

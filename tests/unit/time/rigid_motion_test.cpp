@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stress of a body that is moved rigidly: the Jaumann rate must carry it along. The motion is
-// imposed on every particle at both stages of the step; the engine does the rest.
+// The stress of a body in rigid motion: the Jaumann rate must rotate it. The motion is imposed on
+// every particle at both stages of the step; the engine computes the rest.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -14,11 +14,11 @@ namespace kerf::test {
 namespace {
 
 constexpr double spacing = 2e-3;            // m
-constexpr double interior = 1.1 * spacing;  // m: all neighbours of what is inside are there
+constexpr double interior = 1.1 * spacing;  // m: interior particles have all neighbours
 constexpr double radius = 4.2 * spacing;    // m, of the disc or ball
 constexpr double rim_speed = 5.0;           // m/s
 
-// A disc or ball of tofu under one even stress, centred on the origin.
+// A disc or ball of tofu under uniform stress, centred on the origin.
 ReferenceState stressed_ball(int dimension) {
   ReferenceState state;
   state.dimension = dimension;
@@ -40,12 +40,12 @@ ReferenceState stressed_ball(int dimension) {
   return state;
 }
 
-// Whose velocity gradient the stress follows.
+// The velocity gradient that the stress follows.
 enum class Gradient { of_the_engine, exact };
 
 struct Outcome {
   double tensor = 0.0;     // worst |s - R s_0 R^T| / |s_0| over the interior
-  double magnitude = 0.0;  // worst | |s| - |s_0| | / |s_0|: what an observer of invariants sees
+  double magnitude = 0.0;  // worst | |s| - |s_0| | / |s_0|, an error of the invariants
   double compression = 0.0;
   std::size_t steps = 0;
 };
@@ -117,7 +117,7 @@ class Turning {
         AdvanceFromStart<D, Double>{loaded_.particles.view(), pointer(prescribed_motions_), dt});
   }
 
-  // After one turn the body is back in its place, so its stress must be too.
+  // After one turn the body is at its initial position, so its stress must be the initial one.
   Outcome outcome() const {
     Outcome worst;
     worst.steps = steps_;
@@ -148,7 +148,7 @@ template <class Dimension>
 class RigidRotation : public testing::Test {
  protected:
   static constexpr int D = Dimension::value;
-  // One turn for all tests.
+  // All tests share one turn.
   static const Outcome& turned_by_the_engine() {
     static const Outcome outcome = Turning<D>().one_turn(Gradient::of_the_engine);
     return outcome;
@@ -161,7 +161,7 @@ class RigidRotation : public testing::Test {
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(RigidRotation, Dimensions);
 
-// The time stepping by itself, with the exact gradient of the motion.
+// Tests the time stepping alone, with the exact gradient of the motion.
 TYPED_TEST(RigidRotation, TimeSteppingKeepsTheStress) {
   const Outcome outcome = Turning<TestFixture::D>().one_turn(Gradient::exact);
   TestFixture::print("exact gradient", outcome);
@@ -169,9 +169,9 @@ TYPED_TEST(RigidRotation, TimeSteppingKeepsTheStress) {
   EXPECT_LT(outcome.compression, 1e-12);
 }
 
-// The invariants of the stress, which fracture and energy see, whatever the gradient. The midpoint
-// rule lets the amplitude of a turning by an angle a per step grow by a^4/8; a tensor turns by
-// twice the angle of its body.
+// Tests the invariants of the stress, on which fracture and energy depend, for any gradient. The
+// midpoint rule increases the amplitude of a rotation by an angle a per step by a^4/8; a tensor
+// rotates by twice the angle of its body.
 TYPED_TEST(RigidRotation, InvariantsAreKept) {
   const Outcome& outcome = TestFixture::turned_by_the_engine();
   const auto steps = static_cast<double>(outcome.steps);
@@ -179,14 +179,14 @@ TYPED_TEST(RigidRotation, InvariantsAreKept) {
   EXPECT_LT(outcome.compression, 1e-12);
 }
 
-// The tensor itself in the axes of the body.
+// Tests the tensor itself in the axes of the body.
 TYPED_TEST(RigidRotation, StressTurnsWithTheBody) {
   const Outcome& outcome = TestFixture::turned_by_the_engine();
   TestFixture::print("gradient of the engine", outcome);
   EXPECT_LT(outcome.tensor, 0.01);
 }
 
-// A body that is moved along by expression keeps its stress to the last bit but rounding.
+// A body with prescribed motion keeps its stress up to rounding.
 TYPED_TEST(RigidRotation, TranslationKeepsTheStress) {
   constexpr int dimension = TestFixture::D;
   ReferenceState state = stressed_ball(dimension);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How steps are put together to those of a solid.
+// The combination of steps of the water to steps of the solid.
 #include "time/subcycling.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(Subcycling, PredictsToTheMiddleOfTheSolidStep) {
   cycle.begin(2.0, 8.1);
   EXPECT_DOUBLE_EQ(cycle.length(), 8.0);
   EXPECT_DOUBLE_EQ(1.0 + cycle.prediction_time(2.0),
-                   4.0);  // its place is that of the middle of the first
+                   4.0);  // its position is that at the middle of the first
   cycle.end_step(2.0);
   EXPECT_TRUE(cycle.was_first_substep());
   EXPECT_DOUBLE_EQ(cycle.time_since_middle(), -2.0);
@@ -57,7 +57,7 @@ TEST(Subcycling, OneSubstepHasNoPrediction) {
   }
 }
 
-// Steps grow and shrink as the water has it.
+// The step size varies with the limit of the water.
 TEST(Subcycling, StepsWithinTheSolidLimitAndSumsTheirTime) {
   Subcycling cycle(8);
   const double longest = 5.0;

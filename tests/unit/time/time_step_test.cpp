@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each limit of the time step acts in a case made for it, with the value of its formula; a state
-// that has broken down is refused with particle, time and cause.
+// Each limit of the time step applies in a case made for it, with the value of its formula; an
+// invalid state is refused with particle, time and cause.
 #include <cmath>
 #include <limits>
 
@@ -64,7 +64,7 @@ TEST(TimeStep, MaximumStep) {
   expect_step(c, "maximum step", 1e-6);
 }
 
-// The last step ends the run exactly, however little of it is left.
+// The last step ends the run exactly, for any small remaining time.
 TEST(TimeStep, EndOfRun) {
   Case c = square(Role::water);
   c.time.end = 1e-7;
@@ -77,7 +77,7 @@ TEST(TimeStep, EndOfRun) {
   EXPECT_LT(simulation->step(), 20u);
 }
 
-// Which particle: the one that moves.
+// The named particle is the moving one.
 TEST(TimeStep, NamesTheParticle) {
   Case c = square(Role::water);
   c.bodies[0].velocity = {"x > 0.009 && y > 0.009 ? 1 : 0", "0", "0"};
@@ -89,7 +89,7 @@ TEST(TimeStep, NamesTheParticle) {
   EXPECT_EQ(frame.velocity[k][0], 1.0);
 }
 
-// What ends a run; empty when it goes on.
+// Returns the error that ends a run; empty if it continues.
 std::string refusal(Simulation& simulation, int steps) {
   try {
     take_steps(simulation, steps);
@@ -100,7 +100,7 @@ std::string refusal(Simulation& simulation, int steps) {
   return "";
 }
 
-// A run whose saved field has got `value` in one entry, and the id of the particle it belongs to.
+// A run with `value` in one entry of a saved field, and the id of the particle of that entry.
 struct Damage {
   std::string field;
   std::size_t particle, component;
@@ -138,7 +138,8 @@ TEST(Breakdown, NotANumberStopsTheRun) {
   expect_in(refusal(square(Role::elastic), {"shear", 12, 2, nan}), {"not a number"});
 }
 
-// Its neighbours' rates are no numbers either, but it is the particle's own state that is broken.
+// The rates of its neighbours are not numbers either, but the invalid state is that of the
+// particle.
 TEST(Breakdown, NamesTheParticleThatBroke) {
   for (Role role : {Role::water, Role::elastic}) {
     expect_in(refusal(square(role), {"velocity", 12, 0, nan}), {"particle 12 of"});
@@ -147,12 +148,13 @@ TEST(Breakdown, NamesTheParticleThatBroke) {
 }
 
 TEST(Breakdown, Runaway) {
-  // Ten times the fastest speed of sound is 500 m/s.
+  // Ten times the largest sound speed is 500 m/s.
   expect_in(refusal(square(Role::water), {"velocity", 15, 0, 600.0}),
             {"ten times", "particle 15 of body 'square'"});
 }
 
-// Compressions of -1 and less, in water as in solid: that is the cause to name, not what follows.
+// Compressions of -1 and less, in water and in solid, are named as the cause, not their
+// consequences.
 TEST(Breakdown, NegativeDensity) {
   for (Role role : {Role::water, Role::elastic})
     for (double compression : {-1.5, -1.0})
@@ -160,13 +162,14 @@ TEST(Breakdown, NegativeDensity) {
                 {"density of zero or less", "particle 12 of"});
 }
 
-// A particle whose place is no number has not left the domain: it must not be taken out in silence.
+// A particle with an invalid position has not left the domain and must not be removed without an
+// error.
 TEST(Breakdown, NotANumberInAPosition) {
   expect_in(refusal(square(Role::water), {"position", 12, 1, nan}), {"not a number"});
 }
 
-// The same as a user can cause it: a motion that is prescribed for a while only, of a solid that
-// the loops follow and of a rigid body that they only push against.
+// A user can cause this by a prescribed motion that is defined for a part of the run, of an elastic
+// body and of a rigid body.
 TEST(Breakdown, PrescribedMotionThatIsNotANumber) {
   Case c = square(Role::elastic);
   c.bodies[0].displacement = {"t < 0.00005 ? 0 : sqrt(-1)", "0", "0"};
@@ -195,7 +198,8 @@ TEST(Breakdown, ZeroTimeStep) {
   }
 }
 
-// Second order in time: half the step, a quarter of the error, against a run of much finer steps.
+// The scheme is of second order in time: half the step gives a quarter of the error, against a run
+// of much finer steps.
 TEST(Midpoint, IsOfSecondOrder) {
   const auto positions = [](double dt) {
     Case c = square(Role::elastic);
@@ -221,7 +225,7 @@ TEST(Midpoint, IsOfSecondOrder) {
   };
   const auto exact = positions(0.5e-6);
   const double coarse = error(positions(1.6e-5), exact), fine = error(positions(8e-6), exact);
-  EXPECT_GT(coarse, 1e-10);  // otherwise it is rounding that is compared
+  EXPECT_GT(coarse, 1e-10);  // otherwise the errors are rounding
   EXPECT_GT(coarse / fine, 3.6);
   EXPECT_LT(coarse / fine, 4.4);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Position Verlet on harmonic oscillators: second order, and an energy that swings but does not
-// drift. Water is followed by its density.
+// Position Verlet on harmonic oscillators: second order, and an energy that oscillates without
+// drift. Water also has its density.
 #include "time/verlet.hpp"
 
 #include <gtest/gtest.h>
@@ -85,13 +85,13 @@ TYPED_TEST(Verlet, IsOfSecondOrder) {
     errors[k] = oscillators.error(5.0);
   }
   std::printf("errors %.3e %.3e %.3e\n", errors[0], errors[1], errors[2]);
-  // A quarter each time, up to the next order of the series, (omega dt)^2 = 1%.
+  // The error is divided by four each time, up to the next order of the series, (omega dt)^2 = 1%.
   EXPECT_NEAR(errors[0] / errors[1], 4.0, 0.05);
   EXPECT_NEAR(errors[1] / errors[2], 4.0, 0.02);
 }
 
-// With a force that hangs on the speed, and a density whose rate does: both are known at the middle
-// of a step by the last one only. x = e^(-g t) cos(w t), d rho/dt = v / 10.
+// The force depends on the velocity, and the rate of the density too: at the middle of a step both
+// are known from the last step only. x = e^(-g t) cos(w t), d rho/dt = v / 10.
 TYPED_TEST(Verlet, VelocityDependentForcesAreOfSecondOrder) {
   constexpr int D = TypeParam::value;
   constexpr double g = 0.3, w = 1.1, end = 5.0;
@@ -131,8 +131,8 @@ TYPED_TEST(Verlet, VelocityDependentForcesAreOfSecondOrder) {
   EXPECT_NEAR(errors[2] / errors[3], 4.0, 0.2);
 }
 
-// The nearby energy that it keeps is (1 + O((omega dt)^2)) of the true one: the swing is that of a
-// revolution, after a thousand of them as in the first.
+// The conserved energy is (1 + O((omega dt)^2)) of the true one: its oscillation is that of one
+// revolution, after a thousand revolutions as in the first.
 TYPED_TEST(Verlet, EnergyOscillatesWithoutDrift) {
   Oscillators<TypeParam::value> oscillators(0.1);
   double start[3], first[3] = {}, last[3] = {};
@@ -149,11 +149,11 @@ TYPED_TEST(Verlet, EnergyOscillatesWithoutDrift) {
   for (int i = 0; i < 3; ++i) {
     const double size = oscillators.omega(i) * 0.1;
     EXPECT_LE(first[i], size * size);
-    EXPECT_NEAR(last[i], first[i], 0.02 * first[i]);  // instants of looking differ
+    EXPECT_NEAR(last[i], first[i], 0.02 * first[i]);  // the sampled instants differ
   }
 }
 
-// With the speeds turned round it goes back the way it came.
+// With reversed velocities the motion is retraced.
 TYPED_TEST(Verlet, IsReversible) {
   constexpr int D = TypeParam::value;
   Oscillators<D> oscillators(0.2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of `kerf verify` that are kept, and what is not taken from there.
+// Runs of `kerf verify` that are kept, and runs that are not reused.
 #include "verification/kept_runs.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ axis = ")" +
 
 class KeptRunsTest : public testing::Test {
  protected:
-  // Makes the plan; `made_` then says whether its run was run.
+  // Runs the plan; `made_` then states whether its run was computed.
   Findings findings_of(const std::string& plan) {
     const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
     const auto cases = read_verification_cases(texts, {});
@@ -70,9 +70,9 @@ TEST_F(KeptRunsTest, IsReusedWithTheSameResult) {
   EXPECT_EQ(second.rows[0].measured, first.rows[0].measured);
   EXPECT_EQ(second.rows[0].seconds, first.rows[0].seconds);
   EXPECT_EQ(second.rows[0].verdict, Verdict::pass);
-  ASSERT_EQ(second.looks.size(), 1u);
-  EXPECT_EQ(second.looks[0].frame.time, first.looks[0].frame.time);
-  EXPECT_EQ(second.looks[0].frame.position, first.looks[0].frame.position);
+  ASSERT_EQ(second.images.size(), 1u);
+  EXPECT_EQ(second.images[0].frame.time, first.images[0].frame.time);
+  EXPECT_EQ(second.images[0].frame.position, first.images[0].frame.position);
 }
 
 TEST_F(KeptRunsTest, IsCheckedAgain) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reductions of series whose answer is known.
+// Reductions of series with known results.
 #include "verification/series.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ Parameters reduction(const std::map<std::string, std::string>& keys) {
 }
 
 TEST(Series, MeanWeightsUnevenSamplesByTime) {
-  // A straight line has the mean of its ends, however it is sampled.
+  // The mean of a straight line is that of its ends for any sampling.
   const TimeSeries series{{0.0, 0.1, 0.2, 1.0}, {0.0, 0.1, 0.2, 1.0}};
   EXPECT_NEAR(reduce(series, reduction({{"reduce", "mean"}})), 0.5, 1e-14);
 }
@@ -41,8 +41,8 @@ TEST(Series, WindowExcludesOtherSamples) {
   EXPECT_NEAR(reduce(series, last), 0.5, 1e-12);
 }
 
-// A load that is put on at once: 1 - exp(-a t) cos(w t) comes to rest at 1. The period need not be
-// known: windows of 2.8 to 3.2 of it will do, of which a plain mean is off by some percent.
+// A step load: 1 - exp(-a t) cos(w t) converges to 1. The period need not be known exactly: windows
+// of 2.8 to 3.2 periods suffice, whereas their plain mean has an error of some percent.
 TEST(Series, HannMeanOfADampedOscillation) {
   const auto swing = [](double t) {
     return 1.0 - std::exp(-0.25 * t) * std::cos(2.0 * std::numbers::pi * t);
@@ -99,7 +99,7 @@ TEST(Series, PeakAndLargest) {
 }
 
 TEST(Series, PeakOfMeanIsTheHeightOfAnOscillatingStep) {
-  // A step to 100 at t = 0.3 with ringing of period 0.02, of which the mean over 0.1 has none.
+  // A step to 100 at t = 0.3 with an oscillation of period 0.02, whose mean over 0.1 is 0.
   const auto series = sampled(
       [](double t) {
         return t < 0.3 ? 0.0 : 100.0 + 40.0 * std::sin(2.0 * std::numbers::pi * t / 0.02);

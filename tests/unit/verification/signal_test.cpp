@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signals on runs of a few particles whose motion is known.
+// Signals of runs of a few particles with known motion.
 #include "verification/signal.hpp"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,9 @@ TEST_F(SignalTest, BodyMeanRelativeToItselfIsZero) {
 }
 
 TEST_F(SignalTest, BodyMeanProjectsOnAMode) {
-  // Of a constant, on a cosine over its whole length: nothing. On the sine: 1 / mean |sin| x mean.
+  // The projection of a constant on a full cosine is 0; on the sine it is 1 / mean
+  // sin
+  // x mean.
   EXPECT_NEAR(value({{"signal", "body_mean"},
                      {"field", "velocity"},
                      {"axis", "x"},
@@ -110,7 +112,7 @@ TEST_F(SignalTest, ExtentIsFromSurfaceToSurface) {
 }
 
 TEST_F(SignalTest, AsymmetryOfABlockBesideTheMirror) {
-  // The image of the block at 0 to 20 mm lies at -20 to 0 mm: nothing there within a spacing.
+  // The image of the block at 0 to 20 mm is at -20 to 0 mm, with no particle within a spacing.
   EXPECT_NEAR(value({{"signal", "asymmetry"}, {"axis", "x"}}), 1.0, 1e-12);
 }
 
@@ -157,7 +159,7 @@ class PairTest : public SignalTest {
 
 TEST_F(PairTest, AsymmetryIsTwiceTheShift) {
   EXPECT_NEAR(value({{"signal", "asymmetry"}, {"axis", "x"}}), 2.0 * 0.25 / 2.0,
-              1e-7);  // places in a frame are exact, sizes are float
+              1e-7);  // positions in a frame are exact, sizes are float
 }
 
 TEST_F(PairTest, ProfileErrorOfNoPressureIsOne) {
@@ -165,7 +167,7 @@ TEST_F(PairTest, ProfileErrorOfNoPressureIsOne) {
               1.0, 1e-12);
 }
 
-// A hydrostatic block whose rows, 2 mm high, lie above and below the right pressure in turn.
+// A hydrostatic block with rows 2 mm high that are alternately above and below the right pressure.
 class RippledSimulation : public test::FakeSimulation {
  public:
   using FakeSimulation::FakeSimulation;
@@ -199,7 +201,7 @@ TEST(ProfileError, LayersOfTwoRowsAverageOutARipple) {
   EXPECT_NEAR(error("2"), 0.0, 1e-6);
 }
 
-// A block that is has_broken_bonds along its diagonal, and whose energies are given.
+// A block that is broken along its diagonal, with given energies.
 class TornSimulation : public test::FakeSimulation {
  public:
   using FakeSimulation::FakeSimulation;

@@ -101,7 +101,7 @@ TEST(Verify, ChecksFromANamedRunOn) {
   const auto first = rows_of(plan_text(both, "judge = \"from plain\"\n"));
   EXPECT_EQ(first[0].verdict, Verdict::fail);
   EXPECT_EQ(first[1].verdict, Verdict::pass);
-  // A long run that was not made leaves the short ones too coarse.
+  // Without a long run the short ones are too coarse.
   const auto none =
       rows_of(plan_text("runs = [\"plain\", \"far\"]\n" + reference, "judge = \"from far\"\n"));
   ASSERT_EQ(none.size(), 1u);
@@ -130,13 +130,13 @@ TEST(Verify, GivesTheCurvesOfAPlot) {
 
 TEST(Verify, TakesAPictureAtItsTime) {
   std::string plan = plan_text("runs = \"plain\"\n");
-  EXPECT_TRUE(findings_of(plan).looks.empty());
+  EXPECT_TRUE(findings_of(plan).images.empty());
   plan.replace(plan.find("name = \"plain\""), 14, "name = \"plain\"\npicture = \"0.05 ms\"");
-  const auto looks = findings_of(plan).looks;
-  ASSERT_EQ(looks.size(), 1u);
-  EXPECT_EQ(looks[0].run, "plain");
-  EXPECT_GE(looks[0].frame.time, 0.05e-3);
-  EXPECT_LT(looks[0].frame.time, 0.1e-3);
+  const auto images = findings_of(plan).images;
+  ASSERT_EQ(images.size(), 1u);
+  EXPECT_EQ(images[0].run, "plain");
+  EXPECT_GE(images[0].frame.time, 0.05e-3);
+  EXPECT_LT(images[0].frame.time, 0.1e-3);
 }
 
 TEST(Verify, SkipsLongRunsByDefault) {
@@ -200,7 +200,7 @@ std::string read_text(const std::string& path) {
   return text.str();
 }
 
-// The plans that the program holds.
+// The plans in the program.
 std::vector<VerificationCase> shipped() {
   return read_verification_cases(validation_texts(), case_templates());
 }
@@ -219,7 +219,7 @@ TEST(ValidationPage, ListsTheCasesOfTheProgramAndNoOthers) {
   EXPECT_EQ(listed, known);
 }
 
-// The beginnings of the rows that a check makes without long runs.
+// Returns the beginnings of the rows of a check without long runs.
 std::vector<std::string> short_rows(const VerificationCase& entry, const Check& check) {
   std::vector<std::string> rows;
   for (const std::string& run : check.runs)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signals of water beside other matter, at the start of a run.
+// Signals of water and other matter at the start of a run.
 #include <stdexcept>
 
 #include "support/signal_fixture.hpp"
@@ -53,7 +53,7 @@ TEST_F(WetBlockTest, TheTipOfANewJetLiesBetweenItAndTheLiquid) {
 }
 
 TEST_F(WetBlockTest, ARegionContainsItsRows) {
-  // Two of the layer's four rows of 20 particles.
+  // Two of the four rows of the layer, of 20 particles.
   EXPECT_NEAR(value({{"signal", "region_volume"}, {"body", "layer"}, {"within", "y < 2e-3"}}),
               20e-3 * 2e-3, 1e-8);
   EXPECT_NEAR(value({{"signal", "region_volume"},
