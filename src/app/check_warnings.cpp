@@ -82,7 +82,7 @@ void warn_of_nothing_to_cut(const Case& description, std::vector<std::string>& w
           body.name, material.name, material.name));
   }
   if (!has_workpiece)
-    warnings.push_back(
+    warnings.emplace_back(
         "there is a jet but nothing that it can cut: add a [[body]] with a solid material");
 }
 
@@ -121,7 +121,7 @@ std::vector<std::string> check_warnings(const Case& description, const DerivedNu
                     numbers.mach));
   warn_of_fast_water(description, numbers, warnings);
   if (description.back_flow_removal)
-    warnings.push_back("the back-flow removal removes mass and momentum");
+    warnings.emplace_back("the back-flow removal removes mass and momentum");
   warn_of_nothing_to_cut(description, warnings);
   warn_of_materials(description, warnings);
   warn_of_misfits(description, warnings);
