@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "input/read.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 

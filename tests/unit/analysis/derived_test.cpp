@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "input/read.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "input/read.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "input/read.hpp"
 #include "input/write_used.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

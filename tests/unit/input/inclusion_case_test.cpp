@@ -9,6 +9,7 @@
 #include "geometry/fill.hpp"
 #include "input/read.hpp"
 #include "input/write_used.hpp"
+#include "model/case.hpp"
 #include "support/runs.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -17,6 +17,7 @@
 #include "input/read.hpp"
 #include "input/schema.hpp"
 #include "input/units.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

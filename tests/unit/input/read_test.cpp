@@ -13,6 +13,7 @@
 
 #include "input/schema.hpp"
 #include "input/write_used.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

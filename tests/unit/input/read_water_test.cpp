@@ -9,6 +9,7 @@
 #include "input/read.hpp"
 #include "input/schema.hpp"
 #include "input/write_used.hpp"
+#include "model/case.hpp"
 #include "model/material_laws.hpp"
 
 namespace kerf {

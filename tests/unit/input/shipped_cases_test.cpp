@@ -11,6 +11,7 @@
 #include "app/run_folder.hpp"
 #include "input/read.hpp"
 #include "input/write_used.hpp"
+#include "model/case.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace kerf {

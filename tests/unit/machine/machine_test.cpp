@@ -13,6 +13,7 @@
 #include "machine/jet_speed.hpp"
 #include "machine/machine_jet.hpp"
 #include "machine/standoff.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

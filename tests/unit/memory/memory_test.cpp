@@ -9,6 +9,7 @@
 #include "analysis/derived.hpp"
 #include "engine/device.hpp"
 #include "input/read.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes of the type "mesh": keys, files, refusals, and the used case.
+#include "model/case.hpp"
 #include "model/mesh_shape.hpp"
 
 #include <gmock/gmock.h>

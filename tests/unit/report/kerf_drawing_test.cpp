@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The drawing of a kerf has the given numbers and dimensions to scale.
+#include "model/case.hpp"
 #include "report/kerf_drawing.hpp"
 
 #include <gmock/gmock.h>

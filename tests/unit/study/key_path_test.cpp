@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "model/case.hpp"
 #include "study/key_path.hpp"
 
 #include <gmock/gmock.h>
