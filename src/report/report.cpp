@@ -228,7 +228,7 @@ void write_report(const fs::path& folder, const Case& description) {
   std::string remark = no_viewer;
   if (!viewer_text("script").empty()) {
     ViewerPacker packer(description);
-    packer.look_at(frame_files(folder));
+    packer.add_frames(frame_files(folder));
     const std::size_t used = parts.size() + page_reserve;
     const std::size_t budget =
         std::max(least_scene_bytes, report_limit - std::min(report_limit, used));
