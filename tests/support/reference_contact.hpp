@@ -55,8 +55,8 @@ class ReferenceContact {
     const Overlap& own = b.phase == Phase::rigid ? on_rigid_[i] : on_solids_[i];
     const Vector3 separation = at(i).position - at(j).position;
     const double h = length(a, b);
-    if (own.slope == 0.0 || apart.norm() >= 2.0 * h) return {};
-    const double slope = wendland_slope(apart.norm(), h, state_.dimension);
+    if (own.slope == 0.0 || separation.norm() >= 2.0 * h) return {};
+    const double slope = wendland_slope(separation.norm(), h, state_.dimension);
     ReferenceContactForce force;
     force.normal =
         -own.slope * b.volume / first_contact(a, b).first * slope * separation.normalized();
@@ -115,11 +115,11 @@ class ReferenceContact {
       const auto& b = state_.medium(j);
       if (!are_in_contact(i, j) || b.phase != phase) continue;
       const Vector3 separation = at(i).position - at(j).position;
-      const double h = length(a, b), r = apart.norm();
+      const double h = length(a, b), r = separation.norm();
       if (r >= 2.0 * h) continue;
       const double full = first_contact(a, b).first;
       kernel_sum += b.volume / full * wendland(r, h, state_.dimension);
-      result.gradient += b.volume / full * wendland_slope(r, h, state_.dimension) * apart / r;
+      result.gradient += b.volume / full * wendland_slope(r, h, state_.dimension) * separation / r;
     }
     if (kernel_sum <= 1.0) return {};
     const auto [full, slope] = first_contact(a, a);
