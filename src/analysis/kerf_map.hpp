@@ -57,7 +57,7 @@ struct KerfView {
   const std::vector<std::uint32_t>& rows;
   const std::vector<std::uint8_t>& standing;
   KerfPlaces places = KerfPlaces::laid_out;
-  int body = -1;  // -1 = the whole workpiece
+  int body = -1;  // -1 = the complete workpiece
   bool holds(std::size_t slot) const { return body < 0 || workpiece.body[slot] == body; }
 };
 

@@ -25,7 +25,7 @@ enum class ValueKind {
   text,
   name,         // text of letters, digits, '-' and '_'
   word,         // one of `choices`
-  integer,      // whole number
+  integer,      // an integer
   number,       // pure number
   flag,         // true or false
   quantity,     // "5 m/s", in `unit`

@@ -119,7 +119,7 @@ std::string pictures(const Json& result, const fs::path& folder, std::size_t bud
   }
   const std::size_t last = list.size() - 1, most = std::max<std::size_t>(2, budget / largest);
   const std::size_t stride = std::max<std::size_t>(1, (last + most - 2) / (most - 1));
-  // A picture of a 3D case has two panels and takes the whole width.
+  // A picture of a 3D case has two panels and takes the full width.
   const bool wide = result.at("dimension").get<int>() == 3;
   std::string text = fmt::format("<div class=\"pictures{}\">\n", wide ? " wide" : "");
   const auto add = [&](const Json& picture) {

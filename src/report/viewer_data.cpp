@@ -42,7 +42,7 @@ std::string deflated(const std::string& bytes) {
 }
 
 // Returns a hash of the particle's number, from 0 to 1. It selects the same particles in all frames
-// and does not remove whole rows of a lattice.
+// and does not remove complete rows of a lattice.
 double lot_of(std::uint32_t id) {
   std::uint32_t bits = id + 0x9e3779b9u;
   bits = (bits ^ (bits >> 16)) * 0x85ebca6bu;

@@ -112,7 +112,7 @@ class Calibrator {
     return metric;
   }
 
-  // Samples the whole range in one round. A run without the metric, such as a time of cut-through
+  // Samples the full range in one round. A run without the metric, such as a time of cut-through
   // where nothing is cut through, is left out.
   void explore() {
     const int count = std::max(4, laboratory_.side_by_side());

@@ -22,7 +22,7 @@ TEST(Subcycling, NumberOfSubstepsIsBounded) {
   EXPECT_EQ(steps_of(8, 1.0, 100.0), 8);
   EXPECT_EQ(steps_of(1, 1.0, 100.0), 1);
   EXPECT_EQ(steps_of(8, 1.0, 1.0), 1);
-  EXPECT_EQ(steps_of(8, 1.0, 0.0), 1) << "of a solid that nothing is known of yet";
+  EXPECT_EQ(steps_of(8, 1.0, 0.0), 1) << "the wave speed of the solid is unknown";
 }
 
 TEST(Subcycling, PredictsToTheMiddleOfTheSolidStep) {
@@ -77,7 +77,7 @@ TEST(Subcycling, StepsWithinTheSolidLimitAndSumsTheirTime) {
     cycle.end_step(dt);
     EXPECT_LE(in_cycle, longest * (1.0 + 1e-12));
   }
-  EXPECT_NEAR(recorded, time, longest) << "but for the last one, and what it owes";
+  EXPECT_NEAR(recorded, time, longest) << "except the last step and its time debt";
 }
 
 TEST(Subcycling, ResumesFromASavedState) {
