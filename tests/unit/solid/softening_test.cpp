@@ -41,8 +41,8 @@ TEST(Softening, DissipatesTheEnergyThatItRemoves) {
   double sum = 0.0, before = 0.1;
   for (int n = 1; n <= 3000; ++n) {
     const double k = 0.1 + 0.3 * n / 3000.0;
-    sum +=
-        0.5 * (energy(k) + energy(before)) * (undamaged_share(solid, before) - undamaged_share(solid, k));
+    sum += 0.5 * (energy(k) + energy(before)) *
+           (undamaged_share(solid, before) - undamaged_share(solid, k));
     if (n % 1000 == 0) {
       EXPECT_NEAR(softening_loss(solid, k), sum, 1e-6 * sum) << k;
     }
