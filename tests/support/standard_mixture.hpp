@@ -63,8 +63,8 @@ struct MixtureBonds {
            mixture_bonded(particles.id[pair.i], particles.id[pair.j]);
   }
   // The initial distance exceeds their spacings.
-  KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>&,
-                                                   const Pair<D, P>&) const {
+  KERF_FUNCTION typename P::Real initial_distance(const ParticleView<D, P>&,
+                                                  const Pair<D, P>&) const {
     return typename P::Real(1);
   }
 };
