@@ -91,7 +91,7 @@ Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame,
   const KerfView view{workpiece, frame, rows, standing};
   const KerfMap map = make_kerf_map(view, axes, path);
   kerf.shape = measure_shape(map, axes, path, workpiece.axis_spacing);
-  const KerfView now{workpiece, frame, rows, standing, KerfPlaces::present};
+  const KerfView now{workpiece, frame, rows, standing, KerfPositions::current};
   kerf.opening = measure_shape(make_kerf_map(now, axes, path), axes, path, workpiece.axis_spacing);
   kerf.layers = measure_layers(view, axes, path);
   const KerfScene scene{view, map, axes, path, kerf.shape, pieces.fragments, conditions};

@@ -43,7 +43,7 @@ Solids gather_solids(const KerfView& view, const KerfAxes& axes, const Limits& l
                      workpiece.size[slot]};
     if (limits.hold(point.position)) solids.original.push_back(point);
     if (!is_intact(view.frame, view.rows[slot])) continue;
-    if (view.places == KerfPlaces::present)
+    if (view.positions == KerfPositions::current)
       point.position = axes.local(view.frame.position[view.rows[slot]]);
     if (!limits.hold(point.position)) continue;
     (view.standing[slot] ? solids.standing : solids.fragments).push_back(point);

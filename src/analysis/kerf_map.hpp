@@ -13,10 +13,10 @@
 
 namespace kerf {
 
-// The positions of the solid that a map uses. Laid out: initial positions, which show the removed
-// material without dents, recoil and the motion of separated halves. Present: current positions,
-// which also show material that was displaced without fracture.
-enum class KerfPlaces { laid_out, present };
+// The positions of the solid that a map uses. Initial positions show the removed material without
+// dents, recoil and the motion of separated halves. Current positions also show material that was
+// displaced without fracture.
+enum class KerfPositions { initial, current };
 
 // Marks the solid that stands, by slot: intact and in a counted piece, or intact and in no piece of
 // the initial layout either.
@@ -56,8 +56,8 @@ struct KerfView {
   const Frame& frame;
   const std::vector<std::uint32_t>& rows;
   const std::vector<std::uint8_t>& standing;
-  KerfPlaces places = KerfPlaces::laid_out;
-  int body = -1;  // -1 = the whole workpiece
+  KerfPositions positions = KerfPositions::initial;
+  int body = -1;  // -1 = the complete workpiece
   bool holds(std::size_t slot) const { return body < 0 || workpiece.body[slot] == body; }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// This file implements kerf bench, which measures the speed of whole steps of cubes and of the tofu
-// case in both formulations.
+// This file implements kerf bench, which measures the speed of complete steps of cubes and of the
+// tofu case in both formulations.
 #include <fmt/format.h>
 
 #include <chrono>

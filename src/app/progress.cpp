@@ -104,10 +104,10 @@ void Progress::follow_pace(double share, Clock::time_point now) {
   const double elapsed = seconds_between(pace_start_, now);
   if (elapsed <= 0.0) return;
   const double newest = (share - pace_share_) / elapsed;
-  if (!pace_settled_) pace_ = newest;
+  if (!has_pace_) pace_ = newest;
   if (elapsed < pace_window) return;
-  if (pace_settled_) pace_ += pace_weight * (newest - pace_);
-  pace_settled_ = true;
+  if (has_pace_) pace_ += pace_weight * (newest - pace_);
+  has_pace_ = true;
   pace_share_ = share;
   pace_start_ = now;
 }

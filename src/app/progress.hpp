@@ -66,7 +66,7 @@ class Progress {
   // changes.
   Clock::time_point pace_start_{};
   double pace_share_ = -1.0;
-  bool pace_settled_ = false;
+  bool has_pace_ = false;
   double pace_ = 0.0;  // share of the run per second of wall time, a running average
 };
 

@@ -59,7 +59,7 @@ RunLoopSettings settings_of(const RunOptions& options) {
   return settings;
 }
 
-void say_where_to_look(const RunLoopSettings& settings) {
+void print_output_paths(const RunLoopSettings& settings) {
   const auto result = nlohmann::json::parse(read_file(settings.folder / "result.json"));
   fmt::print("{}\n", result.at("verdict").get<std::string>());
   if (settings.quiet) return;
@@ -76,7 +76,7 @@ void run(const RunOptions& options) {
   const RunEnd end = RunLoop(settings, make_simulation).run();
   // The exit code is 128 plus the number of the signal, as in a shell.
   if (end.signal != 0) throw CLI::RuntimeError(128 + end.signal);
-  say_where_to_look(settings);
+  print_output_paths(settings);
 }
 
 }  // namespace

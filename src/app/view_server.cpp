@@ -56,7 +56,7 @@ struct ViewServer::State {
   bool is_live() const { return !fs::exists(folder / "result.json"); }
 
   Json run() {
-    packer.look_at(frame_files(folder));
+    packer.add_frames(frame_files(folder));
     Json run = packer.head();
     run["live"] = is_live();
     run["frames"] = Json::array();

@@ -14,7 +14,7 @@
 namespace kerf {
 
 // `Bonds`: bool is_intact(particles, pair), whether the two have an intact bond;
-// Real laid_out_distance(particles, pair), the initial distance of two of one piece, m.
+// Real initial_distance(particles, pair), the initial distance of two of one piece, m.
 template <int D, class P, class Bonds>
 struct SolidContact {
   using Real = typename P::Real;
@@ -34,8 +34,8 @@ struct SolidContact {
     const Real rest = Real(0.5) * (a.spacing + b.spacing);
     if (pair.distance >= rest || !(pair.distance > Real(0))) return;
     if (bonds.is_intact(particles, pair)) return;
-    const Real laid_out = bonds.laid_out_distance(particles, pair);
-    const Real overlap = (laid_out < rest ? laid_out : rest) - pair.distance;
+    const Real initial = bonds.initial_distance(particles, pair);
+    const Real overlap = (initial < rest ? initial : rest) - pair.distance;
     if (!(overlap > Real(0))) return;
     const Real stiffness = stiffness_of(a, b) * (D == 3 ? rest : Real(1));
     sum.contact += (stiffness * overlap / pair.distance) * pair.separation;

@@ -77,7 +77,7 @@ struct SurfaceOverlap {
     Side solid, rigid;
   };
   ContactTable<Real> table;
-  bool as_laid_out = false;  // sets the initial overlap, not the contact state
+  bool sets_initial_overlap = false;  // instead of the contact state
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
@@ -89,7 +89,7 @@ struct SurfaceOverlap {
     side.slope += share * pair.gradient;
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
-    if (as_laid_out) {
+    if (sets_initial_overlap) {
       particles.solid_initial_overlap[i] =
           sum.solid.kernel_sum > Real(1) ? sum.solid.kernel_sum : Real(1);
       particles.rigid_initial_overlap[i] =

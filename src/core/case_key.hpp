@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// This header declares the rows of the tables of case keys. A row says everything about one key of
-// a case file: what it holds, its unit, default, range and conditions, a sentence for docs/keys.md,
+// This header declares the rows of the tables of case keys. A row describes one key of a case file
+// completely: its type, unit, default, range and conditions, a sentence for docs/keys.md,
 // and the member of the model that stores its value. Reading, checking, writing case.used.toml and
 // documenting a key follow from its row (src/input/schema.hpp).
 #pragma once
@@ -25,7 +25,7 @@ enum class ValueKind {
   text,
   name,         // text of letters, digits, '-' and '_'
   word,         // one of `choices`
-  integer,      // whole number
+  integer,      // an integer
   number,       // pure number
   flag,         // true or false
   quantity,     // "5 m/s", in `unit`
@@ -62,9 +62,9 @@ constexpr Range within(double limit) {
 }
 }  // namespace key_range
 
-// The default of a key: a text as one would write it in a case file, or a number in SI units.
+// The default of a key: a text in the notation of a case file, or a number in SI units.
 //   ""       the key must be given
-//   "(...)"  the default is computed; the text says how
+//   "(...)"  the default is computed; the text states how
 //   "none"   infinity, which may also be written
 struct KeyDefault {
   constexpr KeyDefault(const char* written) : text(written) {}

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-// An error that the user can put right. The message is shown as it is; the program ends with
+// An error that the user can correct. The message is shown unchanged; the program ends with
 // `exit_code()` (1 = bad input, 3 = the run failed, 4 = files or folders).
 class UserError : public std::runtime_error {
  public:

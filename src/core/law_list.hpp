@@ -7,7 +7,7 @@
 //   operator==             defaulted
 //   rows()                 optional, static: the keys of a case file (core/case_key.hpp)
 //   derive(body)           optional: derives parameters from the body (materials/law_arguments.hpp)
-// and the functions that its kind of law asks for.
+// and the functions that its kind of law requires.
 #pragma once
 
 #include <array>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // PrincipalFrame holds the principal values and axes of a symmetric tensor. Jacobi's rotations
 // (Golub & Van Loan, Matrix Computations, section 8.5) give them to a few roundings of the largest
-// value, however close the values are. The closed forms of principal_axes.hpp are faster, but lose
-// a digit or more where values are close, which elastic strains of 1e-3 in single precision cannot
-// afford.
+// value, also for close values. The closed forms of principal_axes.hpp are faster, but lose a digit
+// or more for close values, which is too much for elastic strains of 1e-3 in single precision.
 #pragma once
 
 #include <cmath>
@@ -26,7 +25,7 @@ struct PrincipalFrame {
       largest = largest < std::abs(tensor.component[k]) ? std::abs(tensor.component[k]) : largest;
     const T nothing = T(0.25) * std::numeric_limits<T>::epsilon() * largest;
     bool done = false;
-    for (int sweep = 0; sweep < 8 && !done; ++sweep) {  // 4 or 5 do, one in the plane
+    for (int sweep = 0; sweep < 8 && !done; ++sweep) {  // 4 or 5 suffice, one in the plane
       done = true;
       for (int p = 0; p < D; ++p)
         for (int q = p + 1; q < D; ++q) done &= !frame.rotate(tensor, p, q, nothing);
@@ -46,7 +45,7 @@ struct PrincipalFrame {
   }
 
  private:
-  // Turns the plane p, q so that entry (p, q) vanishes; false where it is next to nothing.
+  // Rotates in the plane p, q so that entry (p, q) becomes 0; returns false if it is negligible.
   KERF_FUNCTION bool rotate(SymmetricTensor<D, T>& tensor, int p, int q, T nothing) {
     const T off = tensor(p, q);
     if (!(std::abs(off) > nothing)) return false;

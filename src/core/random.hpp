@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-// The n-th 64 random bits, n = 0, 1, ...
+// Returns the n-th 64 random bits, n = 0, 1, ...
 KERF_FUNCTION std::uint64_t random_bits(std::uint64_t seed, std::uint64_t n) {
   std::uint64_t z = seed + (n + 1) * 0x9e3779b97f4a7c15u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -18,7 +18,7 @@ KERF_FUNCTION std::uint64_t random_bits(std::uint64_t seed, std::uint64_t n) {
   return z ^ (z >> 31);
 }
 
-// The n-th number between 0 and 1, neither included.
+// Returns the n-th number between 0 and 1, both excluded.
 KERF_FUNCTION double random_number(std::uint64_t seed, std::uint64_t n) {
   constexpr double step = 1.0 / 4503599627370496.0;  // 2^-52
   return (static_cast<double>(random_bits(seed, n) >> 12) + 0.5) * step;

@@ -15,39 +15,40 @@ struct StageTime {
 
 class Timers {
  public:
-  // `settle` is called before the end of a stage is read: loops on a GPU run on after their call.
-  explicit Timers(void (*settle)() noexcept) : settle_(settle) {}
+  // `synchronise` is called before the end of a stage is measured, because calls of loops on a GPU
+  // return before the loops end.
+  explicit Timers(void (*synchronise)() noexcept) : synchronise_(synchronise) {}
 
   // Adds the lifetime of the returned object to the stage.
   class Running {
    public:
-    Running(double& seconds, void (*settle)() noexcept)
-        : seconds_(seconds), settle_(settle), start_(Clock::now()) {}
+    Running(double& seconds, void (*synchronise)() noexcept)
+        : seconds_(seconds), synchronise_(synchronise), start_(Clock::now()) {}
     Running(const Running&) = delete;
     Running& operator=(const Running&) = delete;
     ~Running() {
-      settle_();
+      synchronise_();
       seconds_ += std::chrono::duration<double>(Clock::now() - start_).count();
     }
 
    private:
     using Clock = std::chrono::steady_clock;
     double& seconds_;
-    void (*settle_)() noexcept;
+    void (*synchronise_)() noexcept;
     Clock::time_point start_;
   };
 
   Running stage(const char* name) {
     for (StageTime& stage : stages_)
-      if (stage.name == name) return Running(stage.seconds, settle_);
+      if (stage.name == name) return Running(stage.seconds, synchronise_);
     stages_.reserve(16);  // references into it stay valid
     stages_.push_back({name, 0.0});
-    return Running(stages_.back().seconds, settle_);
+    return Running(stages_.back().seconds, synchronise_);
   }
   std::vector<StageTime> times() const { return stages_; }
 
  private:
-  void (*settle_)() noexcept;
+  void (*synchronise_)() noexcept;
   std::vector<StageTime> stages_;
 };
 

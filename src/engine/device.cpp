@@ -27,8 +27,9 @@ const GpuEngine* engine = nullptr;  // of the device in use; null = of this prog
                   exit_bad_input);
 }
 
-// Where the library is, or the first place where it should be: beside the program as built, or in
-// lib as installed. The environment's KERF_GPU_ENGINE names another one.
+// Returns the path of the library, or the first path at which it is expected: beside the program in
+// a build folder, or in lib as installed. The environment variable KERF_GPU_ENGINE names another
+// one.
 fs::path library_file() {
   if (const char* named = std::getenv("KERF_GPU_ENGINE"); named != nullptr && *named != '\0')
     return named;
@@ -46,7 +47,7 @@ const GpuEngine& load() {
     refuse(fmt::format("this program has no engine for GPUs ({} is not there)", file.string()),
            build);
   boost::system::error_code error;
-  // For as long as the process lives: simulations that it made hold on to its code.
+  // The library is never closed, because simulations that it made use its code.
   static auto& library = *new boost::dll::shared_library;
   library.load(file.string(), error, boost::dll::load_mode::rtld_now);
   if (error || !library.has(gpu_engine_symbol))

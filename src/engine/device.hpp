@@ -16,11 +16,11 @@ inline constexpr const char* word_of(Device device) {
   return device == Device::cpu ? "cpu" : "gpu";
 }
 
-// Sets the device of all runs that are made later. Throws UserError (exit_bad_input) when there is
-// no engine for GPUs or no GPU that it can use; the device is then unchanged.
+// Sets the device of all later runs. Throws UserError (exit_bad_input) if there is no engine for
+// GPUs or no GPU that it can use; the device is then unchanged.
 void set_device(Device device);
 
-// The name of the device for reports, such as "AMD EPYC 9R14" or "NVIDIA H100 80GB HBM3".
+// Returns the name of the device for reports, such as "AMD EPYC 9R14" or "NVIDIA H100 80GB HBM3".
 std::string device_name();
 
 // Makes the run that a case describes, on the device of this process. Throws UserError when the

@@ -2,13 +2,13 @@
 // ParticleConcentration sums the kernel around a particle,
 //   phi_i = sum_j V_0j W_ij,   over its neighbours and itself,
 // which is 1 inside a medium at its rest density and about 1/2 at a flat surface. The continuity
-// equation integrates rates and has no memory of the particles' positions: a medium that was torn
-// apart without pressure may keep its low density although its particles have closed in again, and
-// others would penetrate it. So the density of an expanded medium is not below rho_0 phi
+// equation integrates rates, independently of the particles' positions: a medium that separated
+// without pressure may keep its low density although its particles are close again, and others
+// would penetrate it. So the density of an expanded medium is not below rho_0 phi
 // (time/verlet.hpp), and that of water in motion relaxes to it
 // (fluid/density_reinitialisation.hpp). A compressed medium of another phase counts with the volume
-// of its density, V_0j rho_0j / rho_j: where water is driven into crushed foam the foam gives way.
-// The term also finds the max relative velocity of the fluid neighbours, |v_ij| / h.
+// of its density, V_0j rho_0j / rho_j: compressed foam yields to water that enters it. The term
+// also computes the max relative velocity of the fluid neighbours, |v_ij| / h.
 #pragma once
 
 #include <cmath>

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The fracture criteria of bonds. A medium chooses one by the word of the case file. Each has (see
 // also core/law_list.hpp)
-//   keys                    how it goes with the other keys of a material (CriterionKeys)
+//   keys                    the other keys of a material that it needs and excludes (CriterionKeys)
 //   limits(input)           the strains at which a material begins to fail and has failed
 //   can_break(has_limit)    whether it ever breaks a bond; has_limit: the material has a failure
 //                           strain or a fracture energy
 //   prepare(particle)       a number per particle; a bond gets the mean of its ends. It may take
 //                           solid, green, damage, largest_stress() and tensile_strain()
-//   passes(prepared, solid) whether this number asks for the tensors along the bond
+//   passes(prepared, solid) whether this number requires the tensors along the bond
 //   breaks(bond, solid)     whether a bond of this solid breaks (bond_strain.hpp)
 // and may have
 //   stays_below(solid, green)   whether a cheap bound shows that prepare() does not pass
-// A criterion gets the same numbers of a bond from either end, so that both ends decide alike.
+// A criterion gets the same numbers of a bond from either end, so that both ends reach the same
+// decision.
 #pragma once
 
 #include "fracture/bond_strain.hpp"

@@ -26,9 +26,9 @@ struct FractureLimits {
 // band: Bazant & Oh, Materiaux et Constructions 16 (1983) 155). The band is strained across the
 // crack only, and the material cannot contract along it, so its stiffness is the P-wave modulus M:
 //   Gc = w d M strain^2 / 2,   M = K + 4 G / 3 of what bonds carry,
-// so that the energy of a crack is the material's, and the strain goes with 1 / sqrt(d). w is such
-// that a wide strip tears at its Gc: 3.1 to 3.3 for nu = 0 and 0.3, on a lattice and off it, once
-// the strip is 17 spacings high or more (tests/unit/solid/crack_band_test.cpp).
+// so that the energy of a crack is the material's, and the strain is proportional to 1 / sqrt(d). w
+// is such that a wide strip breaks at its Gc: 3.1 to 3.3 for nu = 0 and 0.3, on a lattice and off
+// it, once the strip is 17 spacings high or more (tests/unit/solid/crack_band_test.cpp).
 inline constexpr double crack_band_width = 3.2;  // w, spacings
 
 // The failure strain of a fracture energy; K and G of the material in Pa, energy in J/m^2, spacing

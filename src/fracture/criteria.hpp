@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of the fracture criteria of bonds: LAW(word, Class), with the word of the case file and
 // the class template that holds the parameters. The classes are included in bond_criterion.hpp,
-// which says what each has.
+// which lists the members of each.
 #pragma once
 
 #include "core/law_list.hpp"

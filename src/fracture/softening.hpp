@@ -19,7 +19,7 @@ namespace kerf {
 
 // 1 - D at the strain k.
 template <class T>
-KERF_FUNCTION T whole_share(const BreakableSolid<T>& solid, T strain) {
+KERF_FUNCTION T undamaged_share(const BreakableSolid<T>& solid, T strain) {
   const T start = solid.softening_strain, end = solid.failure_strain;
   if (!(strain > start)) return T(1);
   if (!(strain < end)) return T(0);
@@ -35,14 +35,14 @@ KERF_FUNCTION T softening_loss(const BreakableSolid<T>& solid, T strain) {
   return T(0.5) * solid.young_modulus() * start * end * part;
 }
 
-// The solid with the moduli that are left at the share `whole` = 1 - D: elastic laws are linear in
-// them.
+// The solid with the moduli that are left at the share `undamaged` = 1 - D: elastic laws are linear
+// in them.
 template <int D, class T>
 KERF_FUNCTION ElasticSolid<T> softened(const ElasticSolid<T>& solid,
-                                       const SymmetricTensor<D, T>& green, T whole) {
+                                       const SymmetricTensor<D, T>& green, T undamaged) {
   ElasticSolid<T> left = solid;
-  left.shear_modulus *= whole;
-  if (is_expanded(solid, green)) left.bulk_modulus *= whole;
+  left.shear_modulus *= undamaged;
+  if (is_expanded(solid, green)) left.bulk_modulus *= undamaged;
   return left;
 }
 

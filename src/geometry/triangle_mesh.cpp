@@ -76,7 +76,7 @@ class Gatherer {
 
 struct Edge {
   std::uint32_t low = 0, high = 0;  // corners
-  bool upward = false;              // whether its triangle goes from low to high
+  bool upward = false;              // whether its triangle has the direction low to high
   bool same_place(const Edge& other) const { return low == other.low && high == other.high; }
 };
 

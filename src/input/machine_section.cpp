@@ -47,7 +47,7 @@ std::vector<Key> machine_keys() {
 namespace {
 
 // Normalises the direction of the traverse, which is horizontal, and along x in 2D.
-void settle_direction(Section& section, Point& direction) {
+void resolve_direction(Section& section, Point& direction) {
   const double length = std::hypot(direction[0], direction[2]);
   const bool horizontal = direction[1] == 0.0;
   if (horizontal && length > 0.0) {
@@ -60,7 +60,7 @@ void settle_direction(Section& section, Point& direction) {
   direction = {1.0, 0.0, 0.0};
 }
 
-void settle_coefficients(Section& section, Machine& machine) {
+void resolve_coefficients(Section& section, Machine& machine) {
   if (!section.has("discharge_coefficient"))
     machine.discharge_coefficient = machine.velocity_coefficient * standard_contraction(machine);
   if (machine.discharge_coefficient > machine.velocity_coefficient)
@@ -88,8 +88,8 @@ void read_machine(Draft& draft, Section& top) {
   const MaterialDraft* water = use_water(draft, section, entry.material);
   Machine machine;
   section.read(machine);
-  settle_coefficients(section, machine);
-  settle_direction(section, machine.traverse_direction);
+  resolve_coefficients(section, machine);
+  resolve_direction(section, machine.traverse_direction);
   check_pulses(section, machine.pulse_frequency, machine.duty);
   section.refuse_unknown();
   if (!water || draft.reading.problems.any()) return;

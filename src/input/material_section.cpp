@@ -119,7 +119,7 @@ void require_key(Section& section, const char* key, double value, const Material
 }
 
 // Checks the fracture energy, which replaces a failure strain.
-void settle_energy(Section& section, Formulation formulation, Material& material) {
+void resolve_energy(Section& section, Formulation formulation, Material& material) {
   if (!section.has("fracture_energy") || material.fracture_energy == 0.0) return;
   if (formulation != Formulation::standard)
     section.refuse("fracture_energy", "this formulation breaks particles at a strain",
@@ -131,11 +131,11 @@ void settle_energy(Section& section, Formulation formulation, Material& material
 }
 
 // Checks the failure strain and the fracture energy against the needs of the criterion.
-void settle_fracture(Section& section, Formulation formulation, Material& material) {
+void resolve_fracture(Section& section, Formulation formulation, Material& material) {
   const CriterionKeys keys = keys_of(material.criterion);
   switch (keys.limit) {
     case StrainOrEnergy::one_of_them:
-      settle_energy(section, formulation, material);
+      resolve_energy(section, formulation, material);
       break;
     case StrainOrEnergy::both:
       require_key(section, "failure_strain", material.failure_strain, material);
@@ -186,7 +186,7 @@ MaterialDraft read_material(Section& section, Formulation formulation, const std
   section.read(draft);
   draft.equation_is_open = equation_is_open(section, formulation, material);
   check_sound_speed(section);
-  settle_fracture(section, formulation, material);
+  resolve_fracture(section, formulation, material);
   section.refuse_unknown();
   return draft;
 }

@@ -98,7 +98,7 @@ void read_parts(Section& section, Shape& shape) {
         read_shape(section.reading(), *parts[i], indexed(section.path("parts"), i)));
 }
 
-void settle(Section& section, Shape& shape) {
+void resolve(Section& section, Shape& shape) {
   switch (shape.kind) {
     case Shape::Kind::box:
       refuse_empty_box(section, shape.box);
@@ -128,7 +128,7 @@ Shape read_shape(Reading& reading, const toml::table& table, const std::string& 
   Shape shape;
   if (!section.read_one("type", shape)) return shape;
   section.read(shape);
-  settle(section, shape);
+  resolve(section, shape);
   section.refuse_unknown();
   return shape;
 }

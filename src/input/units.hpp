@@ -8,7 +8,7 @@
 namespace kerf {
 
 struct Quantity {
-  double value = 0.0;   // in the SI unit asked for
+  double value = 0.0;   // in the requested SI unit
   std::string problem;  // why there is no value; empty when there is one
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lists of the elastic laws, plastic laws and equations of state: LAW(word, Class), with the
-// word of the case file and the class template that holds the parameters (core/law_list.hpp says
+// word of the case file and the class template that holds the parameters (core/law_list.hpp lists
 // what each has). The class is included where the laws of its kind are evaluated: elastic_law.hpp,
 // plastic_law.hpp, equation_of_state.hpp.
 #pragma once

@@ -22,7 +22,7 @@ namespace kerf {
 template <class T>
 struct NoPlasticity {
   static constexpr std::string_view sentence = "No flow: the elastic law alone";
-  static constexpr bool is_metal = true;  // the volume is that of the whole deformation
+  static constexpr bool is_metal = true;  // the volume is that of the full deformation
   static constexpr bool depends_on_temperature = false;
 
   KERF_FUNCTION T first_strength() const { return T(0); }
@@ -96,7 +96,7 @@ struct PlasticParameters : PlasticLawSet<T> {
 };
 
 // The elastic strain if nothing flows from the start of the step on. The volume of a metal is that
-// of the whole deformation: rounding of the metric, step after step, builds up no pressure.
+// of the full deformation: rounding of the metric, step after step, builds up no pressure.
 template <int D, class T>
 KERF_FUNCTION ElasticStrain<D, T> trial_strain(const PlasticParameters<T>& parameters,
                                                const Matrix<D, T>& h,

@@ -3,7 +3,7 @@
 // exponential map in principal axes (Simo, Comput. Methods Appl. Mech. Engrg. 99 (1992) 61; de
 // Souza Neto, Peric & Owen, Computational Methods for Plasticity (2008), chapter 14). The step is
 // first taken as elastic. If that stress exceeds the strength, the solid flows along the deviator
-// of the stress and, if the law says so, in volume:
+// of the stress and, if the law requires it, in volume:
 //   e = e_trial - shear (3/2) s/q - volume/3 1,   q = q_trial - 3 G shear,
 //   p = p_trial - K volume.
 #pragma once

@@ -12,7 +12,7 @@ namespace kerf {
 // Arguments are SI numbers. Only one thread may use an object at a time; copies are independent.
 class Expression {
  public:
-  // Throws a UserError that says what is wrong with the text, and where in it: an unknown variable
+  // Throws a UserError that states the error in the text and its position: an unknown variable
   // or function, a syntax error, an assignment, more than one value.
   Expression(const std::string& text, const std::vector<std::string>& variables);
   Expression(const Expression& other);

@@ -19,9 +19,9 @@ struct Machine {
   double orifice_diameter = 0.0;       // m; of a slit or fan, its width
   double orifice_length = 0.0;         // m, of a slit or fan, in 3D
   double cone_angle = 0.0;             // rad, between the wall and the axis
-  double fan_angle = 0.0;              // rad, the whole angle of the sheet of a fan
+  double fan_angle = 0.0;              // rad, from side to side of the sheet of a fan
   double velocity_coefficient = 0.0;   // 1, speed over that without friction
-  double discharge_coefficient = 0.0;  // 1, flow over that of the whole orifice without friction
+  double discharge_coefficient = 0.0;  // 1, flow over that of the full area without friction
   double coherent_length = 0.0;        // m, up to which a jet in air stays intact; infinity: always
   double standoff = 0.0;               // m
   Point position{};                    // m, the point on the workpiece that it aims at

@@ -14,7 +14,7 @@
 
 namespace kerf::hdf5 {
 
-// An error of the library: a file is not HDF5, or does not contain what is asked for.
+// An error of the library: a file is not HDF5, or does not contain the requested object.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-int tsan_threads();  // as many as set_threads() asked for, 2 or more unless it asked for 1
+int tsan_threads();  // the number set by set_threads(), at least 2 unless that is 1
 
 template <class Body>
 void for_each_index_under_tsan(std::uint32_t count, const Body& body) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // This functor marks outflow at the end of a step: water that has passed the exit of its nozzle is
-// released; particles outside the domain and, where the case says so, water that flows back towards
+// released; particles outside the domain and, on request, water that flows back towards
 // its nozzle (Fig. 7 of Shinohara et al. 2004) are marked for removal.
 #pragma once
 

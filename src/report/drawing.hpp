@@ -18,7 +18,7 @@ enum class Anchor { left, middle, right };
 
 class Drawing {
  public:
-  // `label` describes the drawing to readers who do not see it.
+  // `label` describes the drawing for screen readers.
   Drawing(double width, double height, std::string_view label);
 
   // Adds an element as it is written.

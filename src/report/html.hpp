@@ -55,8 +55,8 @@ std::string key_mark(const std::string& key);
 // Returns a table. The cells are HTML; the column of remarks exists if a row has one.
 std::string table(const std::string& caption, const std::vector<Row>& rows);
 
-// Returns a whole page, which loads nothing. `sheet` names the style sheet of its script in
-// viewer_files.hpp.
+// Returns a complete page, which loads no other files. `sheet` names the style sheet of its script
+// in viewer_files.hpp.
 std::string page(const std::string& title, const std::string& body,
                  std::string_view sheet = "style");
 

@@ -120,7 +120,7 @@ std::string pictures(const Json& result, const fs::path& folder, std::size_t bud
   }
   const std::size_t last = list.size() - 1, most = std::max<std::size_t>(2, budget / largest);
   const std::size_t stride = std::max<std::size_t>(1, (last + most - 2) / (most - 1));
-  // A picture of a 3D case has two panels and takes the whole width.
+  // A picture of a 3D case has two panels and takes the full width.
   const bool wide = result.at("dimension").get<int>() == 3;
   std::string text = fmt::format("<div class=\"pictures{}\">\n", wide ? " wide" : "");
   const auto add = [&](const Json& picture) {
@@ -229,7 +229,7 @@ void write_report(const fs::path& folder, const Case& description) {
   std::string remark = no_viewer;
   if (!viewer_text("script").empty()) {
     ViewerPacker packer(description);
-    packer.look_at(frame_files(folder));
+    packer.add_frames(frame_files(folder));
     const std::size_t used = parts.size() + page_reserve;
     const std::size_t budget =
         std::max(least_scene_bytes, report_limit - std::min(report_limit, used));

@@ -43,7 +43,7 @@ std::string deflated(const std::string& bytes) {
 }
 
 // Returns a hash of the particle's number, from 0 to 1. It selects the same particles in all frames
-// and does not remove whole rows of a lattice.
+// and does not remove complete rows of a lattice.
 double lot_of(std::uint32_t id) {
   std::uint32_t bits = id + 0x9e3779b9u;
   bits = (bits ^ (bits >> 16)) * 0x85ebca6bu;
@@ -76,20 +76,20 @@ Json mirrors_of(const Case& description) {
 
 }  // namespace
 
-void ViewerPacker::look_at(const std::vector<FrameFile>& files) {
-  for (std::size_t n = looks_.size(); n < files.size(); ++n) {
+void ViewerPacker::add_frames(const std::vector<FrameFile>& files) {
+  for (std::size_t n = frames_.size(); n < files.size(); ++n) {
     const Frame frame = read_frame(files[n].path, description_.dimension);
     for (const float spacing : frame.spacing)
       if (std::find(spacings_.begin(), spacings_.end(), spacing) == spacings_.end())
         spacings_.push_back(spacing);
     include_fields(frame);
-    Look look{files[n], frame.position.size(), {}};
+    FrameRecord record{files[n], frame.position.size(), {}};
     for (const ViewerField& field : fields_) {
       std::vector<float> values = field_values(field.key, frame);
       const auto [low, high] = bounds_of(values);
-      look.ranges.push_back({low, high});
+      record.ranges.push_back({low, high});
     }
-    looks_.push_back(std::move(look));
+    frames_.push_back(std::move(record));
   }
 }
 
@@ -99,15 +99,15 @@ void ViewerPacker::include_fields(const Frame& frame) {
     const auto same = [&](const ViewerField& known) { return known.key == field.key; };
     if (std::any_of(fields_.begin(), fields_.end(), same)) continue;
     fields_.push_back(field);
-    for (Look& look : looks_) look.ranges.push_back({});
+    for (FrameRecord& record : frames_) record.ranges.push_back({});
   }
 }
 
 ViewerPacker::Range ViewerPacker::range_of(std::size_t field) const {
   Range range;
-  for (const Look& look : looks_) {
-    range.minimum = std::min(range.minimum, look.ranges[field].minimum);
-    range.maximum = std::max(range.maximum, look.ranges[field].maximum);
+  for (const FrameRecord& record : frames_) {
+    range.minimum = std::min(range.minimum, record.ranges[field].minimum);
+    range.maximum = std::max(range.maximum, record.ranges[field].maximum);
   }
   return range;
 }
@@ -146,11 +146,11 @@ Json ViewerPacker::head() const {
 }
 
 Json ViewerPacker::entry(std::size_t number) const {
-  const Look& look = looks_.at(number);
-  Json entry{{"time", look.file.time}, {"count", look.count}, {"ranges", Json::array()}};
+  const FrameRecord& record = frames_.at(number);
+  Json entry{{"time", record.file.time}, {"count", record.count}, {"ranges", Json::array()}};
   for (const std::size_t f : fields())
     entry["ranges"].push_back(
-        {{"minimum", look.ranges[f].minimum}, {"maximum", look.ranges[f].maximum}});
+        {{"minimum", record.ranges[f].minimum}, {"maximum", record.ranges[f].maximum}});
   return entry;
 }
 
@@ -162,8 +162,8 @@ std::vector<std::size_t> ViewerPacker::kept(const Frame& frame) const {
 }
 
 ViewerPacker::Packed ViewerPacker::packed(std::size_t number) const {
-  const Look& look = looks_.at(number);
-  const Frame frame = read_frame(look.file.path, description_.dimension);
+  const FrameRecord& record = frames_.at(number);
+  const Frame frame = read_frame(record.file.path, description_.dimension);
   const std::vector<std::size_t> rows = kept(frame);
   const Box& box = description_.domain;
   std::string bytes;
@@ -176,7 +176,7 @@ ViewerPacker::Packed ViewerPacker::packed(std::size_t number) const {
     bytes += static_cast<char>(std::find(spacings_.begin(), spacings_.end(), frame.spacing[i]) -
                                spacings_.begin());
   for (const std::size_t f : fields()) {
-    const Range& range = look.ranges[f];
+    const Range& range = record.ranges[f];
     const std::vector<float> values = field_values(fields_[f].key, frame);
     for (const std::size_t i : rows)
       bytes += static_cast<char>(
@@ -194,17 +194,18 @@ Json ViewerPacker::whole_entry(std::size_t number) const {
 }
 
 std::size_t ViewerPacker::largest() const {
-  return static_cast<std::size_t>(
-      std::max_element(looks_.begin(), looks_.end(),
-                       [](const Look& a, const Look& b) { return a.count < b.count; }) -
-      looks_.begin());
+  return static_cast<std::size_t>(std::max_element(frames_.begin(), frames_.end(),
+                                                   [](const FrameRecord& a, const FrameRecord& b) {
+                                                     return a.count < b.count;
+                                                   }) -
+                                  frames_.begin());
 }
 
 void ViewerPacker::fit(std::size_t budget) {
   constexpr std::size_t fewest_frames = 8;  // fewer do not show a motion
   constexpr double reserve = 0.9;           // frames with equal numbers of particles differ in size
-  if (looks_.empty()) return;
-  const std::size_t wanted = std::min(fewest_frames, looks_.size());
+  if (frames_.empty()) return;
+  const std::size_t wanted = std::min(fewest_frames, frames_.size());
   const double size = static_cast<double>(wanted * size_in_page(whole_entry(largest())));
   if (size > static_cast<double>(budget)) share_ *= reserve * static_cast<double>(budget) / size;
 }

@@ -25,10 +25,10 @@ class ViewerPacker {
   explicit ViewerPacker(const Case& description) : description_(description) {}
 
   // Reads the frames that were added since the last call.
-  void look_at(const std::vector<FrameFile>& files);
-  std::size_t frames() const { return looks_.size(); }
+  void add_frames(const std::vector<FrameFile>& files);
+  std::size_t frames() const { return frames_.size(); }
 
-  // Leaves the same particles out of all frames if eight whole frames do not fit in `budget` bytes
+  // Omits the same particles from all frames if eight complete frames do not fit in `budget` bytes
   // of a page.
   void fit(std::size_t budget);
   double share() const { return share_; }  // share of the particles that are shown
@@ -53,7 +53,7 @@ class ViewerPacker {
   struct Range {
     double minimum = 0.0, maximum = 0.0;
   };
-  struct Look {
+  struct FrameRecord {
     FrameFile file;
     std::size_t count = 0;
     std::vector<Range> ranges;  // of the fields
@@ -64,7 +64,7 @@ class ViewerPacker {
   std::vector<std::size_t> fields() const;
 
   const Case& description_;
-  std::vector<Look> looks_;
+  std::vector<FrameRecord> frames_;
   std::vector<ViewerField> fields_;  // of all frames
   std::vector<float> spacings_;      // m
   double share_ = 1.0;

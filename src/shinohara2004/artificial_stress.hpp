@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Artificial stress of Gray, Monaghan & Swift (2001), against the tensile instability of a solid;
-// off unless the case asks for it. In the principal axes of the stress, R = -epsilon sigma / rho^2
+// off by default. In the principal axes of the stress, R = -epsilon sigma / rho^2
 // where sigma > 0, else 0; each pair gets
 //   dv_i/dt = sum_j m_j (R_i + R_j) f^n . nabla_i W_ij,   f = W(d_ij) / W(spacing).
 #pragma once

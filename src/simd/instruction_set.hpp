@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SIMD kernels are compiled once for each instruction set. Which instruction set runs is chosen
-// once, when a kernel is first asked for.
+// once, when a kernel is first requested.
 #pragma once
 
 #include "parallel/loops.hpp"

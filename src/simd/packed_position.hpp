@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // FixedPointScale converts positions to those of packed particles. In single precision they are
-// fixed-point coordinates: whole numbers of a unit of 2^-24 of the finest spacing or a little less,
+// fixed-point coordinates: integers in a unit of 2^-24 of the finest spacing or a little less,
 // a power of two of a metre. They are integers that wrap around, so that differences of neighbours
 // are exact anywhere in space.
 #pragma once

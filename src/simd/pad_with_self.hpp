@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pad_with_self() fills up the last neighbours of a particle to a whole register.
+// pad_with_self() pads the last neighbours of a particle to a full register.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // load_transposed() loads the packed particles of a batch into one register for each of their
-// numbers. A load of a whole packed particle and a few shuffles take a third of the time of the
+// numbers. A load of a complete packed particle and a few shuffles take a third of the time of the
 // processor's own gathers, number by number.
 #pragma once
 

@@ -15,7 +15,7 @@
 
 namespace kerf {
 
-// A side with the particles whose middle is within 5/4 of a layer of where the body ends. A graded
+// A side with the particles whose centre is within 5/4 of a layer of the end of the body. A graded
 // body has layers of several levels there, each a power of two times the finest one.
 struct AbsorbingFace : AbsorbingSide {
   double end = -std::numeric_limits<double>::infinity();  // m, along the normal
@@ -32,7 +32,8 @@ struct AbsorbingFace : AbsorbingSide {
   }
 };
 
-// `position` and `source` of the particles of the start; `number` of each in the solid. Damping of
+// Returns the sites of all absorbing sides. `position` and `source` of the initial particles;
+// `number` of each in the solid. Damping of
 // t = - rho c_p v_n n - rho c_s v_t on the area V / layer of a particle of mass rho V: the rate
 // c / layer along each axis, of every face that the particle is at.
 template <int D>

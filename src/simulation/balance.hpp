@@ -17,7 +17,7 @@ struct Balance {
   double mass_now = 0.0;     // sum over the particles
   double mass_fractured = 0.0;
   double jet_mass_due = 0.0;      // integral of rho V A since the start
-  double jet_mass_carried = 0.0;  // the part below a whole layer: due = in + carried
+  double jet_mass_carried = 0.0;  // the part below a full layer: due = in + carried
 
   // Momentum, kg m/s.
   std::array<double, 3> momentum_initial{};

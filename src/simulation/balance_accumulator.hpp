@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// This class keeps the balance: it adds the impulses, work and dissipation of each step, inflow and
-// outflow.
+// BalanceAccumulator adds the impulses, work and dissipation of each step, inflow and outflow to
+// the balance.
 #pragma once
 
 #include "simulation/balance.hpp"
@@ -63,14 +63,14 @@ class BalanceAccumulator {
     balance_.mass_in += m;
     double square = 0.0;
     for (std::size_t a = 0; a < static_cast<std::size_t>(D); ++a) {
-      const double v = static_cast<typename P::Real>(velocity[a]);  // as the particle holds it
+      const double v = static_cast<typename P::Real>(velocity[a]);  // rounded as in the particle
       balance_.momentum_in[a] += m * v;
       square += v * v;
     }
     balance_.energy_in += 0.5 * m * square;
   }
 
-  // The balance with the current state; the rates must be those of the state.
+  // Returns the balance with the current state; the rates must be those of the state.
   Balance state(Particles<D, P>& particles, const Vector<D, double>& gravity) {
     using State = StateSum<D, P, Traits>;
     const auto sum =

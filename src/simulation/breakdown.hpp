@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The message of a run that has broken down.
+// The message of a failed run.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Breakdown {
   double courant = 0.0;        // of the run
 };
 
-// Throws a UserError (exit_run_failed) that says when, where, what and what to do.
+// Throws a UserError (exit_run_failed) with time, particle, cause and remedy.
 [[noreturn]] void report_breakdown(const Breakdown& breakdown);
 
 }  // namespace kerf

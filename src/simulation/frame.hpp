@@ -53,7 +53,7 @@ void for_each_column(AnyFrame& frame, const Visit& visit) {
   visit("upstream", "1", frame.upstream);
 }
 
-// The further column of that name; null where the frame has none.
+// Returns the further column of that name, or null.
 inline const Column* find_column(const Frame& frame, const std::string& name) {
   for (const Column& column : frame.columns)
     if (column.name == name) return &column;

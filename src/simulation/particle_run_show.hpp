@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The output of a run, which does not change how the run continues.
+// The output of a run, which does not change its state.
 #pragma once
 
 #include "simulation/particle_run.hpp"

@@ -13,7 +13,7 @@ struct Case;
 
 std::vector<NewParticle> initial_particles(const Case& description,
                                            const std::vector<Nozzle>& nozzles);
-// Water entering through a nozzle; it stands still while the nozzle is shut.
+// The water of a nozzle; it is at rest while the nozzle is closed.
 std::vector<NewParticle> inlet_particles(const std::vector<InletParticle>& water,
                                          const Nozzle& nozzle, std::size_t source, double time);
 

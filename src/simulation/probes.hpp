@@ -40,7 +40,7 @@ struct PointSum {
   }
 };
 
-// Selects the pairs of which i lies below the plane and j above it, along the normal.
+// Selects the pairs with i below the plane and j above it, along the normal.
 template <int D>
 struct AcrossPlane {
   Vector<D, double> point, normal;
@@ -82,7 +82,7 @@ class Probes {
       values.push_back(a < D && weight > 0.0 ? sum.value[Sum::velocity + a] / weight : 0.0);
   }
 
-  // The force that the particles' accelerations make together, three components.
+  // Returns the total force of the particles' accelerations, three components.
   void sum_force(Particles<D, P>& particles, std::vector<double>& values) {
     const auto sum = force_sum_(particles.size(), ForceSum<D, P>{particles.view()});
     for (int a = 0; a < 3; ++a) values.push_back(a < D ? sum.value[a] : 0.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The settings of a run: all that the engines take of a case, as plain data in SI units. The
-// engines are templates that take long to compile; this file keeps them apart from the data of
-// cases (model/case.hpp), of which most is of no concern to them.
+// The settings of a run: the input of the engines, as plain data in SI units. The engines are
+// templates with long compile times; this file makes them independent of the data of cases
+// (model/case.hpp), most of which they do not need.
 #pragma once
 
 #include <string>
@@ -53,7 +53,7 @@ struct RunSettings {
   bool shifting = true;
   int subcycles = 8;  // steps with the same bond forces, at most
 
-  // What there is. Vectors that say so have one entry per medium, in the order of levels.hpp.
+  // The content. Vectors marked "per medium" have the order of levels.hpp.
   std::vector<std::string> source_names;  // of bodies, then of jets, as in "body 'plate'"
   std::vector<Nozzle> nozzles;            // per jet
   Motion motion;

@@ -46,7 +46,7 @@ class Simulation {
   virtual double bytes_per_particle() const = 0;  // fields and neighbour list, now
   virtual std::vector<StageTime> stage_times() const = 0;
 
-  // A run that is restored from what `save` kept continues bit for bit.
+  // A run that is restored from a saved state continues bit for bit.
   virtual void save(Archive& archive) const = 0;
   virtual void restore(const Archive& archive) = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Absorb is the force of absorbing faces on solids (Lysmer & Kuhlemeyer, J. Eng. Mech. Div. ASCE 95
-// (1969) 859): the traction of a plane wave that goes on beyond a face with the normal n,
+// (1969) 859): the traction of a plane wave that continues beyond a face with the normal n,
 //   t = - rho c_p v_n n - rho c_s v_t,
 // on the outermost particles. For faces along the axes each component of the velocity is damped at
 // a rate of its own (simulation/absorbing_sites.hpp).

@@ -28,7 +28,7 @@ KERF_FUNCTION typename P::Real hourglass_of(const SolidView<D, P>& solid, Index 
   if (solid.flows(i))
     return flowing_hourglass(medium, solid.plasticity(i), solid.flow_start[i].plastic_strain);
   if (solid.softens(i)) {
-    const Real share = whole_share(medium, solid.strain_start[i]);
+    const Real share = undamaged_share(medium, solid.strain_start[i]);
     return share * share * medium.hourglass_modulus();
   }
   return medium.hourglass_modulus() * (Real(1) - Real(0.9) * solid.damage(i));

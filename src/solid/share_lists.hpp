@@ -17,7 +17,7 @@
 
 namespace kerf {
 
-// The lists of a BondTable. Shared lists come first, padded with zeros to whole batches of the SIMD
+// The lists of a BondTable. Shared lists come first, padded with zeros to full batches of the SIMD
 // kernels.
 struct StoredBonds {
   static constexpr Index block = 16;

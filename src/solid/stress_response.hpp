@@ -25,7 +25,8 @@ KERF_FUNCTION SymmetricTensor<D, typename P::Real> elastic_stress(
   const auto& medium = solid.medium(i);
   const auto green = green_strain(h);
   if (!solid.softens(i)) return second_piola(medium, green, solid.damage(i));
-  return second_piola(softened(medium, green, whole_share(medium, solid.current_strain[i])), green);
+  return second_piola(softened(medium, green, undamaged_share(medium, solid.current_strain[i])),
+                      green);
 }
 
 // The stress responses for Deform: the second Piola-Kirchhoff stress at the gradient H, Pa.
@@ -69,8 +70,8 @@ KERF_FUNCTION double energy_density_now(const SolidView<D, P>& solid, Index i) {
   const auto medium = BreakableSolid<double>::from(solid.medium(i));
   const auto h = Matrix<D, double>::from(solid.gradient[i]);
   if (solid.softens(i)) {
-    const double whole = whole_share(medium, double(solid.current_strain[i]));
-    return energy_density(softened(medium, green_strain(h), whole), green_strain(h));
+    const double undamaged = undamaged_share(medium, double(solid.current_strain[i]));
+    return energy_density(softened(medium, green_strain(h), undamaged), green_strain(h));
   }
   if (!solid.flows(i)) return energy_density(medium, green_strain(h), double(solid.damage(i)));
   const auto parameters = PlasticParameters<double>::from(solid.plasticity(i));

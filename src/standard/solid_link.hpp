@@ -135,8 +135,8 @@ struct IntactBonds {
   }
 
   // Reference distance, m; unbounded for particles that entered later.
-  KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>& particles,
-                                                   const Pair<D, P>& pair) const {
+  KERF_FUNCTION typename P::Real initial_distance(const ParticleView<D, P>& particles,
+                                                  const Pair<D, P>& pair) const {
     const Index a = link.number(particles.id[pair.i]), b = link.number(particles.id[pair.j]);
     if (a == no_index || b == no_index) return typename P::Real(1e30);
     return norm(solid.reference_bond(a, BondEnd{b, pair.mirror}));

@@ -253,7 +253,7 @@ class SolidPart {
     viscous_power_ = solid_->viscous_power();
     losses_.plastic += solid_->keep_flow();
     losses_.released += solid_->keep_softening();
-    losses_.released += solid_->keep_damage(cycle_.settle_length());
+    losses_.released += solid_->keep_damage(cycle_.take_length());
     wave_ = solid_->wave_time();
   }
 

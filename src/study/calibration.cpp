@@ -100,7 +100,7 @@ class Calibrator {
         static_cast<std::uintmax_t>(std::max(2, goal_.most_runs - static_cast<int>(known_.size())));
     const auto root =
         boost::math::tools::toms748_solve(miss, low, high, miss(low), miss(high), is_narrow, steps);
-    settle(root.first, root.second);
+    set_answer(root.first, root.second);
   }
 
   double metric_at(double logarithm) {
@@ -112,7 +112,7 @@ class Calibrator {
     return metric;
   }
 
-  // Samples the whole range in one round. A run without the metric, such as a time of cut-through
+  // Samples the full range in one round. A run without the metric, such as a time of cut-through
   // where nothing is cut through, is left out.
   void explore() {
     const int count = std::max(4, laboratory_.side_by_side());
@@ -152,7 +152,7 @@ class Calibrator {
 
   // Takes the root between the last two values and its interval from the line through the nearest
   // runs.
-  void settle(double low, double high) {
+  void set_answer(double low, double high) {
     const double at_low = known_.at(low), at_high = known_.at(high);
     const double share = at_high == at_low ? 0.5 : (goal_.measured - at_low) / (at_high - at_low);
     const double root = low + share * (high - low);

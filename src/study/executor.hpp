@@ -24,7 +24,7 @@ struct JobEnd {
   std::string problem;  // why it was not run or why it ended; may be empty
 };
 
-// A watcher is told when jobs start and end.
+// A watcher is notified when jobs start and end.
 class JobWatcher {
  public:
   virtual ~JobWatcher() = default;
@@ -38,7 +38,7 @@ class JobWatcher {
 class Executor {
  public:
   virtual ~Executor() = default;
-  // Returns when all jobs have ended, or when none runs after the watcher asked to stop.
+  // Returns when all jobs have ended, or when none runs after a stop by the watcher.
   virtual void run(const std::vector<Job>& jobs, JobWatcher& watcher) = 0;
   // Returns how many jobs run at the same time.
   virtual int side_by_side() const = 0;

@@ -93,7 +93,7 @@ Fit fit_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& data) {
 
 Fit fit_model(const Model& model, const Eigen::VectorXd& data, const Eigen::VectorXd& start) {
   constexpr int most_steps = 200, most_halvings = 40;
-  constexpr double settled = 1e-12;  // relative decrease of the sum of squares
+  constexpr double tolerance = 1e-12;  // relative decrease of the sum of squares
   if (data.size() <= start.size()) return too_few(data.size(), start.size());
   Fit fit;
   fit.parameters = start;
@@ -111,10 +111,10 @@ Fit fit_model(const Model& model, const Eigen::VectorXd& data, const Eigen::Vect
     }
     if (!(next < squares)) break;
     fit.parameters += 2.0 * share * change;  // the loop halved it once more
-    const bool is_settled = squares - next <= settled * squares;
+    const bool is_converged = squares - next <= tolerance * squares;
     value = tried;
     squares = next;
-    if (is_settled) break;
+    if (is_converged) break;
   }
   add_statistics(fit, value.derivatives, data - value.values, data);
   return fit;

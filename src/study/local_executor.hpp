@@ -23,8 +23,8 @@ class LocalExecutor : public Executor {
       : program_(std::move(program)), budget_(budget) {}
 
   // Waits for a run whose folder a process of a killed study still holds. A run gets its share of
-  // the cores when it starts. Children end with this process; a child that is asked to stop writes
-  // its checkpoint first.
+  // the cores when it starts. Children end with this process; a child that gets the signal to stop
+  // writes its checkpoint first.
   void run(const std::vector<Job>& jobs, JobWatcher& watcher) override;
   int side_by_side() const override { return budget_.jobs; }
 

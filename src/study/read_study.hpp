@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // This header declares the readers of a study file: one table of it, the varied keys with their
 // values, and the goals. What is missing or wrong is noted as a problem and replaced by a harmless
-// value, so that reading goes on; read_study() throws at the end.
+// value, so that reading continues; read_study() throws at the end.
 #pragma once
 
 #include <toml++/toml.h>

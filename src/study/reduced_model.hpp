@@ -48,8 +48,8 @@ class ReducedModel {
   const Fit& fit() const { return fit_; }
   int used() const { return used_; }
   std::string formula() const;
-  // Returns predictions on a grid over the ranges as a table, for a controller that looks values
-  // up. All values are in SI units, which `unit` returns for a name.
+  // Returns predictions on a grid over the ranges as a table for controllers. All values are in SI
+  // units, which `unit` returns for a name.
   std::string table_csv(const std::function<std::string(const std::string&)>& unit) const;
 
  private:

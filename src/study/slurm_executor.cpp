@@ -16,8 +16,8 @@ namespace {
 
 constexpr int most_submissions = 5;  // of one run
 constexpr int most_silences = 60;    // polls in a row without an answer of Slurm
-constexpr int looks_missing =
-    2;  // polls that miss a task before it counts as lost: files may be late
+constexpr int most_missing_polls =
+    2;  // polls that miss a task before it is lost: files may be late
 
 struct Watched {
   const Job* job = nullptr;
@@ -38,7 +38,7 @@ class SlurmQueue {
   void run(std::chrono::duration<double> pause) {
     begin();
     while (!open_.empty()) {
-      if (const auto queue = asked()) look_at(*queue);
+      if (const auto queue = asked()) update(*queue);
       std::vector<Job> at_work;
       for (const auto& [id, watched] : open_)
         if (watched.is_started) at_work.push_back(*watched.job);
@@ -73,7 +73,7 @@ class SlurmQueue {
     return queue;
   }
 
-  void look_at(const std::map<std::string, bool>& queue) {
+  void update(const std::map<std::string, bool>& queue) {
     std::vector<std::string> lost, ended;
     for (auto& [id, watched] : open_) {
       const auto queued = queue.find(id);
@@ -82,7 +82,7 @@ class SlurmQueue {
         if (queued->second) note_start(watched);
       } else if (arrays_.exit_code(id)) {
         ended.push_back(id);
-      } else if (++watched.missing >= looks_missing) {
+      } else if (++watched.missing >= most_missing_polls) {
         lost.push_back(id);
       }
     }

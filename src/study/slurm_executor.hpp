@@ -12,12 +12,12 @@ struct SlurmBudget {
   int jobs = 16;               // at the same time at most
   int cores = 1;               // of each run
   double poll_pause = 2.0;     // s, between two polls of Slurm
-  std::string device = "cpu";  // of kerf run; "gpu" asks for one GPU for each
+  std::string device = "cpu";  // of kerf run; "gpu" requests one GPU for each
 };
 
 class SlurmExecutor : public Executor {
  public:
-  // The nodes must see `study_folder` and the program under the same paths.
+  // The nodes must have `study_folder` and the program under the same paths.
   SlurmExecutor(std::filesystem::path program, std::filesystem::path study_folder,
                 const SlurmBudget& budget)
       : program_(std::move(program)),
@@ -25,7 +25,7 @@ class SlurmExecutor : public Executor {
         budget_(budget) {}
 
   // Adopts tasks that an earlier call left in the queue. A task that was cancelled or lost its node
-  // is submitted again. When the watcher asks to stop, the tasks stay in the queue, to be adopted
+  // is submitted again. After a stop by the watcher the tasks stay in the queue, to be adopted
   // by the next study. Throws UserError when Slurm does not answer.
   void run(const std::vector<Job>& jobs, JobWatcher& watcher) override;
   int side_by_side() const override { return budget_.jobs; }

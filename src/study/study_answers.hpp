@@ -17,7 +17,7 @@
 namespace kerf {
 
 struct StudyAnswers {
-  std::vector<RunRow> runs;  // that this study asked for
+  std::vector<RunRow> runs;  // that this study requested
   std::vector<Crossing> boundary;
   std::optional<ThresholdAnswer> threshold;
   std::optional<OptimumAnswer> optimum;

@@ -128,7 +128,7 @@ void set_up(SQLite::Database& database) {
   transaction.commit();
 }
 
-// Creates the tables if they do not exist. When two processes do so at the same time, SQLite lets
+// Creates the tables if they do not exist. When two processes do so at the same time, SQLite makes
 // one wait or refuses it to avoid a deadlock; the refused one tries again.
 void open_or_set_up(SQLite::Database& database) {
   const auto start = std::chrono::steady_clock::now();

@@ -22,7 +22,7 @@ struct StudyProgress {
   double share = 0.0;  // completed share, from 0 to 1, parts of runs included
 };
 
-// This is thrown when a study was asked to stop. A new start of the study continues it.
+// This is thrown when a study must stop. A new start of the study continues it.
 struct StudyStopped {
   int signal = 0;
 };

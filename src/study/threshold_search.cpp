@@ -85,7 +85,7 @@ class Search {
     answer_.draft_refinement = at.refinement;
     answer_.draft = layout(at, std::nullopt);
     answer_.draft_runs = answer_.runs;
-    // The result of the drafts may be wrong at their resolution; then the whole range is searched.
+    // The result of the drafts may be wrong at their resolution; then the full range is searched.
     const bool found_none = !answer_.problem.empty() && runs_left() > 0;
     if (!found_none) return answer_.draft;
     answer_.problem.clear();

@@ -56,8 +56,8 @@ class Subcycling {
 
   // The planned length of the step of the solid, s.
   double length() const { return planned_; }
-  // The time that it accounts for, s: its length and the time debt, which is settled.
-  double settle_length() { return planned_ + std::exchange(time_debt_, 0.0); }
+  // Returns the length of the step of the solid plus the time debt, s, and sets the time debt to 0.
+  double take_length() { return planned_ + std::exchange(time_debt_, 0.0); }
   // The prediction time, s: from the middle of the first substep, of length `dt`, to the middle of
   // the step of the solid.
   double prediction_time(double dt) const { return 0.5 * (planned_ - dt); }

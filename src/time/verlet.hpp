@@ -29,7 +29,7 @@ struct DriftHalf {
   using Real = typename P::Real;
   ParticleView<D, P> particles;
   const PrescribedMotion<D>* motions;  // over the first half
-  double dt;                           // s, of the whole step
+  double dt;                           // s, of the full step
 
   KERF_FUNCTION void operator()(Index i) const {
     if (particles.is_constrained(i)) {
@@ -52,7 +52,7 @@ template <int D, class P>
 struct KickAndDrift {
   using Real = typename P::Real;
   ParticleView<D, P> particles;
-  const PrescribedMotion<D>* motions;  // over the whole step
+  const PrescribedMotion<D>* motions;  // over the full step
   double dt;
 
   KERF_FUNCTION void operator()(Index i) const {

@@ -21,7 +21,7 @@ struct PlannedRun {
   double refinement = 1.0;       // every spacing is divided by it
   double sample_interval = 0.0;  // s; 0 = the case's series interval
   bool is_long = false;
-  bool is_left_out = false;            // others were asked for
+  bool is_left_out = false;            // only other runs are requested
   std::optional<double> picture_time;  // s; of the picture for the page
 
   Case description() const;

@@ -39,9 +39,9 @@ double mean(const TimeSeries& s) {
   return sum / (s.time.back() - s.time.front());
 }
 
-// Mean with the weight 1 - cos (Hann's window) over the samples: the value about which a slowly
-// decaying oscillation swings. Over three periods the period needs to be known to a tenth only,
-// whereas a plain mean depends on the last part of a period.
+// The mean with the weight 1 - cos (Hann's window) over the samples: the centre of a slowly
+// decaying oscillation. Over three periods the period must be known to a tenth only, whereas a
+// plain mean depends on the last part of a period.
 double hann_mean(const TimeSeries& s) {
   const double first = s.time.front(), length = s.time.back() - first;
   if (!(length > 0.0)) return s.value.front();

@@ -70,7 +70,8 @@ TEST(Graded, PressureIsContinuousAtAJump) {
                   at[graded][n].scatter / due);
     }
     EXPECT_LT(std::abs(simulation->balance().energy_drift()), 1e-3);
-    for (const std::uint16_t source : frame.source) EXPECT_LT(source, 4);  // a body has one source in frames
+    for (const std::uint16_t source : frame.source)
+      EXPECT_LT(source, 4);  // a body has one source in frames
   }
   for (int n = 0; n < 3; ++n) {
     const double off = std::abs(at[0][n].mean - due);

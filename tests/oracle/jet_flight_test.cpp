@@ -42,7 +42,7 @@ void expect_free_flight(int dimension, Formulation formulation, double width = 4
     const std::set<std::uint32_t> now(frame.id.begin(), frame.id.end());
     ASSERT_EQ(now.size(), frame.id.size()) << "an id is there twice";
     ever.insert(now.begin(), now.end());
-    ASSERT_EQ(ever.size(), frame.id.size()) << "somebody came or went";
+    ASSERT_EQ(ever.size(), frame.id.size()) << "a particle was added or removed";
   }
   const Frame frame = simulation->frame();
   const std::size_t layers = frame.id.size() / nozzle.columns();

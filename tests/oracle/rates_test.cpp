@@ -2,8 +2,8 @@
 // The right-hand side of the engine against double loops written from the paper's equations.
 #include <gtest/gtest.h>
 
-#include "support/bag.hpp"
 #include "support/loaded.hpp"
+#include "support/mixture.hpp"
 
 namespace kerf::test {
 namespace {
@@ -41,12 +41,12 @@ class RatesOracle : public testing::Test {
   static constexpr int D = K::dimension;
   using P = typename K::Precision;
 
-  static ReferenceState bag(unsigned seed) {
-    BagChoice choice;
+  static ReferenceState mixture(unsigned seed) {
+    MixtureChoice choice;
     choice.dimension = D;
     choice.seed = seed;
     choice.per_side = D == 2 ? 14 : 7;
-    return random_bag(choice);
+    return random_mixture(choice);
   }
 
   static Loaded<D, P> evaluated(const ReferenceState& state) {
@@ -101,21 +101,21 @@ TYPED_TEST_SUITE(RatesOracle, Kinds);
 
 TYPED_TEST(RatesOracle, MixedParticlesWithGravity) {
   for (unsigned seed : {1u, 2u, 3u}) {
-    auto state = TestFixture::bag(seed);
+    auto state = TestFixture::mixture(seed);
     state.gravity = {0.3, -9.81, TestFixture::D == 3 ? 0.7 : 0.0};
     TestFixture::compare(state, TestFixture::evaluated(state));
   }
 }
 
 TYPED_TEST(RatesOracle, ArtificialStress) {
-  auto state = TestFixture::bag(4);
+  auto state = TestFixture::mixture(4);
   state.epsilon = 0.3;
   TestFixture::compare(state, TestFixture::evaluated(state));
 }
 
 // Each term is tested alone, because strong terms would hide an error of weak ones.
 TYPED_TEST(RatesOracle, ViscousStressAlone) {
-  auto state = TestFixture::bag(5);
+  auto state = TestFixture::mixture(5);
   for (auto& medium : state.media)
     medium.artificial_linear = medium.artificial_quadratic = medium.repulsion = 0.0;
   for (auto& particle : state.particles) {
@@ -126,7 +126,7 @@ TYPED_TEST(RatesOracle, ViscousStressAlone) {
 }
 
 TYPED_TEST(RatesOracle, LinearArtificialViscosityAlone) {
-  auto state = TestFixture::bag(6);
+  auto state = TestFixture::mixture(6);
   for (auto& medium : state.media) medium.viscosity = medium.artificial_quadratic = 0.0;
   for (auto& particle : state.particles) particle.shear.setZero();
   const ReferenceSph with(state);
@@ -153,7 +153,7 @@ TYPED_TEST(RatesOracle, LinearArtificialViscosityAlone) {
 
 // The list holds while no particle has moved more than half the skin.
 TYPED_TEST(RatesOracle, AfterMotionWithinTheSkin) {
-  auto state = TestFixture::bag(7);
+  auto state = TestFixture::mixture(7);
   Loaded<TestFixture::D, typename TestFixture::P> loaded(state, {});
   const auto place = loaded.places();
   std::mt19937 engine(11);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/gap.hpp"
-#include "support/wet_bag.hpp"
+#include "support/standard_mixture.hpp"
 
 namespace kerf::test {
 namespace {
@@ -50,13 +50,14 @@ class StandardRatesOracle : public testing::Test {
  private:
   static Vector3 of(const Vector<dimension, typename Precision::Real>& v) { return as_eigen(v); }
 };
-TYPED_TEST_SUITE(StandardRatesOracle, BagKinds);
+TYPED_TEST_SUITE(StandardRatesOracle, MixtureKinds);
 
 TYPED_TEST(StandardRatesOracle, MixedParticlesWithGravity) {
   constexpr int D = TypeParam::D;
   for (unsigned seed : {1u, 2u, 3u}) {
-    auto state = wet_bag(D, seed);
-    state.gravity = {3000.0, -9810.0, D == 3 ? 700.0 : 0.0};  // large enough to be significant beside the pressures
+    auto state = standard_mixture(D, seed);
+    state.gravity = {3000.0, -9810.0,
+                     D == 3 ? 700.0 : 0.0};  // large enough to be significant beside the pressures
     if (seed > 1) stiffen_volume(state);
     const auto gaps =
         TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state));
@@ -69,7 +70,7 @@ TYPED_TEST(StandardRatesOracle, MixedParticlesWithGravity) {
 // All pairs use the general terms, without the SIMD kernels.
 TYPED_TEST(StandardRatesOracle, MixedParticlesInOnePairLoop) {
   constexpr int D = TypeParam::D;
-  auto state = wet_bag(D, 2);
+  auto state = standard_mixture(D, 2);
   state.gravity = {3000.0, -9810.0, D == 3 ? 700.0 : 0.0};
   stiffen_volume(state);
   const auto gaps =
@@ -81,7 +82,7 @@ TYPED_TEST(StandardRatesOracle, MixedParticlesInOnePairLoop) {
 // expands everywhere and has no pressure has viscous forces only.
 TYPED_TEST(StandardRatesOracle, ViscosityAlone) {
   constexpr int D = TypeParam::D;
-  auto state = wet_bag(D, 4);
+  auto state = standard_mixture(D, 4);
   const Vector3 spin(0.0, 0.0, 200.0);
   for (auto& particle : state.particles) {
     particle.compression = -0.01;
@@ -95,7 +96,7 @@ TYPED_TEST(StandardRatesOracle, ViscosityAlone) {
 
 TYPED_TEST(StandardRatesOracle, DissipationAlone) {
   constexpr int D = TypeParam::D;
-  auto state = wet_bag(D, 5);
+  auto state = standard_mixture(D, 5);
   for (auto& medium : state.media) medium.viscosity = 0.0;
   for (auto& particle : state.particles) particle.compression = -0.01;
   const auto gaps =
@@ -106,7 +107,7 @@ TYPED_TEST(StandardRatesOracle, DissipationAlone) {
 
 TYPED_TEST(StandardRatesOracle, PressureAtRest) {
   constexpr int D = TypeParam::D;
-  auto state = wet_bag(D, 6);
+  auto state = standard_mixture(D, 6);
   for (auto& particle : state.particles) particle.velocity.setZero();
   const auto gaps =
       TestFixture::compare(state, evaluated_standard<D, typename TypeParam::P>(state));
@@ -119,7 +120,7 @@ TYPED_TEST(StandardRatesOracle, PressureAtRest) {
 TYPED_TEST(StandardRatesOracle, WithNormalsOfWalls) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;
-  auto state = wet_bag(D, 9);
+  auto state = standard_mixture(D, 9);
   for (auto& medium : state.media) medium.viscosity = 0.0;
   LoadedStandard<D, P> loaded(state, {.splits = true});
   evaluate_standard(state, loaded);
@@ -133,7 +134,7 @@ TYPED_TEST(StandardRatesOracle, WithNormalsOfWalls) {
 TYPED_TEST(StandardRatesOracle, KernelSum) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;
-  auto state = wet_bag(D, 8);
+  auto state = standard_mixture(D, 8);
   stiffen_volume(state);
   const auto loaded = evaluated_standard<D, P>(state);
   const auto place = loaded.places();
@@ -166,7 +167,7 @@ TYPED_TEST(StandardRatesOracle, KernelSum) {
 TYPED_TEST(StandardRatesOracle, AfterMotionWithinTheSkin) {
   constexpr int D = TypeParam::D;
   using P = typename TypeParam::P;
-  auto state = wet_bag(D, 7);
+  auto state = standard_mixture(D, 7);
   LoadedStandard<D, P> loaded(state, {});
   const auto place = loaded.places();
   std::mt19937 engine(11);

@@ -5,7 +5,7 @@
 
 #include "support/gap.hpp"
 #include "support/mirrored.hpp"
-#include "support/wet_bag.hpp"
+#include "support/standard_mixture.hpp"
 
 namespace kerf::test {
 namespace {
@@ -31,8 +31,8 @@ class SymmetryPlanes : public testing::Test {
   // The planes are in some faces of [0, per_side mm]^D. The first of the solids is one piece with
   // its images, the other is not.
   static void compare(const std::string& faces, int per_side, unsigned seed) {
-    auto part = wet_bag(D, seed, per_side);
-    const auto planes = planes_of<D>(faces, per_side * bag_spacing);
+    auto part = standard_mixture(D, seed, per_side);
+    const auto planes = planes_of<D>(faces, per_side * mixture_spacing);
     stiffen_volume(part);
     part.media[2].joined_mirrors = part.media[3].joined_mirrors = planes.faces;
     if (faces == "x-") part.gravity = {0.0, -9810.0, D == 3 ? 700.0 : 0.0};
@@ -41,7 +41,7 @@ class SymmetryPlanes : public testing::Test {
     const ReferenceStandard oracle(
         whole,
         [&](std::size_t i, std::size_t j) {
-          return whole.medium(i).piece == whole.medium(j).piece && bag_bonded(i % n, j % n);
+          return whole.medium(i).piece == whole.medium(j).piece && mixture_bonded(i % n, j % n);
         },
         ReferenceStandard::Normals::known);
     compare(part, evaluated(part, planes), oracle);
@@ -83,7 +83,7 @@ class SymmetryPlanes : public testing::Test {
  private:
   static Vector3 of(const Vector<D, Real>& v) { return as_eigen(v); }
 };
-TYPED_TEST_SUITE(SymmetryPlanes, BagKinds);
+TYPED_TEST_SUITE(SymmetryPlanes, MixtureKinds);
 
 TYPED_TEST(SymmetryPlanes, One) {
   for (unsigned seed : {1u, 2u}) TestFixture::compare("x-", TypeParam::D == 2 ? 14 : 7, seed);

@@ -32,7 +32,9 @@ void expect_impulse(int dimension, Formulation formulation, PrecisionKind precis
   const Balance balance = simulation->balance();
   const double struck = std::abs(momentum[1]);
   ASSERT_GT(struck, 0.01 * std::abs(balance.momentum_in[1]));
-  const double digits = precision == PrecisionKind::mixed ? 1e-4 : 1e-6;  // the masses of a frame are in single precision
+  const double digits = precision == PrecisionKind::mixed
+                            ? 1e-4
+                            : 1e-6;  // the masses of a frame are in single precision
   for (std::size_t a = 0; a < 3; ++a)
     EXPECT_NEAR(balance.impulse_water[a], momentum[a], digits * struck) << "xyz"[a];
 }

@@ -136,7 +136,8 @@ TEST(HalfDomain, TwoBlocksCollide) {
   c.bodies[0].velocity = {"-2", "0", "0"};
   c.bodies[1].velocity = {"2", "0", "0"};
   const Gap gap = run_both(c, 200);
-  EXPECT_LT(gap.balance.kinetic, 0.8 * 4.0 * 940.0 * 64e-6);  // of the initial energy: the blocks have collided
+  EXPECT_LT(gap.balance.kinetic,
+            0.8 * 4.0 * 940.0 * 64e-6);  // of the initial energy: the blocks have collided
   EXPECT_LT(gap.place, grown * 1e-3);
   EXPECT_LT(gap.speed, grown * 2.0);
 }

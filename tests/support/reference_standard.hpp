@@ -9,7 +9,7 @@
 #include <functional>
 #include <utility>
 
-#include "support/reference_touch.hpp"
+#include "support/reference_contact.hpp"
 
 namespace kerf::test {
 
@@ -57,8 +57,8 @@ class ReferenceStandard {
         bonded_(bonded),
         normal_(state.particles.size(), Vector3::Zero()),
         rates_(state.particles.size()),
-        touch_(state) {
-    for (std::size_t i = 0; i < rates_.size(); ++i) rates_[i].contact_energy = touch_.energy(i);
+        contact_(state) {
+    for (std::size_t i = 0; i < rates_.size(); ++i) rates_[i].contact_energy = contact_.energy(i);
     if (normals == Normals::known) find_normals();
     for (std::size_t i = 0; i < rates_.size(); ++i) rates_[i].pressure = density_pressure(i);
     for (std::size_t i = 0; i < rates_.size(); ++i)
@@ -102,8 +102,9 @@ class ReferenceStandard {
         const auto &a = state_.medium(i), &b = state_.medium(j);
         const double h = a.phase == b.phase ? (a.smoothing_length + b.smoothing_length) / 2.0
                                             : std::max(a.smoothing_length, b.smoothing_length);
-        const Vector3 apart = at(i).position - at(j).position;
-        sum -= volume(j) * wendland_slope(apart.norm(), h, state_.dimension) * apart.normalized();
+        const Vector3 separation = at(i).position - at(j).position;
+        sum -= volume(j) * wendland_slope(separation.norm(), h, state_.dimension) *
+               separation.normalized();
       }
       if (sum.norm() * state_.medium(i).smoothing_length > 0.02) normal_[i] = sum.normalized();
     }
@@ -124,9 +125,9 @@ class ReferenceStandard {
     const bool both = flows(o) || !flows(w);
     const double h = a.phase == b.phase ? (a.smoothing_length + b.smoothing_length) / 2.0
                                         : std::max(a.smoothing_length, b.smoothing_length);
-    const Vector3 apart = at(w).position - at(o).position;
-    const double r = apart.norm(), slope = wendland_slope(r, h, state_.dimension);
-    const Vector3 e = apart / r;
+    const Vector3 separation = at(w).position - at(o).position;
+    const double r = separation.norm(), slope = wendland_slope(r, h, state_.dimension);
+    const Vector3 e = separation / r;
     const RiemannState left{state_.density(w), rates_[w].pressure, -at(w).velocity.dot(e),
                             a.sound_speed};
     StarState star{};
@@ -192,38 +193,38 @@ class ReferenceStandard {
   // Both are of one solid without a bond between them: a spring that acts in compression only.
   void add_contact(std::size_t s, std::size_t o) {
     const auto &a = state_.medium(s), &b = state_.medium(o);
-    if (b.phase == Phase::rigid || a.piece != b.piece) return add_touch(s, o);
-    const Vector3 apart = at(s).position - at(o).position;
-    const double rest = (a.spacing + b.spacing) / 2.0, overlap = rest - apart.norm();
+    if (b.phase == Phase::rigid || a.piece != b.piece) return add_surface_contact(s, o);
+    const Vector3 separation = at(s).position - at(o).position;
+    const double rest = (a.spacing + b.spacing) / 2.0, overlap = rest - separation.norm();
     if (overlap <= 0.0 || bonded_(s, o)) return;
     const double modulus = (wave_modulus(a) + wave_modulus(b)) / 2.0;
     const double stiffness = modulus * std::pow(rest, state_.dimension - 2);
-    const Vector3 push = stiffness * overlap * apart.normalized();
-    rates_[s].contact += push;
-    rates_[o].contact -= push;
+    const Vector3 normal = stiffness * overlap * separation.normalized();
+    rates_[s].contact += normal;
+    rates_[o].contact -= normal;
     rates_[s].contact_energy += stiffness * overlap * overlap / 4.0;
     rates_[o].contact_energy += stiffness * overlap * overlap / 4.0;
   }
 
   // `s` is solid and the other a solid of another piece or a rigid body.
-  void add_touch(std::size_t s, std::size_t o) {
-    if (!touch_.touches(s, o)) return;
-    book_touch(s, o, touch_.of(s, o));
-    if (!is(o, Phase::rigid)) book_touch(o, s, touch_.of(o, s));
+  void add_surface_contact(std::size_t s, std::size_t o) {
+    if (!contact_.are_in_contact(s, o)) return;
+    add_opposite_forces(s, o, contact_.of(s, o));
+    if (!is(o, Phase::rigid)) add_opposite_forces(o, s, contact_.of(o, s));
   }
-  void book_touch(std::size_t i, std::size_t j, const TouchForce& force) {
-    rates_[i].contact += force.push;
-    rates_[j].contact -= force.push;
+  void add_opposite_forces(std::size_t i, std::size_t j, const ReferenceContactForce& force) {
+    rates_[i].contact += force.normal;
+    rates_[j].contact -= force.normal;
     rates_[i].damping += force.drag;
     rates_[j].damping -= force.drag;
-    if (is(j, Phase::rigid)) rates_[i].from_rigid += force.push + force.drag;
+    if (is(j, Phase::rigid)) rates_[i].from_rigid += force.normal + force.drag;
   }
 
   const ReferenceState& state_;
   Bonded bonded_;
   std::vector<Vector3> normal_;
   std::vector<StandardRate> rates_;
-  ReferenceTouch touch_;
+  ReferenceContact contact_;
 };
 
 }  // namespace kerf::test

@@ -18,7 +18,7 @@ std::string problem_of_gpu() {
   int count = 0;
   if (const auto error = cudaGetDeviceCount(&count); error != cudaSuccess) return clause_of(error);
   if (count == 0) return "there is no NVIDIA GPU";
-  // Fails where the code was compiled for GPUs of another kind.
+  // This call fails if the code was compiled for another type of GPU.
   cudaFuncAttributes attributes;
   if (const auto error = cudaFuncGetAttributes(&attributes, nothing); error != cudaSuccess)
     return clause_of(error);

@@ -19,10 +19,10 @@ struct GpuEngine {
   std::unique_ptr<Simulation> (*make)(const Case& description);
 };
 
-// Of the variable of that type in the library.
+// The name of the variable of that type in the library.
 inline constexpr const char* gpu_engine_symbol = "kerf_gpu_engine";
 
-// Both sides are of one build: what they pass one another is C++.
+// The program and the library are of one build, so that they can exchange C++ objects.
 inline constexpr const char* gpu_engine_version = program_version;
 
 }  // namespace kerf

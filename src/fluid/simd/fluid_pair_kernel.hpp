@@ -41,7 +41,7 @@ class FluidPairKernel {
       : task_(task), constants_(law, equation, task.unit) {}
 
   // Sums over the neighbours of particle i. The next batch of neighbours is loaded before the
-  // current one is computed, since most of the time goes into waiting for memory.
+  // current one is computed, because most of the time is latency of memory.
   [[gnu::always_inline]] void run(Index i, Result& result) {
     constants_.set(task_.fluid[i]);
     Sums sums;

@@ -157,7 +157,7 @@ class BondsOfParticle {
 };
 
 // Calls act(bonds, is_shared, number) for each particle that the SIMD kernels compute; the type of
-// is_shared says whether its list is shared.
+// is_shared states whether its list is shared.
 template <int D, class Real, class Act>
 [[gnu::always_inline]] inline void for_each_particle_in_simd(const Bonds<D, Real>& task,
                                                              std::uint32_t first,

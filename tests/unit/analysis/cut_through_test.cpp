@@ -107,7 +107,8 @@ TEST(FrontSpeed, IsTheSlopeBetweenContactAndExit) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));
   const double speed = 2.2;
-  for (int n = -10; n <= 60; ++n) {  // 0.5 ms apart; the front is first above the block, at the end below it
+  for (int n = -10; n <= 60;
+       ++n) {  // 0.5 ms apart; the front is first above the block, at the end below it
     const double time = n * 0.5e-3;
     const double below = std::max(0.0, speed * time - thickness);
     const double depth = n < 0 ? -5.0 * mm : speed * time + 4.0 * below;

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/principal_axes.hpp"
-#include "support/bag.hpp"
+#include "support/mixture.hpp"
 
 namespace kerf::test {
 namespace {

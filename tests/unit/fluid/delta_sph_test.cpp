@@ -10,8 +10,8 @@
 #include "fluid/density_gradient.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "pairs/pair_loop.hpp"
-#include "support/bag.hpp"
 #include "support/loaded.hpp"
+#include "support/mixture.hpp"
 
 namespace kerf::test::delta_sph_test {
 namespace {
@@ -25,7 +25,7 @@ ReferenceState shaken_block(int dimension, const Compression& compression) {
   std::uniform_real_distribution<double> displacement(-0.2, 0.2);
   ReferenceState state;
   state.dimension = dimension;
-  auto water = bag_water(spacing, dimension);
+  auto water = mixture_water(spacing, dimension);
   water.smoothing_length = 1.3 * spacing;
   water.volume = std::pow(spacing, dimension);
   state.media = {water};

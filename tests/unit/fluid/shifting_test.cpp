@@ -10,8 +10,8 @@
 #include "fluid/particle_concentration.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "pairs/pair_loop.hpp"
-#include "support/bag.hpp"
 #include "support/loaded.hpp"
+#include "support/mixture.hpp"
 #include "time/verlet.hpp"
 
 namespace kerf::test::shifting_test {
@@ -32,7 +32,7 @@ ReferenceState block(int dimension, double amplitude) {
   std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
   ReferenceState state;
   state.dimension = dimension;
-  auto water = bag_water(spacing, dimension);
+  auto water = mixture_water(spacing, dimension);
   water.smoothing_length = 1.3 * spacing;
   water.volume = std::pow(spacing, dimension);
   state.media = {water};

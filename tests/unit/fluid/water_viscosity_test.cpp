@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "support/wet_bag.hpp"
+#include "support/standard_mixture.hpp"
 
 namespace kerf::test::water_viscosity_test {
 namespace {
@@ -14,22 +14,23 @@ namespace {
 // suffices, there is no other dissipation at any speed of the wave.
 void expect_viscosity_alone(double speed) {
   constexpr int cells = 61;
-  constexpr double length = 50.0 * bag_spacing, k = 2.0 * std::numbers::pi / length;
-  auto state = wet_bag(2, 1);
+  constexpr double length = 50.0 * mixture_spacing, k = 2.0 * std::numbers::pi / length;
+  auto state = standard_mixture(2, 1);
   state.media = {state.media[0]};
   const double mu = state.media[0].viscosity, density = state.media[0].density;
   state.particles.clear();
   for (int n = 0; n < cells * cells; ++n) {
     ReferenceParticle particle;
-    particle.position = {bag_spacing * (n % cells + 0.5), bag_spacing * (n / cells + 0.5), 0.0};
+    particle.position = {mixture_spacing * (n % cells + 0.5), mixture_spacing * (n / cells + 0.5),
+                         0.0};
     particle.velocity = {speed * std::sin(k * particle.position.y()), 0.0, 0.0};
     state.particles.push_back(particle);
   }
-  LoadedStandard<2, Double> loaded(state, {0.0, cells * bag_spacing});
+  LoadedStandard<2, Double> loaded(state, {0.0, cells * mixture_spacing});
   const StandardRates<2, Double> rates(Vector<2, double>::zero(), state.media,
                                        lattice_sums<2, WendlandC2<2>>(1.3));
   rates.accelerate(loaded.particles.view(), loaded.particles.size(), loaded.list.view(),
-                   BagBonds<2, Double>{});
+                   MixtureBonds<2, Double>{});
   const auto place = loaded.places();
   double product = 0.0, square = 0.0;
   for (std::size_t n = 0; n < state.particles.size(); ++n) {

@@ -38,7 +38,8 @@ TEST(MovingNozzle, TraversesAfterItsDwell) {
   EXPECT_NEAR(nozzle.exit(9e-3)[0] - nozzle.exit()[0], 2.0 * 5e-3, 1e-15);
   EXPECT_EQ(nozzle.velocity(9e-3)[0], 2.0);
   nozzle.emit(8.9e-3);
-  EXPECT_NEAR(mean_x(nozzle.emit(9e-3)), 2.0 * 5e-3, 1e-12);  // enters at the position of the nozzle
+  EXPECT_NEAR(mean_x(nozzle.emit(9e-3)), 2.0 * 5e-3,
+              1e-12);  // enters at the position of the nozzle
 }
 
 TEST(MovingNozzle, PulsesEmitTheirDutyCycle) {
@@ -48,7 +49,8 @@ TEST(MovingNozzle, PulsesEmitTheirDutyCycle) {
     jet.duty = duty;
     Nozzle nozzle(jet, 1000.0, 2);
     EXPECT_NEAR(nozzle.open_time(10.0 / 400.0), duty * 10.0 / 400.0, 1e-15);
-    EXPECT_NEAR(nozzle.open_time(0.05 / 400.0), 0.05 / 400.0, 1e-15);  // each period begins with flow
+    EXPECT_NEAR(nozzle.open_time(0.05 / 400.0), 0.05 / 400.0,
+                1e-15);  // each period begins with flow
     EXPECT_TRUE(nozzle.is_open(0.05 / 400.0));
     EXPECT_FALSE(nozzle.is_open((3.0 + duty + 0.01) / 400.0));
     // open_time is the integral of is_open.

@@ -126,6 +126,7 @@ TEST(Read, VelocitiesAndAngles) {
 }
 
 // A case with every section is read back bit for bit.
+// budget: function: a table of cases reads best in one place
 TEST(Read, EverySectionIsReadBack) {
   const std::string text = R"toml(title = "all \"things\" \u00e9"
 dimension = 3

@@ -24,7 +24,8 @@ constexpr const char* table_path = "table";
 // A structure that stores values of keys, without its type.
 struct Storage {
   const void* id;
-  bool is_model;  // and not a draft, whose values are transferred to the model with the rest of the case
+  bool is_model;  // and not a draft, whose values are transferred to the model with the rest of the
+                  // case
   std::function<void(Section&)> read;
   std::function<ValueReference(const Key&)> value;
   std::function<void(TomlWriter&, const std::string&, const std::set<std::string>&)> write;

@@ -157,7 +157,8 @@ TEST(DruckerPragerReturn, IsTheNearestPoint) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const auto cone = rock_law(friction, 4e6, ConeMatch::compression).drucker_prager;
   const double g = rock().shear_modulus, k = rock().bulk_modulus;
-  const double edge = cone.strength - cone.friction * cone.tension;  // q at the intersection of cone and cap
+  const double edge =
+      cone.strength - cone.friction * cone.tension;  // q at the intersection of cone and cap
   int capped = 0, edged = 0;
   for (int n = 0; n < 300; ++n) {
     const MeridianStress<double> trial{30e6 * (1.0 + uniform(engine)), 20e6 * uniform(engine)};

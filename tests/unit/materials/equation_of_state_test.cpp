@@ -6,7 +6,7 @@
 
 #include "materials/equation_of_state.hpp"
 #include "shinohara2004/hooke_solid.hpp"
-#include "support/bag.hpp"
+#include "support/mixture.hpp"
 
 namespace kerf::test {
 namespace {
@@ -34,7 +34,7 @@ double energy_by_quadrature(const Pressure& pressure, double density, double com
 const double compressions[] = {-0.3, -0.05, -1e-3, 1e-3, 0.05, 0.4};
 
 TEST(Tait, PressureAsPrinted) {
-  const auto water = bag_water(1e-3, 2);
+  const auto water = mixture_water(1e-3, 2);
   const double b = 50.0 * 50.0 * 1000.0 / 7.0;  // eqs. (17) to (19)
   for (double x : compressions) {
     const double due = b * (std::pow(1.0 + x, 7.0) - 1.0);  // eq. (15)
@@ -45,7 +45,7 @@ TEST(Tait, PressureAsPrinted) {
 
 // Water's exponent of 7 is a product, others are powers.
 TEST(Tait, OtherExponents) {
-  auto water = bag_water(1e-3, 2);
+  auto water = mixture_water(1e-3, 2);
   for (double n : {1.4, 4.0, 7.0, 7.15})
     for (double x : compressions) {
       water.tait.exponent = n;
@@ -57,7 +57,7 @@ TEST(Tait, OtherExponents) {
 }
 
 TEST(Tait, SinglePrecisionKeepsSmallCompressions) {
-  const auto water = bag_water(1e-3, 2);
+  const auto water = mixture_water(1e-3, 2);
   Medium<float> single;
   single.tait.coefficient = static_cast<float>(water.tait.coefficient);
   single.tait.exponent = 7.0f;
@@ -66,7 +66,7 @@ TEST(Tait, SinglePrecisionKeepsSmallCompressions) {
 }
 
 TEST(Tait, SoundSpeedIsTheSlopeOfPressure) {
-  const auto water = bag_water(1e-3, 2);
+  const auto water = mixture_water(1e-3, 2);
   const double step = 1e-6;
   for (double x : compressions) {
     const double slope =
@@ -79,7 +79,7 @@ TEST(Tait, SoundSpeedIsTheSlopeOfPressure) {
 }
 
 TEST(Tait, EnergyIsTheWorkOfPressure) {
-  const auto water = bag_water(1e-3, 2);
+  const auto water = mixture_water(1e-3, 2);
   for (double x : compressions) {
     const double due = energy_by_quadrature(
         [&](double compression) { return water.tait.pressure(water, compression); }, 1000.0, x);
@@ -90,7 +90,7 @@ TEST(Tait, EnergyIsTheWorkOfPressure) {
 }
 
 TEST(Tait, EnergyForAnotherExponent) {
-  auto water = bag_water(1e-3, 2);
+  auto water = mixture_water(1e-3, 2);
   water.tait.exponent = 3.3;
   const double due = energy_by_quadrature(
       [&](double compression) { return water.tait.pressure(water, compression); }, 1000.0, 0.2);
@@ -98,7 +98,7 @@ TEST(Tait, EnergyForAnotherExponent) {
 }
 
 TEST(HookePressure, LinearAndItsEnergy) {
-  const auto solid = bag_solid(2e-3, 2, 0);
+  const auto solid = mixture_solid(2e-3, 2, 0);
   for (double x : compressions) {
     EXPECT_NEAR(HookeSolid::pressure(solid, x, false), solid.bulk_modulus * x,
                 1e-15 * solid.bulk_modulus);
@@ -112,7 +112,7 @@ TEST(HookePressure, LinearAndItsEnergy) {
 
 // c^2 = K / rho_0 is dp/drho.
 TEST(HookePressure, SoundSpeed) {
-  const auto solid = bag_solid(2e-3, 2, 0);
+  const auto solid = mixture_solid(2e-3, 2, 0);
   const double slope = HookeSolid::pressure(solid, 0.01, false) / (0.01 * solid.density);
   EXPECT_NEAR(solid.sound_speed * solid.sound_speed, slope, 1e-12 * slope);
 }

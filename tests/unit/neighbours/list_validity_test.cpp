@@ -7,9 +7,9 @@
 #include <random>
 #include <set>
 
-#include "support/bag.hpp"
 #include "support/loaded.hpp"
 #include "support/mirrored.hpp"
+#include "support/mixture.hpp"
 
 namespace kerf::test {
 namespace {
@@ -20,12 +20,12 @@ using Motion =
 
 // The particles are spread over many patches; none of them is rigid.
 ReferenceState spread(int dimension, unsigned seed) {
-  BagChoice choice;
+  MixtureChoice choice;
   choice.dimension = dimension;
   choice.seed = seed;
   choice.jitter = 0.45;
   choice.per_side = dimension == 2 ? 40 : 14;
-  ReferenceState state = random_bag(choice);
+  ReferenceState state = random_mixture(choice);
   double extent = 0.0;
   for (const auto& particle : state.particles)
     extent = std::max(extent, particle.position.maxCoeff());

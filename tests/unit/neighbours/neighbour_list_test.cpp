@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <set>
 
-#include "support/bag.hpp"
 #include "support/loaded.hpp"
+#include "support/mixture.hpp"
 
 namespace kerf::test {
 namespace {
@@ -48,13 +48,13 @@ void expect_all_pairs(const ReferenceState& state, const Loaded<D, Double>& load
   EXPECT_GT(pairs, n);  // otherwise nothing is tested
 }
 
-ReferenceState bag(int dimension, unsigned seed, double jitter, double stretch = 1.0) {
-  BagChoice choice;
+ReferenceState mixture(int dimension, unsigned seed, double jitter, double stretch = 1.0) {
+  MixtureChoice choice;
   choice.dimension = dimension;
   choice.seed = seed;
   choice.jitter = jitter;
   choice.per_side = dimension == 2 ? 18 : 8;
-  ReferenceState state = random_bag(choice);
+  ReferenceState state = random_mixture(choice);
   for (auto& particle : state.particles) particle.position *= stretch;
   return state;
 }
@@ -69,7 +69,7 @@ TYPED_TEST_SUITE(NeighbourLists, Dimensions);
 
 TYPED_TEST(NeighbourLists, RandomPoints) {
   for (unsigned seed : {1u, 2u}) {
-    const auto state = bag(TestFixture::D, seed, 0.49);
+    const auto state = mixture(TestFixture::D, seed, 0.49);
     const Loaded<TestFixture::D, Double> loaded(state, {0.0, 0.018, skin});
     expect_all_pairs(state, loaded, skin, skin);
   }
@@ -78,7 +78,7 @@ TYPED_TEST(NeighbourLists, RandomPoints) {
 // The particles are spread out, so that the reach is a fraction of the domain and there are many
 // cells.
 TYPED_TEST(NeighbourLists, RandomPointsInManyCells) {
-  auto state = bag(TestFixture::D, 3, 0.49, 8.0);
+  auto state = mixture(TestFixture::D, 3, 0.49, 8.0);
   std::mt19937 engine(5);
   for (std::size_t k = 0; k + 1 < state.particles.size(); k += 2) {
     auto& pair = state.particles[k + 1];
@@ -91,14 +91,14 @@ TYPED_TEST(NeighbourLists, RandomPointsInManyCells) {
 }
 
 TYPED_TEST(NeighbourLists, Lattice) {
-  const auto state = bag(TestFixture::D, 4, 0.0);
+  const auto state = mixture(TestFixture::D, 4, 0.0);
   const Loaded<TestFixture::D, Double> loaded(state, {0.0, 0.018, skin});
   expect_all_pairs(state, loaded, skin, skin);
 }
 
 TYPED_TEST(NeighbourLists, SizeRatios) {
   for (std::size_t coarse : {std::size_t{2}, std::size_t{3}, std::size_t{4}}) {
-    auto state = bag(TestFixture::D, 6, 0.3, 3.0);
+    auto state = mixture(TestFixture::D, 6, 0.3, 3.0);
     // Solids of 1, 2 or 4 times the spacing beside water of the finest spacing.
     for (auto& particle : state.particles) particle.source = particle.source % 2 ? coarse : 0;
     for (auto& particle : state.particles) particle.repelling = false;
@@ -109,21 +109,21 @@ TYPED_TEST(NeighbourLists, SizeRatios) {
 
 // Most of the particles are beyond the domain on every side.
 TYPED_TEST(NeighbourLists, ParticlesOutsideTheDomain) {
-  const auto state = bag(TestFixture::D, 7, 0.4, 6.0);
+  const auto state = mixture(TestFixture::D, 7, 0.4, 6.0);
   const Loaded<TestFixture::D, Double> loaded(state, {0.04, 0.07, skin});
   expect_all_pairs(state, loaded, skin, skin);
 }
 
 // A domain with so many cells that they must be enlarged.
 TYPED_TEST(NeighbourLists, VastDomain) {
-  const auto state = bag(TestFixture::D, 8, 0.4);
+  const auto state = mixture(TestFixture::D, 8, 0.4);
   const Loaded<TestFixture::D, Double> loaded(state, {-300.0, 300.0, skin});
   expect_all_pairs(state, loaded, skin, skin);
 }
 
 TYPED_TEST(NeighbourLists, IsValidUntilAParticleMovesHalfTheSkin) {
   constexpr int dimension = TestFixture::D;
-  auto state = bag(dimension, 9, 0.3, 2.0);
+  auto state = mixture(dimension, 9, 0.3, 2.0);
   Loaded<dimension, Double> loaded(state, {0.0, 0.036, skin});
   const auto place = loaded.places();
   std::mt19937 engine(3);
@@ -155,7 +155,7 @@ TYPED_TEST(NeighbourLists, IsValidUntilAParticleMovesHalfTheSkin) {
 
 // The list of an empty run is empty, and one particle is not its own neighbour.
 TYPED_TEST(NeighbourLists, ZeroAndOneParticle) {
-  ReferenceState state = bag(TestFixture::D, 1, 0.0);
+  ReferenceState state = mixture(TestFixture::D, 1, 0.0);
   state.particles.resize(1);
   state.particles[0].source = 0;
   EXPECT_EQ((Loaded<TestFixture::D, Double>(state, {}).list.pairs()), 0u);

@@ -113,7 +113,8 @@ TEST(Plot, DrawsValuesAtTheirCoordinates) {
                                 std::regex("L([0-9.]+) ([0-9.]+)\" fill=\"none\" "
                                            "stroke=\"#0072b2\"")));
   ASSERT_TRUE(std::regex_search(svg, tick, std::regex("y=\"([0-9.]+)\"[^>]*>20</text>")));
-  EXPECT_NEAR(std::stod(tick[1]) - std::stod(last[2]), 5.0, 0.11);  // half of the height of the digits
+  EXPECT_NEAR(std::stod(tick[1]) - std::stod(last[2]), 5.0,
+              0.11);  // half of the height of the digits
   ASSERT_TRUE(std::regex_search(svg, tick, std::regex("x=\"([0-9.]+)\"[^>]*>10</text>")));
   EXPECT_NEAR(std::stod(tick[1]), std::stod(last[1]), 0.11);
 }

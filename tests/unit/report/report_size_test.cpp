@@ -57,7 +57,7 @@ class ManyParticles : public testing::Test {
 
 TEST_F(ManyParticles, AreAllShownWithinTheSizeLimit) {
   ViewerPacker packer(description_);
-  packer.look_at({files_.begin(), files_.begin() + 5});
+  packer.add_frames({files_.begin(), files_.begin() + 5});
   packer.fit(5'000'000);
   EXPECT_EQ(packer.share(), 1.0);
   EXPECT_EQ(viewer_frames(packer, 5'000'000).size(), 5u);
@@ -65,7 +65,7 @@ TEST_F(ManyParticles, AreAllShownWithinTheSizeLimit) {
 
 TEST_F(ManyParticles, FramesAreLeftOutFirst) {
   ViewerPacker packer(description_);
-  packer.look_at(files_);
+  packer.add_frames(files_);
   const std::size_t whole = packer.whole_entry(0).dump().size();
   packer.fit(10 * whole);
   EXPECT_EQ(packer.share(), 1.0);
@@ -78,7 +78,7 @@ TEST_F(ManyParticles, FramesAreLeftOutFirst) {
 
 TEST_F(ManyParticles, ThenTheSameParticlesInEveryFrame) {
   ViewerPacker packer(description_);
-  packer.look_at(files_);
+  packer.add_frames(files_);
   const std::size_t budget = packer.whole_entry(0).dump().size();
   packer.fit(budget);
   const auto frames = viewer_frames(packer, budget);

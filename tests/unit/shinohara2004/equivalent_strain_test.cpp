@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "support/bag.hpp"
+#include "support/mixture.hpp"
 
 namespace kerf::test {
 namespace {

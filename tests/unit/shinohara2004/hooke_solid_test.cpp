@@ -7,13 +7,13 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "support/bag.hpp"
+#include "support/mixture.hpp"
 
 namespace kerf::test {
 namespace {
 
 Medium<double> tofu() {
-  Medium<double> solid = bag_solid(2e-3, 2, 0);
+  Medium<double> solid = mixture_solid(2e-3, 2, 0);
   solid.bulk_modulus = 1e5 / (3.0 * (1.0 - 2.0 * 0.3));
   solid.shear_modulus = 1e5 / (2.0 * (1.0 + 0.3));
   return solid;

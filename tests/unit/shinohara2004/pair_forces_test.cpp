@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "shinohara2004/rates.hpp"
-#include "support/bag.hpp"
 #include "support/loaded.hpp"
+#include "support/mixture.hpp"
 
 namespace kerf::test {
 namespace {
@@ -15,13 +15,13 @@ class PairForces : public testing::Test {
  protected:
   static constexpr int D = Dimension::value;
 
-  static ReferenceState bag(unsigned seed) {
-    BagChoice choice;
+  static ReferenceState mixture(unsigned seed) {
+    MixtureChoice choice;
     choice.dimension = D;
     choice.seed = seed;
     choice.per_side = D == 2 ? 16 : 8;
     choice.rigid = false;
-    return random_bag(choice);
+    return random_mixture(choice);
   }
 
   static Loaded<D, Double> evaluated(const ReferenceState& state) {
@@ -63,7 +63,7 @@ TYPED_TEST_SUITE(PairForces, Dimensions);
 
 TYPED_TEST(PairForces, SumToZero) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    auto state = TestFixture::bag(seed);
+    auto state = TestFixture::mixture(seed);
     state.epsilon = seed % 2 ? 0.3 : 0.0;
     const auto sum = TestFixture::balance(state, TestFixture::evaluated(state));
     ASSERT_GT(sum.force_scale, 0.0);
@@ -73,7 +73,7 @@ TYPED_TEST(PairForces, SumToZero) {
 
 // Pressure and artificial viscosity act along the line of centres; shear does not.
 TYPED_TEST(PairForces, CentralForcesHaveNoTorque) {
-  auto state = TestFixture::bag(6);
+  auto state = TestFixture::mixture(6);
   for (auto& medium : state.media) medium.viscosity = 0.0;
   for (auto& particle : state.particles) particle.shear.setZero();
   const auto sum = TestFixture::balance(state, TestFixture::evaluated(state));
@@ -83,7 +83,7 @@ TYPED_TEST(PairForces, CentralForcesHaveNoTorque) {
 
 // The power of the forces equals that in the balance: pressure work and artificial dissipation.
 TYPED_TEST(PairForces, PowerIsRecorded) {
-  auto state = TestFixture::bag(7);
+  auto state = TestFixture::mixture(7);
   for (auto& medium : state.media) medium.viscosity = 0.0;
   for (auto& particle : state.particles) particle.shear.setZero();
   state.epsilon = 0.3;
@@ -94,7 +94,7 @@ TYPED_TEST(PairForces, PowerIsRecorded) {
 
 // The shear forces have the power -s : grad v per volume, since both sums are over the same pairs.
 TYPED_TEST(PairForces, ShearPowerIsStressPower) {
-  auto state = TestFixture::bag(8);
+  auto state = TestFixture::mixture(8);
   for (auto& medium : state.media) medium.artificial_linear = medium.artificial_quadratic = 0.0;
   for (auto& particle : state.particles) particle.compression = 0.0;
   const auto loaded = TestFixture::evaluated(state);
@@ -111,7 +111,7 @@ TYPED_TEST(PairForces, ShearPowerIsStressPower) {
 }
 
 TYPED_TEST(PairForces, NoRatesInTranslation) {
-  auto state = TestFixture::bag(9);
+  auto state = TestFixture::mixture(9);
   for (auto& particle : state.particles)
     particle.velocity = {3.0, -7.0, TestFixture::D == 3 ? 2.0 : 0.0};
   const auto loaded = TestFixture::evaluated(state);
@@ -125,7 +125,7 @@ TYPED_TEST(PairForces, NoRatesInTranslation) {
 
 // v_ij is at right angles to d_ij: no change of density, no artificial viscosity.
 TYPED_TEST(PairForces, NoCompressionInRotation) {
-  auto state = TestFixture::bag(10);
+  auto state = TestFixture::mixture(10);
   const Vector3 spin = TestFixture::D == 3 ? Vector3(40.0, -70.0, 90.0) : Vector3(0.0, 0.0, 100.0);
   for (auto& particle : state.particles) particle.velocity = spin.cross(particle.position);
   const auto loaded = TestFixture::evaluated(state);
@@ -139,7 +139,7 @@ TYPED_TEST(PairForces, RepulsionIsTheGradientOfItsPotential) {
   constexpr int dimension = TestFixture::D;
   ReferenceState state;
   state.dimension = dimension;
-  state.media = {bag_water(1e-3, dimension), bag_rigid(2e-3)};
+  state.media = {mixture_water(1e-3, dimension), mixture_rigid(2e-3)};
   const double third = dimension == 3 ? 0.3e-3 : 0.0;
   const auto place_at = [&](const Vector3& x) {
     state.particles.assign(3, {});

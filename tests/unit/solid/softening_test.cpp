@@ -27,11 +27,11 @@ Medium<double> softening_solid(double spacing, int dimension, double end,
 // e_0 to 0 at e_f.
 TEST(Softening, StressFallsAlongALine) {
   const auto solid = softening_solid(1e-3, 2, 0.4);
-  EXPECT_EQ(whole_share(solid, 0.05), 1.0);
-  EXPECT_EQ(whole_share(solid, 0.1), 1.0);
-  EXPECT_EQ(whole_share(solid, 0.41), 0.0);
+  EXPECT_EQ(undamaged_share(solid, 0.05), 1.0);
+  EXPECT_EQ(undamaged_share(solid, 0.1), 1.0);
+  EXPECT_EQ(undamaged_share(solid, 0.41), 0.0);
   for (double k : {0.12, 0.2, 0.3, 0.39})
-    EXPECT_NEAR(k * whole_share(solid, k), 0.1 * (0.4 - k) / 0.3, 1e-15);
+    EXPECT_NEAR(k * undamaged_share(solid, k), 0.1 * (0.4 - k) / 0.3, 1e-15);
 }
 
 // The dissipated energy is int psi_t dD, integrated here by the trapezoidal rule.
@@ -41,8 +41,8 @@ TEST(Softening, DissipatesTheEnergyThatItRemoves) {
   double sum = 0.0, before = 0.1;
   for (int n = 1; n <= 3000; ++n) {
     const double k = 0.1 + 0.3 * n / 3000.0;
-    sum +=
-        0.5 * (energy(k) + energy(before)) * (whole_share(solid, before) - whole_share(solid, k));
+    sum += 0.5 * (energy(k) + energy(before)) *
+           (undamaged_share(solid, before) - undamaged_share(solid, k));
     if (n % 1000 == 0) {
       EXPECT_NEAR(softening_loss(solid, k), sum, 1e-6 * sum) << k;
     }

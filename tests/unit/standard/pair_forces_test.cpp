@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "support/wet_bag.hpp"
+#include "support/standard_mixture.hpp"
 
 namespace kerf::test {
 namespace {
@@ -15,11 +15,11 @@ template <class Dimension>
 class StandardPairs : public testing::Test {
  protected:
   static constexpr int dimension = Dimension::value;
-  using Bag = LoadedStandard<dimension, Double>;
+  using Mixture = LoadedStandard<dimension, Double>;
 
   // The particles have no rigid ones, on which no forces act.
-  static ReferenceState bag(unsigned seed) {
-    ReferenceState state = wet_bag(dimension, seed);
+  static ReferenceState mixture(unsigned seed) {
+    ReferenceState state = standard_mixture(dimension, seed);
     std::erase_if(state.particles, [&](const ReferenceParticle& p) {
       return state.media[p.source].phase == Phase::rigid;
     });
@@ -38,7 +38,7 @@ class StandardPairs : public testing::Test {
       torque_scale += x.norm() * push.norm();
     }
   };
-  static Sums sums(const ReferenceState& state, const Bag& loaded) {
+  static Sums sums(const ReferenceState& state, const Mixture& loaded) {
     Sums sum;
     const auto place = loaded.places();
     for (std::size_t i = 0; i < place.size(); ++i) {
@@ -50,14 +50,14 @@ class StandardPairs : public testing::Test {
     return sum;
   }
 };
-TYPED_TEST_SUITE(StandardPairs, BagDimensions);
+TYPED_TEST_SUITE(StandardPairs, MixtureDimensions);
 
 // The pairs are water with water and with solid, and solids in contact; gravity enters the pairs of
 // water and solid, and is subtracted.
 TYPED_TEST(StandardPairs, ForcesSumToZero) {
   constexpr int D = TypeParam::value;
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    auto state = TestFixture::bag(seed);
+    auto state = TestFixture::mixture(seed);
     if (seed > 2) stiffen_volume(state);
     state.gravity = {50.0, -981.0, D == 3 ? 30.0 : 0.0};
     const auto sum = TestFixture::sums(state, evaluated_standard<D, Double>(state));
@@ -72,7 +72,7 @@ TYPED_TEST(StandardPairs, ForcesSumToZero) {
 // is the loss of the solid.
 TYPED_TEST(StandardPairs, WaterAndSolidForcesAreOpposite) {
   constexpr int D = TypeParam::value;
-  auto state = TestFixture::bag(6);
+  auto state = TestFixture::mixture(6);
   const auto loaded = evaluated_standard<D, Double>(state);
   const auto place = loaded.places();
   std::map<Phase, Vector3> force{{Phase::water, Vector3::Zero()}, {Phase::solid, Vector3::Zero()}};
@@ -90,7 +90,7 @@ TYPED_TEST(StandardPairs, WaterAndSolidForcesAreOpposite) {
 // Pressure, its dissipation and contact act along the line of centres, viscosity and friction along
 // the velocity; without these there is no torque.
 TYPED_TEST(StandardPairs, CentralForcesHaveNoTorque) {
-  auto state = TestFixture::bag(7);
+  auto state = TestFixture::mixture(7);
   for (auto& medium : state.media) medium.viscosity = medium.friction = 0.0;
   const auto sum = TestFixture::sums(state, evaluated_standard<TypeParam::value, Double>(state));
   ASSERT_GT(sum.torque_scale, 0.0);
@@ -99,7 +99,7 @@ TYPED_TEST(StandardPairs, CentralForcesHaveNoTorque) {
 
 TYPED_TEST(StandardPairs, DissipationIsNotNegative) {
   for (unsigned seed = 8; seed <= 40; ++seed) {
-    auto state = TestFixture::bag(seed);
+    auto state = TestFixture::mixture(seed);
     if (seed % 2 == 0)
       for (auto& medium : state.media) medium.viscosity = 0.0;
     const auto sum = TestFixture::sums(state, evaluated_standard<TypeParam::value, Double>(state));
@@ -113,7 +113,7 @@ TYPED_TEST(StandardPairs, DissipationOfEachPairIsNotNegative) {
   std::mt19937 engine(5);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int n = 0; n < 300; ++n) {
-    auto state = wet_bag(D, 1);
+    auto state = standard_mixture(D, 1);
     state.particles.resize(2);
     state.particles[0].source = static_cast<std::size_t>(n % 2);
     state.particles[1].source = static_cast<std::size_t>(n / 2 % 6);
@@ -140,7 +140,7 @@ TYPED_TEST(StandardPairs, DissipationInACornerIsNotNegative) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   int damped = 0;
   for (int n = 0; n < 500; ++n) {
-    auto state = wet_bag(D, 1);
+    auto state = standard_mixture(D, 1);
     state.particles.resize(3);
     for (auto& medium : state.media) medium.viscosity = medium.friction = 0.0;
     state.particles[0].source = 0;
@@ -166,7 +166,7 @@ TYPED_TEST(StandardPairs, DissipationInACornerIsNotNegative) {
 
 TYPED_TEST(StandardPairs, NoRatesInTranslation) {
   constexpr int D = TypeParam::value;
-  auto state = wet_bag(D, 9);
+  auto state = standard_mixture(D, 9);
   for (auto& particle : state.particles) {
     particle.velocity = {3.0, -7.0, D == 3 ? 2.0 : 0.0};
     particle.compression = 0.01;
@@ -191,7 +191,7 @@ TYPED_TEST(StandardPairs, NoRatesInTranslation) {
 // A solid particle among two of its own body, one of another and a rigid one.
 template <int D>
 struct Touching {
-  ReferenceState state = wet_bag(D, 1);
+  ReferenceState state = standard_mixture(D, 1);
   explicit Touching(const Vector3& x) {
     state.particles.assign(5, {});
     const double third = D == 3 ? 0.2e-3 : 0.0;

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "shinohara2004/midpoint.hpp"
-#include "support/bag.hpp"
 #include "support/loaded.hpp"
+#include "support/mixture.hpp"
 #include "time/keep_start.hpp"
 
 namespace kerf::test {
@@ -22,7 +22,7 @@ constexpr double rim_speed = 5.0;           // m/s
 ReferenceState stressed_ball(int dimension) {
   ReferenceState state;
   state.dimension = dimension;
-  state.media = {bag_solid(spacing, dimension, 0)};
+  state.media = {mixture_solid(spacing, dimension, 0)};
   state.media[0].failure_strain = 0.0;
   Matrix3 shear;
   shear << 900.0, 500.0, 0.0, 500.0, -700.0, 0.0, 0.0, 0.0, -200.0;

@@ -22,7 +22,7 @@ TEST(Subcycling, NumberOfSubstepsIsBounded) {
   EXPECT_EQ(steps_of(8, 1.0, 100.0), 8);
   EXPECT_EQ(steps_of(1, 1.0, 100.0), 1);
   EXPECT_EQ(steps_of(8, 1.0, 1.0), 1);
-  EXPECT_EQ(steps_of(8, 1.0, 0.0), 1) << "of a solid that nothing is known of yet";
+  EXPECT_EQ(steps_of(8, 1.0, 0.0), 1) << "the wave speed of the solid is unknown";
 }
 
 TEST(Subcycling, PredictsToTheMiddleOfTheSolidStep) {
@@ -49,7 +49,7 @@ TEST(Subcycling, OneSubstepHasNoPrediction) {
     EXPECT_TRUE(cycle.is_first_substep());
     cycle.begin(dt, 10.0);
     EXPECT_EQ(cycle.length(), dt);
-    EXPECT_EQ(cycle.settle_length(), dt);
+    EXPECT_EQ(cycle.take_length(), dt);
     EXPECT_EQ(cycle.prediction_time(dt), 0.0);
     cycle.end_step(dt);
     EXPECT_TRUE(cycle.was_first_substep());
@@ -61,7 +61,7 @@ TEST(Subcycling, OneSubstepHasNoPrediction) {
 TEST(Subcycling, StepsWithinTheSolidLimitAndSumsTheirTime) {
   Subcycling cycle(8);
   const double longest = 5.0;
-  double time = 0.0, booked = 0.0, in_cycle = 0.0;
+  double time = 0.0, recorded = 0.0, in_cycle = 0.0;
   for (int step = 0; step < 1000; ++step) {
     const StepLimit limit = cycle.limit({longest, Limit::acoustic_solid, 7});
     EXPECT_EQ(limit.particle, 7u);
@@ -69,7 +69,7 @@ TEST(Subcycling, StepsWithinTheSolidLimitAndSumsTheirTime) {
     const double dt = std::min(wanted, limit.dt);
     if (cycle.is_first_substep()) {
       cycle.begin(dt, longest);
-      booked += cycle.settle_length();
+      recorded += cycle.take_length();
       in_cycle = 0.0;
     }
     in_cycle += dt;
@@ -77,7 +77,7 @@ TEST(Subcycling, StepsWithinTheSolidLimitAndSumsTheirTime) {
     cycle.end_step(dt);
     EXPECT_LE(in_cycle, longest * (1.0 + 1e-12));
   }
-  EXPECT_NEAR(booked, time, longest) << "but for the last one, and what it owes";
+  EXPECT_NEAR(recorded, time, longest) << "except the last step and its time debt";
 }
 
 TEST(Subcycling, ResumesFromASavedState) {

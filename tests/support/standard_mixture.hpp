@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// The random mixture of bag.hpp for the `standard` formulation, with its bonds and rates.
+// The random mixture of mixture.hpp for the `standard` formulation, with its bonds and rates.
 #pragma once
 
 #include <type_traits>
 
 #include "standard/pair_forces.hpp"
-#include "support/bag.hpp"
 #include "support/loaded.hpp"
+#include "support/mixture.hpp"
 #include "support/reference_standard.hpp"
 
 namespace kerf::test {
 
 template <int D_, class P_>
-struct BagKind {
+struct MixtureKind {
   static constexpr int D = D_;
   using P = P_;
 };
-using BagKinds =
-    testing::Types<BagKind<2, Double>, BagKind<2, Mixed>, BagKind<3, Double>, BagKind<3, Mixed>>;
-using BagDimensions =
+using MixtureKinds = testing::Types<MixtureKind<2, Double>, MixtureKind<2, Mixed>,
+                                    MixtureKind<3, Double>, MixtureKind<3, Mixed>>;
+using MixtureDimensions =
     testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 
 // Sets two waters of different viscosity and sound speed, and walls with a volume.
-inline ReferenceState wet_bag(int dimension, unsigned seed, int per_side = 0) {
-  BagChoice choice;
+inline ReferenceState standard_mixture(int dimension, unsigned seed, int per_side = 0) {
+  MixtureChoice choice;
   choice.dimension = dimension;
   choice.seed = seed;
   choice.per_side = per_side > 0 ? per_side : dimension == 2 ? 14 : 7;
-  ReferenceState state = random_bag(choice);
+  ReferenceState state = random_mixture(choice);
   for (auto& medium : state.media) {
     medium.smoothing_length = 1.3 * medium.spacing;
     medium.volume = std::pow(medium.spacing, dimension);
@@ -53,25 +53,25 @@ inline void stiffen_volume(ReferenceState& state) {
 }
 
 // An arbitrary choice of intact bonds between particles of one piece, the same from both ends.
-inline bool bag_bonded(std::size_t i, std::size_t j) {
+inline bool mixture_bonded(std::size_t i, std::size_t j) {
   return (7 * (i + j) + 3 * (i * j)) % 5 < 3;
 }
 template <int D, class P>
-struct BagBonds {
+struct MixtureBonds {
   KERF_FUNCTION bool is_intact(const ParticleView<D, P>& particles, const Pair<D, P>& pair) const {
     return pair.is_one_piece() && pair.medium_j->phase == Phase::solid &&
-           bag_bonded(particles.id[pair.i], particles.id[pair.j]);
+           mixture_bonded(particles.id[pair.i], particles.id[pair.j]);
   }
   // The initial distance exceeds their spacings.
-  KERF_FUNCTION typename P::Real laid_out_distance(const ParticleView<D, P>&,
-                                                   const Pair<D, P>&) const {
+  KERF_FUNCTION typename P::Real initial_distance(const ParticleView<D, P>&,
+                                                  const Pair<D, P>&) const {
     return typename P::Real(1);
   }
 };
 
 inline ReferenceStandard::Bonded bonds_of(const ReferenceState& state) {
   return [&state](std::size_t i, std::size_t j) {
-    return state.medium(i).piece == state.medium(j).piece && bag_bonded(i, j);
+    return state.medium(i).piece == state.medium(j).piece && mixture_bonded(i, j);
   };
 }
 
@@ -85,7 +85,7 @@ void evaluate_standard(const ReferenceState& state, LoadedStandard<D, P>& loaded
   thrust::fill(particles.solid_initial_overlap.begin(), particles.solid_initial_overlap.end(), 1);
   thrust::fill(particles.rigid_initial_overlap.begin(), particles.rigid_initial_overlap.end(), 1);
   Array<ConcentrationGradient<D, typename P::Real>> concentration_gradient(particles.size());
-  rates.evaluate(particles.view(), particles.size(), loaded.list.view(), BagBonds<D, P>{},
+  rates.evaluate(particles.view(), particles.size(), loaded.list.view(), MixtureBonds<D, P>{},
                  pointer(concentration_gradient));
   particles.wall_normal = particles.next_wall_normal;
 }

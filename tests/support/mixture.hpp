@@ -9,7 +9,7 @@
 
 namespace kerf::test {
 
-struct BagChoice {
+struct MixtureChoice {
   int dimension = 2;
   unsigned seed = 1;
   int per_side = 14;
@@ -17,9 +17,9 @@ struct BagChoice {
   bool rigid = true;
 };
 
-inline constexpr double bag_spacing = 1e-3;  // m
+inline constexpr double mixture_spacing = 1e-3;  // m
 
-inline Medium<double> bag_water(double spacing, int dimension) {
+inline Medium<double> mixture_water(double spacing, int dimension) {
   Medium<double> water;
   water.phase = Phase::water;
   water.spacing = spacing;
@@ -35,7 +35,7 @@ inline Medium<double> bag_water(double spacing, int dimension) {
   return water;
 }
 
-inline Medium<double> bag_solid(double spacing, int dimension, std::uint16_t piece) {
+inline Medium<double> mixture_solid(double spacing, int dimension, std::uint16_t piece) {
   Medium<double> solid;
   solid.phase = Phase::solid;
   solid.piece = piece;
@@ -53,7 +53,7 @@ inline Medium<double> bag_solid(double spacing, int dimension, std::uint16_t pie
   return solid;
 }
 
-inline Medium<double> bag_rigid(double spacing) {
+inline Medium<double> mixture_rigid(double spacing) {
   Medium<double> rigid;
   rigid.phase = Phase::rigid;
   rigid.constrained = true;
@@ -73,16 +73,17 @@ Matrix3 random_deviator(int dimension, Random&& uniform) {
   return s - s.trace() / 3.0 * Matrix3::Identity();
 }
 
-inline ReferenceState random_bag(const BagChoice& choice) {
+inline ReferenceState random_mixture(const MixtureChoice& choice) {
   std::mt19937 engine(choice.seed);
   std::uniform_real_distribution<double> distribution(-1.0, 1.0);
   const auto uniform = [&] { return distribution(engine); };
   const int d = choice.dimension;
-  const double step = bag_spacing;
+  const double step = mixture_spacing;
   ReferenceState state;
   state.dimension = d;
-  state.media = {bag_water(step, d),          bag_water(2.0 * step, d),    bag_solid(step, d, 2),
-                 bag_solid(2.0 * step, d, 2), bag_solid(4.0 * step, d, 4), bag_rigid(2.0 * step)};
+  state.media = {mixture_water(step, d),          mixture_water(2.0 * step, d),
+                 mixture_solid(step, d, 2),       mixture_solid(2.0 * step, d, 2),
+                 mixture_solid(4.0 * step, d, 4), mixture_rigid(2.0 * step)};
   const int layers = d == 3 ? choice.per_side : 1;
   const std::size_t kinds = state.media.size() - (choice.rigid ? 0 : 1);
   for (int k = 0; k < choice.per_side * choice.per_side * layers; ++k) {

@@ -27,14 +27,14 @@ inline double wendland(double r, double h, int dimension) {
   return alpha * std::pow(1.0 - q / 2.0, 4) * (2.0 * q + 1.0);
 }
 
-struct TouchForce {
-  Vector3 push = Vector3::Zero();  // N
-  Vector3 drag = Vector3::Zero();  // N
+struct ReferenceContactForce {
+  Vector3 normal = Vector3::Zero();  // N
+  Vector3 drag = Vector3::Zero();    // N
 };
 
-class ReferenceTouch {
+class ReferenceContact {
  public:
-  explicit ReferenceTouch(const ReferenceState& state)
+  explicit ReferenceContact(const ReferenceState& state)
       : state_(state), on_solids_(state.particles.size()), on_rigid_(state.particles.size()) {
     for (std::size_t i = 0; i < on_solids_.size(); ++i) {
       if (state.medium(i).phase != Phase::solid || !is_body(i)) continue;
@@ -44,21 +44,22 @@ class ReferenceTouch {
   }
 
   // Returns whether the particles belong to two different bodies.
-  bool touches(std::size_t i, std::size_t j) const {
+  bool are_in_contact(std::size_t i, std::size_t j) const {
     return i != j && is_body(i) && is_body(j) && state_.medium(i).piece != state_.medium(j).piece;
   }
   double energy(std::size_t i) const { return on_solids_[i].energy + on_rigid_[i].energy; }
 
   // Returns the force on i from j by the contact energy of i; the opposite force acts on j.
-  TouchForce of(std::size_t i, std::size_t j) const {
+  ReferenceContactForce of(std::size_t i, std::size_t j) const {
     const auto &a = state_.medium(i), &b = state_.medium(j);
     const Overlap& own = b.phase == Phase::rigid ? on_rigid_[i] : on_solids_[i];
-    const Vector3 apart = at(i).position - at(j).position;
+    const Vector3 separation = at(i).position - at(j).position;
     const double h = length(a, b);
-    if (own.slope == 0.0 || apart.norm() >= 2.0 * h) return {};
-    const double slope = wendland_slope(apart.norm(), h, state_.dimension);
-    TouchForce force;
-    force.push = -own.slope * b.volume / just_touching(a, b).first * slope * apart.normalized();
+    if (own.slope == 0.0 || separation.norm() >= 2.0 * h) return {};
+    const double slope = wendland_slope(separation.norm(), h, state_.dimension);
+    ReferenceContactForce force;
+    force.normal =
+        -own.slope * b.volume / first_contact(a, b).first * slope * separation.normalized();
     const double coefficient = std::min(a.friction, b.friction);
     if (coefficient == 0.0) return force;
     const Vector3 normal = own.gradient.normalized(), speed = at(i).velocity - at(j).velocity;
@@ -66,7 +67,7 @@ class ReferenceTouch {
     const double creep =
         coefficient * own.slope * own.gradient.norm() * a.spacing / (a.mass * a.longitudinal_speed);
     force.drag =
-        -coefficient * std::abs(force.push.dot(normal)) / std::max(along.norm(), creep) * along;
+        -coefficient * std::abs(force.normal.dot(normal)) / std::max(along.norm(), creep) * along;
     return force;
   }
 
@@ -89,7 +90,7 @@ class ReferenceTouch {
 
   // Returns the kernel sum at `a` of a lattice of `b` that fills a half-space, and its derivative
   // with respect to the approach; the mean over the positions opposite a particle and between two.
-  std::pair<double, double> just_touching(const Medium<double>& a, const Medium<double>& b) const {
+  std::pair<double, double> first_contact(const Medium<double>& a, const Medium<double>& b) const {
     const double h = length(a, b), d = b.spacing, first = (a.spacing + d) / 2.0;
     const int reach = 2 + static_cast<int>(2.0 * h / d), side = 2 * reach + 1;
     const int deep = state_.dimension == 3 ? side : 1;
@@ -112,16 +113,16 @@ class ReferenceTouch {
     const auto& a = state_.medium(i);
     for (std::size_t j = 0; j < state_.particles.size(); ++j) {
       const auto& b = state_.medium(j);
-      if (!touches(i, j) || b.phase != phase) continue;
-      const Vector3 apart = at(i).position - at(j).position;
-      const double h = length(a, b), r = apart.norm();
+      if (!are_in_contact(i, j) || b.phase != phase) continue;
+      const Vector3 separation = at(i).position - at(j).position;
+      const double h = length(a, b), r = separation.norm();
       if (r >= 2.0 * h) continue;
-      const double full = just_touching(a, b).first;
+      const double full = first_contact(a, b).first;
       kernel_sum += b.volume / full * wendland(r, h, state_.dimension);
-      result.gradient += b.volume / full * wendland_slope(r, h, state_.dimension) * apart / r;
+      result.gradient += b.volume / full * wendland_slope(r, h, state_.dimension) * separation / r;
     }
     if (kernel_sum <= 1.0) return {};
-    const auto [full, slope] = just_touching(a, a);
+    const auto [full, slope] = first_contact(a, a);
     const double share = phase == Phase::rigid ? 1.0 : 0.5;
     const double stiffness = a.volume * (a.total_bulk_modulus + 4.0 / 3.0 * a.shear_modulus) *
                              std::pow(full / (slope * a.spacing), 2) * share;
