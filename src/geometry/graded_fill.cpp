@@ -34,9 +34,9 @@ double distance_from_shape(const Shape& shape, const Point& position, int dimens
 
 double distance_from_line(const Grading::Line& line, const Point& position) {
   double along = 0.0, square = 0.0;
-  for (std::size_t a = 0; a < 3; ++a) along += (position[a] - line.place[a]) * line.direction[a];
+  for (std::size_t a = 0; a < 3; ++a) along += (position[a] - line.origin[a]) * line.direction[a];
   for (std::size_t a = 0; a < 3; ++a) {
-    const double aside = position[a] - line.place[a] - along * line.direction[a];
+    const double aside = position[a] - line.origin[a] - along * line.direction[a];
     square += aside * aside;
   }
   return std::max(0.0, std::sqrt(square) - line.radius);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A body of a case as plain data in SI units.
+// This header declares a body of a case as plain data in SI units.
 #pragma once
 
 #include <array>
@@ -24,16 +24,16 @@ enum class RepellingLayer { top, bottom, left, right, front, back, all };
 inline constexpr std::array<std::string_view, 7> repelling_layer_words{
     "top", "bottom", "left", "right", "front", "back", "all"};
 
-// A body that is coarser further away from where it matters: its spacing doubles at the distances
-// width, 2 width, ... from `around`, or from the water of the jets.
+// The grading of a body: its spacing doubles at the distances width, 2 width, ... from `around`, or
+// from the water of the jets.
 struct Grading {
-  int levels = 0;               // how often the spacing doubles at most; 0 = the body is uniform
+  int levels = 0;               // the most doublings; 0 = the spacing is uniform
   double width = 0.0;           // m
   std::optional<Shape> around;  // distances are from its bounding box; none = from the jets
-  // What follows from the jets of the case where `around` is none.
+  // The axis of a jet of the case, used where `around` is none.
   struct Line {
-    Point place{}, direction{};  // m, unit vector
-    double radius = 0.0;         // m
+    Point origin{}, direction{};  // m, unit vector
+    double radius = 0.0;          // m
     bool operator==(const Line&) const = default;
   };
   std::vector<Line> lines;
@@ -49,14 +49,14 @@ struct Body {
   Lattice lattice = Lattice::square;
   Point offset{};          // m, shift of the lattice origin
   Grading grading;         // `spacing` is the finest
-  double jitter = 0.0;     // of the spacing, how far particles are taken off the lattice
-  std::uint64_t seed = 1;  // of what is random in this body
+  double jitter = 0.0;     // the largest displacement from the lattice over the spacing
+  std::uint64_t seed = 1;  // of the random numbers of this body
   std::array<std::string, 3> velocity{"0", "0", "0"};  // m/s, expressions in x, y, z (m)
-  double pressure = 0.0;                               // Pa, of water as laid out
+  double pressure = 0.0;                               // Pa, initial, of water
   bool fixed = false;
-  // Prescribed displacement from the initial place, m, expressions in t (s); empty = free.
+  // Prescribed displacement from the initial position, m, expressions in t (s); empty = free.
   std::array<std::string, 3> displacement;
-  Faces absorbing;        // those that let waves out (elastic only)
+  Faces absorbing;        // sides that absorb outgoing waves (elastic only)
   std::string joined_to;  // name of a body this one is bonded to; empty = its own piece
   // Rigid bodies only, eq. (43).
   RepellingLayer repelling_layer = RepellingLayer::top;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a case file says, as plain data in SI units. No behaviour lives here.
+// This header declares the data of a case in SI units.
 // Vertical is y in two and three dimensions; a two-dimensional case is a plane-strain slice whose
 // masses, forces and energies are per metre of depth. Entries of `Point` beyond the dimension are
 // 0.

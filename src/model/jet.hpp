@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A jet of a case as plain data in SI units.
+// This header declares a jet of a case as plain data in SI units.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ struct Jet {
   double start = 0.0;     // s
   double stop = 0.0;      // s; infinity = as long as the run lasts
   Point traverse{};       // m/s, velocity of the nozzle
-  double dwell = 0.0;     // s, how long the nozzle stands still after `start`
+  double dwell = 0.0;     // s, rest of the nozzle after `start`
   // Water flows for the first `duty` of each period; 0 = without pause.
   double pulse_frequency = 0.0;  // Hz
   double duty = 1.0;             // 1

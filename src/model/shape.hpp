@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A region of space as a case describes it, as plain data in SI units; geometry/shapes.hpp says
-// which points lie in it.
+// This header declares a region of space as a case describes it, as plain data in SI units.
+// geometry/shapes.hpp determines which points lie in it.
 #pragma once
 
 #include <array>
