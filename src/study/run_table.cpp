@@ -154,12 +154,12 @@ std::vector<std::string> shown_metrics(const StudyPlan& plan) {
   return names;
 }
 
-Verdict verdict_of(const RunRow& row) {
-  if (row.state == RunState::failed) return Verdict::failed;
-  if (row.state != RunState::done) return Verdict::not_run_yet;
+RunVerdict verdict_of(const RunRow& row) {
+  if (row.state == RunState::failed) return RunVerdict::failed;
+  if (row.state != RunState::done) return RunVerdict::not_run_yet;
   const auto found = row.metrics.find("cut_through");
-  if (found == row.metrics.end()) return Verdict::done;
-  return found->second > 0.5 ? Verdict::cut_through : Verdict::not_cut_through;
+  if (found == row.metrics.end()) return RunVerdict::done;
+  return found->second > 0.5 ? RunVerdict::cut_through : RunVerdict::not_cut_through;
 }
 
 std::string report_of(const RunRow& row) {

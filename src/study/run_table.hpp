@@ -23,11 +23,11 @@ std::string with_unit(const std::string& name, std::string_view unit);
 std::vector<std::string> shown_metrics(const StudyPlan& plan);
 
 // The outcome of a run. The words are those of the tables and of study.html.
-enum class Verdict { cut_through, not_cut_through, done, failed, not_run_yet };
+enum class RunVerdict { cut_through, not_cut_through, done, failed, not_run_yet };
 inline constexpr std::array<std::string_view, 5> verdict_words{"cut through", "not cut through",
                                                                "done", "failed", "not run yet"};
 // Returns whether the run cut through; `done` where its result does not say so.
-Verdict verdict_of(const RunRow& row);
+RunVerdict verdict_of(const RunRow& row);
 // Returns the path of the run's report from the folder of the study; "" when the run is not done.
 std::string report_of(const RunRow& row);
 // Returns the value of the key in the units of the study; "as the case" where it is not set.

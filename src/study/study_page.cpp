@@ -112,17 +112,17 @@ std::string static_part(const StudyPlan& plan, const StudyAnswers& answers, bool
                      static_table(plan, answers.runs));
 }
 
-std::string words_of(Verdict verdict) {
+std::string words_of(RunVerdict verdict) {
   return std::string(verdict_words[static_cast<std::size_t>(verdict)]);
 }
 
-Mark mark_of(Verdict verdict) {
+Mark mark_of(RunVerdict verdict) {
   switch (verdict) {
-    case Verdict::not_cut_through:
+    case RunVerdict::not_cut_through:
       return Mark::hollow;
-    case Verdict::failed:
+    case RunVerdict::failed:
       return Mark::crossed;
-    case Verdict::not_run_yet:
+    case RunVerdict::not_run_yet:
       return Mark::dotted;
     default:
       return Mark::filled;
@@ -147,7 +147,7 @@ std::string static_map(const StudyPlan& plan, const std::vector<RunRow>& runs) {
     const auto x = numbers.find(across.name()), y = numbers.find(upward.name());
     if (x == numbers.end() || y == numbers.end() || row.trial.refinement != plan.refinement)
       continue;
-    const Verdict verdict = verdict_of(row);
+    const RunVerdict verdict = verdict_of(row);
     plot.points.push_back({x->second / across.shown_factor(), y->second / upward.shown_factor(),
                            mark_of(verdict), words_of(verdict), report_of(row)});
   }

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Runs each checker of scripts/ on faulty and on correct input, and fails unless it reports the faults."""
+"""Runs the checkers on faulty and on correct input, and fails unless they report the faults."""
 import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
 
-SCRIPTS = pathlib.Path(__file__).resolve().parent.parent.parent / "scripts"
+HARNESS = pathlib.Path(__file__).resolve().parent
+SCRIPTS = HARNESS.parent.parent / "scripts"
 
 LONG_FUNCTION = "int f(int a) {\n" + "  ++a;\n" * 60 + "  return a;\n}\n"
 MANY_ARGUMENTS = "int f(int a, int b, int c, int d, int e, int g, int h) { return a; }\n"
@@ -45,10 +46,37 @@ DOCUMENTS = [
      "packages", False),
 ]
 
+ONE_NAME = "namespace kerf {\nstruct A { int a; };\n}\n"
+OTHER_TYPE = "namespace kerf {\n\nenum class A { one, two };\n}\n"
+FORWARD = "namespace kerf {\nstruct A;\nenum class E : int;\n}\n"
+NESTED = "namespace kerf {\nstruct B {\n  struct A {};\n};\n}\n"
+SPECIAL = "namespace kerf {\ntemplate <>\nstruct A<int> {};\n}\n"
+HIDDEN = "namespace kerf {\nnamespace {\nstruct A {};\nint f() {\n  return 1;\n}\n}\n}\n"
+HIDDEN_FUNCTION = "namespace kerf {\nnamespace {\nint f() {\n  return 2;\n}\n}\n}\n"
+MACROS = "namespace {\nTEST(A, B) {\n}\n}\n"
+OWN_NAMESPACE = HIDDEN_FUNCTION.replace("kerf {", "kerf::b_test {")
 
-def agrees(command, in_order, label):
+# (files of a tree, the two places that the report names; none = the tree is correct)
+NAMES = [
+    ({"src/a/a.hpp": ONE_NAME, "src/b/b.hpp": OTHER_TYPE}, ["src/a/a.hpp:2", "src/b/b.hpp:3"]),
+    ({"src/a/a.hpp": ONE_NAME, "src/b/b.cpp": OTHER_TYPE}, ["src/a/a.hpp:2", "src/b/b.cpp:3"]),
+    ({"src/a/a.hpp": NESTED, "src/b/b.hpp": NESTED}, ["src/a/a.hpp:2", "src/b/b.hpp:2"]),
+    ({"src/a/a.hpp": ONE_NAME, "src/b/b.hpp": FORWARD, "src/b/c.hpp": FORWARD}, []),
+    ({"src/a/a.hpp": ONE_NAME, "src/b/b.hpp": NESTED}, []),
+    ({"src/a/a.hpp": SPECIAL, "src/b/b.hpp": SPECIAL.replace("int", "long")}, []),
+    ({"src/a/a.cpp": HIDDEN, "src/b/b.cpp": HIDDEN}, []),
+    ({"src/a/a.hpp": ONE_NAME, "tests/b/b.hpp": OTHER_TYPE}, ["src/a/a.hpp:2", "tests/b/b.hpp:3"]),
+    ({"tests/a/a.hpp": ONE_NAME, "tests/b/b.hpp": OTHER_TYPE}, []),
+    ({"tests/a/a.cpp": HIDDEN, "tests/a/b.cpp": HIDDEN_FUNCTION}, ["a/a.cpp:4", "a/b.cpp:3"]),
+    ({"tests/a/a.cpp": HIDDEN, "tests/b/b.cpp": HIDDEN}, []),
+    ({"tests/a/a.cpp": HIDDEN, "tests/a/b.cpp": OWN_NAMESPACE}, []),
+    ({"tests/a/a.cpp": MACROS, "tests/a/b.cpp": MACROS}, []),
+]
+
+
+def agrees(command, in_order, label, words=()):
     done = subprocess.run(command, capture_output=True, text=True, check=False)
-    right = done.returncode == (0 if in_order else 1)
+    right = done.returncode == (0 if in_order else 1) and all(word in done.stdout for word in words)
     if not right:
         print(f"{label}: expected {'no ' if in_order else 'a '}complaint, status "
               f"{done.returncode}:\n{done.stdout}{done.stderr}")
@@ -78,8 +106,17 @@ def check_documents():
             yield agrees(command, in_order, f"document {number}")
 
 
+def check_names():
+    for number, (files, places) in enumerate(NAMES):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                write(folder, name, text)
+            command = [HARNESS / "check_names.py", folder]
+            yield agrees([sys.executable, *command], not places, f"names {number}", places)
+
+
 if __name__ == "__main__":
     if not shutil.which("ctags"):
         print("Universal Ctags is not installed: skipped")
         sys.exit(77)
-    sys.exit(0 if all([*check_budgets(), *check_documents()]) else 1)
+    sys.exit(0 if all([*check_budgets(), *check_documents(), *check_names()]) else 1)

@@ -11,10 +11,8 @@
 namespace kerf::test {
 namespace {
 
-constexpr auto both = {PrecisionKind::mixed, PrecisionKind::double_precision};
-
 // Returns the rounding error of sums over some thousand steps.
-double momentum_tolerance(PrecisionKind precision) {
+double balance_rounding(PrecisionKind precision) {
   return precision == PrecisionKind::mixed ? 1e-6 : 1e-12;
 }
 
@@ -28,16 +26,16 @@ std::array<double, 3> momentum_of(const Frame& frame, const std::vector<double>&
   return sum;
 }
 
-void expect_balanced(const Balance& now, PrecisionKind precision) {
+void expect_terms_balanced(const Balance& now, PrecisionKind precision) {
   const double mass = now.mass_initial + now.mass_in;
   EXPECT_NEAR(now.mass_now + now.mass_out + now.mass_erased, mass, 1e-12 * mass);
   EXPECT_LE(std::abs(now.mass_error()), 1e-12);
   for (std::size_t a = 0; a < 3; ++a) {
     const double due = now.momentum_initial[a] + now.momentum_in[a] - now.momentum_out[a] +
                        now.impulse_gravity[a] + now.impulse_plate[a] + now.impulse_constraint[a];
-    EXPECT_NEAR(now.momentum_now[a], due, momentum_tolerance(precision) * now.momentum_scale);
+    EXPECT_NEAR(now.momentum_now[a], due, balance_rounding(precision) * now.momentum_scale);
   }
-  EXPECT_LE(now.momentum_error(), momentum_tolerance(precision));
+  EXPECT_LE(now.momentum_error(), balance_rounding(precision));
 }
 
 // Runs a jet on a block on a plate, with gravity, back_flow_removal and a domain that water leaves.
@@ -61,7 +59,7 @@ void run_all_terms(int dimension, PrecisionKind precision, int steps) {
     ASSERT_GE(now.dissipated_artificial, before.dissipated_artificial);
     ASSERT_GE(now.dissipated_viscous, before.dissipated_viscous);
     ASSERT_GE(now.dissipated_fracture, before.dissipated_fracture);
-    expect_balanced(now, precision);
+    expect_terms_balanced(now, precision);
     before = now;
   }
   const Balance now = simulation->balance();
@@ -122,7 +120,7 @@ TEST(Balance, AgreesWithTheFrame) {
 
 // In free fall the momentum is m g t and the energy m g h.
 TEST(Balance, FreeFallGainsMomentumAndEnergy) {
-  for (PrecisionKind precision : both) {
+  for (PrecisionKind precision : both_precisions) {
     Case c = empty_case(2, precision);
     c.gravity = {0.5, -9.81, 0.0};
     c.bodies = {body("block", Role::elastic, box({0.0, 0.0, 0.0}, {0.02, 0.02, 0.0}), 2e-3)};
@@ -175,7 +173,7 @@ TEST(Balance, InitialEnergyHasThePotentialOfThePlate) {
 // A square of water is compressed and expands: the energy stored by the equation of state is the
 // work against pressure, for one medium of nearly uniform density.
 TEST(Balance, PressureWorkIsStored) {
-  for (PrecisionKind precision : both) {
+  for (PrecisionKind precision : both_precisions) {
     Case c = empty_case(2, precision);
     c.materials[1].artificial_linear = 0.0;
     c.materials[1].viscosity = 0.0;

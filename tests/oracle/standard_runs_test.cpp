@@ -9,17 +9,15 @@
 namespace kerf::test {
 namespace {
 
-constexpr auto both = {PrecisionKind::mixed, PrecisionKind::double_precision};
-
 // Returns the rounding error of sums over some hundred steps: forces are equal and opposite to the
 // last digits.
-double momentum_tolerance(PrecisionKind precision) {
+double momentum_rounding(PrecisionKind precision) {
   return precision == PrecisionKind::mixed ? 1e-6 : 1e-10;
 }
 
-void expect_balanced(const Balance& now, PrecisionKind precision) {
+void expect_conserved(const Balance& now, PrecisionKind precision) {
   EXPECT_LE(std::abs(now.mass_error()), 1e-12);
-  EXPECT_LE(now.momentum_error(), momentum_tolerance(precision));
+  EXPECT_LE(now.momentum_error(), momentum_rounding(precision));
 }
 
 void print(const char* what, const Balance& now) {
@@ -46,7 +44,7 @@ void run_everything(int dimension, PrecisionKind precision, int steps) {
     if (n % 10 != 0) continue;
     const Balance now = simulation->balance();
     ASSERT_GE(now.dissipated_artificial, before.dissipated_artificial);
-    expect_balanced(now, precision);
+    expect_conserved(now, precision);
     before = now;
   }
   const Balance now = simulation->balance();
@@ -141,7 +139,7 @@ void fly_out(int dimension, PrecisionKind precision, double failure_strain) {
     simulation->advance();
     const Balance now = simulation->balance();
     ASSERT_LE(std::abs(now.mass_error()), 1e-12);
-    ASSERT_LE(now.momentum_error(), momentum_tolerance(precision));
+    ASSERT_LE(now.momentum_error(), momentum_rounding(precision));
     half_way = half_way || (now.mass_out > 0.3 * mass && now.mass_out < 0.7 * mass);
   }
   const Balance end = simulation->balance();
@@ -154,14 +152,14 @@ void fly_out(int dimension, PrecisionKind precision, double failure_strain) {
 }
 TEST(StandardBalance, SolidLeavesTheDomain) {
   for (int dimension : {2, 3})
-    for (PrecisionKind precision : both)
+    for (PrecisionKind precision : both_precisions)
       for (double failure_strain : {0.0, 0.05}) fly_out(dimension, precision, failure_strain);
 }
 
 // No force acts across a plane through a freely falling block, because gravity is not a force of
 // one side of the plane on the other. The block is not supported or loaded.
 TEST(StandardProbes, NoForceAcrossAPlaneInFreeFall) {
-  for (PrecisionKind precision : both) {
+  for (PrecisionKind precision : both_precisions) {
     Case c = empty_case(2, precision);
     c.formulation = Formulation::standard;
     c.smoothing_ratio = 1.3;
@@ -245,10 +243,10 @@ void collide(int dimension, PrecisionKind precision, double poisson_ratio) {
   }
   EXPECT_EQ(end.plate_potential, 0.0);  // separated
   EXPECT_LE(worst, 0.01);
-  expect_balanced(end, precision);
+  expect_conserved(end, precision);
 }
 TEST(StandardEnergy, IsConservedInACollisionWithoutDamping2D) {
-  for (PrecisionKind precision : both) collide(2, precision, 0.3);
+  for (PrecisionKind precision : both_precisions) collide(2, precision, 0.3);
 }
 TEST(StandardEnergy, IsConservedInACollisionOfNearlyIncompressibleSolids) {
   collide(2, PrecisionKind::mixed, 0.49);

@@ -14,7 +14,8 @@
 namespace kerf {
 
 inline const std::string paper = "formulation = \"shinohara2004\"",
-                         gravity = "\ngravity = [\"0 m/s2\", \"-9.81 m/s2\"]";
+                         gravity = "\ngravity = [\"0 m/s2\", \"-9.81 m/s2\"]",
+                         block_material = "material = \"tofu\"", speed = "speed = \"5 m/s\"";
 
 inline const std::string good_case = R"(title = "good"
 dimension = 2

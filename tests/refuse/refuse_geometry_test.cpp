@@ -7,8 +7,6 @@ namespace {
 
 const std::string block_shape =
     "{ type = \"box\", minimum = [\"-20 mm\", \"0 mm\"], maximum = [\"20 mm\", \"20 mm\"] }";
-const std::string block_material = "material = \"tofu\"";
-const std::string speed = "speed = \"5 m/s\"";
 
 BadCase shape(const std::string& name, const std::string& text, const std::string& start,
               const std::vector<std::string>& contains) {

@@ -5,9 +5,6 @@
 namespace kerf {
 namespace {
 
-const std::string speed = "speed = \"5 m/s\"";
-const std::string block_material = "material = \"tofu\"";
-
 // budget: function: a table of cases reads best in one place
 TEST(Refuse, UnknownKeys) {
   expect_refused({

@@ -5,8 +5,6 @@
 namespace kerf {
 namespace {
 
-const std::string speed = "speed = \"5 m/s\"";
-
 TEST(Refuse, AcceptsTheValidCase) {
   EXPECT_EQ(message_of(good_case), "(no error)");
 }

@@ -8,6 +8,8 @@
 
 namespace kerf::test {
 
+inline constexpr auto both_precisions = {PrecisionKind::mixed, PrecisionKind::double_precision};
+
 inline Material tofu() {
   Material m;
   m.name = "tofu";

@@ -65,6 +65,10 @@ struct Carving {
   }
 };
 
+inline double depth_of(const Kerf& kerf) {
+  return kerf.shape.depth;
+}
+
 struct Measure {
   std::string what;
   std::function<double(const Kerf&)> of;

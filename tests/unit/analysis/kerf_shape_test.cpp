@@ -25,9 +25,6 @@ class KerfOf : public testing::TestWithParam<View> {
   }();
 };
 
-double depth_of(const Kerf& kerf) {
-  return kerf.shape.depth;
-}
 double top_of(const Kerf& kerf) {
   return kerf.shape.top.width;
 }

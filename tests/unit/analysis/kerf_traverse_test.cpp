@@ -12,9 +12,6 @@ constexpr double speed = 1.0;  // m/s
 double lag_of(const Kerf& kerf) {
   return kerf.shape.lag;
 }
-double depth_of(const Kerf& kerf) {
-  return kerf.shape.depth;
-}
 
 // A slab along the path of the nozzle, which has moved from the origin to 40 mm. The angles are
 // those of the jet, which is inclined against or along the traverse, and of the traverse about the

@@ -23,7 +23,7 @@ Body graded_body(const Shape& shape, double spacing, int levels, double width) {
   return body;
 }
 
-Shape box(const Point& low, const Point& high) {
+Shape box_between(const Point& low, const Point& high) {
   Shape shape;
   shape.box = {low, high};
   return shape;
@@ -37,7 +37,7 @@ Shape holed_box() {
   hole.length = 1.0;
   Shape shape;
   shape.kind = Shape::Kind::difference;
-  shape.parts = {box({-50e-3, 0.0, 0.0}, {50e-3, 27e-3, 20e-3}), hole};
+  shape.parts = {box_between({-50e-3, 0.0, 0.0}, {50e-3, 27e-3, 20e-3}), hole};
   return shape;
 }
 
@@ -82,8 +82,8 @@ TEST(GradedFill, HasTheVolumeOfTheUniformBody) {
 // No particle is coarser than its nearest point allows, and no cell is split unnecessarily: the
 // lattice has whole cells.
 TEST(GradedFill, SpacingFollowsTheDistance) {
-  auto body = graded_body(box({-64e-3, 0.0, 0.0}, {64e-3, 32e-3, 0.0}), 1e-3, 3, 10e-3);
-  body.grading.around = box({-4e-3, 20e-3, 0.0}, {4e-3, 40e-3, 0.0});
+  auto body = graded_body(box_between({-64e-3, 0.0, 0.0}, {64e-3, 32e-3, 0.0}), 1e-3, 3, 10e-3);
+  body.grading.around = box_between({-4e-3, 20e-3, 0.0}, {4e-3, 40e-3, 0.0});
   for (const GradedParticle& particle : fill_levels(body, 2)) {
     const double half = 0.5 * level_spacing(body, particle.level);
     const double distance = distance_from_finest(body.grading, particle.position, 2);
@@ -117,7 +117,7 @@ TEST(GradedFill, NeighboursDifferByOneLevel) {
 
 // A body that is symmetric about the jet has a symmetric layout.
 TEST(GradedFill, KeepsSymmetry) {
-  auto body = graded_body(box({-51e-3, 0.0, 0.0}, {51e-3, 25e-3, 0.0}), 1e-3, 2, 8e-3);
+  auto body = graded_body(box_between({-51e-3, 0.0, 0.0}, {51e-3, 25e-3, 0.0}), 1e-3, 2, 8e-3);
   body.grading.lines = {{{0.0, 25e-3, 0.0}, {0.0, -1.0, 0.0}, 5e-3}};
   std::multiset<std::array<double, 3>> places, mirrored;
   for (const GradedParticle& particle : fill_levels(body, 2)) {

@@ -67,7 +67,8 @@ TEST(Grading, AroundAShape) {
   EXPECT_EQ(parse_case(write_used(read), "case.used.toml"), read);
 }
 
-void expect_refused(const std::string& text, const std::string& what, const std::string& remedy) {
+void expect_grading_refused(const std::string& text, const std::string& what,
+                            const std::string& remedy) {
   try {
     parse_case(text, "case.toml");
     ADD_FAILURE() << what << " was not refused";
@@ -79,19 +80,20 @@ void expect_refused(const std::string& text, const std::string& what, const std:
 }
 
 TEST(Grading, InvalidGradingIsRefused) {
-  expect_refused(block_with(R"(grading = { levels = 2, width = "3.9 mm" })", jet),
-                 "body[1].grading.width = \"3.9 mm\"", "at least 0.004 m");
-  expect_refused(block_with(R"(grading = { levels = 2, width = "15 mm" })"),
-                 "body[1].grading.around", "there is no jet");
-  expect_refused(block_with(R"(grading = { levels = 0, width = "15 mm" })", jet),
-                 "body[1].grading.levels = 0", "from 1 to 4");
-  expect_refused(
+  expect_grading_refused(block_with(R"(grading = { levels = 2, width = "3.9 mm" })", jet),
+                         "body[1].grading.width = \"3.9 mm\"", "at least 0.004 m");
+  expect_grading_refused(block_with(R"(grading = { levels = 2, width = "15 mm" })"),
+                         "body[1].grading.around", "there is no jet");
+  expect_grading_refused(block_with(R"(grading = { levels = 0, width = "15 mm" })", jet),
+                         "body[1].grading.levels = 0", "from 1 to 4");
+  expect_grading_refused(
       block_with("lattice = \"hexagonal\"\ngrading = { levels = 1, width = \"15 mm\" }", jet),
       "the lattice of the body is hexagonal or shifted", "a square lattice without offset");
-  expect_refused(block_with(R"(grading = { levels = 1, width = "15 mm", speed = 3 })", jet),
-                 "body[1].grading.speed", "levels");
-  expect_refused(block_with(R"(grading = { levels = 1, width = "15 mm" })", jet, "shinohara2004"),
-                 "body[1].grading", "standard");
+  expect_grading_refused(block_with(R"(grading = { levels = 1, width = "15 mm", speed = 3 })", jet),
+                         "body[1].grading.speed", "levels");
+  expect_grading_refused(
+      block_with(R"(grading = { levels = 1, width = "15 mm" })", jet, "shinohara2004"),
+      "body[1].grading", "standard");
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ PlasticState<D, double> flowed(std::mt19937& engine, double size, bool keeps_vol
   return state;
 }
 
-double energy_by_definition(const ElasticModuli<double>& solid, const Matrix3& f,
-                            const Matrix3& inverse_metric) {
+double hencky_energy(const ElasticModuli<double>& solid, const Matrix3& f,
+                     const Matrix3& inverse_metric) {
   const Matrix3 e = 0.5 * log_of(f * inverse_metric * f.transpose());
   const Matrix3 deviator = e - e.trace() / 3.0 * Matrix3::Identity();
   return solid.shear_modulus * deviator.squaredNorm() +
@@ -35,11 +35,12 @@ double energy_by_definition(const ElasticModuli<double>& solid, const Matrix3& f
 
 // Fourth-order difference: truncation (1e-3)^4 / 30 times a fifth derivative of some 1e3 K.
 template <int D>
-void expect_slope(const ElasticModuli<double>& solid, const PlasticParameters<double>& parameters,
-                  const Matrix3& f, const PlasticState<D, double>& state) {
+void expect_stress_is_slope(const ElasticModuli<double>& solid,
+                            const PlasticParameters<double>& parameters, const Matrix3& f,
+                            const PlasticState<D, double>& state) {
   const Matrix3 inverse_metric = plastic_metric(state);
   const auto result = advance(solid, parameters, gradient_of<D>(f), 0.0, state);
-  EXPECT_NEAR(result.stored_energy, energy_by_definition(solid, f, inverse_metric),
+  EXPECT_NEAR(result.stored_energy, hencky_energy(solid, f, inverse_metric),
               1e-12 * solid.bulk_modulus);
   const Matrix3 piola = f * matrix_of(result.stress);
   const double step = 1e-3;
@@ -47,7 +48,7 @@ void expect_slope(const ElasticModuli<double>& solid, const PlasticParameters<do
     const auto at = [&](double shift) {
       Matrix3 moved = f;
       moved(k / D, k % D) += shift;
-      return energy_by_definition(solid, moved, inverse_metric);
+      return hencky_energy(solid, moved, inverse_metric);
     };
     const double slope =
         (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step);
@@ -66,9 +67,9 @@ TYPED_TEST(Hencky, StressIsTheSlopeOfTheEnergy) {
     const Matrix3 f = Matrix3::Identity() + random_matrix(engine, D, 0.35);
     if (f.determinant() < 0.3) continue;
     ++tried;
-    expect_slope<D>(steel(), metal, f, PlasticState<D, double>::virgin());
-    expect_slope<D>(steel(), metal, f, flowed<D>(engine, 0.2, true));
-    expect_slope<D>(steel(), rock, f, flowed<D>(engine, 0.2, false));
+    expect_stress_is_slope<D>(steel(), metal, f, PlasticState<D, double>::virgin());
+    expect_stress_is_slope<D>(steel(), metal, f, flowed<D>(engine, 0.2, true));
+    expect_stress_is_slope<D>(steel(), rock, f, flowed<D>(engine, 0.2, false));
   }
   EXPECT_GT(tried, 30);
 }

@@ -25,7 +25,7 @@ BarotropicMatter<T> shocked_water() {
   return water;
 }
 
-const double compressions[] = {1e-4, 1e-2, 0.05, 0.15, 0.3, 0.5};
+const double shock_compressions[] = {1e-4, 1e-2, 0.05, 0.15, 0.3, 0.5};
 
 // The fifth-order central difference: its error at steps of 1e-3 x is of 1e-12 relative.
 template <class Function>
@@ -36,7 +36,7 @@ double slope(const Function& f, double x) {
 
 TEST(ShockHugoniot, PressureIsTheSlopeOfEnergy) {
   const auto water = shocked_water<double>();
-  for (const double x : compressions) {
+  for (const double x : shock_compressions) {
     const double rho = rho_0 * (1.0 + x);
     const double by_energy =
         rho * rho / rho_0 * slope([&](double at) { return energy_at(water, at); }, x);
@@ -48,7 +48,7 @@ TEST(ShockHugoniot, PressureIsTheSlopeOfEnergy) {
 
 TEST(ShockHugoniot, SoundSpeedIsTheSlopeOfPressure) {
   const auto water = shocked_water<double>();
-  for (const double x : compressions) {
+  for (const double x : shock_compressions) {
     const double square = slope([&](double at) { return pressure_at(water, at); }, x) / rho_0;
     const double sound_speed = sound_speed_at(water, x);
     EXPECT_NEAR(sound_speed * sound_speed, square, 1e-8 * square);

@@ -14,7 +14,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr double skin = 5e-4, width = 0.06;  // m
+constexpr double list_skin = 5e-4, width = 0.06;  // m
 using Motion =
     std::function<Vector3(const Vector3&, double)>;  // displacement at a position and time
 
@@ -45,7 +45,7 @@ struct Flight {
   MirrorPlanes<D> mirrors{};
 
   Flight(const ReferenceState& from, const std::string& faces)
-      : state(from), loaded(from, {0.0, width, skin}), mirrors(planes_of<D>(faces, width)) {
+      : state(from), loaded(from, {0.0, width, list_skin}), mirrors(planes_of<D>(faces, width)) {
     loaded.particles.mirrors = mirrors;
     loaded.rebuild();
     for (const auto& particle : state.particles) start.push_back(particle.position);
@@ -116,7 +116,7 @@ TYPED_TEST_SUITE(ListValidity, Dimensions);
 TYPED_TEST(ListValidity, LastsLongForUniformMotion) {
   const Motion flight = [](const Vector3&, double t) { return Vector3(0.6 * t, 0.8 * t, 0.0); };
   const double longest = TestFixture::last(flight, 1e-4, true);
-  EXPECT_GT(longest, 5.0 * skin);
+  EXPECT_GT(longest, 5.0 * list_skin);
   EXPECT_LT(longest, 1e300);
 }
 
@@ -145,7 +145,7 @@ TYPED_TEST(ListValidity, IncludesMirrorImages) {
       return Vector3(t * std::cos(angle), t * std::sin(angle), 0.0);
     };
     const double longest = TestFixture::last(motion, 2e-5, true, "x- y+");
-    EXPECT_LT(longest, 3.0 * skin) << angle;  // they approach at twice the speed
+    EXPECT_LT(longest, 3.0 * list_skin) << angle;  // they approach at twice the speed
     EXPECT_EQ(longest, TestFixture::last(motion, 2e-5, false, "x- y+"));
   }
 }

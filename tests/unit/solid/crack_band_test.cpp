@@ -12,7 +12,7 @@ namespace kerf::test {
 namespace {
 
 // A notch at half height, from the left to the middle of a strip 80 mm wide and 20 mm high.
-struct LongNotch {
+struct NotchToTheMiddle {
   KERF_FUNCTION bool operator()(const Vector<2, double>& a, const Vector<2, double>& b) const {
     return a[0] < 40e-3 && b[0] < 40e-3 && (a[1] < 10e-3) != (b[1] < 10e-3);
   }
@@ -53,7 +53,7 @@ double tears_at(const Medium<double>& medium, double jitter, double energy) {
       failure_strain_of(energy, medium.bulk_modulus, medium.shear_modulus, spacing);
   SolidOnTrial<2, Mixed> trial(
       block<2>({.cells = {wide, high, 1}, .spacing = spacing, .jitter = jitter}, brittle));
-  trial.solid.cut(LongNotch{});
+  trial.solid.cut(NotchToTheMiddle{});
   const double speed = 0.01, dt = pulling_step(trial);
   double has_broken_bonds = 0.0;
   trial.evaluate();

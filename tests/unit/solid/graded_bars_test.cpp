@@ -133,7 +133,7 @@ TEST(GradedBeam, BendsLikeAUniformBeam) {
 }
 
 // A notch at half height, from the left into a strip 80 mm wide and 20 mm high.
-struct LongNotch {
+struct NotchBeforeTheJump {
   KERF_FUNCTION bool operator()(const Vector<2, double>& a, const Vector<2, double>& b) const {
     return a[0] < 30e-3 && b[0] < 30e-3 && (a[1] < 10e-3) != (b[1] < 10e-3);
   }
@@ -162,7 +162,7 @@ std::array<double, 2> tears(bool graded) {
     level.failure_strain =
         failure_strain_of(energy, medium.bulk_modulus, medium.shear_modulus, level.spacing);
   SolidOnTrial<2, Mixed> trial(layout);
-  trial.solid.cut(LongNotch{});
+  trial.solid.cut(NotchBeforeTheJump{});
   const double speed = 0.02, dt = 0.2 * fine / medium.bond_wave_speed();
   std::array<double, 2> has_broken_bonds{};
   trial.evaluate();

@@ -103,7 +103,7 @@ TYPED_TEST(GradedForce, ForceIsTheGradientOfTheStoredEnergy) {
 
 // The particle is further from every face than the kernel of the coarse particles.
 template <int D>
-bool is_inside(const SolidLayout<D>& layout, std::size_t i, const BlockChoice& choice) {
+bool is_far_from_faces(const SolidLayout<D>& layout, std::size_t i, const BlockChoice& choice) {
   for (int a = 0; a < D; ++a) {
     const double x = layout.reference[i][a] / choice.spacing;
     if (x < 5.2 || x > 2.0 * choice.cells[static_cast<std::size_t>(a)] - 5.2) return false;
@@ -130,7 +130,7 @@ TYPED_TEST(GradedForce, UniformStressHasNoForceAtTheJump) {
                          : 3.0 * medium.bulk_modulus);
     double& worst = left[fitted] = 0.0;
     for (std::size_t i = 0; i < trial.size(); ++i)
-      if (is_inside(layout, i, choice))
+      if (is_far_from_faces(layout, i, choice))
         worst = std::max(
             worst, norm(trial.force(i)) /
                        (stress * std::pow(layout.media[layout.medium_index[i]].spacing, D - 1)));

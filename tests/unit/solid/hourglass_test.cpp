@@ -17,7 +17,7 @@ constexpr int block_cells = 11;
 
 // Returns the particle in the middle, more than two supports from every face.
 template <int D>
-bool is_inside(std::size_t k) {
+bool is_in_the_middle(std::size_t k) {
   std::size_t rest = k;
   for (int a = 0; a < D; ++a, rest /= block_cells)
     if (rest % block_cells < 5 || rest % block_cells > block_cells - 6) return false;
@@ -47,7 +47,7 @@ TYPED_TEST(Hourglass, CheckerboardHasNoStrainButEnergy) {
   const auto& medium = trial.layout.media[0];
   bool seen = false;
   for (std::size_t k = 0; k < trial.size(); ++k) {
-    if (!is_inside<D>(k)) continue;
+    if (!is_in_the_middle<D>(k)) continue;
     seen = true;
     // Strain to rounding of the amplitude over the spacing.
     for (auto h : trial.gradient(k).component)
@@ -79,7 +79,7 @@ TYPED_TEST(Hourglass, CheckerboardIsUnresistedWithoutControl) {
   EXPECT_EQ(trial.solid.energy().hourglass, 0.0);
   const double scale = 1e5 * 1e-5 * std::pow(1e-3, D - 2);  // E amplitude spacing^(D-2)
   for (std::size_t k = 0; k < trial.size(); ++k) {
-    if (!is_inside<D>(k)) continue;
+    if (!is_in_the_middle<D>(k)) continue;
     EXPECT_LE(norm(trial.force(k)), TypeParam::rounding * scale);
   }
 }
@@ -92,7 +92,7 @@ TYPED_TEST(Hourglass, IsNotTheFastestMotion) {
   auto trial = checkerboard<D, typename TypeParam::P>(amplitude, Medium<double>{}.hourglass);
   const auto& medium = trial.layout.media[0];
   for (std::size_t k = 0; k < trial.size(); ++k) {
-    if (!is_inside<D>(k)) continue;
+    if (!is_in_the_middle<D>(k)) continue;
     const double frequency = std::sqrt(norm(trial.force(k)) / medium.mass / amplitude);
     EXPECT_LE(frequency, 2.0 * medium.bond_wave_speed() / medium.spacing);
     EXPECT_GE(frequency, 0.5 * medium.bond_wave_speed() / medium.spacing);

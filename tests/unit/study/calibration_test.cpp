@@ -13,11 +13,12 @@
 namespace kerf {
 namespace {
 
+using test::speed_of;
 using testing::HasSubstr;
 
 const std::string energy = "materials.curd.fracture_energy";
 
-CalibrationGoal goal_of(const std::string& more) {
+CalibrationGoal calibration_of(const std::string& more) {
   return *test::plan_of("[calibrate]\nkey = \"" + energy +
                         "\"\nfrom = \"1 J/m2\"\nto = \"100 J/m2\"\n" + more)
               .calibration;
@@ -25,9 +26,6 @@ CalibrationGoal goal_of(const std::string& more) {
 
 double energy_of(const Trial& trial) {
   return trial.setting.numbers.at(energy);
-}
-double speed_of(const Trial& trial) {
-  return trial.setting.numbers.at("jet.jet.speed");
 }
 // A depth that decreases with the fracture energy and increases with the speed.
 double depth(double fracture_energy, double speed) {
@@ -43,7 +41,7 @@ CalibrationGoal cut_goal(double measured, double uncertainty) {
   std::string text = one_cut;
   text.replace(text.find("MEASURED"), 8, std::to_string(measured));
   text.replace(text.find("UNCERTAINTY"), 11, std::to_string(uncertainty));
-  return goal_of(text);
+  return calibration_of(text);
 }
 
 TEST(Calibration, RecoversTheEnergyAndPredictsAnUnusedMeasurement) {
@@ -112,7 +110,7 @@ TEST(Calibration, ScatterOfTheRunsIsInTheInterval) {
 
 TEST(Calibration, RecoversTheEnergyFromAThreshold) {
   // The model cuts from the speed 2 (Gc / 10)^0.5 on: at 3 m/s that is Gc = 22.5.
-  const CalibrationGoal goal = goal_of(
+  const CalibrationGoal goal = calibration_of(
       "metric = \"cut_through\"\ntolerance = 0.03\n[calibrate.at]\n\"jet.jet.speed\" = \"3 "
       "m/s\"\n");
   test::SyntheticLaboratory laboratory(

@@ -14,7 +14,9 @@
 namespace kerf {
 namespace {
 
-OptimumGoal goal_of(const std::string& more) {
+using test::speed_of;
+
+OptimumGoal optimum_of(const std::string& more) {
   return *test::plan_of(
               "[vary]\n\"jet.jet.speed\" = { from = \"2 m/s\", to = \"10 m/s\" }\n"
               "\"jet.jet.width\" = { from = \"2 mm\", to = \"10 mm\" }\n[search]\n" +
@@ -22,9 +24,6 @@ OptimumGoal goal_of(const std::string& more) {
               .optimum;
 }
 
-double speed_of(const Trial& trial) {
-  return trial.setting.numbers.at("jet.jet.speed");
-}
 double width_of(const Trial& trial) {
   return 1e3 * trial.setting.numbers.at("jet.jet.width");
 }
@@ -40,7 +39,7 @@ std::map<std::string, double> cut_by_flow(const Trial& trial, double needed) {
 
 TEST(OptimumSearch, FindsTheLeastEnergyOnTheEdgeOfCutThrough) {
   const OptimumGoal goal =
-      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 1.0\nruns = 60\n");
+      optimum_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 1.0\nruns = 60\n");
   test::SyntheticLaboratory laboratory([](const Trial& trial) { return cut_by_flow(trial, 25.0); },
                                        2);
   const OptimumAnswer answer = find_optimum(goal, 1.0, laboratory);
@@ -55,7 +54,7 @@ TEST(OptimumSearch, FindsTheLeastEnergyOnTheEdgeOfCutThrough) {
 
 TEST(OptimumSearch, CoarseRunsFindTheRegionAndFineRunsConfirmIt) {
   const OptimumGoal goal =
-      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 60\n");
+      optimum_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 60\n");
   // Coarse runs cut slightly too easily: their best setting does not cut at the requested
   // resolution.
   test::SyntheticLaboratory laboratory(
@@ -75,7 +74,7 @@ TEST(OptimumSearch, CoarseRunsFindTheRegionAndFineRunsConfirmIt) {
 
 TEST(OptimumSearch, StatesTheExtrapolationToZeroSpacing) {
   const OptimumGoal goal =
-      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 40\n");
+      optimum_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 40\n");
   // The error is 8% at the spacing of the study, proportional to the spacing: 16% in drafts.
   test::SyntheticLaboratory laboratory(
       [](const Trial& trial) {
@@ -95,7 +94,7 @@ TEST(OptimumSearch, StatesTheExtrapolationToZeroSpacing) {
 
 TEST(OptimumSearch, DoesNotExtrapolateIfCoarseRunsDoNotCut) {
   const OptimumGoal goal =
-      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 40\n");
+      optimum_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 40\n");
   test::SyntheticLaboratory laboratory(
       [](const Trial& trial) { return cut_by_flow(trial, trial.refinement < 1.0 ? 35.0 : 25.0); },
       2);
@@ -110,7 +109,7 @@ TEST(OptimumSearch, DoesNotExtrapolateIfCoarseRunsDoNotCut) {
 
 TEST(OptimumSearch, RequestsNoRunTwice) {
   const OptimumGoal goal =
-      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 60\n");
+      optimum_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 0.5\nruns = 60\n");
   test::SyntheticLaboratory laboratory([](const Trial& trial) { return cut_by_flow(trial, 25.0); },
                                        2);
   const OptimumAnswer answer = find_optimum(goal, 1.0, laboratory);
@@ -122,7 +121,7 @@ TEST(OptimumSearch, RequestsNoRunTwice) {
 }
 
 TEST(OptimumSearch, FindsAnInteriorMaximum) {
-  const OptimumGoal goal = goal_of(
+  const OptimumGoal goal = optimum_of(
       "find = \"maximum\"\nmetric = \"kerf.depth\"\ndraft = 1.0\nruns = 60\n"
       "where = { metric = \"front_speed\", at_most = \"9 m/s\" }\n");
   test::SyntheticLaboratory laboratory(
@@ -140,7 +139,7 @@ TEST(OptimumSearch, FindsAnInteriorMaximum) {
 
 TEST(OptimumSearch, ForwardsAStop) {
   const OptimumGoal goal =
-      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 1.0\nruns = 60\n");
+      optimum_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 1.0\nruns = 60\n");
   struct Stop {};
   int runs = 0;
   test::SyntheticLaboratory laboratory(
@@ -155,7 +154,7 @@ TEST(OptimumSearch, ForwardsAStop) {
 
 TEST(OptimumSearch, ReportsThatNoRunCuts) {
   const OptimumGoal goal =
-      goal_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\nruns = 20\n");
+      optimum_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\nruns = 20\n");
   test::SyntheticLaboratory laboratory(
       [](const Trial& trial) { return cut_by_flow(trial, 1000.0); }, 2);
   EXPECT_THAT(find_optimum(goal, 1.0, laboratory).problem,

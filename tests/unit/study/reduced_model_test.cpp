@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-ModelGoal goal_of(ModelForm form, std::vector<std::string> variables) {
+ModelGoal model_goal(ModelForm form, std::vector<std::string> variables) {
   ModelGoal goal;
   goal.form = form;
   goal.drive = "machine.pressure";
@@ -31,7 +31,7 @@ TEST(ReducedModel, RecoversALineAboveAThreshold) {
   for (const double pressure : {20e6, 25e6, 40e6, 50e6, 60e6, 70e6})
     data.push_back(
         {{{"machine.pressure", pressure}}, std::max(0.0, bone_depth(pressure, 1.0, 0.3))});
-  const ReducedModel model(goal_of(ModelForm::threshold_linear, {}), data);
+  const ReducedModel model(model_goal(ModelForm::threshold_linear, {}), data);
   ASSERT_EQ(model.problem(), "");
   EXPECT_EQ(model.used(), 4);
   const auto parameters = model.parameters();
@@ -48,7 +48,7 @@ TEST(ReducedModel, APowerLawWithAThresholdIsRecovered) {
     for (const double dwell : {1.0, 3.0, 5.0})
       data.push_back({{{"machine.pressure", pressure}, {"time.end", dwell}},
                       bone_depth(pressure, dwell, 0.3)});
-  const ReducedModel model(goal_of(ModelForm::threshold_power, {"time.end"}), data);
+  const ReducedModel model(model_goal(ModelForm::threshold_power, {"time.end"}), data);
   ASSERT_EQ(model.problem(), "");
   const auto parameters = model.parameters();
   EXPECT_NEAR(parameters[1].value / 29e6, 1.0, 1e-5);
@@ -65,7 +65,7 @@ TEST(ReducedModel, APlainPowerLawIsRecovered) {
     for (const double traverse : {0.01, 0.03})
       data.push_back({{{"machine.pressure", pressure}, {"machine.traverse_speed", traverse}},
                       3e-9 * std::pow(pressure, 1.25) * std::pow(traverse, -0.5)});
-  const ReducedModel model(goal_of(ModelForm::power, {"machine.traverse_speed"}), data);
+  const ReducedModel model(model_goal(ModelForm::power, {"machine.traverse_speed"}), data);
   ASSERT_EQ(model.problem(), "");
   EXPECT_NEAR(std::exp(model.parameters()[0].value) / 3e-9, 1.0, 1e-8);
   EXPECT_NEAR(model.parameters()[1].value, 1.25, 1e-9);
@@ -85,7 +85,7 @@ TEST(ReducedModel, TheIntervalOfTheThresholdCoversIt) {
       data.push_back(
           {{{"machine.pressure", pressure}}, bone_depth(pressure, 1.0, 0.3) + 1e-4 * error});
     }
-    const ReducedModel model(goal_of(ModelForm::threshold_linear, {}), data);
+    const ReducedModel model(model_goal(ModelForm::threshold_linear, {}), data);
     const auto threshold = model.parameters()[1];
     covered += threshold.low <= 29e6 && 29e6 <= threshold.high;
   }
@@ -96,7 +96,7 @@ TEST(ReducedModel, TheTableCoversTheRangeOfTheData) {
   std::vector<ModelDatum> data;
   for (const double pressure : {40e6, 50e6, 60e6, 80e6})
     data.push_back({{{"machine.pressure", pressure}}, bone_depth(pressure, 1.0, 0.3)});
-  ModelGoal goal = goal_of(ModelForm::threshold_linear, {});
+  ModelGoal goal = model_goal(ModelForm::threshold_linear, {});
   goal.table_points = 5;
   const ReducedModel model(goal, data);
   std::istringstream table(
@@ -114,7 +114,7 @@ TEST(ReducedModel, TheTableCoversTheRangeOfTheData) {
 
 TEST(ReducedModel, RunsWithoutACutAreExcluded) {
   const ReducedModel model(
-      goal_of(ModelForm::threshold_linear, {}),
+      model_goal(ModelForm::threshold_linear, {}),
       {{{{"machine.pressure", 1e6}}, 0.0}, {{{"machine.pressure", 2e6}}, 0.0}});
   EXPECT_THAT(model.problem(), testing::HasSubstr("no run has kerf.depth above 0"));
 }
@@ -124,9 +124,9 @@ TEST(ReducedModel, AConstantVariableIsReported) {
   for (const double pressure : {40e6, 50e6, 60e6, 80e6, 90e6})
     data.push_back(
         {{{"machine.pressure", pressure}, {"time.end", 1.0}}, bone_depth(pressure, 1.0, 0.3)});
-  EXPECT_THAT(ReducedModel(goal_of(ModelForm::power, {"time.end"}), data).problem(),
+  EXPECT_THAT(ReducedModel(model_goal(ModelForm::power, {"time.end"}), data).problem(),
               testing::HasSubstr("do not determine the parameters"));
-  EXPECT_THAT(ReducedModel(goal_of(ModelForm::threshold_power, {"time.end"}), data).problem(),
+  EXPECT_THAT(ReducedModel(model_goal(ModelForm::threshold_power, {"time.end"}), data).problem(),
               testing::HasSubstr("do not determine the parameters"));
 }
 

@@ -17,12 +17,12 @@ using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string map =
+const std::string speeds_and_widths =
     "[vary]\n\"jet.jet.speed\" = { from = \"1 m/s\", to = \"5 m/s\", count = 5 }\n"
     "\"jet.jet.width\" = [\"4 mm\", \"6 mm\"]\n"
     "[model]\nform = \"threshold_linear\"\ndrive = \"jet.jet.speed\"\n";
 
-RunRow row(const std::string& id, double speed, double width, double depth) {
+RunRow finished_run(const std::string& id, double speed, double width, double depth) {
   RunRow result;
   result.id = id;
   result.trial.setting.numbers = {{"jet.jet.speed", speed}, {"jet.jet.width", width}};
@@ -38,8 +38,8 @@ StudyAnswers answers_of(const StudyPlan& plan) {
   StudyAnswers answers;
   for (int i = 0; i < 5; ++i)
     answers.runs.push_back(
-        row(fmt::format("run{}", i), 1.0 + i, 0.004, 0.002 * (i + 0.1 * (i % 2))));
-  answers.runs.push_back(row("bad", 5.0, 0.006, 0.0));
+        finished_run(fmt::format("run{}", i), 1.0 + i, 0.004, 0.002 * (i + 0.1 * (i % 2))));
+  answers.runs.push_back(finished_run("bad", 5.0, 0.006, 0.0));
   answers.runs.back().state = RunState::failed;
   answers.runs.back().metrics.clear();
   answers.runs.back().error = "</script><b>broken</b>";
@@ -48,7 +48,7 @@ StudyAnswers answers_of(const StudyPlan& plan) {
 }
 
 TEST(StudyPage, HoldsStudyJsonAndTheUnitsOfEveryMetric) {
-  const StudyPlan plan = test::plan_of(map);
+  const StudyPlan plan = test::plan_of(speeds_and_widths);
   const StudyAnswers answers = answers_of(plan);
   const Json data = study_page_data(plan, answers, StudyState::running);
   EXPECT_EQ(data.at("study"), Json::parse(study_json(plan, answers)));
@@ -61,7 +61,7 @@ TEST(StudyPage, HoldsStudyJsonAndTheUnitsOfEveryMetric) {
 }
 
 TEST(StudyPage, HoldsTheModelOverTheRangeOfItsData) {
-  const StudyPlan plan = test::plan_of(map);
+  const StudyPlan plan = test::plan_of(speeds_and_widths);
   const StudyAnswers answers = answers_of(plan);
   ASSERT_EQ(answers.model->problem(), "");
   const Json points = study_page_data(plan, answers, StudyState::ended).at("model_points");
@@ -79,7 +79,7 @@ TEST(StudyPage, HoldsTheModelOverTheRangeOfItsData) {
 }
 
 TEST(StudyPage, HasNoExternalResourcesAndEscapesMessages) {
-  const StudyPlan plan = test::plan_of(map);
+  const StudyPlan plan = test::plan_of(speeds_and_widths);
   const std::string page = study_page(plan, answers_of(plan), StudyState::ended);
   EXPECT_THAT(page, Not(HasSubstr("</script><b>")));
   EXPECT_THAT(page, HasSubstr("&lt;/script&gt;&lt;b&gt;broken"));
@@ -90,7 +90,7 @@ TEST(StudyPage, HasNoExternalResourcesAndEscapesMessages) {
 }
 
 TEST(StudyPage, WithoutItsScriptHasAMapAndATable) {
-  const StudyPlan plan = test::plan_of(map);
+  const StudyPlan plan = test::plan_of(speeds_and_widths);
   const auto runs = answers_of(plan).runs;
   const std::string drawn = static_map(plan, runs);
   EXPECT_THAT(drawn, HasSubstr("<a href=\"runs/run4/report.html\">"));
@@ -105,7 +105,7 @@ TEST(StudyPage, WithoutItsScriptHasAMapAndATable) {
 }
 
 TEST(StudyPage, IsRewrittenAfterRuns) {
-  const StudyPlan plan = test::plan_of(map);
+  const StudyPlan plan = test::plan_of(speeds_and_widths);
   const auto folder = std::filesystem::path(testing::TempDir()) / "kerf_study_page";
   std::filesystem::create_directories(folder);
   StudyPageFile file(plan, folder);

@@ -47,6 +47,10 @@ inline StudyPlan plan_of(const std::string& text) {
   return parse_study("base = \"small\"\n" + text, "my-study.toml", templates);
 }
 
+inline double speed_of(const Trial& trial) {
+  return trial.setting.numbers.at("jet.jet.speed");
+}
+
 // Gives results by a function, and records the requests.
 class SyntheticLaboratory : public Laboratory {
  public:

@@ -14,16 +14,13 @@
 namespace kerf {
 namespace {
 
+using test::speed_of;
 using testing::HasSubstr;
 
-ThresholdGoal goal_of(const std::string& more) {
+ThresholdGoal threshold_of(const std::string& more) {
   return *test::plan_of("[search]\nkey = \"jet.jet.speed\"\nfrom = \"2 m/s\"\nto = \"5 m/s\"\n" +
                         more)
               .threshold;
-}
-
-double speed_of(const Trial& trial) {
-  return trial.setting.numbers.at("jet.jet.speed");
 }
 
 // The model cuts from a speed on.
@@ -35,7 +32,7 @@ test::SyntheticLaboratory cutter(double threshold, int side_by_side) {
 }
 
 TEST(ThresholdSearch, FindsTheLeastSpeedWithinFivePercentInEightRuns) {
-  const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.05\ndraft = 1.0\n");
+  const ThresholdGoal goal = threshold_of("find = \"least\"\ntolerance = 0.05\ndraft = 1.0\n");
   for (const int side_by_side : {1, 2, 3})
     for (double threshold = 2.05; threshold < 5.0; threshold += 0.093) {
       auto laboratory = cutter(threshold, side_by_side);
@@ -52,7 +49,7 @@ TEST(ThresholdSearch, FindsTheLeastSpeedWithinFivePercentInEightRuns) {
 
 // Each step halves the range: log2 of the ratio of widths, and the ends if they are needed.
 TEST(ThresholdSearch, SequentialSearchIsABisection) {
-  const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.01\ndraft = 1.0\n");
+  const ThresholdGoal goal = threshold_of("find = \"least\"\ntolerance = 0.01\ndraft = 1.0\n");
   auto laboratory = cutter(3.9123, 1);
   const ThresholdAnswer answer = find_threshold(goal, {}, laboratory);
   const double widths = 3.0 / (2 * 0.01 * 3.9123);
@@ -61,7 +58,7 @@ TEST(ThresholdSearch, SequentialSearchIsABisection) {
 }
 
 TEST(ThresholdSearch, ParallelRunsReduceTheRounds) {
-  const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.01\ndraft = 1.0\n");
+  const ThresholdGoal goal = threshold_of("find = \"least\"\ntolerance = 0.01\ndraft = 1.0\n");
   auto one = cutter(3.9123, 1), three = cutter(3.9123, 3);
   find_threshold(goal, {}, one);
   find_threshold(goal, {}, three);
@@ -69,7 +66,7 @@ TEST(ThresholdSearch, ParallelRunsReduceTheRounds) {
 }
 
 TEST(ThresholdSearch, FindsTheGreatestTraverseThatStillCuts) {
-  const ThresholdGoal goal = goal_of("find = \"greatest\"\ntolerance = 0.02\ndraft = 1.0\n");
+  const ThresholdGoal goal = threshold_of("find = \"greatest\"\ntolerance = 0.02\ndraft = 1.0\n");
   test::SyntheticLaboratory laboratory(
       [](const Trial& trial) {
         return std::map<std::string, double>{{"cut_through", speed_of(trial) <= 3.3}};
@@ -82,7 +79,7 @@ TEST(ThresholdSearch, FindsTheGreatestTraverseThatStillCuts) {
 }
 
 TEST(ThresholdSearch, SupportsOtherConditions) {
-  const ThresholdGoal goal = goal_of(
+  const ThresholdGoal goal = threshold_of(
       "find = \"least\"\ndraft = 1.0\nwhere = { metric = \"kerf.depth\", at_least = \"10 mm\" }\n");
   test::SyntheticLaboratory laboratory(
       [](const Trial& trial) {
@@ -97,7 +94,7 @@ TEST(ThresholdSearch, SupportsOtherConditions) {
 // The extrapolation removes an error that is proportional to the spacing, t(d) = t0 + c d.
 TEST(ThresholdSearch, CoarseRunsFindTheRegionAndResolutionIsExtrapolated) {
   const ThresholdGoal goal =
-      goal_of("find = \"least\"\ntolerance = 0.005\ndraft = 0.5\nruns = 60\n");
+      threshold_of("find = \"least\"\ntolerance = 0.005\ndraft = 0.5\nruns = 60\n");
   for (const double change : {-0.3, -0.05, 0.0, 0.05, 0.3}) {
     const double exact = 3.4;
     test::SyntheticLaboratory laboratory(
@@ -121,7 +118,7 @@ TEST(ThresholdSearch, CoarseRunsFindTheRegionAndResolutionIsExtrapolated) {
 }
 
 TEST(ThresholdSearch, AccurateCoarseRunsNeedTwoFineRuns) {
-  const ThresholdGoal goal = goal_of("find = \"least\"\ntolerance = 0.05\ndraft = 0.5\n");
+  const ThresholdGoal goal = threshold_of("find = \"least\"\ntolerance = 0.05\ndraft = 0.5\n");
   auto laboratory = cutter(3.93, 2);
   const ThresholdAnswer answer = find_threshold(goal, {{}, 0, 1.0}, laboratory);
   EXPECT_EQ(answer.runs - answer.draft_runs, 2);
@@ -130,7 +127,7 @@ TEST(ThresholdSearch, AccurateCoarseRunsNeedTwoFineRuns) {
 
 TEST(ThresholdSearch, TheBracketContainsTheScatterOfLayouts) {
   const ThresholdGoal goal =
-      goal_of("find = \"least\"\ntolerance = 0.02\ndraft = 1.0\nruns = 60\n");
+      threshold_of("find = \"least\"\ntolerance = 0.02\ndraft = 1.0\nruns = 60\n");
   ThresholdGoal repeated = goal;
   repeated.repeats = 4;
   const double thresholds[] = {3.5, 3.62, 3.41, 3.55};
@@ -152,7 +149,7 @@ TEST(ThresholdSearch, TheBracketContainsTheScatterOfLayouts) {
 
 TEST(ThresholdSearch, AlternatingResultsAreWithinTheBracket) {
   const ThresholdGoal goal =
-      goal_of("find = \"least\"\ntolerance = 0.001\ndraft = 1.0\nruns = 40\n");
+      threshold_of("find = \"least\"\ntolerance = 0.001\ndraft = 1.0\nruns = 40\n");
   // The model cuts from 3.5 on, not between 3.8 and 4.1, and again from there: eight runs find all
   // three changes.
   test::SyntheticLaboratory laboratory(
@@ -169,7 +166,7 @@ TEST(ThresholdSearch, AlternatingResultsAreWithinTheBracket) {
 }
 
 TEST(ThresholdSearch, ReportsARangeWithoutAThreshold) {
-  const ThresholdGoal goal = goal_of("find = \"least\"\n");
+  const ThresholdGoal goal = threshold_of("find = \"least\"\n");
   auto always = cutter(1.0, 2), never = cutter(9.0, 2);
   EXPECT_THAT(find_threshold(goal, {}, always).problem,
               testing::AllOf(HasSubstr("holds at jet.jet.speed = 2 m/s"), HasSubstr("Lower it")));
@@ -179,7 +176,7 @@ TEST(ThresholdSearch, ReportsARangeWithoutAThreshold) {
 }
 
 TEST(ThresholdSearch, AFailedRunStopsTheSearchWithItsError) {
-  const ThresholdGoal goal = goal_of("find = \"least\"\n");
+  const ThresholdGoal goal = threshold_of("find = \"least\"\n");
   class Broken : public Laboratory {
    public:
     std::vector<Outcome> run(const std::vector<Trial>& trials) override {

@@ -19,7 +19,7 @@ namespace {
 
 using test::flight;
 
-std::string plan_text(const std::string& axis, const std::string& reference,
+std::string kept_plan(const std::string& axis, const std::string& reference,
                       const std::string& of_run = "") {
   return R"(
 title = "flight"
@@ -62,9 +62,9 @@ class KeptRunsTest : public testing::Test {
 };
 
 TEST_F(KeptRunsTest, IsReusedWithTheSameResult) {
-  const Findings first = findings_of(plan_text("x", "3"));
+  const Findings first = findings_of(kept_plan("x", "3"));
   EXPECT_TRUE(made_);
-  const Findings second = findings_of(plan_text("x", "3"));
+  const Findings second = findings_of(kept_plan("x", "3"));
   EXPECT_FALSE(made_);
   ASSERT_EQ(second.rows.size(), 1u);
   EXPECT_EQ(second.rows[0].measured, first.rows[0].measured);
@@ -76,37 +76,37 @@ TEST_F(KeptRunsTest, IsReusedWithTheSameResult) {
 }
 
 TEST_F(KeptRunsTest, IsCheckedAgain) {
-  findings_of(plan_text("x", "3"));
-  const Findings findings = findings_of(plan_text("x", "4"));
+  findings_of(kept_plan("x", "3"));
+  const Findings findings = findings_of(kept_plan("x", "4"));
   EXPECT_FALSE(made_);
   EXPECT_EQ(findings.rows.at(0).verdict, Verdict::fail);
 }
 
 TEST_F(KeptRunsTest, OfAnotherCaseOrSignalIsRun) {
-  findings_of(plan_text("x", "3"));
-  EXPECT_EQ(findings_of(plan_text("y", "3")).rows.at(0).measured, 0.0);
+  findings_of(kept_plan("x", "3"));
+  EXPECT_EQ(findings_of(kept_plan("y", "3")).rows.at(0).measured, 0.0);
   EXPECT_TRUE(made_);
-  findings_of(plan_text("y", "3", "refine = 2"));
+  findings_of(kept_plan("y", "3", "refine = 2"));
   EXPECT_TRUE(made_);
-  findings_of(plan_text("y", "3", "refine = 2\noverride.time.end = \"0.2 ms\""));
+  findings_of(kept_plan("y", "3", "refine = 2\noverride.time.end = \"0.2 ms\""));
   EXPECT_TRUE(made_);
 }
 
 TEST_F(KeptRunsTest, DamagedRecordingIsRunAgain) {
-  findings_of(plan_text("x", "3"));
+  findings_of(kept_plan("x", "3"));
   std::string bytes = read_file(kept_file());
   write_file(kept_file(), bytes.substr(0, bytes.size() / 2));
-  EXPECT_EQ(findings_of(plan_text("x", "3")).rows.at(0).verdict, Verdict::pass);
+  EXPECT_EQ(findings_of(kept_plan("x", "3")).rows.at(0).verdict, Verdict::pass);
   EXPECT_TRUE(made_);
-  findings_of(plan_text("x", "3"));
+  findings_of(kept_plan("x", "3"));
   EXPECT_FALSE(made_);
   std::filesystem::remove(kept_file().replace_extension(".vtkhdf"));
-  findings_of(plan_text("x", "3"));
+  findings_of(kept_plan("x", "3"));
   EXPECT_TRUE(made_);
 }
 
 TEST_F(KeptRunsTest, LongRecordingServesAsAShortOne) {
-  const std::string plan = plan_text("x", "3", "long = true\n");
+  const std::string plan = kept_plan("x", "3", "long = true\n");
   const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
   const KeptRuns kept(folder_.path() / "kept");
   const auto rows = [&] {
