@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "analysis/cut_width.hpp"
 #include "analysis/front.hpp"
-#include "analysis/kerf_width.hpp"
 #include "analysis/pieces.hpp"
 #include "analysis/workpiece.hpp"
 #include "model/case.hpp"

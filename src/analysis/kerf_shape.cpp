@@ -6,17 +6,10 @@
 #include <map>
 
 #include "analysis/kerf_lag.hpp"
+#include "analysis/kerf_width.hpp"
 
 namespace kerf {
 namespace {
-
-// A width is the mean over a layer from the face down to twice this part of the depth, and to at
-// least four spacings; the layers of the middle and the bottom have the same thickness. The layer
-// of the bottom ends half a layer above the bottom of a blind kerf, which is round.
-constexpr double edge_fraction = 0.05;
-constexpr double least_edge = 2.0;  // spacings
-// A kerf that is less deep than this, in spacings, has one level only.
-constexpr double least_levels = 8.0;
 
 SectionProbe make_probe(const KerfAxes& axes, const KerfPath& path, double spacing) {
   SectionProbe probe;
@@ -37,60 +30,6 @@ std::vector<KerfSection> passed_sections(const std::vector<KerfSection>& section
         section.position <= path.end[1] + bin / 2.0)
       passed.push_back(section);
   return passed;
-}
-
-// Returns the median, over the sections that are that deep, of the mean width in a layer of twice
-// `half`.
-KerfLevel measure_level(const KerfMap& map, const std::vector<KerfSection>& passed,
-                        const SectionProbe& probe, double below, double half) {
-  const int rows = 2 * static_cast<int>(std::max(1.0, std::round(half / map.grid.step)));
-  std::vector<double> widths;
-  for (const KerfSection& section : passed) {
-    if (section.depth < below) continue;
-    double sum = 0.0;
-    for (int row = 0; row < rows; ++row)
-      sum +=
-          width_below_top(map, section.index, probe, below + half * ((2 * row + 1.0) / rows - 1.0));
-    widths.push_back(sum / rows);
-  }
-  return {below, half, median(widths)};
-}
-
-// Returns the angle of one face, rad, from the least-squares line through widths over depth.
-double find_taper(const std::vector<KerfLevel>& levels) {
-  const double count = static_cast<double>(levels.size());
-  KerfLevel mean;
-  for (const KerfLevel& level : levels) {
-    mean.below += level.below / count;
-    mean.width += level.width / count;
-  }
-  double product = 0.0, square = 0.0;
-  for (const KerfLevel& level : levels) {
-    product += (level.below - mean.below) * (level.width - mean.width);
-    square += (level.below - mean.below) * (level.below - mean.below);
-  }
-  return square > 0.0 ? std::atan(-product / square / 2.0) : 0.0;
-}
-
-void measure_widths(const KerfMap& map, const std::vector<KerfSection>& passed,
-                    const SectionProbe& probe, double spacing, KerfShape& shape) {
-  if (shape.depth < spacing) return;
-  const double edge = std::max(least_edge * spacing, edge_fraction * shape.depth);
-  const bool deep = shape.depth >= least_levels * spacing;
-  // The last half spacing before a face has the roughness of the lattice.
-  const double half = deep ? edge - spacing / 2.0 : shape.depth / 4.0;
-  const auto level = [&](double below) { return measure_level(map, passed, probe, below, half); };
-  shape.middle = level(shape.depth / 2.0);
-  shape.top = shape.bottom = shape.middle;
-  if (!deep) return;
-  const double lowest = shape.through ? shape.thickness - edge : shape.depth - 2.0 * edge;
-  shape.top = level(edge);
-  shape.bottom = level(std::min(lowest, shape.depth));
-  std::vector<KerfLevel> levels;
-  const double last = std::min(shape.bottom.below + half, shape.depth);
-  for (double below = spacing; below <= last; below += spacing)
-    levels.push_back(measure_level(map, passed, probe, below, spacing / 2.0));
-  shape.taper = find_taper(levels);
 }
 
 // Returns a point for each column (2D) or section (3D) of the map.

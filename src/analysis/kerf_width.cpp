@@ -4,49 +4,71 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/cell_share.hpp"
-
 namespace kerf {
+namespace {
 
-double fractured_width(const Workpiece& workpiece, const Frame& frame,
-                       const std::vector<std::uint32_t>& rows, double depth) {
-  const JetAxis& jet = *workpiece.jet;
-  const double thickness = std::max(jet.width / 2.0, 2.0 * workpiece.axis_spacing);
-  // The section across a round jet is a strip of that thickness through the axis.
-  const bool flat = frame.dimension == 2;
-  double area = 0.0;
-  for (std::size_t slot = 0; slot < rows.size(); ++slot) {
-    if (is_intact(frame, rows[slot])) continue;
-    const auto& x = workpiece.position[slot];
-    const double size = workpiece.size[slot];
-    const double strip = flat ? 1.0 : cell_share(jet.side(x), size, thickness) * size / thickness;
-    area += size * size * cell_share(jet.depth(x) - depth, size, thickness) * strip;
+// A width is the mean over a layer from the face down to twice this part of the depth, and to at
+// least four spacings; the layers of the middle and the bottom have the same thickness. The layer
+// of the bottom ends half a layer above the bottom of a blind kerf, which is round.
+constexpr double edge_fraction = 0.05;
+constexpr double least_edge = 2.0;  // spacings
+// A kerf that is less deep than this, in spacings, has one level only.
+constexpr double least_levels = 8.0;
+
+// Returns the median, over the sections that are that deep, of the mean width in a layer of twice
+// `half`.
+KerfLevel measure_level(const KerfMap& map, const std::vector<KerfSection>& passed,
+                        const SectionProbe& probe, double below, double half) {
+  const int rows = 2 * static_cast<int>(std::max(1.0, std::round(half / map.grid.step)));
+  std::vector<double> widths;
+  for (const KerfSection& section : passed) {
+    if (section.depth < below) continue;
+    double sum = 0.0;
+    for (int row = 0; row < rows; ++row)
+      sum +=
+          width_below_top(map, section.index, probe, below + half * ((2 * row + 1.0) / rows - 1.0));
+    widths.push_back(sum / rows);
   }
-  return area / thickness;
+  return {below, half, median(widths)};
 }
 
-double kerf_width(const Workpiece& workpiece, const Frame& frame,
-                  const std::vector<std::uint32_t>& rows, const std::vector<std::uint8_t>& in_piece,
-                  double depth) {
-  const JetAxis& jet = *workpiece.jet;
-  double right = std::numeric_limits<double>::infinity();
-  double left = right, right_edge = 0.0, left_edge = 0.0;
-  for (std::size_t slot = 0; slot < rows.size(); ++slot) {
-    const double size = workpiece.size[slot];
-    const auto in_layer = [&](const std::array<double, 3>& x) {
-      return std::abs(jet.depth(x) - depth) <= size && std::abs(jet.side(x)) <= size;
-    };
-    const auto& before = workpiece.position[slot];
-    if (in_layer(before)) {
-      right_edge = std::max(right_edge, jet.offset(before) + size / 2.0);
-      left_edge = std::max(left_edge, -jet.offset(before) + size / 2.0);
-    }
-    if (!in_piece[slot] || !in_layer(frame.position[rows[slot]])) continue;
-    const double offset = jet.offset(frame.position[rows[slot]]);
-    double& nearest = offset >= 0.0 ? right : left;
-    nearest = std::min(nearest, std::max(0.0, std::abs(offset) - size / 2.0));
+// Returns the angle of one face, rad, from the least-squares line through widths over depth.
+double find_taper(const std::vector<KerfLevel>& levels) {
+  const double count = static_cast<double>(levels.size());
+  KerfLevel mean;
+  for (const KerfLevel& level : levels) {
+    mean.below += level.below / count;
+    mean.width += level.width / count;
   }
-  return (std::isinf(right) ? right_edge : right) + (std::isinf(left) ? left_edge : left);
+  double product = 0.0, square = 0.0;
+  for (const KerfLevel& level : levels) {
+    product += (level.below - mean.below) * (level.width - mean.width);
+    square += (level.below - mean.below) * (level.below - mean.below);
+  }
+  return square > 0.0 ? std::atan(-product / square / 2.0) : 0.0;
+}
+
+}  // namespace
+
+void measure_widths(const KerfMap& map, const std::vector<KerfSection>& passed,
+                    const SectionProbe& probe, double spacing, KerfShape& shape) {
+  if (shape.depth < spacing) return;
+  const double edge = std::max(least_edge * spacing, edge_fraction * shape.depth);
+  const bool deep = shape.depth >= least_levels * spacing;
+  // The last half spacing before a face has the roughness of the lattice.
+  const double half = deep ? edge - spacing / 2.0 : shape.depth / 4.0;
+  const auto level = [&](double below) { return measure_level(map, passed, probe, below, half); };
+  shape.middle = level(shape.depth / 2.0);
+  shape.top = shape.bottom = shape.middle;
+  if (!deep) return;
+  const double lowest = shape.through ? shape.thickness - edge : shape.depth - 2.0 * edge;
+  shape.top = level(edge);
+  shape.bottom = level(std::min(lowest, shape.depth));
+  std::vector<KerfLevel> levels;
+  const double last = std::min(shape.bottom.below + half, shape.depth);
+  for (double below = spacing; below <= last; below += spacing)
+    levels.push_back(measure_level(map, passed, probe, below, spacing / 2.0));
+  shape.taper = find_taper(levels);
 }
 
 }  // namespace kerf

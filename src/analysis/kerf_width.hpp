@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// These functions measure the width of a cut at a depth, across the jet in the plane of the jet and
-// the vertical.
+// This header declares the measurement of the widths of a kerf near its top, in the middle and near
+// its bottom, and of the taper of its faces.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "analysis/workpiece.hpp"
+#include "analysis/kerf_sections.hpp"
+#include "analysis/kerf_shape.hpp"
 
 namespace kerf {
 
-// Returns the width of the material that is fractured or gone at `depth` of the initial layout, m:
-// its area in a layer half a jet width thick, over that thickness. The width is an amount and not
-// an extent, so that a fracture far from the jet adds only itself; positions are initial ones, so
-// that debris counts where it broke.
-double fractured_width(const Workpiece& workpiece, const Frame& frame,
-                       const std::vector<std::uint32_t>& rows, double depth);
-
-// Returns the width without intact solid around the axis at `depth` in current positions, m: from
-// the nearest particle of a counted piece on one side to the nearest on the other; on a side
-// without any, to the edge of the initial workpiece.
-double kerf_width(const Workpiece& workpiece, const Frame& frame,
-                  const std::vector<std::uint32_t>& rows, const std::vector<std::uint8_t>& in_piece,
-                  double depth);
+// Measures the top, the middle and the bottom of a kerf and its taper from the sections that the
+// axis has passed, and stores them in `shape`, whose depth, thickness and `through` are known. They
+// remain 0 for a kerf that is less deep than a spacing. `spacing` is that of the solid, m.
+void measure_widths(const KerfMap& map, const std::vector<KerfSection>& passed,
+                    const SectionProbe& probe, double spacing, KerfShape& shape);
 
 }  // namespace kerf

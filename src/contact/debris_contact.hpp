@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SolidContact is the contact within one solid across broken bonds; that between bodies is
+// DebrisContact is the contact within one solid across broken bonds; the contact between bodies is
 // contact/surface_contact.hpp. Particles closer than the mean of their spacings repel one another,
 //   f = k (d_0 - r) e,   k = M d_0^(D-2),
 // with d_0 at most the distance of their initial positions, so that a bond that breaks between two
@@ -16,7 +16,7 @@ namespace kerf {
 // `Bonds`: bool is_intact(particles, pair), whether the two have an intact bond;
 // Real initial_distance(particles, pair), the initial distance of two of one piece, m.
 template <int D, class P, class Bonds>
-struct SolidContact {
+struct DebrisContact {
   using Real = typename P::Real;
   static constexpr bool includes_rigid = false, only_adds = true;
   struct Sum {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SurfaceContact is the contact of solids with other bodies. Each particle i sums the kernel over
-// the other body,
+// SurfaceContact is the contact of solids with other solid or rigid bodies; the force of water on
+// solids is fluid/fluid_force.hpp. Each particle i sums the kernel over the other body,
 //   phi_i = sum_j V_j W_ij / phi_c,     phi_c: in first contact (contact/nominal_contact.hpp),
 // once over solids and once over rigid bodies. An overlap has the energy
 //   E_i = 1/2 K_i (phi_i - f_i)^2,      K_i = V_i M_i s,

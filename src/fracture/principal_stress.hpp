@@ -13,7 +13,7 @@
 #include "core/case_key.hpp"
 #include "fracture/bond_strain.hpp"
 #include "fracture/breakable_solid.hpp"
-#include "fracture/crack_band.hpp"
+#include "fracture/failure_limits.hpp"
 
 namespace kerf {
 

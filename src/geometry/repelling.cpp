@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The repelling particles of a rigid body, eq. (43).
+// The repelling particles of a rigid body, eq. (43) of Shinohara et al. (2004).
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Artificial viscosity, eqs. (38) and (39) of Shinohara et al. (2004), over all pairs, eq. (26):
+// ArtificialViscosity is that of the paper's formulation, eqs. (38) and (39) of Shinohara et al.
+// (2004), over all pairs, eq. (26). In the standard formulation solids have solid/bond_terms.hpp
+// and water fluid/riemann.hpp.
 //   Pi_ij = (-A c theta + B theta^2) / rho   for v_ij . d_ij < 0, else 0,
 //   theta = h v_ij . d_ij / (d_ij^2 + C h^2),   c, rho, h: means of i and j.
 // Two misprints of the paper are corrected: (39) prints C h, which has the wrong dimension, and in

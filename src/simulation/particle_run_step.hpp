@@ -3,6 +3,7 @@
 #pragma once
 
 #include "simulation/breakdown.hpp"
+#include "simulation/inflow.hpp"
 #include "simulation/particle_run.hpp"
 #include "simulation/populate.hpp"
 

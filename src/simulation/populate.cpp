@@ -6,6 +6,7 @@
 #include "geometry/shapes.hpp"
 #include "model/case.hpp"
 #include "model/expression.hpp"
+#include "simulation/inflow.hpp"
 #include "simulation/levels.hpp"
 
 namespace kerf {
@@ -39,24 +40,6 @@ void add_body(const Case& description, std::size_t number, const std::vector<std
 }
 
 }  // namespace
-
-std::vector<NewParticle> inlet_particles(const std::vector<InletParticle>& water,
-                                         const Nozzle& nozzle, std::size_t source, double time) {
-  std::vector<NewParticle> particles;
-  const bool open = nozzle.is_open(time);
-  const Point carried = nozzle.velocity(time);
-  for (const InletParticle& drop : water) {
-    NewParticle particle;
-    particle.position = drop.position;
-    particle.inlet_speed = drop.speed;
-    particle.source = static_cast<std::uint16_t>(source);
-    particle.flags = flag::upstream;
-    for (std::size_t a = 0; a < 3; ++a)
-      particle.velocity[a] = carried[a] + (open ? drop.speed * nozzle.direction()[a] : 0.0);
-    particles.push_back(particle);
-  }
-  return particles;
-}
 
 std::vector<NewParticle> initial_particles(const Case& description,
                                            const std::vector<Nozzle>& nozzles) {

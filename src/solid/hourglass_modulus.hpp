@@ -4,7 +4,8 @@
 // modulus of a shear test, and further,  mu = zeta E / (1 + 5 eps_p / eps_y),  eps_y = sigma_0 / (3
 // G). Where it softens, mu falls with the square of the remaining share, so that the control does
 // not close a crack. Where cracks grow from flaws it falls with damage; a tenth is left for
-// compression. The excess of the control's energy is dissipated.
+// compression. The excess of the control's energy is dissipated. The force is in
+// solid/bond_force.hpp.
 #pragma once
 
 #include "solid/stored_energy.hpp"

@@ -6,6 +6,7 @@
 // w_ij |gamma_ij|^2, gamma_ij = Fdot_i R - v_ij,  is Rayleigh's function, and the force is minus
 // its gradient, as that of the elastic control is minus the gradient of an energy:
 //   m_i a_i = sum_j w_ij [(eta_i + eta_j) v_ij - (eta_i Fdot_i + eta_j Fdot_j) R].
+// The elastic hourglass force is part of solid/bond_force.hpp.
 #pragma once
 
 #include "solid/stress_response.hpp"

@@ -2,7 +2,8 @@
 // TotalLagrangian is a solid with plastic flow and fracture in the total Lagrangian description:
 // deformation and forces are sums over bonds of the reference configuration, found once
 // (docs/theory/total_lagrangian.md). Particles keep the order of set-up; neighbours in memory
-// should be neighbours in space. Nothing is allocated after set-up.
+// should be neighbours in space. Nothing is allocated after set-up. The deformation gradient is in
+// solid/deformation_gradient.hpp, the momentum equation in solid/bond_force.hpp.
 //
 // A step:  take(motion);  deform(dt);  fracture();  accelerate();  keep_flow();  keep_softening().
 #pragma once

@@ -131,11 +131,11 @@ class StandardRates {
   auto forces_loop(const LoopInput& input, const Bonds& bonds, const Filter& filter,
                    const BodyForce<D, P>& body_force, const More&... more) const {
     return FilteredPairLoop<D, P, ContactPairs, Filter, BodyForce<D, P>, FluidForce<D, P>,
-                            WaterViscosity<D, P>, SolidContact<D, P, Bonds>, SurfaceContact<D, P>,
+                            WaterViscosity<D, P>, DebrisContact<D, P, Bonds>, SurfaceContact<D, P>,
                             More...>(
         input.view, input.list, filter, body_force, FluidForce<D, P>{fluid_pair_},
         WaterViscosity<D, P>{fluid_pair_.kernel_gradient_normalisation},
-        SolidContact<D, P, Bonds>{bonds}, SurfaceContact<D, P>{contacts()}, more...);
+        DebrisContact<D, P, Bonds>{bonds}, SurfaceContact<D, P>{contacts()}, more...);
   }
   template <class Bonds, class Filter, class... More>
   void run_loop(const LoopInput& input, const Bonds& bonds, const Filter& filter,

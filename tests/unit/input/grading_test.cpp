@@ -51,7 +51,7 @@ TEST(Grading, AroundTheJets) {
   EXPECT_EQ(grading.width, 15e-3);
   EXPECT_FALSE(grading.around);
   ASSERT_EQ(grading.lines.size(), 1u);
-  EXPECT_EQ(grading.lines[0].place, (Point{3e-3, 32e-3, 0.0}));
+  EXPECT_EQ(grading.lines[0].origin, (Point{3e-3, 32e-3, 0.0}));
   EXPECT_DOUBLE_EQ(grading.lines[0].direction[0], 0.5);
   EXPECT_DOUBLE_EQ(grading.lines[0].direction[1], -std::sqrt(0.75));
   EXPECT_EQ(grading.lines[0].radius, 5e-3);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes of the type "mesh": keys, files, refusals, and the used case.
-#include "model/case.hpp"
 #include "model/mesh_shape.hpp"
+#include "model/case.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/case.hpp"
 #include "output/series.hpp"
+#include "model/case.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

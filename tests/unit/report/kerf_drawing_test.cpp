@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The drawing of a kerf has the given numbers and dimensions to scale.
-#include "model/case.hpp"
 #include "report/kerf_drawing.hpp"
+#include "model/case.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "simulation/absorbing_sites.hpp"
+#include "simulation/inflow.hpp"
 #include "simulation/populate.hpp"
 #include "simulation/symmetry.hpp"
 #include "support/small_cases.hpp"
