@@ -217,7 +217,7 @@ TEST(Validity, StandoffOfAMachineIsAModelBeyondTheCoherentLength) {
   EXPECT_THAT(
       validity_of(outcome),
       Contains(AllOf(Field(&ValidityFlag::name, "standoff"), Field(&ValidityFlag::value, 0.04),
-                     Field(&ValidityFlag::sentence, HasSubstr("is a model")))));
+                     Field(&ValidityFlag::sentence, HasSubstr("follow a model")))));
 }
 
 TEST(Validity, FlagsAMaterialWithoutStrength) {
