@@ -54,6 +54,20 @@ KERF_SIMD_FUNCTION std::experimental::simd<R, A> square_root(
   return std::experimental::sqrt(a);
 }
 
+// Returns a - b. The difference of integers wraps around, as that of fixed-point coordinates must
+// (simd/packed_position.hpp).
+template <class R, class A>
+KERF_SIMD_FUNCTION std::experimental::simd<R, A> wrapping_difference(
+    const std::experimental::simd<R, A>& a, const std::experimental::simd<R, A>& b) {
+  if constexpr (std::is_integral_v<R>) {
+    using Signed = std::experimental::simd<R, A>;
+    using Unsigned = std::experimental::rebind_simd_t<std::make_unsigned_t<R>, Signed>;
+    return std::bit_cast<Signed>(std::bit_cast<Unsigned>(a) - std::bit_cast<Unsigned>(b));
+  } else {
+    return a - b;
+  }
+}
+
 // Exact to the last digit or two: the processor's estimate where there is one, and a Newton step.
 template <class R, class A>
 KERF_SIMD_FUNCTION std::experimental::simd<R, A> reciprocal(

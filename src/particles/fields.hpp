@@ -209,7 +209,7 @@ class Particles : FieldTypes<D, P> {
       std::vector<typename std::decay_t<decltype(field)>::value_type> values;
       for (const NewParticle& start : newcomers)
         values.push_back(initial_value(start, of_source[start.source]));
-      thrust::copy(values.begin(), values.end(), field.begin() + before);
+      if (!values.empty()) thrust::copy(values.begin(), values.end(), field.begin() + before);
     };
 #define KERF_STATE(type, name, initial, group, shown)              \
   if (groups.group)                                                \

@@ -172,7 +172,7 @@ class FluidPairKernel {
     T distance_squared(0), along(0), speed_squared(0);
     for (int a = 0; a < D; ++a) {
       const Position other = std::bit_cast<Position>(slot[PackedParticle::position_slot + a]);
-      d[a] = stdx::static_simd_cast<T>(Position(constants.position[a]) - other);
+      d[a] = stdx::static_simd_cast<T>(wrapping_difference(Position(constants.position[a]), other));
       v[a] = T(constants.velocity[a]) - slot[PackedParticle::velocity_slot + a];
       distance_squared += d[a] * d[a];
       along += v[a] * d[a];

@@ -114,8 +114,8 @@ class BondsOfParticle {
     T square(0);
     for (int a = 0; a < D; ++a) {
       const Position other = std::bit_cast<Position>(batch.slot[End::reference_slot + a]);
-      bond.reference[a] =
-          T(task_.unit) * stdx::static_simd_cast<T>(other - Position(own_->reference[a]));
+      bond.reference[a] = T(task_.unit) * stdx::static_simd_cast<T>(wrapping_difference(
+                                              other, Position(own_->reference[a])));
       square += bond.reference[a] * bond.reference[a];
     }
     batch.per_length = reciprocal_square_root(select(square > T(0), square, T(1)));

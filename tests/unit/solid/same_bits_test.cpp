@@ -50,7 +50,8 @@ class SameBits : public testing::Test {
   }
   template <class T>
   static bool are_same(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+    if (a.size() != b.size() || a.empty()) return a.size() == b.size();
+    return std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
   }
   static void expect_same(Trial& a, Trial& b) {
     EXPECT_TRUE(are_same(a.position, b.position));

@@ -174,7 +174,7 @@ TEST_F(StudyRunsTest, OneRunServesTwoKeys) {
   const ResolvedCase resolved = maker_.make(speeds({5.0})[0]);
   database_.add(resolved, {{{{"jet.jet.width", 0.004}}, {}}, 0, 1.0});
   EXPECT_EQ(database_.runs().size(), 1u);
-  const auto& numbers = database_.find(resolved.id)->trial.setting.numbers;
+  const auto numbers = database_.find(resolved.id)->trial.setting.numbers;
   EXPECT_EQ(numbers.at("jet.jet.speed"), 5.0);
   EXPECT_EQ(numbers.at("jet.jet.width"), 0.004);
   EXPECT_EQ(database_.find(resolved.id)->state, RunState::done);
