@@ -19,12 +19,12 @@
 // Stands before a loop body into which the compiler is to inline all that it calls, whatever its
 // size.
 #if defined(__GNUC__) && !defined(__CUDACC__)
-#define KERF_FLAT [[gnu::flatten]]
+#define KERF_FLATTEN [[gnu::flatten]]
 // Stands before a part of such a body that is not inlined: its stack is set up only where it runs.
-#define KERF_APART [[gnu::noinline]]
+#define KERF_NOINLINE [[gnu::noinline]]
 #else
-#define KERF_FLAT
-#define KERF_APART
+#define KERF_FLATTEN
+#define KERF_NOINLINE
 #endif
 
 // States that this point is never reached, as after a switch that returns for every value.

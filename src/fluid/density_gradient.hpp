@@ -7,7 +7,7 @@
 // in units of rho_0. Where the neighbours span no volume (a drop, a thread) it is zero.
 #pragma once
 
-#include "materials/push_pull.hpp"
+#include "materials/push_forward.hpp"
 #include "pairs/pair.hpp"
 
 namespace kerf {

@@ -25,7 +25,7 @@
 #include "core/random.hpp"
 #include "fracture/bond_strain.hpp"
 #include "fracture/breakable_solid.hpp"
-#include "fracture/failure_limits.hpp"
+#include "fracture/crack_band.hpp"
 #include "materials/law_arguments.hpp"
 
 namespace kerf {

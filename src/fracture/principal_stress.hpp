@@ -13,7 +13,7 @@
 #include "core/case_key.hpp"
 #include "fracture/bond_strain.hpp"
 #include "fracture/breakable_solid.hpp"
-#include "fracture/failure_limits.hpp"
+#include "fracture/crack_band.hpp"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 // This criterion compares the energy that tension stores per volume,
 //   psi_+ = (K - 2/3 G)/2 <tr e>^2 + G sum <e_k>^2,   <x> = max(x, 0),   e = ln(C)/2
 // (Miehe, Hofacker & Welschinger, Comput. Methods Appl. Mech. Engrg. 199 (2010) 2765), with that of
-// a crack over the crack band,  psi_+ w d = Gc  (failure_limits.hpp), or, in terms of the failure
+// a crack over the crack band,  psi_+ w d = Gc  (crack_band.hpp), or, in terms of the failure
 // strain that stands for it, M limit^2 / 2. Bonds break that are opening (bond_strain.hpp) with at
 // least a quarter of that strain. A bond whose own strain is above the limit breaks too: in a
 // uniform strain its particles pass no later.
@@ -13,7 +13,7 @@
 
 #include "fracture/bond_strain.hpp"
 #include "fracture/breakable_solid.hpp"
-#include "fracture/failure_limits.hpp"
+#include "fracture/crack_band.hpp"
 
 namespace kerf {
 

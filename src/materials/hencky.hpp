@@ -12,7 +12,7 @@
 #include "core/principal_frame.hpp"
 #include "materials/elastic_moduli.hpp"
 #include "materials/finite_strain.hpp"
-#include "materials/push_pull.hpp"
+#include "materials/push_forward.hpp"
 
 namespace kerf {
 

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-#include "materials/falling_root.hpp"
+#include "core/regula_falsi.hpp"
 #include "materials/hencky.hpp"
 #include "materials/plastic_heat.hpp"
 #include "materials/plastic_state.hpp"
@@ -57,7 +57,7 @@ struct ExcessStress {
 template <class T, class Law>
 KERF_FUNCTION PlasticFlow<T> metal_flow(const ExcessStress<T, Law>& excess) {
   const T accuracy = T(4) * std::numeric_limits<T>::epsilon() * excess.trial;
-  return {falling_root(excess, excess.trial / excess.modulus, accuracy), T(0)};
+  return {regula_falsi(excess, excess.trial / excess.modulus, accuracy), T(0)};
 }
 
 // Subtracts the flow from the elastic strain and adds it to the metric:

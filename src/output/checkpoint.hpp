@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A checkpoint, checkpoint.h5, contains everything that a run needs to continue bit for bit as if
 // never stopped. The file is replaced atomically, ends with a checksum over all preceding bytes,
-// and contains its case. For the tools of HDF5 it is a plain HDF5 file.
+// and contains its case. For the tools of HDF5 it is a plain HDF5 file. The state of the particles
+// that it holds is listed in particles/fields.hpp and gathered by simulation/state_io.hpp.
 #pragma once
 
 #include <filesystem>

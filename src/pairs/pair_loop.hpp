@@ -55,7 +55,7 @@ struct FilteredPairLoop : Terms... {
     (take_for<Terms>(known), ...);
   }
 
-  KERF_FLAT KERF_FUNCTION void operator()(Index i) const {
+  KERF_FLATTEN KERF_FUNCTION void operator()(Index i) const {
     if (list.first(i) == list.end[i])
       finish_alone(i);
     else
@@ -70,7 +70,7 @@ struct FilteredPairLoop : Terms... {
       if (particles.mirrors.faces != 0) particles.mirror_acceleration[i] = Vector<D, Real>::zero();
   }
 
-  KERF_FLAT KERF_APART KERF_FUNCTION void sum_pairs(Index i) const {
+  KERF_FLATTEN KERF_NOINLINE KERF_FUNCTION void sum_pairs(Index i) const {
     Sums sums{start<Terms>(i)...};
     const auto& medium_i = particles.medium(i);
     auto by_particles = Vector<D, Real>::zero();

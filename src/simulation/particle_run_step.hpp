@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages of a step that formulations share.
+// The stages of a step that formulations share: inflow, removal of outflow, neighbours, choice of
+// the time step, breakdown, sums of the balance.
 #pragma once
 
 #include "simulation/breakdown.hpp"
@@ -44,16 +45,13 @@ void ParticleRun<D, P, Traits>::remove_marked() {
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::inject_inflow() {
   const std::size_t bodies = settings_.source_names.size() - nozzles_.size();
-  for (std::size_t j = 0; j < nozzles_.size(); ++j) {
-    const std::vector<InletParticle> water = nozzles_[j].emit(time_);
-    if (water.empty()) continue;
-    const std::size_t source = bodies + j;
-    const auto newcomers = inlet_particles(water, nozzles_[j], source, time_);
-    for (const NewParticle& newcomer : newcomers)
-      balance_.accumulate_inflow(source, newcomer.velocity);
-    append(newcomers);
-    list_is_due_ = true;
-  }
+  emit_inflow(nozzles_, bodies, time_,
+              [&](std::size_t medium, const std::vector<NewParticle>& newcomers) {
+                for (const NewParticle& newcomer : newcomers)
+                  balance_.accumulate_inflow(medium, newcomer.velocity);
+                append(newcomers);
+                list_is_due_ = true;
+              });
 }
 
 template <int D, class P, class Traits>

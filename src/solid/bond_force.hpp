@@ -104,7 +104,7 @@ struct BondForce {
     solid.viscous_power[i] = sum.power;
   }
 
-  KERF_APART KERF_FUNCTION Force sum_all(Index i) const {
+  KERF_NOINLINE KERF_FUNCTION Force sum_all(Index i) const {
     const Index end = solid.bonds.last(i), images = solid.first_image(i);
     Force sum = sum_bonds<DirectEnd>(i, solid.bonds.first(i), images);
     if (solid.has_mirrors()) {

@@ -40,7 +40,7 @@ struct Deform {
   }
 
  private:
-  KERF_APART KERF_FUNCTION BondGradient sum_all(Index i) const {
+  KERF_NOINLINE KERF_FUNCTION BondGradient sum_all(Index i) const {
     const Index end = solid.bonds.last(i), images = solid.first_image(i);
     BondGradient result{Matrix<D, Real>::zero(), Real(0)};
     result.sum = sum_bonds<DirectEnd>(i, solid.bonds.first(i), images, result.stretch);

@@ -23,10 +23,10 @@
 #include "solid/simd/bond_sums.hpp"
 #include "solid/solid_state.hpp"
 #include "solid/stored_energy.hpp"
-#include "solid/stretch_limit.hpp"
 #include "solid/update_damage.hpp"
 #include "solid/update_plasticity.hpp"
 #include "solid/update_softening.hpp"
+#include "solid/wave_time_limit.hpp"
 
 namespace kerf {
 
@@ -171,7 +171,7 @@ class TotalLagrangian {
 
   // Returns the shortest time in which a wave crosses a kernel at the current deformation.
   WaveTime wave_time() {
-    using Shortest = StretchLimit<D, P>;
+    using Shortest = WaveTimeLimit<D, P>;
     return reduce_unordered(Shortest::blocks(size()), Shortest{view()}, WaveTime{1e300, 0},
                             ShorterWave{});
   }
@@ -212,17 +212,20 @@ class TotalLagrangian {
     require(state.bond_intact.size() == fields_.bond_intact.size() &&
                 state.acceleration.size() == size() &&
                 state.mirror_acceleration.size() == fields_.mirror_acceleration.size(),
-            "a saved solid has the particles, bonds and planes of symmetry of its layout");
+            "the saved solid has the particles, bonds and symmetry planes of this case");
     to_device(state.bond_intact, fields_.bond_intact);
     to_device(state.acceleration, fields_.acceleration);
     to_device(state.mirror_acceleration, fields_.mirror_acceleration);
-    require(state.flow.size() == fields_.flow_start.size(), "a saved solid flows as its layout");
+    require(state.flow.size() == fields_.flow_start.size(),
+            "the saved solid has the plastic state of this case");
     to_device(state.flow, fields_.flow_start);
     fields_.current_flow = fields_.flow_start;
-    require(state.strain.size() == fields_.strain_start.size(), "or softens as its layout");
+    require(state.strain.size() == fields_.strain_start.size(),
+            "the saved solid has the softening state of this case");
     to_device(state.strain, fields_.strain_start);
     fields_.current_strain = fields_.strain_start;
-    require(state.flaws.size() == fields_.flaws.size(), "a saved solid has flaws as its layout");
+    require(state.flaws.size() == fields_.flaws.size(),
+            "the saved solid has the flaws of this case");
     to_device(state.flaws, fields_.flaws);
     correct_all();
   }

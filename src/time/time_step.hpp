@@ -3,7 +3,7 @@
 //   acoustic  C h / (c + |v| + 1.2 A c), with the artificial viscosity A (Monaghan 1989, 1992),
 //   force     0.25 sqrt(h / |a|),
 //   viscous   0.125 h^2 rho / mu.
-// The limit of the waves in solids is solid/stretch_limit.hpp; ParticleRun::choose_step
+// The limit of the waves in solids is solid/wave_time_limit.hpp; ParticleRun::choose_step
 // (simulation/particle_run_step.hpp) takes the least and records which limit it was. A particle
 // whose state is not a number, or that moves ten times faster than the fastest wave of the run,
 // stops the run.

@@ -11,7 +11,7 @@ TEST(FallingRoot, FindsTheRoot) {
   const auto root = [&calls](auto&& f, double high, double accuracy) {
     calls = 0;
     const auto counted = [&](double x) { return ++calls, f(x); };
-    const double x = falling_root(counted, high, accuracy);
+    const double x = regula_falsi(counted, high, accuracy);
     EXPECT_LE(std::abs(f(x)), accuracy);
     return x;
   };
@@ -24,8 +24,8 @@ TEST(FallingRoot, FindsTheRoot) {
     EXPECT_NEAR(std::pow(x, 0.26) + x, little, 2e-15);
     EXPECT_LE(calls, 30) << little;
   }
-  EXPECT_EQ(falling_root([](double x) { return -x - 1.0; }, 1.0, 1e-15), 0.0);
-  EXPECT_EQ(falling_root([](double x) { return 2.0 - x; }, 1.0, 1e-15), 1.0);
+  EXPECT_EQ(regula_falsi([](double x) { return -x - 1.0; }, 1.0, 1e-15), 0.0);
+  EXPECT_EQ(regula_falsi([](double x) { return 2.0 - x; }, 1.0, 1e-15), 1.0);
 }
 
 // (792 + 510 * 0.1^0.26) (1 + 0.014 ln 1000) (1 - (206/1499)^1.03) MPa at eps_p = 0.1, 1000 /s and

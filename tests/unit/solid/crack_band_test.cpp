@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The energy of a crack per area is that of the material (fracture/failure_limits.hpp).
-#include "fracture/failure_limits.hpp"
+// The energy of a crack per area is that of the material (fracture/crack_band.hpp).
+#include "fracture/crack_band.hpp"
 
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ double tears_at(const Medium<double>& medium, double jitter, double energy) {
   const double modulus = medium.bulk_modulus + 4.0 / 3.0 * medium.shear_modulus;
   return 0.5 * modulus * strain * strain * height;
 }
-// The factor of failure_limits.hpp is one number for all these cases; coarser strips are not wide
+// The factor of crack_band.hpp is one number for all these cases; coarser strips are not wide
 // enough.
 TEST(CrackBand, WideStripBreaksAtTheCriticalStrain) {
   struct Strip {

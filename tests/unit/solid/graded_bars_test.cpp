@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "fracture/failure_limits.hpp"
+#include "fracture/crack_band.hpp"
 #include "support/graded_blocks.hpp"
 #include "support/notched_strip.hpp"
 
@@ -150,7 +150,7 @@ double crack_tip(SolidOnTrial<2, Mixed>& trial) {
   return tip;
 }
 // The crack runs along a strip under increasing strain when the energy ahead of it is Gc; each
-// level has its own band (fracture/failure_limits.hpp). Returns the strain of the strip when the
+// level has its own band (fracture/crack_band.hpp). Returns the strain of the strip when the
 // crack passes x = 35 mm and 55 mm. The jump is at 45 mm.
 std::array<double, 2> tears(bool graded) {
   const double fine = 0.5e-3, energy = 1.4;

@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-#include "fracture/failure_limits.hpp"
+#include "fracture/crack_band.hpp"
 #include "support/notched_strip.hpp"
 
 namespace kerf::test {

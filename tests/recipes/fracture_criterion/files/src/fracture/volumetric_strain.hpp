@@ -8,7 +8,7 @@
 
 #include "fracture/bond_strain.hpp"
 #include "fracture/breakable_solid.hpp"
-#include "fracture/failure_limits.hpp"
+#include "fracture/crack_band.hpp"
 
 namespace kerf {
 

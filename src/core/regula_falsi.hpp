@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// falling_root() finds the root of a function that falls from above zero: regula falsi, halving the
+// regula_falsi() finds the root of a function that falls from above zero: regula falsi, halving the
 // value of an end that stays (the "Illinois" rule, Dowell & Jarratt, BIT 11 (1971) 168). It needs
 // no slope, which the hardening of Johnson & Cook does not have at zero strain, never leaves its
 // bracket, and takes one step where the function is a straight line.
@@ -14,7 +14,7 @@ namespace kerf {
 // Returns x between 0 and `high` with |f(x)| <= accuracy; 0 where f(0) <= accuracy, and `high`
 // where f(high) >= -accuracy.
 template <class Function, class T>
-KERF_FUNCTION T falling_root(const Function& f, T high, T accuracy) {
+KERF_FUNCTION T regula_falsi(const Function& f, T high, T accuracy) {
   T low = T(0), f_low = f(low);
   if (!(f_low > accuracy)) return low;
   T f_high = f(high);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// StretchLimit computes the time of a wave across the kernel of a compressed solid. In the
+// WaveTimeLimit computes the time of a wave across the kernel of a compressed solid. In the
 // reference configuration, where the sums are, waves in a solid compressed to the stretch lambda
 // are 1 / lambda times as fast along that axis; so the time is  h lambda / (c (1 + 1.2 A)),  lambda
 // the least principal stretch, A the viscosity of the bonds as in time/time_step.hpp.
@@ -26,7 +26,7 @@ struct ShorterWave {
 // Reduces a block of particles. For most particles a bound of the principal values suffices, which
 // costs a tenth of their computation.
 template <int D, class P>
-struct StretchLimit {
+struct WaveTimeLimit {
   using Real = typename P::Real;
   static constexpr Index length = on_gpu ? 1 : 1024;  // particles
   SolidView<D, P> solid;
