@@ -22,7 +22,7 @@ if(KERF_SANITIZE)
   target_compile_options(kerf_flags INTERFACE
     -fsanitize=${KERF_SANITIZE} -fno-omit-frame-pointer -O1 -g1
     # g++ mistakes code of the sanitizers for reads of uninitialized values, for instance in <regex>.
-    -Wno-maybe-uninitialized)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE})
 endif()
 
