@@ -10,6 +10,9 @@
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
 #include "app/verify_page.hpp"
+#include "core/error.hpp"
+#include "input/units.hpp"
+#include "model/case.hpp"
 #include "output/files.hpp"
 #include "simulation/simulation.hpp"
 #include "verification/table.hpp"
@@ -26,6 +29,8 @@ struct VerifyOptions {
   std::string json;
   std::string page;
   std::string keep;
+  std::string turned = "0 deg";
+  Placement placement;
   MachineOptions machine;
 };
 
@@ -65,6 +70,30 @@ void print_list(const std::vector<VerificationCase>& cases) {
     fmt::print("{:<16} {} (runs: {}, of which with --all only: {})\n", entry.name, entry.title,
                entry.runs.size(), count);
   }
+}
+
+double read_angle(const std::string& text) {
+  const Quantity quantity = read_quantity(text, "rad");
+  if (!quantity.problem.empty())
+    throw UserError(
+        fmt::format("--turned: {}. Write an angle such as \"30 deg\".", quantity.problem),
+        exit_bad_input);
+  return quantity.value;
+}
+
+// Places the runs of the cases that can be placed like this, and removes the others by name.
+void place(const Placement& placement, std::vector<VerificationCase>& cases) {
+  if (placement.is_as_written()) return;
+  fmt::print("Every case is {}.\n", placement.text());
+  std::erase_if(cases, [&](VerificationCase& entry) {
+    std::string problem;
+    for (PlannedRun& run : entry.runs) {
+      run.placement = placement;
+      if (problem.empty()) problem = placement_problem(run.description(), placement);
+    }
+    if (!problem.empty()) fmt::print("{} is left out: {}\n", entry.name, problem);
+    return !problem.empty();
+  });
 }
 
 // A line on the terminal that is removed when the case is done.
@@ -111,6 +140,14 @@ void run_verification(const VerifyOptions& options) {
     print_list(cases);
     return;
   }
+  Placement placement = options.placement;
+  placement.angle = read_angle(options.turned);
+  if (!options.page.empty() && !placement.is_as_written())
+    throw UserError(
+        "--page: the page shows the cases as they are written. Leave out --turned, --mirrored, "
+        "--moved and --standoff, or write the table with --json.",
+        exit_bad_input);
+  place(placement, cases);
   take_machine(options.machine);
   const KeptRuns kept(options.keep);
   for (VerificationCase& entry : cases) take_up_kept(entry, kept);
@@ -144,6 +181,17 @@ void add_verify_command(CLI::App& program) {
   command->add_option("--keep", options->keep,
                       "Keep each run in this folder, show those that it holds, long ones too, and "
                       "make none of them again; empty it after a change of the program");
+  command->add_option("--turned", options->turned,
+                      "Turn each case against its lattices by this angle, such as \"30 deg\"");
+  command->add_flag("--mirrored", options->placement.mirrored, "Mirror each case in x");
+  command
+      ->add_option("--moved", options->placement.moved,
+                   "Move jets and probes across the jet by this many spacings")
+      ->check(CLI::Range(-100.0, 100.0));
+  command
+      ->add_option("--standoff", options->placement.standoff,
+                   "Multiply the standoff of jets by this factor")
+      ->check(CLI::Range(1.0, 10.0));
   add_machine_options(*command, options->machine);
   command->callback([options] { run_verification(*options); });
 }

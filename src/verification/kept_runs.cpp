@@ -38,6 +38,7 @@ Json identity_of(const PlannedRun& run, const std::vector<const Check*>& checks)
   }
   return {{"version", program_version},
           {"case", run.case_text},
+          {"placement", run.placement.text()},
           {"refine", run.refinement},
           {"sample", run.sample_interval},
           {"picture", run.picture_time ? Json(*run.picture_time) : Json()},
@@ -46,7 +47,8 @@ Json identity_of(const PlannedRun& run, const std::vector<const Check*>& checks)
 
 std::filesystem::path stem_of(const std::filesystem::path& folder, const std::string& case_name,
                               const PlannedRun& run) {
-  return folder / case_name / file_name_of(run.name);
+  const std::string place = run.placement.is_as_written() ? "" : ", " + run.placement.text();
+  return folder / case_name / file_name_of(run.name + place);
 }
 
 Recording recording_of(const Json& kept) {

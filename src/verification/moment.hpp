@@ -10,15 +10,21 @@
 #include "analysis/cut.hpp"
 #include "model/case.hpp"
 #include "simulation/simulation.hpp"
+#include "verification/placement.hpp"
 
 namespace kerf {
 
 // The data that all moments of a run share.
 struct Beginning {
-  explicit Beginning(const Case& of, const Simulation& simulation)
-      : description(of), frame(simulation.frame()), cut_monitor(of, frame) {}
+  // `simulation` is that of the case `of` as it is placed.
+  Beginning(const Case& of, const Simulation& simulation, const Placement& placement = {})
+      : description(of),
+        as_written(of, placement),
+        frame(as_written.frame(simulation.frame())),
+        cut_monitor(of, frame) {}
 
-  Case description;
+  Case description;  // as it is written
+  PlacementInverse as_written;
   Frame frame;  // before the first step; its rows and those of later frames differ
   CutMonitor cut_monitor;
 };
@@ -28,18 +34,19 @@ class Moment {
   Moment(Beginning& beginning, const Simulation& simulation)
       : beginning_(beginning), simulation_(simulation) {}
 
-  double time() const { return simulation_.time(); }
+  // s, of the case as it is written
+  double time() const { return simulation_.time() - beginning_.as_written.delay(); }
 
   const Frame& frame() {
-    if (!frame_) frame_ = simulation_.frame();
+    if (!frame_) frame_ = beginning_.as_written.frame(simulation_.frame());
     return *frame_;
   }
   const std::vector<double>& probe_values() {
-    if (!probes_) probes_ = simulation_.probe_values();
+    if (!probes_) probes_ = beginning_.as_written.probe_values(simulation_.probe_values());
     return *probes_;
   }
   const Balance& balance() {
-    if (!balance_) balance_ = simulation_.balance();
+    if (!balance_) balance_ = beginning_.as_written.balance(simulation_.balance());
     return *balance_;
   }
   const CutState& cut() {

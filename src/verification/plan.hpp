@@ -10,6 +10,7 @@
 
 #include "core/embedded_text.hpp"
 #include "verification/parameters.hpp"
+#include "verification/placement.hpp"
 
 namespace kerf {
 
@@ -23,7 +24,9 @@ struct PlannedRun {
   bool is_long = false;
   bool is_left_out = false;            // only other runs are requested
   std::optional<double> picture_time;  // s; of the picture for the page
+  Placement placement;                 // where the case is set up
 
+  // The case as it is written, before it is placed.
   Case description() const;
 };
 

@@ -15,6 +15,7 @@ namespace kerf {
 namespace {
 
 void sample(std::vector<Signal>& signals, Moment moment, Recording& recording) {
+  if (moment.time() < 0.0) return;
   for (std::size_t i = 0; i < signals.size(); ++i) {
     recording.series[i].time.push_back(moment.time());
     recording.series[i].value.push_back(signals[i](moment));
@@ -26,22 +27,24 @@ void sample(std::vector<Signal>& signals, Moment moment, Recording& recording) {
 void record(const PlannedRun& run, const std::vector<const Check*>& checks,
             const VerifyProgress& progress, Recording& recording) {
   const Case description = run.description();
-  const auto simulation = make_simulation(description);
-  Beginning beginning(description, *simulation);
+  const Case in_place = placed(description, run.placement);
+  const auto simulation = make_simulation(in_place);
+  Beginning beginning(description, *simulation, run.placement);
   std::vector<Signal> signals;
   for (const Check* check : checks) signals.push_back(make_signal(check->parameters, beginning));
   const double interval =
       run.sample_interval > 0.0 ? run.sample_interval : description.output.series_interval;
   sample(signals, Moment(beginning, *simulation), recording);
-  double next = interval;
+  double next = beginning.as_written.delay() > 0.0 ? 0.0 : interval;
   while (!simulation->finished()) {
     simulation->advance();
-    if (simulation->time() < next && !simulation->finished()) continue;
-    sample(signals, Moment(beginning, *simulation), recording);
-    if (run.picture_time && !recording.image && simulation->time() >= *run.picture_time)
-      recording.image = simulation->frame();
-    next = interval * (std::floor(simulation->time() / interval) + 1.0);
-    progress(run.name, simulation->time() / description.time.end);
+    Moment moment(beginning, *simulation);
+    if (moment.time() < next && !simulation->finished()) continue;
+    if (run.picture_time && !recording.image && moment.time() >= *run.picture_time)
+      recording.image = moment.frame();
+    next = interval * (std::floor(moment.time() / interval) + 1.0);
+    progress(run.name, simulation->time() / in_place.time.end);
+    sample(signals, std::move(moment), recording);
   }
 }
 

@@ -78,6 +78,7 @@ std::string to_json(const std::vector<Row>& rows) {
   result["rows"] = nlohmann::json::array();
   for (const Row& row : rows)
     result["rows"].push_back({{"case", row.case_name},
+                              {"placement", row.placement},
                               {"quantity", row.quantity},
                               {"run", row.run},
                               {"unit", row.unit},

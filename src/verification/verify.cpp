@@ -121,6 +121,7 @@ Row measured_row(const VerificationCase& verification, const Check& check,
   row.case_name = verification.name;
   row.quantity = check.quantity;
   row.run = run;
+  row.placement = verification.run(run).placement.text();
   row.unit = check.unit;
   row.source = check.source;
   const double unit = factor_of(check.unit, check.parameters);

@@ -22,6 +22,7 @@ enum class Verdict {
 
 struct Row {
   std::string case_name, quantity, run, unit, source;
+  std::string placement;                              // of the run
   double measured = 0.0;                              // in `unit`; NaN when the run gave none
   std::optional<double> reference, error, tolerance;  // error and tolerance relative
   std::optional<double> at_least, at_most;

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/placement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <regex>
+
+#include "model/case.hpp"
+
+namespace kerf {
+
+namespace {
+
+Point moved_by(const Point& x, const Point& shift) {
+  return {x[0] + shift[0], x[1] + shift[1], x[2] + shift[2]};
+}
+
+// The map of vectors and points from the case as written to the run, about the origin.
+struct Turn {
+  double c = 1.0, s = 0.0, side = 1.0;
+
+  explicit Turn(const Placement& placement)
+      : c(std::cos(placement.angle)),
+        s(std::sin(placement.angle)),
+        side(placement.mirrored ? -1.0 : 1.0) {}
+  Point operator()(const Point& v) const {
+    return {c * side * v[0] - s * v[1], s * side * v[0] + c * v[1], v[2]};
+  }
+  Point back(const Point& v) const {
+    return {side * (c * v[0] + s * v[1]), -s * v[0] + c * v[1], v[2]};
+  }
+};
+
+Point jet_direction(const Jet& jet) {
+  return {std::sin(jet.angle) * std::cos(jet.azimuth), -std::cos(jet.angle),
+          std::sin(jet.angle) * std::sin(jet.azimuth)};
+}
+
+// The unit vector at right angles to the first jet, in the plane of x and y.
+Point across_jet(const Jet& jet) {
+  const Point direction = jet_direction(jet);
+  const double length = std::hypot(direction[0], direction[1]);
+  return {-direction[1] / length, direction[0] / length, 0.0};
+}
+
+Point shift_of(const Case& written, const Placement& placement) {
+  if (placement.moved == 0.0 || written.jets.empty()) return {};
+  const Jet& jet = written.jets.front();
+  const Point across = across_jet(jet);
+  const double by = placement.moved * jet.spacing;
+  return {by * across[0], by * across[1], 0.0};
+}
+
+std::vector<std::array<double, 2>> corners_of(const Box& box) {
+  return {{box.minimum[0], box.minimum[1]},
+          {box.maximum[0], box.minimum[1]},
+          {box.maximum[0], box.maximum[1]},
+          {box.minimum[0], box.maximum[1]}};
+}
+
+void turn_corners(std::vector<std::array<double, 2>>& corners, const Turn& turn) {
+  for (auto& corner : corners) {
+    const Point at = turn({corner[0], corner[1], 0.0});
+    corner = {at[0], at[1]};
+  }
+}
+
+// A turned box is a polygon, in 3D an extruded one; a mirrored one is a box.
+Shape turned(Shape shape, const Turn& turn) {
+  if (shape.kind == Shape::Kind::box && turn.s != 0.0) {
+    shape.kind = Shape::Kind::polygon;
+    shape.vertices = corners_of(shape.box);
+    shape.depth_minimum = shape.box.minimum[2];
+    shape.depth_maximum = shape.box.maximum[2];
+  } else if (shape.kind == Shape::Kind::box) {
+    const Point a = turn(shape.box.minimum), b = turn(shape.box.maximum);
+    for (std::size_t k = 0; k < 3; ++k) {
+      shape.box.minimum[k] = std::min(a[k], b[k]);
+      shape.box.maximum[k] = std::max(a[k], b[k]);
+    }
+  }
+  turn_corners(shape.vertices, turn);
+  shape.centre = turn(shape.centre);
+  shape.axis = turn(shape.axis);
+  for (Shape& part : shape.parts) part = turned(part, turn);
+  return shape;
+}
+
+bool has_mesh(const Shape& shape) {
+  return shape.kind == Shape::Kind::mesh ||
+         std::any_of(shape.parts.begin(), shape.parts.end(), has_mesh);
+}
+
+// Returns the components of a vector in the run, each a formula of the components as written.
+std::array<std::string, 3> turned(const std::array<std::string, 3>& v, const Turn& turn) {
+  return {fmt::format("{:.17g}*({})-({:.17g})*({})", turn.c * turn.side, v[0], turn.s, v[1]),
+          fmt::format("{:.17g}*({})+({:.17g})*({})", turn.s * turn.side, v[0], turn.c, v[1]), v[2]};
+}
+
+// Writes x and y of the case as written in terms of those of the run.
+std::string in_coordinates_of_run(const std::string& formula, const Turn& turn) {
+  const std::string x =
+      fmt::format("({:.17g}*(x_run)+({:.17g})*(y_run))", turn.side * turn.c, turn.side * turn.s);
+  const std::string y = fmt::format("({:.17g}*(x_run)+({:.17g})*(y_run))", -turn.s, turn.c);
+  std::string result = std::regex_replace(formula, std::regex("\\bx\\b"), x);
+  result = std::regex_replace(result, std::regex("\\by\\b"), y);
+  result = std::regex_replace(result, std::regex("\\bx_run\\b"), "x");
+  return std::regex_replace(result, std::regex("\\by_run\\b"), "y");
+}
+
+void mirror_sides(Faces& faces, const Turn& turn) {
+  if (turn.side < 0.0) std::swap(faces.minimum[0], faces.maximum[0]);
+}
+
+void place(Body& body, const Turn& turn) {
+  body.shape = turned(body.shape, turn);
+  if (body.grading.around) body.grading.around = turned(*body.grading.around, turn);
+  for (auto& line : body.grading.lines) {
+    line.origin = turn(line.origin);
+    line.direction = turn(line.direction);
+  }
+  for (std::string& component : body.velocity) component = in_coordinates_of_run(component, turn);
+  body.velocity = turned(body.velocity, turn);
+  if (!body.displacement[0].empty()) body.displacement = turned(body.displacement, turn);
+  mirror_sides(body.absorbing, turn);
+  body.offset[0] *= turn.side;
+  if (turn.side > 0.0) return;
+  if (body.repelling_layer == RepellingLayer::left)
+    body.repelling_layer = RepellingLayer::right;
+  else if (body.repelling_layer == RepellingLayer::right)
+    body.repelling_layer = RepellingLayer::left;
+}
+
+// Contains the turned domain and the nozzles, of which `reach` is the half of the largest width.
+Box turned_domain(const Case& description, const Box& written, const Turn& turn) {
+  auto corners = corners_of(written);
+  turn_corners(corners, turn);
+  Box box = written;
+  for (std::size_t a = 0; a < 2; ++a) {
+    box.minimum[a] = box.maximum[a] = corners.front()[a];
+    for (const auto& corner : corners) {
+      box.minimum[a] = std::min(box.minimum[a], corner[a]);
+      box.maximum[a] = std::max(box.maximum[a], corner[a]);
+    }
+    for (const Jet& jet : description.jets) {
+      const double exit = jet.position[a] - jet.standoff * jet_direction(jet)[a];
+      const double reach = jet.width + 8.0 * jet.spacing;
+      box.minimum[a] = std::min(box.minimum[a], exit - reach);
+      box.maximum[a] = std::max(box.maximum[a], exit + reach);
+    }
+  }
+  return box;
+}
+
+bool is_straight_down_or_in_plane(const Jet& jet) {
+  return std::sin(jet.angle) == 0.0 || std::abs(std::sin(jet.azimuth)) < 1e-12;
+}
+
+}  // namespace
+
+std::string Placement::text() const {
+  std::vector<std::string> parts;
+  if (angle != 0.0)
+    parts.push_back(fmt::format("turned {:.4g} deg", angle * 180.0 / std::numbers::pi));
+  if (mirrored) parts.push_back("mirrored");
+  if (moved != 0.0) parts.push_back(fmt::format("moved {:.3g} d", moved));
+  if (standoff != 1.0) parts.push_back(fmt::format("standoff x {:.3g}", standoff));
+  return parts.empty() ? "as written" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string placement_problem(const Case& description, const Placement& placement) {
+  const bool is_turned = placement.angle != 0.0;
+  const auto& bodies = description.bodies;
+  if (description.machine) return "it states a machine";
+  if ((placement.moved != 0.0 || placement.standoff != 1.0) && description.jets.empty())
+    return "it has no jet";
+  if (is_turned && description.symmetry.any()) return "it has symmetry planes";
+  for (const Body& body : bodies) {
+    if (is_turned && body.absorbing.any()) return "it has absorbing faces";
+    if ((is_turned || placement.mirrored) && has_mesh(body.shape)) return "it has a mesh";
+    if (is_turned && body.role == Role::rigid &&
+        description.formulation == Formulation::shinohara2004 &&
+        body.repelling_layer != RepellingLayer::all)
+      return "one side of a rigid body repels";
+  }
+  const auto in_plane = [](const Jet& jet) { return is_straight_down_or_in_plane(jet); };
+  if ((is_turned || placement.mirrored) &&
+      !std::all_of(description.jets.begin(), description.jets.end(), in_plane))
+    return "a jet leans out of the plane of x and y";
+  return "";
+}
+
+Case placed(Case description, const Placement& placement) {
+  if (placement.is_as_written()) return description;
+  const Turn turn(placement);
+  const Point shift = shift_of(description, placement);
+  const Box domain = description.domain;
+  const double delay = PlacementInverse(description, placement).delay();
+  for (Jet& jet : description.jets) {
+    // The direction (sin angle, -cos angle) of a jet in the plane of x and y turns by the angle.
+    const Point direction = turn(jet_direction(jet));
+    if (description.dimension == 2 || std::sin(jet.angle) != 0.0 || direction[0] != 0.0) {
+      jet.angle = std::atan2(direction[0], -direction[1]);
+      jet.azimuth = 0.0;
+    }
+    jet.position = turn(moved_by(jet.position, shift));
+    jet.traverse = turn(jet.traverse);
+    jet.standoff *= placement.standoff;
+  }
+  for (Probe& probe : description.probes) {
+    probe.position = turn(moved_by(probe.position, shift));
+    probe.normal = turn(probe.normal);
+  }
+  for (Body& body : description.bodies) place(body, turn);
+  description.gravity = turn(description.gravity);
+  mirror_sides(description.symmetry, turn);
+  description.domain = turned_domain(description, domain, turn);
+  if (delay > 0.0) description.time.end += delay;
+  return description;
+}
+
+PlacementInverse::PlacementInverse(const Case& written, const Placement& placement)
+    : placement_(placement), shift_(shift_of(written, placement)) {
+  std::size_t next = 0;
+  for (const Probe& probe : written.probes) {
+    const bool is_point = probe.kind == Probe::Kind::point;
+    vectors_.push_back(is_point ? next + 1 : next);
+    next += is_point ? 4 : 3;
+  }
+  for (const Jet& jet : written.jets)
+    delay_ = std::max(delay_, (placement.standoff - 1.0) * jet.standoff / jet.speed);
+}
+
+std::array<double, 3> PlacementInverse::vector(const std::array<double, 3>& v) const {
+  return Turn(placement_).back(v);
+}
+
+Frame PlacementInverse::frame(Frame frame) const {
+  if (placement_.is_as_written()) return frame;
+  for (auto& x : frame.position) {
+    x = vector(x);
+    for (std::size_t a = 0; a < 3; ++a) x[a] -= shift_[a];
+  }
+  for (auto& v : frame.velocity) v = vector(v);
+  frame.time -= delay_;
+  return frame;
+}
+
+Balance PlacementInverse::balance(Balance balance) const {
+  if (placement_.is_as_written()) return balance;
+  for (auto* v : {&balance.momentum_initial, &balance.momentum_now, &balance.momentum_in,
+                  &balance.momentum_out, &balance.impulse_gravity, &balance.impulse_plate,
+                  &balance.impulse_constraint, &balance.impulse_water, &balance.force_plate,
+                  &balance.force_water})
+    *v = vector(*v);
+  return balance;
+}
+
+std::vector<double> PlacementInverse::probe_values(std::vector<double> values) const {
+  for (const std::size_t first : vectors_) {
+    const auto back = vector({values[first], values[first + 1], values[first + 2]});
+    std::copy(back.begin(), back.end(), values.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+  return values;
+}
+
+}  // namespace kerf
