@@ -16,6 +16,7 @@
 // Comput. Phys. 191 (2003) 448); the rate that follows the motion is this program's own.
 #pragma once
 
+#include "fluid/density_losses.hpp"
 #include "fluid/particle_concentration.hpp"
 
 namespace kerf {
@@ -36,7 +37,10 @@ struct DensityReinitialisation {
     if (!(changes > Real(0))) return;
     const Real part = Real(rate * dt) * changes;
     const Real gap = kernel_sum / Real(lattice_kernel_sum) - Real(1) - particles.compression[i];
+    const Real before = particles.compression[i];
     particles.compression[i] += (part < Real(1) ? part : Real(1)) * gap;
+    particles.reinitialisation_loss[i] -=
+        stored_change(particles, i, before, particles.compression[i]);
   }
 };
 

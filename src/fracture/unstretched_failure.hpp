@@ -28,6 +28,16 @@ KERF_FUNCTION bool fails_by_misfit(T misfit_squared, T length_squared,
   return limit > T(0) && misfit_squared > limit * limit * length_squared;
 }
 
+// Whether the ends of a bond would press on one another as the faces of a crack if it broke
+// (contact/debris_contact.hpp): they are closer than their mean spacing, m, and than they were laid
+// out. Such a bond does not fail by its misfit, since the contact would store energy that no bond
+// had. `length_squared`: |R|^2, `growth`: |x|^2 - |R|^2.
+template <class T>
+KERF_FUNCTION bool ends_press(T length_squared, T growth, T spacing) {
+  const T rest = spacing * spacing < length_squared ? spacing * spacing : length_squared;
+  return length_squared + growth < T(1 - 1e-5) * rest;  // less than rounding is no contact
+}
+
 // A solid that is compressed below a fifth of its volume, or turned inside out, fails in
 // compression: all bonds of the particle break. The elastic laws depend on C = F^T F only, cannot
 // tell a volume J from -J, and become as stiff as 1 / J^2.

@@ -96,6 +96,8 @@ void check_bodies(Draft& draft);
 void check_symmetry(Draft& draft);
 void check_jets(Draft& draft);
 void check_probes(Draft& draft);
+// Refuses fracture limits at which a body would never break, or at rest.
+void check_fracture(Draft& draft);
 
 // Returns the unit vector of a vector; a vector that is one up to rounding is returned unchanged,
 // bit for bit.

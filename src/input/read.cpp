@@ -72,6 +72,7 @@ Case parse_case(std::string_view text, std::string_view file_name) {
   check_bodies(draft);
   check_jets(draft);
   check_probes(draft);
+  check_fracture(draft);
   draft.reading.problems.throw_if_any();
   return draft.result;
 }

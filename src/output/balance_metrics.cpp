@@ -79,7 +79,9 @@ List kinds_of_energy() {
   return {
       {"kinetic", energy, "kinetic energy", "Kinetic energy of the particles.", &B::kinetic},
       {"pressure_work", energy, "work against pressure",
-       "Work done against the pressure forces since the start.", &B::pressure_work},
+       "Work done against the pressure forces since the start; in the standard formulation without "
+       "what the densities do not store of it.",
+       &B::pressure_work},
       {"elastic_deviatoric", energy, "elastic energy of shape",
        "Energy stored in the solids by change of shape.", &B::elastic_deviatoric},
       {"elastic_strain", energy, "elastic energy, total Lagrangian",
@@ -96,6 +98,13 @@ List kinds_of_energy() {
        &B::dissipated_fracture},
       {"dissipated_plastic", energy, "lost to plastic flow", "Energy that plastic flow dissipated.",
        &B::dissipated_plastic},
+      {"dissipated_density", energy, "lost by the continuity equation",
+       "Work against pressure that the densities do not store, because the continuity equation "
+       "smooths them.",
+       &B::dissipated_density},
+      {"dissipated_reinitialisation", energy, "lost to density reinitialisation",
+       "Energy that density reinitialisation takes out of the densities.",
+       &B::dissipated_reinitialisation},
       {"stored_water", energy, "energy stored in the water",
        "Part of the pressure work that the densities of the water can give back.",
        &B::stored_water},

@@ -15,6 +15,7 @@ namespace {
 constexpr double enough_resolution = 10.0;  // particles across the jet
 constexpr double weak_compression = 0.1;    // Mach number; the density then varies by about 1%
 constexpr double small_drift = 0.02;        // of all energy that ever came in
+constexpr double small_density_loss = 0.1;  // of the same
 constexpr double small_leak = 0.01;         // of the jet's water that is there
 constexpr double rounding = 1.0 + 1e-3;
 
@@ -103,8 +104,7 @@ ValidityFlag drift_flag(double drift) {
                              percent, 100.0 * small_drift)};
 }
 
-// For solids with bonds: the gradient over the intact bonds may store more energy than that over
-// all bonds.
+// For solids with bonds, whose breaks may only take energy (solid/limit_break_energy.hpp).
 ValidityFlag break_flag(double gain) {
   const bool good = gain <= small_drift;
   return {
@@ -114,6 +114,18 @@ ValidityFlag break_flag(double gain) {
                          "should dissipate some: fragments and debris may be too fast, and the cut "
                          "too easy.",
                          100.0 * gain, 100.0 * small_drift)};
+}
+
+// For the standard formulation.
+ValidityFlag density_flag(double loss) {
+  const bool good = std::abs(loss) <= small_density_loss;
+  const double percent = 100.0 * loss;
+  return {
+      "density_loss", good_if(good), loss, small_density_loss,
+      good ? fmt::format("Smoothing of the density takes {:.2g}% of all energy.", percent)
+           : fmt::format("Smoothing of the density takes {:.2g}% of all energy, more than {:g}%: "
+                         "the jet may be too weak. Use a finer spacing.",
+                         percent, 100.0 * small_density_loss)};
 }
 
 ValidityFlag leak_flag(const Leak& leak) {
@@ -231,6 +243,8 @@ std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
                                  "between the solid's particles.",
                                  derived.solid_to_water_spacing)});
   flags.push_back(drift_flag(outcome.balance.energy_drift()));
+  if (outcome.balance.density_loss() != 0.0)
+    flags.push_back(density_flag(outcome.balance.density_loss()));
   if (outcome.balance.dissipated_fracture != 0.0)
     flags.push_back(break_flag(outcome.balance.energy_from_breaks()));
   add_of_models(outcome, flags);

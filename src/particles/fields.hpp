@@ -58,6 +58,8 @@ namespace kerf {
   SCRATCH(RealVector, damping_acceleration, always, hidden) /* m/s^2, by dissipative forces */     \
   SCRATCH(Real, repulsion_potential, always, hidden)             /* J/kg */                        \
   SCRATCH(Real, pressure_power, always, hidden)                  /* W/kg, done against pressure */ \
+  SCRATCH(Real, continuity_loss, density_losses, hidden)         /* J/kg, in the step */           \
+  SCRATCH(Real, reinitialisation_loss, density_losses, hidden)   /* J/kg, in the step */           \
   SCRATCH(Real, artificial_power, always, hidden)                /* W/kg, by artificial terms */   \
   SCRATCH(Stress, start_shear, rate_stress, hidden)              /* Pa */                          \
   SCRATCH(Gradient, velocity_gradient, rate_stress, hidden)      /* 1/s, over the own phase */     \
@@ -72,9 +74,10 @@ namespace kerf {
 // The groups of fields that a run has.
 struct FieldGroups {
   static constexpr bool always = true;
-  bool rate_stress = true;  // stress that follows from its rate (shinohara2004)
-  bool contact = true;      // contact of the surfaces of solids (standard)
-  bool mirrored = true;     // symmetry planes
+  bool rate_stress = true;     // stress that follows from its rate (shinohara2004)
+  bool contact = true;         // contact of the surfaces of solids (standard)
+  bool mirrored = true;        // symmetry planes
+  bool density_losses = true;  // energy that the density loses (standard)
 };
 
 // Contact of a particle of a solid with other bodies (contact/surface_contact.hpp).

@@ -108,7 +108,9 @@ void add_energy(Figures& figures) {
       {"dissipated_artificial", "lost to artificial viscosity"},
       {"dissipated_viscous", "lost to water's viscosity"},
       {"dissipated_fracture", "lost to fracture"},
-      {"dissipated_plastic", "lost to plastic flow"}};
+      {"dissipated_plastic", "lost to plastic flow"},
+      {"dissipated_density", "lost by the continuity equation"},
+      {"dissipated_reinitialisation", "lost to density reinitialisation"}};
   figures.add("Energy by kind", {"energy", figures.unit("J")}, kinds);
   figures.add("Errors of the balances", {"error in %", "1"},
               {{"energy_drift", "energy", 100.0},

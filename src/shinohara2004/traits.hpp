@@ -53,7 +53,7 @@ struct Shinohara2004Traits {
   using Pairs = JointPairs;
 
   static FieldGroups field_groups(bool, bool mirrored) {
-    return {.rate_stress = true, .contact = false, .mirrored = mirrored};
+    return {.rate_stress = true, .contact = false, .mirrored = mirrored, .density_losses = false};
   }
 
   template <int D, class P>

@@ -37,7 +37,7 @@ double Balance::momentum_error() const {
 double Balance::energy_total() const {
   return kinetic + pressure_work + elastic_deviatoric + elastic_strain + hourglass +
          plate_potential + dissipated_artificial + dissipated_viscous + dissipated_fracture +
-         dissipated_plastic;
+         dissipated_plastic + dissipated_density + dissipated_reinitialisation;
 }
 
 double Balance::energy_drift() const {
@@ -49,6 +49,11 @@ double Balance::energy_drift() const {
 double Balance::energy_from_breaks() const {
   const double scale = energy_supplied(*this);
   return scale > 0.0 ? std::max(0.0, -dissipated_fracture) / scale : 0.0;
+}
+
+double Balance::density_loss() const {
+  const double scale = energy_supplied(*this);
+  return scale > 0.0 ? (dissipated_density + dissipated_reinitialisation) / scale : 0.0;
 }
 
 double Balance::pressure_energy_gap() const {

@@ -50,6 +50,10 @@ struct Balance {
   double dissipated_viscous = 0.0;
   double dissipated_fracture = 0.0;
   double dissipated_plastic = 0.0;  // by the flow of total Lagrangian solids
+  // What densities do not store of the work against pressure: by the continuity equation, and by
+  // density reinitialisation. `pressure_work` is without them.
+  double dissipated_density = 0.0;
+  double dissipated_reinitialisation = 0.0;
   // The energy that the equations of state store at the densities of eq. (22). Where densities
   // differ much (water beside fractured solid), eqs. (22) and (26) do not derive from the same
   // energy, and this departs from the pressure work: see docs/theory/balance.md.
@@ -61,6 +65,7 @@ struct Balance {
   double energy_drift() const;         // relative to the energy supplied
   double energy_total() const;         // now, stored + dissipated
   double energy_from_breaks() const;   // energy gained by fracture, likewise
+  double density_loss() const;         // dissipated by density and reinitialisation, likewise
   double pressure_energy_gap() const;  // (stored - pressure work) / energy supplied
 };
 

@@ -44,6 +44,8 @@ class BalanceAccumulator {
     balance_.dissipated_artificial += sum.value[Change::artificial];
     balance_.dissipated_viscous += sum.value[Change::viscous];
     balance_.dissipated_fracture += sum.value[Change::fracture];
+    balance_.dissipated_density += sum.value[Change::continuity];
+    balance_.dissipated_reinitialisation += sum.value[Change::reinitialisation];
     return sum.motion.roots();
   }
 

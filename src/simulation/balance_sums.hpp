@@ -66,6 +66,8 @@ struct StepChange {
     artificial,
     viscous,
     fracture,
+    continuity,
+    reinitialisation,
     slots
   };
   struct Sum : Terms<slots> {
@@ -87,6 +89,7 @@ struct StepChange {
     if (medium.phase == Phase::rigid) return;
     particles.pressure_work[i] += static_cast<typename P::Real>(dt) * particles.pressure_power[i];
     const double m = mass_of[particles.source[i]];
+    if (particles.continuity_loss != nullptr) add_density_losses(i, m, sum);
     const auto moved = particles.position[i] - particles.start_position[i];
     const auto acceleration = Vector<D, double>::from(particles.acceleration[i]);
     for (int a = 0; a < D; ++a) sum.value[plate + a] += m * dt * double(particles.repulsion[i][a]);
@@ -112,6 +115,14 @@ struct StepChange {
       sum.value[constraint + a] += m * (after[a] - before[a] - dt * acceleration[a]);
     sum.value[constraint_work] +=
         m * (0.5 * (dot(after, after) - dot(before, before)) - dot(acceleration, moved));
+  }
+
+ private:
+  // What the densities do not store is no longer pressure work.
+  KERF_FUNCTION void add_density_losses(Index i, double m, Terms<slots>& sum) const {
+    particles.pressure_work[i] -= particles.continuity_loss[i] + particles.reinitialisation_loss[i];
+    sum.value[continuity] += m * double(particles.continuity_loss[i]);
+    sum.value[reinitialisation] += m * double(particles.reinitialisation_loss[i]);
   }
 };
 

@@ -38,7 +38,7 @@ struct CriterionParticle {
   KERF_FUNCTION Real largest_stress() const {
     if (!view.flows(i)) return ElasticParticle<D, Real>{solid, green}.largest_stress();
     return std::sqrt(Real(1) + volume_square_less_one(green)) *
-           largest_of(principal_values(cauchy_now(view, i)));
+           largest_of(principal_values(undivided_cauchy(view, i)));
   }
 };
 
@@ -99,7 +99,9 @@ struct BondTest {
     const auto& b = solid.medium(j.particle);
     if (solid.has_broken_bonds[i] || solid.has_broken_bonds[j.particle]) {
       const Real misfit = misfit_squared(i, j, bond, change);
-      if (fails_by_misfit(misfit, square, a) || fails_by_misfit(misfit, square, b)) return true;
+      if ((fails_by_misfit(misfit, square, a) || fails_by_misfit(misfit, square, b)) &&
+          !ends_press(square, square_growth(bond, change), Real(0.5) * (a.spacing + b.spacing)))
+        return true;
     }
     BondStrain<Real> strain;
     strain.own = square_growth(bond, change) / square;
@@ -175,21 +177,6 @@ struct BreakMarked {
     const auto green = green_strain(solid.gradient[i]);
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
       if (test.breaks(i, k, green)) solid.break_bond(i, k);
-  }
-};
-
-// Tests for compressive failure again after a break, by the deformation over the remaining bonds.
-template <int D, class P>
-struct FailInCompression {
-  SolidView<D, P> solid;
-  BreakRecords<D, P> records;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    if (!records.of[i].is_recorded || solid.detached[i] ||
-        !fails_in_compression(solid.medium(i), solid.gradient[i]))
-      return;
-    solid.detached[i] = 1;
-    solid.changed[i] = 1;
   }
 };
 

@@ -4,11 +4,11 @@
 //   H_i = F_i - 1 = (sum_j w_ij (u_j - u_i) (x) R) B_i / V_i.
 // The force (solid/bond_force.hpp) needs of a particle one tensor only, which joins stress and
 // hourglass control,
-//   A_i = P_i B_i - mu_i H_i,   mu of solid/hourglass_modulus.hpp.
+//   A_i = s_i P_i B_i - mu_i H_i,   s of limit_break_energy.hpp, mu of hourglass_modulus.hpp.
 #pragma once
 
 #include "simd/run_in_blocks.hpp"
-#include "solid/bond_break_energy.hpp"
+#include "solid/stress_response.hpp"
 
 namespace kerf {
 
@@ -35,7 +35,8 @@ struct Deform {
     const Matrix<D, Real> h = bonds.sum * solid.correction[i];
     solid.gradient[i] = h;
     const Matrix<D, Real> stress = first_piola(response.stress(solid, i, h), h);
-    traction = medium.reference_volume() * (stress * solid.correction[i]);
+    traction =
+        medium.reference_volume() * solid.elastic_share[i] * (stress * solid.correction[i]);
     traction += -solid.ends[i].hourglass * h;
   }
 
@@ -63,17 +64,6 @@ struct Deform {
       add_bond_gradient(sum, bond);
     }
     return sum;
-  }
-};
-
-// Calls `deform`, a Deform, for the particles that lost bonds.
-template <int D, class P, class Loop>
-struct DeformBroken {
-  Loop deform;
-  BreakRecords<D, P> records;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    if (records.of[i].is_recorded) deform(i);
   }
 };
 

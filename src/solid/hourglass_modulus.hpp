@@ -4,7 +4,8 @@
 // modulus of a shear test, and further,  mu = zeta E / (1 + 5 eps_p / eps_y),  eps_y = sigma_0 / (3
 // G). Where it softens, mu falls with the square of the remaining share, so that the control does
 // not close a crack. Where cracks grow from flaws it falls with damage; a tenth is left for
-// compression. The excess of the control's energy is dissipated. The force is in
+// compression. It has the share s of the elastic response that breaks leave
+// (solid/limit_break_energy.hpp). The excess of the control's energy is dissipated. The force is in
 // solid/bond_force.hpp.
 #pragma once
 
@@ -26,13 +27,15 @@ template <int D, class P>
 KERF_FUNCTION typename P::Real hourglass_of(const SolidView<D, P>& solid, Index i) {
   using Real = typename P::Real;
   const auto& medium = solid.medium(i);
+  const Real share = solid.elastic_share[i];
   if (solid.flows(i))
-    return flowing_hourglass(medium, solid.plasticity(i), solid.flow_start[i].plastic_strain);
+    return share *
+           flowing_hourglass(medium, solid.plasticity(i), solid.flow_start[i].plastic_strain);
   if (solid.softens(i)) {
-    const Real share = undamaged_share(medium, solid.strain_start[i]);
-    return share * share * medium.hourglass_modulus();
+    const Real undamaged = undamaged_share(medium, solid.strain_start[i]);
+    return share * undamaged * undamaged * medium.hourglass_modulus();
   }
-  return medium.hourglass_modulus() * (Real(1) - Real(0.9) * solid.damage(i));
+  return share * medium.hourglass_modulus() * (Real(1) - Real(0.9) * solid.damage(i));
 }
 
 template <int D, class P>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SolidFields are the fields of the total Lagrangian solid, per particle and per bond. Its state
-// variables are `bond_intact`, `detached`, `strain_start`, `flow_start` and `flaws`; all other
-// fields follow from these and from the positions.
+// variables are `bond_intact`, `elastic_share`, `detached`, `strain_start`, `flow_start` and `flaws`;
+// all other fields follow from these and from the positions.
 #pragma once
 
 #include <type_traits>
@@ -29,6 +29,7 @@ namespace kerf {
   FIELD(Packed, ends)                   /* displacement, velocity, traction and others */      \
   FIELD(Tensor, correction)             /* B_i / V_i, 1/m^D */                                 \
   FIELD(Tensor, gradient)               /* H = F - 1 */                                        \
+  FIELD(Real, elastic_share)            /* s of limit_break_energy.hpp, 1 without breaks */    \
   FIELD(Real, criterion)                /* of the fracture criterion */                        \
   FIELD(Speed, acceleration)            /* m/s^2 */                                            \
   FIELD(Real, viscous_power)            /* W, dissipated by the bond viscosity */

@@ -17,15 +17,14 @@ struct FractureResult {
   std::uint64_t bonds = 0;  // broken, each counted once
   Index detached = 0;       // particles that became detached
   double released = 0.0;    // J (2D: J/m): stored energy before less after, hourglass part included
-  double power_gain = 0.0;  // W (2D: W/m): power of the bonds on the moving particles, after less
-                            // before
 };
 
 // The state of a solid without positions and velocities, which the caller has: its bonds, and the
 // acceleration, because the kick of a step may come before accelerate().
 template <int D, class P>
 struct SolidState {
-  std::vector<std::uint32_t> bond_intact;  // bits
+  std::vector<std::uint32_t> bond_intact;       // bits
+  std::vector<typename P::Real> elastic_share;  // s of solid/limit_break_energy.hpp
   std::vector<Vector<D, typename P::Real>> acceleration;
   std::vector<Vector<D, typename P::Real>> mirror_acceleration;  // empty without such planes
   std::vector<PlasticState<D, typename P::Real>> flow;           // empty where nothing flows

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// energy_of() computes the energy that a particle of the solid stores: V psi(F), and the potential
+// energy_of() computes the energy that a particle of the solid stores: s V psi(F), and the potential
 // of the hourglass control 1/2 mu_i sum_j w_ij |F_i R - x_ij|^2, of which the force is minus the
-// exact gradient. It is in double, so that the difference of two totals keeps enough digits.
+// exact gradient. The share s is that of solid/limit_break_energy.hpp. It is in double, so that the
+// difference of two totals keeps enough digits.
 #pragma once
 
 #include "parallel/ordered_sum.hpp"
@@ -9,19 +10,47 @@
 
 namespace kerf {
 
-// Returns sum_j w_ij |F_i R - x_ij|^2.
+// Returns u_j - u_i a time `ago`, s, at the present velocities, m.
 template <int D, class P>
-KERF_FUNCTION double misfit(const SolidView<D, P>& solid, Index i) {
-  const auto h = Matrix<D, double>::from(solid.gradient[i]);
+KERF_FUNCTION Vector<D, double> earlier_displacement_bond(const SolidView<D, P>& solid, Index i,
+                                                          const BondEnd& j, double ago) {
+  auto change = solid.template displacement_bond<double>(i, j);
+  if (ago != 0.0) change -= ago * Vector<D, double>::from(solid.velocity_bond(i, j));
+  return change;
+}
+
+// Returns the displacement gradient H over the intact bonds a time `ago`, s.
+template <int D, class P>
+KERF_FUNCTION Matrix<D, double> earlier_gradient(const SolidView<D, P>& solid, Index i,
+                                                 double ago) {
+  auto sum = Matrix<D, double>::zero();
+  for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
+    if (!solid.is_intact(i, k)) continue;
+    const BondEnd j = solid.bond_end(i, k);
+    const double weight = solid.weight(i, k, j, solid.reference_bond(i, j));
+    add_outer(sum, earlier_displacement_bond(solid, i, j, ago),
+              weight * solid.template reference_bond<double>(i, j));
+  }
+  return sum * Matrix<D, double>::from(solid.correction[i]);
+}
+
+// Returns sum_j w_ij |F_i R - x_ij|^2 at the gradient H = F - 1 a time `ago`, s.
+template <int D, class P>
+KERF_FUNCTION double misfit(const SolidView<D, P>& solid, Index i, const Matrix<D, double>& h,
+                            double ago = 0.0) {
   double sum = 0.0;
   for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
     if (!solid.is_intact(i, k)) continue;
     const BondEnd j = solid.bond_end(i, k);
     auto gamma = h * solid.template reference_bond<double>(i, j);  // H R - u
-    gamma -= solid.template displacement_bond<double>(i, j);
+    gamma -= earlier_displacement_bond(solid, i, j, ago);
     sum += double(solid.weight(i, k, j, solid.reference_bond(i, j))) * dot(gamma, gamma);
   }
   return sum;
+}
+template <int D, class P>
+KERF_FUNCTION double misfit(const SolidView<D, P>& solid, Index i) {
+  return misfit(solid, i, Matrix<D, double>::from(solid.gradient[i]));
 }
 
 // The stored energy of one particle, or of all.
@@ -31,12 +60,21 @@ struct SolidEnergy {
   KERF_FUNCTION double total() const { return elastic + hourglass; }
 };
 
+// Returns the energy of particle i at the gradient H a time `ago`, s, in the state given.
 template <int D, class P>
-KERF_FUNCTION SolidEnergy energy_of(const SolidView<D, P>& solid, Index i) {
+KERF_FUNCTION SolidEnergy energy_of(const SolidView<D, P>& solid, Index i,
+                                    const Matrix<D, double>& h, const EnergyState<D, P>& state,
+                                    double ago = 0.0) {
   if (solid.detached[i]) return {};
   const auto& medium = solid.medium(i);
-  return {double(medium.mass) / double(medium.density) * energy_density_now(solid, i),
-          0.5 * double(solid.ends[i].hourglass) * misfit(solid, i)};
+  return {double(medium.mass) / double(medium.density) * energy_density_at(solid, i, h, state),
+          0.5 * double(solid.ends[i].hourglass) * misfit(solid, i, h, ago)};
+}
+// Returns its energy at the current deformation.
+template <int D, class P>
+KERF_FUNCTION SolidEnergy energy_of(const SolidView<D, P>& solid, Index i) {
+  return energy_of(solid, i, Matrix<D, double>::from(solid.gradient[i]),
+                   EnergyState<D, P>::now(solid, i));
 }
 
 template <int D, class P>

@@ -11,14 +11,17 @@
 
 namespace kerf {
 
-// Returns the strain that determines softening, that of the current gradient included.
+// Returns the strain that determines softening, that of the current gradient included. Where breaks
+// have left a share s of the elastic energy (solid/limit_break_energy.hpp), it is that of s psi_t,
+// so that what softening dissipates remains a function of this strain.
 template <int D, class P>
 KERF_FUNCTION typename P::Real largest_strain(const SolidView<D, P>& solid, Index i,
                                               const Matrix<D, typename P::Real>& h) {
-  const auto strain = tensile_strain(solid.medium(i), h), before = solid.strain_start[i];
+  const auto strain = std::sqrt(solid.elastic_share[i]) * tensile_strain(solid.medium(i), h);
+  const auto before = solid.strain_start[i];
   return strain > before ? strain : before;
 }
-// Returns the elastic stress of a particle that softening or damage reduces.
+// Returns the elastic stress of a particle that softening or damage reduces, for the share s = 1.
 template <int D, class P>
 KERF_FUNCTION SymmetricTensor<D, typename P::Real> elastic_stress(
     const SolidView<D, P>& solid, Index i, const Matrix<D, typename P::Real>& h) {
@@ -29,7 +32,8 @@ KERF_FUNCTION SymmetricTensor<D, typename P::Real> elastic_stress(
                       green);
 }
 
-// The stress responses for Deform: the second Piola-Kirchhoff stress at the gradient H, Pa.
+// The stress responses for Deform: the second Piola-Kirchhoff stress at the gradient H for the
+// share s = 1, Pa.
 template <int D, class P>
 struct ElasticResponse {
   using Real = typename P::Real;
@@ -54,29 +58,59 @@ struct FlowingResponse {
   }
 };
 
-// Returns the Cauchy stress of the current deformation.
+// Returns the Cauchy stress of the current deformation for the share s = 1, Pa: that of the material
+// between the cracks, which fracture criteria judge.
 template <int D, class P>
-KERF_FUNCTION SymmetricTensor<D, typename P::Real> cauchy_now(const SolidView<D, P>& solid,
-                                                              Index i) {
+KERF_FUNCTION SymmetricTensor<D, typename P::Real> undivided_cauchy(const SolidView<D, P>& solid,
+                                                                    Index i) {
   const auto& medium = solid.medium(i);
   const auto& h = solid.gradient[i];
   if (!solid.flows(i)) return cauchy(elastic_stress(solid, i, h), h);
   return cauchy(second_piola(medium, solid.plasticity(i), h, solid.current_flow[i].metric), h);
 }
-
-// Returns the stored energy per reference volume in double, J/m^3.
+// Returns the Cauchy stress of the current deformation, Pa.
 template <int D, class P>
-KERF_FUNCTION double energy_density_now(const SolidView<D, P>& solid, Index i) {
-  const auto medium = BreakableSolid<double>::from(solid.medium(i));
-  const auto h = Matrix<D, double>::from(solid.gradient[i]);
-  if (solid.softens(i)) {
-    const double undamaged = undamaged_share(medium, double(solid.current_strain[i]));
-    return energy_density(softened(medium, green_strain(h), undamaged), green_strain(h));
+KERF_FUNCTION SymmetricTensor<D, typename P::Real> cauchy_now(const SolidView<D, P>& solid,
+                                                              Index i) {
+  return solid.elastic_share[i] * undivided_cauchy(solid, i);
+}
+
+// The state on which the stored energy depends beside the gradient: where it softens k, where it
+// flows the metric.
+template <int D, class P>
+struct EnergyState {
+  double strain = 0.0;
+  SymmetricTensor<D, double> metric{};
+
+  KERF_FUNCTION static EnergyState now(const SolidView<D, P>& solid, Index i) {
+    EnergyState state;
+    if (solid.softens(i)) state.strain = double(solid.current_strain[i]);
+    if (solid.flows(i))
+      state.metric = SymmetricTensor<D, double>::from(solid.current_flow[i].metric);
+    return state;
   }
-  if (!solid.flows(i)) return energy_density(medium, green_strain(h), double(solid.damage(i)));
+  KERF_FUNCTION static EnergyState at_start(const SolidView<D, P>& solid, Index i) {
+    EnergyState state;
+    if (solid.softens(i)) state.strain = double(solid.strain_start[i]);
+    if (solid.flows(i)) state.metric = SymmetricTensor<D, double>::from(solid.flow_start[i].metric);
+    return state;
+  }
+};
+
+// Returns the stored energy of particle i per reference volume at the gradient H, J/m^3.
+template <int D, class P>
+KERF_FUNCTION double energy_density_at(const SolidView<D, P>& solid, Index i,
+                                       const Matrix<D, double>& h,
+                                       const EnergyState<D, P>& state) {
+  const auto medium = BreakableSolid<double>::from(solid.medium(i));
+  const double share = solid.elastic_share[i];
+  const auto green = green_strain(h);
+  if (solid.softens(i))
+    return share *
+           energy_density(softened(medium, green, undamaged_share(medium, state.strain)), green);
+  if (!solid.flows(i)) return share * energy_density(medium, green, double(solid.damage(i)));
   const auto parameters = PlasticParameters<double>::from(solid.plasticity(i));
-  return energy_density(medium, parameters, h,
-                        SymmetricTensor<D, double>::from(solid.current_flow[i].metric));
+  return share * energy_density(medium, parameters, h, state.metric);
 }
 
 }  // namespace kerf

@@ -18,6 +18,7 @@
 #include "solid/deformation_gradient.hpp"
 #include "solid/gradient_correction.hpp"
 #include "solid/gradient_correction_levels.hpp"
+#include "solid/limit_break_energy.hpp"
 #include "solid/set_media.hpp"
 #include "solid/set_motion.hpp"
 #include "solid/simd/bond_sums.hpp"
@@ -58,6 +59,7 @@ class TotalLagrangian {
     entries_ = lists.neighbour.size();
     fields_.make_room();
     thrust::fill(fields_.bond_intact.begin(), fields_.bond_intact.end(), ~std::uint32_t(0));
+    thrust::fill(fields_.elastic_share.begin(), fields_.elastic_share.end(), Real(1));
     to_device(bonds.multi_material, fields_.multi_material);
     if (fields_.any_softens) for_each_index(size(), StartSoftening<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartPlasticity<D, P>{view()});
@@ -146,10 +148,12 @@ class TotalLagrangian {
     fields_.mirror_acceleration = mirrored;
   }
 
-  // Breaks the bonds that exceed their limit at the current deformation, and computes the
-  // deformation of the remaining ones. Must be called between deform() and accelerate().
-  FractureResult fracture() {
+  // Breaks the bonds that exceed their limit at the current deformation, which is `half_step` after
+  // the start of a step, s, and computes the deformation of the remaining ones. Must be called
+  // between deform() and accelerate().
+  FractureResult fracture(double half_step = 0.0) {
     if (!traits_.can_break) return {};
+    half_step_ = half_step;
     for_each_index(size(), PrepareCriterion<D, P>{view()});
     for_each_index(size(), MarkBreaking<D, P>{{view()}});
     if (!any_changed()) return {};
@@ -166,6 +170,7 @@ class TotalLagrangian {
   // Breaks all bonds of the chosen particles. `chosen`: 1 per chosen particle, else 0.
   FractureResult break_all_bonds_of(const Array<std::uint8_t>& chosen) {
     break_records_.resize(size());
+    half_step_ = 0.0;
     return apply_breaks(BreakAllBonds<D, P>{view(), pointer(chosen), records()});
   }
 
@@ -187,6 +192,9 @@ class TotalLagrangian {
     return {sum.value[0], sum.value[1]};
   }
 
+  // What particles held before the last break (solid/bond_break_energy.hpp).
+  BreakRecords<D, P> records() { return {pointer(break_records_), half_step_}; }
+
   Index size() const { return fields_.size(); }
   const SolidFields<D, P>& fields() const { return fields_; }
   SolidView<D, P> view() { return fields_.view(); }
@@ -197,23 +205,25 @@ class TotalLagrangian {
   // Number of bonds, each counted from both ends, broken or not.
   std::uint64_t entries() const { return entries_; }
   std::size_t bytes() const {
-    return fields_.bytes() + simd_.bytes() + break_records_.size() * sizeof(BondBreakEnergy);
+    return fields_.bytes() + simd_.bytes() + break_records_.size() * sizeof(BondBreakRecord);
   }
   // Per particle: 1 where the factor of a pair may differ from 1; empty where all are 1.
   const std::vector<std::uint8_t>& fitted() const { return fitted_; }
 
   SolidState<D, P> save() const {
-    return {to_host(fields_.bond_intact),         to_host(fields_.acceleration),
-            to_host(fields_.mirror_acceleration), to_host(fields_.flow_start),
-            to_host(fields_.strain_start),        to_host(fields_.flaws)};
+    return {to_host(fields_.bond_intact),  to_host(fields_.elastic_share),
+            to_host(fields_.acceleration), to_host(fields_.mirror_acceleration),
+            to_host(fields_.flow_start),   to_host(fields_.strain_start),
+            to_host(fields_.flaws)};
   }
   // Restores a state saved by a solid of the same layout. deform() must follow.
   void restore(const SolidState<D, P>& state) {
     require(state.bond_intact.size() == fields_.bond_intact.size() &&
-                state.acceleration.size() == size() &&
+                state.elastic_share.size() == size() && state.acceleration.size() == size() &&
                 state.mirror_acceleration.size() == fields_.mirror_acceleration.size(),
             "the saved solid has the particles, bonds and symmetry planes of this case");
     to_device(state.bond_intact, fields_.bond_intact);
+    to_device(state.elastic_share, fields_.elastic_share);
     to_device(state.acceleration, fields_.acceleration);
     to_device(state.mirror_acceleration, fields_.mirror_acceleration);
     require(state.flow.size() == fields_.flow_start.size(),
@@ -258,15 +268,13 @@ class TotalLagrangian {
     do {
       update_corrections(records());
       respond([&]<class Loop>(const Loop& loop) {
-        for_each_index(size(), DeformBroken<D, P, Loop>{loop, records()});
+        for_each_index(size(), LimitBreakEnergy<D, P, Loop>{loop, records()});
       });
-      if (traits_.can_break) for_each_index(size(), FailInCompression<D, P>{view(), records()});
     } while (any_changed());
-    const Terms<4> sum = break_sum_(size(), BreakTerms<D, P>{view(), records()});
+    const Terms<3> sum = break_sum_(size(), BreakTerms<D, P>{view(), records()});
     return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1]),
-            sum.value[2], sum.value[3]};
+            sum.value[2]};
   }
-  BreakRecords<D, P> records() { return {pointer(break_records_)}; }
 
   void correct_all() {
     thrust::fill(fields_.detached.begin(), fields_.detached.end(), std::uint8_t(0));
@@ -294,9 +302,9 @@ class TotalLagrangian {
   std::uint64_t entries_ = 0;
   OrderedSum<2> sum_;
   OrderedSum<1> power_sum_;
-  OrderedSum<4> break_sum_;
-  Array<BondBreakEnergy> break_records_;
-  double dt_ = 0.0;
+  OrderedSum<3> break_sum_;
+  Array<BondBreakRecord> break_records_;
+  double dt_ = 0.0, half_step_ = 0.0;
   SolidTraits traits_;
 };
 

@@ -40,7 +40,8 @@ struct KeepDamage {
     const auto h = Matrix<D, double>::from(solid.gradient[i]);
     const auto stored = TensionLaw<double>::of(medium).energy(principal_values(green_strain(h)));
     solid.damage_loss[i] =
-        double(medium.reference_volume()) * double(more) * stored + lower_hourglass(solid, i);
+        double(medium.reference_volume()) * double(solid.elastic_share[i]) * double(more) * stored +
+        lower_hourglass(solid, i);
   }
 };
 

@@ -19,6 +19,14 @@ struct StartPlasticity {
   }
 };
 
+// Returns the plastic work of particle i in the current step, J.
+template <int D, class P>
+KERF_FUNCTION double flow_work_of(const SolidView<D, P>& solid, Index i) {
+  if (!solid.any_flows || solid.detached[i]) return 0.0;
+  return double(solid.medium(i).reference_volume()) * double(solid.elastic_share[i]) *
+         double(solid.flow_work[i]);
+}
+
 template <int D, class P>
 struct KeepFlow {
   using Real = typename P::Real;
@@ -27,20 +35,13 @@ struct KeepFlow {
   KERF_FUNCTION void operator()(Index i) const {
     solid.flow_loss[i] = 0.0;
     if (!solid.flows(i) || solid.detached[i]) return;
-    const auto& medium = solid.medium(i);
-    solid.flow_loss[i] = double(medium.reference_volume()) * double(solid.flow_work[i]);
+    solid.flow_loss[i] = flow_work_of(solid, i);
     solid.flow_work[i] = Real(0);
     solid.flow_start[i] = solid.current_flow[i];
     solid.flow_loss[i] += lower_hourglass(solid, i);
   }
 };
 
-// Returns the plastic work of particle i in the current step, J.
-template <int D, class P>
-KERF_FUNCTION double flow_work_of(const SolidView<D, P>& solid, Index i) {
-  if (!solid.any_flows || solid.detached[i]) return 0.0;
-  return double(solid.medium(i).reference_volume()) * double(solid.flow_work[i]);
-}
 template <int D, class P>
 struct FlowWorkTerm {
   SolidView<D, P> solid;

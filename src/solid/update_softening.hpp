@@ -38,14 +38,22 @@ struct SofteningLossTerm {
   KERF_FUNCTION void add(Index i, Terms<1>& sum) const { sum.value[0] += solid.softening_loss[i]; }
 };
 
-// Returns the energy that softening took from particle i since the start of the run, J.
+// Returns the energy that softening took from particle i since the start of the run, J: up to the
+// start of the step, and up to the current deformation.
+template <int D, class P>
+KERF_FUNCTION double softening_work_up_to(const SolidView<D, P>& solid, Index i, double strain) {
+  const auto medium = BreakableSolid<double>::from(solid.medium(i));
+  return double(solid.medium(i).mass) / double(solid.medium(i).density) *
+         softening_loss(medium, strain);
+}
+template <int D, class P>
+KERF_FUNCTION double softening_work_at_start(const SolidView<D, P>& solid, Index i) {
+  return solid.softens(i) ? softening_work_up_to(solid, i, double(solid.strain_start[i])) : 0.0;
+}
 template <int D, class P>
 KERF_FUNCTION double softening_work_of(const SolidView<D, P>& solid, Index i) {
-  if (!solid.softens(i)) return 0.0;
-  const auto medium = BreakableSolid<double>::from(solid.medium(i));
-  const auto strain = solid.detached[i] ? solid.strain_start[i] : solid.current_strain[i];
-  return double(solid.medium(i).mass) / double(solid.medium(i).density) *
-         softening_loss(medium, double(strain));
+  if (solid.detached[i]) return softening_work_at_start(solid, i);
+  return solid.softens(i) ? softening_work_up_to(solid, i, double(solid.current_strain[i])) : 0.0;
 }
 template <int D, class P>
 struct SofteningTerm {

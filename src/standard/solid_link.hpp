@@ -7,8 +7,8 @@
 #include "neighbours/neighbour_list.hpp"
 #include "pairs/pair.hpp"
 #include "particles/fields.hpp"
+#include "solid/bond_break_energy.hpp"
 #include "solid/set_motion.hpp"
-#include "solid/stress_response.hpp"
 
 namespace kerf {
 
@@ -85,23 +85,52 @@ struct ShowPressure {
 };
 
 // Marks the particles of detached solid as fractured. A detached particle continues as a fluid
-// whose density gives the pressure that it had.
+// whose density gives the pressure that it had, or less: it stores no more by its density than it
+// did by density and bonds. Sums what it took over from its bonds, J.
 template <int D, class P>
 struct MarkDetached {
   using Real = typename P::Real;
   ParticleView<D, P> particles;
   SolidIndexView link;
   SolidView<D, P> solid;
+  BreakRecords<D, P> records;
+  bool in_step;  // in the middle of a step: its end starts from the density at its start
 
-  KERF_FUNCTION void operator()(Index s) const {
+  KERF_FUNCTION void add(Index s, Terms<1>& sum) const {
     const Index i = link.particle_of[s];
     if (i == no_index || !solid.detached[s] || particles.fractured[i]) return;
     particles.fractured[i] = 1;
     const auto& medium = particles.medium(i);
-    const Real by_density = medium.template share_by_density<Real>(false) *
-                            pressure_at(medium, particles.compression[i]);
+    const auto share = medium.template share_by_density<double>(false);
+    const double mass = solid.medium(s).mass;
+    const double by_bonds = records.of == nullptr ? 0.0 : records.of[s].energy.less() / mass;
+    const Real before = in_step ? particles.start_compression[i] : particles.compression[i];
+    const double stored = share * energy_at(medium, double(before));
+    const Real compression = compression_with(s, medium, before, stored + by_bonds);
+    const double taken = energy_at(medium, double(compression)) - stored;
+    particles.compression[i] = particles.start_compression[i] = compression;
+    particles.pressure_work[i] += static_cast<Real>(taken);
+    sum.value[0] += mass * taken;
+  }
+
+ private:
+  // The compression that continues the pressure, with no more energy than `available`, J/kg.
+  KERF_FUNCTION Real compression_with(Index s, const Medium<Real>& medium, Real before,
+                                      double available) const {
+    const Real by_density =
+        medium.template share_by_density<Real>(false) * pressure_at(medium, before);
     const Real by_bonds = -trace(cauchy_now(solid, s)) / Real(3);
-    particles.compression[i] = medium.tait.compression(by_density + by_bonds);
+    const Real equal = medium.tait.compression(by_density + by_bonds);
+    const auto costs = [&](Real compression) {
+      return energy_at(medium, double(compression)) > available;
+    };
+    if (!costs(equal)) return equal;
+    Real low = 0, high = equal;  // halved until neither changes
+    for (int k = 0; k < 60; ++k) {
+      const Real middle = Real(0.5) * (low + high);
+      (costs(middle) ? high : low) = middle;
+    }
+    return low;
   }
 };
 

@@ -68,7 +68,7 @@ class SolidPart {
     if (!solid_) return;
     thrust::fill(particle_of_.begin(), particle_of_.end(), no_index);
     for_each_index(particles.size(), LinkSolids<D, P>{particles.view(), link()});
-    mark_detached(particles);
+    mark_detached(particles, false);
     fully_bonded_.resize(particles.size());
     thrust::fill(fully_bonded_.begin(), fully_bonded_.end(), std::uint8_t(0));
     for_each_index(solid_->size(), MarkFullyBonded<D, P>{particles.view(), link(), solid_->view(),
@@ -98,11 +98,7 @@ class SolidPart {
   // Breaks the bonds that meet their fracture criterion; the deformation must be that of predict().
   void break_bonds(Particles<D, P>& particles) {
     if (!is_first_substep()) return;
-    const FractureResult result = solid_->fracture();
-    // The whole kick of the step is without the broken bonds, as if they broke at its start, when
-    // they had stored less by what they took up since.
-    losses_.released -= 0.5 * cycle_.length() * result.power_gain;
-    take(result, particles);
+    take(solid_->fracture(0.5 * cycle_.length()), particles, true);
   }
 
   // Adds the accelerations by all bonds, which in later substeps are those of the first one, and by
@@ -140,7 +136,7 @@ class SolidPart {
                                                            pointer(outflow_)});
     if (!reduce_unordered(solid_->size(), IsSet{pointer(outflow_)}, false, Either{})) return;
     if (!cycle_.was_first_substep()) deform_to_current(particles);
-    take(solid_->break_all_bonds_of(outflow_), particles);
+    take(solid_->break_all_bonds_of(outflow_), particles, false);
     if (!cycle_.is_first_substep()) solid_->accelerate();  // by the bonds that are left
   }
 
@@ -214,6 +210,7 @@ class SolidPart {
     archive.arrays["solid/acceleration"] = flat<Real>(state.acceleration);
     archive.arrays["solid/mirror_acceleration"] = flat<Real>(state.mirror_acceleration);
     archive.arrays["solid/bonds"] = state.bond_intact;
+    archive.arrays["solid/elastic_share"] = state.elastic_share;
     archive.arrays["solid/flow"] = flat<Real>(state.flow);
     archive.arrays["solid/softening"] = state.strain;
     archive.arrays["solid/flaws"] = flat<Real>(state.flaws);
@@ -232,6 +229,7 @@ class SolidPart {
       return unflat<Vector<D, Real>>(find_array<Real>(archive, name));
     };
     solid_->restore({find_array<std::uint32_t>(archive, "solid/bonds"),
+                     find_array<Real>(archive, "solid/elastic_share"),
                      speeds("solid/acceleration"), speeds("solid/mirror_acceleration"),
                      unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow")),
                      find_array<Real>(archive, "solid/softening"),
@@ -262,22 +260,23 @@ class SolidPart {
     solid_->take(MotionOfParticles<D, P>{particles.view(), link(), prediction_time});
     solid_->deform(dt);
   }
-  void take(const FractureResult& result, Particles<D, P>& particles) {
+  void take(const FractureResult& result, Particles<D, P>& particles, bool in_step) {
     losses_.released += result.released;
     if (result.bonds > 0)
       for_each_index(solid_->size(),
                      UnmarkBroken<D, P>{link(), solid_->view(), pointer(fully_bonded_)});
     if (result.detached == 0) return;
     has_detached_ = true;
-    mark_detached(particles);
+    mark_detached(particles, in_step);
   }
   Index sites() const { return static_cast<Index>(sites_.size()); }
   SolidIndexView link() const {
     return {pointer(number_of_id_), static_cast<Index>(number_of_id_.size()),
             const_cast<Index*>(pointer(particle_of_))};
   }
-  void mark_detached(Particles<D, P>& particles) {
-    for_each_index(solid_->size(), MarkDetached<D, P>{particles.view(), link(), solid_->view()});
+  void mark_detached(Particles<D, P>& particles, bool in_step) {
+    const MarkDetached<D, P> mark{particles.view(), link(), solid_->view(), solid_->records(), in_step};
+    losses_.released -= detached_sum_(solid_->size(), mark).value[0];
   }
 
   std::unique_ptr<TotalLagrangian<D, P>> solid_;
@@ -285,6 +284,7 @@ class SolidPart {
   Array<std::uint8_t> outflow_, fully_bonded_;
   Array<AbsorbingSite<D>> sites_;
   OrderedSum<D> force_sum_;
+  OrderedSum<1> detached_sum_;
   SolidLosses losses_;
   Subcycling cycle_;
   double longest_step_ = 0.0;   // s, of a step of the solid

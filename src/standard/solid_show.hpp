@@ -23,6 +23,8 @@ class SolidOnHost {
         count_(to_host(fields.bond_count)),
         intact_(to_host(fields.bond_intact)),
         gradient_(to_host(fields.gradient)),
+        share_(to_host(fields.elastic_share)),
+        strain_(to_host(fields.current_strain)),
         detached_(to_host(fields.detached)),
         flow_(to_host(fields.current_flow)),
         flaws_(to_host(fields.flaws)) {
@@ -32,6 +34,7 @@ class SolidOnHost {
       if (detached_[s]) flow_[s] = start[s];
     view_.any_flows = fields.any_flows;
     view_.any_flaws = fields.any_flaws;
+    view_.any_softens = fields.any_softens;
     view_.flaws = flaws_.data();
     view_.bonds = {begin_.data(), count_.data(), nullptr, {}};
     view_.words = fields.words;
@@ -39,6 +42,8 @@ class SolidOnHost {
     view_.media = media_.data();
     view_.medium_index = medium_index_.data();
     view_.gradient = gradient_.data();
+    view_.elastic_share = share_.data();
+    view_.current_strain = strain_.data();
     view_.current_flow = flow_.data();
   }
   SolidOnHost(const SolidOnHost&) = delete;  // the view points to the vectors of this object
@@ -49,6 +54,10 @@ class SolidOnHost {
   }
   bool any_flows() const { return view_.any_flows; }
   bool any_flaws() const { return view_.any_flaws; }
+  // Detached particles have none.
+  float elastic_share(Index s) const {
+    return detached_[s] ? 0.0f : static_cast<float>(share_[s]);
+  }
   float flaw_damage(Index s) const { return static_cast<float>(view_.damage(s)); }
   float plastic_strain(Index s) const { return static_cast<float>(flow_[s].plastic_strain); }
   float temperature_rise(Index s) const { return static_cast<float>(flow_[s].temperature_rise); }
@@ -65,6 +74,7 @@ class SolidOnHost {
   std::vector<std::uint16_t> count_;
   std::vector<std::uint32_t> intact_;
   std::vector<Matrix<D, Real>> gradient_;
+  std::vector<Real> share_, strain_;
   std::vector<std::uint8_t> detached_;
   std::vector<PlasticState<D, Real>> flow_;
   std::vector<FlawState<Real>> flaws_;
@@ -84,9 +94,11 @@ constexpr auto shown_solid_fields() {
   constexpr auto always = [](const Solid&) { return true; };
   constexpr auto flows = [](const Solid& solid) { return solid.any_flows(); };
   constexpr auto flaws = [](const Solid& solid) { return solid.any_flaws(); };
-  return std::array<ShownSolidField<Solid>, 4>{{
+  return std::array<ShownSolidField<Solid>, 5>{{
       {"damage", "damage", "1", always,
        [](const Solid& solid, Index s) { return solid.damage(s); }},
+      {"elastic_share", "elastic share", "1", always,
+       [](const Solid& solid, Index s) { return solid.elastic_share(s); }},
       {"flaw_damage", "damage by flaws", "1", flaws,
        [](const Solid& solid, Index s) { return solid.flaw_damage(s); }},
       {"plastic_strain", "plastic strain", "1", flows,

@@ -130,7 +130,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
         dt,
         FusedKernel(KickAndDrift<D, P>{view, pointer(prescribed_motions_), dt},
                     ReflectAtSymmetry<D, P>{view, dt}, UpdateSurfaceFlags<D, P>{view},
-                    FinalizeDensity<D, P>{view, dt},
+                    FinalizeDensity<D, P>{view, dt}, ContinuityLoss<D, P>{view, dt},
                     DensityReinitialisation<D, P>{view, dt, lattice_.kernel_sum}),
         FusedKernel(ShiftParticles<D, P>{view, concentration_gradient, dt}, Run::mark_outflow()));
     solid_.end_step(dt);

@@ -14,7 +14,8 @@ struct StandardTraits {
   using Pairs = ContactPairs;
 
   static FieldGroups field_groups(bool has_solids, bool mirrored) {
-    return {.rate_stress = false, .contact = has_solids, .mirrored = mirrored};
+    return {
+        .rate_stress = false, .contact = has_solids, .mirrored = mirrored, .density_losses = true};
   }
 
   template <int D, class P>

@@ -57,8 +57,11 @@ TEST(Balance, EnergyDriftIsInputLessStoredAndDissipated) {
   balance.dissipated_artificial = 2.0;
   balance.dissipated_viscous = 1.0;
   balance.dissipated_fracture = -0.5;
-  balance.dissipated_plastic = 1.5;
+  balance.dissipated_plastic = 1.0;
+  balance.dissipated_density = 0.2;
+  balance.dissipated_reinitialisation = 0.3;
   EXPECT_DOUBLE_EQ(balance.energy_total(), 11.0);
+  EXPECT_NEAR(balance.density_loss(), 0.5 / 14.0, 1e-15);
   EXPECT_EQ(balance.energy_drift(), 0.0);
   balance.kinetic += 0.7;
   EXPECT_NEAR(balance.energy_drift(), 0.7 / 14.0, 1e-15);
@@ -117,7 +120,8 @@ double tait(double x) {
 }
 
 TEST(BalanceSums, StateOfTheShinoharaFormulation) {
-  FourParticles four({.rate_stress = true, .contact = false, .mirrored = false});
+  FourParticles four(
+      {.rate_stress = true, .contact = false, .mirrored = false, .density_losses = false});
   auto& particles = four.particles;
   particles.pressure_work[0] = 0.5;
   particles.pressure_work[3] = 0.25;
@@ -149,7 +153,8 @@ TEST(BalanceSums, StateOfTheShinoharaFormulation) {
 }
 
 TEST(BalanceSums, StandardSolidsStoreTheirExcessBulkEnergyByDensity) {
-  FourParticles four({.rate_stress = false, .contact = true, .mirrored = false});
+  FourParticles four(
+      {.rate_stress = false, .contact = true, .mirrored = false, .density_losses = false});
   auto& particles = four.particles;
   particles.compression[1] = 0.02;
   particles.compression[3] = 0.01;
@@ -163,7 +168,8 @@ TEST(BalanceSums, StandardSolidsStoreTheirExcessBulkEnergyByDensity) {
 }
 
 TEST(BalanceSums, StepAddsImpulsesWorkAndDissipation) {
-  FourParticles four({.rate_stress = true, .contact = false, .mirrored = false});
+  FourParticles four(
+      {.rate_stress = true, .contact = false, .mirrored = false, .density_losses = false});
   auto& particles = four.particles;
   const double dt = 0.1;
   const Vector<2, double> gravity{0.0, -10.0};
@@ -198,8 +204,36 @@ TEST(BalanceSums, StepAddsImpulsesWorkAndDissipation) {
   EXPECT_NEAR(double(particles.pressure_work[0]), 0.7, 1e-15);
 }
 
+// In the standard formulation pressure work is what the densities store of it.
+TEST(BalanceSums, StepSplitsThePressureWork) {
+  FourParticles four(
+      {.rate_stress = false, .contact = true, .mirrored = false, .density_losses = true});
+  auto& particles = four.particles;
+  const double dt = 0.1;
+  for (Index i = 0; i < 4; ++i) {
+    particles.start_position[i] = particles.position[i];
+    particles.acceleration[i] = particles.repulsion[i] = Vector<2, double>::zero();
+    particles.pressure_power[i] = particles.artificial_power[i] = 0.0;
+    particles.continuity_loss[i] = particles.reinitialisation_loss[i] = 0.0;
+  }
+  particles.pressure_work[0] = 0.5;
+  particles.pressure_power[0] = 7.0;
+  particles.continuity_loss[0] = 0.4;
+  particles.reinitialisation_loss[0] = 0.25;
+  particles.continuity_loss[3] = -0.1;
+  BalanceAccumulator<2, Double, StandardTraits> accumulator;
+  accumulator.set_masses({2.0, 3.0, 100.0});
+  accumulator.accumulate_step(particles, {0.0, 0.0}, dt, NoOp{}, NoOp{});
+  const Balance& sum = accumulator.totals();
+  EXPECT_NEAR(sum.dissipated_density, 2.0 * 0.4 - 3.0 * 0.1, 1e-14);
+  EXPECT_NEAR(sum.dissipated_reinitialisation, 2.0 * 0.25, 1e-14);
+  EXPECT_NEAR(double(particles.pressure_work[0]), 0.5 + 0.7 - 0.4 - 0.25, 1e-14);
+  EXPECT_NEAR(double(particles.pressure_work[3]), 0.1, 1e-14);
+}
+
 TEST(BalanceSums, OutflowRemovesItsMassMomentumAndEnergy) {
-  FourParticles four({.rate_stress = true, .contact = false, .mirrored = false});
+  FourParticles four(
+      {.rate_stress = true, .contact = false, .mirrored = false, .density_losses = false});
   auto& particles = four.particles;
   particles.flags[0] = flag::outside;
   particles.flags[1] = flag::erased;

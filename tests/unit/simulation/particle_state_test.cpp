@@ -83,7 +83,8 @@ TEST(StateIo, CheckpointsRestoreEveryStateFieldBitForBit) {
 }
 
 TEST(StateIo, AbsentGroupsAreNotStored) {
-  const FieldGroups none{.rate_stress = false, .contact = false, .mirrored = false};
+  const FieldGroups none{
+      .rate_stress = false, .contact = false, .mirrored = false, .density_losses = false};
   Archive archive;
   save_fields(loaded<2, Double>(std::vector<NewParticle>(2), none), archive);
   EXPECT_EQ(archive.arrays.count("particles/shear"), 0u);
@@ -171,7 +172,8 @@ TEST(Snapshot, TensorsHaveTheOrderOfParaView) {
 }
 
 TEST(Snapshot, RunsWithoutAGroupDoNotShowItsFields) {
-  const FieldGroups none{.rate_stress = false, .contact = false, .mirrored = false};
+  const FieldGroups none{
+      .rate_stress = false, .contact = false, .mirrored = false, .density_losses = false};
   const auto particles = loaded<2, Double>(std::vector<NewParticle>(1), none);
   EXPECT_TRUE(make_frame(particles, water_and_solid(1e-3), {{0, 0}}).columns.empty());
 }
@@ -195,7 +197,8 @@ void set_pressure(Particles& particles, double pressure) {
 }
 
 TEST(Probes, PointInterpolatesPressureAndVelocity) {
-  auto particles = loaded<2, Double>(lattice(1e-3, -1.0), {.mirrored = false});
+  auto particles =
+      loaded<2, Double>(lattice(1e-3, -1.0), {.mirrored = false, .density_losses = false});
   set_pressure(particles, 5e4);
   Probes<2, Double> probes;
   std::vector<double> values;

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Breaks, detachments and compressive failures never raise the energy that a solid stores: random
+// states, and the total over all particles by sums of this test.
+#include <gtest/gtest.h>
+
+#include "support/solid_blocks.hpp"
+
+namespace kerf::test {
+namespace {
+
+template <int D>
+using Column = Eigen::Matrix<double, D, 1>;
+
+struct Material {
+  double poisson_ratio;
+  BondCriterion criterion;
+  ElasticLaw law = ElasticLaw::neo_hookean;
+};
+template <int D>
+Medium<double> medium_of(const Material& material) {
+  auto medium = soft_solid(1e-3, D);
+  const auto moduli = ElasticModuli<double>::of(1e5, material.poisson_ratio);
+  medium.bulk_modulus = bond_bulk_modulus(moduli.bulk_modulus, moduli.shear_modulus);
+  medium.shear_modulus = moduli.shear_modulus;
+  medium.elasticity = material.law;
+  medium.criterion = material.criterion;
+  medium.failure_strain = 0.1;
+  if (material.criterion == BondCriterion::crack_band) medium.softening_strain = 0.03;
+  if (material.criterion == BondCriterion::principal_stress)
+    medium.principal_stress.tensile_strength = 1e4;
+  return medium;
+}
+
+// The share of the hourglass control that softening left at the start of the step.
+template <int D, class P>
+double undamaged_at_start(SolidOnTrial<D, P>& trial, Index i) {
+  const auto& medium = trial.layout.media[0];
+  return medium.softens() ? undamaged_share(medium, double(trial.solid.view().strain_start[i]))
+                          : 1.0;
+}
+
+// The stored energy of all particles: fits and misfits over the intact bonds from the positions,
+// and the share that the solid keeps as a state. The law is evaluated in double.
+template <int D, class P>
+double stored_energy(SolidOnTrial<D, P>& trial) {
+  const auto solid = trial.solid.view();
+  double sum = 0.0;
+  for (Index i = 0; i < trial.size(); ++i) {
+    if (solid.detached[i]) continue;
+    const auto& medium = trial.layout.media[0];
+    Square<D> moment = Square<D>::Zero(), shape = Square<D>::Zero();
+    std::vector<std::array<Column<D>, 2>> bonds;
+    std::vector<double> weights;
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
+      if (!solid.is_intact(i, k)) continue;
+      const Index j = solid.bonds.end(i, k);
+      const Column<D> reference = as_column(trial.layout.reference[j] - trial.layout.reference[i]);
+      const Column<D> current = as_column(trial.position[j] - trial.position[i]);
+      const double weight = intact_weight<D>(medium, medium, reference.norm());
+      moment += weight * reference * reference.transpose();
+      shape += weight * current * reference.transpose();
+      bonds.push_back({reference, current});
+      weights.push_back(weight);
+    }
+    const Square<D> f = shape * moment.inverse();
+    double misfit = 0.0;
+    for (std::size_t k = 0; k < bonds.size(); ++k)
+      misfit += weights[k] * (f * bonds[k][0] - bonds[k][1]).squaredNorm();
+    auto h = Matrix<D, double>::zero();
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) h(a, b) = f(a, b) - (a == b ? 1.0 : 0.0);
+    const auto green = green_strain(h);
+    const double undamaged =
+        medium.softens() ? undamaged_share(medium, double(solid.current_strain[i])) : 1.0;
+    const double density = energy_density(softened(medium, green, undamaged), green);
+    const double share = solid.elastic_share[i], control = undamaged_at_start(trial, i);
+    sum += share * (medium.reference_volume() * density +
+                    0.5 * control * control * medium.hourglass_modulus() * misfit);
+  }
+  return sum;
+}
+// A random smooth map, squeezed as a whole, with a band that opens and noise.
+template <int D, class P>
+void deform(SolidOnTrial<D, P>& trial, double squeeze, double opening, double noise,
+            unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  Square<D> map = squeeze * Square<D>::Identity();
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) map(a, b) += 0.05 * uniform(engine);
+  map = rotation<D>(uniform(engine)) * map;
+  Column<D> normal = Column<D>::Zero();
+  for (int a = 0; a < D; ++a) normal[a] = uniform(engine);
+  normal.normalize();
+  const Column<D> centre = Column<D>::Constant(4.2e-3);
+  for (std::size_t i = 0; i < trial.size(); ++i) {
+    const Column<D> x = as_column(trial.layout.reference[i]);
+    const double across = normal.dot(x - centre) / 1e-3;
+    const Column<D> y = map * x + opening * 1e-3 * std::clamp(across, -0.5, 0.5) * normal;
+    for (int a = 0; a < D; ++a) trial.position[i][a] = y[a] + noise * 1e-3 * uniform(engine);
+  }
+  trial.deform();
+}
+
+template <class Chosen>
+class BreakEnergySign : public testing::Test {};
+TYPED_TEST_SUITE(BreakEnergySign, BothPrecisions);
+
+TYPED_TEST(BreakEnergySign, NoBreakRaisesTheStoredEnergy) {
+  constexpr int D = TypeParam::D;
+  using P = typename TypeParam::P;
+  // Rounding of the gradients that the solid itself uses.
+  const double rounding = std::is_same_v<typename TypeParam::Real, float> ? 1e-5 : 1e-12;
+  std::uint64_t broken = 0;
+  Index detached = 0;
+  int limited = 0;
+  unsigned seed = 0;
+  for (const Material& material :
+       {Material{0.3, BondCriterion::principal_strain},
+        Material{0.499, BondCriterion::principal_strain},
+        Material{0.0, BondCriterion::equivalent_strain, ElasticLaw::st_venant_kirchhoff},
+        Material{0.499, BondCriterion::equivalent_strain},
+        Material{0.3, BondCriterion::strain_energy}, Material{0.3, BondCriterion::principal_stress},
+        Material{0.499, BondCriterion::crack_band}, Material{0.2, BondCriterion::crack_band}})
+    for (const double jitter : {0.0, 0.2})
+      for (const double squeeze : {0.6, 0.9, 1.0, 1.06}) {
+        SolidOnTrial<D, P> trial(block<D>({.cells = {9, 8, 6}, .jitter = jitter, .seed = ++seed},
+                                          medium_of<D>(material)));
+        for (const double opening : {0.1, 0.3, 0.6, -0.3, 1.0}) {  // broken bonds accumulate
+          deform(trial, squeeze, opening, 0.1, ++seed);
+          for (int again = 0; again < 4; ++again) {
+            const double before = stored_energy(trial) + trial.solid.softening_work();
+            const FractureResult result = trial.solid.fracture();
+            const double after = stored_energy(trial) + trial.solid.softening_work();
+            EXPECT_LE(after, before * (1.0 + rounding));
+            EXPECT_GE(result.released, 0.0);
+            EXPECT_NEAR(result.released, before - after, rounding * before);
+            broken += result.bonds;
+            detached += result.detached;
+          }
+          if (opening == 0.3) trial.solid.keep_softening();
+        }
+        const auto shares = to_host(trial.solid.fields().elastic_share);
+        for (const auto share : shares) {
+          EXPECT_GE(share, 0.0);
+          EXPECT_LE(share, 1.0);
+          limited += share < 0.99;
+        }
+      }
+  EXPECT_GT(broken, 10000u);
+  EXPECT_GT(detached, 500u);
+  EXPECT_GT(limited, 300);
+}
+
+}  // namespace
+}  // namespace kerf::test
