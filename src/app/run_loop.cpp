@@ -66,8 +66,10 @@ RunEnd RunLoop::run() {
     } catch (const UserError&) {  // the first error is reported
     }
     if (saved_time_ >= 0.0)
-      message += fmt::format(" The run is saved up to {:.6g} ms; continue from there with: {}",
-                             1e3 * saved_time_, settings_.resume_command);
+      message += fmt::format(
+          " The run is saved up to {:.6g} ms, where its energy balance was sound; continue from "
+          "there with: {}",
+          1e3 * saved_time_, settings_.resume_command);
     if (log_) log_->error(message);
     throw UserError(message, error.exit_code());
   }
@@ -141,8 +143,7 @@ RunEnd RunLoop::steps() {
     frame_.reset();
     ++limits_[simulation_->last_step().limit];
     write_due();
-    if (std::chrono::duration<double>(Clock::now() - saved_).count() >= interval)
-      save_checkpoint(false);
+    if (std::chrono::duration<double>(Clock::now() - saved_).count() >= interval) save_if_sound();
     progress_.update(numbers());
   }
   finish();
@@ -204,11 +205,28 @@ void RunLoop::finish() {
 }
 
 RunEnd RunLoop::stop(int signal) {
-  save_checkpoint(false);
+  save_if_sound();
   writing_.wait();
-  tell(fmt::format("Stopped by {} at {:.6g} ms. Continue with: {}", signal_name(signal),
-                   1e3 * simulation_->time(), settings_.resume_command));
+  const std::string on = saved_time_ < 0.0 ? "Nothing is saved."
+                                           : fmt::format(
+                                                 "The run is saved up to {:.6g} ms. "
+                                                 "Continue with: {}",
+                                                 1e3 * saved_time_, settings_.resume_command);
+  tell(fmt::format("Stopped by {} at {:.6g} ms. {}", signal_name(signal), 1e3 * simulation_->time(),
+                   on));
   return {signal};
+}
+
+// Saves the state, unless the energy balance shows that the run has broken down: what was saved
+// before is kept then, so that a run goes on from a state that is safe.
+void RunLoop::save_if_sound() {
+  const Balance balance = simulation_->balance();
+  if (balance.energy_is_sound()) return save_checkpoint(false);
+  saved_ = Clock::now();
+  tell(
+      fmt::format("At {:.6g} ms the energy balance is off by {:.3g}%: this state is not saved, and "
+                  "the last checkpoint is kept.",
+                  1e3 * simulation_->time(), 100.0 * balance.energy_drift()));
 }
 
 void RunLoop::save_checkpoint(bool finished) {

@@ -71,6 +71,7 @@ class RunLoop {
   void write_last();
   void finish();
   RunEnd stop(int signal);
+  void save_if_sound();
   void save_checkpoint(bool finished);
   void measure(RunOutcome& outcome);
   void write_result();

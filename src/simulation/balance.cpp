@@ -16,6 +16,11 @@ double energy_supplied(const Balance& balance) {
          std::max(0.0, balance.work_constraint);
 }
 
+double energy_due(const Balance& balance) {
+  return balance.energy_initial + balance.energy_in - balance.energy_out + balance.work_gravity +
+         balance.work_constraint;
+}
+
 }  // namespace
 
 double Balance::mass_error() const {
@@ -41,9 +46,13 @@ double Balance::energy_total() const {
 }
 
 double Balance::energy_drift() const {
-  const double due = energy_initial + energy_in - energy_out + work_gravity + work_constraint;
   const double scale = energy_supplied(*this);
-  return scale > 0.0 ? (energy_total() - due) / scale : 0.0;
+  return scale > 0.0 ? (energy_total() - energy_due(*this)) / scale : 0.0;
+}
+
+bool Balance::energy_is_sound() const {
+  const double total = energy_total(), gap = std::abs(total - energy_due(*this));
+  return gap <= 0.5 * std::max(std::abs(total), energy_supplied(*this));  // false for NaN
 }
 
 double Balance::energy_from_breaks() const {

@@ -64,6 +64,10 @@ struct Balance {
   double momentum_error() const;       // relative to the largest momentum or impulse term
   double energy_drift() const;         // relative to the energy supplied
   double energy_total() const;         // now, stored + dissipated
+  // Whether the energy can be that of the motion: what is stored and dissipated is a number and
+  // differs from what was supplied by at most half of the larger one. A run that breaks down gains
+  // many times its energy before a value stops being a number.
+  bool energy_is_sound() const;
   double energy_from_breaks() const;   // energy gained by fracture, likewise
   double density_loss() const;         // dissipated by density and reinitialisation, likewise
   double pressure_energy_gap() const;  // (stored - pressure work) / energy supplied

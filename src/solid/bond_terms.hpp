@@ -60,7 +60,7 @@ KERF_FORMULA void add_bond_force(Vector<D, T>& force, const BondGeometry<D, T>& 
 // The viscosity of bonds that shorten, along their line of centres (Monaghan, J. Comput. Phys. 82
 // (1989) 1), with the kernel and the distance of the reference configuration:
 //   q_ij = rho (A c theta + B theta^2),   theta = -h (v_ij . x_ij) / (|x_ij| R) > 0,
-// rho, c, h: means; A, B: geometric means; c: the longitudinal wave.
+// h: mean; rho c, rho: harmonic means; A, B: geometric means; c: the longitudinal wave.
 template <class T>
 struct BondViscosityLaw {
   T density, length;  // rho, kg/m^3; h, m

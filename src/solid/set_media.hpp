@@ -12,6 +12,13 @@ struct SolidTraits {
   bool can_break = false;
 };
 
+// Whether the bonds between two media of one piece are other than those within each of them.
+inline bool are_unlike(const Medium<double>& a, const Medium<double>& b) {
+  return a.density != b.density || a.bulk_modulus != b.bulk_modulus ||
+         a.shear_modulus != b.shear_modulus || a.excess_bulk_modulus != b.excess_bulk_modulus ||
+         a.artificial_linear != b.artificial_linear;
+}
+
 template <int D, class P>
 SolidTraits take_media(const SolidLayout<D>& layout, SolidFields<D, P>& fields) {
   using Real = typename P::Real;
@@ -28,7 +35,10 @@ SolidTraits take_media(const SolidLayout<D>& layout, SolidFields<D, P>& fields) 
   }
   std::vector<BondScale<Real>> scale;
   for (const auto& a : layout.media)
-    for (const auto& b : layout.media) scale.push_back(BondScale<Real>::template of<D>(a, b));
+    for (const auto& b : layout.media) {
+      scale.push_back(BondScale<Real>::template of<D>(a, b));
+      fields.any_joints |= scale.back().largest > Real(0) && are_unlike(a, b);
+    }
   to_device(media, fields.media);
   to_device(scale, fields.scale);
   return traits;

@@ -75,6 +75,7 @@ struct SolidView {
   bool any_flows;    // whether there is a medium that flows
   bool any_softens;  // or softens
   bool any_flaws;    // or has flaws
+  bool any_joints;   // whether a piece consists of unlike media
   const Medium<Real>* media;
   const std::uint16_t* medium_index;
   const Position* reference;  // X, m
@@ -205,7 +206,7 @@ struct SolidFields {
   using State = typename View::State;
   using Flaws = typename View::Flaws;
 
-  bool any_flows = false, any_softens = false, any_flaws = false;
+  bool any_flows = false, any_softens = false, any_flaws = false, any_joints = false;
   Array<Medium<Real>> media;
   Array<std::uint16_t> medium_index;
   Array<Position> reference;
@@ -261,6 +262,7 @@ struct SolidFields {
     view.any_flows = any_flows;
     view.any_softens = any_softens;
     view.any_flaws = any_flaws;
+    view.any_joints = any_joints;
     view.media = pointer(media);
     view.medium_index = pointer(medium_index);
     view.reference = pointer(reference);

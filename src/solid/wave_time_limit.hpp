@@ -2,19 +2,24 @@
 // WaveTimeLimit computes the time of a wave across the kernel of a compressed solid. In the
 // reference configuration, where the sums are, waves in a solid compressed to the stretch lambda
 // are 1 / lambda times as fast along that axis; so the time is  h lambda / (c (1 + 1.2 A)),  lambda
-// the least principal stretch, A the viscosity of the bonds as in time/time_step.hpp.
+// the least principal stretch, A the viscosity of the bonds as in time/time_step.hpp. Beside unlike
+// media the stable step of solid/joint_limit.hpp may be shorter than that of these waves.
 #pragma once
 
 #include <cmath>
 
 #include "materials/finite_strain.hpp"
-#include "solid/solid_fields.hpp"
+#include "solid/joint_limit.hpp"
 
 namespace kerf {
 
+// The stable step of a joint is allowed for up to this factor of the acoustic limit (`courant`).
+inline constexpr double joint_courant = 0.27;
+
 struct WaveTime {
-  double time;     // s
-  Index particle;  // of the solid
+  double time;            // s
+  Index particle;         // of the solid
+  bool of_joint = false;  // whether the bond to an unlike medium sets it
 };
 struct ShorterWave {
   KERF_FUNCTION WaveTime operator()(const WaveTime& a, const WaveTime& b) const {
@@ -50,8 +55,14 @@ struct WaveTimeLimit {
     const auto& medium = solid.medium(i);
     const double wave =
         double(medium.bond_wave_speed()) * (1.0 + 1.2 * double(medium.artificial_linear));
-    const double uncompressed = double(medium.smoothing_length) / wave;
+    double uncompressed = double(medium.smoothing_length) / wave;
     if (solid.detached[i]) return {uncompressed, i};
+    bool of_joint = false;
+    if (solid.any_joints && solid.multi_material[i]) {
+      const double joint = JointLimit<D, P>(solid).stable_step(i) / joint_courant;
+      of_joint = joint < uncompressed;
+      uncompressed = of_joint ? joint : uncompressed;
+    }
     const auto green = green_strain(solid.gradient[i]);
     const double least_stretch = shortest / uncompressed;
     if (double(square_of(possible_values(green).least)) > least_stretch * least_stretch + 1e-5)
@@ -59,10 +70,10 @@ struct WaveTimeLimit {
     const auto strain = principal_values(green);
     Real least = strain[0] < strain[1] ? strain[0] : strain[1];
     least = least < strain[2] ? least : strain[2];
-    if (!(least < Real(0))) return {uncompressed, i};
+    if (!(least < Real(0))) return {uncompressed, i, of_joint};
     const Real square = square_of(least);
     // The time step checks (time/time_step.hpp) report a deformation that is not valid.
-    return {uncompressed * (square > Real(1e-4) ? std::sqrt(double(square)) : 0.01), i};
+    return {uncompressed * (square > Real(1e-4) ? std::sqrt(double(square)) : 0.01), i, of_joint};
   }
   // Returns lambda^2 of a principal value of Green's strain.
   KERF_FUNCTION static Real square_of(Real strain) { return Real(1) + Real(2) * strain; }

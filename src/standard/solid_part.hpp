@@ -59,6 +59,7 @@ class SolidPart {
     if (layout.reference.empty()) return;
     solid_ = std::make_unique<TotalLagrangian<D, P>>(layout);
     outflow_.resize(layout.reference.size());
+    if (solid_->fields().any_joints) wave_ = solid_->wave_time();  // a first step may be too long
     mark_fitted(number, particles);
     to_device(absorbing_sites<D>(settings, media, position, source, number), sites_);
   }
@@ -167,12 +168,12 @@ class SolidPart {
   // The limit by the waves of the solid for the next step, from its deformation in the middle of
   // its last one. None of its steps is longer than `most`, s.
   StepLimit step_limit(double courant, double most) {
-    if (!solid_) return {wave_.time, Limit::acoustic_solid, 0};
+    const Limit limit = wave_.of_joint ? Limit::joint : Limit::acoustic_solid;
+    if (!solid_) return {wave_.time, limit, 0};
     const bool is_known = wave_.time < unknown_wave.time;
     longest_step_ = is_known ? std::min(courant * wave_.time, most) : 0.0;
     const Index particle = particle_of_[wave_.particle];
-    return cycle_.limit(
-        {courant * wave_.time, Limit::acoustic_solid, particle == no_index ? 0 : particle});
+    return cycle_.limit({courant * wave_.time, limit, particle == no_index ? 0 : particle});
   }
   void record_losses(Balance& balance) {
     balance.dissipated_artificial += losses_.viscous;
@@ -204,7 +205,7 @@ class SolidPart {
         std::vector<double>(losses_.absorbed.begin(), losses_.absorbed.end());
     if (!solid_) return;
     const SolidState<D, P> state = solid_->save();
-    archive.arrays["solid/wave"] = std::vector<double>{wave_.time, double(wave_.particle)};
+    archive.arrays["solid/wave"] = std::vector<double>{wave_.time, double(wave_.particle), double(wave_.of_joint)};
     archive.arrays["solid/cycle"] = cycle_.save();
     archive.arrays["solid/viscous_power"] = std::vector<double>{viscous_power_};
     archive.arrays["solid/acceleration"] = flat<Real>(state.acceleration);
@@ -222,7 +223,7 @@ class SolidPart {
     for (std::size_t a = 0; a < 3; ++a) losses_.absorbed[a] = absorbed.at(a);
     if (!solid_) return;
     const auto& wave = find_array<double>(archive, "solid/wave");
-    wave_ = {wave.at(0), static_cast<Index>(wave.at(1))};
+    wave_ = {wave.at(0), static_cast<Index>(wave.at(1)), wave.at(2) != 0.0};
     cycle_.restore(find_array<double>(archive, "solid/cycle"));
     viscous_power_ = find_array<double>(archive, "solid/viscous_power").at(0);
     const auto speeds = [&](const char* name) {

@@ -19,6 +19,7 @@ namespace kerf {
 enum class Limit : int {
   acoustic_water,
   acoustic_solid,
+  joint,
   acceleration,
   viscosity,
   maximum_step,
@@ -35,6 +36,8 @@ inline const char* limit_name(Limit limit) {
       return "acoustic (water)";
     case Limit::acoustic_solid:
       return "acoustic (solid)";
+    case Limit::joint:
+      return "joint (solid)";
     case Limit::acceleration:
       return "acceleration";
     case Limit::viscosity:

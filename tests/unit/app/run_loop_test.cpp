@@ -199,5 +199,29 @@ TEST_F(Run, AFailureKeepsTheCheckpointAndNamesTheRemedy) {
   EXPECT_EQ(result("a").at("end_time"), 0.01);
 }
 
+// Between 2 ms and the failure the run gains energy from nothing: no checkpoint is made of that.
+TEST_F(Run, OnlyAStateOfSoundEnergyIsSaved) {
+  description_.output.checkpoint_interval = 1e-9;
+  const auto made = [](bool fails) {
+    return [fails](const Case& description) {
+      auto simulation = std::make_unique<FakeSimulation>(description, [fails](std::uint64_t now) {
+        if (fails && now == 200) throw UserError("not a number", exit_run_failed);
+      });
+      if (fails) simulation->breaks_down = 2e-3;
+      return simulation;
+    };
+  };
+  const std::string message =
+      message_of<UserError>([&] { RunLoop(settings("a"), made(true)).run(); });
+  const auto at = message.find("saved up to ");
+  ASSERT_NE(at, std::string::npos) << message;
+  const double saved = 1e-3 * std::stod(message.substr(at + 12));
+  EXPECT_LT(saved, 2e-3);
+  EXPECT_GT(saved, 2e-3 - 4e-5);  // steps are 30 us at most
+  EXPECT_THAT(read_file(folder_ / "a/log.txt"), HasSubstr("energy balance is off by"));
+  RunLoop(settings("a", Existing::resume), made(false)).run();
+  EXPECT_EQ(result("a").at("end_time"), 0.01);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -41,6 +41,21 @@ TEST(Balance, MomentumErrorIsRelativeToTheLargestTerm) {
   EXPECT_NEAR(balance.momentum_error(), 0.2 / 4.0, 1e-15);
 }
 
+// Up to twice of what was supplied, and down to half of it; at rest without energy too.
+TEST(Balance, SoundEnergyIsNearWhatWasSupplied) {
+  Balance balance;
+  EXPECT_TRUE(balance.energy_is_sound());
+  balance.energy_in = 10.0;
+  for (const double total : {5.1, 10.0, 19.9}) {
+    balance.kinetic = total;
+    EXPECT_TRUE(balance.energy_is_sound()) << total;
+  }
+  for (const double total : {4.9, 20.1, 1e9, std::nan("")}) {
+    balance.kinetic = total;
+    EXPECT_FALSE(balance.energy_is_sound()) << total;
+  }
+}
+
 TEST(Balance, EnergyDriftIsInputLessStoredAndDissipated) {
   Balance balance;
   balance.energy_initial = 1.0;
