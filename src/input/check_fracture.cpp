@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "fracture/failure_limits.hpp"
+#include "fracture/crack_band.hpp"
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
 #include "model/case.hpp"

@@ -60,10 +60,10 @@ struct Balance {
   double stored_water = 0.0;
   double stored_solid = 0.0;
 
-  double mass_error() const;           // relative to the initial mass and the inflow
-  double momentum_error() const;       // relative to the largest momentum or impulse term
-  double energy_drift() const;         // relative to the energy supplied
-  double energy_total() const;         // now, stored + dissipated
+  double mass_error() const;      // relative to the initial mass and the inflow
+  double momentum_error() const;  // relative to the largest momentum or impulse term
+  double energy_drift() const;    // relative to the energy supplied
+  double energy_total() const;    // now, stored + dissipated
   // Whether the energy can be that of the motion: what is stored and dissipated is a number and
   // differs from what was supplied by at most half of the larger one. A run that breaks down gains
   // many times its energy before a value stops being a number.

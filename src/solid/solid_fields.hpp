@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SolidFields are the fields of the total Lagrangian solid, per particle and per bond. Its state
-// variables are `bond_intact`, `elastic_share`, `detached`, `strain_start`, `flow_start` and `flaws`;
-// all other fields follow from these and from the positions.
+// variables are `bond_intact`, `elastic_share`, `detached`, `strain_start`, `flow_start` and
+// `flaws`; all other fields follow from these and from the positions.
 #pragma once
 
 #include <type_traits>

@@ -205,7 +205,8 @@ class SolidPart {
         std::vector<double>(losses_.absorbed.begin(), losses_.absorbed.end());
     if (!solid_) return;
     const SolidState<D, P> state = solid_->save();
-    archive.arrays["solid/wave"] = std::vector<double>{wave_.time, double(wave_.particle), double(wave_.of_joint)};
+    archive.arrays["solid/wave"] =
+        std::vector<double>{wave_.time, double(wave_.particle), double(wave_.of_joint)};
     archive.arrays["solid/cycle"] = cycle_.save();
     archive.arrays["solid/viscous_power"] = std::vector<double>{viscous_power_};
     archive.arrays["solid/acceleration"] = flat<Real>(state.acceleration);
@@ -230,8 +231,8 @@ class SolidPart {
       return unflat<Vector<D, Real>>(find_array<Real>(archive, name));
     };
     solid_->restore({find_array<std::uint32_t>(archive, "solid/bonds"),
-                     find_array<Real>(archive, "solid/elastic_share"),
-                     speeds("solid/acceleration"), speeds("solid/mirror_acceleration"),
+                     find_array<Real>(archive, "solid/elastic_share"), speeds("solid/acceleration"),
+                     speeds("solid/mirror_acceleration"),
                      unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow")),
                      find_array<Real>(archive, "solid/softening"),
                      unflat<FlawState<Real>>(find_array<Real>(archive, "solid/flaws"))});
@@ -276,7 +277,8 @@ class SolidPart {
             const_cast<Index*>(pointer(particle_of_))};
   }
   void mark_detached(Particles<D, P>& particles, bool in_step) {
-    const MarkDetached<D, P> mark{particles.view(), link(), solid_->view(), solid_->records(), in_step};
+    const MarkDetached<D, P> mark{particles.view(), link(), solid_->view(), solid_->records(),
+                                  in_step};
     losses_.released -= detached_sum_(solid_->size(), mark).value[0];
   }
 
