@@ -32,8 +32,7 @@ KERF_FUNCTION double stored_at_start(const SolidView<D, P>& solid, Index i, doub
 
 // Returns what particle i holds.
 template <int D, class P>
-KERF_FUNCTION BreakEnergy break_energy_of(const SolidView<D, P>& solid, Index i,
-                                          double half_step) {
+KERF_FUNCTION BreakEnergy break_energy_of(const SolidView<D, P>& solid, Index i, double half_step) {
   const double softening =
       solid.detached[i] ? 0.0 : softening_work_of(solid, i) - softening_work_at_start(solid, i);
   const double middle = energy_of(solid, i).total() + flow_work_of(solid, i) + softening;

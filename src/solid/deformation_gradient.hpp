@@ -35,8 +35,7 @@ struct Deform {
     const Matrix<D, Real> h = bonds.sum * solid.correction[i];
     solid.gradient[i] = h;
     const Matrix<D, Real> stress = first_piola(response.stress(solid, i, h), h);
-    traction =
-        medium.reference_volume() * solid.elastic_share[i] * (stress * solid.correction[i]);
+    traction = medium.reference_volume() * solid.elastic_share[i] * (stress * solid.correction[i]);
     traction += -solid.ends[i].hourglass * h;
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SolidFields are the fields of the total Lagrangian solid, per particle and per bond. Its state
-// variables are `bond_intact`, `elastic_share`, `detached`, `strain_start`, `flow_start` and `flaws`;
-// all other fields follow from these and from the positions.
+// variables are `bond_intact`, `elastic_share`, `detached`, `strain_start`, `flow_start` and
+// `flaws`; all other fields follow from these and from the positions.
 #pragma once
 
 #include <type_traits>
@@ -224,11 +224,12 @@ struct SolidFields {
     return static_cast<Index>(reference.size());
   }
 
-  // Allocates the fields that are not given at set-up.
+  // Allocates the fields that are not given at set-up; all bonds are intact.
   void make_room() {
-    bond_intact.resize(words * reference.size());
+    bond_intact.assign(words * reference.size(), ~std::uint32_t(0));
 #define KERF_FIELD(type, name) name.resize(reference.size());
     KERF_SOLID_RESULTS(KERF_FIELD)
+    elastic_share.assign(reference.size(), Real(1));
     if (mirrors.faces != 0) {
       KERF_SOLID_MIRRORED(KERF_FIELD)
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// energy_of() computes the energy that a particle of the solid stores: s V psi(F), and the potential
-// of the hourglass control 1/2 mu_i sum_j w_ij |F_i R - x_ij|^2, of which the force is minus the
-// exact gradient. The share s is that of solid/limit_break_energy.hpp. It is in double, so that the
-// difference of two totals keeps enough digits.
+// energy_of() computes the energy that a particle of the solid stores: s V psi(F), and the
+// potential of the hourglass control 1/2 mu_i sum_j w_ij |F_i R - x_ij|^2, of which the force is
+// minus the exact gradient. The share s is that of solid/limit_break_energy.hpp. It is in double,
+// so that the difference of two totals keeps enough digits.
 #pragma once
 
 #include "parallel/ordered_sum.hpp"

@@ -58,8 +58,8 @@ struct FlowingResponse {
   }
 };
 
-// Returns the Cauchy stress of the current deformation for the share s = 1, Pa: that of the material
-// between the cracks, which fracture criteria judge.
+// Returns the Cauchy stress of the current deformation for the share s = 1, Pa: that of the
+// material between the cracks, which fracture criteria judge.
 template <int D, class P>
 KERF_FUNCTION SymmetricTensor<D, typename P::Real> undivided_cauchy(const SolidView<D, P>& solid,
                                                                     Index i) {
@@ -100,8 +100,7 @@ struct EnergyState {
 // Returns the stored energy of particle i per reference volume at the gradient H, J/m^3.
 template <int D, class P>
 KERF_FUNCTION double energy_density_at(const SolidView<D, P>& solid, Index i,
-                                       const Matrix<D, double>& h,
-                                       const EnergyState<D, P>& state) {
+                                       const Matrix<D, double>& h, const EnergyState<D, P>& state) {
   const auto medium = BreakableSolid<double>::from(solid.medium(i));
   const double share = solid.elastic_share[i];
   const auto green = green_strain(h);

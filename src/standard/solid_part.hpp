@@ -229,8 +229,8 @@ class SolidPart {
       return unflat<Vector<D, Real>>(find_array<Real>(archive, name));
     };
     solid_->restore({find_array<std::uint32_t>(archive, "solid/bonds"),
-                     find_array<Real>(archive, "solid/elastic_share"),
-                     speeds("solid/acceleration"), speeds("solid/mirror_acceleration"),
+                     find_array<Real>(archive, "solid/elastic_share"), speeds("solid/acceleration"),
+                     speeds("solid/mirror_acceleration"),
                      unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow")),
                      find_array<Real>(archive, "solid/softening"),
                      unflat<FlawState<Real>>(find_array<Real>(archive, "solid/flaws"))});
@@ -275,7 +275,8 @@ class SolidPart {
             const_cast<Index*>(pointer(particle_of_))};
   }
   void mark_detached(Particles<D, P>& particles, bool in_step) {
-    const MarkDetached<D, P> mark{particles.view(), link(), solid_->view(), solid_->records(), in_step};
+    const MarkDetached<D, P> mark{particles.view(), link(), solid_->view(), solid_->records(),
+                                  in_step};
     losses_.released -= detached_sum_(solid_->size(), mark).value[0];
   }
 

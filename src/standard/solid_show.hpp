@@ -55,9 +55,7 @@ class SolidOnHost {
   bool any_flows() const { return view_.any_flows; }
   bool any_flaws() const { return view_.any_flaws; }
   // Detached particles have none.
-  float elastic_share(Index s) const {
-    return detached_[s] ? 0.0f : static_cast<float>(share_[s]);
-  }
+  float elastic_share(Index s) const { return detached_[s] ? 0.0f : static_cast<float>(share_[s]); }
   float flaw_damage(Index s) const { return static_cast<float>(view_.damage(s)); }
   float plastic_strain(Index s) const { return static_cast<float>(flow_[s].plastic_strain); }
   float temperature_rise(Index s) const { return static_cast<float>(flow_[s].temperature_rise); }

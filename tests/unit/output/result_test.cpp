@@ -194,7 +194,6 @@ TEST(Validity, FlagsBreaksThatAddEnergy) {
   }
 }
 
-// In either direction: what densities lose, and what they gain from nothing.
 TEST(Validity, FlagsLargeDensityLosses) {
   RunOutcome outcome = outcome_with_jet();
   EXPECT_THAT(validity_of(outcome), Not(named("density_loss")));
