@@ -15,7 +15,7 @@ namespace {
 constexpr double enough_resolution = 10.0;  // particles across the jet
 constexpr double weak_compression = 0.1;    // Mach number; the density then varies by about 1%
 constexpr double small_drift = 0.02;        // of all energy that ever came in
-constexpr double small_density_loss = 0.1;  // of the same
+constexpr double small_density_loss = 0.1;  // likewise
 constexpr double small_leak = 0.01;         // of the jet's water that is there
 constexpr double rounding = 1.0 + 1e-3;
 
@@ -116,16 +116,16 @@ ValidityFlag break_flag(double gain) {
                          100.0 * gain, 100.0 * small_drift)};
 }
 
-// For the standard formulation.
+// For the standard formulation. Smoothing of the density may take energy, and add none.
 ValidityFlag density_flag(double loss) {
-  const bool good = std::abs(loss) <= small_density_loss;
-  const double percent = 100.0 * loss;
-  return {
-      "density_loss", good_if(good), loss, small_density_loss,
-      good ? fmt::format("Smoothing of the density takes {:.2g}% of all energy.", percent)
-           : fmt::format("Smoothing of the density takes {:.2g}% of all energy, more than {:g}%: "
-                         "the jet may be too weak. Use a finer spacing.",
-                         percent, 100.0 * small_density_loss)};
+  const bool adds = loss < -small_drift, good = !adds && loss <= small_density_loss;
+  const double limit = adds ? -small_drift : small_density_loss;
+  const std::string takes = fmt::format("Smoothing of the density {} {:.2g}% of all energy",
+                                        loss < 0.0 ? "adds" : "takes", 100.0 * std::abs(loss));
+  return {"density_loss", good_if(good), loss, limit,
+          good ? takes + "."
+               : fmt::format("{}, more than {:g}%: the water may be too {}. Use a finer spacing.",
+                             takes, 100.0 * std::abs(limit), adds ? "fast" : "slow")};
 }
 
 ValidityFlag leak_flag(const Leak& leak) {

@@ -225,11 +225,12 @@ struct SolidFields {
     return static_cast<Index>(reference.size());
   }
 
-  // Allocates the fields that are not given at set-up.
+  // Allocates the fields that are not given at set-up; all bonds are intact.
   void make_room() {
-    bond_intact.resize(words * reference.size());
+    bond_intact.assign(words * reference.size(), ~std::uint32_t(0));
 #define KERF_FIELD(type, name) name.resize(reference.size());
     KERF_SOLID_RESULTS(KERF_FIELD)
+    elastic_share.assign(reference.size(), Real(1));
     if (mirrors.faces != 0) {
       KERF_SOLID_MIRRORED(KERF_FIELD)
     }

@@ -2,8 +2,7 @@
 // TotalLagrangian is a solid with plastic flow and fracture in the total Lagrangian description:
 // deformation and forces are sums over bonds of the reference configuration, found once
 // (docs/theory/total_lagrangian.md). Particles keep the order of set-up; neighbours in memory
-// should be neighbours in space. Nothing is allocated after set-up. The deformation gradient is in
-// solid/deformation_gradient.hpp, the momentum equation in solid/bond_force.hpp.
+// should be neighbours in space. Nothing is allocated after set-up.
 //
 // A step:  take(motion);  deform(dt);  fracture();  accelerate();  keep_flow();  keep_softening().
 #pragma once
@@ -58,8 +57,6 @@ class TotalLagrangian {
     fields_.words = (most + bonds_per_word - 1) / bonds_per_word;
     entries_ = lists.neighbour.size();
     fields_.make_room();
-    thrust::fill(fields_.bond_intact.begin(), fields_.bond_intact.end(), ~std::uint32_t(0));
-    thrust::fill(fields_.elastic_share.begin(), fields_.elastic_share.end(), Real(1));
     to_device(bonds.multi_material, fields_.multi_material);
     if (fields_.any_softens) for_each_index(size(), StartSoftening<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartPlasticity<D, P>{view()});
@@ -72,8 +69,7 @@ class TotalLagrangian {
     break_sum_(size(), BreakTerms<D, P>{view(), records()});
   }
 
-  // Sets positions and velocities: calls motion.take(view, i) for each particle
-  // (solid/set_motion.hpp).
+  // Sets positions and velocities: motion.take(view, i) per particle (solid/set_motion.hpp).
   template <class Motion>
   void take(const Motion& motion) {
     for_each_index(size(), TakeMotion<D, P, Motion>{view(), motion});
@@ -108,8 +104,7 @@ class TotalLagrangian {
   double softening_work() {
     return fields_.any_softens ? power_sum_(size(), SofteningTerm<D, P>{view()}).value[0] : 0.0;
   }
-  // Ends a step: flaws grow for its time at the current deformation. Returns the released energy,
-  // J.
+  // Ends a step: flaws grow for its time at the current deformation. Returns what is released, J.
   double keep_damage(double dt) {
     if (!fields_.any_flaws) return 0.0;
     for_each_index(size(), KeepDamage<D, P>{view(), static_cast<Real>(dt)});
@@ -120,8 +115,8 @@ class TotalLagrangian {
     return fields_.any_flows ? power_sum_(size(), FlowWorkTerm<D, P>{view()}).value[0] : 0.0;
   }
 
-  // Computes acceleration and viscous power of the current deformation, by the bonds that `filter`
-  // chooses, e.g. those across a plane. then(i) is called after each particle.
+  // Computes acceleration and viscous power of the current deformation by the bonds that `filter`
+  // chooses. then(i) is called after each particle.
   template <class Filter = EveryBond, class Then = NoOp>
   void accelerate(const Filter& filter = {}, const Then& then = {}) {
     if (fields_.any_flows) {
@@ -148,9 +143,8 @@ class TotalLagrangian {
     fields_.mirror_acceleration = mirrored;
   }
 
-  // Breaks the bonds that exceed their limit at the current deformation, which is `half_step` after
-  // the start of a step, s, and computes the deformation of the remaining ones. Must be called
-  // between deform() and accelerate().
+  // Breaks the bonds that exceed their limit at the current deformation, `half_step` after the
+  // start of a step, s, and deforms the remaining ones. Between deform() and accelerate().
   FractureResult fracture(double half_step = 0.0) {
     if (!traits_.can_break) return {};
     half_step_ = half_step;
@@ -260,8 +254,7 @@ class TotalLagrangian {
       for_each_index(size(), loop);
   }
 
-  // Breaks bonds by `breaker`, computes the deformation of the particles that lost some, and
-  // returns the result.
+  // Breaks bonds by `breaker` and computes the deformation of the particles that lost some.
   template <class Breaker>
   FractureResult apply_breaks(const Breaker& breaker) {
     for_each_index(size(), breaker);

@@ -37,7 +37,8 @@ double stored(Particles<2, Double>& particles, double compression) {
   return share * energy_at(medium, compression);
 }
 
-// The midpoint rule: an error of the third order in the change, 1e-3 here.
+// The midpoint rule: an error of the third order in the change, 1e-3 here. Beside rho_0, where
+// little is stored, that is 2e-4 of it.
 TEST(DensityLosses, StoredChangeIsThatOfTheEnergy) {
   for (const auto& [phase, detached] :
        {std::pair{Phase::water, false}, {Phase::solid, false}, {Phase::solid, true}}) {
@@ -46,7 +47,7 @@ TEST(DensityLosses, StoredChangeIsThatOfTheEnergy) {
       for (const double change : {-1e-3, 1e-3}) {
         const double due = stored(particles, before + change) - stored(particles, before);
         EXPECT_NEAR(stored_change(particles.view(), 0, before, before + change), due,
-                    1e-5 * std::abs(due) + 1e-12);
+                    3e-4 * std::abs(due) + 1e-12);
       }
   }
 }

@@ -194,13 +194,12 @@ TEST(Validity, FlagsBreaksThatAddEnergy) {
   }
 }
 
-// In either direction: what densities lose, and what they gain from nothing.
 TEST(Validity, FlagsLargeDensityLosses) {
   RunOutcome outcome = outcome_with_jet();
   EXPECT_THAT(validity_of(outcome), Not(named("density_loss")));
   for (const auto& [lost, state, part] : {std::tuple{0.05, State::good, "takes 7% of"},
                                           {0.18, State::warning, "takes 20% of"},
-                                          {-0.22, State::warning, "takes -20% of"}}) {
+                                          {-0.22, State::warning, "adds 20% of"}}) {
     outcome.balance.dissipated_density = 0.02;
     outcome.balance.dissipated_reinitialisation = lost;
     EXPECT_THAT(validity_of(outcome), flag("density_loss", state, part)) << lost;

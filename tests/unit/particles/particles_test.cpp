@@ -71,7 +71,7 @@ TEST(Fields, RunsHoldTheFieldsOfTheirGroupsOnly) {
   Particles<2, Mixed> particles;
   const std::size_t all = particles.bytes_per_particle();
   particles.groups = {
-      .rate_stress = true, .contact = true, .mirrored = false, .density_losses = false};
+      .rate_stress = true, .contact = true, .mirrored = false, .density_losses = true};
   EXPECT_EQ(all - particles.bytes_per_particle(), 2 * sizeof(float));
   particles.append(numbered(2), media());
   EXPECT_EQ(particles.view().mirror_acceleration, nullptr);
