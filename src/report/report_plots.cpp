@@ -108,7 +108,8 @@ void add_energy(Figures& figures) {
       {"dissipated_artificial", "lost to artificial viscosity"},
       {"dissipated_viscous", "lost to water's viscosity"},
       {"dissipated_fracture", "lost to fracture"},
-      {"dissipated_plastic", "lost to plastic flow"}};
+      {"dissipated_plastic", "lost to plastic flow"},
+      {"dissipated_damping", "lost to relaxation"}};
   figures.add("Energy by kind", {"energy", figures.unit("J")}, kinds);
   figures.add("Errors of the balances", {"error in %", "1"},
               {{"energy_drift", "energy", 100.0},

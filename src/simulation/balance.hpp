@@ -29,6 +29,7 @@ struct Balance {
   std::array<double, 3> impulse_gravity{};
   std::array<double, 3> impulse_plate{};       // of rigid bodies on the particles
   std::array<double, 3> impulse_constraint{};  // of nozzles, clamps, motion and symmetry planes
+  std::array<double, 3> impulse_load{};        // of given loads on the solids
   std::array<double, 3> impulse_water{};       // of the water on the solids
   std::array<double, 3> force_plate{};         // N, of the particles on the rigid bodies, last step
   std::array<double, 3> force_water{};         // N, of the water on the solids, last step
@@ -40,6 +41,7 @@ struct Balance {
   double energy_out = 0.0;
   double work_gravity = 0.0;
   double work_constraint = 0.0;
+  double work_load = 0.0;
   double kinetic = 0.0;        // now
   double pressure_work = 0.0;  // done against the pressure forces of eq. (26) so far
   double elastic_deviatoric = 0.0;
@@ -50,16 +52,18 @@ struct Balance {
   double dissipated_viscous = 0.0;
   double dissipated_fracture = 0.0;
   double dissipated_plastic = 0.0;  // by the flow of total Lagrangian solids
+  double dissipated_damping = 0.0;  // by the relaxation of solids to rest
+  double damping_peak = 0.0;        // the last peak of their kinetic energy in it
   // The energy that the equations of state store at the densities of eq. (22). Where densities
   // differ much (water beside fractured solid), eqs. (22) and (26) do not derive from the same
   // energy, and this departs from the pressure work: see docs/theory/balance.md.
   double stored_water = 0.0;
   double stored_solid = 0.0;
 
-  double mass_error() const;           // relative to the initial mass and the inflow
-  double momentum_error() const;       // relative to the largest momentum or impulse term
-  double energy_drift() const;         // relative to the energy supplied
-  double energy_total() const;         // now, stored + dissipated
+  double mass_error() const;      // relative to the initial mass and the inflow
+  double momentum_error() const;  // relative to the largest momentum or impulse term
+  double energy_drift() const;    // relative to the energy supplied
+  double energy_total() const;    // now, stored + dissipated
   // Whether the energy can be that of the motion: what is stored and dissipated is a number and
   // differs from what was supplied by at most half of the larger one. A run that breaks down gains
   // many times its energy before a value stops being a number.

@@ -34,8 +34,8 @@ struct BondViscosity {
   }
 
   // Between unlike media the impedances rho c and the densities have their harmonic means, as where
-  // a wave crosses an interface (fluid/riemann.hpp): the lighter end is damped at most twice as much
-  // as between its like, however heavy the other is.
+  // a wave crosses an interface (fluid/riemann.hpp): the lighter end is damped at most twice as
+  // much as between its like, however heavy the other is.
   KERF_FUNCTION static BondViscosityLaw<Real> between(const Medium<Real>& a,
                                                       const Medium<Real>& b) {
     const Real density = harmonic(a.density, b.density);
