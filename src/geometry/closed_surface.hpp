@@ -33,6 +33,7 @@ class ClosedSurface {
   bool contains(const Point& point) const;
   const Box& box() const { return box_; }
   std::size_t triangles() const { return mesh_.triangles.size(); }
+  const TriangleMesh& mesh() const { return mesh_; }
   // Returns the volume by the divergence theorem, m^3; overlapping shells count separately.
   double volume() const;
 

@@ -26,6 +26,7 @@ std::vector<Key> top_keys() {
       {"domain", table, "", "(around all bodies and jets)", any, {}, "", "Region of the simulation"},
       {"materials", table, "", "(the library's)", any, {}, "", "Materials of this case, by name"},
       {"body", tables, "", "(none)", any, {}, "", "Bodies that consist of particles at the start"},
+      {"load", tables, "", "(none)", any, {}, "standard", "Forces on elastic bodies: tractions, pressures, body forces"},
       {"machine", table, "", "(none)", any, {}, "", "The setting of a water-jet machine, from which a jet follows"},
       {"jet", tables, "", "(none)", any, {}, "", "Nozzles that emit water"},
       {"back_flow_removal", table, "", "(off)", any, {}, "", "Removes jet water that flows back to its nozzle"},
@@ -45,6 +46,7 @@ std::vector<Key> time_keys() {
       {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, or 4 jet widths of traverse)", up_to(1e6), {}, "", "End time of the run", stored_in<&TimeControl::end>},
       {"courant", number, "", "0.25", up_to(1.0), {}, "", "Factor of the acoustic limit of the time step", stored_in<&TimeControl::courant>},
       {"maximum_step", quantity, "s", "none", positive, {}, "", "Largest time step", stored_in<&TimeControl::maximum_step>},
+      {"relax", quantity, "s", "0 s", not_negative, {}, "standard", "Until this time solids are settled under their loads by dynamic relaxation: whenever their kinetic energy has passed a peak, they are stopped", stored_in<&TimeControl::relax>},
   };
   // clang-format on
 }

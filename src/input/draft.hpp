@@ -77,6 +77,7 @@ double standard_end(const Draft& draft);
 void read_bodies(Draft& draft, Section& top);
 // Cuts the shapes of inclusions out of the bodies that contain them, and bonds them to these.
 void place_inclusions(Draft& draft);
+void read_loads(Draft& draft, Section& top);
 void read_jets(Draft& draft, Section& top);
 void read_probes(Draft& draft, Section& top);
 void read_output(Draft& draft, Section& top);
@@ -94,6 +95,7 @@ void check_counts(Draft& draft);
 void check_bodies(Draft& draft);
 // Refuses what is not symmetric about a symmetry plane.
 void check_symmetry(Draft& draft);
+void check_loads(Draft& draft);
 void check_jets(Draft& draft);
 void check_probes(Draft& draft);
 // Refuses fracture limits at which a body would never break, or at rest.

@@ -46,6 +46,7 @@ void read_top(Draft& draft, const toml::table& table) {
   read_jets(draft, top);
   read_machine(draft, top);
   read_bodies(draft, top);
+  read_loads(draft, top);
   read_time(draft, top);
   read_probes(draft, top);
   read_extras(draft, top);
@@ -70,6 +71,7 @@ Case parse_case(std::string_view text, std::string_view file_name) {
   draft.reading.problems.throw_if_any();
   check_symmetry(draft);
   check_bodies(draft);
+  check_loads(draft);
   check_jets(draft);
   check_probes(draft);
   check_fracture(draft);

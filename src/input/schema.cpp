@@ -34,6 +34,10 @@ std::vector<SchemaSection> all_sections() {
        grading_keys()},
       {"shape", "`shape = { ... }` of a body",
        "Shapes nest: the `parts` of a union or difference are shapes.", shape_keys()},
+      {"load", "`[[load]]`",
+       "One table for each load on an elastic body, in addition to `gravity`. See "
+       "[loads](theory/loads.md).",
+       load_keys()},
       {"machine", "`[machine]`",
        "The settings of a machine, instead of a `[[jet]]`: the jet and its numerics follow from "
        "it. "

@@ -14,6 +14,7 @@
 #include "model/body.hpp"
 #include "model/formulation.hpp"
 #include "model/jet.hpp"
+#include "model/load.hpp"
 #include "model/machine.hpp"
 #include "model/material.hpp"
 #include "model/water_scheme.hpp"
@@ -59,6 +60,7 @@ struct TimeControl {
   double end = 0.0;           // s
   double courant = 0.25;      // 1, factor of the acoustic limit
   double maximum_step = 0.0;  // s; infinity = none
+  double relax = 0.0;         // s, until which solids are settled by kinetic damping; 0 = never
   bool operator==(const TimeControl&) const = default;
 };
 
@@ -84,6 +86,7 @@ struct Case {
   Numerics numerics;
   std::vector<Material> materials;
   std::vector<Body> bodies;
+  std::vector<Load> loads;         // on elastic bodies
   std::vector<Jet> jets;           // the last one is the machine's, where there is one
   std::optional<Machine> machine;  // what was given instead of a jet
   std::optional<BackFlowRemoval> back_flow_removal;

@@ -57,6 +57,8 @@ std::vector<const MeshShape*> meshes_of(const Case& description) {
     collect(body.shape, meshes);
     if (body.grading.around) collect(*body.grading.around, meshes);
   }
+  for (const Load& load : description.loads)
+    if (load.region) collect(*load.region, meshes);
   return meshes;
 }
 

@@ -46,6 +46,8 @@ List momentum_terms() {
       {"impulse_constraint", momentum, "impulse of nozzles and clamps",
        "Impulse of nozzles, clamps, prescribed motion and symmetry planes on the particles.",
        &B::impulse_constraint},
+      {"impulse_load", momentum, "impulse of the loads", "Impulse of given loads on the solids.",
+       &B::impulse_load},
       {"impulse_water", momentum, "impulse of the water",
        "Impulse of the water on the solids that are not rigid, debris included.",
        &B::impulse_water},
@@ -72,6 +74,8 @@ List flow_of_energy() {
        &B::work_gravity},
       {"work_constraint", energy, "work of nozzles and clamps",
        "Work of nozzles, clamps and prescribed motion.", &B::work_constraint},
+      {"work_load", energy, "work of the loads", "Work of given loads on the solids.",
+       &B::work_load},
   };
 }
 
@@ -105,6 +109,10 @@ List kinds_of_energy() {
       {"dissipated_reinitialisation", energy, "lost to density reinitialisation",
        "Energy that density reinitialisation takes out of the densities.",
        &B::dissipated_reinitialisation},
+      {"dissipated_damping", energy, "lost to relaxation",
+       "Kinetic energy of solids that relaxation took.", &B::dissipated_damping},
+      {"damping_peak", energy, "last peak of relaxation",
+       "Kinetic energy of solids at its last peak in the relaxation.", &B::damping_peak},
       {"stored_water", energy, "energy stored in the water",
        "Part of the pressure work that the densities of the water can give back.",
        &B::stored_water},

@@ -17,6 +17,9 @@ constexpr double weak_compression = 0.1;    // Mach number; the density then var
 constexpr double small_drift = 0.02;        // of all energy that ever came in
 constexpr double small_density_loss = 0.1;  // likewise
 constexpr double small_leak = 0.01;         // of the jet's water that is there
+constexpr double small_hourglass = 0.1;     // of what solids store, in their hourglass control
+constexpr double notable_storage = 1e-4;    // of all energy supplied
+constexpr double settled = 1e-3;            // last kinetic peak over what solids store
 constexpr double rounding = 1.0 + 1e-3;
 
 using State = ValidityFlag::State;
@@ -126,6 +129,41 @@ ValidityFlag density_flag(double loss) {
           good ? takes + "."
                : fmt::format("{}, more than {:g}%: the water may be too {}. Use a finer spacing.",
                              takes, 100.0 * std::abs(limit), adds ? "fast" : "slow")};
+// The share of the hourglass control in what solids store by their bonds. In pure bending with n
+// particles across it is about 5 / n^2 of the elastic energy.
+void add_of_hourglass(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  const Balance& balance = outcome.balance;
+  const double stored = balance.elastic_strain + balance.hourglass;
+  const double supplied = balance.energy_initial + balance.energy_in +
+                          std::max(0.0, balance.work_gravity) +
+                          std::max(0.0, balance.work_constraint) + std::max(0.0, balance.work_load);
+  if (!(stored > notable_storage * supplied)) return;
+  const double share = balance.hourglass / stored, percent = 100.0 * share;
+  const bool good = share <= small_hourglass;
+  flags.push_back(
+      {"hourglass", good_if(good), share, small_hourglass,
+       good ? fmt::format("The hourglass control holds {:.2g}% of what the solids store.", percent)
+            : fmt::format("The hourglass control holds {:.2g}% of what the solids store, more than "
+                          "{:g}%: thin parts that bend are too stiff by up to that share, or their "
+                          "motion is noise. Put 8 particles or more across them.",
+                          percent, 100.0 * small_hourglass)});
+}
+
+// Whether the solids came to rest by the end of their relaxation.
+void add_of_relaxation(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  const Balance& balance = outcome.balance;
+  const double stored = balance.elastic_strain + balance.hourglass;
+  if (outcome.description.time.relax == 0.0 || !(stored > 0.0)) return;
+  const double rest = balance.damping_peak / stored;
+  const bool good = rest <= settled && balance.dissipated_damping > 0.0;
+  flags.push_back(
+      {"relaxation", good_if(good), rest, settled,
+       good ? fmt::format("The solids came to rest: at its last peak their kinetic energy was "
+                          "{:.2g}% of what they store.",
+                          100.0 * rest)
+            : fmt::format("The solids did not come to rest: at its last peak their kinetic energy "
+                          "was {:.2g}% of what they store, more than {:g}%. Relax for longer.",
+                          100.0 * rest, 100.0 * settled)});
 }
 
 ValidityFlag leak_flag(const Leak& leak) {
@@ -247,6 +285,8 @@ std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
     flags.push_back(density_flag(outcome.balance.density_loss()));
   if (outcome.balance.dissipated_fracture != 0.0)
     flags.push_back(break_flag(outcome.balance.energy_from_breaks()));
+  add_of_hourglass(outcome, flags);
+  add_of_relaxation(outcome, flags);
   add_of_models(outcome, flags);
   return flags;
 }

@@ -110,7 +110,8 @@ void add_energy(Figures& figures) {
       {"dissipated_fracture", "lost to fracture"},
       {"dissipated_plastic", "lost to plastic flow"},
       {"dissipated_density", "lost by the continuity equation"},
-      {"dissipated_reinitialisation", "lost to density reinitialisation"}};
+      {"dissipated_reinitialisation", "lost to density reinitialisation"},
+      {"dissipated_damping", "lost to relaxation"}};
   figures.add("Energy by kind", {"energy", figures.unit("J")}, kinds);
   figures.add("Errors of the balances", {"error in %", "1"},
               {{"energy_drift", "energy", 100.0},

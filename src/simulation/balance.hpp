@@ -29,6 +29,7 @@ struct Balance {
   std::array<double, 3> impulse_gravity{};
   std::array<double, 3> impulse_plate{};       // of rigid bodies on the particles
   std::array<double, 3> impulse_constraint{};  // of nozzles, clamps, motion and symmetry planes
+  std::array<double, 3> impulse_load{};        // of given loads on the solids
   std::array<double, 3> impulse_water{};       // of the water on the solids
   std::array<double, 3> force_plate{};         // N, of the particles on the rigid bodies, last step
   std::array<double, 3> force_water{};         // N, of the water on the solids, last step
@@ -40,6 +41,7 @@ struct Balance {
   double energy_out = 0.0;
   double work_gravity = 0.0;
   double work_constraint = 0.0;
+  double work_load = 0.0;
   double kinetic = 0.0;        // now
   double pressure_work = 0.0;  // done against the pressure forces of eq. (26) so far
   double elastic_deviatoric = 0.0;
@@ -54,6 +56,8 @@ struct Balance {
   // density reinitialisation. `pressure_work` is without them.
   double dissipated_density = 0.0;
   double dissipated_reinitialisation = 0.0;
+  double dissipated_damping = 0.0;  // by the relaxation of solids to rest
+  double damping_peak = 0.0;        // the last peak of their kinetic energy in it
   // The energy that the equations of state store at the densities of eq. (22). Where densities
   // differ much (water beside fractured solid), eqs. (22) and (26) do not derive from the same
   // energy, and this departs from the pressure work: see docs/theory/balance.md.

@@ -54,6 +54,7 @@ void set_numbers(RunSettings& settings, const Case& description) {
   settings.end_time = description.time.end;
   settings.courant = description.time.courant;
   settings.maximum_step = description.time.maximum_step;
+  settings.relax_time = description.time.relax;
   settings.gravity = description.gravity;
   settings.domain_minimum = description.domain.minimum;
   settings.domain_maximum = description.domain.maximum;
@@ -81,6 +82,7 @@ RunSettings run_settings(const Case& description) {
   settings.media = make_media(description, settings.nozzles);
   settings.absorbing = absorbing_sides(description);
   settings.particles = initial_particles(description, settings.nozzles);
+  settings.loads = run_loads(description, settings.particles, settings.origins);
   if (description.dimension == 2)
     join_mirrors(mirror_planes<2>(settings), settings.particles, settings.media);
   else

@@ -13,6 +13,7 @@
 #include "particles/new_particle.hpp"
 #include "simulation/levels.hpp"
 #include "simulation/motion.hpp"
+#include "simulation/run_loads.hpp"
 
 namespace kerf {
 
@@ -37,6 +38,7 @@ struct RunSettings {
   double end_time = 0.0;                 // s
   double courant = 0.25;                 // 1, factor of the acoustic limit
   double maximum_step = 0.0;             // s; 0 or infinity = none
+  double relax_time = 0.0;               // s, until which solids are settled
   Point gravity{};                       // m/s^2
   Point domain_minimum{};                // m
   Point domain_maximum{};                // m
@@ -60,6 +62,7 @@ struct RunSettings {
   std::vector<MediumOrigin> origins;  // per medium
   std::vector<Medium<double>> media;  // per medium
   std::vector<AbsorbingSide> absorbing;
+  std::vector<RunLoad> loads;
   std::vector<NewParticle> particles;  // of the start, in the order of their ids
 };
 

@@ -168,10 +168,11 @@ class TotalLagrangian {
     return apply_breaks(BreakAllBonds<D, P>{view(), pointer(chosen), records()});
   }
 
-  // Returns the shortest time in which a wave crosses a kernel at the current deformation.
-  WaveTime wave_time() {
+  // Returns the shortest time in which a wave crosses a kernel at the current deformation; or, for
+  // steps of `courant` times it, that of a joint.
+  WaveTime wave_time(double courant) {
     using Shortest = WaveTimeLimit<D, P>;
-    return reduce_unordered(Shortest::blocks(size()), Shortest{view()}, WaveTime{1e300, 0},
+    return reduce_unordered(Shortest::blocks(size()), Shortest{view(), courant}, WaveTime{1e300, 0},
                             ShorterWave{});
   }
 

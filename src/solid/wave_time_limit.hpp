@@ -13,7 +13,8 @@
 
 namespace kerf {
 
-// The stable step of a joint is allowed for up to this factor of the acoustic limit (`courant`).
+// The factor of the acoustic limit (`courant`) from which on the step of a joint is its longest
+// stable one; it is shorter in proportion for smaller factors.
 inline constexpr double joint_courant = 0.27;
 
 struct WaveTime {
@@ -35,6 +36,7 @@ struct WaveTimeLimit {
   using Real = typename P::Real;
   static constexpr Index length = on_gpu ? 1 : 1024;  // particles
   SolidView<D, P> solid;
+  double courant;  // by which the time is multiplied
 
   static Index blocks(Index count) { return (count + length - 1) / length; }
 
@@ -59,7 +61,8 @@ struct WaveTimeLimit {
     if (solid.detached[i]) return {uncompressed, i};
     bool of_joint = false;
     if (solid.any_joints && solid.multi_material[i]) {
-      const double joint = JointLimit<D, P>(solid).stable_step(i) / joint_courant;
+      const double joint = JointLimit<D, P>(solid).stable_step(i) /
+                           (courant > joint_courant ? courant : joint_courant);
       of_joint = joint < uncompressed;
       uncompressed = of_joint ? joint : uncompressed;
     }

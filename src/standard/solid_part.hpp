@@ -8,13 +8,13 @@
 #include <memory>
 #include <utility>
 
-#include "simulation/absorbing_sites.hpp"
 #include "simulation/balance.hpp"
 #include "simulation/media.hpp"
 #include "simulation/run_settings.hpp"
 #include "simulation/state_io.hpp"
 #include "solid/pair_correction.hpp"
 #include "solid/total_lagrangian.hpp"
+#include "standard/solid_boundaries.hpp"
 #include "standard/solid_link.hpp"
 #include "standard/solid_show.hpp"
 #include "time/subcycling.hpp"
@@ -23,10 +23,9 @@ namespace kerf {
 
 // The losses of the solids since the start, J (2D: J/m).
 struct SolidLosses {
-  double viscous = 0.0;              // by the viscosity of bonds
-  double released = 0.0;             // by bonds that broke, and by damage
-  double plastic = 0.0;              // by plastic flow
-  std::array<double, 3> absorbed{};  // N s, impulse of absorbing faces on them
+  double viscous = 0.0;   // by the viscosity of bonds
+  double released = 0.0;  // by bonds that broke, and by damage
+  double plastic = 0.0;   // by plastic flow
 };
 
 template <int D, class P>
@@ -37,7 +36,7 @@ class SolidPart {
   // `particles` are those of the start, in the order of their ids.
   SolidPart(const RunSettings& settings, const std::vector<Medium<double>>& media,
             Particles<D, P>& particles)
-      : cycle_(settings.subcycles) {
+      : cycle_(settings.subcycles), courant_(settings.courant) {
     SolidLayout<D> layout;
     const auto& origins = settings.origins;
     const auto is_level = [](const MediumOrigin& origin) { return origin.level > 0; };
@@ -59,9 +58,10 @@ class SolidPart {
     if (layout.reference.empty()) return;
     solid_ = std::make_unique<TotalLagrangian<D, P>>(layout);
     outflow_.resize(layout.reference.size());
-    if (solid_->fields().any_joints) wave_ = solid_->wave_time();  // a first step may be too long
+    if (solid_->fields().any_joints)
+      wave_ = solid_->wave_time(courant_);  // a first step may be too long
     mark_fitted(number, particles);
-    to_device(absorbing_sites<D>(settings, media, position, source, number), sites_);
+    boundaries_.set_up(settings, media, position, source, number);
   }
 
   // Links the solid to its particles in their new order, for which there is a new list.
@@ -102,8 +102,11 @@ class SolidPart {
     take(solid_->fracture(0.5 * cycle_.length()), particles, true);
   }
 
+  // Sets the time of the loads, s.
+  void set_time(double time) { boundaries_.set_time(time); }
+
   // Adds the accelerations by all bonds, which in later substeps are those of the first one, and by
-  // absorbing faces.
+  // absorbing faces and loads.
   void accelerate(Particles<D, P>& particles) {
     if (!solid_) return;
     const AddSolidAcceleration<D, P> add{particles.view(), link(), solid_->view()};
@@ -111,8 +114,7 @@ class SolidPart {
       solid_->accelerate(EveryBond{}, add);
     else
       for_each_index(solid_->size(), add);
-    for_each_index(sites(), Absorb<D, P>{particles.view(), pointer(particle_of_), no_index,
-                                         pointer(solid_->fields().detached), pointer(sites_)});
+    boundaries_.accelerate(particles, link(), solid_->fields());
   }
   // Adds the accelerations by the bonds that `filter` selects, at the current deformation.
   template <class Filter>
@@ -156,31 +158,29 @@ class SolidPart {
     return {solid.pair_correction, pointer(number_of_id_), solid.bonds};
   }
 
-  void end_step(double dt) {
+  void end_step(Particles<D, P>& particles, double dt) {
     if (!solid_) return;
     if (cycle_.is_first_substep()) finish_solid_step();
     losses_.viscous += dt * viscous_power_;
-    const Terms<D> force = force_sum_(sites(), AbsorbingForce<D>{pointer(sites_)});
-    for (int a = 0; a < D; ++a)
-      losses_.absorbed[static_cast<std::size_t>(a)] += dt * force.value[a];
+    boundaries_.end_step(particles, link(), dt);
     cycle_.end_step(dt);
   }
   // The limit by the waves of the solid for the next step, from its deformation in the middle of
   // its last one. None of its steps is longer than `most`, s.
-  StepLimit step_limit(double courant, double most) {
+  StepLimit step_limit(double most) {
     const Limit limit = wave_.of_joint ? Limit::joint : Limit::acoustic_solid;
     if (!solid_) return {wave_.time, limit, 0};
     const bool is_known = wave_.time < unknown_wave.time;
-    longest_step_ = is_known ? std::min(courant * wave_.time, most) : 0.0;
+    longest_step_ = is_known ? std::min(courant_ * wave_.time, most) : 0.0;
     const Index particle = particle_of_[wave_.particle];
-    return cycle_.limit({courant * wave_.time, limit, particle == no_index ? 0 : particle});
+    return cycle_.limit({courant_ * wave_.time, limit, particle == no_index ? 0 : particle});
   }
   void record_losses(Balance& balance) {
     balance.dissipated_artificial += losses_.viscous;
     balance.dissipated_fracture += losses_.released;
     balance.dissipated_plastic += losses_.plastic;
-    for (std::size_t a = 0; a < 3; ++a) balance.impulse_constraint[a] += losses_.absorbed[a];
     if (!solid_) return;
+    boundaries_.record(balance);
     balance.dissipated_plastic += solid_->flow_work();
     balance.dissipated_fracture += solid_->softening_work();
     const SolidEnergy energy = solid_->energy();
@@ -194,16 +194,15 @@ class SolidPart {
   std::uint64_t bond_entries() const { return solid_ ? solid_->entries() : 0; }
   std::size_t bytes() const {
     const std::size_t links = (number_of_id_.size() + particle_of_.size()) * sizeof(Index);
-    return links + outflow_.size() + fully_bonded_.size() +
-           sites_.size() * sizeof(AbsorbingSite<D>) + (solid_ ? solid_->bytes() : 0);
+    return links + outflow_.size() + fully_bonded_.size() + boundaries_.bytes() +
+           (solid_ ? solid_->bytes() : 0);
   }
 
   void save(Archive& archive) const {
     archive.arrays["solid/losses"] =
         std::vector<double>{losses_.viscous, losses_.released, losses_.plastic};
-    archive.arrays["solid/absorbed"] =
-        std::vector<double>(losses_.absorbed.begin(), losses_.absorbed.end());
     if (!solid_) return;
+    boundaries_.save(archive);
     const SolidState<D, P> state = solid_->save();
     archive.arrays["solid/wave"] =
         std::vector<double>{wave_.time, double(wave_.particle), double(wave_.of_joint)};
@@ -219,10 +218,9 @@ class SolidPart {
   }
   void restore(const Archive& archive) {
     const auto& losses = find_array<double>(archive, "solid/losses");
-    losses_ = {losses.at(0), losses.at(1), losses.at(2), {}};
-    const auto& absorbed = find_array<double>(archive, "solid/absorbed");
-    for (std::size_t a = 0; a < 3; ++a) losses_.absorbed[a] = absorbed.at(a);
+    losses_ = {losses.at(0), losses.at(1), losses.at(2)};
     if (!solid_) return;
+    boundaries_.restore(archive);
     const auto& wave = find_array<double>(archive, "solid/wave");
     wave_ = {wave.at(0), static_cast<Index>(wave.at(1)), wave.at(2) != 0.0};
     cycle_.restore(find_array<double>(archive, "solid/cycle"));
@@ -254,7 +252,7 @@ class SolidPart {
     losses_.plastic += solid_->keep_flow();
     losses_.released += solid_->keep_softening();
     losses_.released += solid_->keep_damage(cycle_.take_length());
-    wave_ = solid_->wave_time();
+    wave_ = solid_->wave_time(courant_);
   }
 
   // `dt` after the last finish_solid_step().
@@ -271,7 +269,6 @@ class SolidPart {
     has_detached_ = true;
     mark_detached(particles, in_step);
   }
-  Index sites() const { return static_cast<Index>(sites_.size()); }
   SolidIndexView link() const {
     return {pointer(number_of_id_), static_cast<Index>(number_of_id_.size()),
             const_cast<Index*>(pointer(particle_of_))};
@@ -285,11 +282,11 @@ class SolidPart {
   std::unique_ptr<TotalLagrangian<D, P>> solid_;
   Array<Index> number_of_id_, particle_of_;
   Array<std::uint8_t> outflow_, fully_bonded_;
-  Array<AbsorbingSite<D>> sites_;
-  OrderedSum<D> force_sum_;
   OrderedSum<1> detached_sum_;
+  SolidBoundaries<D, P> boundaries_;
   SolidLosses losses_;
   Subcycling cycle_;
+  double courant_;              // 1, factor of the acoustic limit
   double longest_step_ = 0.0;   // s, of a step of the solid
   double viscous_power_ = 0.0;  // W, of the bonds in the current step of the solid
   static constexpr WaveTime unknown_wave{1e300, 0};

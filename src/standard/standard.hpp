@@ -11,6 +11,7 @@
 #include "standard/solid_part.hpp"
 #include "standard/traits.hpp"
 #include "time/keep_start.hpp"
+#include "time/kinetic_damping.hpp"
 #include "time/reflect_at_symmetry.hpp"
 #include "time/verlet.hpp"
 
@@ -43,6 +44,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     break_bonds();
     evaluate();
     finalize_step(dt);
+    if (time_ < settings_.relax_time) damping_.end_step(particles_);
     solid_.remove_outflow(particles_);
     if (solid_.take_detached()) Run::renew_list();  // detached particles have further neighbours
     Run::tick(dt);
@@ -56,6 +58,9 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   Balance balance() const override {
     Balance balance = Run::balance();
     solid_.record_losses(balance);
+    balance.dissipated_damping += damping_.dissipated();
+    balance.damping_peak = damping_.peak();
+    for (std::size_t a = 0; a < 3; ++a) balance.impulse_constraint[a] += damping_.impulse()[a];
     return balance;
   }
   double bytes_per_particle() const override {
@@ -68,9 +73,11 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   void save(Archive& archive) const override {
     Run::save(archive);
     solid_.save(archive);
+    archive.arrays["damping"] = damping_.save();
   }
   void restore(const Archive& archive) override {
     solid_.restore(archive);
+    damping_.restore(find_array<double>(archive, "damping"));
     Run::restore(archive);
   }
 
@@ -82,6 +89,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   void drift_half(double dt) {
     const auto timer = timers_.stage("integrate");
     Run::load_prescribed_motions(time_ + 0.5 * dt);
+    solid_.set_time(time_ + 0.5 * dt);
     for_each_index(
         particles_.size(),
         FusedKernel(KeepStart<D, P>{particles_.view()},
@@ -133,7 +141,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
                     FinalizeDensity<D, P>{view, dt}, ContinuityLoss<D, P>{view, dt},
                     DensityReinitialisation<D, P>{view, dt, lattice_.kernel_sum}),
         FusedKernel(ShiftParticles<D, P>{view, concentration_gradient, dt}, Run::mark_outflow()));
-    solid_.end_step(dt);
+    solid_.end_step(particles_, dt);
   }
 
  private:
@@ -143,6 +151,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     rates_.accelerate(particles_.view(), particles_.size(),
                       solid_.without_fully_bonded(list_.view()), solid_.bonds());
     solid_.deform_to_current(particles_);
+    solid_.set_time(time_);
     solid_.accelerate(particles_);
     solid_.show_pressure(particles_);
   }
@@ -156,7 +165,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 
   StepLimit solid_limit() {
     const double most = settings_.maximum_step;
-    return solid_.step_limit(settings_.courant, most > 0.0 ? most : 1e300);
+    return solid_.step_limit(most > 0.0 ? most : 1e300);
   }
   void count_bonds() {
     if (solid_.is_first_substep()) pair_interactions_ += static_cast<double>(solid_.bond_entries());
@@ -165,6 +174,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   LatticeSums lattice_;
   StandardRates<D, P> rates_;
   mutable SolidPart<D, P> solid_;
+  KineticDamping<D, P> damping_;
   Array<ConcentrationGradient<D, typename P::Real>> concentration_gradient_;
 };
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/run_loads.hpp"
+
+#include <algorithm>
+
+#include "geometry/shapes.hpp"
+#include "geometry/surface_elements.hpp"
+#include "model/case.hpp"
+#include "particles/new_particle.hpp"
+
+namespace kerf {
+namespace {
+
+std::size_t body_number(const Case& description, const Load& load) {
+  const auto found = std::find_if(description.bodies.begin(), description.bodies.end(),
+                                  [&](const Body& body) { return body.name == load.body; });
+  return static_cast<std::size_t>(found - description.bodies.begin());
+}
+
+// Whether the point lies in a symmetry plane or beyond it.
+bool is_at_symmetry(const Case& description, const Point& point, double slack) {
+  for (std::size_t a = 0; a < 3; ++a)
+    if ((description.symmetry.minimum[a] && point[a] < description.domain.minimum[a] + slack) ||
+        (description.symmetry.maximum[a] && point[a] > description.domain.maximum[a] - slack))
+      return true;
+  return false;
+}
+
+Point force_on(const Load& load, const SurfaceElement& element) {
+  Point force{};
+  for (std::size_t a = 0; a < 3; ++a)
+    force[a] = element.area * (load.kind == LoadKind::pressure ? -load.pressure * element.normal[a]
+                                                               : load.traction[a]);
+  return force;
+}
+
+// Returns the part of the surface of a body that a load acts on. What lies in a symmetry plane is
+// no part of the surface.
+std::vector<LoadedElement> loaded_elements(const Case& description, const Load& load) {
+  // Elements per spacing: the edge of a load that ends within a face is that accurate.
+  const double fineness = description.dimension == 2 ? 32.0 : 4.0;
+  std::vector<LoadedElement> elements;
+  const std::size_t number = body_number(description, load);
+  if (load.kind == LoadKind::body_force || number == description.bodies.size()) return elements;
+  const Body& body = description.bodies[number];
+  const double size = body.spacing / fineness;
+  const auto face =
+      load.region ? surface_elements_within(*load.region, body.shape, description.dimension, size)
+                  : surface_elements(body.shape, description.dimension, size);
+  for (const SurfaceElement& element : face) {
+    if (is_at_symmetry(description, element.position, 0.25 * size)) continue;
+    elements.push_back({element.position, force_on(load, element)});
+  }
+  return elements;
+}
+
+}  // namespace
+
+std::vector<RunLoad> run_loads(const Case& description, const std::vector<NewParticle>& particles,
+                               const std::vector<MediumOrigin>& origins) {
+  std::vector<RunLoad> loads;
+  for (const Load& load : description.loads) {
+    RunLoad result;
+    result.source = body_number(description, load);
+    result.follows = load.kind == LoadKind::pressure;
+    result.faces = loaded_elements(description, load);
+    result.history = Expression(load.history, {"t"});
+    if (load.kind == LoadKind::body_force) {
+      result.acceleration = load.acceleration;
+      for (std::uint32_t id = 0; id < particles.size(); ++id)
+        if (origins[particles[id].source].source == result.source &&
+            (!load.region || contains(*load.region, particles[id].position, description.dimension)))
+          result.particles.push_back(id);
+    }
+    loads.push_back(std::move(result));
+  }
+  return loads;
+}
+
+}  // namespace kerf

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// The boundary conditions of the solids of a run of the `standard` formulation: absorbing faces and
+// given loads.
+#pragma once
+
+#include "simulation/absorbing_sites.hpp"
+#include "simulation/balance.hpp"
+#include "simulation/load_sites.hpp"
+#include "simulation/state_io.hpp"
+#include "solid/solid_fields.hpp"
+#include "standard/solid_link.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+class SolidBoundaries {
+ public:
+  // `position` and `source` of the particles of the start, `number` of each in the solid.
+  void set_up(const RunSettings& settings, const std::vector<Medium<double>>& media,
+              const std::vector<Vector<D, double>>& position,
+              const std::vector<std::uint16_t>& source, const std::vector<Index>& number) {
+    to_device(absorbing_sites<D>(settings, media, position, source, number), absorbing_);
+    const LoadLayout<D> layout = load_sites<D>(settings, media, position, source, number);
+    to_device(layout.sites, loaded_);
+    to_device(layout.shares, shares_);
+    loads_ = settings.loads;
+    factors_.resize(loads_.size());
+    set_time(0.0);
+  }
+
+  // Sets the factors of the loads at the time t, s.
+  void set_time(double time) {
+    if (loads_.empty()) return;
+    for (std::size_t n = 0; n < loads_.size(); ++n) factors_[n] = loads_[n].history.evaluate(time);
+    to_device(factors_, factor_);
+  }
+
+  // Adds the accelerations by absorbing faces and loads at the current deformation.
+  void accelerate(Particles<D, P>& particles, const SolidIndexView& link,
+                  const SolidFields<D, P>& solid) {
+    for_each_index(size(absorbing_), Absorb<D, P>{particles.view(), link.particle_of, no_index,
+                                                  pointer(solid.detached), pointer(absorbing_)});
+    for_each_index(size(loaded_),
+                   ApplyLoads<D, P>{particles.view(), link.particle_of, no_index,
+                                    pointer(solid.detached), pointer(solid.gradient),
+                                    pointer(factor_), pointer(shares_), pointer(loaded_)});
+  }
+
+  // Adds the impulses and work of the step that has ended.
+  void end_step(Particles<D, P>& particles, const SolidIndexView& link, double dt) {
+    const Terms<D> absorbed =
+        absorbed_sum_(size(absorbing_), AbsorbingForce<D>{pointer(absorbing_)});
+    using Sum = LoadSum<D, P>;
+    const auto load = load_sum_(
+        size(loaded_), Sum{particles.view(), link.particle_of, no_index, pointer(loaded_)});
+    for (int a = 0; a < D; ++a) {
+      const auto axis = static_cast<std::size_t>(a);
+      impulse_absorbed_[axis] += dt * absorbed.value[a];
+      impulse_load_[axis] += dt * load.value[Sum::force + a];
+    }
+    work_load_ += load.value[Sum::work];
+  }
+
+  void record(Balance& balance) const {
+    for (std::size_t a = 0; a < 3; ++a) {
+      balance.impulse_constraint[a] += impulse_absorbed_[a];
+      balance.impulse_load[a] += impulse_load_[a];
+    }
+    balance.work_load += work_load_;
+  }
+
+  std::size_t bytes() const {
+    return absorbing_.size() * sizeof(AbsorbingSite<D>) + loaded_.size() * sizeof(LoadSite<D>) +
+           shares_.size() * sizeof(LoadShare<D>);
+  }
+
+  void save(Archive& archive) const {
+    std::vector<double> sums{work_load_};
+    sums.insert(sums.end(), impulse_load_.begin(), impulse_load_.end());
+    sums.insert(sums.end(), impulse_absorbed_.begin(), impulse_absorbed_.end());
+    archive.arrays["solid/boundaries"] = sums;
+  }
+  void restore(const Archive& archive) {
+    const auto& sums = find_array<double>(archive, "solid/boundaries");
+    work_load_ = sums.at(0);
+    for (std::size_t a = 0; a < 3; ++a) {
+      impulse_load_[a] = sums.at(1 + a);
+      impulse_absorbed_[a] = sums.at(4 + a);
+    }
+  }
+
+ private:
+  template <class T>
+  static Index size(const Array<T>& sites) {
+    return static_cast<Index>(sites.size());
+  }
+
+  Array<AbsorbingSite<D>> absorbing_;
+  Array<LoadSite<D>> loaded_;
+  Array<LoadShare<D>> shares_;
+  std::vector<RunLoad> loads_;
+  std::vector<double> factors_;
+  Array<double> factor_;  // of each load, at the set time
+  OrderedSum<D> absorbed_sum_;
+  OrderedSum<LoadSum<D, P>::slots> load_sum_;
+  std::array<double, 3> impulse_absorbed_{}, impulse_load_{};  // N s (2D: N s/m)
+  double work_load_ = 0.0;                                     // J (2D: J/m)
+};
+
+}  // namespace kerf
