@@ -42,8 +42,7 @@ double Balance::momentum_error() const {
 double Balance::energy_total() const {
   return kinetic + pressure_work + elastic_deviatoric + elastic_strain + hourglass +
          plate_potential + dissipated_artificial + dissipated_viscous + dissipated_fracture +
-         dissipated_plastic + dissipated_density + dissipated_reinitialisation +
-         dissipated_damping;
+         dissipated_plastic + dissipated_density + dissipated_reinitialisation + dissipated_damping;
 }
 
 double Balance::energy_drift() const {
