@@ -129,117 +129,116 @@ ValidityFlag density_flag(double loss) {
           good ? takes + "."
                : fmt::format("{}, more than {:g}%: the water may be too {}. Use a finer spacing.",
                              takes, 100.0 * std::abs(limit), adds ? "fast" : "slow")};
-  // The share of the hourglass control in what solids store by their bonds. In pure bending with n
-  // particles across it is about 5 / n^2 of the elastic energy.
-  void add_of_hourglass(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
-    const Balance& balance = outcome.balance;
-    const double stored = balance.elastic_strain + balance.hourglass;
-    const double supplied =
-        balance.energy_initial + balance.energy_in + std::max(0.0, balance.work_gravity) +
-        std::max(0.0, balance.work_constraint) + std::max(0.0, balance.work_load);
-    if (!(stored > notable_storage * supplied)) return;
-    const double share = balance.hourglass / stored, percent = 100.0 * share;
-    const bool good = share <= small_hourglass;
-    flags.push_back(
-        {"hourglass", good_if(good), share, small_hourglass,
-         good
-             ? fmt::format("The hourglass control holds {:.2g}% of what the solids store.", percent)
-             : fmt::format(
-                   "The hourglass control holds {:.2g}% of what the solids store, more than "
-                   "{:g}%: thin parts that bend are too stiff by up to that share, or their "
-                   "motion is noise. Put 8 particles or more across them.",
-                   percent, 100.0 * small_hourglass)});
-  }
+}
 
-  // Whether the solids came to rest by the end of their relaxation.
-  void add_of_relaxation(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
-    const Balance& balance = outcome.balance;
-    const double stored = balance.elastic_strain + balance.hourglass;
-    if (outcome.description.time.relax == 0.0 || !(stored > 0.0)) return;
-    const double rest = balance.damping_peak / stored;
-    const bool good = rest <= settled && balance.dissipated_damping > 0.0;
-    flags.push_back(
-        {"relaxation", good_if(good), rest, settled,
-         good
-             ? fmt::format("The solids came to rest: at its last peak their kinetic energy was "
-                           "{:.2g}% of what they store.",
-                           100.0 * rest)
-             : fmt::format("The solids did not come to rest: at its last peak their kinetic energy "
-                           "was {:.2g}% of what they store, more than {:g}%. Relax for longer.",
-                           100.0 * rest, 100.0 * settled)});
-  }
+// The share of the hourglass control in what solids store by their bonds. In pure bending with n
+// particles across it is about 5 / n^2 of the elastic energy.
+void add_of_hourglass(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  const Balance& balance = outcome.balance;
+  const double stored = balance.elastic_strain + balance.hourglass;
+  const double supplied = balance.energy_initial + balance.energy_in +
+                          std::max(0.0, balance.work_gravity) +
+                          std::max(0.0, balance.work_constraint) + std::max(0.0, balance.work_load);
+  if (!(stored > notable_storage * supplied)) return;
+  const double share = balance.hourglass / stored, percent = 100.0 * share;
+  const bool good = share <= small_hourglass;
+  flags.push_back(
+      {"hourglass", good_if(good), share, small_hourglass,
+       good ? fmt::format("The hourglass control holds {:.2g}% of what the solids store.", percent)
+            : fmt::format("The hourglass control holds {:.2g}% of what the solids store, more than "
+                          "{:g}%: thin parts that bend are too stiff by up to that share, or their "
+                          "motion is noise. Put 8 particles or more across them.",
+                          percent, 100.0 * small_hourglass)});
+}
 
-  ValidityFlag leak_flag(const Leak& leak) {
-    const bool good = leak.share() <= small_leak;
-    return {
-        "leak", good_if(good), leak.share(), small_leak,
-        good ? fmt::format("{:.2g}% of the jet's water lies inside intact solid.",
-                           100.0 * leak.share())
-             : fmt::format("{:.2g}% of the jet's water lies inside intact solid, more than {:g}%: "
-                           "it leaked in. Give solid and water the same spacing.",
-                           100.0 * leak.share(), 100.0 * small_leak)};
-  }
+// Whether the solids came to rest by the end of their relaxation.
+void add_of_relaxation(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  const Balance& balance = outcome.balance;
+  const double stored = balance.elastic_strain + balance.hourglass;
+  if (outcome.description.time.relax == 0.0 || !(stored > 0.0)) return;
+  const double rest = balance.damping_peak / stored;
+  const bool good = rest <= settled && balance.dissipated_damping > 0.0;
+  flags.push_back(
+      {"relaxation", good_if(good), rest, settled,
+       good ? fmt::format("The solids came to rest: at its last peak their kinetic energy was "
+                          "{:.2g}% of what they store.",
+                          100.0 * rest)
+            : fmt::format("The solids did not come to rest: at its last peak their kinetic energy "
+                          "was {:.2g}% of what they store, more than {:g}%. Relax for longer.",
+                          100.0 * rest, 100.0 * settled)});
+}
 
-  // Reflections from edges are correct for a workpiece of that size, and wrong for a part of a
-  // larger one.
-  ValidityFlag reflection_flag(const RunOutcome& outcome) {
-    const double passed = outcome.time - outcome.cut.contact_time;
-    const double returns = outcome.derived.reflection_time;
-    const bool echoes = returns > 0.0 && passed > returns;
-    return {"reflections", echoes ? State::note : State::good, std::isnan(passed) ? 0.0 : passed,
-            returns > 0.0 ? std::optional<double>(returns) : std::nullopt,
-            echoes ? fmt::format(
-                         "Waves reflected by the workpiece's edges return {:.3g} ms after first "
-                         "contact: the result is that of a workpiece of this size. If it is a "
-                         "part of a larger one, make the edges absorbing.",
-                         1e3 * returns)
-                   : "No wave came back from an edge of the workpiece."};
-  }
+ValidityFlag leak_flag(const Leak& leak) {
+  const bool good = leak.share() <= small_leak;
+  return {"leak", good_if(good), leak.share(), small_leak,
+          good
+              ? fmt::format("{:.2g}% of the jet's water lies inside intact solid.",
+                            100.0 * leak.share())
+              : fmt::format("{:.2g}% of the jet's water lies inside intact solid, more than {:g}%: "
+                            "it leaked in. Give solid and water the same spacing.",
+                            100.0 * leak.share(), 100.0 * small_leak)};
+}
 
-  void add_of_jet(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
-    if (outcome.description.jets.empty()) return;
-    flags.push_back(resolution_flag(outcome.derived.jet_resolution));
-    flags.push_back(mach_flag(outcome.derived));
-    if (outcome.kerf) flags.push_back(leak_flag(outcome.kerf->of<Leak>()));
-    flags.push_back(reflection_flag(outcome));
-  }
+// Reflections from edges are correct for a workpiece of that size, and wrong for a part of a
+// larger one.
+ValidityFlag reflection_flag(const RunOutcome& outcome) {
+  const double passed = outcome.time - outcome.cut.contact_time;
+  const double returns = outcome.derived.reflection_time;
+  const bool echoes = returns > 0.0 && passed > returns;
+  return {"reflections", echoes ? State::note : State::good, std::isnan(passed) ? 0.0 : passed,
+          returns > 0.0 ? std::optional<double>(returns) : std::nullopt,
+          echoes
+              ? fmt::format("Waves reflected by the workpiece's edges return {:.3g} ms after first "
+                            "contact: the result is that of a workpiece of this size. If it is a "
+                            "part of a larger one, make the edges absorbing.",
+                            1e3 * returns)
+              : "No wave came back from an edge of the workpiece."};
+}
 
-  void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
-    const Case& description = outcome.description;
-    if (breaks_at_a_strain(description))
-      flags.push_back({"length_scale",
-                       State::warning,
-                       {},
-                       {},
-                       "Fracture is decided by a strain that has no length scale: the energy that "
-                       "cracks take depends on the spacing."});
-    if (description.dimension == 2)
-      flags.push_back({"two_dimensions",
-                       State::note,
-                       {},
-                       {},
-                       "Two dimensions: the model is a slot of infinite depth, and water cannot "
-                       "escape sideways."});
-    if (description.machine)
-      flags.push_back(standoff_flag(*description.machine));
-    else if (const double standoff = longest_standoff(description); standoff > 0.0)
-      flags.push_back({"standoff",
-                       State::note,
-                       standoff,
-                       {},
-                       "Air is not simulated: the jet has no drag and no breakup."});
-    if (description.jets.empty()) return;
-    if (const Material* material = unbreakable_material(description))
-      flags.push_back({"unbreakable",
-                       State::warning,
-                       {},
-                       {},
-                       fmt::format("{} has no strength and never breaks: the jet can only dent it. "
-                                   "Give the material a failure_strain, fracture_energy or "
-                                   "tensile_strength.",
-                                   material->name)});
-    flags.push_back({"abrasive", State::note, {}, {}, "Abrasive is not modelled."});
-  }
+void add_of_jet(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  if (outcome.description.jets.empty()) return;
+  flags.push_back(resolution_flag(outcome.derived.jet_resolution));
+  flags.push_back(mach_flag(outcome.derived));
+  if (outcome.kerf) flags.push_back(leak_flag(outcome.kerf->of<Leak>()));
+  flags.push_back(reflection_flag(outcome));
+}
+
+void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  const Case& description = outcome.description;
+  if (breaks_at_a_strain(description))
+    flags.push_back({"length_scale",
+                     State::warning,
+                     {},
+                     {},
+                     "Fracture is decided by a strain that has no length scale: the energy that "
+                     "cracks take depends on the spacing."});
+  if (description.dimension == 2)
+    flags.push_back({"two_dimensions",
+                     State::note,
+                     {},
+                     {},
+                     "Two dimensions: the model is a slot of infinite depth, and water cannot "
+                     "escape sideways."});
+  if (description.machine)
+    flags.push_back(standoff_flag(*description.machine));
+  else if (const double standoff = longest_standoff(description); standoff > 0.0)
+    flags.push_back({"standoff",
+                     State::note,
+                     standoff,
+                     {},
+                     "Air is not simulated: the jet has no drag and no breakup."});
+  if (description.jets.empty()) return;
+  if (const Material* material = unbreakable_material(description))
+    flags.push_back({"unbreakable",
+                     State::warning,
+                     {},
+                     {},
+                     fmt::format("{} has no strength and never breaks: the jet can only dent it. "
+                                 "Give the material a failure_strain, fracture_energy or "
+                                 "tensile_strength.",
+                                 material->name)});
+  flags.push_back({"abrasive", State::note, {}, {}, "Abrasive is not modelled."});
+}
 
 }  // namespace
 
