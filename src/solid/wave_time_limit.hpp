@@ -2,8 +2,11 @@
 // WaveTimeLimit computes the time of a wave across the kernel of a compressed solid. In the
 // reference configuration, where the sums are, waves in a solid compressed to the stretch lambda
 // are 1 / lambda times as fast along that axis; so the time is  h lambda / (c (1 + 1.2 A)),  lambda
-// the least principal stretch, A the viscosity of the bonds as in time/time_step.hpp. Beside unlike
-// media the stable step of solid/joint_limit.hpp may be shorter than that of these waves.
+// the least principal stretch, A the viscosity of the bonds as in time/time_step.hpp. Where breaks
+// have left a particle a share s of its stiffness (solid/limit_break_energy.hpp), its waves are
+// sqrt(s) times as fast: lambda / sqrt(s), up to 1, stands for lambda.
+// Beside unlike media the stable step of solid/joint_limit.hpp may be shorter than that of these
+// waves.
 #pragma once
 
 #include <cmath>
@@ -68,13 +71,15 @@ struct WaveTimeLimit {
     }
     const auto green = green_strain(solid.gradient[i]);
     const double least_stretch = shortest / uncompressed;
-    if (double(square_of(possible_values(green).least)) > least_stretch * least_stretch + 1e-5)
+    const Real share = solid.elastic_share[i];
+    if (double(square_of(possible_values(green).least)) >
+        double(share) * least_stretch * least_stretch + 1e-5)
       return {1e300, i};
     const auto strain = principal_values(green);
     Real least = strain[0] < strain[1] ? strain[0] : strain[1];
     least = least < strain[2] ? least : strain[2];
-    if (!(least < Real(0))) return {uncompressed, i, of_joint};
-    const Real square = square_of(least);
+    if (!(square_of(least) < share)) return {uncompressed, i, of_joint};
+    const Real square = square_of(least) / share;
     // The time step checks (time/time_step.hpp) report a deformation that is not valid.
     return {uncompressed * (square > Real(1e-4) ? std::sqrt(double(square)) : 0.01), i, of_joint};
   }
