@@ -5,7 +5,9 @@
 
 #include "analysis/cut_width.hpp"
 #include "analysis/front.hpp"
+#include "analysis/kerf_map.hpp"
 #include "analysis/pieces.hpp"
+#include "analysis/unbroken.hpp"
 #include "analysis/workpiece.hpp"
 #include "model/case.hpp"
 
@@ -37,17 +39,64 @@ double fractured_mass(const Workpiece& workpiece, const Frame& frame,
   return sum;
 }
 
+// Returns whether a body is cut through in a frame that the water has entered.
+BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pieces,
+              const KerfAxes& axes, double front) {
+  BodyCut cut;
+  if (!body.can_break || !body.is_in_way) return cut;
+  bool is_joined = false;
+  for (const BodySides& sides : body.sides) {
+    const Joint joint = joint_of(sides, view.workpiece, pieces.body_piece);
+    if (joint == Joint::parted) return {true, true};
+    is_joined = is_joined || joint == Joint::joined;
+  }
+  // In the plane a chain of bonds between the sides crosses the axis of the jet.
+  if (is_joined && view.workpiece.dimension == 2) return cut;
+  const KerfPath path{{}, axes.way(view.frame.time)};
+  const UnbrokenThickness thickness = measure_unbroken(view, axes, path);
+  const bool is_past = front >= bottom_depth(view.workpiece, body, view.frame, view.rows) -
+                                    view.workpiece.axis_spacing;
+  cut.through = thickness.is_open || (thickness.is_torn_through && is_past);
+  return cut;
+}
+
+// Adds the verdict of a frame to that of the frames before it.
+void judge_bodies(const Workpiece& workpiece, const Frame& frame,
+                  const std::vector<std::uint32_t>& rows, const Pieces& pieces,
+                  const KerfAxes& axes, CutState& state) {
+  const auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
+  KerfView view{workpiece, frame, rows, standing};
+  bool all = true;
+  for (std::size_t n = 0; n < workpiece.bodies.size(); ++n) {
+    const WorkpieceBody& body = workpiece.bodies[n];
+    view.body = body.body;
+    if (!state.bodies[n].through) state.bodies[n] = judge(body, view, pieces, axes, state.front_depth);
+    all = all && (state.bodies[n].through || !body.is_in_way);
+  }
+  state.cut_through = all;
+}
+
 }  // namespace
 
 CutMonitor::CutMonitor(const Case& description, const Frame& initial)
-    : workpiece_(std::make_shared<const Workpiece>(make_workpiece(description, initial))),
-      contact_depth_(description.jets.empty() ? 0.0 : description.jets.front().spacing) {}
+    : contact_depth_(description.jets.empty() ? 0.0 : description.jets.front().spacing) {
+  const SymmetryImages images = symmetry_images(description);
+  workpiece_ = std::make_shared<const Workpiece>(
+      make_workpiece(description, WholeFrame(initial, images).get()));
+  if (workpiece_->jet)
+    axes_.emplace(*workpiece_->jet, description.jets.front().traverse, description.dimension);
+}
 
-CutState CutMonitor::observe(const Frame& frame) {
+CutState CutMonitor::observe(const Frame& part) {
   const Workpiece& workpiece = *workpiece_;
   CutState state;
-  state.time = frame.time;
+  state.time = part.time;
+  state.bodies.resize(workpiece.bodies.size());
+  if (!history_.empty()) state.bodies = history_.back().bodies;
+  if (!history_.empty()) state.cut_through = history_.back().cut_through;
   if (!workpiece.empty()) {
+    const WholeFrame whole(part, workpiece.images);
+    const Frame& frame = whole.get();
     const auto rows = locate(workpiece, frame);
     Pieces pieces = find_pieces(workpiece, frame, rows);
     state.pieces = pieces.count;
@@ -58,14 +107,10 @@ CutState CutMonitor::observe(const Frame& frame) {
       const double half = state.front_depth / 2.0;
       state.fractured_width = fractured_width(workpiece, frame, rows, half);
       state.kerf_width = kerf_width(workpiece, frame, rows, pieces.in_piece, half);
-      const bool severed = pieces.count > std::max(1, workpiece.initial_pieces);
-      const bool holed =
-          state.front_depth >= bottom_depth(workpiece, frame, rows) - workpiece.axis_spacing;
-      state.cut_through = severed || holed;
+      if (!state.cut_through) judge_bodies(workpiece, frame, rows, pieces, *axes_, state);
     }
     fragments_ = std::move(pieces.fragments);
   }
-  if (!history_.empty() && history_.back().cut_through) state.cut_through = true;
   history_.push_back(state);
   return state;
 }
@@ -75,15 +120,7 @@ CutSummary CutMonitor::summary() const {
   if (history_.empty()) return summary;
   summary.last = history_.back();
   summary.fragments = fragments_;
-  const auto through = std::find_if(history_.begin(), history_.end(),
-                                    [](const CutState& state) { return state.cut_through; });
-  if (through != history_.end()) {
-    summary.cut_through = true;
-    summary.cut_through_time = through->time;
-    summary.severed = through->pieces > std::max(1, workpiece_->initial_pieces);
-    if (workpiece_->jet)
-      summary.cut_through_place = workpiece_->jet->point_at(through->front_depth, through->time);
-  }
+  add_verdicts(summary);
   std::vector<CutState> cutting;
   for (const CutState& state : history_) {
     if (state.front_depth > 0.0 && state.front_depth >= contact_depth_) cutting.push_back(state);
@@ -96,10 +133,34 @@ CutSummary CutMonitor::summary() const {
   return summary;
 }
 
+// Adds when and how the bodies and the workpiece were cut through.
+void CutMonitor::add_verdicts(CutSummary& summary) const {
+  summary.severed = true;
+  for (std::size_t n = 0; n < workpiece_->bodies.size(); ++n) {
+    const WorkpieceBody& body = workpiece_->bodies[n];
+    BodyVerdict verdict{body.body, body.is_in_way, body.can_break, history_.back().bodies.at(n)};
+    const auto cut = std::find_if(history_.begin(), history_.end(), [n](const CutState& state) {
+      return state.bodies.at(n).through;
+    });
+    if (cut != history_.end()) verdict.time = cut->time;
+    if (body.is_in_way) summary.severed = summary.severed && verdict.cut.severed;
+    summary.bodies.push_back(verdict);
+  }
+  const auto through = std::find_if(history_.begin(), history_.end(),
+                                    [](const CutState& state) { return state.cut_through; });
+  summary.cut_through = through != history_.end();
+  summary.severed = summary.severed && summary.cut_through;
+  if (!summary.cut_through) return;
+  summary.cut_through_time = through->time;
+  summary.cut_through_place = workpiece_->jet->point_at(through->front_depth, through->time);
+}
+
 void CutMonitor::restore(std::vector<CutState> history, const Frame& last) {
   history_ = std::move(history);
-  if (!workpiece_->empty())
-    fragments_ = find_pieces(*workpiece_, last, locate(*workpiece_, last)).fragments;
+  if (workpiece_->empty()) return;
+  const WholeFrame whole(last, workpiece_->images);
+  fragments_ =
+      find_pieces(*workpiece_, whole.get(), locate(*workpiece_, whole.get())).fragments;
 }
 
 }  // namespace kerf

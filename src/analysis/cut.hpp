@@ -6,8 +6,10 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "analysis/kerf_axes.hpp"
 #include "analysis/metric.hpp"
 #include "analysis/pieces.hpp"
 #include "simulation/frame.hpp"
@@ -16,6 +18,12 @@ namespace kerf {
 
 struct Case;
 struct Workpiece;
+
+// Whether a body of the workpiece is cut through, at this instant or before.
+struct BodyCut {
+  bool through = false;
+  bool severed = false;  // no piece of it joins the two sides of the jet; else it has a hole
+};
 
 // The state of a cut at one instant.
 struct CutState {
@@ -26,20 +34,31 @@ struct CutState {
   double fractured_mass = 0.0;      // kg, of the workpiece, fractured or gone from the domain
   double fractured_width = 0.0;     // m, breadth of the fractured region at half the front depth
   double kerf_width = 0.0;          // m, breadth without intact solid at half the front depth
-  bool cut_through = false;         // at this instant or before
+  // Whether all bodies in the way of the jet are cut through, at this instant or before.
+  bool cut_through = false;
+  std::vector<BodyCut> bodies;  // in the order of Workpiece::bodies
 
   static const MetricList<CutState>& metrics();
+};
+
+// The verdict on a body of the workpiece.
+struct BodyVerdict {
+  int body = 0;  // index into Case::bodies
+  bool is_in_way = false, can_break = false;
+  BodyCut cut;
+  double time = std::numeric_limits<double>::quiet_NaN();  // s, when it was cut through
 };
 
 // The numbers of a cut over the run so far.
 struct CutSummary {
   bool cut_through = false;
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s
-  bool severed = false;  // cut through by falling into pieces; else the front came out below
+  bool severed = false;  // every body in the way is parted; else some have a hole
   // m, position of the front on the axis at that time
   std::array<double, 3> cut_through_place{};
   double contact_time = std::numeric_limits<double>::quiet_NaN();  // s, first with a front
   double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
+  std::vector<BodyVerdict> bodies;
   CutState last;
   std::vector<Fragment> fragments;  // of the last frame, the heaviest first
 
@@ -49,7 +68,8 @@ struct CutSummary {
 
 class CutMonitor {
  public:
-  // `initial` is the frame before the first step, also where a run is resumed.
+  // `initial` is the frame before the first step, also where a run is resumed. Frames are those of
+  // the run, also with symmetry planes.
   CutMonitor(const Case& description, const Frame& initial);
   CutState observe(const Frame& frame);  // in order of time
   CutSummary summary() const;
@@ -59,7 +79,10 @@ class CutMonitor {
   void restore(std::vector<CutState> history, const Frame& last);
 
  private:
+  void add_verdicts(CutSummary& summary) const;
+
   std::shared_ptr<const Workpiece> workpiece_;  // as laid out
+  std::optional<KerfAxes> axes_;                // of the first jet
   double contact_depth_ = 0.0;                  // m, one spacing of the first jet
   std::vector<CutState> history_;
   std::vector<Fragment> fragments_;  // of the last frame observed

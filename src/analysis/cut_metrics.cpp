@@ -21,10 +21,11 @@ const MetricList<CutState>& CutState::metrics() {
        "Width free of intact solid around the axis at half the depth of the water front.",
        &CutState::kerf_width},
       {"pieces", "1", "pieces over 5 % of the workpiece",
-       "Number of connected pieces of intact solid that weigh more than 5 % of the workpiece.",
+       "Number of pieces that unbroken bonds hold together and that weigh more than 5 % of the "
+       "workpiece.",
        &CutState::pieces},
-      {"cut_through", "1", "cut through", "Whether the workpiece has been cut through.",
-       &CutState::cut_through}};
+      {"cut_through", "1", "cut through",
+       "Whether every body in the way of the jet has been cut through.", &CutState::cut_through}};
   return list;
 }
 
@@ -35,8 +36,7 @@ const MetricList<CutSummary>& CutSummary::metrics() {
        "Time at which the workpiece was first found cut through.",
        [](const S& s) { return s.cut_through ? std::optional(s.cut_through_time) : std::nullopt; }},
       {"cut_through_by", "1", "kind of the cut",
-       "`severed` where the workpiece fell into pieces, `holed` where the front reached its far "
-       "face.",
+       "`severed` where no piece joins the sides of the jet in any body in its way, else `holed`.",
        [](const S& s) {
          return s.cut_through ? std::optional<std::string>(s.severed ? "severed" : "holed")
                               : std::nullopt;

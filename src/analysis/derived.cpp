@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // This file computes the numbers that follow from a case before it runs.
-// The regime of a cut follows from three speeds. With U = V / (1 + sqrt(rho_t / rho_j)) the speed
-// of the front in a target without strength (hydrodynamic penetration) and e the failure strain:
-//   rho V^2 / 2 < E e   elastic dimple: the stagnation pressure does not break the target
-//   U < c_R             crack-led: cracks, which run at up to c_R, are faster than the front
-//   c_R <= U <= c_p     erosion: the front is faster than cracks, but not than elastic waves
-//   U > c_p             hydrodynamic: the front is faster than every elastic wave
-// For the solid of Shinohara et al. (2004) these limits lie at V = 4.6, 12 and 24 m/s: its case at
-// 5 m/s is crack-led and its case at 50 m/s hydrodynamic.
 #include "analysis/derived.hpp"
 
 #include <algorithm>
@@ -16,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/regime.hpp"
 #include "geometry/graded_fill.hpp"
 #include "geometry/nozzle.hpp"
 #include "geometry/shapes.hpp"
@@ -136,17 +129,6 @@ void derive_contact(DerivedNumbers& numbers, const Material& solid, const Materi
       numbers.jet_speed / (1.0 + std::sqrt(solid.density / water->density));
 }
 
-std::string regime_of(const DerivedNumbers& numbers, const Case& description,
-                      const Material* solid) {
-  if (description.jets.empty() || !solid) return "no jet";
-  const double strength = solid->youngs_modulus * numbers.failure_strain;
-  if (numbers.failure_strain == 0.0 || numbers.stagnation_pressure < strength)
-    return "elastic dimple";
-  if (numbers.hydrodynamic_front_speed < numbers.rayleigh_speed) return "crack-led";
-  if (numbers.hydrodynamic_front_speed <= numbers.longitudinal_speed) return "erosion";
-  return "hydrodynamic";
-}
-
 void derive_spacings(DerivedNumbers& numbers, const Case& description) {
   double coarsest_solid = 0.0, finest_water = 0.0;
   const auto water = [&](double spacing) {
@@ -162,8 +144,11 @@ void derive_spacings(DerivedNumbers& numbers, const Case& description) {
     numbers.jet_resolution =
         numbers.jet_resolution > 0.0 ? std::min(numbers.jet_resolution, resolution) : resolution;
   }
-  if (const Material* solid = target_material(description))
+  if (const Material* solid = target_material(description)) {
     numbers.failure_strain = fracture_limits(*solid, coarsest_solid).start;
+    numbers.resistance =
+        resistance_of(*solid, {numbers.failure_strain, coarsest_solid, description.dimension});
+  }
   if (coarsest_solid > 0.0 && finest_water > 0.0)
     numbers.solid_to_water_spacing = coarsest_solid / finest_water;
 }
@@ -255,7 +240,7 @@ DerivedNumbers derive(const Case& description) {
   derive_particles(numbers, description);
   derive_steps(numbers, description);
   numbers.memory = estimate_memory(numbers, description);
-  numbers.regime = regime_of(numbers, description, solid);
+  numbers.regime = description.jets.empty() || !solid ? "no jet" : regime_of(numbers);
   return numbers;
 }
 

@@ -36,6 +36,7 @@ struct DerivedNumbers {
   double hydrodynamic_front_speed = 0.0;     // m/s, V / (1 + sqrt(rho_t / rho_j))
   double jet_resolution = 0.0;               // width / spacing of the coarsest jet
   double failure_strain = 0.0;               // of the solid, by its fracture energy if it has one
+  double resistance = 0.0;                   // Pa, least stress at which the solid gives way
   double solid_to_water_spacing = 0.0;       // largest solid spacing over smallest water spacing
   std::size_t particles_initial = 0;
   std::size_t particles_elastic = 0;   // of them, in solids

@@ -15,8 +15,8 @@ const MetricList<DerivedNumbers>& DerivedNumbers::metrics() {
        "Density of the water times the square of the jet's speed over the solid's Young's modulus.",
        &D::cauchy_number},
       {"regime", "1", "regime",
-       "Regime of the cut that the speeds of jet and waves suggest: `no jet`, `elastic dimple`, "
-       "`crack-led`, `erosion` or `hydrodynamic`.",
+       "Regime of the cut that the pressure of the jet, the resistance of the solid and the speeds "
+       "of waves suggest: `no jet`, `elastic dimple`, `crack-led`, `erosion` or `hydrodynamic`.",
        &D::regime},
       {"jet_speed", "m/s", "speed of the jet, V",
        "Speed of the fastest jet or, without a jet, of the fastest body at the start.",
@@ -38,6 +38,10 @@ const MetricList<DerivedNumbers>& DerivedNumbers::metrics() {
       {"stagnation_pressure", "Pa", "stagnation pressure, ρV²/2",
        "Half the density of the water times the square of the jet's speed.",
        &D::stagnation_pressure},
+      {"resistance", "Pa", "resistance of the solid",
+       "Least stress at which the solid gives way: by its limits of strain, tension and flow, or "
+       "5/2 of its shear modulus.",
+       &D::resistance},
       {"hydrodynamic_front_speed", "m/s", "front speed of two streams, V / (1 + √(ρ_s/ρ_w))",
        "Speed of the front in a solid without strength.", &D::hydrodynamic_front_speed}};
   return list;

@@ -51,17 +51,17 @@ double front_depth(const Workpiece& workpiece, const Frame& frame) {
   return 0.0;
 }
 
-double bottom_depth(const Workpiece& workpiece, const Frame& frame,
+double bottom_depth(const Workpiece& workpiece, const WorkpieceBody& body, const Frame& frame,
                     const std::vector<std::uint32_t>& rows) {
   std::vector<double> moved;
-  for (const std::uint32_t slot : workpiece.exit_region)
+  for (const std::uint32_t slot : body.exit_region)
     if (is_intact(frame, rows[slot]))
       moved.push_back(workpiece.jet->depth(frame.position[rows[slot]]) -
                       workpiece.jet->depth(workpiece.position[slot]));
-  if (moved.empty()) return workpiece.bottom;
+  if (moved.empty()) return body.bottom;
   const auto middle = moved.begin() + static_cast<std::ptrdiff_t>(moved.size() / 2);
   std::nth_element(moved.begin(), middle, moved.end());
-  return workpiece.bottom + *middle;
+  return body.bottom + *middle;
 }
 
 }  // namespace kerf

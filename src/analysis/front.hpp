@@ -18,9 +18,9 @@ inline constexpr double front_least_particles = 3.0;
 // Returns the depth of the water front of the first jet, m; 0 before contact or without a jet.
 double front_depth(const Workpiece& workpiece, const Frame& frame);
 
-// Returns the depth at which the axis leaves the workpiece in current positions, m: its initial
-// depth, moved by the median displacement of the intact solid around that point.
-double bottom_depth(const Workpiece& workpiece, const Frame& frame,
+// Returns the depth at which the axis leaves a body in current positions, m: its initial depth,
+// moved by the median displacement of the intact solid around that point.
+double bottom_depth(const Workpiece& workpiece, const WorkpieceBody& body, const Frame& frame,
                     const std::vector<std::uint32_t>& rows);
 
 }  // namespace kerf

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "analysis/pieces.hpp"
+#include "analysis/unbroken.hpp"
 #include "geometry/nozzle.hpp"
 #include "model/case.hpp"
 
@@ -36,20 +36,47 @@ double depth_of_top(const KerfMap& map, const KerfAxes& axes, const KerfPath& pa
   return count > 0.0 ? sum / count : std::numeric_limits<double>::infinity();
 }
 
-std::vector<KerfLayer> measure_layers(KerfView view, const KerfAxes& axes, const KerfPath& path) {
+void deny(KerfShape& shape) {
+  shape.through = false;
+  shape.through_share = 0.0;
+}
+
+// Adds the verdict on a body and how far it is from being cut through.
+void add_verdict(const KerfView& view, const KerfAxes& axes, const KerfPath& path,
+                 const KerfConditions& conditions, KerfLayer& layer) {
+  layer.verdict.body = layer.body;
+  const BodyVerdict* verdict = conditions.verdict_on(layer.body);
+  if (verdict == nullptr) return;
+  layer.verdict = *verdict;
+  if (!verdict->cut.through) deny(layer.shape);
+  if (!verdict->is_in_way) return;
+  if (verdict->cut.through) {
+    layer.margin = share_after(verdict->time, view.frame.time);
+    return;
+  }
+  const UnbrokenThickness thickness = measure_unbroken(view, axes, path);
+  layer.unbroken = thickness.unbroken;
+  if (thickness.laid_out > 0.0) layer.margin = -thickness.unbroken / thickness.laid_out;
+}
+
+std::vector<KerfLayer> measure_layers(KerfView view, const KerfAxes& axes, const KerfPath& path,
+                                      const KerfConditions& conditions) {
   const Workpiece& workpiece = view.workpiece;
-  const std::set<std::uint16_t> bodies(workpiece.body.begin(), workpiece.body.end());
   std::vector<KerfLayer> layers;
-  if (bodies.size() < 2) return layers;
-  for (const std::uint16_t body : bodies) {
+  if (workpiece.bodies.size() < 2) return layers;
+  for (const WorkpieceBody& body : workpiece.bodies) {
     KerfLayer layer;
-    layer.body = view.body = body;
+    layer.body = view.body = body.body;
     const KerfMap map = make_kerf_map(view, axes, path);
     layer.top = depth_of_top(map, axes, path);
     layer.shape = measure_shape(map, axes, path, workpiece.axis_spacing);
-    for (std::size_t slot = 0; slot < workpiece.body.size(); ++slot)
-      if (view.holds(slot)) layer.volume += workpiece.volume[slot];
-    layer.removed_volume = removed_volume(workpiece, view.standing, body);
+    for (std::size_t slot = 0; slot < workpiece.body.size(); ++slot) {
+      if (!view.holds(slot)) continue;
+      layer.volume += workpiece.volume[slot];
+      if (!is_intact(view.frame, view.rows[slot])) layer.fractured_mass += workpiece.mass[slot];
+    }
+    layer.removed_volume = removed_volume(workpiece, view.standing, body.body);
+    add_verdict(view, axes, path, conditions, layer);
     layers.push_back(layer);
   }
   std::stable_sort(layers.begin(), layers.end(),
@@ -64,6 +91,7 @@ KerfConditions kerf_conditions(const Case& description, const CutSummary& summar
   conditions.contact_time = summary.contact_time;
   conditions.cut_through_time = summary.cut_through_time;
   conditions.front_depth = summary.last.front_depth;
+  conditions.bodies = summary.bodies;
   if (description.jets.empty()) return conditions;
   const Jet& jet = description.jets.front();
   conditions.traverse = jet.traverse;
@@ -78,10 +106,12 @@ KerfConditions kerf_conditions(const Case& description, const CutSummary& summar
   return conditions;
 }
 
-Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame,
+Kerf measure_kerf(const Workpiece& workpiece, const Frame& part,
                   const KerfConditions& conditions) {
   Kerf kerf;
   if (workpiece.empty()) return kerf;
+  const WholeFrame whole(part, workpiece.images);
+  const Frame& frame = whole.get();
   const std::vector<std::uint32_t> rows = locate(workpiece, frame);
   const Pieces pieces = find_pieces(workpiece, frame, rows);
   if (!workpiece.jet) return kerf;
@@ -93,7 +123,11 @@ Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame,
   kerf.shape = measure_shape(map, axes, path, workpiece.axis_spacing);
   const KerfView now{workpiece, frame, rows, standing, KerfPositions::current};
   kerf.opening = measure_shape(make_kerf_map(now, axes, path), axes, path, workpiece.axis_spacing);
-  kerf.layers = measure_layers(view, axes, path);
+  kerf.layers = measure_layers(view, axes, path, conditions);
+  if (!conditions.bodies.empty() && std::isnan(conditions.cut_through_time)) {
+    deny(kerf.shape);
+    deny(kerf.opening);
+  }
   const KerfScene scene{view, map, axes, path, kerf.shape, pieces.fragments, conditions};
   std::apply(
       [&](auto&... values) { ((values = std::decay_t<decltype(values)>::measure(scene)), ...); },

@@ -25,9 +25,13 @@ using KerfMeasurements = std::tuple<DamagedZone, Removal, CutMargin, Splash, Lea
 struct KerfLayer {
   int body = 0;                 // index into Case::bodies
   double top = 0.0;             // m, depth of its face at the axis
-  KerfShape shape;              // as if it were alone; `through` = it is cut through at the axis
+  KerfShape shape;              // as if it were alone
   double volume = 0.0;          // m^3 (2D: m^2), as laid out
   double removed_volume = 0.0;  // m^3 (2D: m^2)
+  double fractured_mass = 0.0;  // kg (2D: kg/m), fractured or gone from the domain
+  BodyVerdict verdict;
+  double margin = 0.0;    // 1, as CutMargin, of this body; 0 where it is not in the way of the jet
+  double unbroken = 0.0;  // m, least thickness in the way of the jet
 };
 
 struct Kerf {
@@ -46,7 +50,9 @@ struct Kerf {
   }
 };
 
-// Measures the kerf of a frame. All numbers are zero, nan or empty without a workpiece or a jet.
+// Measures the kerf of a frame of a run. All numbers are zero, nan or empty without a workpiece or a
+// jet. With verdicts in `conditions` a kerf, an opening or a layer that is not cut through is not
+// `through`, whatever its depth: a last layer of solid may still stand, or have been pushed ahead.
 Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame, const KerfConditions& conditions);
 
 }  // namespace kerf

@@ -34,6 +34,11 @@ struct KerfAxes {
     }
   }
 
+  // Returns the position of the axis at depth 0 at a time, s, m local.
+  Vector3 way(double time) const {
+    const double since = time > jet.moves_from ? time - jet.moves_from : 0.0;
+    return {travel[0] * since, travel[1] * since, travel[2] * since};
+  }
   bool moves() const { return travel[crosswise] != 0.0 || travel[lengthwise] != 0.0; }
 
   Vector3 local(const Vector3& x) const {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "analysis/cut.hpp"
 #include "analysis/kerf_map.hpp"
@@ -20,6 +21,14 @@ struct KerfConditions {
   double contact_time = std::numeric_limits<double>::quiet_NaN();      // s, nan before contact
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s, nan = not cut through
   double front_depth = 0.0;                                            // m, of the water
+  std::vector<BodyVerdict> bodies;  // on each body of the workpiece; empty = not judged
+
+  // Returns the verdict on a body; none without one.
+  const BodyVerdict* verdict_on(int body) const {
+    for (const BodyVerdict& verdict : bodies)
+      if (verdict.body == body) return &verdict;
+    return nullptr;
+  }
 };
 
 // Returns the conditions for the first jet of the case, after a run with this summary.

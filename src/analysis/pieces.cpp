@@ -9,6 +9,7 @@
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
+#include <unordered_map>
 
 namespace kerf {
 namespace {
@@ -26,14 +27,57 @@ TreePoint shifted(const std::array<double, 3>& x, double by) {
   return {x[0] + by, x[1] + by, x[2] + by};
 }
 
-// Collects the intact slots by the root of their piece.
+// The pieces of the slots: numbers that the members of one piece share, Workpiece::none where a slot
+// is not intact.
+struct PieceLabels {
+  std::vector<std::uint32_t> piece, body_piece;
+};
+
+PieceLabels read_labels(const Frame& frame, const std::vector<std::uint32_t>& rows) {
+  PieceLabels labels;
+  for (const std::uint32_t row : rows) {
+    const bool intact = is_intact(frame, row);
+    labels.piece.push_back(intact ? frame.piece[row] : Workpiece::none);
+    labels.body_piece.push_back(intact ? frame.body_piece[row] : Workpiece::none);
+  }
+  return labels;
+}
+
+// Joins the intact neighbours of the initial layout that still interact.
+PieceLabels join_neighbours(const Workpiece& workpiece, const Frame& frame,
+                            const std::vector<std::uint32_t>& rows) {
+  const std::size_t slots = rows.size();
+  boost::disjoint_sets_with_storage<> in_body(slots), all(slots);
+  for (std::size_t slot = 0; slot < slots; ++slot) {
+    in_body.make_set(slot);
+    all.make_set(slot);
+  }
+  for (const auto& [a, b] : workpiece.bonds) {
+    if (!is_intact(frame, rows[a]) || !is_intact(frame, rows[b])) continue;
+    const double range = workpiece.interaction_range * std::max(workpiece.size[a], workpiece.size[b]);
+    if (distance(frame.position[rows[a]], frame.position[rows[b]]) >= range) continue;
+    all.union_set(a, b);
+    if (workpiece.body[a] == workpiece.body[b]) in_body.union_set(a, b);
+  }
+  PieceLabels labels{std::vector<std::uint32_t>(slots, Workpiece::none),
+                     std::vector<std::uint32_t>(slots, Workpiece::none)};
+  for (std::size_t slot = 0; slot < slots; ++slot) {
+    if (!is_intact(frame, rows[slot])) continue;
+    labels.piece[slot] = static_cast<std::uint32_t>(all.find_set(slot));
+    labels.body_piece[slot] = static_cast<std::uint32_t>(in_body.find_set(slot));
+  }
+  return labels;
+}
+
+// Collects the slots by their piece. `number_of`: the number of the fragment of each slot.
 std::vector<Fragment> gather_fragments(const Workpiece& workpiece, const Frame& frame,
                                        const std::vector<std::uint32_t>& rows,
-                                       const std::vector<std::size_t>& root) {
-  std::vector<Fragment> of_root(root.size());
-  for (std::size_t slot = 0; slot < root.size(); ++slot) {
-    if (!is_intact(frame, rows[slot])) continue;
-    Fragment& fragment = of_root[root[slot]];
+                                       const std::vector<std::uint32_t>& number_of) {
+  std::vector<Fragment> fragments;
+  for (std::size_t slot = 0; slot < number_of.size(); ++slot) {
+    if (number_of[slot] == Workpiece::none) continue;
+    if (number_of[slot] >= fragments.size()) fragments.resize(number_of[slot] + 1);
+    Fragment& fragment = fragments[number_of[slot]];
     const double mass = workpiece.mass[slot];
     fragment.mass += mass;
     fragment.volume += workpiece.volume[slot];
@@ -43,15 +87,41 @@ std::vector<Fragment> gather_fragments(const Workpiece& workpiece, const Frame& 
       fragment.velocity[a] += mass * frame.velocity[rows[slot]][a];
     }
   }
-  std::erase_if(of_root, [](const Fragment& fragment) { return fragment.particles == 0; });
-  for (Fragment& fragment : of_root)
+  for (Fragment& fragment : fragments)
     for (std::size_t a = 0; a < 3; ++a) {
       fragment.centre[a] /= fragment.mass;
       fragment.velocity[a] /= fragment.mass;
     }
-  std::stable_sort(of_root.begin(), of_root.end(),
-                   [](const Fragment& a, const Fragment& b) { return a.mass > b.mass; });
-  return of_root;
+  return fragments;
+}
+
+// Numbers the pieces in the order of their first slots.
+std::vector<std::uint32_t> number_pieces(const std::vector<std::uint32_t>& label) {
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+  std::vector<std::uint32_t> number_of;
+  for (const std::uint32_t piece : label) {
+    const auto next = static_cast<std::uint32_t>(numbers.size());
+    number_of.push_back(piece == Workpiece::none ? piece
+                                                 : numbers.try_emplace(piece, next).first->second);
+  }
+  return number_of;
+}
+
+// Marks the slots in pieces within their body that are heavier than piece_mass_fraction of it.
+std::vector<std::uint8_t> in_part_of_body(const Workpiece& workpiece,
+                                          const std::vector<std::uint32_t>& body_piece) {
+  std::unordered_map<std::uint32_t, double> mass;
+  std::unordered_map<std::uint16_t, double> whole;
+  for (std::size_t slot = 0; slot < body_piece.size(); ++slot) {
+    whole[workpiece.body[slot]] += workpiece.mass[slot];
+    if (body_piece[slot] != Workpiece::none) mass[body_piece[slot]] += workpiece.mass[slot];
+  }
+  std::vector<std::uint8_t> marks(body_piece.size(), 0);
+  for (std::size_t slot = 0; slot < body_piece.size(); ++slot)
+    if (body_piece[slot] != Workpiece::none &&
+        mass[body_piece[slot]] > piece_mass_fraction * whole[workpiece.body[slot]])
+      marks[slot] = 1;
+  return marks;
 }
 
 }  // namespace
@@ -85,30 +155,20 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> find_bonds(const Workpiece&
 
 Pieces find_pieces(const Workpiece& workpiece, const Frame& frame,
                    const std::vector<std::uint32_t>& rows) {
-  const std::size_t slots = workpiece.position.size();
-  boost::disjoint_sets_with_storage<> sets(slots);
-  for (std::size_t slot = 0; slot < slots; ++slot) sets.make_set(slot);
-  for (const auto& [a, b] : workpiece.bonds) {
-    if (!is_intact(frame, rows[a]) || !is_intact(frame, rows[b])) continue;
-    const double larger = std::max(workpiece.size[a], workpiece.size[b]);
-    if (distance(frame.position[rows[a]], frame.position[rows[b]]) > bond_limit * larger) continue;
-    sets.union_set(a, b);
-  }
-  std::vector<double> mass(slots, 0.0);
-  for (std::size_t slot = 0; slot < slots; ++slot)
-    if (is_intact(frame, rows[slot])) mass[sets.find_set(slot)] += workpiece.mass[slot];
-
-  std::vector<std::size_t> root(slots);
-  for (std::size_t slot = 0; slot < slots; ++slot) root[slot] = sets.find_set(slot);
+  PieceLabels labels =
+      frame.piece.empty() ? join_neighbours(workpiece, frame, rows) : read_labels(frame, rows);
+  const std::vector<std::uint32_t> number_of = number_pieces(labels.piece);
   Pieces pieces;
-  pieces.fragments = gather_fragments(workpiece, frame, rows, root);
-  pieces.in_piece.resize(slots, 0);
+  pieces.body_piece = std::move(labels.body_piece);
+  pieces.fragments = gather_fragments(workpiece, frame, rows, number_of);
+  pieces.in_piece = in_part_of_body(workpiece, pieces.body_piece);
   const double least = piece_mass_fraction * workpiece.total_mass;
-  for (std::size_t slot = 0; slot < slots; ++slot) {
-    if (mass[slot] > least) ++pieces.count;
-    if (is_intact(frame, rows[slot]) && mass[sets.find_set(slot)] > least)
+  for (const Fragment& fragment : pieces.fragments) pieces.count += fragment.mass > least ? 1 : 0;
+  for (std::size_t slot = 0; slot < rows.size(); ++slot)
+    if (number_of[slot] != Workpiece::none && pieces.fragments[number_of[slot]].mass > least)
       pieces.in_piece[slot] = 1;
-  }
+  std::stable_sort(pieces.fragments.begin(), pieces.fragments.end(),
+                   [](const Fragment& a, const Fragment& b) { return a.mass > b.mass; });
   return pieces;
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// This file finds the connected pieces of intact solid.
+// This file finds the connected pieces of intact solid. A frame of a formulation with bonds says
+// which particles unbroken bonds join (Frame::piece), however far they are stretched. In a
+// formulation without bonds two neighbours of the initial layout are joined while neither is
+// fractured and they still interact.
 #pragma once
 
 #include <array>
@@ -13,13 +16,10 @@
 
 namespace kerf {
 
-// Bonds join the nearest neighbours of the initial layout: 1.3 spacings reach those of a jittered
-// or hexagonal lattice (1 spacing), but not the diagonal of a square one (1.41), across which a
-// crack one particle wide would be bridged.
+// Pairs of the initial layout, for frames without bonds: 1.3 spacings reach the nearest neighbours
+// of a jittered or hexagonal lattice (1 spacing), but not the diagonal of a square one (1.41),
+// across which a crack one particle wide would be bridged.
 inline constexpr double bond_reach = 1.3;  // spacings
-// A bond between two intact particles is broken at this distance. A stretch of 2 is far above the
-// failure strains of the solids of the library.
-inline constexpr double bond_limit = 2.0;  // spacings
 // Smaller pieces, as a share of the workpiece, are not counted.
 inline constexpr double piece_mass_fraction = 0.05;
 
@@ -40,8 +40,13 @@ struct Fragment {
 
 struct Pieces {
   int count = 0;                       // heavier than piece_mass_fraction of the workpiece
-  std::vector<std::uint8_t> in_piece;  // per slot: 1 = part of a counted piece
-  std::vector<Fragment> fragments;     // the heaviest first
+  // Per slot: 1 = part of a counted piece, or of a piece of its body that is heavier than
+  // piece_mass_fraction of that body, such as a small inclusion.
+  std::vector<std::uint8_t> in_piece;
+  // Per slot: a number that the particles of a piece within one body share; Workpiece::none where
+  // the particle is not intact.
+  std::vector<std::uint32_t> body_piece;
+  std::vector<Fragment> fragments;  // the heaviest first
 };
 
 Pieces find_pieces(const Workpiece& workpiece, const Frame& frame,

@@ -6,7 +6,7 @@
 namespace kerf {
 namespace {
 
-// The duration and energy of the jet since contact.
+// The duration and energy of the jet, and of its mirror images, since contact.
 struct JetWork {
   double duration = 0.0;  // s
   double energy = 0.0;    // J (2D: J/m), kinetic
@@ -18,7 +18,7 @@ JetWork find_work(const KerfScene& scene) {
   JetWork work;
   if (std::isnan(conditions.contact_time)) return work;
   work.duration = scene.view.frame.time - conditions.contact_time;
-  work.energy = 0.5 * workpiece.jet_density * workpiece.jet->section *
+  work.energy = 0.5 * workpiece.images.jets * workpiece.jet_density * workpiece.jet->section *
                 std::pow(conditions.jet_speed, 3) * work.duration * conditions.on_time_factor;
   return work;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
+#include <cmath>
+#include <set>
 
 #include "analysis/pieces.hpp"
 #include "model/case.hpp"
@@ -28,6 +30,12 @@ bool can_be_cut(const Body& body) {
   return body.role == Role::elastic && !body.fixed;
 }
 
+// Whether a particle is beside the axis: nearer than half a jet width, or one spacing if that is
+// more.
+bool is_beside_axis(const JetAxis& jet, const std::array<double, 3>& x, double size) {
+  return jet.distance(x) <= std::max(jet.width / 2.0, size);
+}
+
 // Returns the groups of joined bodies that the jet hits, by group number.
 std::vector<std::uint8_t> find_targets(const Case& description, const Frame& initial,
                                        const std::vector<std::uint16_t>& group) {
@@ -38,19 +46,20 @@ std::vector<std::uint8_t> find_targets(const Case& description, const Frame& ini
   for (std::size_t row = 0; row < initial.position.size(); ++row) {
     const std::size_t source = initial.source[row];
     if (source >= bodies.size() || !can_be_cut(bodies[source])) continue;
-    const double reach = std::max(jet.width / 2.0, static_cast<double>(initial.spacing[row]));
     const auto& x = initial.position[row];
-    if (jet.distance(x) <= reach && jet.depth(x) >= -jet.standoff) hit[group[source]] = 1;
+    if (is_beside_axis(jet, x, initial.spacing[row]) && jet.depth(x) >= -jet.standoff)
+      hit[group[source]] = 1;
   }
   return hit;
 }
 
-// Returns the depth at which the axis leaves the solid: that of the deepest particle within a
-// spacing of it.
-double find_bottom(const Workpiece& workpiece) {
+// Returns the depth at which the axis leaves a body: that of its deepest particle within a spacing
+// of it.
+double find_bottom(const Workpiece& workpiece, std::uint16_t body) {
   double bottom = 0.0;
   for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot)
-    if (workpiece.jet->distance(workpiece.position[slot]) <= workpiece.size[slot])
+    if (workpiece.body[slot] == body &&
+        workpiece.jet->distance(workpiece.position[slot]) <= workpiece.size[slot])
       bottom = std::max(
           bottom, workpiece.jet->depth(workpiece.position[slot]) + workpiece.size[slot] / 2.0);
   return bottom;
@@ -60,26 +69,28 @@ double find_bottom(const Workpiece& workpiece) {
 double find_axis_spacing(const Workpiece& workpiece) {
   double largest = 0.0;
   for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
-    const double reach = std::max(workpiece.jet->width / 2.0, workpiece.size[slot]);
-    if (workpiece.jet->distance(workpiece.position[slot]) <= reach)
+    if (is_beside_axis(*workpiece.jet, workpiece.position[slot], workpiece.size[slot]))
       largest = std::max(largest, workpiece.size[slot]);
   }
   return largest > 0.0 ? largest : workpiece.spacing;
 }
 
-std::vector<std::uint32_t> find_exit_region(const Workpiece& workpiece) {
+std::vector<std::uint32_t> find_exit_region(const Workpiece& workpiece,
+                                            const WorkpieceBody& body) {
   const double reach = std::max(2.0 * workpiece.jet->width, 4.0 * workpiece.axis_spacing);
   std::vector<std::uint32_t> region;
   for (std::uint32_t slot = 0; slot < workpiece.position.size(); ++slot) {
+    if (workpiece.body[slot] != body.body) continue;
     const auto& x = workpiece.position[slot];
-    if (std::hypot(workpiece.jet->distance(x), workpiece.jet->depth(x) - workpiece.bottom) <= reach)
+    if (std::hypot(workpiece.jet->distance(x), workpiece.jet->depth(x) - body.bottom) <= reach)
       region.push_back(slot);
   }
   return region;
 }
 
 void add_particle(Workpiece& workpiece, const Frame& initial, std::uint32_t row) {
-  workpiece.slot_of_id[initial.id[row]] = static_cast<std::uint32_t>(workpiece.position.size());
+  if (row < initial.id.size() / workpiece.images.count())
+    workpiece.slot_of_id[initial.id[row]] = static_cast<std::uint32_t>(workpiece.position.size());
   workpiece.position.push_back(initial.position[row]);
   workpiece.mass.push_back(initial.mass[row]);
   workpiece.size.push_back(initial.spacing[row]);
@@ -87,10 +98,42 @@ void add_particle(Workpiece& workpiece, const Frame& initial, std::uint32_t row)
   workpiece.spacing = std::max(workpiece.spacing, static_cast<double>(initial.spacing[row]));
 }
 
+WorkpieceBody describe(const Case& description, std::uint16_t number) {
+  const Body& body = description.bodies[number];
+  WorkpieceBody described;
+  described.body = number;
+  described.can_break =
+      description.materials.at(static_cast<std::size_t>(body.material)).can_break();
+  return described;
+}
+
+// Finds what the measurements need to know of each body beside the jet.
+void describe_bodies(Workpiece& workpiece, const Case& description, const Pieces& pieces) {
+  const std::set<std::uint16_t> numbers(workpiece.body.begin(), workpiece.body.end());
+  for (const std::uint16_t number : numbers)
+    workpiece.bodies.push_back(describe(description, number));
+  if (!workpiece.jet) return;
+  const JetAxis& jet = *workpiece.jet;
+  const KerfAxes axes(jet, description.jets.front().traverse, description.dimension);
+  for (WorkpieceBody& body : workpiece.bodies) {
+    for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot)
+      if (workpiece.body[slot] == body.body && jet.depth(workpiece.position[slot]) >= -jet.standoff &&
+          is_beside_axis(jet, workpiece.position[slot], workpiece.size[slot]))
+        body.is_in_way = true;
+    body.bottom = find_bottom(workpiece, body.body);
+    workpiece.bottom = std::max(workpiece.bottom, body.bottom);
+    body.exit_region = find_exit_region(workpiece, body);
+    body.sides = find_sides(workpiece, body.body, axes, pieces.body_piece);
+  }
+}
+
 }  // namespace
 
 Workpiece make_workpiece(const Case& description, const Frame& initial) {
   Workpiece workpiece;
+  workpiece.dimension = description.dimension;
+  workpiece.images = symmetry_images(description);
+  workpiece.interaction_range = 2.0 * description.smoothing_ratio;
   const auto& bodies = description.bodies;
   const auto group = join_bodies(bodies);
   const auto target = find_targets(description, initial, group);
@@ -104,26 +147,31 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
     workpiece.volume.push_back(workpiece.mass.back() / description.materials.at(material).density);
   }
   if (workpiece.empty()) return workpiece;
-  workpiece.bonds = find_bonds(workpiece);
+  if (initial.piece.empty()) workpiece.bonds = find_bonds(workpiece);
   Pieces pieces = find_pieces(workpiece, initial, locate(workpiece, initial));
-  workpiece.initial_pieces = pieces.count;
-  workpiece.initially_in_piece = std::move(pieces.in_piece);
-  if (description.jets.empty()) return workpiece;
-  const Jet& jet = description.jets.front();
-  workpiece.jet.emplace(jet, description.dimension);
-  workpiece.jet_source = static_cast<std::uint16_t>(bodies.size());
-  workpiece.jet_density = description.materials.at(static_cast<std::size_t>(jet.material)).density;
-  workpiece.axis_spacing = find_axis_spacing(workpiece);
-  workpiece.bottom = find_bottom(workpiece);
-  workpiece.exit_region = find_exit_region(workpiece);
+  workpiece.initially_in_piece = pieces.in_piece;
+  if (!description.jets.empty()) {
+    const Jet& jet = description.jets.front();
+    workpiece.jet.emplace(jet, description.dimension);
+    workpiece.jet_source = static_cast<std::uint16_t>(bodies.size());
+    workpiece.jet_density =
+        description.materials.at(static_cast<std::size_t>(jet.material)).density;
+    workpiece.axis_spacing = find_axis_spacing(workpiece);
+  }
+  describe_bodies(workpiece, description, pieces);
   return workpiece;
 }
 
 std::vector<std::uint32_t> locate(const Workpiece& workpiece, const Frame& frame) {
   std::vector<std::uint32_t> rows(workpiece.position.size(), Workpiece::none);
-  for (std::uint32_t row = 0; row < frame.id.size(); ++row) {
+  const std::uint32_t images = workpiece.images.count();
+  const auto slots = static_cast<std::uint32_t>(rows.size() / images);
+  const auto once = static_cast<std::uint32_t>(frame.id.size() / images);
+  for (std::uint32_t row = 0; row < once; ++row) {
     const auto found = workpiece.slot_of_id.find(frame.id[row]);
-    if (found != workpiece.slot_of_id.end()) rows[found->second] = row;
+    if (found == workpiece.slot_of_id.end()) continue;
+    for (std::uint32_t image = 0; image < images; ++image)
+      rows[image * slots + found->second] = image * once + row;
   }
   return rows;
 }

@@ -11,36 +11,52 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/body_sides.hpp"
 #include "analysis/jet_axis.hpp"
+#include "analysis/whole_frame.hpp"
 #include "simulation/frame.hpp"
 
 namespace kerf {
 
 struct Case;
 
+// A body of the workpiece.
+struct WorkpieceBody {
+  std::uint16_t body = 0;                  // index into Case::bodies
+  bool can_break = false;                  // its material has a limit; otherwise nothing cuts it
+  bool is_in_way = false;                  // the jet meets it at the place where it aims
+  double bottom = 0.0;                     // m, depth at which the axis leaves it
+  std::vector<std::uint32_t> exit_region;  // slots near that point
+  std::vector<BodySides> sides;            // beside the jet, where the layout joins them
+};
+
 // A slot is the index of a particle in these tables, in the order of the initial frame. Particles
-// are identified by their id, because a run sorts them and removes some.
+// are identified by their id, because a run sorts them and removes some. With symmetry planes the
+// tables hold the whole workpiece: the slots of the part, then those of its images.
 struct Workpiece {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
+  int dimension = 2;
+  SymmetryImages images;
   std::optional<JetAxis> jet;    // the first jet of the case
   std::uint16_t jet_source = 0;  // its index in Frame::source
   double jet_density = 0.0;      // kg/m^3
-  std::unordered_map<std::uint32_t, std::uint32_t> slot_of_id;
+  std::unordered_map<std::uint32_t, std::uint32_t> slot_of_id;  // of the part
   std::vector<std::array<double, 3>> position;  // m, initial
   std::vector<double> mass;                     // kg (2D: kg/m)
   std::vector<double> volume;                   // m^3 (2D: m^2), at its material's density
   std::vector<double> size;                     // m, spacing of the particle
   std::vector<std::uint16_t> body;              // index into Case::bodies
   std::vector<std::uint16_t> material_piece;    // bodies joined to each other share a number
-  // Neighbours of the initial layout within `bond_reach` spacings of each other.
+  std::vector<WorkpieceBody> bodies;
+  // Neighbours of the initial layout within `bond_reach` spacings of each other; empty where frames
+  // say which particles bonds join.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> bonds;
-  std::vector<std::uint32_t> exit_region;  // slots near the point where the axis leaves
-  double total_mass = 0.0;                 // kg
-  double spacing = 0.0;                    // m, the largest
-  double axis_spacing = 0.0;               // m, the largest beside the axis of the jet
-  double bottom = 0.0;                     // m, depth at which the axis leaves
-  int initial_pieces = 0;
+  double interaction_range = 0.0;  // 2 h, spacings: longer pairs of particles do not interact
+  double total_mass = 0.0;         // kg
+  double spacing = 0.0;            // m, the largest
+  double axis_spacing = 0.0;       // m, the largest beside the axis of the jet
+  double bottom = 0.0;             // m, depth at which the axis leaves
   std::vector<std::uint8_t> initially_in_piece;  // as Pieces::in_piece, of the first layout
 
   bool empty() const { return position.empty(); }
@@ -49,10 +65,12 @@ struct Workpiece {
 // Finds the workpiece: every elastic body that is not fixed and at which the first jet aims (a
 // particle of it is nearer to the axis than half a jet width, or one spacing if that is more, and
 // not behind the nozzle), and the bodies joined to it that are not fixed. Without a jet it is all
-// elastic bodies that are not fixed. `initial` is the frame before the first step.
+// elastic bodies that are not fixed. `initial` is the frame before the first step, of the whole
+// workpiece (analysis/whole_frame.hpp).
 Workpiece make_workpiece(const Case& description, const Frame& initial);
 
-// Returns the row of each slot in `frame`; `none` for a particle that has left.
+// Returns the row of each slot in `frame`, which is of the whole workpiece; `none` for a particle
+// that has left.
 std::vector<std::uint32_t> locate(const Workpiece& workpiece, const Frame& frame);
 
 // Returns whether a slot is intact solid, given its row.

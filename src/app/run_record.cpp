@@ -36,12 +36,16 @@ void save_history(const std::vector<CutState>& history, Archive& archive) {
     archive.arrays[history_name(column.name)] = std::move(values);
   }
   std::vector<std::uint32_t> pieces, through;
+  std::vector<std::uint8_t> bodies;  // of each body in turn
   for (const CutState& state : history) {
     pieces.push_back(static_cast<std::uint32_t>(state.pieces));
     through.push_back(state.cut_through ? 1 : 0);
+    for (const BodyCut& body : state.bodies)
+      bodies.push_back(static_cast<std::uint8_t>((body.through ? 1 : 0) + (body.severed ? 2 : 0)));
   }
   archive.arrays["cut/pieces"] = std::move(pieces);
   archive.arrays["cut/through"] = std::move(through);
+  archive.arrays["cut/bodies"] = std::move(bodies);
 }
 
 template <class T>
@@ -58,10 +62,14 @@ const std::vector<T>& find(const Archive& archive, const std::string& name) {
 std::vector<CutState> restore_history(const Archive& archive) {
   const auto& pieces = find<std::uint32_t>(archive, "cut/pieces");
   const auto& through = find<std::uint32_t>(archive, "cut/through");
+  const auto& bodies = find<std::uint8_t>(archive, "cut/bodies");
   std::vector<CutState> history(pieces.size());
+  const std::size_t count = history.empty() ? 0 : bodies.size() / history.size();
   for (std::size_t i = 0; i < history.size(); ++i) {
     history[i].pieces = static_cast<int>(pieces[i]);
     history[i].cut_through = through.at(i) != 0;
+    for (std::size_t n = i * count; n < (i + 1) * count; ++n)
+      history[i].bodies.push_back({(bodies[n] & 1u) != 0, (bodies[n] & 2u) != 0});
   }
   for (const HistoryColumn& column : history_columns) {
     const auto& values = find<double>(archive, history_name(column.name));

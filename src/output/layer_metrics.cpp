@@ -5,10 +5,44 @@
 
 namespace kerf {
 
+std::string fate_of(const KerfLayer& layer) {
+  if (!layer.verdict.is_in_way) return "not under the jet";
+  if (layer.verdict.cut.through) return layer.shape.through_share > 0.0 ? "cut through" : "parted";
+  return layer.fractured_mass > 0.0 || layer.removed_volume > 0.0 ? "cut in part" : "whole";
+}
+
 const MetricList<NamedLayer>& NamedLayer::metrics() {
   using L = NamedLayer;
   static const MetricList<L> list = [] {
-    MetricList<L> all{{"name", "1", "body", "Name of the body.", &L::name}};
+    MetricList<L> all{
+        {"name", "1", "body", "Name of the body.", &L::name},
+        {"verdict", "1", "verdict on the layer",
+         "`cut through`; `parted`, cut through where not all of the thickness is removed; `cut in "
+         "part`; `whole`, without any fracture; or `not under the jet`.",
+         [](const L& entry) { return fate_of(entry.layer); }},
+        {"cut_through", "1", "layer cut through", "Whether the body has been cut through.",
+         [](const L& entry) { return entry.layer.verdict.cut.through; }},
+        {"cut_through_time", "s", "time to cut through the layer",
+         "Time at which the body was first found cut through.",
+         [](const L& entry) {
+           const BodyVerdict& verdict = entry.layer.verdict;
+           return verdict.cut.through ? std::optional(verdict.time) : std::nullopt;
+         }},
+        {"cut_through_by", "1", "kind of the cut of the layer",
+         "`severed` where no piece of the body joins the sides of the jet, else `holed`.",
+         [](const L& entry) {
+           const BodyCut& cut = entry.layer.verdict.cut;
+           return cut.through ? std::optional<std::string>(cut.severed ? "severed" : "holed")
+                              : std::nullopt;
+         }},
+        {"margin", share(), "margin of the cut of the layer",
+         "Share of the run that was left after the cut; below 0, minus the share of the body's "
+         "thickness in the way of the jet that is unbroken.",
+         [](const L& entry) { return entry.layer.margin; }},
+        {"unbroken", "m", "unbroken thickness of the layer",
+         "Least thickness of the body, as laid out, that stands and has kept its bonds in the way "
+         "of the jet.",
+         [](const L& entry) { return entry.layer.unbroken; }}};
     add_metrics(all, KerfShape::metrics(), "", "kerf in the layer",
                 [](const L& entry) -> const KerfShape& { return entry.layer.shape; });
     const MetricList<L> amounts{
@@ -17,6 +51,9 @@ const MetricList<NamedLayer>& NamedLayer::metrics() {
         {"removed_volume", extensive("m3"), "volume removed from the layer",
          "Initial volume of the body's solid that no longer stands.",
          [](const L& entry) { return entry.layer.removed_volume; }},
+        {"fractured_mass", extensive("kg"), "fractured mass of the layer",
+         "Mass of the body that is fractured or has left the domain.",
+         [](const L& entry) { return entry.layer.fractured_mass; }},
         {"removed_fraction", share(), "removed share of the layer",
          "Removed volume over the volume.", [](const L& entry) {
            const KerfLayer& layer = entry.layer;

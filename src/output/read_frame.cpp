@@ -50,7 +50,13 @@ void read_fields(const hdf5::Handle& group, Frame& frame) {
     known.insert(name);
   });
   const std::size_t count = frame.position.size();
-  for (const std::string& name : hdf5::arrays_in(group)) {
+  const std::vector<std::string> names = hdf5::arrays_in(group);
+  for_each_piece_column(frame, [&](const char* name, const char*, auto& values) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) return;
+    read_column(group, name, values);
+    known.insert(name);
+  });
+  for (const std::string& name : names) {
     if (known.count(name) != 0 || count == 0) continue;
     const hdf5::Handle dataset = hdf5::open_dataset(group, name);
     auto values = hdf5::read_array<float>(group, name);
@@ -60,12 +66,15 @@ void read_fields(const hdf5::Handle& group, Frame& frame) {
   }
 }
 
-// Every field has an entry for each particle.
+// Every field has an entry for each particle; those of pieces may be missing.
 bool is_intact(const Frame& frame) {
   const std::size_t count = frame.position.size();
   bool intact = true;
   for_each_column(frame, [&](const char*, const char*, const auto& values) {
     intact = intact && values.size() == count;
+  });
+  for_each_piece_column(frame, [&](const char*, const char*, const auto& values) {
+    intact = intact && (values.empty() || values.size() == count);
   });
   return intact && std::all_of(frame.columns.begin(), frame.columns.end(), [&](const Column& c) {
            return c.values.size() == count * static_cast<std::size_t>(c.components);

@@ -4,19 +4,62 @@
 #include <algorithm>
 
 #include "model/case.hpp"
+#include "output/layer_metrics.hpp"
 #include "output/readable.hpp"
 #include "output/result.hpp"
 
 namespace kerf {
 namespace {
 
+std::string join(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t n = 0; n < names.size(); ++n)
+    text += (n == 0 ? "" : n + 1 == names.size() ? " and " : ", ") + names[n];
+  return text;
+}
+
+// Names the bodies in the way of the jet by their fate: "liver is cut through, vessel is whole";
+// empty where there is one body.
+std::string layers_clause(const RunOutcome& outcome) {
+  if (!outcome.kerf) return "";
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_fate;
+  std::size_t count = 0;
+  for (const NamedLayer& layer : named_layers(*outcome.kerf, outcome.description)) {
+    if (!layer.layer.verdict.is_in_way) continue;
+    ++count;
+    const std::string fate = fate_of(layer.layer);
+    const auto known = std::find_if(by_fate.begin(), by_fate.end(),
+                                    [&](const auto& entry) { return entry.first == fate; });
+    if (known == by_fate.end())
+      by_fate.push_back({fate, {layer.name}});
+    else
+      known->second.push_back(layer.name);
+  }
+  std::string text;
+  if (count < 2) return text;
+  for (const auto& [fate, names] : by_fate)
+    text += fmt::format("{}{} {} {}", text.empty() ? "; " : ", ", join(names),
+                        names.size() == 1 ? "is" : "are", fate);
+  return text;
+}
+
+// Returns the thickness that the jet has left, where it has broken a part.
+std::string unbroken_clause(const RunOutcome& outcome) {
+  if (!outcome.kerf) return "";
+  const double unbroken = outcome.kerf->of<CutMargin>().unbroken;
+  return unbroken > 0.0 ? fmt::format(", and {} of the thickness is unbroken",
+                                      readable(unbroken, "m"))
+                        : "";
+}
+
 std::string depth_sentence(const RunOutcome& outcome) {
   const std::string end = readable(outcome.time, "s");
   const std::string front = readable(outcome.cut.last.front_depth, "m");
-  if (outcome.cut.last.fractured_mass == 0.0)
+  if (outcome.cut.last.fractured_mass == 0.0 && outcome.balance.dissipated_fracture == 0.0)
     return fmt::format("The jet breaks nothing within {}; its front presses {} into the workpiece.",
                        end, front);
-  return fmt::format("The jet does not cut through within {}; its front is {} deep.", end, front);
+  return fmt::format("The jet does not cut through within {}{}; its front is {} deep{}.", end,
+                     layers_clause(outcome), front, unbroken_clause(outcome));
 }
 
 // With a moving nozzle one hole is not a cut, so the cut share of its path is stated.
@@ -27,17 +70,30 @@ std::string way_clause(const RunOutcome& outcome) {
                      100.0 * outcome.kerf->shape.through_share);
 }
 
+// Says what the jet does, and how where it removes no material down to the far face.
+std::string deed(const RunOutcome& outcome) {
+  const std::string time = readable(outcome.cut.cut_through_time, "s");
+  const bool removed = !outcome.kerf || outcome.kerf->shape.through ||
+                       outcome.kerf->shape.through_share > 0.0;
+  if (removed) return fmt::format("The jet cuts through after {}{}", time, way_clause(outcome));
+  const double depth = outcome.kerf->shape.depth;
+  const std::string below =
+      depth > 0.0 ? fmt::format("below a cut of {}", readable(depth, "m"))
+                  : std::string("without loss of material in its way");
+  return fmt::format("The workpiece is {} after {} by a crack {}",
+                     outcome.cut.severed ? "parted" : "pierced", time, below);
+}
+
 std::string cut_sentence(const RunOutcome& outcome) {
   const CutSummary& cut = outcome.cut;
-  const std::string time = readable(cut.cut_through_time, "s");
+  const std::string start = deed(outcome) + layers_clause(outcome);
   const int pieces = cut.last.pieces;
   if (pieces == 0)
-    return fmt::format(
-        "The jet cuts through after {}{}; at the end no piece of the workpiece is left that "
-        "is larger than 5% of it.",
-        time, way_clause(outcome));
-  return fmt::format("The jet cuts through after {}{}; at the end the workpiece is in {} {}.", time,
-                     way_clause(outcome), pieces, pieces == 1 ? "piece" : "pieces");
+    return start + "; at the end no piece of the workpiece is left that is larger than 5% of it.";
+  if (pieces == 1 && cut.severed)
+    return start + "; at the end one piece of the workpiece is larger than 5% of it.";
+  return fmt::format("{}; at the end the workpiece is in {} {}.", start, pieces,
+                     pieces == 1 ? "piece" : "pieces");
 }
 
 }  // namespace

@@ -73,6 +73,9 @@ void write_fields(const Handle& group, const Frame& frame) {
     const auto& values = stored(column);
     write_field(group, name, block_of(values), unit);
   });
+  for_each_piece_column(frame, [&](const char* name, const char* unit, const auto& values) {
+    if (!values.empty()) write_field(group, name, block_of(values), unit);
+  });
   for (const Column& column : frame.columns) {
     const auto components = static_cast<std::size_t>(column.components);
     require(column.values.size() == components * frame.position.size(), "a column's length");

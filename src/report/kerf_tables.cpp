@@ -55,15 +55,15 @@ std::string removal_table(const Json& result) {
   return html::table("Removal, damage and splash", rows);
 }
 
-// A body outside the path of the jet has only a removed share.
+// A body outside the path of the jet has only a removed share. Results of earlier versions have no
+// verdict on a layer.
 Row layer_row(const Json& layer) {
   const double share = value_of(layer.at("removed_volume")) / value_of(layer.at("volume"));
   const double thickness = value_of(layer.at("thickness"));
-  std::string fate = "not under the jet", extent;
-  if (layer.at("through").get<bool>())
-    fate = "cut through";
-  else if (thickness > 0.0)
-    fate = html::quantity(value_of(layer.at("depth")), "m") + " deep";
+  std::string fate = layer.value("verdict", ""), extent;
+  if (fate.empty()) fate = layer.at("through").get<bool>() ? "cut through" : "cut in part";
+  if (fate != "cut through" && fate != "whole" && thickness > 0.0)
+    fate += ", " + html::quantity(value_of(layer.at("depth")), "m") + " deep";
   if (thickness > 0.0)
     extent =
         fmt::format(", {} of {}", html::quantity(value_of(layer.at("middle").at("width")), "m"),

@@ -23,11 +23,12 @@ std::string machine_table(const nlohmann::ordered_json& result);
 // `kerf` of result.json.
 std::string workpiece_table(const nlohmann::ordered_json& kerf, const Case& description);
 
-// Returns whether the workpiece is in two although the kerf does not go through: the rest has a
-// crack.
+// Returns whether the workpiece is cut through although the kerf goes through nowhere on the path:
+// the rest has a crack.
 inline bool is_parted(const nlohmann::ordered_json& result) {
   return result.contains("kerf") && result.at("cut_through").get<bool>() &&
-         !result.at("kerf").at("through").get<bool>();
+         !result.at("kerf").at("through").get<bool>() &&
+         !(value_of(result.at("kerf").at("through_share")) > 0.0);
 }
 
 // Returns the part on the kerf and the machine, a drawing and tables; empty for a run without a

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A frame: the particles of a run at one instant, on the host, in SI units. Every frame has the
-// named columns of `Frame`, which analyses read; `columns` holds the further fields that the tables
-// of fields show (particles/fields.hpp, standard/solid_show.hpp).
+// named columns of `Frame`, which analyses read; those of pieces are empty in formulations without
+// bonds. `columns` holds the further fields that the tables of fields show (particles/fields.hpp,
+// standard/solid_show.hpp).
 #pragma once
 
 #include <array>
@@ -36,6 +37,12 @@ struct Frame {
   std::vector<float> density;          // kg/m^3
   std::vector<float> pressure;         // Pa
   std::vector<std::uint8_t> upstream;  // 1 = jet water still inside the nozzle
+  // Particles of solids that unbroken bonds join, directly or through others, have the same number
+  // in `piece`: the smallest id among them. Bonds to other bodies do not count in `body_piece`.
+  std::vector<std::uint32_t> piece, body_piece;
+  // The symmetry planes across which bonds join the piece within the body to its mirror image, as
+  // bits in the order x-, x+, y-, y+, z-, z+; empty without such planes.
+  std::vector<std::uint8_t> joined_planes;
   std::vector<Column> columns;         // tensors as xx yy zz xy yz xz
 };
 
@@ -51,6 +58,14 @@ void for_each_column(AnyFrame& frame, const Visit& visit) {
   visit("density", "kg/m3", frame.density);
   visit("pressure", "Pa", frame.pressure);
   visit("upstream", "1", frame.upstream);
+}
+
+// Calls visit(name, unit, values) for the columns of the pieces of solids with bonds.
+template <class AnyFrame, class Visit>
+void for_each_piece_column(AnyFrame& frame, const Visit& visit) {
+  visit("piece", "1", frame.piece);
+  visit("body_piece", "1", frame.body_piece);
+  visit("joined_planes", "1", frame.joined_planes);
 }
 
 // Returns the further column of that name, or null.

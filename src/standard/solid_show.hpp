@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The columns of frames that show the solids of the `standard` formulation: the deviatoric stress
-// and the table of numbers below, such as the share of the bonds of a particle that is broken.
+// The columns of frames that show the solids of the `standard` formulation: the pieces, the
+// deviatoric stress and the table of numbers below, such as the share of the bonds of a particle
+// that is broken.
 #pragma once
 
 #include <array>
@@ -8,6 +9,7 @@
 #include "simulation/snapshot.hpp"
 #include "solid/stress_response.hpp"
 #include "standard/solid_link.hpp"
+#include "standard/solid_pieces.hpp"
 
 namespace kerf {
 
@@ -21,6 +23,7 @@ class SolidOnHost {
         medium_index_(to_host(fields.medium_index)),
         begin_(to_host(fields.bond_begin)),
         count_(to_host(fields.bond_count)),
+        entry_(to_host(fields.bond_entry)),
         intact_(to_host(fields.bond_intact)),
         gradient_(to_host(fields.gradient)),
         share_(to_host(fields.elastic_share)),
@@ -33,10 +36,11 @@ class SolidOnHost {
     for (std::size_t s = 0; s < flow_.size(); ++s)
       if (detached_[s]) flow_[s] = start[s];
     view_.any_flows = fields.any_flows;
-    view_.any_flaws = fields.any_flaws;
     view_.any_softens = fields.any_softens;
+    view_.any_flaws = fields.any_flaws;
+    view_.current_strain = strain_.data();
     view_.flaws = flaws_.data();
-    view_.bonds = {begin_.data(), count_.data(), nullptr, {}};
+    view_.bonds = {begin_.data(), count_.data(), entry_.data(), fields.mirrors};
     view_.words = fields.words;
     view_.bond_intact = intact_.data();
     view_.media = media_.data();
@@ -51,6 +55,13 @@ class SolidOnHost {
   SymmetricTensor<D, Real> stress(Index s) const {
     if (detached_[s]) return SymmetricTensor<D, Real>::zero();
     return cauchy_now(view_, s);
+  }
+  const SolidView<D, P>& view() const { return view_; }
+  Index size() const { return static_cast<Index>(medium_index_.size()); }
+  // Returns the share of its tension that softening or flaws have left to a particle.
+  Real tension_left(Index s) const {
+    if (view_.softens(s)) return undamaged_share(view_.medium(s), strain_[s]);
+    return Real(1) - view_.damage(s);
   }
   bool any_flows() const { return view_.any_flows; }
   bool any_flaws() const { return view_.any_flaws; }
@@ -70,6 +81,7 @@ class SolidOnHost {
   std::vector<std::uint16_t> medium_index_;
   std::vector<Index> begin_;
   std::vector<std::uint16_t> count_;
+  std::vector<Index> entry_;
   std::vector<std::uint32_t> intact_;
   std::vector<Matrix<D, Real>> gradient_;
   std::vector<Real> share_, strain_;
@@ -106,8 +118,31 @@ constexpr auto shown_solid_fields() {
   }};
 }
 
-// Adds the columns of the solid to a frame: the deviatoric stress, then those of the table. Other
-// particles have zeros. `number_of_id`: solid number of a particle's id, or no_index.
+// Adds the pieces of the solid to a frame. Other particles are pieces of their own. `solid_of`: the
+// solid number of each row, or no_index.
+template <int D, class P>
+void show_pieces(const SolidOnHost<D, P>& solid, const std::vector<Index>& solid_of, Frame& frame) {
+  std::vector<std::uint16_t> body(solid.size(), 0);
+  std::vector<std::uint32_t> id(solid.size(), 0);
+  for (std::size_t i = 0; i < solid_of.size(); ++i) {
+    if (solid_of[i] == no_index) continue;
+    body[solid_of[i]] = frame.source[i];
+    id[solid_of[i]] = frame.id[i];
+  }
+  const SolidPieces pieces = find_solid_pieces<D>(solid, body);
+  frame.piece = frame.body_piece = frame.id;
+  if (solid.view().has_mirrors()) frame.joined_planes.assign(frame.id.size(), 0);
+  for (std::size_t i = 0; i < solid_of.size(); ++i) {
+    const Index s = solid_of[i];
+    if (s == no_index) continue;
+    frame.piece[i] = id[pieces.piece[s]];
+    frame.body_piece[i] = id[pieces.body_piece[s]];
+    if (!frame.joined_planes.empty()) frame.joined_planes[i] = pieces.planes[s];
+  }
+}
+
+// Adds the columns of the solid to a frame: the pieces, the deviatoric stress, then those of the
+// table. Other particles have zeros. `number_of_id`: solid number of a particle's id, or no_index.
 template <int D, class P>
 void show_solid(const SolidFields<D, P>& fields, const Array<Index>& number_of_id, Frame& frame) {
   const SolidOnHost<D, P> solid(fields);
@@ -115,6 +150,7 @@ void show_solid(const SolidFields<D, P>& fields, const Array<Index>& number_of_i
   std::vector<Index> solid_of(frame.id.size(), no_index);
   for (std::size_t i = 0; i < frame.id.size(); ++i)
     if (frame.id[i] < number.size()) solid_of[i] = number[frame.id[i]];
+  show_pieces(solid, solid_of, frame);
   Column stress{"deviatoric_stress", "Pa", 6, {}, "deviatoric stress"};
   for (const Index s : solid_of) {
     auto sigma = SymmetricTensor<D, typename P::Real>::zero();

@@ -30,6 +30,7 @@ inline Case make_case(int dimension, double angle = 0.0) {
   water.density = 1000.0;
   tofu.kind = MaterialKind::elastic;
   tofu.density = 940.0;
+  tofu.failure_strain = 0.1;
   description.materials = {water, tofu};
   Body block;
   block.name = "block";

@@ -109,6 +109,7 @@ TEST_F(ChangedReport, DistinguishesACrackFromAKerf) {
   kerf["through"] = true;
   EXPECT_THAT(page(), Not(HasSubstr(words)));
   kerf["through"] = false;
+  kerf["through_share"] = 0.0;
   EXPECT_THAT(page(), AllOf(HasSubstr("Below 5.34\u202fmm it " + words + "."),
                             HasSubstr("data-line=\"crack\""), HasSubstr("crack, without loss"),
                             HasSubstr("below it " + words)));

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/unbroken.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/kerf_sections.hpp"
+
+namespace kerf {
+namespace {
+
+constexpr double samples_per_spacing = 2.0;
+constexpr double nothing = 1e-6;  // spacings, of rounding
+
+// A grid of columns across the jet, each with a length along it.
+struct Columns {
+  std::array<double, 2> low{};  // m, edges of the first column
+  std::array<std::size_t, 2> count{1, 1};
+  std::array<std::size_t, 2> window{1, 1};  // columns
+  double step = 0.0;                        // m
+  std::vector<double> laid_out, standing, unbroken;
+};
+
+Columns make_columns(const KerfView& view, const KerfAxes& axes, const KerfPath& path) {
+  const double spacing = view.workpiece.axis_spacing, width = axes.jet.width;
+  const double breadth = std::max(depth_breadth_fraction * width, 2.0 * spacing);
+  Columns columns;
+  columns.step = spacing / samples_per_spacing;
+  for (std::size_t a = 0; a < (view.frame.dimension == 3 ? 2u : 1u); ++a) {
+    const double low = std::min(path.begin[a], path.end[a]) - width / 2.0;
+    const double high = std::max(path.begin[a], path.end[a]) + width / 2.0;
+    const double length = std::max(high - low, breadth);
+    columns.window[a] = static_cast<std::size_t>(std::lround(breadth / columns.step));
+    columns.count[a] = std::max(columns.window[a],
+                                static_cast<std::size_t>(std::lround(length / columns.step)));
+    columns.low[a] = (low + high - static_cast<double>(columns.count[a]) * columns.step) / 2.0;
+  }
+  columns.laid_out.assign(columns.count[0] * columns.count[1], 0.0);
+  columns.standing = columns.unbroken = columns.laid_out;
+  return columns;
+}
+
+// The columns of one direction that a particle covers, and the part that it covers of each.
+struct Cover {
+  std::size_t first = 0;
+  std::vector<double> part;
+};
+
+Cover cover(const Columns& columns, std::size_t axis, double centre, double size) {
+  const double begin = (centre - size / 2.0 - columns.low[axis]) / columns.step;
+  const double end = begin + size / columns.step;
+  Cover result;
+  const double first = std::max(0.0, std::floor(begin));
+  const double last = std::min(end, static_cast<double>(columns.count[axis]));
+  result.first = static_cast<std::size_t>(first);
+  for (double n = first; n < last; n += 1.0)
+    result.part.push_back(std::min(n + 1.0, end) - std::max(n, begin));
+  return result;
+}
+
+void add(const Columns& columns, const SolidPoint& point, int dimension,
+         std::vector<double>& lengths) {
+  const Cover across = cover(columns, 0, point.position[0], point.size);
+  const Cover along =
+      dimension == 3 ? cover(columns, 1, point.position[1], point.size) : Cover{0, {1.0}};
+  const double height = point.volume / std::pow(point.size, dimension - 1);
+  for (std::size_t i = 0; i < across.part.size(); ++i)
+    for (std::size_t j = 0; j < along.part.size(); ++j)
+      lengths[(across.first + i) * columns.count[1] + along.first + j] +=
+          height * across.part[i] * along.part[j];
+}
+
+// Returns whether each particle of a frame is torn, by row.
+std::vector<std::uint8_t> find_torn(const Frame& frame) {
+  std::vector<std::uint8_t> torn(frame.id.size(), 0);
+  if (const Column* damage = find_column(frame, "damage"))
+    for (std::size_t row = 0; row < torn.size(); ++row)
+      torn[row] = static_cast<double>(damage->values[row]) > torn_share ? 1 : 0;
+  return torn;
+}
+
+// Returns the means of the lengths over the window that begins at each column.
+std::vector<double> window_means(const Columns& columns, const std::vector<double>& lengths) {
+  const auto [rows, aside] = columns.count;
+  const auto [high, broad] = columns.window;
+  std::vector<double> sums((rows + 1) * (aside + 1), 0.0), means;
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < aside; ++j)
+      sums[(i + 1) * (aside + 1) + j + 1] = lengths[i * aside + j] + sums[i * (aside + 1) + j + 1] +
+                                            sums[(i + 1) * (aside + 1) + j] -
+                                            sums[i * (aside + 1) + j];
+  for (std::size_t i = 0; i + high <= rows; ++i)
+    for (std::size_t j = 0; j + broad <= aside; ++j)
+      means.push_back((sums[(i + high) * (aside + 1) + j + broad] - sums[i * (aside + 1) + j + broad] -
+                       sums[(i + high) * (aside + 1) + j] + sums[i * (aside + 1) + j]) /
+                      static_cast<double>(high * broad));
+  return means;
+}
+
+}  // namespace
+
+UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
+                                   const KerfPath& path) {
+  Columns columns = make_columns(view, axes, path);
+  const std::vector<std::uint8_t> torn = find_torn(view.frame);
+  const Workpiece& workpiece = view.workpiece;
+  const int dimension = view.frame.dimension;
+  for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
+    if (!view.holds(slot)) continue;
+    const SolidPoint point{axes.local(workpiece.position[slot]), workpiece.volume[slot],
+                           workpiece.size[slot]};
+    add(columns, point, dimension, columns.laid_out);
+    if (!view.standing[slot]) continue;
+    add(columns, point, dimension, columns.standing);
+    if (!torn[view.rows[slot]]) add(columns, point, dimension, columns.unbroken);
+  }
+  const auto laid_out = window_means(columns, columns.laid_out);
+  const auto standing = window_means(columns, columns.standing);
+  const auto unbroken = window_means(columns, columns.unbroken);
+  const double spacing = workpiece.axis_spacing, none = nothing * spacing;
+  UnbrokenThickness least;
+  double share = 2.0;
+  for (std::size_t n = 0; n < laid_out.size(); ++n) {
+    if (laid_out[n] < spacing / 2.0) continue;
+    least.is_open = least.is_open || standing[n] <= none;
+    least.is_torn_through = least.is_torn_through || unbroken[n] <= none;
+    const double here = unbroken[n] / laid_out[n];
+    if (here > share || (here == share && laid_out[n] <= least.laid_out)) continue;
+    share = here;
+    least.laid_out = laid_out[n];
+    least.standing = standing[n];
+    least.unbroken = unbroken[n];
+  }
+  return least;
+}
+
+}  // namespace kerf

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The least thickness of a body that is still unbroken in the way of the jet, on the initial
+// layout: a layer that the jet has pushed ahead or stretched keeps the thickness that it was laid
+// out with.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "analysis/kerf_map.hpp"
+
+namespace kerf {
+
+// A particle is torn if it has lost more than this share of its bonds (the column "damage"): one
+// beside a clean crack has lost 0.4 of them in 2D and in 3D, one in the row behind it 0.15.
+inline constexpr double torn_share = 0.3;
+
+// Lengths along the jet, m, means over the window across the jet with the least share of unbroken
+// solid. A window is as broad as that for the depth of a kerf (analysis/kerf_sections.hpp).
+struct UnbrokenThickness {
+  double laid_out = 0.0;
+  double standing = 0.0;  // the least of any window
+  double unbroken = 0.0;  // of particles that stand and are not torn
+  bool is_open = false;     // there is a window without standing solid
+  bool is_torn_through = false;  // there is a window without unbroken solid
+};
+
+// Measures the body `view.body` in the space of the jet along the path.
+UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
+                                   const KerfPath& path);
+
+}  // namespace kerf
