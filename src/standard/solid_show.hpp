@@ -47,7 +47,6 @@ class SolidOnHost {
     view_.medium_index = medium_index_.data();
     view_.gradient = gradient_.data();
     view_.elastic_share = share_.data();
-    view_.current_strain = strain_.data();
     view_.current_flow = flow_.data();
   }
   SolidOnHost(const SolidOnHost&) = delete;  // the view points to the vectors of this object

@@ -70,7 +70,8 @@ class BondGraph {
   void for_each_bond(std::size_t a, bool within_bodies, const Visit& visit) const {
     const Cell own = cell_of(initial_.position[a]);
     for (int n = 0; n < 27; ++n) {
-      const auto found = cells_.find({own[0] + n % 3 - 1, own[1] + n / 3 % 3 - 1, own[2] + n / 9 - 1});
+      const auto found =
+          cells_.find({own[0] + n % 3 - 1, own[1] + n / 3 % 3 - 1, own[2] + n / 9 - 1});
       if (found == cells_.end()) continue;
       for (const std::size_t b : found->second)
         if (is_bond(a, b, within_bodies)) visit(b);
@@ -94,9 +95,8 @@ inline void bond(const Frame& initial, Frame& frame, const Breaks& breaks = brea
 
 // The bonds that cross a line from the top face to the bottom one, x = at(y), break.
 inline Breaks crack(const std::function<double(double)>& at) {
-  return [at](const Position& x, const Position& y) {
-    return (x[0] < at(x[1])) != (y[0] < at(y[1]));
-  };
+  return
+      [at](const Position& x, const Position& y) { return (x[0] < at(x[1])) != (y[0] < at(y[1])); };
 }
 
 // A share of all other bonds breaks at random: the same for both orders of its ends.

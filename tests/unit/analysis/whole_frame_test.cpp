@@ -158,8 +158,8 @@ void expect_equal(const Metrics& part, const Metrics& whole, const std::string& 
         EXPECT_TRUE(std::isnan(other[n])) << what << " " << name;
         continue;
       }
-      // The sums have another order; faces are found in a field of single precision, to some 1e-3 of
-      // a spacing where it is flat.
+      // The sums have another order; faces are found in a field of single precision, to some 1e-3
+      // of a spacing where it is flat.
       EXPECT_NEAR(other[n], values[n], 3e-4 * std::abs(values[n]) + 1e-9) << what << " " << name;
     }
   }
@@ -180,7 +180,8 @@ TEST(WholeFrame, HalfAndQuarterHaveTheMetricsOfTheWhole) {
         if (quarter && dimension == 2) continue;
         const Metrics part(plate.description(true, quarter), Plate::part_of(initial, quarter),
                            Plate::part_of(cut, quarter));
-        expect_equal(part, whole, fmt::format("{}D, depth {}, quarter {}", dimension, depth, quarter));
+        expect_equal(part, whole,
+                     fmt::format("{}D, depth {}, quarter {}", dimension, depth, quarter));
       }
     }
 }

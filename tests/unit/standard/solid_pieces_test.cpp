@@ -94,9 +94,9 @@ TYPED_TEST(SolidPiecesOf, EqualThoseOfASearchOverAllPairs) {
     for (std::uint16_t& one : body) one = static_cast<std::uint16_t>(engine() % 2);
     const SolidPieces pieces = this->pieces_of(solid, body);
     EXPECT_EQ(pieces.piece, this->spread(graph, [](Index, Index) { return true; })) << seed;
-    EXPECT_EQ(pieces.body_piece,
-              this->spread(graph, [&](Index i, Index j) { return body[i] == body[j]; }))
-        << seed;
+    EXPECT_EQ(pieces.body_piece, this->spread(graph, [&](Index i, Index j) {
+      return body[i] == body[j];
+    })) << seed;
   }
 }
 
@@ -112,7 +112,8 @@ TYPED_TEST(SolidPiecesOf, CountBondsThatStillTransmitTension) {
     for (Index i = 0; i < solid.size(); ++i) {
       softened[i] = ends(engine);
       // Just before the end of softening a particle still bears a little.
-      solid.view().current_strain[i] = static_cast<typename TypeParam::Real>(softened[i] ? 0.5 : 0.499);
+      solid.view().current_strain[i] =
+          static_cast<typename TypeParam::Real>(softened[i] ? 0.5 : 0.499);
     }
     const SolidPieces pieces = this->pieces_of(solid, std::vector<std::uint16_t>(solid.size(), 0));
     EXPECT_EQ(pieces.piece, this->spread(graph, [&](Index i, Index j) {
