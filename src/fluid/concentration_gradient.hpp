@@ -5,6 +5,7 @@
 // neighbours was in a free surface at the end of the last step.
 #pragma once
 
+#include "fluid/rigid_wall.hpp"
 #include "fluid/same_fluid_sums.hpp"
 #include "pairs/pair.hpp"
 
@@ -34,7 +35,12 @@ struct ConcentrationGradientSum {
   }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
-    sum.gradient += pair.medium_j->volume * pair.gradient;
+    if (pair.medium_j->phase == Phase::rigid && particles.is_fluid(pair.i))
+      sum.gradient -= (pair.medium_j->volume * (Real(1) + particles.wall_force_excess[pair.i]) *
+                       pair.slope_per_distance) *
+                      rigid_wall_arm(particles, pair).arm;
+    else
+      sum.gradient += pair.medium_j->volume * pair.gradient;
     sum.near_free_surface |= particles.is_fluid(pair.j) && particles.has(pair.j, flag::surface);
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>&, Index i, const Sum& sum) const {

@@ -18,6 +18,7 @@ struct FluidContinuity {
   static constexpr bool includes_rigid = false;
   struct Sum {
     Real compression_rate{};  // 1/s, minus the volumetric strain rate
+    Real by_rigid_walls{};    // 1/s, the part of rigid walls, beside it
     Vector<D, Real> wall{};   // 1/m, - sum V nabla W over the wall, along its normal
   };
   FluidPair<D, P> fluid_pair;
@@ -33,16 +34,23 @@ struct FluidContinuity {
     const PairInteraction kind = interaction_of(particles, pair);
     if (kind != PairInteraction::interior && kind != PairInteraction::j_is_wall) return;
     if (!(pair.distance > Real(0))) return;
-    const auto star = fluid_pair(particles, pair, kind);
-    const Real u_i = -dot(particles.velocity[pair.i], pair.separation) / pair.distance;
     const Real volume = volume_of(particles, pair.j, *pair.medium_j);
     const Real weight = Real(2) * fluid_pair.gradient_factor(particles, pair) *
                         pair_weight(volume, pair.slope_per_distance);
-    sum.compression_rate -= pair_strain_rate(weight, pair.distance, star.speed - u_i);
     if (kind == PairInteraction::j_is_wall) sum.wall -= volume * pair.gradient;
+    if (kind == PairInteraction::j_is_wall && pair.medium_j->phase == Phase::rigid) {
+      sum.by_rigid_walls -= weight * fluid_pair.at_rigid_wall(particles, pair).parting;
+      return;
+    }
+    const auto star = fluid_pair(particles, pair, kind);
+    const Real u_i = -dot(particles.velocity[pair.i], pair.separation) / pair.distance;
+    sum.compression_rate -= pair_strain_rate(weight, pair.distance, star.speed - u_i);
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
-    particles.compression_rate[i] = (Real(1) + particles.compression[i]) * sum.compression_rate;
+    const bool is_compressed = sum.by_rigid_walls > Real(0);
+    const Real share = Real(1) - (is_compressed ? room_at_wall(particles, i) : Real(0));
+    particles.compression_rate[i] =
+        (Real(1) + particles.compression[i]) * (sum.compression_rate + share * sum.by_rigid_walls);
     const Real length = norm(sum.wall);
     const bool plain = length * particles.medium(i).smoothing_length > Real(least_wall);
     particles.next_wall_normal[i] = plain ? (Real(1) / length) * sum.wall : Vector<D, Real>::zero();

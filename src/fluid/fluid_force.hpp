@@ -31,17 +31,23 @@ struct FluidForce {
                          Sum& sum) const {
     const PairInteraction kind = interaction_of(particles, pair);
     if (kind == PairInteraction::nothing || !(pair.distance > Real(0))) return;
-    const auto star = fluid_pair(particles, pair, kind);
     const Real weight =
         Real(2) * fluid_pair.gradient_factor(particles, pair) *
         volume_of(particles, pair.i, *pair.medium_i) *
         pair_weight(volume_of(particles, pair.j, *pair.medium_j), pair.slope_per_distance);
+    if (kind == PairInteraction::j_is_wall && pair.medium_j->phase == Phase::rigid) {
+      const auto star = fluid_pair.at_rigid_wall(particles, pair);
+      sum.pressure_force += weight * star.pressure;
+      sum.dissipative_force += weight * star.dissipation;
+      sum.wall_force += weight * (star.pressure + star.dissipation);
+      return;
+    }
+    const auto star = fluid_pair(particles, pair, kind);
     const auto pressure_force = pair_force(weight, star.mean_pressure, pair.separation);
     const auto dissipative_force =
         pair_force(weight, star.dissipation, fluid_pair.damped_direction(particles, pair, kind));
     sum.pressure_force += pressure_force;
     sum.dissipative_force += dissipative_force;
-    if (pair.medium_j->phase == Phase::rigid) sum.wall_force += pressure_force + dissipative_force;
   }
   KERF_FUNCTION static Vector<D, Real> force(const Sum& sum) {
     return sum.pressure_force + sum.dissipative_force - sum.wall_force;

@@ -8,6 +8,7 @@
 
 #include "fluid/delta_sph.hpp"
 #include "fluid/riemann.hpp"
+#include "fluid/rigid_wall.hpp"
 #include "fluid/water_viscosity.hpp"
 #include "materials/equation_of_state.hpp"
 #include "model/water_scheme.hpp"
@@ -28,6 +29,15 @@ KERF_FUNCTION PairInteraction interaction_of(const ParticleView<D, P>& particles
   if (fluid_j) return PairInteraction::i_is_wall;
   return is_one_volume(particles, pair) ? PairInteraction::interior : PairInteraction::nothing;
 }
+
+// What a rigid particle does to a fluid particle, with the vector of fluid/rigid_wall.hpp in place
+// of d_ij.
+template <int D, class Real>
+struct RigidWallStar {
+  Vector<D, Real> pressure;     // Pa m, P* times that vector
+  Vector<D, Real> dissipation;  // Pa m, P_d times it
+  Real parting;                 // m^2/s, in place of r (U* - U_i)
+};
 
 template <int D, class P>
 struct FluidPair {
@@ -80,6 +90,30 @@ struct FluidPair {
     star.dissipation =
         solve_riemann_at_wall(side(particles, fluid, medium, into), Real(0), Real(0)).dissipation;
     return star;
+  }
+
+  // Returns what the rigid particle j does to the fluid particle i.
+  KERF_FUNCTION RigidWallStar<D, Real> at_rigid_wall(const ParticleView<D, P>& particles,
+                                                     const Pair<D, P>& pair) const {
+    const auto wall = rigid_wall_arm(particles, pair);
+    if (!wall.is_smooth) {
+      const auto kind = PairInteraction::j_is_wall;
+      const auto star = (*this)(particles, pair, kind);
+      const Real u_i = -dot(particles.velocity[pair.i], pair.separation) / pair.distance;
+      return {star.mean_pressure * pair.separation,
+              star.dissipation * damped_direction(particles, pair, kind),
+              pair.distance * (star.speed - u_i)};
+    }
+    const Real length = norm(wall.arm), parting = dot(wall.arm, pair.velocity);
+    if (!(length > Real(0))) return {wall.arm, wall.arm, Real(0)};
+    const Real rise = -particles.density(pair.i) * dot(gravity, pair.separation);
+    const auto star = solve_riemann_at_wall(
+        side(particles, pair.i, *pair.medium_i, -parting / length), Real(0), rise);
+    const Real factor = Real(1) + particles.wall_force_excess[pair.i];
+    const Real damping = Real(1) - room_at_wall(particles, pair.i);
+    return {(factor * star.mean_pressure) * wall.arm,
+            (factor * damping * star.dissipation) * wall.arm,
+            factor * (parting + pair.distance * star.speed)};
   }
 
   // Returns the direction along which P_d acts on i, m: d_ij between two fluids, beside a wall the

@@ -60,6 +60,28 @@ double distance_to_edge(const Point& a, const Point& b, const Point& point) {
   return std::sqrt(dot(rest, rest));
 }
 
+Point along(const Point& start, double part, const Point& edge) {
+  return {start[0] + part * edge[0], start[1] + part * edge[1], start[2] + part * edge[2]};
+}
+
+// Returns the point of a triangle, whose unit normal is given, that is nearest to `point`.
+Point nearest_on_triangle(const Corners& corners, const Point& normal, const Point& point) {
+  bool above = true;
+  double nearest = std::numeric_limits<double>::infinity();
+  Point result{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point &a = corners[k], &b = corners[(k + 1) % 3];
+    const Point edge = difference(b, a), way = difference(point, a);
+    above = above && dot(cross(edge, way), normal) >= 0.0;
+    const Point foot = along(a, std::clamp(dot(way, edge) / dot(edge, edge), 0.0, 1.0), edge);
+    const Point rest = difference(point, foot);
+    if (dot(rest, rest) >= nearest) continue;
+    nearest = dot(rest, rest);
+    result = foot;
+  }
+  return above ? along(point, -dot(difference(point, corners[0]), normal), normal) : result;
+}
+
 double distance_to_triangle(const Corners& corners, const Point& point) {
   const Point normal =
       cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
@@ -177,6 +199,23 @@ bool ClosedSurface::contains(const Point& point) const {
     if (!(point[a] >= box_.minimum[a] - slack_ && point[a] <= box_.maximum[a] + slack_))
       return false;
   return is_on_surface(point) || winding(point) != 0;
+}
+
+std::vector<ClosedSurface::Foot> ClosedSurface::feet(const Point& point, double reach) const {
+  std::vector<Foot> feet;
+  tree_->visit(
+      bounds_of(along(point, -reach, {1.0, 1.0, 1.0}), along(point, reach, {1.0, 1.0, 1.0})),
+      [&](std::uint32_t number) {
+        const Corners corners = corners_of(mesh_, number);
+        const Point area =
+            cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
+        const double size = std::sqrt(dot(area, area));
+        if (!(size > 0.0)) return true;
+        const Point normal = along({}, 1.0 / size, area);
+        feet.push_back({nearest_on_triangle(corners, normal, point), normal});
+        return true;
+      });
+  return feet;
 }
 
 double ClosedSurface::volume() const {

@@ -22,6 +22,11 @@ namespace kerf {
 
 class ClosedSurface {
  public:
+  // The point of a triangle that is nearest to some point, and the normal of the triangle.
+  struct Foot {
+    Point point{};   // m
+    Point normal{};  // unit vector
+  };
   // `mesh` must be closed: find_opening(mesh) is empty.
   explicit ClosedSurface(TriangleMesh mesh);
   ~ClosedSurface();
@@ -31,6 +36,8 @@ class ClosedSurface {
   // Returns whether the point is inside or on the surface, to within 1e-6 of the longest edge of
   // the box, because files hold seven digits.
   bool contains(const Point& point) const;
+  // Returns the feet of the point on the triangles that come within `reach` (m) along each axis.
+  std::vector<Foot> feet(const Point& point, double reach) const;
   const Box& box() const { return box_; }
   std::size_t triangles() const { return mesh_.triangles.size(); }
   const TriangleMesh& mesh() const { return mesh_; }

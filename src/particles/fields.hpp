@@ -35,6 +35,12 @@ namespace kerf {
   STATE(Real, compression_rate, 0, always, hidden)                   /* 1/s */                     \
   STATE(RealVector, last_acceleration, RealVector(), always, hidden) /* m/s^2, of the last step */ \
   STATE(RealVector, wall_normal, RealVector(), always, hidden)       /* 1, to a wall; 0 = none */  \
+  STATE(RealVector, face_normal, RealVector::from(start.face_normal), always, hidden) /* 1, of a */ \
+  /* rigid particle: of the face nearest to it; of fluid: of the rigid wall beside it; 0 = none */ \
+  STATE(Real, face_depth, start.face_depth, always, hidden) /* m, of a rigid particle below it */  \
+  STATE(Real, wall_force_excess, 0, always, hidden)  /* 1, of fluid: what the sums over the */     \
+  STATE(Real, wall_volume_excess, 0, always, hidden) /* 1, rigid wall beside it need more, and */  \
+  STATE(Real, wall_room, 0, always, hidden) /* 1, its room before it: fluid/rigid_wall.hpp */      \
   STATE(Real, pressure_work, medium.tait.energy(medium, medium.initial_compression), always, hidden)     \
   STATE(Real, inlet_speed, start.inlet_speed, always, hidden)        /* m/s, inside a nozzle */    \
   STATE(std::uint32_t, id, start.id, always, hidden)                 /* unique, never reused */    \
@@ -50,6 +56,7 @@ namespace kerf {
   SCRATCH(Real, start_compression, always, hidden)               /* 1 */                           \
   SCRATCH(Real, pressure, always, hidden)                        /* Pa */                          \
   SCRATCH(RealVector, next_wall_normal, always, hidden)          /* 1, the next wall_normal */     \
+  SCRATCH(RigidWallState, next_rigid_wall, always, hidden)       /* of fluid, the next one */      \
   SCRATCH(Real, kernel_sum, always, hidden) /* 1, sum of V W; 1 inside matter */                   \
   SCRATCH(Real, max_relative_velocity, always, hidden)           /* 1/s, of fluid neighbours */    \
   SCRATCH(RealVector, acceleration, always, hidden)              /* m/s^2 */                       \
@@ -91,6 +98,16 @@ struct ContactState {
   KERF_FUNCTION static ContactState none() { return {T(0), T(0), T(0), Vector<D, T>::zero()}; }
 };
 
+// What the sums over the rigid walls beside a fluid particle tell (fluid/rigid_wall.hpp).
+template <int D, class T>
+struct RigidWall {
+  Vector<D, T> normal;                  // 1, into the fluid; 0: none, an edge or a corner
+  T force_excess, volume_excess, room;  // 1
+  bool is_corner;
+
+  KERF_FUNCTION static RigidWall none() { return {Vector<D, T>::zero(), T(0), T(0), T(0), false}; }
+};
+
 // The row of a field, for visitors of the fields.
 template <bool State>
 struct FieldRow {
@@ -107,6 +124,7 @@ struct FieldTypes {
   using Gradient = Matrix<D, Real>;
   using Spin = SkewTensor<D, Real>;
   using SurfaceContactState = ContactState<D, Real>;
+  using RigidWallState = RigidWall<D, Real>;
 };
 
 // The view of the particles that loop bodies get: plain pointers.
@@ -119,6 +137,7 @@ struct ParticleView : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::Gradient;
   using typename FieldTypes<D, P>::Spin;
   using typename FieldTypes<D, P>::SurfaceContactState;
+  using typename FieldTypes<D, P>::RigidWallState;
 #define KERF_STATE(type, name, initial, group, shown) type* name;  // null without its group
 #define KERF_SCRATCH(type, name, group, shown) type* name;
   KERF_PARTICLE_FIELDS(KERF_STATE, KERF_SCRATCH)
@@ -161,6 +180,7 @@ class Particles : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::Gradient;
   using typename FieldTypes<D, P>::Spin;
   using typename FieldTypes<D, P>::SurfaceContactState;
+  using typename FieldTypes<D, P>::RigidWallState;
 
 #define KERF_STATE(type, name, initial, group, shown) Array<type> name;
 #define KERF_SCRATCH(type, name, group, shown) Array<type> name;

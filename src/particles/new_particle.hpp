@@ -9,18 +9,21 @@
 namespace kerf {
 
 namespace flag {
-inline constexpr std::uint8_t repelling = 1;  // repels, eq. (43) of Shinohara et al. (2004)
-inline constexpr std::uint8_t upstream = 2;   // jet water still inside its nozzle
-inline constexpr std::uint8_t outside = 4;    // has left the domain: to be removed
-inline constexpr std::uint8_t erased = 8;     // flowed back towards its nozzle: to be removed
-inline constexpr std::uint8_t fitted = 16;    // beside a jump of the spacing of its body
-inline constexpr std::uint8_t surface = 32;   // its kernel sum is not full: near a free surface
+inline constexpr std::uint8_t repelling = 1;   // repels, eq. (43) of Shinohara et al. (2004)
+inline constexpr std::uint8_t upstream = 2;    // jet water still inside its nozzle
+inline constexpr std::uint8_t outside = 4;     // has left the domain: to be removed
+inline constexpr std::uint8_t erased = 8;      // flowed back towards its nozzle: to be removed
+inline constexpr std::uint8_t fitted = 16;     // beside a jump of the spacing of its body
+inline constexpr std::uint8_t surface = 32;    // its kernel sum is not full: near a free surface
+inline constexpr std::uint8_t in_corner = 64;  // fluid in a corner between rigid walls
 }  // namespace flag
 
 struct NewParticle {
   Point position{};          // m
   Point velocity{};          // m/s
   double inlet_speed = 0.0;  // m/s
+  Point face_normal{};       // of a rigid body: outward normal of the face nearest to the particle
+  double face_depth = 0.0;   // m, of the particle below that face
   std::uint32_t id = 0;      // given when it joins
   std::uint16_t source = 0;  // number of its medium (simulation/levels.hpp)
   std::uint8_t flags = 0;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/populate.hpp"
 
+#include <algorithm>
+
 #include "geometry/fill.hpp"
 #include "geometry/graded_fill.hpp"
+#include "geometry/nearest_face.hpp"
 #include "geometry/shapes.hpp"
+#include "kernels/wendland_c2.hpp"
 #include "model/case.hpp"
 #include "model/expression.hpp"
 #include "simulation/inflow.hpp"
@@ -11,6 +15,34 @@
 
 namespace kerf {
 namespace {
+
+// Sets the faces of the rigid body `number` that are nearest to its particles.
+class FaceFinder {
+ public:
+  FaceFinder(const Case& description, std::size_t number)
+      : body_(description.bodies[number]), dimension_(description.dimension) {
+    double coarsest = 0.0;
+    for (const Body& body : description.bodies) coarsest = std::max(coarsest, body.spacing);
+    for (const Jet& jet : description.jets) coarsest = std::max(coarsest, jet.spacing);
+    reach_ = WendlandC2<2>::support * description.smoothing_ratio * coarsest;
+    for (std::size_t b = 0; b < description.bodies.size(); ++b)
+      if (b != number && description.bodies[b].role == Role::rigid)
+        others_.push_back(description.bodies[b].shape);
+  }
+  void find(NewParticle& particle) const {
+    if (body_.role != Role::rigid) return;
+    const auto face = nearest_face(body_.shape, others_, particle.position, reach_, dimension_);
+    if (!face) return;
+    particle.face_normal = face->normal;
+    particle.face_depth = face->depth;
+  }
+
+ private:
+  const Body& body_;
+  int dimension_;
+  double reach_ = 0.0;  // m
+  std::vector<Shape> others_;
+};
 
 // `levels`: the media of its levels.
 void add_body(const Case& description, std::size_t number, const std::vector<std::uint16_t>& levels,
@@ -25,12 +57,14 @@ void add_body(const Case& description, std::size_t number, const std::vector<std
   std::vector<Expression> velocity;
   for (const std::string& component : body.velocity)
     velocity.emplace_back(component, std::vector<std::string>{"x", "y", "z"});
+  const FaceFinder faces(description, number);
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (is_beyond(description.symmetry, description.domain, points[k])) continue;
     NewParticle particle;
     particle.position = points[k];
     particle.source = levels[static_cast<std::size_t>(laid[k].level)];
     particle.flags = repelling[k] ? flag::repelling : std::uint8_t{0};
+    faces.find(particle);
     if (!body.fixed && body.displacement[0].empty() && body.role != Role::rigid)
       for (int a = 0; a < dimension; ++a)
         particle.velocity[static_cast<std::size_t>(a)] =

@@ -14,6 +14,7 @@
 #include "fluid/fluid_pressure.hpp"
 #include "fluid/lattice_sums.hpp"
 #include "fluid/particle_concentration.hpp"
+#include "fluid/rigid_wall.hpp"
 #include "fluid/simd/same_fluid_pairs.hpp"
 #include "fluid/water_viscosity.hpp"
 #include "kernels/wendland_c2.hpp"
@@ -73,7 +74,7 @@ class StandardRates {
     if (has_solids_) sum_surface_overlaps(view, count, list, {contacts()});
     const LoopInput input{view, count, list};
     if (fluid_pair_.scheme == WaterScheme::riemann) {
-      sum_pairs(input, bonds, FluidContinuity<D, P>{fluid_pair_}, KernelSum{},
+      sum_pairs(input, bonds, FluidContinuity<D, P>{fluid_pair_}, RigidWalls{}, KernelSum{},
                 ConcentrationGradientSum<D, P>{concentration_gradient});
       return;
     }
@@ -81,8 +82,8 @@ class StandardRates {
     density_gradient_.resize(count);
     for_each_index(count, PairLoop<D, P, ContactPairs, DensityGradient<D, P>>(
                               view, list, {}, {pointer(density_gradient_)}));
-    run_loop(input, bonds, EveryPair{}, gravity_, FluidContinuity<D, P>{fluid_pair_}, KernelSum{},
-             ConcentrationGradientSum<D, P>{concentration_gradient},
+    run_loop(input, bonds, EveryPair{}, gravity_, FluidContinuity<D, P>{fluid_pair_}, RigidWalls{},
+             KernelSum{}, ConcentrationGradientSum<D, P>{concentration_gradient},
              DensityDiffusion<D, P>{pointer(density_gradient_)});
   }
 
@@ -114,6 +115,7 @@ class StandardRates {
   }
 
  private:
+  using RigidWalls = RigidWallSum<D, P, ContactPairs::Kernel<D>>;
   using KernelSum = ParticleConcentration<D, P, ContactPairs::Kernel<D>>;
 
   struct LoopInput {

@@ -72,7 +72,7 @@ struct KickAndDrift {
   }
 };
 
-// Takes over the wall normals and the free-surface flags that the pair loop found.
+// Takes over the wall normals, the rigid walls and the free-surface flags that the pair loop found.
 template <int D, class P>
 struct UpdateSurfaceFlags {
   ParticleView<D, P> particles;
@@ -80,8 +80,18 @@ struct UpdateSurfaceFlags {
   KERF_FUNCTION void operator()(Index i) const {
     particles.wall_normal[i] = particles.next_wall_normal[i];
     const bool open = particles.kernel_sum[i] < typename P::Real(full_concentration);
-    const int others = particles.flags[i] & ~flag::surface;
-    particles.flags[i] = static_cast<std::uint8_t>(open ? others | flag::surface : others);
+    int flags = particles.flags[i] & ~flag::surface;
+    if (open) flags |= flag::surface;
+    if (particles.medium(i).phase != Phase::rigid) {
+      const auto& wall = particles.next_rigid_wall[i];
+      particles.face_normal[i] = wall.normal;
+      particles.wall_force_excess[i] = wall.force_excess;
+      particles.wall_volume_excess[i] = wall.volume_excess;
+      particles.wall_room[i] = wall.room;
+      flags &= ~flag::in_corner;
+      if (wall.is_corner) flags |= flag::in_corner;
+    }
+    particles.flags[i] = static_cast<std::uint8_t>(flags);
   }
 };
 

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// How rigid walls act on fluid. A particle of a rigid body knows the face nearest to it: the normal
+// n_j and its own depth below the face (geometry/nearest_face.hpp). A smooth wall pushes along its
+// normal only, so that a pair acts along n_j instead of along the line of centres d_ij = r_i - r_j:
+// the sums of pressure, dissipation and continuity take (d_ij . n_j) n_j in place of d_ij. Beside a
+// plane wall they are scaled to those over layers parallel to its surface, spacing d apart, which a
+// lattice in line with the wall has (docs/theory/riemann_sph.md):
+//   wall_force_factor   f_i = sum_l d w_2(x_l) / sum_j V_j S_ij d_ij . n,   x_l = s_i + (l + 1/2)
+//   d, wall_volume_factor  g_i = sum_l d w_1(x_l) / sum_j V_j W_ij,            l = 0, 1, 2, ...
+// with the distance s_i of the particle from the surface, w_1(x) the integral of W and w_2(x) that
+// of x S over a plane at the distance x from i.
+#pragma once
+
+#include <cmath>
+
+#include "pairs/pair.hpp"
+
+namespace kerf {
+
+// Returns the share of the compression by rigid walls that a fluid particle does not feel. Water in
+// a free surface lacks neighbours: it is not compressed as long as it has room before the wall.
+// Otherwise a jet that flies past a wall would be compressed as the wall takes the place of the
+// neighbours that its outermost row lacks, and would be repelled.
+template <int D, class P>
+KERF_FUNCTION typename P::Real room_at_wall(const ParticleView<D, P>& particles, Index i) {
+  return particles.has(i, flag::surface) ? particles.wall_room[i] : typename P::Real(0);
+}
+
+// How a rigid particle j acts on a fluid particle i.
+template <int D, class Real>
+struct RigidWallArm {
+  Vector<D, Real> arm;  // m, in place of d_ij
+  bool is_smooth;       // false: d_ij itself, in a corner
+};
+
+template <int D, class P>
+KERF_FUNCTION RigidWallArm<D, typename P::Real> rigid_wall_arm(const ParticleView<D, P>& particles,
+                                                               const Pair<D, P>& pair) {
+  using Real = typename P::Real;
+  const auto of_wall = particles.face_normal[pair.i];
+  const auto of_face = pair.of_j(particles.face_normal[pair.j]);
+  const bool has_face = dot(of_face, of_face) > Real(0);
+  const bool is_plane = dot(of_wall, of_wall) > Real(0);
+  if (!is_plane && (particles.has(pair.i, flag::in_corner) || !has_face))
+    return {pair.separation, false};
+  const Real above = dot(pair.separation, of_face);
+  const bool is_facing = above > Real(0) && above > particles.face_depth[pair.j];
+  const auto normal = is_facing ? of_face : of_wall;  // 0: a face that looks elsewhere
+  const Real along = dot(pair.separation, normal);
+  return {(along > Real(0) ? along : Real(0)) * normal, true};
+}
+
+// Finds the rigid wall beside a fluid particle, for the next step.
+template <int D, class P, class Kernel>
+struct RigidWallSum {
+  using Real = typename P::Real;
+  using RealVector = Vector<D, Real>;
+  static constexpr bool includes_rigid = false;
+  // Sums over faces that look at the particle, weighted by a = V_j S_ij d_ij . n_j, 1/m; a foot is
+  // the point of the surface nearest to j, relative to i.
+  struct Sum {
+    RealVector normal{};         // 1/m, sum a n_j
+    RealVector foot{};           // 1, sum a foot_j
+    Real facing{};               // 1/m, sum a
+    Real height{};               // 1, sum a s_j, with the height s_j of i above the plane of j
+    Real all{};                  // 1/m, sum V_j S_ij r_ij over all rigid particles
+    Real force{}, volume{};      // 1/m, 1: what the factors scale
+    Real spacing{}, reach{};     // m, the largest ones
+    Real distance = Real(1e30);  // m, from the nearest piece of the surface
+  };
+  // Normals that differ by this are not those of a plane or smoothly curved wall.
+  static constexpr double least_alignment = 0.98;
+  static constexpr double least_wall = 0.02;  // of h sum a, as in FluidContinuity
+  static constexpr double most_factor = 1.5, least_factor = 0.6;
+
+  KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
+                         Sum& sum) const {
+    if (pair.medium_j->phase != Phase::rigid || !particles.is_fluid(pair.i)) return;
+    if (!(pair.distance > Real(0))) return;
+    const Real volume = pair.medium_j->volume, weight = volume * pair.slope_per_distance;
+    const Real spacing = pair.medium_j->spacing;
+    sum.spacing = spacing > sum.spacing ? spacing : sum.spacing;
+    sum.reach = pair.smoothing_length > sum.reach ? pair.smoothing_length : sum.reach;
+    sum.all += weight * pair.distance;
+    sum.force += weight * norm(rigid_wall_arm(particles, pair).arm);
+    sum.volume += volume * Kernel::value(pair.distance, pair.smoothing_length);
+    const RealVector normal = pair.of_j(particles.face_normal[pair.j]);
+    const Real depth = particles.face_depth[pair.j], along = dot(pair.separation, normal);
+    const Real height = along - depth;
+    if (!(along > Real(0)) || !(height > Real(-0.5) * spacing)) return;
+    const Real share = weight * along;
+    const RealVector foot = depth * normal - pair.separation;
+    sum.normal += share * normal;
+    sum.foot += share * foot;
+    sum.facing += share;
+    sum.height += share * height;
+    const Real distance = distance_from_piece(height, norm(foot + height * normal), spacing);
+    if (distance < sum.distance) sum.distance = distance;
+  }
+
+  KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
+    auto& wall = particles.next_rigid_wall[i];
+    wall = RigidWall<D, Real>::none();
+    if (!(sum.all > Real(0))) return;
+    wall.is_corner = !(sum.facing > Real(0.1) * sum.all);
+    if (wall.is_corner) return;
+    const Real length = norm(sum.normal);
+    wall.room = room(sum.distance / sum.spacing);
+    if (sum.facing * sum.reach > Real(least_wall) && length > Real(least_alignment) * sum.facing)
+      find_plane(sum, dot(particles.face_normal[i], particles.face_normal[i]) > Real(0), wall);
+    else
+      wall.is_corner = is_concave(sum);
+  }
+
+ private:
+  // The surface consists of pieces as wide as the spacing. Behind the plane of a piece the distance
+  // is negative.
+  KERF_FUNCTION static Real distance_from_piece(Real height, Real aside, Real spacing) {
+    const Real beyond = aside - Real(0.5) * spacing;
+    return beyond > Real(0) ? std::sqrt(height * height + beyond * beyond) : height;
+  }
+  // A row of water at rest is half a spacing from a wall. The room falls from 1 at 0.45 to 0 at 0.2
+  // of a spacing.
+  KERF_FUNCTION static Real room(Real distance) {
+    return between(Real(4) * distance - Real(0.8), Real(0), Real(1));
+  }
+  // Between two faces that look at each other's side their feet move apart against their normals:
+  // the covariance of both is negative. At an edge it is positive.
+  KERF_FUNCTION static bool is_concave(const Sum& sum) {
+    const Real inverse = Real(1) / sum.facing;
+    const Real covariance = -inverse * sum.height - inverse * inverse * dot(sum.foot, sum.normal);
+    return covariance < Real(-0.02) * sum.spacing;
+  }
+  KERF_FUNCTION void find_plane(const Sum& sum, bool was_plane, RigidWall<D, Real>& wall) const {
+    wall.normal = (Real(1) / norm(sum.normal)) * sum.normal;
+    if (!was_plane || !(sum.force * sum.reach > Real(least_wall))) return;
+    // Near the end of a face the feet lie to one side, and the wall is not complete.
+    const RealVector foot = (Real(1) / sum.facing) * sum.foot;
+    const Real aside = norm(foot - dot(foot, wall.normal) * wall.normal);
+    const Real part = between((Real(0.5) - aside / sum.reach) / Real(0.35), Real(0), Real(1));
+    const Real height = sum.height / sum.facing;
+    Real force = Real(0), volume = Real(0);
+    for (Real x = height + Real(0.5) * sum.spacing; x < Real(Kernel::support) * sum.reach;
+         x += sum.spacing) {
+      force += sum.spacing * x * plane_integral<true>(std::abs(x), sum.reach);
+      volume += sum.spacing * plane_integral<false>(std::abs(x), sum.reach);
+    }
+    wall.force_excess = part * limited_excess(force / sum.force);
+    wall.volume_excess = part * limited_excess(volume / sum.volume);
+  }
+  KERF_FUNCTION static Real between(Real value, Real least, Real most) {
+    return value < least ? least : value > most ? most : value;
+  }
+  KERF_FUNCTION static Real limited_excess(Real factor) {
+    return between(factor, Real(least_factor), Real(most_factor)) - Real(1);
+  }
+  // Integrates S (`slope`), 1/m^4 (3D: 1/m^5), or W over the plane (2D: line) at the distance x, by
+  // the rule of Gauss and Legendre with eight points along the radius.
+  template <bool slope>
+  KERF_FUNCTION static Real plane_integral(Real x, Real h) {
+    constexpr double point[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                                0.9602898564975363};
+    constexpr double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
+                                 0.1012285362903763};
+    const Real reach = Real(Kernel::support) * h;
+    const Real half = Real(0.5) * std::sqrt(reach * reach - x * x);
+    Real sum = Real(0);
+    for (int k = 0; k < 8; ++k) {
+      const Real side = k % 2 == 0 ? Real(1) : Real(-1);
+      const Real t = half * (Real(1) + side * Real(point[k / 2]));
+      const Real r = std::sqrt(x * x + t * t);
+      const Real value = slope ? Kernel::slope_per_distance(r, h) : Kernel::value(r, h);
+      sum += Real(weight[k / 2]) * (D == 2 ? Real(2) : Real(6.283185307179586) * t) * value;
+    }
+    return half * sum;
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// nearest_face() finds the point of the surface of rigid bodies that is nearest to a point inside
+// them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/shape.hpp"
+
+namespace kerf {
+
+// The plane that touches the surface at its point nearest to a point inside.
+struct NearestFace {
+  Point normal{};      // 1, outward unit vector
+  double depth = 0.0;  // m, of the point below the surface
+};
+
+// Returns the face nearest to `point`, which is inside `shape`. Only faces count that neither
+// another part of the shape nor a shape of `others` covers. Faces farther away than `reach` (m) are
+// not sought: the result is then empty, as it is beside a crease of a union at which no face of its
+// parts ends.
+std::optional<NearestFace> nearest_face(const Shape& shape, const std::vector<Shape>& others,
+                                        const Point& point, double reach, int dimension);
+
+}  // namespace kerf
