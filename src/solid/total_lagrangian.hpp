@@ -168,15 +168,14 @@ class TotalLagrangian {
     return apply_breaks(BreakAllBonds<D, P>{view(), pointer(chosen), records()});
   }
 
-  // Returns the shortest time in which a wave crosses a kernel at the current deformation; or, for
-  // steps of `courant` times it, that of a joint.
+  // Returns the shortest time of a wave across a kernel now or, at steps of `courant`, of a joint.
   WaveTime wave_time(double courant) {
     using Shortest = WaveTimeLimit<D, P>;
-    return reduce_unordered(Shortest::blocks(size()), Shortest{view(), courant}, WaveTime{1e300, 0},
-                            ShorterWave{});
+    const WaveTime none{1e300, 0};
+    return reduce_unordered(Shortest::blocks(size()), Shortest{view(), courant}, none, ShorterWave{});
   }
 
-  // Returns the current power that the viscosity of the bonds dissipates, W.
+  // W, the current power that the viscosity of the bonds dissipates.
   double viscous_power() {
     return traits_.is_viscous ? power_sum_(size(), PowerTerm<D, P>{view()}).value[0] : 0.0;
   }
@@ -187,7 +186,7 @@ class TotalLagrangian {
     return {sum.value[0], sum.value[1]};
   }
 
-  // What particles held before the last break (solid/bond_break_energy.hpp).
+  // What particles held before the last break.
   BreakRecords<D, P> records() { return {pointer(break_records_), half_step_}; }
 
   Index size() const { return fields_.size(); }
@@ -221,16 +220,14 @@ class TotalLagrangian {
     to_device(state.elastic_share, fields_.elastic_share);
     to_device(state.acceleration, fields_.acceleration);
     to_device(state.mirror_acceleration, fields_.mirror_acceleration);
-    require(state.flow.size() == fields_.flow_start.size(),
-            "the saved solid has the plastic state of this case");
+    require(state.flow.size() == fields_.flow_start.size() &&
+                state.strain.size() == fields_.strain_start.size() &&
+                state.flaws.size() == fields_.flaws.size(),
+            "the saved solid has the plastic flow, softening and flaws of this case");
     to_device(state.flow, fields_.flow_start);
     fields_.current_flow = fields_.flow_start;
-    require(state.strain.size() == fields_.strain_start.size(),
-            "the saved solid has the softening state of this case");
     to_device(state.strain, fields_.strain_start);
     fields_.current_strain = fields_.strain_start;
-    require(state.flaws.size() == fields_.flaws.size(),
-            "the saved solid has the flaws of this case");
     to_device(state.flaws, fields_.flaws);
     correct_all();
   }
@@ -265,9 +262,8 @@ class TotalLagrangian {
         for_each_index(size(), LimitBreakEnergy<D, P, Loop>{loop, records()});
       });
     } while (any_changed());
-    const Terms<3> sum = break_sum_(size(), BreakTerms<D, P>{view(), records()});
-    return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1]),
-            sum.value[2]};
+    const auto sum = break_sum_(size(), BreakTerms<D, P>{view(), records()}).value;
+    return {static_cast<std::uint64_t>(sum[0] / 2.0), static_cast<Index>(sum[1]), sum[2]};
   }
 
   void correct_all() {
