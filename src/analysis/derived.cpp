@@ -16,6 +16,7 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/joint_step.hpp"
 #include "geometry/graded_fill.hpp"
 #include "geometry/nozzle.hpp"
 #include "geometry/shapes.hpp"
@@ -23,6 +24,7 @@
 #include "model/case.hpp"
 #include "model/material_laws.hpp"
 #include "neighbours/skin.hpp"
+#include "solid/joint_courant.hpp"
 
 namespace kerf {
 
@@ -197,6 +199,18 @@ double acoustic_step(const Case& description, const Material& material, double s
          (fastest_wave + speed + 1.2 * material.artificial_linear * sound_speed);
 }
 
+// Returns the shortest estimate for the joints of unlike bodies, s; infinity without any.
+double step_of_joints(const Case& description) {
+  double step = std::numeric_limits<double>::infinity();
+  if (description.formulation != Formulation::standard) return step;
+  for (const Body& body : description.bodies)
+    for (const Body& other : description.bodies)
+      if (!body.joined_to.empty() && other.name == body.joined_to &&
+          body.material != other.material)
+        step = std::min(step, joint_step(description, body, other));
+  return std::min(1.0, description.time.courant / joint_courant) * step;
+}
+
 void derive_steps(DerivedNumbers& numbers, const Case& description) {
   double step = std::min(description.time.maximum_step, description.time.end);
   const auto limit = [&](int material, double spacing) {
@@ -206,6 +220,7 @@ void derive_steps(DerivedNumbers& numbers, const Case& description) {
   for (const Body& body : description.bodies)
     if (body.role != Role::rigid) limit(body.material, body.spacing);
   for (const Jet& jet : description.jets) limit(jet.material, jet.spacing);
+  step = std::min(step, step_of_joints(description));
   numbers.time_step = step;
   numbers.steps = std::ceil(description.time.end / step);
 }

@@ -54,6 +54,21 @@ std::vector<LoadedElement> loaded_elements(const Case& description, const Load& 
   return elements;
 }
 
+// Returns the ids of the particles that a body force acts on.
+std::vector<std::uint32_t> loaded_particles(const Case& description, const Load& load,
+                                            const std::vector<NewParticle>& particles,
+                                            const std::vector<MediumOrigin>& origins) {
+  const std::size_t body = body_number(description, load);
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t id = 0; id < particles.size(); ++id) {
+    if (origins[particles[id].source].source != body) continue;
+    if (load.region && !contains(*load.region, particles[id].position, description.dimension))
+      continue;
+    chosen.push_back(id);
+  }
+  return chosen;
+}
+
 }  // namespace
 
 std::vector<RunLoad> run_loads(const Case& description, const std::vector<NewParticle>& particles,
@@ -67,10 +82,7 @@ std::vector<RunLoad> run_loads(const Case& description, const std::vector<NewPar
     result.history = Expression(load.history, {"t"});
     if (load.kind == LoadKind::body_force) {
       result.acceleration = load.acceleration;
-      for (std::uint32_t id = 0; id < particles.size(); ++id)
-        if (origins[particles[id].source].source == result.source &&
-            (!load.region || contains(*load.region, particles[id].position, description.dimension)))
-          result.particles.push_back(id);
+      result.particles = loaded_particles(description, load, particles, origins);
     }
     loads.push_back(std::move(result));
   }

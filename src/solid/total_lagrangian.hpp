@@ -169,8 +169,7 @@ class TotalLagrangian {
     return apply_breaks(BreakAllBonds<D, P>{view(), pointer(chosen), records()});
   }
 
-  // Returns the shortest time in which a wave crosses a kernel at the current deformation; or, for
-  // steps of `courant` times it, that of a joint.
+  // Returns the time of which `courant` times is the longest step (solid/stretch_limit.hpp).
   WaveTime wave_time(double courant) {
     using Shortest = StretchLimit<D, P>;
     return reduce_unordered(Shortest::blocks(size()), Shortest{view(), courant}, WaveTime{1e300, 0},
