@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/joint_step.hpp"
 #include "analysis/regime.hpp"
 #include "geometry/graded_fill.hpp"
 #include "geometry/nozzle.hpp"
@@ -16,6 +17,7 @@
 #include "model/case.hpp"
 #include "model/material_laws.hpp"
 #include "neighbours/skin.hpp"
+#include "solid/joint_courant.hpp"
 
 namespace kerf {
 
@@ -48,9 +50,10 @@ const Material* water_material(const Case& description) {
   return nullptr;
 }
 
-// Returns the Rayleigh wave speed, m/s, from the root of Rayleigh's equation (2 - x)^2 = 4 sqrt((1
-// - x)(1 - k x)) between 0 and 1, with x = (c_R / c_s)^2 and k = (c_s / c_p)^2. x is 0.47 for nu =
-// -1 and 0.91 for nu = 1/2.
+// Returns the Rayleigh wave speed, m/s, from the root of Rayleigh's equation (2 - x)^2 = 4
+// sqrt((1
+// - x)(1 - k x)) between 0 and 1, with x = (c_R / c_s)^2 and k = (c_s / c_p)^2. x is 0.47 for nu
+// = -1 and 0.91 for nu = 1/2.
 double rayleigh_speed(double shear_speed, double longitudinal_speed) {
   const double k = std::pow(shear_speed / longitudinal_speed, 2);
   const auto residual = [k](double x) {
@@ -167,8 +170,8 @@ void derive_particles(DerivedNumbers& numbers, const Case& description) {
   numbers.particles_expected = numbers.particles_initial + static_cast<std::size_t>(added);
 }
 
-// Returns the acoustic limit of the time step, s, with its term of artificial viscosity: courant h
-// / (c + V + 1.2 A c).
+// Returns the acoustic limit of the time step, s, with its term of artificial viscosity: courant
+// h / (c + V + 1.2 A c).
 double acoustic_step(const Case& description, const Material& material, double spacing,
                      double speed) {
   double sound_speed = material.sound_speed, fastest_wave = material.sound_speed;
@@ -182,6 +185,18 @@ double acoustic_step(const Case& description, const Material& material, double s
          (fastest_wave + speed + 1.2 * material.artificial_linear * sound_speed);
 }
 
+// Returns the shortest estimate for the joints of unlike bodies, s; infinity without any.
+double step_of_joints(const Case& description) {
+  double step = std::numeric_limits<double>::infinity();
+  if (description.formulation != Formulation::standard) return step;
+  for (const Body& body : description.bodies)
+    for (const Body& other : description.bodies)
+      if (!body.joined_to.empty() && other.name == body.joined_to &&
+          body.material != other.material)
+        step = std::min(step, joint_step(description, body, other));
+  return std::min(1.0, description.time.courant / joint_courant) * step;
+}
+
 void derive_steps(DerivedNumbers& numbers, const Case& description) {
   double step = std::min(description.time.maximum_step, description.time.end);
   const auto limit = [&](int material, double spacing) {
@@ -191,6 +206,7 @@ void derive_steps(DerivedNumbers& numbers, const Case& description) {
   for (const Body& body : description.bodies)
     if (body.role != Role::rigid) limit(body.material, body.spacing);
   for (const Jet& jet : description.jets) limit(jet.material, jet.spacing);
+  step = std::min(step, step_of_joints(description));
   numbers.time_step = step;
   numbers.steps = std::ceil(description.time.end / step);
 }
@@ -209,7 +225,8 @@ double particles_within(double spacings, int dimension) {
 double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const int dimension = description.dimension;
   const bool plane = dimension == 2, bonds = description.formulation == Formulation::standard;
-  const double reach = 2.0 * description.smoothing_ratio, skin = list_skin(dimension);  // spacings
+  const double reach = 2.0 * description.smoothing_ratio,
+               skin = list_skin(dimension);  // spacings
   const bool single = description.precision == PrecisionKind::mixed;
   const double wider = single ? 1.0 : 1.75;  // positions are in double precision in both
   const auto all = static_cast<double>(numbers.particles_expected);

@@ -146,8 +146,9 @@ void add_of_hourglass(const RunOutcome& outcome, std::vector<ValidityFlag>& flag
       {"hourglass", good_if(good), share, small_hourglass,
        good ? fmt::format("The hourglass control holds {:.2g}% of what the solids store.", percent)
             : fmt::format("The hourglass control holds {:.2g}% of what the solids store, more than "
-                          "{:g}%: thin parts that bend are too stiff by up to that share, or their "
-                          "motion is noise. Put 8 particles or more across them.",
+                          "{:g}%: parts that bend have too few particles across them (4 bend too "
+                          "far or too little by about a tenth), or the motion is noise. Put 8 or "
+                          "more across them.",
                           percent, 100.0 * small_hourglass)});
 }
 

@@ -95,11 +95,13 @@ class BodyParticles {
 template <int D>
 class LoadShares {
  public:
-  void add(std::uint32_t id, std::uint32_t load, bool follows, const Vector<D, double>& force) {
+  // Adds a force to the share of a load in a particle.
+  void add(std::uint32_t id, const LoadShare<D>& share) {
     auto& shares = of_particle_[id];
-    if (shares.empty() || shares.back().load != load)
-      shares.push_back({load, follows, Vector<D, double>::zero()});
-    shares.back().full += force;
+    if (shares.empty() || shares.back().load != share.load)
+      shares.push_back(share);
+    else
+      shares.back().full += share.full;
   }
   // `number` of each particle in the solid, whose order the sites have.
   LoadLayout<D> layout(const std::vector<Medium<double>>& media,
@@ -120,33 +122,34 @@ class LoadShares {
 };
 
 // Returns the sites of all loads. `position` and `source` of the initial particles, by their ids;
-// `number` of each in the solid.
+// `number` of each in the solid; `detached` by that number. Particles that are detached from the
+// start, such as single ones at the tip of a wedge, take no part of a face.
 template <int D>
 LoadLayout<D> load_sites(const RunSettings& settings, const std::vector<Medium<double>>& media,
                          const std::vector<Vector<D, double>>& position,
                          const std::vector<std::uint16_t>& source,
-                         const std::vector<std::uint32_t>& number) {
+                         const std::vector<std::uint32_t>& number,
+                         const std::vector<std::uint8_t>& detached) {
   LoadShares<D> shares;
   for (std::uint32_t n = 0; n < settings.loads.size(); ++n) {
     const RunLoad& load = settings.loads[n];
     std::vector<std::uint32_t> chosen;
     double coarsest = 0.0;
     for (std::uint32_t id = 0; id < position.size(); ++id) {
-      if (settings.origins[source[id]].source != load.source) continue;
+      if (settings.origins[source[id]].source != load.source || detached[number[id]] != 0) continue;
       chosen.push_back(id);
       coarsest = std::max(coarsest, media[source[id]].spacing);
     }
-    if (chosen.empty()) continue;
     const auto acceleration = Vector<D, double>::from(load.acceleration);
     for (const std::uint32_t id : load.particles)
-      shares.add(id, n, false, media[source[id]].mass * acceleration);
-    if (load.faces.empty()) continue;
+      shares.add(id, {n, false, false, media[source[id]].mass * acceleration});
+    if (chosen.empty() || load.faces.empty()) continue;
     const BodyParticles<D> particles(position, std::move(chosen), coarsest);
     for (const LoadedElement& element : load.faces) {
       const auto force = Vector<D, double>::from(element.force);
       particles.share(Vector<D, double>::from(element.position),
                       [&](std::uint32_t id, double weight) {
-                        shares.add(id, n, load.follows, weight * force);
+                        shares.add(id, {n, true, load.follows, weight * force});
                       });
     }
   }

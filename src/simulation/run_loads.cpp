@@ -58,13 +58,15 @@ std::vector<LoadedElement> loaded_elements(const Case& description, const Load& 
 std::vector<std::uint32_t> loaded_particles(const Case& description, const Load& load,
                                             const std::vector<NewParticle>& particles,
                                             const std::vector<MediumOrigin>& origins) {
-  const auto body = body_number(description, load);
-  std::vector<std::uint32_t> ids;
-  for (std::uint32_t id = 0; id < particles.size(); ++id)
-    if (origins[particles[id].source].source == body &&
-        (!load.region || contains(*load.region, particles[id].position, description.dimension)))
-      ids.push_back(id);
-  return ids;
+  const std::size_t body = body_number(description, load);
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t id = 0; id < particles.size(); ++id) {
+    if (origins[particles[id].source].source != body) continue;
+    if (load.region && !contains(*load.region, particles[id].position, description.dimension))
+      continue;
+    chosen.push_back(id);
+  }
+  return chosen;
 }
 
 }  // namespace

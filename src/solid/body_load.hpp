@@ -5,7 +5,7 @@
 //   f = q m g     acceleration g,
 //   f = - q p cof(F) A n    pressure p, A n the area vector; cof(F) = J F^-T turns and stretches it
 //                           with the surface (Nanson's formula).
-// A detached particle carries no load.
+// A detached particle has no face: tractions and pressures do not act on it.
 #pragma once
 
 #include "core/matrix.hpp"
@@ -17,6 +17,7 @@ namespace kerf {
 template <int D>
 struct LoadShare {
   std::uint32_t load;
+  bool of_face;            // a traction or pressure
   bool follows;            // whether the force turns with the surface
   Vector<D, double> full;  // N (2D: N/m), at the factor 1 and without deformation
 };
@@ -66,10 +67,11 @@ struct ApplyLoads {
     LoadSite<D>& site = sites[k];
     site.force = Vector<D, double>::zero();
     const Index i = particle_of[site.particle];
-    if (i == no_particle || detached[site.particle] || particles.is_constrained(i)) return;
+    if (i == no_particle || particles.is_constrained(i)) return;
     auto force = Vector<D, double>::zero();
     for (Index n = site.first; n < site.last; ++n) {
       const LoadShare<D>& share = shares[n];
+      if (share.of_face && detached[site.particle]) continue;
       const double q = factor[share.load];
       force += q * (share.follows ? cofactor(gradient[site.particle]) * share.full : share.full);
     }

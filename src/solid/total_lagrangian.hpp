@@ -87,8 +87,7 @@ class TotalLagrangian {
     deform(dt);
   }
 
-  // Ends a step: the next one starts from the current plastic state. Returns the energy dissipated
-  // by plastic flow, J.
+  // Ends a step: the next one starts from the current plastic state. Returns the plastic work, J.
   double keep_flow() {
     if (!fields_.any_flows) return 0.0;
     for_each_index(size(), KeepFlow<D, P>{view()});
@@ -168,11 +167,11 @@ class TotalLagrangian {
     return apply_breaks(BreakAllBonds<D, P>{view(), pointer(chosen), records()});
   }
 
-  // Returns the shortest time of a wave across a kernel now or, at steps of `courant`, of a joint.
+  // Returns the time of which `courant` times is the longest step (solid/wave_time_limit.hpp).
   WaveTime wave_time(double courant) {
     using Shortest = WaveTimeLimit<D, P>;
-    const WaveTime none{1e300, 0};
-    return reduce_unordered(Shortest::blocks(size()), Shortest{view(), courant}, none, ShorterWave{});
+    const Shortest shortest{view(), courant};
+    return reduce_unordered(Shortest::blocks(size()), shortest, WaveTime{1e300, 0}, ShorterWave{});
   }
 
   // W, the current power that the viscosity of the bonds dissipates.
@@ -182,8 +181,8 @@ class TotalLagrangian {
 
   // Returns the stored energy at the current deformation.
   SolidEnergy energy() {
-    const Terms<2> sum = sum_(size(), EnergyTerms<D, P>{view()});
-    return {sum.value[0], sum.value[1]};
+    const auto sum = sum_(size(), EnergyTerms<D, P>{view()}).value;
+    return {sum[0], sum[1]};
   }
 
   // What particles held before the last break.
@@ -193,8 +192,8 @@ class TotalLagrangian {
   const SolidFields<D, P>& fields() const { return fields_; }
   SolidView<D, P> view() { return fields_.view(); }
   std::pair<std::uint64_t, Index> count() {  // intact bonds, detached particles
-    const Terms<2> sum = sum_(size(), CountTerms<D, P>{view()});
-    return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1])};
+    const auto sum = sum_(size(), CountTerms<D, P>{view()}).value;
+    return {static_cast<std::uint64_t>(sum[0] / 2.0), static_cast<Index>(sum[1])};
   }
   // Number of bonds, each counted from both ends, broken or not.
   std::uint64_t entries() const { return entries_; }

@@ -12,13 +12,10 @@
 #include <cmath>
 
 #include "materials/finite_strain.hpp"
+#include "solid/joint_courant.hpp"
 #include "solid/joint_limit.hpp"
 
 namespace kerf {
-
-// The factor of the acoustic limit (`courant`) from which on the step of a joint is its longest
-// stable one; it is shorter in proportion for smaller factors.
-inline constexpr double joint_courant = 0.27;
 
 struct WaveTime {
   double time;            // s

@@ -15,12 +15,14 @@ namespace kerf {
 template <int D, class P>
 class SolidBoundaries {
  public:
-  // `position` and `source` of the particles of the start, `number` of each in the solid.
+  // `position` and `source` of the particles of the start, `number` of each in the solid;
+  // `detached` by that number.
   void set_up(const RunSettings& settings, const std::vector<Medium<double>>& media,
               const std::vector<Vector<D, double>>& position,
-              const std::vector<std::uint16_t>& source, const std::vector<Index>& number) {
+              const std::vector<std::uint16_t>& source, const std::vector<Index>& number,
+              const std::vector<std::uint8_t>& detached) {
     to_device(absorbing_sites<D>(settings, media, position, source, number), absorbing_);
-    const LoadLayout<D> layout = load_sites<D>(settings, media, position, source, number);
+    const LoadLayout<D> layout = load_sites<D>(settings, media, position, source, number, detached);
     to_device(layout.sites, loaded_);
     to_device(layout.shares, shares_);
     loads_ = settings.loads;

@@ -61,7 +61,8 @@ class SolidPart {
     if (solid_->fields().any_joints)
       wave_ = solid_->wave_time(courant_);  // a first step may be too long
     mark_fitted(number, particles);
-    boundaries_.set_up(settings, media, position, source, number);
+    boundaries_.set_up(settings, media, position, source, number,
+                       to_host(solid_->fields().detached));
   }
 
   // Links the solid to its particles in their new order, for which there is a new list.

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flags of solids: what their hourglass control stores, and whether they came to rest.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "output/result.hpp"
+
+namespace kerf {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+using testing::Not;
+using State = ValidityFlag::State;
+
+// Supplied with one joule, of which solids store a tenth.
+RunOutcome outcome_with_solid() {
+  RunOutcome outcome;
+  outcome.balance.energy_initial = outcome.balance.kinetic = 1.0;
+  outcome.balance.elastic_strain = 0.1;
+  return outcome;
+}
+
+auto named(const std::string& name) {
+  return Contains(Field(&ValidityFlag::name, name));
+}
+auto flag(const std::string& name, State state, const std::string& part) {
+  return Contains(AllOf(Field(&ValidityFlag::name, name), Field(&ValidityFlag::state, state),
+                        Field(&ValidityFlag::sentence, HasSubstr(part))));
+}
+
+TEST(SolidValidity, FlagsHourglassEnergy) {
+  RunOutcome outcome = outcome_with_solid();
+  outcome.balance.hourglass = 0.01;
+  EXPECT_THAT(validity_of(outcome), flag("hourglass", State::good, "holds 9.1%"));
+  outcome.balance.hourglass = 0.04;
+  EXPECT_THAT(validity_of(outcome), flag("hourglass", State::warning, "holds 29%"));
+  outcome.balance.elastic_strain = outcome.balance.hourglass = 1e-9;  // of no account
+  EXPECT_THAT(validity_of(outcome), Not(named("hourglass")));
+}
+
+TEST(SolidValidity, FlagsSolidsThatDidNotComeToRest) {
+  RunOutcome outcome = outcome_with_solid();
+  outcome.balance.dissipated_damping = 0.1;
+  EXPECT_THAT(validity_of(outcome), Not(named("relaxation")));
+  outcome.description.time.relax = 1.0;
+  outcome.balance.damping_peak = 1e-5;
+  EXPECT_THAT(validity_of(outcome), flag("relaxation", State::good, "came to rest"));
+  outcome.balance.damping_peak = 1e-2;
+  EXPECT_THAT(validity_of(outcome), flag("relaxation", State::warning, "did not come to rest"));
+}
+
+}  // namespace
+}  // namespace kerf
