@@ -5,7 +5,7 @@
 #include "support/runs.hpp"
 #include "support/small_cases.hpp"
 
-namespace kerf::test {
+namespace kerf::test::relaxation_test {
 namespace {
 
 // A column of 30 mm on a clamped foot.
@@ -75,4 +75,4 @@ TEST(Relaxation, SameBitsAfterRestart) {
 }
 
 }  // namespace
-}  // namespace kerf::test
+}  // namespace kerf::test::relaxation_test

@@ -11,7 +11,7 @@
 #include "support/standard_mixture.hpp"
 #include "time/verlet.hpp"
 
-namespace kerf::test {
+namespace kerf::test::rigid_wall_test {
 namespace {
 
 constexpr double spacing = 1e-3, smoothing_length = 1.3 * spacing, centre = 0.01;
@@ -167,4 +167,4 @@ TYPED_TEST(RigidWallForces, SlidingIsFree) {
 }
 
 }  // namespace
-}  // namespace kerf::test
+}  // namespace kerf::test::rigid_wall_test

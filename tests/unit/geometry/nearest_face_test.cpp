@@ -11,7 +11,7 @@
 
 #include "geometry/shapes.hpp"
 
-namespace kerf {
+namespace kerf::test::nearest_face_test {
 namespace {
 
 Shape box(Point minimum, Point maximum) {
@@ -127,4 +127,4 @@ TEST(NearestFace, FacesOutOfReachAreNone) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test::nearest_face_test

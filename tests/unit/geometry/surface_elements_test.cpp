@@ -10,7 +10,7 @@
 
 #include "geometry/shapes.hpp"
 
-namespace kerf::test {
+namespace kerf::test::surface_elements_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -101,4 +101,4 @@ TEST(SurfaceElements, WithinARegion) {
 }
 
 }  // namespace
-}  // namespace kerf::test
+}  // namespace kerf::test::surface_elements_test

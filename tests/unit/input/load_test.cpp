@@ -8,7 +8,7 @@
 #include "input/write_used.hpp"
 #include "model/case.hpp"
 
-namespace kerf {
+namespace kerf::test::load_test {
 namespace {
 
 using testing::AllOf;
@@ -90,4 +90,4 @@ TEST(Load, IsRefusedWhereItCannotAct) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test::load_test

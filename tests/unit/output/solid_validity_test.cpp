@@ -5,7 +5,7 @@
 
 #include "output/result.hpp"
 
-namespace kerf {
+namespace kerf::test::solid_validity_test {
 namespace {
 
 using testing::AllOf;
@@ -53,4 +53,4 @@ TEST(SolidValidity, FlagsSolidsThatDidNotComeToRest) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test::solid_validity_test
