@@ -3,7 +3,6 @@
 // deformation and forces are sums over bonds of the reference configuration, found once
 // (docs/theory/total_lagrangian.md). Particles keep the order of set-up; neighbours in memory
 // should be neighbours in space. Nothing is allocated after set-up.
-//
 // A step:  take(motion);  deform(dt);  fracture();  accelerate();  keep_flow();  keep_softening().
 #pragma once
 
@@ -181,8 +180,8 @@ class TotalLagrangian {
 
   // Returns the stored energy at the current deformation.
   SolidEnergy energy() {
-    const auto sum = sum_(size(), EnergyTerms<D, P>{view()}).value;
-    return {sum[0], sum[1]};
+    const Terms<2> sum = sum_(size(), EnergyTerms<D, P>{view()});
+    return {sum.value[0], sum.value[1]};
   }
 
   // What particles held before the last break.
@@ -192,8 +191,8 @@ class TotalLagrangian {
   const SolidFields<D, P>& fields() const { return fields_; }
   SolidView<D, P> view() { return fields_.view(); }
   std::pair<std::uint64_t, Index> count() {  // intact bonds, detached particles
-    const auto sum = sum_(size(), CountTerms<D, P>{view()}).value;
-    return {static_cast<std::uint64_t>(sum[0] / 2.0), static_cast<Index>(sum[1])};
+    const Terms<2> sum = sum_(size(), CountTerms<D, P>{view()});
+    return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1])};
   }
   // Number of bonds, each counted from both ends, broken or not.
   std::uint64_t entries() const { return entries_; }
@@ -261,8 +260,9 @@ class TotalLagrangian {
         for_each_index(size(), LimitBreakEnergy<D, P, Loop>{loop, records()});
       });
     } while (any_changed());
-    const auto sum = break_sum_(size(), BreakTerms<D, P>{view(), records()}).value;
-    return {static_cast<std::uint64_t>(sum[0] / 2.0), static_cast<Index>(sum[1]), sum[2]};
+    const Terms<3> sum = break_sum_(size(), BreakTerms<D, P>{view(), records()});
+    const auto [bonds, detached, energy] = sum.value;
+    return {static_cast<std::uint64_t>(bonds / 2.0), static_cast<Index>(detached), energy};
   }
 
   void correct_all() {
