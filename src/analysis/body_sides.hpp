@@ -31,8 +31,8 @@ struct BodySides {
 };
 
 // Returns the sides of a body for each direction across the jet in which the initial layout joins
-// them: one in 2D, four in 3D, the first at right angles to the plane of the cut. `body_piece`: that
-// of the initial layout, by slot (Pieces).
+// them: one in 2D, four in 3D, the first at right angles to the plane of the cut. `body_piece`:
+// that of the initial layout, by slot (Pieces).
 std::vector<BodySides> find_sides(const Workpiece& workpiece, std::uint16_t body,
                                   const KerfAxes& axes,
                                   const std::vector<std::uint32_t>& body_piece);

@@ -70,7 +70,8 @@ void judge_bodies(const Workpiece& workpiece, const Frame& frame,
   for (std::size_t n = 0; n < workpiece.bodies.size(); ++n) {
     const WorkpieceBody& body = workpiece.bodies[n];
     view.body = body.body;
-    if (!state.bodies[n].through) state.bodies[n] = judge(body, view, pieces, axes, state.front_depth);
+    if (!state.bodies[n].through)
+      state.bodies[n] = judge(body, view, pieces, axes, state.front_depth);
     all = all && (state.bodies[n].through || !body.is_in_way);
   }
   state.cut_through = all;
@@ -159,8 +160,7 @@ void CutMonitor::restore(std::vector<CutState> history, const Frame& last) {
   history_ = std::move(history);
   if (workpiece_->empty()) return;
   const WholeFrame whole(last, workpiece_->images);
-  fragments_ =
-      find_pieces(*workpiece_, whole.get(), locate(*workpiece_, whole.get())).fragments;
+  fragments_ = find_pieces(*workpiece_, whole.get(), locate(*workpiece_, whole.get())).fragments;
 }
 
 }  // namespace kerf

@@ -106,8 +106,7 @@ KerfConditions kerf_conditions(const Case& description, const CutSummary& summar
   return conditions;
 }
 
-Kerf measure_kerf(const Workpiece& workpiece, const Frame& part,
-                  const KerfConditions& conditions) {
+Kerf measure_kerf(const Workpiece& workpiece, const Frame& part, const KerfConditions& conditions) {
   Kerf kerf;
   if (workpiece.empty()) return kerf;
   const WholeFrame whole(part, workpiece.images);

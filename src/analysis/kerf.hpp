@@ -50,8 +50,8 @@ struct Kerf {
   }
 };
 
-// Measures the kerf of a frame of a run. All numbers are zero, nan or empty without a workpiece or a
-// jet. With verdicts in `conditions` a kerf, an opening or a layer that is not cut through is not
+// Measures the kerf of a frame of a run. All numbers are zero, nan or empty without a workpiece or
+// a jet. With verdicts in `conditions` a kerf, an opening or a layer that is not cut through is not
 // `through`, whatever its depth: a last layer of solid may still stand, or have been pushed ahead.
 Kerf measure_kerf(const Workpiece& workpiece, const Frame& frame, const KerfConditions& conditions);
 

@@ -27,8 +27,8 @@ TreePoint shifted(const std::array<double, 3>& x, double by) {
   return {x[0] + by, x[1] + by, x[2] + by};
 }
 
-// The pieces of the slots: numbers that the members of one piece share, Workpiece::none where a slot
-// is not intact.
+// The pieces of the slots: numbers that the members of one piece share, Workpiece::none where a
+// slot is not intact.
 struct PieceLabels {
   std::vector<std::uint32_t> piece, body_piece;
 };
@@ -54,7 +54,8 @@ PieceLabels join_neighbours(const Workpiece& workpiece, const Frame& frame,
   }
   for (const auto& [a, b] : workpiece.bonds) {
     if (!is_intact(frame, rows[a]) || !is_intact(frame, rows[b])) continue;
-    const double range = workpiece.interaction_range * std::max(workpiece.size[a], workpiece.size[b]);
+    const double range =
+        workpiece.interaction_range * std::max(workpiece.size[a], workpiece.size[b]);
     if (distance(frame.position[rows[a]], frame.position[rows[b]]) >= range) continue;
     all.union_set(a, b);
     if (workpiece.body[a] == workpiece.body[b]) in_body.union_set(a, b);

@@ -39,7 +39,7 @@ struct Fragment {
 };
 
 struct Pieces {
-  int count = 0;                       // heavier than piece_mass_fraction of the workpiece
+  int count = 0;  // heavier than piece_mass_fraction of the workpiece
   // Per slot: 1 = part of a counted piece, or of a piece of its body that is heavier than
   // piece_mass_fraction of that body, such as a small inclusion.
   std::vector<std::uint8_t> in_piece;

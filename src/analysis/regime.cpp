@@ -17,8 +17,7 @@ struct StressLimit {
   const SolidScale& scale;
   template <class Criterion>
   double operator()(const Criterion& criterion) const {
-    if constexpr (requires { criterion.tensile_strength; })
-      return criterion.tensile_strength;
+    if constexpr (requires { criterion.tensile_strength; }) return criterion.tensile_strength;
     if constexpr (requires { criterion.weibull_k; }) {
       const double depth = scale.dimension == 2 ? criterion.flaw_depth : 1.0;
       const double flaws = criterion.weibull_k * std::pow(scale.spacing, scale.dimension) * depth;
@@ -31,8 +30,8 @@ struct StressLimit {
 }  // namespace
 
 double resistance_of(const Material& solid, const SolidScale& scale) {
-  double resistance = 2.5 * ElasticModuli<double>::of(solid.youngs_modulus, solid.poisson_ratio)
-                                .shear_modulus;
+  double resistance =
+      2.5 * ElasticModuli<double>::of(solid.youngs_modulus, solid.poisson_ratio).shear_modulus;
   for (const double limit :
        {solid.youngs_modulus * scale.failure_strain, plastic_parameters(solid).first_strength(),
         BondCriterionSet<double>::visit(*solid.laws, solid.criterion, StressLimit{solid, scale})})

@@ -31,8 +31,8 @@ Columns make_columns(const KerfView& view, const KerfAxes& axes, const KerfPath&
     const double high = std::max(path.begin[a], path.end[a]) + width / 2.0;
     const double length = std::max(high - low, breadth);
     columns.window[a] = static_cast<std::size_t>(std::lround(breadth / columns.step));
-    columns.count[a] = std::max(columns.window[a],
-                                static_cast<std::size_t>(std::lround(length / columns.step)));
+    columns.count[a] =
+        std::max(columns.window[a], static_cast<std::size_t>(std::lround(length / columns.step)));
     columns.low[a] = (low + high - static_cast<double>(columns.count[a]) * columns.step) / 2.0;
   }
   columns.laid_out.assign(columns.count[0] * columns.count[1], 0.0);
@@ -91,8 +91,9 @@ std::vector<double> window_means(const Columns& columns, const std::vector<doubl
                                             sums[i * (aside + 1) + j];
   for (std::size_t i = 0; i + high <= rows; ++i)
     for (std::size_t j = 0; j + broad <= aside; ++j)
-      means.push_back((sums[(i + high) * (aside + 1) + j + broad] - sums[i * (aside + 1) + j + broad] -
-                       sums[(i + high) * (aside + 1) + j] + sums[i * (aside + 1) + j]) /
+      means.push_back((sums[(i + high) * (aside + 1) + j + broad] -
+                       sums[i * (aside + 1) + j + broad] - sums[(i + high) * (aside + 1) + j] +
+                       sums[i * (aside + 1) + j]) /
                       static_cast<double>(high * broad));
   return means;
 }

@@ -19,9 +19,9 @@ inline constexpr double torn_share = 0.3;
 // solid. A window is as broad as that for the depth of a kerf (analysis/kerf_sections.hpp).
 struct UnbrokenThickness {
   double laid_out = 0.0;
-  double standing = 0.0;  // the least of any window
-  double unbroken = 0.0;  // of particles that stand and are not torn
-  bool is_open = false;     // there is a window without standing solid
+  double standing = 0.0;         // the least of any window
+  double unbroken = 0.0;         // of particles that stand and are not torn
+  bool is_open = false;          // there is a window without standing solid
   bool is_torn_through = false;  // there is a window without unbroken solid
 };
 

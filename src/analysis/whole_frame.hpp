@@ -13,8 +13,8 @@ namespace kerf {
 
 struct Case;
 
-// The planes in which a part is mirrored, at most one for each axis. Bit p of the number of an image
-// says whether it is mirrored in plane p; image 0 is the part itself.
+// The planes in which a part is mirrored, at most one for each axis. Bit p of the number of an
+// image says whether it is mirrored in plane p; image 0 is the part itself.
 struct SymmetryImages {
   struct Plane {
     std::size_t axis = 0;

@@ -75,8 +75,7 @@ double find_axis_spacing(const Workpiece& workpiece) {
   return largest > 0.0 ? largest : workpiece.spacing;
 }
 
-std::vector<std::uint32_t> find_exit_region(const Workpiece& workpiece,
-                                            const WorkpieceBody& body) {
+std::vector<std::uint32_t> find_exit_region(const Workpiece& workpiece, const WorkpieceBody& body) {
   const double reach = std::max(2.0 * workpiece.jet->width, 4.0 * workpiece.axis_spacing);
   std::vector<std::uint32_t> region;
   for (std::uint32_t slot = 0; slot < workpiece.position.size(); ++slot) {
@@ -117,7 +116,8 @@ void describe_bodies(Workpiece& workpiece, const Case& description, const Pieces
   const KerfAxes axes(jet, description.jets.front().traverse, description.dimension);
   for (WorkpieceBody& body : workpiece.bodies) {
     for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot)
-      if (workpiece.body[slot] == body.body && jet.depth(workpiece.position[slot]) >= -jet.standoff &&
+      if (workpiece.body[slot] == body.body &&
+          jet.depth(workpiece.position[slot]) >= -jet.standoff &&
           is_beside_axis(jet, workpiece.position[slot], workpiece.size[slot]))
         body.is_in_way = true;
     body.bottom = find_bottom(workpiece, body.body);

@@ -38,16 +38,16 @@ struct Workpiece {
 
   int dimension = 2;
   SymmetryImages images;
-  std::optional<JetAxis> jet;    // the first jet of the case
-  std::uint16_t jet_source = 0;  // its index in Frame::source
-  double jet_density = 0.0;      // kg/m^3
+  std::optional<JetAxis> jet;                                   // the first jet of the case
+  std::uint16_t jet_source = 0;                                 // its index in Frame::source
+  double jet_density = 0.0;                                     // kg/m^3
   std::unordered_map<std::uint32_t, std::uint32_t> slot_of_id;  // of the part
-  std::vector<std::array<double, 3>> position;  // m, initial
-  std::vector<double> mass;                     // kg (2D: kg/m)
-  std::vector<double> volume;                   // m^3 (2D: m^2), at its material's density
-  std::vector<double> size;                     // m, spacing of the particle
-  std::vector<std::uint16_t> body;              // index into Case::bodies
-  std::vector<std::uint16_t> material_piece;    // bodies joined to each other share a number
+  std::vector<std::array<double, 3>> position;                  // m, initial
+  std::vector<double> mass;                                     // kg (2D: kg/m)
+  std::vector<double> volume;                 // m^3 (2D: m^2), at its material's density
+  std::vector<double> size;                   // m, spacing of the particle
+  std::vector<std::uint16_t> body;            // index into Case::bodies
+  std::vector<std::uint16_t> material_piece;  // bodies joined to each other share a number
   std::vector<WorkpieceBody> bodies;
   // Neighbours of the initial layout within `bond_reach` spacings of each other; empty where frames
   // say which particles bonds join.

@@ -91,8 +91,7 @@ void print_loads(const DerivedNumbers& numbers) {
     row("contact stress on the solid", readable(numbers.contact_stress, "Pa"));
   if (numbers.failure_strain > 0.0)
     row("failure strain of the solid", fmt::format("{:.4g}", numbers.failure_strain));
-  if (numbers.resistance > 0.0)
-    row("resistance of the solid", readable(numbers.resistance, "Pa"));
+  if (numbers.resistance > 0.0) row("resistance of the solid", readable(numbers.resistance, "Pa"));
   if (numbers.cauchy_number > 0.0)
     row("Cauchy number, rho V^2 / E", fmt::format("{:.4g}", numbers.cauchy_number));
   if (numbers.hydrodynamic_front_speed > 0.0)

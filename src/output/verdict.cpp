@@ -47,9 +47,9 @@ std::string layers_clause(const RunOutcome& outcome) {
 std::string unbroken_clause(const RunOutcome& outcome) {
   if (!outcome.kerf) return "";
   const double unbroken = outcome.kerf->of<CutMargin>().unbroken;
-  return unbroken > 0.0 ? fmt::format(", and {} of the thickness is unbroken",
-                                      readable(unbroken, "m"))
-                        : "";
+  return unbroken > 0.0
+             ? fmt::format(", and {} of the thickness is unbroken", readable(unbroken, "m"))
+             : "";
 }
 
 std::string depth_sentence(const RunOutcome& outcome) {
@@ -73,13 +73,12 @@ std::string way_clause(const RunOutcome& outcome) {
 // Says what the jet does, and how where it removes no material down to the far face.
 std::string deed(const RunOutcome& outcome) {
   const std::string time = readable(outcome.cut.cut_through_time, "s");
-  const bool removed = !outcome.kerf || outcome.kerf->shape.through ||
-                       outcome.kerf->shape.through_share > 0.0;
+  const bool removed =
+      !outcome.kerf || outcome.kerf->shape.through || outcome.kerf->shape.through_share > 0.0;
   if (removed) return fmt::format("The jet cuts through after {}{}", time, way_clause(outcome));
   const double depth = outcome.kerf->shape.depth;
-  const std::string below =
-      depth > 0.0 ? fmt::format("below a cut of {}", readable(depth, "m"))
-                  : std::string("without loss of material in its way");
+  const std::string below = depth > 0.0 ? fmt::format("below a cut of {}", readable(depth, "m"))
+                                        : std::string("without loss of material in its way");
   return fmt::format("The workpiece is {} after {} by a crack {}",
                      outcome.cut.severed ? "parted" : "pierced", time, below);
 }

@@ -43,7 +43,7 @@ struct Frame {
   // The symmetry planes across which bonds join the piece within the body to its mirror image, as
   // bits in the order x-, x+, y-, y+, z-, z+; empty without such planes.
   std::vector<std::uint8_t> joined_planes;
-  std::vector<Column> columns;         // tensors as xx yy zz xy yz xz
+  std::vector<Column> columns;  // tensors as xx yy zz xy yz xz
 };
 
 // Calls visit(name, unit, values) for the columns that every frame has besides the position.

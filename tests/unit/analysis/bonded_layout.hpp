@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <random>
 #include <vector>
 
 #include "layout.hpp"
@@ -70,7 +69,8 @@ class BondGraph {
   void for_each_bond(std::size_t a, bool within_bodies, const Visit& visit) const {
     const Cell own = cell_of(initial_.position[a]);
     for (int n = 0; n < 27; ++n) {
-      const auto found = cells_.find({own[0] + n % 3 - 1, own[1] + n / 3 % 3 - 1, own[2] + n / 9 - 1});
+      const auto found =
+          cells_.find({own[0] + n % 3 - 1, own[1] + n / 3 % 3 - 1, own[2] + n / 9 - 1});
       if (found == cells_.end()) continue;
       for (const std::size_t b : found->second)
         if (is_bond(a, b, within_bodies)) visit(b);
@@ -94,19 +94,19 @@ inline void bond(const Frame& initial, Frame& frame, const Breaks& breaks = brea
 
 // The bonds that cross a line from the top face to the bottom one, x = at(y), break.
 inline Breaks crack(const std::function<double(double)>& at) {
-  return [at](const Position& x, const Position& y) {
-    return (x[0] < at(x[1])) != (y[0] < at(y[1]));
-  };
+  return
+      [at](const Position& x, const Position& y) { return (x[0] < at(x[1])) != (y[0] < at(y[1])); };
 }
 
 // A share of all other bonds breaks at random: the same for both orders of its ends.
 inline Breaks and_at_random(const Breaks& breaks, double share, unsigned seed) {
   return [=](const Position& x, const Position& y) {
     if (breaks(x, y)) return true;
-    const auto bits = std::hash<double>{}(x[0] + y[0]) ^ 3 * std::hash<double>{}(x[1] + y[1]) ^
-                      7 * std::hash<double>{}(x[0] * y[0] + x[1] * y[1]);
-    std::mt19937_64 engine(bits ^ seed);
-    return std::uniform_real_distribution<double>(0.0, 1.0)(engine) < share;
+    std::uint64_t bits = std::hash<double>{}(x[0] + y[0]) ^ 3 * std::hash<double>{}(x[1] + y[1]) ^
+                         7 * std::hash<double>{}(x[0] * y[0] + x[1] * y[1]) ^ seed;
+    for (const std::uint64_t factor : {0xbf58476d1ce4e5b9u, 0x94d049bb133111ebu})
+      bits = (bits ^ (bits >> 30)) * factor;
+    return static_cast<double>(bits >> 11) * 0x1p-53 < share;
   };
 }
 

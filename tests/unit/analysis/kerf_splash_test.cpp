@@ -133,7 +133,9 @@ TEST(FragmentSizes, OfNoneOrOneFragment) {
 TEST(Margin, IsTheRemainingShareOfTheRunOrOfTheUnbrokenThickness) {
   Carving carving;
   carving.time = 20e-3;
-  carving.is_gone = [](const Position& x) { return std::abs(x[0]) < 6.0 * mm && x[1] > -40.0 * mm; };
+  carving.is_gone = [](const Position& x) {
+    return std::abs(x[0]) < 6.0 * mm && x[1] > -40.0 * mm;
+  };
   EXPECT_NEAR(carving.measure(0).of<CutMargin>().value, -0.2, 1e-6);
   carving.is_gone = [](const Position&) { return false; };
   EXPECT_NEAR(carving.measure(0).of<CutMargin>().value, -1.0, 1e-6);
