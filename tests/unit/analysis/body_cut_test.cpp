@@ -216,6 +216,17 @@ TEST(BodyCut, AnInclusionThatIsPushedAheadIsWhole) {
   for (const KerfLayer& layer : kerf.layers) EXPECT_EQ(layer.verdict.cut.through, layer.body == 0);
   EXPECT_LT(kerf.of<CutMargin>().value, 0.0);
   EXPECT_GT(kerf.of<CutMargin>().unbroken, 10.0 * mm);
+
+  // It is still whole when it has left the domain.
+  Frame later = select(frame, rows_of(frame), [&](std::size_t k) { return frame.source[k] != 1; });
+  for (std::size_t k = 0; k < frame.id.size(); ++k) {
+    if (frame.source[k] == 1) continue;
+    later.piece.push_back(frame.piece[k]);
+    later.body_piece.push_back(frame.body_piece[k]);
+  }
+  monitor.observe(later);
+  EXPECT_FALSE(monitor.summary().cut_through);
+  EXPECT_FALSE(monitor.summary().bodies[1].cut.through);
 }
 
 // In space: a round hole opens the block where it goes all the way down, and where the last rows
