@@ -39,6 +39,22 @@ double fractured_mass(const Workpiece& workpiece, const Frame& frame,
   return sum;
 }
 
+// Returns whether a body has left the domain, for the most part and hardly broken: then its bonds
+// can no longer be judged.
+bool has_left(const WorkpieceBody& body, const KerfView& view) {
+  constexpr double least_present = 0.5, most_fractured = 0.05;  // of its mass
+  double laid_out = 0.0, present = 0.0, fractured = 0.0;
+  for (std::size_t slot = 0; slot < view.rows.size(); ++slot) {
+    if (view.workpiece.body[slot] != body.body) continue;
+    const double mass = view.workpiece.mass[slot];
+    laid_out += mass;
+    if (view.rows[slot] == Workpiece::none) continue;
+    present += mass;
+    if (!is_intact(view.frame, view.rows[slot])) fractured += mass;
+  }
+  return present < least_present * laid_out && fractured < most_fractured * laid_out;
+}
+
 // Returns whether a body is cut through in a frame that the water has entered.
 BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pieces,
               const KerfAxes& axes, double front) {
@@ -52,6 +68,7 @@ BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pie
   }
   // In the plane a chain of bonds between the sides crosses the axis of the jet.
   if (is_joined && view.workpiece.dimension == 2) return cut;
+  if (has_left(body, view)) return cut;
   const KerfPath path{{}, axes.way(view.frame.time)};
   const UnbrokenThickness thickness = measure_unbroken(view, axes, path);
   const bool is_past = front >= bottom_depth(view.workpiece, body, view.frame, view.rows) -

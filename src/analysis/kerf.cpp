@@ -73,7 +73,9 @@ std::vector<KerfLayer> measure_layers(KerfView view, const KerfAxes& axes, const
     for (std::size_t slot = 0; slot < workpiece.body.size(); ++slot) {
       if (!view.holds(slot)) continue;
       layer.volume += workpiece.volume[slot];
-      if (!is_intact(view.frame, view.rows[slot])) layer.fractured_mass += workpiece.mass[slot];
+      const std::uint32_t row = view.rows[slot];
+      if (row != Workpiece::none && !is_intact(view.frame, row))
+        layer.fractured_mass += workpiece.mass[slot];
     }
     layer.removed_volume = removed_volume(workpiece, view.standing, body.body);
     add_verdict(view, axes, path, conditions, layer);

@@ -70,6 +70,17 @@ void add(const Columns& columns, const SolidPoint& point, int dimension,
           height * across.part[i] * along.part[j];
 }
 
+// Returns whether a particle covers no column.
+bool is_outside(const Columns& columns, const SolidPoint& point, int dimension) {
+  for (std::size_t a = 0; a < (dimension == 3 ? 2u : 1u); ++a) {
+    const double high = columns.low[a] + static_cast<double>(columns.count[a]) * columns.step;
+    if (point.position[a] + point.size / 2.0 < columns.low[a] ||
+        point.position[a] - point.size / 2.0 > high)
+      return true;
+  }
+  return false;
+}
+
 // Returns whether each particle of a frame is torn, by row.
 std::vector<std::uint8_t> find_torn(const Frame& frame) {
   std::vector<std::uint8_t> torn(frame.id.size(), 0);
@@ -110,6 +121,7 @@ UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
     if (!view.holds(slot)) continue;
     const SolidPoint point{axes.local(workpiece.position[slot]), workpiece.volume[slot],
                            workpiece.size[slot]};
+    if (is_outside(columns, point, dimension)) continue;
     add(columns, point, dimension, columns.laid_out);
     if (!view.standing[slot]) continue;
     add(columns, point, dimension, columns.standing);

@@ -8,7 +8,7 @@ namespace kerf {
 std::string fate_of(const KerfLayer& layer) {
   if (!layer.verdict.is_in_way) return "not under the jet";
   if (layer.verdict.cut.through) return layer.shape.through_share > 0.0 ? "cut through" : "parted";
-  return layer.fractured_mass > 0.0 || layer.removed_volume > 0.0 ? "cut in part" : "whole";
+  return layer.fractured_mass > 0.0 ? "cut in part" : "whole";
 }
 
 const MetricList<NamedLayer>& NamedLayer::metrics() {
@@ -52,7 +52,7 @@ const MetricList<NamedLayer>& NamedLayer::metrics() {
          "Initial volume of the body's solid that no longer stands.",
          [](const L& entry) { return entry.layer.removed_volume; }},
         {"fractured_mass", extensive("kg"), "fractured mass of the layer",
-         "Mass of the body that is fractured or has left the domain.",
+         "Mass of the body that is fractured and has not left the domain.",
          [](const L& entry) { return entry.layer.fractured_mass; }},
         {"removed_fraction", share(), "removed share of the layer",
          "Removed volume over the volume.", [](const L& entry) {

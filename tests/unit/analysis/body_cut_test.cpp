@@ -146,14 +146,15 @@ TEST(BodyCut, AMaterialWithoutALimitIsNeverCut) {
       [](const Position&) { return true; }};
   for (Trial trial : trials()) {
     trial.can_break = false;
-    for (const auto& fractured : damages)
-      for (const double share : {0.0, 0.5, 1.0}) {
-        const Breaks breaks =
-            and_at_random(crack([](double) { return 0.5 * mm; }), share, trial.seed);
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const Breaks breaks =
+          and_at_random(crack([](double) { return 0.5 * mm; }), share, trial.seed);
+      for (const auto& fractured : damages) {
         const CutSummary summary = trial.judge(breaks, fractured);
         EXPECT_FALSE(summary.cut_through);
-        for (const BodyVerdict& verdict : summary.bodies) EXPECT_FALSE(verdict.cut.through);
+        EXPECT_FALSE(summary.bodies.at(0).cut.through);
       }
+    }
   }
 }
 
@@ -215,6 +216,17 @@ TEST(BodyCut, AnInclusionThatIsPushedAheadIsWhole) {
   for (const KerfLayer& layer : kerf.layers) EXPECT_EQ(layer.verdict.cut.through, layer.body == 0);
   EXPECT_LT(kerf.of<CutMargin>().value, 0.0);
   EXPECT_GT(kerf.of<CutMargin>().unbroken, 10.0 * mm);
+
+  // It is still whole when it has left the domain.
+  Frame later = select(frame, rows_of(frame), [&](std::size_t k) { return frame.source[k] != 1; });
+  for (std::size_t k = 0; k < frame.id.size(); ++k) {
+    if (frame.source[k] == 1) continue;
+    later.piece.push_back(frame.piece[k]);
+    later.body_piece.push_back(frame.body_piece[k]);
+  }
+  monitor.observe(later);
+  EXPECT_FALSE(monitor.summary().cut_through);
+  EXPECT_FALSE(monitor.summary().bodies[1].cut.through);
 }
 
 // In space: a round hole opens the block where it goes all the way down, and where the last rows

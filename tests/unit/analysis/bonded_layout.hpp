@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <random>
 #include <vector>
 
 #include "layout.hpp"
@@ -103,10 +102,11 @@ inline Breaks crack(const std::function<double(double)>& at) {
 inline Breaks and_at_random(const Breaks& breaks, double share, unsigned seed) {
   return [=](const Position& x, const Position& y) {
     if (breaks(x, y)) return true;
-    const auto bits = std::hash<double>{}(x[0] + y[0]) ^ 3 * std::hash<double>{}(x[1] + y[1]) ^
-                      7 * std::hash<double>{}(x[0] * y[0] + x[1] * y[1]);
-    std::mt19937_64 engine(bits ^ seed);
-    return std::uniform_real_distribution<double>(0.0, 1.0)(engine) < share;
+    std::uint64_t bits = std::hash<double>{}(x[0] + y[0]) ^ 3 * std::hash<double>{}(x[1] + y[1]) ^
+                         7 * std::hash<double>{}(x[0] * y[0] + x[1] * y[1]) ^ seed;
+    for (const std::uint64_t factor : {0xbf58476d1ce4e5b9u, 0x94d049bb133111ebu})
+      bits = (bits ^ (bits >> 30)) * factor;
+    return static_cast<double>(bits >> 11) * 0x1p-53 < share;
   };
 }
 

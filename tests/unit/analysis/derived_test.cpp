@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "input/read.hpp"
 #include "model/case.hpp"
+#include "model/material_laws.hpp"
 
 namespace kerf {
 namespace {
@@ -88,6 +90,61 @@ TEST(Derived, Regimes) {
   const double m = 1e5 * 0.7 / (1.3 * 0.4);
   EXPECT_NEAR(derive(tough).failure_strain, std::sqrt(2.0 * 40.0 / (3.2 * 2e-3 * m)), 1e-12);
   EXPECT_EQ(derive(tough).regime, "elastic dimple");
+}
+
+// Every limit of a material counts, and a material without one resists by its stiffness.
+TEST(Derived, ResistanceIsTheLeastStressAtWhichTheSolidGivesWay) {
+  const double shear = 1e5 / 2.6;
+  const auto changed = [](double speed, const std::function<void(Material&)>& change) {
+    Case description = tofu_at(speed);
+    description.formulation = Formulation::standard;
+    for (Material& material : description.materials)
+      if (material.kind == MaterialKind::elastic) {
+        material.failure_strain = 0.0;
+        change(material);
+      }
+    return derive(description);
+  };
+  // 5/2 G is 96 kPa, the stagnation pressure of water at 13.9 m/s.
+  const auto none = [](Material&) {};
+  EXPECT_NEAR(changed(5.0, none).resistance, 2.5 * shear, 1e-9 * shear);
+  EXPECT_EQ(changed(13.8, none).regime, "elastic dimple");
+  EXPECT_EQ(changed(14.0, none).regime, "erosion");
+  EXPECT_EQ(changed(600.0, none).regime, "hydrodynamic");
+  const auto brittle = [](Material& material) {
+    material.criterion = BondCriterion::principal_stress;
+    material.laws->principal_stress.tensile_strength = 8e3;
+  };
+  EXPECT_NEAR(changed(5.0, brittle).resistance, 8e3, 1e-9);
+  EXPECT_EQ(changed(3.9, brittle).regime, "elastic dimple");
+  EXPECT_EQ(changed(4.1, brittle).regime, "crack-led");
+  const auto ductile = [](Material& material) {
+    material.plasticity = PlasticLaw::von_mises;
+    material.laws->plastic.von_mises.yield_stress = 2e3;
+  };
+  EXPECT_NEAR(changed(5.0, ductile).resistance, 2e3, 1e-9);
+  // One flaw per particle of (2 mm)^2 x 1 m in the mean at a strain of 0.02.
+  const auto flawed = [](Material& material) {
+    material.criterion = BondCriterion::grady_kipp;
+    material.laws->grady_kipp.weibull_m = 6.0;
+    material.laws->grady_kipp.weibull_k = std::pow(0.02, -6.0) / 4e-6;
+  };
+  EXPECT_NEAR(changed(5.0, flawed).resistance, 0.02 * 1e5, 1e-6);
+}
+
+// A jet of 200 MPa on the foam of the library, which has no limit.
+TEST(Derived, AJetThatDwarfsTheSolidMakesNoDimple) {
+  Case description = tofu_at(632.0);
+  for (Material& material : description.materials)
+    if (material.kind == MaterialKind::elastic) {
+      material.youngs_modulus = 0.27e6;
+      material.poisson_ratio = 0.0;
+      material.density = 90.0;
+      material.failure_strain = 0.0;
+    }
+  const DerivedNumbers numbers = derive(description);
+  EXPECT_GT(numbers.cauchy_number, 1300.0);
+  EXPECT_EQ(numbers.regime, "hydrodynamic");
 }
 
 // With softening the failure strain is that of the material; if the spacing is too coarse for that,

@@ -2,7 +2,6 @@
 // Half and quarter of a workpiece beside symmetry planes have the metrics of the whole one.
 #include "analysis/whole_frame.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "analysis/kerf.hpp"
@@ -165,26 +164,28 @@ void expect_equal(const Metrics& part, const Metrics& whole, const std::string& 
   }
 }
 
-TEST(WholeFrame, HalfAndQuarterHaveTheMetricsOfTheWhole) {
-  for (const int dimension : {2, 3})
-    for (const double depth : {30.0 * mm, 60.0 * mm}) {
-      const Plate plate{dimension, depth};
-      const Frame initial = plate.initial(), cut = plate.cut();
-      const Metrics whole(plate.description(false, false), initial, cut);
-      EXPECT_GT(whole.values.at("kerf.removed_volume")[0], 0.0);
-      EXPECT_GT(whole.values.at("front_depth")[0], 20.0 * mm);
-      EXPECT_GT(whole.values.at("kerf.splash.mass")[0], 0.0);
-      EXPECT_GT(whole.values.at("kerf.small_fragments.count")[0], 1.0);
-      EXPECT_EQ(whole.values.at("cut_through")[0], depth > thickness ? 1.0 : 0.0);
-      for (const bool quarter : {false, true}) {
-        if (quarter && dimension == 2) continue;
-        const Metrics part(plate.description(true, quarter), Plate::part_of(initial, quarter),
-                           Plate::part_of(cut, quarter));
-        expect_equal(part, whole,
-                     fmt::format("{}D, depth {}, quarter {}", dimension, depth, quarter));
-      }
-    }
+class WholePlate : public testing::TestWithParam<Plate> {};
+
+TEST_P(WholePlate, HasTheMetricsOfItsHalfAndQuarter) {
+  const Plate plate = GetParam();
+  const Frame initial = plate.initial(), cut = plate.cut();
+  const Metrics whole(plate.description(false, false), initial, cut);
+  EXPECT_GT(whole.values.at("kerf.removed_volume")[0], 0.0);
+  EXPECT_GT(whole.values.at("front_depth")[0], 20.0 * mm);
+  EXPECT_GT(whole.values.at("kerf.splash.mass")[0], 0.0);
+  EXPECT_GT(whole.values.at("kerf.small_fragments.count")[0], 1.0);
+  EXPECT_EQ(whole.values.at("cut_through")[0], plate.depth > thickness ? 1.0 : 0.0);
+  for (const bool quarter : {false, true}) {
+    if (quarter && plate.dimension == 2) continue;
+    const Metrics part(plate.description(true, quarter), Plate::part_of(initial, quarter),
+                       Plate::part_of(cut, quarter));
+    expect_equal(part, whole, quarter ? "quarter" : "half");
+  }
 }
+
+INSTANTIATE_TEST_SUITE_P(TwoAndThree, WholePlate,
+                         testing::Values(Plate{2, 30.0 * mm}, Plate{2, 60.0 * mm},
+                                         Plate{3, 30.0 * mm}, Plate{3, 60.0 * mm}));
 
 // A jet beside the plane has an image, and the whole two cuts.
 TEST(WholeFrame, AJetBesideThePlaneHasAnImage) {

@@ -121,7 +121,8 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
   record.rows = 4;
   record.limits = {{"acoustic (water)", 5}, {"end of run", 1}};
   record.stage_times = {{"rates", 0.1}};
-  record.cut_history = {{0.1, 0.2, 3, 0.4, 0.5, 0.6, 0.7, true}, {}};
+  record.cut_history = {{0.1, 0.2, 3, 0.4, 0.5, 0.6, 0.7, true, {{true, true}, {true, false}}}, {}};
+  record.cut_history[1].bodies.resize(2);
   const RunRecord back = record_from(to_archive(record));
   EXPECT_EQ(back.case_name, record.case_name);
   EXPECT_TRUE(back.finished);
@@ -146,6 +147,11 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
   EXPECT_EQ(state.kerf_width, 0.7);
   EXPECT_TRUE(state.cut_through);
   EXPECT_FALSE(back.cut_history[1].cut_through);
+  ASSERT_EQ(state.bodies.size(), 2u);
+  EXPECT_TRUE(state.bodies[0].through && state.bodies[0].severed);
+  EXPECT_TRUE(state.bodies[1].through && !state.bodies[1].severed);
+  ASSERT_EQ(back.cut_history[1].bodies.size(), 2u);
+  EXPECT_FALSE(back.cut_history[1].bodies[0].through);
 }
 
 TEST(Progress, LabelsItsNumbers) {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "output/result.hpp"
+
+namespace kerf {
+namespace {
+
+// Bodies in the way of the jet are named by their fate.
+TEST(Verdict, NamesWhatIsCutThroughAndWhatIsWhole) {
+  RunOutcome outcome;
+  outcome.description.jets.emplace_back();
+  outcome.time = 0.03;
+  outcome.cut.last.front_depth = 0.0123;
+  outcome.description.bodies.resize(4);
+  outcome.description.materials.resize(1);
+  for (Body& body : outcome.description.bodies) body.material = 0;
+  outcome.kerf.emplace();
+  const char* names[] = {"liver", "vessel", "fat", "stone"};
+  for (int n = 0; n < 4; ++n) {
+    outcome.description.bodies[static_cast<std::size_t>(n)].name = names[n];
+    KerfLayer layer;
+    layer.body = n;
+    layer.verdict.is_in_way = n < 3;
+    layer.verdict.cut.through = n == 0;
+    layer.shape.through_share = n == 0 ? 1.0 : 0.0;
+    layer.fractured_mass = n == 2 ? 0.1 : 0.0;
+    outcome.kerf->layers.push_back(layer);
+  }
+  outcome.cut.last.fractured_mass = 1e-6;
+  outcome.kerf->of<CutMargin>().unbroken = 2.5e-3;
+  EXPECT_EQ(
+      verdict_of(outcome),
+      "The jet does not cut through within 30 ms; liver is cut through, vessel is whole, fat is "
+      "cut in part; its front is 12.3 mm deep, and 2.5 mm of the thickness is unbroken.");
+  const auto layers = result_of(outcome).at("kerf").at("layers");
+  EXPECT_EQ(layers.at(0).at("verdict"), "cut through");
+  EXPECT_EQ(layers.at(1).at("verdict"), "whole");
+  EXPECT_EQ(layers.at(2).at("verdict"), "cut in part");
+  EXPECT_EQ(layers.at(3).at("verdict"), "not under the jet");
+  EXPECT_EQ(layers.at(0).at("cut_through"), true);
+  EXPECT_TRUE(layers.at(1).at("cut_through_time").is_null());
+  for (KerfLayer& layer : outcome.kerf->layers) {
+    layer.verdict.cut = {true, true};
+    layer.shape.through_share = layer.body == 1 ? 0.0 : 1.0;
+  }
+  outcome.cut.cut_through = outcome.cut.severed = true;
+  outcome.cut.cut_through_time = 0.0221;
+  outcome.cut.last.pieces = 3;
+  outcome.kerf->shape.through = false;
+  outcome.kerf->shape.depth = 1.5e-3;
+  EXPECT_EQ(
+      verdict_of(outcome),
+      "The workpiece is parted after 22.1 ms by a crack below a cut of 1.5 mm; liver and fat are "
+      "cut through, vessel is parted; at the end the workpiece is in 3 pieces.");
+}
+
+}  // namespace
+}  // namespace kerf
