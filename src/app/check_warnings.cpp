@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/fill.hpp"
@@ -38,9 +39,24 @@ void warn_of_misfits(const Case& description, std::vector<std::string>& warnings
   }
 }
 
+// The stress of a crack falls to zero at an opening of 2 Gc / (E e_0).
+void warn_of_wide_opening(const Material& material, const Body& body, const FractureLimits& limits,
+                          std::vector<std::string>& warnings) {
+  const Box box = bounding_box(body.shape, 3);
+  double longest = 0.0;
+  for (std::size_t a = 0; a < 3; ++a) longest = std::max(longest, box.maximum[a] - box.minimum[a]);
+  const double opening = softening_band_width * body.spacing * limits.end;
+  if (opening <= longest) return;
+  warnings.push_back(
+      fmt::format("a crack in \"{}\" is complete when it has opened by {:.3g} m, more than the "
+                  "body is long ({:.3g} m): tension alone parts it nowhere. A higher "
+                  "failure_strain or a lower fracture_energy of \"{}\" makes cracks",
+                  body.name, opening, longest, material.name));
+}
+
 void warn_of_band(const Material& material, const Body& body, std::vector<std::string>& warnings) {
   const FractureLimits limits = fracture_limits(material, body.spacing);
-  if (limits.softens()) return;
+  if (limits.softens()) return warn_of_wide_opening(material, body, limits, warnings);
   const double ratio = limits.end / material.failure_strain;
   warnings.push_back(fmt::format(
       "at the spacing of \"{}\" its material \"{}\" does not soften but breaks at {:.2g} of "

@@ -31,32 +31,49 @@ TEST(Refuse, IncompleteSoftening) {
   });
 }
 
-// The block is 40 mm long, E = 60 kPa.
-const std::string soft =
-    "formulation = \"standard\"\n[materials.curd]\nkind = \"elastic\"\n"
-    "density = \"1000 kg/m3\"\nyoungs_modulus = \"60 kPa\"\n"
-    "poisson_ratio = 0.3\n";
+// The valid case with a block of this material, 40 mm long with E = 60 kPa.
+std::string block_with(const std::string& keys) {
+  std::string text = good_case;
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace(block_material, "material = \"curd\"");
+  replace(paper, "formulation = \"standard\"");
+  replace("[time]",
+          "[materials.curd]\nkind = \"elastic\"\ndensity = \"1000 kg/m3\"\n"
+          "youngs_modulus = \"60 kPa\"\npoisson_ratio = 0.3\n" +
+              keys + "\n[time]");
+  return text;
+}
 
-// A crack would have to open by 2 Gc / (E e_0) = 67 mm; 50 mm are too much, 33 mm are not.
+void expect_parts(const std::string& message, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+// A crack would have to open by 2 Gc / (E e_0), 67 mm and 33 mm.
 TEST(Refuse, CracksThatOpenWiderThanTheSolids) {
-  const auto with = [](const std::string& strain) {
-    return soft +
-           "criterion = \"crack_band\"\nfracture_energy = \"2 J/m2\"\nfailure_strain = " + strain +
-           "\n";
-  };
-  const auto text_with = [&](const std::string& strain) {
-    std::string text = good_case;
-    text.replace(text.find(block_material), block_material.size(), "material = \"curd\"");
-    text.replace(text.find(paper), paper.size(), "");
-    text.replace(text.find("\n[time]"), 1, "\n" + with(strain));
-    return text;
-  };
-  const std::string message = message_of(text_with("0.001"));
-  EXPECT_NE(message.find("materials.curd.failure_strain = 0.001: a crack"), std::string::npos)
-      << message;
-  EXPECT_NE(message.find("opened by 0.0667 m"), std::string::npos) << message;
-  EXPECT_NE(message.find("Allowed: 0.00167 or more"), std::string::npos) << message;
-  EXPECT_EQ(message_of(text_with("0.002")), "(no error)");
+  const std::string keys = "criterion = \"crack_band\"\nfracture_energy = \"2 J/m2\"\n";
+  expect_parts(message_of(block_with(keys + "failure_strain = 0.001")),
+               {"materials.curd.failure_strain = 0.001: a crack", "opened by 0.0667 m",
+                "Allowed: 0.00167 or more", "tensile test"});
+  EXPECT_EQ(message_of(block_with(keys + "failure_strain = 0.002")), "(no error)");
+}
+
+// Below what single precision resolves: a strain; a fracture energy at the spacing of 2 mm, with
+// Gc = 3.2 d M e^2 / 2 and M = 81 kPa; a strength.
+TEST(Refuse, LimitsThatAreTooSmall) {
+  expect_parts(message_of(block_with("failure_strain = 1e-40")),
+               {"materials.curd.failure_strain = 1e-40: the material would break at a strain of "
+                "1e-40",
+                "Allowed: 0 (never), or 1e-06 or more", "its unit"});
+  expect_parts(message_of(block_with("fracture_energy = \"1e-12 J/m2\"")),
+               {"materials.curd.fracture_energy = \"1e-12 J/m2\": the material would break at",
+                "Allowed: 2.58e-10 J/m2 or more"});
+  expect_parts(
+      message_of(block_with("criterion = \"principal_stress\"\ntensile_strength = \"0.001 Pa\"")),
+      {"materials.curd.tensile_strength = \"0.001 Pa\": the material would break at a strain of",
+       "Allowed: 0.06 Pa or more"});
+  EXPECT_EQ(message_of(block_with("failure_strain = 1e-5")), "(no error)");
 }
 
 }  // namespace

@@ -56,5 +56,18 @@ TEST(CheckWarnings, WarnOfAJetWithoutAWorkpiece) {
   EXPECT_THAT(warnings_of(block_of("tofu")), Not(Contains(nothing)));
 }
 
+// E = 1 kPa: a crack opens by 2 Gc / (E e_0) = 40 or 10 mm in a body of 20 mm.
+TEST(CheckWarnings, WarnOfCracksThatOpenWiderThanTheBody) {
+  const auto tissue = [](const std::string& energy) {
+    return "[materials.tissue]\nkind = \"elastic\"\ndensity = \"1000 kg/m3\"\n"
+           "youngs_modulus = \"1 kPa\"\npoisson_ratio = 0.3\ncriterion = \"crack_band\"\n"
+           "failure_strain = 0.2\nfracture_energy = \"" +
+           energy + " J/m2\"\n" + block_of("tissue");
+  };
+  const auto wide = HasSubstr("a crack in \"block\" is complete when it has opened by 0.04 m");
+  EXPECT_THAT(warnings_of(tissue("4")), Contains(wide));
+  EXPECT_THAT(warnings_of(tissue("1")), Not(Contains(HasSubstr("is complete when"))));
+}
+
 }  // namespace
 }  // namespace kerf

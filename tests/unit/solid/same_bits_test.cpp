@@ -57,6 +57,7 @@ class SameBits : public testing::Test {
     EXPECT_TRUE(are_same(a.position, b.position));
     EXPECT_TRUE(are_same(a.velocity, b.velocity));
     EXPECT_TRUE(are_same(a.solid.save().bond_intact, b.solid.save().bond_intact));
+    EXPECT_TRUE(are_same(a.solid.save().elastic_share, b.solid.save().elastic_share));
     EXPECT_TRUE(are_same(a.solid.save().acceleration, b.solid.save().acceleration));
     EXPECT_TRUE(are_same(to_host(a.solid.fields().detached), to_host(b.solid.fields().detached)));
     EXPECT_TRUE(are_same(a.solid.save().strain, b.solid.save().strain));
