@@ -13,8 +13,11 @@ namespace kerf {
 struct StandardTraits {
   using Pairs = ContactPairs;
 
-  static FieldGroups field_groups(bool has_solids, bool mirrored) {
-    return {.rate_stress = false, .contact = has_solids, .mirrored = mirrored};
+  static FieldGroups field_groups(bool has_solids, bool has_rigid, bool mirrored) {
+    return {.rate_stress = false,
+            .contact = has_solids,
+            .mirrored = mirrored,
+            .rigid_walls = has_rigid};
   }
 
   template <int D, class P>
