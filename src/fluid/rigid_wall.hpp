@@ -99,6 +99,7 @@ struct RigidWallSum {
   }
 
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
+    if (particles.next_rigid_wall == nullptr) return;  // a run without rigid bodies
     auto& wall = particles.next_rigid_wall[i];
     wall = RigidWall<D, Real>::none();
     if (!(sum.all > Real(0))) return;

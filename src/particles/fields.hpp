@@ -35,12 +35,12 @@ namespace kerf {
   STATE(Real, compression_rate, 0, always, hidden)                   /* 1/s */                     \
   STATE(RealVector, last_acceleration, RealVector(), always, hidden) /* m/s^2, of the last step */ \
   STATE(RealVector, wall_normal, RealVector(), always, hidden)       /* 1, to a wall; 0 = none */  \
-  STATE(RealVector, face_normal, RealVector::from(start.face_normal), always, hidden) /* 1, of a */ \
-  /* rigid particle: of the face nearest to it; of fluid: of the rigid wall beside it; 0 = none */ \
-  STATE(Real, face_depth, start.face_depth, always, hidden) /* m, of a rigid particle below it */  \
-  STATE(Real, wall_force_excess, 0, always, hidden)  /* 1, of fluid: what the sums over the */     \
-  STATE(Real, wall_volume_excess, 0, always, hidden) /* 1, rigid wall beside it need more, and */  \
-  STATE(Real, wall_room, 0, always, hidden) /* 1, its room before it: fluid/rigid_wall.hpp */      \
+  STATE(RealVector, face_normal, RealVector::from(start.face_normal), rigid_walls, hidden)         \
+  /* 1, of a rigid particle: of the face nearest to it; of fluid: of the rigid wall beside it */   \
+  STATE(Real, face_depth, start.face_depth, rigid_walls, hidden) /* m, of a rigid particle */      \
+  STATE(Real, wall_force_excess, 0, rigid_walls, hidden)  /* 1, of fluid beside a rigid wall: */   \
+  STATE(Real, wall_volume_excess, 0, rigid_walls, hidden) /* 1, fluid/rigid_wall.hpp */            \
+  STATE(Real, wall_room, 0, rigid_walls, hidden)          /* 1 */                                  \
   STATE(Real, pressure_work, medium.tait.energy(medium, medium.initial_compression), always, hidden)     \
   STATE(Real, inlet_speed, start.inlet_speed, always, hidden)        /* m/s, inside a nozzle */    \
   STATE(std::uint32_t, id, start.id, always, hidden)                 /* unique, never reused */    \
@@ -56,7 +56,7 @@ namespace kerf {
   SCRATCH(Real, start_compression, always, hidden)               /* 1 */                           \
   SCRATCH(Real, pressure, always, hidden)                        /* Pa */                          \
   SCRATCH(RealVector, next_wall_normal, always, hidden)          /* 1, the next wall_normal */     \
-  SCRATCH(RigidWallState, next_rigid_wall, always, hidden)       /* of fluid, the next one */      \
+  SCRATCH(RigidWallState, next_rigid_wall, rigid_walls, hidden)  /* of fluid, the next one */      \
   SCRATCH(Real, kernel_sum, always, hidden) /* 1, sum of V W; 1 inside matter */                   \
   SCRATCH(Real, max_relative_velocity, always, hidden)           /* 1/s, of fluid neighbours */    \
   SCRATCH(RealVector, acceleration, always, hidden)              /* m/s^2 */                       \
@@ -85,6 +85,7 @@ struct FieldGroups {
   bool contact = true;         // contact of the surfaces of solids (standard)
   bool mirrored = true;        // symmetry planes
   bool density_losses = true;  // energy that the density loses (standard)
+  bool rigid_walls = true;     // water beside rigid bodies (standard)
 };
 
 // Contact of a particle of a solid with other bodies (contact/surface_contact.hpp).

@@ -24,10 +24,12 @@ ParticleRun<D, P, Traits>::ParticleRun(RunSettings settings)
       minimum_(Position::from(settings_.domain_minimum)),
       maximum_(Position::from(settings_.domain_maximum)) {
   particles_.mirrors = mirror_planes<D>(settings_);
-  const bool has_solids = std::any_of(media_.begin(), media_.end(), [](const auto& medium) {
-    return medium.phase == Phase::solid;
-  });
-  particles_.groups = Traits::field_groups(has_solids, particles_.mirrors.faces != 0);
+  const auto has = [&](Phase phase) {
+    return std::any_of(media_.begin(), media_.end(),
+                       [&](const auto& medium) { return medium.phase == phase; });
+  };
+  particles_.groups =
+      Traits::field_groups(has(Phase::solid), has(Phase::rigid), particles_.mirrors.faces != 0);
   std::vector<Medium<Real>> media;
   std::vector<double> masses;
   double finest = 1e300, shortest = 1e300;

@@ -13,9 +13,12 @@ namespace kerf {
 struct StandardTraits {
   using Pairs = ContactPairs;
 
-  static FieldGroups field_groups(bool has_solids, bool mirrored) {
-    return {
-        .rate_stress = false, .contact = has_solids, .mirrored = mirrored, .density_losses = true};
+  static FieldGroups field_groups(bool has_solids, bool has_rigid, bool mirrored) {
+    return {.rate_stress = false,
+            .contact = has_solids,
+            .mirrored = mirrored,
+            .density_losses = true,
+            .rigid_walls = has_rigid};
   }
 
   template <int D, class P>

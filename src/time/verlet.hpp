@@ -82,7 +82,7 @@ struct UpdateSurfaceFlags {
     const bool open = particles.kernel_sum[i] < typename P::Real(full_concentration);
     int flags = particles.flags[i] & ~flag::surface;
     if (open) flags |= flag::surface;
-    if (particles.medium(i).phase != Phase::rigid) {
+    if (particles.next_rigid_wall != nullptr && particles.medium(i).phase != Phase::rigid) {
       const auto& wall = particles.next_rigid_wall[i];
       particles.face_normal[i] = wall.normal;
       particles.wall_force_excess[i] = wall.force_excess;
