@@ -53,7 +53,11 @@ struct Shinohara2004Traits {
   using Pairs = JointPairs;
 
   static FieldGroups field_groups(bool, bool, bool mirrored) {
-    return {.rate_stress = true, .contact = false, .mirrored = mirrored, .density_losses = false, .rigid_walls = false};
+    return {.rate_stress = true,
+            .contact = false,
+            .mirrored = mirrored,
+            .density_losses = false,
+            .rigid_walls = false};
   }
 
   template <int D, class P>
