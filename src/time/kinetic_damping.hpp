@@ -6,6 +6,7 @@
 // docs/theory/relaxation.md
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "parallel/ordered_sum.hpp"

@@ -56,6 +56,7 @@ inline std::vector<Storage> storages_of(std::string_view section) {
   if (section == "materials") return {model<Material>(), draft<MaterialDraft>()};
   if (section == "body") return {model<Body>(), draft<BodyDraft>()};
   if (section == "grading") return {model<Grading>()};
+  if (section == "load") return {model<Load>()};
   if (section == "shape") return {model<Shape>()};
   if (section == "machine") return {model<Machine>(), draft<JetDraft>()};
   if (section == "jet") return {model<Jet>(), draft<JetDraft>()};

@@ -80,7 +80,7 @@ TYPED_TEST(Deformation, WaveTimeIsTheMinimumOverParticles) {
     for (auto& x : trial.position)  // not uniform
       for (int a = 0; a < D; ++a) x[a] *= 1.0 - 20.0 * n * x[a];
     trial.deform();
-    const WaveTimeLimit<D, typename TypeParam::P> limit{trial.solid.view()};
+    const WaveTimeLimit<D, typename TypeParam::P> limit{trial.solid.view(), 0.25};
     WaveTime due = limit(0);
     for (Index i = 1; i < trial.solid.size(); ++i) due = ShorterWave{}(due, limit(i));
     const WaveTime is = trial.solid.wave_time(0.25);
