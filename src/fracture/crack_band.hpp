@@ -17,7 +17,12 @@ struct FractureInput {
   double failure_strain = 0.0;   // 1; 0 = none
   double fracture_energy = 0.0;  // Gc, J/m^2; 0 = none
   double spacing = 0.0;          // d, m
+  bool flows = false;            // whether the material flows, which excludes softening
 };
+
+// Strains below this are lost in the rounding of deformation gradients in single precision; a limit
+// below it would break nothing or everything.
+inline constexpr double least_failure_strain = 1e-6;
 
 struct FractureLimits {
   double start = 0.0, end = 0.0;  // e_0 and e_f, 1; 0 = never
@@ -41,15 +46,6 @@ inline double failure_strain_of(double fracture_energy, double bulk_modulus, dou
   return std::sqrt(2.0 * fracture_energy / (brittle_band_width * spacing * modulus));
 }
 
-// The limits of a brittle material: its failure strain, or that of its fracture energy.
-inline FractureLimits brittle_limits(const FractureInput& input) {
-  const double limit = input.fracture_energy > 0.0
-                           ? failure_strain_of(input.fracture_energy, input.moduli.bulk_modulus,
-                                               input.moduli.shear_modulus, input.spacing)
-                           : input.failure_strain;
-  return {limit, limit};
-}
-
 // Where a band softens from a strain on (fracture/softening.hpp),  Gc = w d E e_0 e_f / 2.  A band
 // that is too wide for that breaks at the strain e_0 = e_f that makes the energy right, below the
 // material's (Bazant & Oh, section 7). w is such that a strip that is slowly pulled in two takes
@@ -65,6 +61,41 @@ inline FractureLimits softening_law_of(double fracture_energy, double youngs_mod
   if (end > strain) return {strain, end};
   const double brittle = std::sqrt(end * strain);
   return {brittle, brittle};
+}
+
+// Young's modulus that bonds carry, Pa.
+inline double carried_youngs_modulus(const ElasticModuli<double>& moduli) {
+  const double carried = bond_bulk_modulus(moduli.bulk_modulus, moduli.shear_modulus);
+  return ElasticModuli<double>{carried, moduli.shear_modulus}.young_modulus();
+}
+
+// e_f / e_0 of a material without a strength of its own. A crack that breaks its bonds at one
+// strain is held by the rows of the lattice and follows them. Softening spreads its tip over
+// several particles; below 5 cracks along a row and between two rows still start at loads that
+// differ by more than a tenth (tests/unit/solid/crack_direction_test.cpp).
+inline constexpr double brittle_softening = 6.0;
+
+// The brittle limit of the crack band: the strength follows from the energy and the spacing,
+//   Gc = w d E e_0 e_f / 2,   e_f / e_0 = brittle_softening.
+inline FractureLimits brittle_band_of(double fracture_energy, double youngs_modulus,
+                                      double spacing) {
+  const double start =
+      std::sqrt(2.0 * fracture_energy /
+                (softening_band_width * spacing * youngs_modulus * brittle_softening));
+  return {start, brittle_softening * start};
+}
+
+// The limits of a material that gives a failure strain, at which it breaks at once, or a fracture
+// energy, with which it softens, unless it flows.
+inline FractureLimits brittle_limits(const FractureInput& input) {
+  const auto& moduli = input.moduli;
+  if (input.fracture_energy > 0.0 && !input.flows)
+    return brittle_band_of(input.fracture_energy, carried_youngs_modulus(moduli), input.spacing);
+  const double limit = input.fracture_energy > 0.0
+                           ? failure_strain_of(input.fracture_energy, moduli.bulk_modulus,
+                                               moduli.shear_modulus, input.spacing)
+                           : input.failure_strain;
+  return {limit, limit};
 }
 
 }  // namespace kerf

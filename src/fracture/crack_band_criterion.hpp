@@ -22,10 +22,7 @@ struct CrackBandStrain {
   static constexpr CriterionKeys keys{StrainOrEnergy::both, true, ""};
   // With the modulus E that bonds carry.
   static FractureLimits limits(const FractureInput& input) {
-    const double shear = input.moduli.shear_modulus;
-    const double carried = bond_bulk_modulus(input.moduli.bulk_modulus, shear);
-    return softening_law_of(input.fracture_energy,
-                            ElasticModuli<double>{carried, shear}.young_modulus(),
+    return softening_law_of(input.fracture_energy, carried_youngs_modulus(input.moduli),
                             input.failure_strain, input.spacing);
   }
   KERF_FUNCTION bool can_break(bool has_limit) const { return has_limit; }

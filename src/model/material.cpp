@@ -28,7 +28,8 @@ PlasticParameters<double> plastic_parameters(const Material& material) {
 FractureLimits fracture_limits(const Material& material, double spacing) {
   const FractureInput input{
       ElasticModuli<double>::of(material.youngs_modulus, material.poisson_ratio),
-      material.failure_strain, material.fracture_energy, spacing};
+      material.failure_strain, material.fracture_energy, spacing,
+      material.plasticity != PlasticLaw::none};
   return BondCriterionSet<double>::visit(*material.laws, material.criterion,
                                          [&](const auto& chosen) { return chosen.limits(input); });
 }
