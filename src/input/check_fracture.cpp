@@ -15,9 +15,6 @@
 namespace kerf {
 namespace {
 
-// Least strain at which a material may break: those of particles are computed in single precision,
-// with errors of 1e-7.
-constexpr double least_limit = 1e-6;
 constexpr double small_strain = 0.01;
 
 // Longest edge of the box around all bodies that are not rigid, m.
@@ -57,9 +54,9 @@ void check_opening(Draft& draft, const Material& material, const FractureLimits&
 }
 
 void check_smallness(Draft& draft, const Material& material, const FractureLimits& limits) {
-  if (limits.start > 0.0 && limits.start < least_limit) {
+  if (limits.start > 0.0 && limits.start < least_failure_strain) {
     const bool by_energy = !limits.softens() && material.fracture_energy > 0.0;
-    const double part = limits.start / least_limit;
+    const double part = limits.start / least_failure_strain;
     draft.reading.problems.add(
         {fmt::format("materials.{}.{}", material.name,
                      by_energy ? "fracture_energy" : "failure_strain"),
@@ -68,12 +65,12 @@ void check_smallness(Draft& draft, const Material& material, const FractureLimit
                      limits.start),
          by_energy ? fmt::format("{:.3g} J/m2 or more at this spacing",
                                  material.fracture_energy / (part * part))
-                   : fmt::format("0 (never), or {:g} or more", least_limit),
+                   : fmt::format("0 (never), or {:g} or more", least_failure_strain),
          "Correct the value or its unit"});
     return;
   }
   const double strength = material.laws->principal_stress.tensile_strength;
-  const double least = least_limit * material.youngs_modulus;
+  const double least = least_failure_strain * material.youngs_modulus;
   if (material.criterion != BondCriterion::principal_stress || strength >= least) return;
   draft.reading.problems.add(
       {fmt::format("materials.{}.tensile_strength", material.name),
