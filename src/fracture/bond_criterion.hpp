@@ -16,6 +16,7 @@
 #pragma once
 
 #include "fracture/bond_strain.hpp"
+#include "fracture/brittle_band.hpp"
 #include "fracture/crack_band_criterion.hpp"
 #include "fracture/criteria.hpp"
 #include "fracture/equivalent_total_strain.hpp"

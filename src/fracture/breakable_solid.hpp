@@ -39,7 +39,7 @@ KERF_FUNCTION T largest_of(const Vector<3, T>& values) {
 }
 
 // Which of the keys failure_strain and fracture_energy a criterion takes.
-enum class StrainOrEnergy { one_of_them, both, neither };
+enum class StrainOrEnergy { one_of_them, both, energy, neither };
 
 // The other keys of a material that a criterion needs and excludes.
 struct CriterionKeys {

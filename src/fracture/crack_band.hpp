@@ -17,7 +17,6 @@ struct FractureInput {
   double failure_strain = 0.0;   // 1; 0 = none
   double fracture_energy = 0.0;  // Gc, J/m^2; 0 = none
   double spacing = 0.0;          // d, m
-  bool flows = false;            // whether the material flows, which excludes softening
 };
 
 // Strains below this are lost in the rounding of deformation gradients in single precision; a limit
@@ -85,15 +84,11 @@ inline FractureLimits brittle_band_of(double fracture_energy, double youngs_modu
   return {start, brittle_softening * start};
 }
 
-// The limits of a material that gives a failure strain, at which it breaks at once, or a fracture
-// energy, with which it softens, unless it flows.
+// The limits of a material that breaks at once: its failure strain, or that of its fracture energy.
 inline FractureLimits brittle_limits(const FractureInput& input) {
-  const auto& moduli = input.moduli;
-  if (input.fracture_energy > 0.0 && !input.flows)
-    return brittle_band_of(input.fracture_energy, carried_youngs_modulus(moduli), input.spacing);
   const double limit = input.fracture_energy > 0.0
-                           ? failure_strain_of(input.fracture_energy, moduli.bulk_modulus,
-                                               moduli.shear_modulus, input.spacing)
+                           ? failure_strain_of(input.fracture_energy, input.moduli.bulk_modulus,
+                                               input.moduli.shear_modulus, input.spacing)
                            : input.failure_strain;
   return {limit, limit};
 }

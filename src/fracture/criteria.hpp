@@ -12,6 +12,7 @@
   LAW(principal_stress, PrincipalStress)        \
   LAW(strain_energy, StrainEnergy)              \
   LAW(crack_band, CrackBandStrain)              \
+  LAW(brittle_band, BrittleBand)                \
   LAW(grady_kipp, GradyKipp)
 
 namespace kerf {

@@ -13,7 +13,6 @@
 
 #include "fracture/bond_strain.hpp"
 #include "fracture/breakable_solid.hpp"
-#include "fracture/brittle_band.hpp"
 #include "fracture/crack_band.hpp"
 
 namespace kerf {
@@ -29,7 +28,6 @@ struct EquivalentTotalStrain {
   template <class Particle>
   KERF_FUNCTION T prepare(const Particle& particle) const {
     if (!(particle.solid.failure_strain > T(0))) return T(0);
-    if (particle.solid.softens()) return BrittleBand<T>::prepare(particle);
     Vector<3, T> strain = principal_values(particle.green);
     T mean = T(0), square = T(0);
     for (int a = 0; a < 3; ++a) {
@@ -45,7 +43,6 @@ struct EquivalentTotalStrain {
   }
 
   KERF_FUNCTION bool breaks(const BondStrain<T>& bond, const BreakableSolid<T>& solid) const {
-    if (solid.softens()) return BrittleBand<T>::breaks(bond, solid);
     return is_above(bond.own, T(1.5) * solid.failure_strain) ||
            (passes(bond.prepared, solid) && bond.is_opening());
   }

@@ -14,7 +14,6 @@
 
 #include "fracture/bond_strain.hpp"
 #include "fracture/breakable_solid.hpp"
-#include "fracture/brittle_band.hpp"
 #include "fracture/crack_band.hpp"
 
 namespace kerf {
@@ -31,7 +30,6 @@ struct PrincipalStrain {
   template <class Particle>
   KERF_FUNCTION T prepare(const Particle& particle) const {
     if (!(particle.solid.failure_strain > T(0))) return T(0);
-    if (particle.solid.softens()) return BrittleBand<T>::prepare(particle);
     const Vector<3, T> values = principal_values(particle.green);
     T largest = values[0] > values[1] ? values[0] : values[1];
     largest = largest > values[2] ? largest : values[2];
@@ -42,16 +40,14 @@ struct PrincipalStrain {
   template <int D>
   KERF_FUNCTION bool stays_below(const BreakableSolid<T>& solid,
                                  const SymmetricTensor<D, T>& green) const {
-    return !solid.softens() && !passes(T(2) * possible_values(green).most + T(1e-5), solid);
+    return !passes(T(2) * possible_values(green).most + T(1e-5), solid);
   }
 
   KERF_FUNCTION bool passes(T prepared, const BreakableSolid<T>& solid) const {
-    return solid.softens() ? BrittleBand<T>::passes(prepared, solid)
-                           : is_above(prepared, solid.failure_strain);
+    return is_above(prepared, solid.failure_strain);
   }
 
   KERF_FUNCTION bool breaks(const BondStrain<T>& bond, const BreakableSolid<T>& solid) const {
-    if (solid.softens()) return BrittleBand<T>::breaks(bond, solid);
     if (is_above(bond.own, solid.failure_strain)) return true;
     return passes(bond.prepared, solid) && bond.mean > T(0.25) * bond.prepared && bond.is_opening();
   }

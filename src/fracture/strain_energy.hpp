@@ -13,7 +13,6 @@
 
 #include "fracture/bond_strain.hpp"
 #include "fracture/breakable_solid.hpp"
-#include "fracture/brittle_band.hpp"
 #include "fracture/crack_band.hpp"
 
 namespace kerf {
@@ -30,7 +29,6 @@ struct StrainEnergy {
   template <class Particle>
   KERF_FUNCTION T prepare(const Particle& particle) const {
     if (!(particle.solid.failure_strain > T(0))) return T(0);
-    if (particle.solid.softens()) return BrittleBand<T>::prepare(particle);
     const auto law = TensionLaw<T>::of(particle.solid);
     const T twice = T(2) * law.energy(principal_values(particle.green));
     return twice > T(0) ? std::sqrt(twice / (law.lame + T(2) * law.shear)) : T(0);
@@ -41,7 +39,6 @@ struct StrainEnergy {
   }
 
   KERF_FUNCTION bool breaks(const BondStrain<T>& bond, const BreakableSolid<T>& solid) const {
-    if (solid.softens()) return BrittleBand<T>::breaks(bond, solid);
     return is_above(bond.own, solid.failure_strain) ||
            (passes(bond.prepared, solid) && bond.mean > T(0.5) * solid.failure_strain &&
             bond.is_opening());

@@ -30,7 +30,7 @@ std::vector<Key> plain_keys() {
       {"fracture_energy", quantity, "J/m2", "0 J/m2", from_zero_to(1e7), {}, "elastic", "Fracture energy per area of a crack, instead of a failure_strain, which then follows from the spacing; only in the standard formulation", stored_in<&Material::fracture_energy>},
       {"elasticity", word, "", "neo_hookean", any, elastic_law_words, "elastic+standard", "Law of elasticity; a material with plasticity has Hencky's", stored_in<&Material::elasticity>},
       {"plasticity", word, "", "(that of the base, or none)", any, plastic_law_words, "elastic+standard", "Law of plasticity: of metals (von_mises, johnson_cook), or of rock (drucker_prager)", stored_in<&Material::plasticity>},
-      {"criterion", word, "", "principal_strain", any, bond_criterion_words, "elastic+standard", "Fracture criterion at a bond: a strain, or the energy stored in tension, is compared with the failure_strain, the largest principal stress with the tensile_strength; crack_band: softening from the failure_strain on that dissipates the fracture_energy; grady_kipp: damage by cracks that grow from flaws", stored_in<&Material::criterion>},
+      {"criterion", word, "", "principal_strain", any, bond_criterion_words, "elastic+standard", "Fracture criterion at a bond: a strain, or the energy stored in tension, is compared with the failure_strain, the largest principal stress with the tensile_strength; crack_band: softening from the failure_strain on that dissipates the fracture_energy; brittle_band: the same with the fracture_energy alone, for brittle cracks in any direction; grady_kipp: damage by cracks that grow from flaws", stored_in<&Material::criterion>},
       {"friction", number, "", "0", from_zero_to(10.0), {}, "elastic+standard", "Coefficient of dry friction on other bodies; the smaller of two applies", stored_in<&Material::friction>},
       {"viscosity", quantity, "Pa s", "0 Pa s", from_zero_to(1e6), {}, "water", "Dynamic viscosity", stored_in<&Material::viscosity>},
       {"equation_of_state", word, "", "(tait; shock_hugoniot if something moves faster than 150 m/s and neither a sound speed nor an exponent is given)", any, equation_of_state_words, "water+standard", "Equation of state: weakly compressible water, or water with the shock speeds of real water", stored_in<&Material::equation_of_state>},
@@ -140,6 +140,11 @@ void resolve_fracture(Section& section, Formulation formulation, Material& mater
     case StrainOrEnergy::both:
       require_key(section, "failure_strain", material.failure_strain, material);
       require_key(section, "fracture_energy", material.fracture_energy, material);
+      break;
+    case StrainOrEnergy::energy:
+      require_key(section, "fracture_energy", material.fracture_energy, material);
+      refuse_key(section, "failure_strain", material, keys);
+      material.failure_strain = 0.0;
       break;
     case StrainOrEnergy::neither:
       refuse_key(section, "failure_strain", material, keys);

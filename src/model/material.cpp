@@ -28,8 +28,7 @@ PlasticParameters<double> plastic_parameters(const Material& material) {
 FractureLimits fracture_limits(const Material& material, double spacing) {
   const FractureInput input{
       ElasticModuli<double>::of(material.youngs_modulus, material.poisson_ratio),
-      material.failure_strain, material.fracture_energy, spacing,
-      material.plasticity != PlasticLaw::none};
+      material.failure_strain, material.fracture_energy, spacing};
   return BondCriterionSet<double>::visit(*material.laws, material.criterion,
                                          [&](const auto& chosen) { return chosen.limits(input); });
 }

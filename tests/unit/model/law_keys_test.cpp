@@ -104,6 +104,7 @@ TEST(CanBreak, IsEqualForAMaterialAndItsMedium) {
                {BondCriterion::principal_stress, {.tensile_strength = 1e6}, true},
                {BondCriterion::principal_stress, {.failure_strain = 0.1}, false},
                {BondCriterion::crack_band, {.failure_strain = 0.1, .fracture_energy = 2.0}, true},
+               {BondCriterion::brittle_band, {.fracture_energy = 2.0}, true},
                {BondCriterion::grady_kipp, {}, true},
                {BondCriterion::principal_strain, {.ductile = 0.2}, true}};
   for (const auto& row : table) {
