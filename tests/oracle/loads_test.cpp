@@ -32,7 +32,7 @@ Shape turned_block(double angle) {
   return shape;
 }
 
-// A disc around the middle of the right end, wide enough for the end and 1 mm of both sides.
+// A region that holds the right end and 0.1 mm of both sides.
 Shape at_end(double angle) {
   Shape shape;
   shape.kind = Shape::Kind::polygon;

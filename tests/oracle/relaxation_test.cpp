@@ -9,7 +9,7 @@ namespace kerf::test::relaxation_test {
 namespace {
 
 // A column of 30 mm on a clamped foot.
-Case column(PrecisionKind precision) {
+Case heavy_column(PrecisionKind precision) {
   Case c = empty_case(2, precision);
   c.formulation = Formulation::standard;
   c.smoothing_ratio = 1.3;
@@ -28,7 +28,7 @@ Case column(PrecisionKind precision) {
 // held particles are centred half a spacing below its foot.
 TEST(Relaxation, AColumnComesToRest) {
   for (const PrecisionKind precision : both_precisions) {
-    Case c = column(precision);
+    Case c = heavy_column(precision);
     const double rho = 940.0, e = 1e5, length = 0.03, wave = std::sqrt(e / rho);
     c.time.relax = c.time.end = 15.0 * length / wave;
     const auto simulation = make_simulation(c);
@@ -55,7 +55,7 @@ TEST(Relaxation, AColumnComesToRest) {
 }
 
 TEST(Relaxation, EndsAtItsTime) {
-  Case c = column(PrecisionKind::mixed);
+  Case c = heavy_column(PrecisionKind::mixed);
   c.time.relax = 1e-3;
   c.time.end = 0.01;
   const auto simulation = make_simulation(c);
@@ -69,7 +69,7 @@ TEST(Relaxation, EndsAtItsTime) {
 }
 
 TEST(Relaxation, SameBitsAfterRestart) {
-  Case c = column(PrecisionKind::mixed);
+  Case c = heavy_column(PrecisionKind::mixed);
   c.time.relax = 1.0;
   EXPECT_GT(expect_same_bits_after_restart(c).dissipated_damping, 0.0);
 }

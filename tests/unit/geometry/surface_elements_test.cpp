@@ -13,7 +13,7 @@
 namespace kerf::test::surface_elements_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double half_circle = std::numbers::pi;
 
 Shape box(const Point& minimum, const Point& maximum) {
   Shape shape;
@@ -62,16 +62,19 @@ void expect_surface(const Shape& shape, int dimension, double area, double volum
 
 TEST(SurfaceElements, OfPlaneShapes) {
   expect_surface(box({0.0, 0.0, 0.0}, {0.3, 0.2, 0.0}), 2, 1.0, 0.06, 1e-12);
-  expect_surface(round(Shape::Kind::disc, 0.5), 2, pi, pi / 4.0, 1e-12);
-  expect_surface(round(Shape::Kind::ring, 0.5, 0.3), 2, 1.6 * pi, 0.16 * pi, 1e-12);
+  expect_surface(round(Shape::Kind::disc, 0.5), 2, half_circle, half_circle / 4.0, 1e-12);
+  expect_surface(round(Shape::Kind::ring, 0.5, 0.3), 2, 1.6 * half_circle, 0.16 * half_circle,
+                 1e-12);
   expect_surface(triangle(), 2, 1.2, 0.06, 1e-12);
 }
 
 TEST(SurfaceElements, OfSolidShapes) {
   expect_surface(box({0.0, 0.0, 0.0}, {0.3, 0.2, 0.1}), 3, 0.22, 0.006, 1e-12);
-  expect_surface(round(Shape::Kind::disc, 0.5), 3, pi * (0.7 + 0.5), 0.175 * pi, 1e-12);
-  expect_surface(round(Shape::Kind::ring, 0.5, 0.3), 3, pi * (1.6 * 0.7 + 0.32), 0.112 * pi, 1e-12);
-  expect_surface(round(Shape::Kind::sphere, 0.5), 3, pi, pi / 6.0, 1e-12);
+  expect_surface(round(Shape::Kind::disc, 0.5), 3, half_circle * (0.7 + 0.5), 0.175 * half_circle,
+                 1e-12);
+  expect_surface(round(Shape::Kind::ring, 0.5, 0.3), 3, half_circle * (1.6 * 0.7 + 0.32),
+                 0.112 * half_circle, 1e-12);
+  expect_surface(round(Shape::Kind::sphere, 0.5), 3, half_circle, half_circle / 6.0, 1e-12);
   expect_surface(triangle(), 3, 1.2 * 0.2 + 0.12, 0.012, 1e-3);
 }
 
@@ -80,8 +83,8 @@ TEST(SurfaceElements, OfUnionsAndDifferences) {
   Shape hole = round(Shape::Kind::disc, 0.05);
   hole.centre = {0.15, 0.1, 0.0};
   const Shape block = box({0.0, 0.0, 0.0}, {0.3, 0.2, 0.0});
-  expect_surface(of_parts(Shape::Kind::difference, {block, hole}), 2, 1.0 + 0.1 * pi,
-                 0.06 - 0.0025 * pi, 1e-12);
+  expect_surface(of_parts(Shape::Kind::difference, {block, hole}), 2, 1.0 + 0.1 * half_circle,
+                 0.06 - 0.0025 * half_circle, 1e-12);
   const Shape beside = box({0.2, 0.0, 0.0}, {0.5, 0.2, 0.0});
   // Edges that end within a face: to half of an element of 0.01 at each of the two ends.
   expect_surface(of_parts(Shape::Kind::join, {block, beside}), 2, 1.4, 0.1, 0.01 / 1.4);

@@ -35,7 +35,7 @@ spacing = "1 mm"
 const std::string right_end =
     R"(shape = { type = "box", minimum = ["19.9 mm", "-1 mm"], maximum = ["21 mm", "11 mm"] })";
 
-std::string refusal(const std::string& load, const std::string& formulation = "standard") {
+std::string refusal_of_load(const std::string& load, const std::string& formulation = "standard") {
   try {
     parse_case(case_with(load, formulation), "case.toml");
   } catch (const UserError& error) {
@@ -71,21 +71,22 @@ TEST(Load, IsRefusedWhereItCannotAct) {
                         const std::string& value) {
     return "[[load]]\nkind = \"pressure\"\nbody = \"" + body + "\"\n" + shape + "\n" + value;
   };
-  EXPECT_EQ(refusal(load("block", right_end, pressure)), "accepted");
-  EXPECT_THAT(refusal(load("clamp", right_end, pressure)),
+  EXPECT_EQ(refusal_of_load(load("block", right_end, pressure)), "accepted");
+  EXPECT_THAT(refusal_of_load(load("clamp", right_end, pressure)),
               AllOf(HasSubstr("load[1].body"), HasSubstr("free to move"), HasSubstr("block")));
-  EXPECT_THAT(refusal(load("blocks", right_end, pressure)), HasSubstr("load[1].body"));
-  EXPECT_THAT(refusal(load("block", "", pressure)),
+  EXPECT_THAT(refusal_of_load(load("blocks", right_end, pressure)), HasSubstr("load[1].body"));
+  EXPECT_THAT(refusal_of_load(load("block", "", pressure)),
               AllOf(HasSubstr("load[1].shape"), HasSubstr("the key is missing")));
-  EXPECT_THAT(refusal(load("block", right_end, "traction = [\"1 Pa\", \"0 Pa\"]\n" + pressure)),
-              AllOf(HasSubstr("load[1].traction"), HasSubstr("no meaning here")));
-  EXPECT_THAT(refusal(load("block", right_end, pressure + "history = \"x\"\n")),
+  EXPECT_THAT(
+      refusal_of_load(load("block", right_end, "traction = [\"1 Pa\", \"0 Pa\"]\n" + pressure)),
+      AllOf(HasSubstr("load[1].traction"), HasSubstr("no meaning here")));
+  EXPECT_THAT(refusal_of_load(load("block", right_end, pressure + "history = \"x\"\n")),
               AllOf(HasSubstr("load[1].history"), HasSubstr("cannot be used")));
   const std::string inside =
       R"(shape = { type = "box", minimum = ["5 mm", "3 mm"], maximum = ["9 mm", "7 mm"] })";
-  EXPECT_THAT(refusal(load("block", inside, pressure)),
+  EXPECT_THAT(refusal_of_load(load("block", inside, pressure)),
               AllOf(HasSubstr("load[1].shape"), HasSubstr("no part of the surface")));
-  EXPECT_THAT(refusal(load("block", right_end, pressure), "shinohara2004"),
+  EXPECT_THAT(refusal_of_load(load("block", right_end, pressure), "shinohara2004"),
               HasSubstr("no meaning here"));
 }
 

@@ -23,10 +23,10 @@ RunOutcome outcome_with_solid() {
   return outcome;
 }
 
-auto named(const std::string& name) {
+auto any_of_name(const std::string& name) {
   return Contains(Field(&ValidityFlag::name, name));
 }
-auto flag(const std::string& name, State state, const std::string& part) {
+auto flag_of(const std::string& name, State state, const std::string& part) {
   return Contains(AllOf(Field(&ValidityFlag::name, name), Field(&ValidityFlag::state, state),
                         Field(&ValidityFlag::sentence, HasSubstr(part))));
 }
@@ -34,22 +34,22 @@ auto flag(const std::string& name, State state, const std::string& part) {
 TEST(SolidValidity, FlagsHourglassEnergy) {
   RunOutcome outcome = outcome_with_solid();
   outcome.balance.hourglass = 0.01;
-  EXPECT_THAT(validity_of(outcome), flag("hourglass", State::good, "holds 9.1%"));
+  EXPECT_THAT(validity_of(outcome), flag_of("hourglass", State::good, "holds 9.1%"));
   outcome.balance.hourglass = 0.04;
-  EXPECT_THAT(validity_of(outcome), flag("hourglass", State::warning, "holds 29%"));
+  EXPECT_THAT(validity_of(outcome), flag_of("hourglass", State::warning, "holds 29%"));
   outcome.balance.elastic_strain = outcome.balance.hourglass = 1e-9;  // of no account
-  EXPECT_THAT(validity_of(outcome), Not(named("hourglass")));
+  EXPECT_THAT(validity_of(outcome), Not(any_of_name("hourglass")));
 }
 
 TEST(SolidValidity, FlagsSolidsThatDidNotComeToRest) {
   RunOutcome outcome = outcome_with_solid();
   outcome.balance.dissipated_damping = 0.1;
-  EXPECT_THAT(validity_of(outcome), Not(named("relaxation")));
+  EXPECT_THAT(validity_of(outcome), Not(any_of_name("relaxation")));
   outcome.description.time.relax = 1.0;
   outcome.balance.damping_peak = 1e-5;
-  EXPECT_THAT(validity_of(outcome), flag("relaxation", State::good, "came to rest"));
+  EXPECT_THAT(validity_of(outcome), flag_of("relaxation", State::good, "came to rest"));
   outcome.balance.damping_peak = 1e-2;
-  EXPECT_THAT(validity_of(outcome), flag("relaxation", State::warning, "did not come to rest"));
+  EXPECT_THAT(validity_of(outcome), flag_of("relaxation", State::warning, "did not come to rest"));
 }
 
 }  // namespace
