@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// BrittleBand is the criterion brittle_band, the brittle limit of the crack band for a material that
-// gives a fracture energy and no strength. Its stress softens (softening.hpp) over the shortest span
-// of strains that lets a crack run in any direction of the lattice (brittle_softening of
-// crack_band.hpp).
+// BrittleBand is the criterion brittle_band, the brittle limit of the crack band for a material
+// that gives a fracture energy and no strength. Its stress softens (softening.hpp) over the
+// shortest span of strains that lets a crack run in any direction of the lattice (brittle_softening
+// of crack_band.hpp).
 //
 // A crack opens in one of two ways, depending on how it lies in the lattice. Between two rows of
 // particles one bond takes the whole opening, and the particles beside it see half of that as
@@ -25,7 +25,8 @@ namespace kerf {
 template <class T>
 struct BrittleBand {
   static constexpr std::string_view sentence =
-      "Stress softens over the shortest band whose cracks run in any direction, and which takes the "
+      "Stress softens over the shortest band whose cracks run in any direction, and which takes "
+      "the "
       "fracture_energy";
   static constexpr CriterionKeys keys{StrainOrEnergy::energy, true, "the fracture_energy alone"};
   static constexpr T own_share = T(0.9), end_share = T(0.7);  // of e_f
