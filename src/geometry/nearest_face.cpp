@@ -83,7 +83,8 @@ class Feet {
     if (!(distance > 0.0)) return;
     const Point out = sum({}, 1.0 / distance, radial);
     const double between = has_ends ? std::clamp(along, 0.0, shape.length) : 0.0;
-    const Point middle = has_ends ? sum(shape.centre, between, shape.axis) : shape.centre;
+    Point middle = has_ends ? sum(shape.centre, between, shape.axis) : shape.centre;
+    if (dimension_ == 2) middle[2] = 0.0;
     feet_.push_back({sum(middle, shape.radius, out), out});
     const bool is_ring = shape.kind == Shape::Kind::ring;
     if (is_ring) feet_.push_back({sum(middle, shape.inner_radius, out), out});
