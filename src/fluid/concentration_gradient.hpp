@@ -36,9 +36,9 @@ struct ConcentrationGradientSum {
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     if (pair.medium_j->phase == Phase::rigid && particles.is_fluid(pair.i))
-      sum.gradient -= (pair.medium_j->volume * (Real(1) + particles.wall_force_excess[pair.i]) *
-                       pair.slope_per_distance) *
-                      rigid_wall_arm(particles, pair).arm;
+      sum.gradient -=
+          (pair.medium_j->volume * wall_force_factor(particles, pair.i) * pair.slope_per_distance) *
+          rigid_wall_arm(particles, pair).arm;
     else
       sum.gradient += pair.medium_j->volume * pair.gradient;
     sum.near_free_surface |= particles.is_fluid(pair.j) && particles.has(pair.j, flag::surface);

@@ -109,7 +109,7 @@ struct FluidPair {
     const Real rise = -particles.density(pair.i) * dot(gravity, pair.separation);
     const auto star = solve_riemann_at_wall(
         side(particles, pair.i, *pair.medium_i, -parting / length), Real(0), rise);
-    const Real factor = Real(1) + particles.wall_force_excess[pair.i];
+    const Real factor = wall_force_factor(particles, pair.i);
     const Real damping = Real(1) - room_at_wall(particles, pair.i);
     return {(factor * star.mean_pressure) * wall.arm,
             (factor * damping * star.dissipation) * wall.arm,

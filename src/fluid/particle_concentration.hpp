@@ -69,7 +69,7 @@ struct ParticleConcentration {
                                            const Pair<D, P>& pair) {
     const Real at_rest = pair.medium_j->volume;
     if (pair.medium_j->phase == Phase::rigid)
-      return (Real(1) + particles.wall_volume_excess[pair.i]) * at_rest;
+      return wall_volume_factor(particles, pair.i) * at_rest;
     if (pair.medium_i->phase == pair.medium_j->phase) return at_rest;
     const Real current = volume_of(particles, pair.j, *pair.medium_j);
     return current < at_rest ? current : at_rest;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How rigid walls act on fluid. A particle of a rigid body knows the face nearest to it: the normal
+// How rigid walls act on fluid where a case asks for `numerics.smooth_walls`; otherwise pairs act
+// along the line of centres. A particle of a rigid body knows the face nearest to it: the normal
 // n_j and its own depth below the face (geometry/nearest_face.hpp). A smooth wall pushes along its
 // normal only, so that a pair acts along n_j instead of along the line of centres d_ij = r_i - r_j:
 // the sums of pressure, dissipation and continuity take (d_ij . n_j) n_j in place of d_ij. Beside a
@@ -17,13 +18,34 @@
 
 namespace kerf {
 
+// Whether rigid walls act along the normals of their faces.
+template <int D, class P>
+KERF_FUNCTION bool has_smooth_walls(const ParticleView<D, P>& particles) {
+  return particles.face_normal != nullptr;
+}
+
+// Returns f_i, 1.
+template <int D, class P>
+KERF_FUNCTION typename P::Real wall_force_factor(const ParticleView<D, P>& particles, Index i) {
+  using Real = typename P::Real;
+  return has_smooth_walls(particles) ? Real(1) + particles.wall_force_excess[i] : Real(1);
+}
+
+// Returns g_i, 1.
+template <int D, class P>
+KERF_FUNCTION typename P::Real wall_volume_factor(const ParticleView<D, P>& particles, Index i) {
+  using Real = typename P::Real;
+  return has_smooth_walls(particles) ? Real(1) + particles.wall_volume_excess[i] : Real(1);
+}
+
 // Returns the share of the compression by rigid walls that a fluid particle does not feel. Water in
 // a free surface lacks neighbours: it is not compressed as long as it has room before the wall.
 // Otherwise a jet that flies past a wall would be compressed as the wall takes the place of the
 // neighbours that its outermost row lacks, and would be repelled.
 template <int D, class P>
 KERF_FUNCTION typename P::Real room_at_wall(const ParticleView<D, P>& particles, Index i) {
-  return particles.has(i, flag::surface) ? particles.wall_room[i] : typename P::Real(0);
+  const bool is_free = has_smooth_walls(particles) && particles.has(i, flag::surface);
+  return is_free ? particles.wall_room[i] : typename P::Real(0);
 }
 
 // How a rigid particle j acts on a fluid particle i.
@@ -37,6 +59,7 @@ template <int D, class P>
 KERF_FUNCTION RigidWallArm<D, typename P::Real> rigid_wall_arm(const ParticleView<D, P>& particles,
                                                                const Pair<D, P>& pair) {
   using Real = typename P::Real;
+  if (!has_smooth_walls(particles)) return {pair.separation, false};
   const auto of_wall = particles.face_normal[pair.i];
   const auto of_face = pair.of_j(particles.face_normal[pair.j]);
   const bool has_face = dot(of_face, of_face) > Real(0);
@@ -75,6 +98,7 @@ struct RigidWallSum {
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
+    if (!has_smooth_walls(particles)) return;
     if (pair.medium_j->phase != Phase::rigid || !particles.is_fluid(pair.i)) return;
     if (!(pair.distance > Real(0))) return;
     const Real volume = pair.medium_j->volume, weight = volume * pair.slope_per_distance;
@@ -99,7 +123,7 @@ struct RigidWallSum {
   }
 
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
-    if (particles.next_rigid_wall == nullptr) return;  // a run without rigid bodies
+    if (!has_smooth_walls(particles)) return;
     auto& wall = particles.next_rigid_wall[i];
     wall = RigidWall<D, Real>::none();
     if (!(sum.all > Real(0))) return;

@@ -19,7 +19,8 @@ struct NearestFace {
 // Returns the face nearest to `point`, which is inside `shape`. Only faces count that neither
 // another part of the shape nor a shape of `others` covers. Faces farther away than `reach` (m) are
 // not sought: the result is then empty, as it is beside a crease of a union at which no face of its
-// parts ends.
+// parts ends. The tip of a notch sharper than 90 degrees is passed over where the way to it does
+// not point into the notch.
 std::optional<NearestFace> nearest_face(const Shape& shape, const std::vector<Shape>& others,
                                         const Point& point, double reach, int dimension);
 

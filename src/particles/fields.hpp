@@ -85,7 +85,7 @@ struct FieldGroups {
   bool contact = true;         // contact of the surfaces of solids (standard)
   bool mirrored = true;        // symmetry planes
   bool density_losses = true;  // energy that the density loses (standard)
-  bool rigid_walls = true;     // water beside rigid bodies (standard)
+  bool rigid_walls = true;     // smooth walls of rigid bodies (standard)
 };
 
 // Contact of a particle of a solid with other bodies (contact/surface_contact.hpp).

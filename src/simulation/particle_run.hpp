@@ -17,7 +17,7 @@ namespace kerf {
 
 // `Traits` are those of a formulation:
 //   Pairs                               which particles interact (neighbours/pair_range.hpp)
-//   field_groups(has_solids, has_rigid, mirrored)  the groups of fields that its particles have
+//   field_groups(has_solids, smooth_walls, mirrored)  the groups of fields that its particles have
 //   stored_by_solid(particles, i, m)    the energy that a solid particle stores
 template <int D, class P, class Traits>
 class ParticleRun : public Simulation {

@@ -28,8 +28,9 @@ ParticleRun<D, P, Traits>::ParticleRun(RunSettings settings)
     return std::any_of(media_.begin(), media_.end(),
                        [&](const auto& medium) { return medium.phase == phase; });
   };
+  const bool has_smooth_walls = settings_.smooth_walls && has(Phase::rigid);
   particles_.groups =
-      Traits::field_groups(has(Phase::solid), has(Phase::rigid), particles_.mirrors.faces != 0);
+      Traits::field_groups(has(Phase::solid), has_smooth_walls, particles_.mirrors.faces != 0);
   std::vector<Medium<Real>> media;
   std::vector<double> masses;
   double finest = 1e300, shortest = 1e300;

@@ -20,7 +20,9 @@ namespace {
 class FaceFinder {
  public:
   FaceFinder(const Case& description, std::size_t number)
-      : body_(description.bodies[number]), dimension_(description.dimension) {
+      : body_(description.bodies[number]),
+        dimension_(description.dimension),
+        is_wanted_(description.numerics.smooth_walls && body_.role == Role::rigid) {
     double coarsest = 0.0;
     for (const Body& body : description.bodies) coarsest = std::max(coarsest, body.spacing);
     for (const Jet& jet : description.jets) coarsest = std::max(coarsest, jet.spacing);
@@ -30,7 +32,7 @@ class FaceFinder {
         others_.push_back(description.bodies[b].shape);
   }
   void find(NewParticle& particle) const {
-    if (body_.role != Role::rigid) return;
+    if (!is_wanted_) return;
     const auto face = nearest_face(body_.shape, others_, particle.position, reach_, dimension_);
     if (!face) return;
     particle.face_normal = face->normal;
@@ -40,6 +42,7 @@ class FaceFinder {
  private:
   const Body& body_;
   int dimension_;
+  bool is_wanted_;
   double reach_ = 0.0;  // m
   std::vector<Shape> others_;
 };

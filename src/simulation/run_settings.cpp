@@ -66,6 +66,7 @@ void set_numbers(RunSettings& settings, const Case& description) {
   settings.artificial_stress_exponent = description.artificial_stress.exponent;
   settings.water_scheme = description.numerics.water;
   settings.shifting = description.numerics.shifting;
+  settings.smooth_walls = description.numerics.smooth_walls;
   settings.subcycles = description.numerics.subcycles;
 }
 

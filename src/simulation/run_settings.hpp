@@ -53,6 +53,7 @@ struct RunSettings {
   double artificial_stress_exponent = 4.0;  // 1
   WaterScheme water_scheme = WaterScheme::riemann;
   bool shifting = true;
+  bool smooth_walls = false;
   int subcycles = 8;  // steps with the same bond forces, at most
 
   // The content. Vectors marked "per medium" have the order of levels.hpp.

@@ -13,12 +13,12 @@ namespace kerf {
 struct StandardTraits {
   using Pairs = ContactPairs;
 
-  static FieldGroups field_groups(bool has_solids, bool has_rigid, bool mirrored) {
+  static FieldGroups field_groups(bool has_solids, bool smooth_walls, bool mirrored) {
     return {.rate_stress = false,
             .contact = has_solids,
             .mirrored = mirrored,
             .density_losses = true,
-            .rigid_walls = has_rigid};
+            .rigid_walls = smooth_walls};
   }
 
   template <int D, class P>

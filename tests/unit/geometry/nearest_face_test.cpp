@@ -39,7 +39,7 @@ Shape plate(double angle) {
   shape.depth_maximum = 0.3;
   const double c = std::cos(angle), s = std::sin(angle);
   for (const auto& v : {std::array{-1.0, -0.5}, std::array{1.0, -0.5}, std::array{1.0, 0.5},
-                        std::array{0.1, 0.5}, std::array{0.0, 0.1}, std::array{-1.0, 0.5}})
+                        std::array{0.6, 0.5}, std::array{0.0, 0.1}, std::array{-1.0, 0.5}})
     shape.vertices.push_back({c * v[0] - s * v[1], s * v[0] + c * v[1]});
   return shape;
 }
