@@ -51,8 +51,11 @@ double Balance::energy_drift() const {
 }
 
 bool Balance::energy_is_sound() const {
+  // Of matter at rest, which has no energy but noise, it is that of a motion of 1 mm/s.
+  const double noise = 0.5 * mass_now * 1e-3 * 1e-3;
   const double total = energy_total(), gap = std::abs(total - energy_due(*this));
-  return gap <= 0.5 * std::max(std::abs(total), energy_supplied(*this));  // false for NaN
+  return gap <=
+         std::max(noise, 0.5 * std::max(std::abs(total), energy_supplied(*this)));  // not NaN
 }
 
 double Balance::energy_from_breaks() const {

@@ -44,6 +44,11 @@ TEST(Balance, MomentumErrorIsRelativeToTheLargestTerm) {
 TEST(Balance, SoundEnergyIsNearWhatWasSupplied) {
   Balance balance;
   EXPECT_TRUE(balance.energy_is_sound());
+  balance.mass_now = 2.0;
+  balance.kinetic = 0.9e-6;  // at rest but for less than 1 mm/s
+  EXPECT_TRUE(balance.energy_is_sound());
+  balance.kinetic = 1.1e-6;
+  EXPECT_FALSE(balance.energy_is_sound());
   balance.energy_in = 10.0;
   for (const double total : {5.1, 10.0, 19.9}) {
     balance.kinetic = total;
