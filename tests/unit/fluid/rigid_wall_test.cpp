@@ -38,10 +38,13 @@ class Evaluated {
       particles.face_depth[place[k]] = Real(-height_of(state_.particles[k].position));
     }
     evaluate_standard<D, P>(state_, loaded_);
-    for_each_index(particles.size(), UpdateSurfaceFlags<D, P>{particles.view()});
-    // The flag of the surface would leave the water room.
-    thrust::fill(particles.flags.begin(), particles.flags.end(), std::uint8_t(0));
-    evaluate_standard<D, P>(state_, loaded_);
+    // The normal of the wall is known after one step, the factors of its sums after two.
+    for (int step = 0; step < 2; ++step) {
+      for_each_index(particles.size(), UpdateSurfaceFlags<D, P>{particles.view()});
+      // The flag of the surface would leave the water room.
+      thrust::fill(particles.flags.begin(), particles.flags.end(), std::uint8_t(0));
+      evaluate_standard<D, P>(state_, loaded_);
+    }
     water_ = place[0];
   }
   Vector3 force() const {
