@@ -23,7 +23,8 @@ double length_of(const Point& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
 int pieces(double length, double size) {
-  return std::max(1, static_cast<int>(std::ceil(length / size)));
+  const double rounding = 1e-9;  // a length of n sizes is n elements
+  return std::max(1, static_cast<int>(std::ceil(length / size - rounding)));
 }
 
 // A parallelogram from `corner`; in 2D `second` has no length and the element is a segment.
