@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -54,6 +55,9 @@ class Evaluated {
   }
   double compression_rate() const { return loaded_.particles.compression_rate[water_]; }
   double kernel_sum() const { return loaded_.particles.kernel_sum[water_]; }
+  // The factors of the sums less 1.
+  double force_excess() const { return loaded_.particles.wall_force_excess[water_]; }
+  double volume_excess() const { return loaded_.particles.wall_volume_excess[water_]; }
   double pressure() const { return loaded_.particles.pressure[water_]; }
   double volume() const { return state_.media[0].mass / 1010.0; }
 
@@ -110,6 +114,24 @@ double layer_sum(double height, const Value& value) {
   return sum;
 }
 
+// The relative errors of sums over the wall, against those over layers, in the mean of all set-ups:
+// of the sums with their factors 1 + `excess`, and of the bare ones over the lattice.
+struct MeanErrors {
+  double with_factor = 0.0, bare = 0.0;
+  int count = 0;
+  void add(double sum, double excess, double layers) {
+    with_factor += std::abs(sum / layers - 1.0);
+    bare += std::abs(sum / (1.0 + excess) / layers - 1.0);
+    ++count;
+  }
+  // Factors are limited to 0.6 to 1.5 and fade where only a few faces look at the particle
+  // (docs/theory/riemann_sph.md), so that a part of the error is left.
+  void expect_cured() const {
+    EXPECT_GT(bare / count, 0.03);
+    EXPECT_LT(with_factor, 0.2 * bare);
+  }
+};
+
 template <class Kind>
 class RigidWallForces : public testing::Test {};
 TYPED_TEST_SUITE(RigidWallForces, MixtureKinds);
@@ -121,14 +143,15 @@ WaterAtWall random_wall(std::mt19937& engine) {
   setup.normal = Vector3(uniform(engine), uniform(engine), D == 3 ? uniform(engine) : 0.0);
   setup.normal.normalize();
   setup.shift = 0.5 * spacing * Vector3(uniform(engine), uniform(engine), uniform(engine));
-  setup.height = spacing * (0.65 + 0.35 * uniform(engine));
+  setup.height = spacing * (0.6 + 0.3 * uniform(engine));  // of the first row of water
   return setup;
 }
 
-// The rule of eight points has an error of 1e-3 at most; the wall is as large as the support.
+// The wall is as large as the support.
 TYPED_TEST(RigidWallForces, AreThoseOfLayersAlongTheSurface) {
   constexpr int D = TypeParam::D;
   std::mt19937 engine(4);
+  MeanErrors force, kernel_sum;
   for (int n = 0; n < 40; ++n) {
     const WaterAtWall setup = random_wall<D>(engine);
     const Evaluated<D, typename TypeParam::P> water(setup);
@@ -138,10 +161,14 @@ TYPED_TEST(RigidWallForces, AreThoseOfLayersAlongTheSurface) {
     const double kernel = layer_sum<D>(
         setup.height, [](double r, double) { return WendlandC2<D>::value(r, smoothing_length); });
     const double own = std::pow(spacing, D) * WendlandC2<D>::value(0.0, smoothing_length);
-    const Vector3 expected = 2.0 * water.volume() * water.pressure() * slope * setup.normal;
-    EXPECT_LE((water.force() - expected).norm(), 5e-3 * expected.norm()) << n;
-    EXPECT_NEAR(water.kernel_sum(), own + kernel, 5e-3) << n;
+    const double expected = 2.0 * water.volume() * water.pressure() * slope;
+    const double along = water.force().dot(setup.normal);
+    force.add(along, water.force_excess(), expected);
+    EXPECT_LE((water.force() - along * setup.normal).norm(), 5e-3 * expected) << n;
+    kernel_sum.add(water.kernel_sum() - own, water.volume_excess(), kernel);
   }
+  force.expect_cured();
+  kernel_sum.expect_cured();
 }
 
 // Water that slides along the wall is neither compressed nor braked; with its speed towards the
@@ -152,6 +179,7 @@ TYPED_TEST(RigidWallForces, SlidingIsFree) {
   const double rounding = std::is_same_v<P, Double> ? 1e-10 : 1e-4;
   std::mt19937 engine(5);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  MeanErrors compression;
   for (int n = 0; n < 20; ++n) {
     WaterAtWall setup = random_wall<D>(engine);
     const Evaluated<D, P> at_rest(setup);
@@ -165,8 +193,10 @@ TYPED_TEST(RigidWallForces, SlidingIsFree) {
     EXPECT_LE((sliding.force() - at_rest.force()).norm(), rounding * at_rest.force().norm()) << n;
     setup.velocity = -2.0 * setup.normal;
     const double expected = 1.01 * 2.0 * 2.0 * slope;
-    EXPECT_NEAR((Evaluated<D, P>(setup).compression_rate()), expected, 5e-3 * expected) << n;
+    const Evaluated<D, P> coming(setup);
+    compression.add(coming.compression_rate(), coming.force_excess(), expected);
   }
+  compression.expect_cured();
 }
 
 }  // namespace
