@@ -77,14 +77,17 @@ TEST(StateIo, CheckpointsRestoreEveryStateFieldBitForBit) {
   restore_fields(archive, restored);
   EXPECT_EQ(restored.size(), 5u);
   EXPECT_EQ(bytes_of(restored), bytes_of(particles));
-  EXPECT_EQ(archive.arrays.size(), 16u);  // the STATE rows of particles/fields.hpp
+  EXPECT_EQ(archive.arrays.size(), 21u);  // the STATE rows of particles/fields.hpp
   EXPECT_EQ(std::get<std::vector<double>>(archive.arrays.at("particles/position")).size(), 15u);
   EXPECT_EQ(std::get<std::vector<float>>(archive.arrays.at("particles/shear")).size(), 30u);
 }
 
 TEST(StateIo, AbsentGroupsAreNotStored) {
-  const FieldGroups none{
-      .rate_stress = false, .contact = false, .mirrored = false, .density_losses = false};
+  const FieldGroups none{.rate_stress = false,
+                         .contact = false,
+                         .mirrored = false,
+                         .density_losses = false,
+                         .rigid_walls = false};
   Archive archive;
   save_fields(loaded<2, Double>(std::vector<NewParticle>(2), none), archive);
   EXPECT_EQ(archive.arrays.count("particles/shear"), 0u);
