@@ -7,6 +7,7 @@
 #include <memory>
 #include <numeric>
 
+#include "analysis/pieces.hpp"
 #include "analysis/workpiece.hpp"
 #include "model/case.hpp"
 #include "verification/signal.hpp"
@@ -111,14 +112,15 @@ Signal fractured_below_jet_signal(const Parameters&, const Beginning& beginning)
 Signal largest_stretch_signal(const Parameters&, const Beginning& beginning) {
   const auto solid =
       std::make_shared<const Workpiece>(make_workpiece(beginning.description, beginning.frame));
-  return [solid](Moment& moment) {
+  const auto neighbours = find_bonds(*solid);
+  return [solid, neighbours](Moment& moment) {
     const Frame& frame = moment.frame();
     const auto rows = locate(*solid, frame);
     const auto distance = [](const Point& a, const Point& b) {
       return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
     };
     double largest = 0.0;
-    for (const auto& [a, b] : solid->bonds) {
+    for (const auto& [a, b] : neighbours) {
       if (rows[a] == Workpiece::none || rows[b] == Workpiece::none) continue;
       largest = std::max(largest, distance(frame.position[rows[a]], frame.position[rows[b]]) /
                                       distance(solid->position[a], solid->position[b]));
