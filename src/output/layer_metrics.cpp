@@ -56,8 +56,8 @@ const MetricList<NamedLayer>& NamedLayer::metrics() {
          [](const L& entry) { return entry.layer.fractured_mass; }},
         {"removed_fraction", share(), "removed share of the layer",
          "Removed volume over the volume.", [](const L& entry) {
-           const KerfLayer& layer = entry.layer;
-           return layer.volume > 0.0 ? layer.removed_volume / layer.volume : 0.0;
+           const double volume = entry.layer.volume;
+           return volume > 0.0 ? entry.layer.removed_volume / volume : 0.0;
          }}};
     all.insert(all.end(), amounts.begin(), amounts.end());
     return all;
