@@ -10,15 +10,10 @@
 #include <random>
 
 #include "geometry/shapes.hpp"
+#include "support/shapes.hpp"
 
 namespace kerf::test::nearest_face_test {
 namespace {
-
-Shape box(Point minimum, Point maximum) {
-  Shape shape;
-  shape.box = {minimum, maximum};
-  return shape;
-}
 
 Shape round(Shape::Kind kind, double radius, double inner = 0.0, double length = 0.0) {
   Shape shape;
@@ -41,13 +36,6 @@ Shape plate(double angle) {
   for (const auto& v : {std::array{-1.0, -0.5}, std::array{1.0, -0.5}, std::array{1.0, 0.5},
                         std::array{0.6, 0.5}, std::array{0.0, 0.1}, std::array{-1.0, 0.5}})
     shape.vertices.push_back({c * v[0] - s * v[1], s * v[0] + c * v[1]});
-  return shape;
-}
-
-Shape of_parts(Shape::Kind kind, std::vector<Shape> parts) {
-  Shape shape;
-  shape.kind = kind;
-  shape.parts = std::move(parts);
   return shape;
 }
 

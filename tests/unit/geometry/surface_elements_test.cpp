@@ -9,17 +9,13 @@
 #include <numbers>
 
 #include "geometry/shapes.hpp"
+#include "support/shapes.hpp"
 
 namespace kerf::test::surface_elements_test {
 namespace {
 
 constexpr double half_circle = std::numbers::pi;
 
-Shape box(const Point& minimum, const Point& maximum) {
-  Shape shape;
-  shape.box = {minimum, maximum};
-  return shape;
-}
 Shape round(Shape::Kind kind, double radius, double inner = 0.0) {
   Shape shape;
   shape.kind = kind;
@@ -37,13 +33,6 @@ Shape triangle() {
   shape.depth_maximum = 0.2;
   return shape;
 }
-Shape of_parts(Shape::Kind kind, std::vector<Shape> parts) {
-  Shape shape;
-  shape.kind = kind;
-  shape.parts = std::move(parts);
-  return shape;
-}
-
 void expect_surface(const Shape& shape, int dimension, double area, double volume,
                     double tolerance) {
   double sum = 0.0, flux = 0.0;
