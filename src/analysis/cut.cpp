@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "analysis/cut_width.hpp"
 #include "analysis/front.hpp"
 #include "analysis/kerf_map.hpp"
+#include "analysis/opening_width.hpp"
 #include "analysis/pieces.hpp"
 #include "analysis/unbroken.hpp"
 #include "analysis/workpiece.hpp"
@@ -124,7 +124,7 @@ CutState CutMonitor::observe(const Frame& part) {
     if (workpiece.jet && state.front_depth > 0.0) {
       const double half = state.front_depth / 2.0;
       state.fractured_width = fractured_width(workpiece, frame, rows, half);
-      state.kerf_width = kerf_width(workpiece, frame, rows, pieces.in_piece, half);
+      state.kerf_width = opening_width(workpiece, frame, rows, pieces.in_piece, half);
       if (!state.cut_through) judge_bodies(workpiece, frame, rows, pieces, *axes_, state);
     }
     fragments_ = std::move(pieces.fragments);

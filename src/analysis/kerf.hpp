@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kerf at one instant: its shape, what was removed, damage, splash, leaked water, fragments,
 // layers. docs/metrics.md defines the numbers. Depth and widths of the kerf are measured in
-// analysis/kerf_shape.hpp, the current width of the opening in analysis/cut_width.hpp.
+// analysis/kerf_shape.hpp, the current width of the opening in analysis/opening_width.hpp.
 #pragma once
 
 #include <tuple>

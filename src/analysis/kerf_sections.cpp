@@ -57,22 +57,4 @@ double opening_below_top(const KerfMap& map, std::size_t j, const SectionProbe& 
   return reached_by_breadth(std::move(taken), map, probe);
 }
 
-double width_below_top(const KerfMap& map, std::size_t j, const SectionProbe& probe, double below) {
-  const std::size_t count = map.grid.count[0];
-  double width = 0.0, before = 0.0, begin = map.grid.at(0, 0);
-  for (std::size_t i = 0; i <= count; ++i) {
-    // The map ends in solid half a step beyond its last sample, which is its edge.
-    const double now = i < count ? map.taken_below_top(i, j, below) : 0.0;
-    const bool opens = before < 0.5 && now >= 0.5, closes = before >= 0.5 && now < 0.5;
-    if (opens || closes) {
-      const double part = (0.5 - before) / (now - before);
-      const double edge = map.grid.at(0, i) + (part - 1.0) * map.grid.step;
-      if (opens) begin = edge;
-      if (closes && begin <= probe.tube_high && edge >= probe.tube_low) width += edge - begin;
-    }
-    before = now;
-  }
-  return width;
-}
-
 }  // namespace kerf

@@ -31,10 +31,6 @@ struct KerfSection {
 
 KerfSection measure_section(const KerfMap& map, std::size_t j, const SectionProbe& probe);
 
-// Returns the width removed at a depth below the face, m: of all connected openings that the tube
-// meets, to the edge of the workpiece or of the map where no solid stands.
-double width_below_top(const KerfMap& map, std::size_t j, const SectionProbe& probe, double below);
-
 // Returns the share removed at a depth below the face that at least the breadth of the probe has, 0
 // to 1.
 double opening_below_top(const KerfMap& map, std::size_t j, const SectionProbe& probe,

@@ -15,6 +15,26 @@ constexpr double least_edge = 2.0;  // spacings
 // A kerf that is less deep than this, in spacings, has one level only.
 constexpr double least_levels = 8.0;
 
+// Returns the width removed at a depth below the face, m: of all connected openings that the tube
+// meets, to the edge of the workpiece or of the map where no solid stands.
+double width_below_top(const KerfMap& map, std::size_t j, const SectionProbe& probe, double below) {
+  const std::size_t count = map.grid.count[0];
+  double width = 0.0, before = 0.0, begin = map.grid.at(0, 0);
+  for (std::size_t i = 0; i <= count; ++i) {
+    // The map ends in solid half a step beyond its last sample, which is its edge.
+    const double now = i < count ? map.taken_below_top(i, j, below) : 0.0;
+    const bool opens = before < 0.5 && now >= 0.5, closes = before >= 0.5 && now < 0.5;
+    if (opens || closes) {
+      const double part = (0.5 - before) / (now - before);
+      const double edge = map.grid.at(0, i) + (part - 1.0) * map.grid.step;
+      if (opens) begin = edge;
+      if (closes && begin <= probe.tube_high && edge >= probe.tube_low) width += edge - begin;
+    }
+    before = now;
+  }
+  return width;
+}
+
 // Returns the median, over the sections that are that deep, of the mean width in a layer of twice
 // `half`.
 KerfLevel measure_level(const KerfMap& map, const std::vector<KerfSection>& passed,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // This header declares the measurement of the widths of a kerf near its top, in the middle and near
 // its bottom, and of the taper of its faces. The width of the opening during the run is
-// analysis/cut_width.hpp.
+// analysis/opening_width.hpp.
 #pragma once
 
 #include <vector>

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A checkpoint, checkpoint.h5, contains everything that a run needs to continue bit for bit as if
 // never stopped. The file is replaced atomically, ends with a checksum over all preceding bytes,
-// and contains its case. For the tools of HDF5 it is a plain HDF5 file. The state of the particles
-// that it holds is listed in particles/fields.hpp and gathered by simulation/state_io.hpp.
+// and contains its case. For the tools of HDF5 it is a plain HDF5 file. It holds
+// - the fields of the particles: the rows STATE of particles/fields.hpp (simulation/state_io.hpp),
+// - clock, counters, balance and nozzles: simulation/particle_run_checkpoint.hpp,
+// - what a formulation adds: save() in standard/standard.hpp and standard/solid_part.hpp,
+// - the history of the cut and the clocks of the output: app/run_record.cpp.
 #pragma once
 
 #include <filesystem>

@@ -101,6 +101,7 @@ class ParticleRun : public Simulation {
 
 }  // namespace kerf
 
+#include "simulation/particle_run_checkpoint.hpp"
 #include "simulation/particle_run_set_up.hpp"
 #include "simulation/particle_run_show.hpp"
 #include "simulation/particle_run_step.hpp"

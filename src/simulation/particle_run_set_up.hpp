@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The set-up of a run, from its settings or from a checkpoint.
+// The set-up of a run from its settings. particle_run_checkpoint.hpp sets it up from a checkpoint.
 #pragma once
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 #include "neighbours/skin.hpp"
 #include "simulation/particle_run.hpp"
-#include "simulation/state_io.hpp"
 #include "simulation/symmetry.hpp"
 
 namespace kerf {
@@ -77,46 +74,6 @@ void ParticleRun<D, P, Traits>::close_planes() {
     if ((mirrors.faces & mirrors.low_face(a)) != 0) minimum_[a] = -infinity;
     if ((mirrors.faces & mirrors.high_face(a)) != 0) maximum_[a] = infinity;
   }
-}
-
-template <int D, class P, class Traits>
-void ParticleRun<D, P, Traits>::save(Archive& archive) const {
-  static_assert(std::is_trivially_copyable_v<Balance> && sizeof(Balance) % sizeof(double) == 0);
-  save_fields(particles_, archive);
-  archive.arrays["clock"] = std::vector<double>{time_, last_step_.dt};
-  archive.arrays["counters"] =
-      std::vector<std::uint64_t>{step_, next_id_, list_is_due_ ? 1u : 0u, last_step_.limiting_id};
-  archive.texts["limit"] = last_step_.limit;
-  std::vector<double> balance(sizeof(Balance) / sizeof(double));
-  std::memcpy(balance.data(), &balance_.totals(), sizeof(Balance));
-  archive.arrays["balance"] = balance;
-  archive.arrays["pair_interactions"] = std::vector<double>{pair_interactions_};
-  for (std::size_t j = 0; j < nozzles_.size(); ++j)
-    archive.arrays["nozzle/" + std::to_string(j)] = nozzles_[j].emitted();
-}
-
-template <int D, class P, class Traits>
-void ParticleRun<D, P, Traits>::restore(const Archive& archive) {
-  restore_fields(archive, particles_);
-  const auto& clock = find_array<double>(archive, "clock");
-  const auto& counters = find_array<std::uint64_t>(archive, "counters");
-  time_ = clock.at(0);
-  step_ = counters.at(0);
-  next_id_ = static_cast<std::uint32_t>(counters.at(1));
-  list_is_due_ = counters.at(2) != 0;
-  last_step_ = {clock.at(1), archive.texts.at("limit"), counters.at(3)};
-  const auto& numbers = find_array<double>(archive, "balance");
-  Balance balance;
-  require(numbers.size() * sizeof(double) == sizeof(Balance), "balance length in checkpoint");
-  std::memcpy(static_cast<void*>(&balance), numbers.data(), sizeof(Balance));
-  balance_.restore(balance);
-  pair_interactions_ = find_array<double>(archive, "pair_interactions").at(0);
-  for (std::size_t j = 0; j < nozzles_.size(); ++j)
-    nozzles_[j].restore(find_array<std::uint64_t>(archive, "nozzle/" + std::to_string(j)));
-  // The particles are in the order of the cells of their build positions: the same list results.
-  list_.build(particles_);
-  after_reorder();
-  fresh_ = false;
 }
 
 }  // namespace kerf

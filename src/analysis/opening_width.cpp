@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "analysis/cut_width.hpp"
+#include "analysis/opening_width.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +25,9 @@ double fractured_width(const Workpiece& workpiece, const Frame& frame,
   return area / thickness;
 }
 
-double kerf_width(const Workpiece& workpiece, const Frame& frame,
-                  const std::vector<std::uint32_t>& rows, const std::vector<std::uint8_t>& in_piece,
-                  double depth) {
+double opening_width(const Workpiece& workpiece, const Frame& frame,
+                     const std::vector<std::uint32_t>& rows,
+                     const std::vector<std::uint8_t>& in_piece, double depth) {
   const JetAxis& jet = *workpiece.jet;
   double right = std::numeric_limits<double>::infinity();
   double left = right, right_edge = 0.0, left_edge = 0.0;

@@ -20,8 +20,8 @@ double fractured_width(const Workpiece& workpiece, const Frame& frame,
 // Returns the width without intact solid around the axis at `depth` in current positions, m: from
 // the nearest particle of a counted piece on one side to the nearest on the other; on a side
 // without any, to the edge of the initial workpiece.
-double kerf_width(const Workpiece& workpiece, const Frame& frame,
-                  const std::vector<std::uint32_t>& rows, const std::vector<std::uint8_t>& in_piece,
-                  double depth);
+double opening_width(const Workpiece& workpiece, const Frame& frame,
+                     const std::vector<std::uint32_t>& rows,
+                     const std::vector<std::uint8_t>& in_piece, double depth);
 
 }  // namespace kerf
