@@ -17,6 +17,7 @@
 #include "simulation/simulation.hpp"
 #include "verification/table.hpp"
 #include "verification/verify.hpp"
+#include "verification/worst.hpp"
 
 namespace kerf {
 
@@ -31,6 +32,7 @@ struct VerifyOptions {
   std::string keep;
   std::string turned = "0 deg";
   Placement placement;
+  std::string elsewhere;
   MachineOptions machine;
 };
 
@@ -96,6 +98,15 @@ void place(const Placement& placement, std::vector<VerificationCase>& cases) {
   });
 }
 
+// Returns the case in the parts of a placement that all of its runs allow; nothing if that is as it
+// is written.
+std::optional<VerificationCase> placed_elsewhere(VerificationCase entry, Placement placement) {
+  for (const PlannedRun& run : entry.runs) placement = allowed_part(run.description(), placement);
+  if (placement.is_as_written()) return std::nullopt;
+  for (PlannedRun& run : entry.runs) run.placement = placement;
+  return entry;
+}
+
 // A line on the terminal that is removed when the case is done.
 class VerifyLine {
  public:
@@ -110,20 +121,30 @@ class VerifyLine {
   bool is_terminal_ = isatty(STDERR_FILENO) != 0;
 };
 
-Findings verify_and_print(const std::vector<VerificationCase>& cases, bool all,
-                          const KeptRuns& kept) {
+// Verifies a case as it is given, and elsewhere if a text is given to draw the placement from.
+Findings verify_here_and_elsewhere(const VerificationCase& entry, const VerifyOptions& options,
+                                   const KeptRuns& kept) {
   const VerifyLine line;
+  const auto show = [&](const std::string& run, double share) {
+    line.show(entry.name, run, share);
+  };
+  Findings found = verify(entry, options.all, show, kept);
+  if (!options.elsewhere.empty())
+    if (const auto placed = placed_elsewhere(entry, random_placement(options.elsewhere)))
+      found = worst_of(std::move(found), verify(*placed, options.all, show, kept));
+  line.clear();
+  return found;
+}
+
+Findings verify_and_print(const std::vector<VerificationCase>& cases, const VerifyOptions& options,
+                          const KeptRuns& kept) {
   Findings findings;
   const auto append = [](auto& to, auto& from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
   };
   fmt::print("{}", table_head());
   for (const VerificationCase& entry : cases) {
-    const auto show = [&](const std::string& run, double share) {
-      line.show(entry.name, run, share);
-    };
-    Findings found = verify(entry, all, show, kept);
-    line.clear();
+    Findings found = verify_here_and_elsewhere(entry, options, kept);
     for (const Row& row : found.rows) fmt::print("{}", table_row(row));
     std::fflush(stdout);
     append(findings.rows, found.rows);
@@ -142,6 +163,16 @@ void run_verification(const VerifyOptions& options) {
   }
   Placement placement = options.placement;
   placement.angle = read_angle(options.turned);
+  if (!options.elsewhere.empty() && !placement.is_as_written())
+    throw UserError(
+        "--elsewhere draws the placement. Leave out --turned, --mirrored, --moved and --standoff, "
+        "or leave out --elsewhere.",
+        exit_bad_input);
+  if (!options.elsewhere.empty())
+    fmt::print(
+        "Every case is judged by the worse of two runs: as written, and {} (as far as the "
+        "case allows it).\n",
+        random_placement(options.elsewhere).text());
   if (!options.page.empty() && !placement.is_as_written())
     throw UserError(
         "--page: the page shows the cases as they are written. Leave out --turned, --mirrored, "
@@ -151,7 +182,7 @@ void run_verification(const VerifyOptions& options) {
   take_machine(options.machine);
   const KeptRuns kept(options.keep);
   for (VerificationCase& entry : cases) take_up_kept(entry, kept);
-  const Findings findings = verify_and_print(cases, options.all, kept);
+  const Findings findings = verify_and_print(cases, options, kept);
   if (!options.json.empty()) write_file(options.json, to_json(findings.rows));
   if (!options.page.empty()) write_verification_page(options.page, cases, findings);
   const auto count = [&](Verdict verdict) {
@@ -192,6 +223,9 @@ void add_verify_command(CLI::App& program) {
       ->add_option("--standoff", options->placement.standoff,
                    "Multiply the standoff of jets by this factor")
       ->check(CLI::Range(1.0, 10.0));
+  command->add_option("--elsewhere", options->elsewhere,
+                      "Run each case a second time, turned, mirrored, moved and with another "
+                      "standoff, all drawn from this text, and judge it by the worse run");
   add_machine_options(*command, options->machine);
   command->callback([options] { run_verification(*options); });
 }

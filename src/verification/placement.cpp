@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <random>
 #include <regex>
 
 #include "model/case.hpp"
@@ -134,6 +136,12 @@ void place(Body& body, const Turn& turn) {
     body.repelling_layer = RepellingLayer::left;
 }
 
+void place(Load& load, const Turn& turn) {
+  if (load.region) load.region = turned(*load.region, turn);
+  load.traction = turn(load.traction);
+  load.acceleration = turn(load.acceleration);
+}
+
 // Contains the turned domain and the nozzles, of which `reach` is the half of the largest width.
 Box turned_domain(const Case& description, const Box& written, const Turn& turn) {
   auto corners = corners_of(written);
@@ -171,6 +179,19 @@ std::string Placement::text() const {
   return parts.empty() ? "as written" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
+Placement random_placement(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+  for (const unsigned char letter : text) hash = (hash ^ letter) * 1099511628211u;
+  std::mt19937_64 engine(hash);
+  const auto draw = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };  // [0, 1)
+  Placement placement;
+  placement.angle = (2.0 * draw() - 1.0) * std::numbers::pi;
+  placement.mirrored = draw() < 0.5;
+  placement.moved = draw() - 0.5;
+  placement.standoff = 1.0 + 0.5 * draw();
+  return placement;
+}
+
 std::string placement_problem(const Case& description, const Placement& placement) {
   const bool is_turned = placement.angle != 0.0;
   const auto& bodies = description.bodies;
@@ -191,6 +212,20 @@ std::string placement_problem(const Case& description, const Placement& placemen
       !std::all_of(description.jets.begin(), description.jets.end(), in_plane))
     return "a jet leans out of the plane of x and y";
   return "";
+}
+
+Placement allowed_part(const Case& description, const Placement& placement) {
+  Placement allowed;
+  const auto add = [&](auto part) {
+    Placement more = allowed;
+    more.*part = placement.*part;
+    if (placement_problem(description, more).empty()) allowed = more;
+  };
+  add(&Placement::angle);
+  add(&Placement::mirrored);
+  add(&Placement::moved);
+  add(&Placement::standoff);
+  return allowed;
 }
 
 Case placed(Case description, const Placement& placement) {
@@ -215,6 +250,7 @@ Case placed(Case description, const Placement& placement) {
     probe.normal = turn(probe.normal);
   }
   for (Body& body : description.bodies) place(body, turn);
+  for (Load& load : description.loads) place(load, turn);
   description.gravity = turn(description.gravity);
   mirror_sides(description.symmetry, turn);
   description.domain = turned_domain(description, domain, turn);
@@ -253,8 +289,8 @@ Balance PlacementInverse::balance(Balance balance) const {
   if (placement_.is_as_written()) return balance;
   for (auto* v : {&balance.momentum_initial, &balance.momentum_now, &balance.momentum_in,
                   &balance.momentum_out, &balance.impulse_gravity, &balance.impulse_plate,
-                  &balance.impulse_constraint, &balance.impulse_water, &balance.force_plate,
-                  &balance.force_water})
+                  &balance.impulse_constraint, &balance.impulse_load, &balance.impulse_water,
+                  &balance.force_plate, &balance.force_water})
     *v = vector(*v);
   return balance;
 }

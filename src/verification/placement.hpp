@@ -28,9 +28,16 @@ struct Placement {
   bool operator==(const Placement&) const = default;
 };
 
+// Draws any angle, a mirror, a move by up to half a spacing and up to one and a half times the
+// standoff from a text, in the same way on every machine.
+Placement random_placement(const std::string& text);
+
 // Returns why a case cannot be placed like this, in a clause such as "it has no jet"; empty if it
 // can.
 std::string placement_problem(const Case& description, const Placement& placement);
+
+// Returns the parts of a placement that a case allows; the case as it is written if it allows none.
+Placement allowed_part(const Case& description, const Placement& placement);
 
 // Returns the case of the run. The domain is the bounding box of the turned one.
 Case placed(Case description, const Placement& placement);

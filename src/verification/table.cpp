@@ -48,6 +48,13 @@ std::string unit_of(const Row& row) {
   return row.unit == "1" ? "" : row.unit;
 }
 
+// Returns the name of the run of a row, with its placement if that is not as written.
+std::string run_of(const Row& row) {
+  return row.placement.empty() || row.placement == Placement{}.text()
+             ? row.run
+             : fmt::format("{} ({})", row.run, row.placement);
+}
+
 constexpr auto layout = "{:<12} {:<34} {:<13} {:>9} {:>13} {:<7} {:>8} {:>6}  {:<8} {:>6}\n";
 
 nlohmann::json optional_json(const std::optional<double>& value) {
@@ -63,7 +70,7 @@ std::string table_head() {
 }
 
 std::string table_row(const Row& row) {
-  std::string line = fmt::format(fmt::runtime(layout), row.case_name, row.quantity, row.run,
+  std::string line = fmt::format(fmt::runtime(layout), row.case_name, row.quantity, run_of(row),
                                  number(row.measured), expected(row), unit_of(row),
                                  percent(row.error, "{:+.2f}%"), percent(row.tolerance, "{:.3g}%"),
                                  verdict_name(row.verdict), fmt::format("{:.1f}", row.seconds));
@@ -103,7 +110,7 @@ std::string to_markdown(const std::vector<VerificationCase>& cases, const std::v
     for (const Row& row : rows) {
       if (row.case_name != verification.name) continue;
       table += fmt::format("| {} | {} | {} {} | {} | {} | {} | {} | {:.0f} |\n", row.quantity,
-                           row.run, number(row.measured), unit_of(row), expected(row),
+                           run_of(row), number(row.measured), unit_of(row), expected(row),
                            percent(row.error, "{:+.2f}%"), percent(row.tolerance, "{:.3g}%"),
                            verdict_name(row.verdict), row.seconds);
       if (row.quantity != last) sources += fmt::format("- {}: {}\n", row.quantity, row.source);

@@ -28,7 +28,7 @@ struct Row {
   std::optional<double> at_least, at_most;
   Verdict verdict = Verdict::reported;
   std::string problem;   // why there is no number
-  double seconds = 0.0;  // of the run
+  double seconds = 0.0;  // of the run, or of the runs of which this is the worst
 };
 
 // The signal of a check over time, in each run that was made.

@@ -17,6 +17,7 @@
 #include "model/expression.hpp"
 #include "support/flight.hpp"
 #include "verification/verify.hpp"
+#include "verification/worst.hpp"
 
 namespace kerf::test::placement_test {
 namespace {
@@ -205,6 +206,79 @@ source = "Newton"
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].verdict, Verdict::pass) << rows[0].measured;
   EXPECT_EQ(rows[0].placement, "turned 28.65 deg, mirrored");
+}
+
+// A bar under a traction and a body force, turned: its loads turn with it.
+TEST(Placements, LoadsTurnWithTheCase) {
+  Case written = parse_case(case_text, "test");
+  Load load;
+  load.body = "block";
+  load.traction = {1e3, 200.0, 0.0};
+  load.acceleration = {3.0, -1.0, 0.0};
+  load.region = written.bodies[0].shape;
+  written.loads = {load};
+  const Placement placement{0.7, true, 0.0, 1.0};
+  const Case there = placed(written, placement);
+  expect_near(there.loads[0].traction, in_run(load.traction, placement), 1e-9);
+  expect_near(there.loads[0].acceleration, in_run(load.acceleration, placement), 1e-12);
+  const Point x{0.012, -0.003, 0.0};
+  EXPECT_TRUE(contains(*there.loads[0].region, in_run(x, placement), 2));
+  Balance balance;
+  balance.impulse_load = in_run({3.0, -1.0, 0.0}, placement);
+  expect_near(PlacementInverse(written, placement).balance(balance).impulse_load, {3.0, -1.0, 0.0},
+              1e-12);
+}
+
+TEST(Placements, DrawnAtRandomCoverTheirRangesAndDependOnTheTextAlone) {
+  EXPECT_EQ(random_placement("a"), random_placement("a"));
+  EXPECT_NE(random_placement("a"), random_placement("b"));
+  double least = 4.0, most = -4.0;
+  int mirrored = 0;
+  for (int k = 0; k < 400; ++k) {
+    const Placement drawn = random_placement(std::to_string(k));
+    least = std::min(least, drawn.angle);
+    most = std::max(most, drawn.angle);
+    mirrored += drawn.mirrored;
+    EXPECT_LE(std::abs(drawn.moved), 0.5);
+    EXPECT_GE(drawn.standoff, 1.0);
+    EXPECT_LE(drawn.standoff, 1.5);
+  }
+  EXPECT_LT(least, -3.0);
+  EXPECT_GT(most, 3.0);
+  EXPECT_NEAR(mirrored, 200, 60);
+}
+
+TEST(Placements, KeepThePartsThatACaseAllows) {
+  Case description = parse_case(case_text, "test");
+  const Placement all{0.5, true, 0.2, 1.4};
+  EXPECT_EQ(allowed_part(description, all), all);
+  description.symmetry.minimum[0] = true;
+  EXPECT_EQ(allowed_part(description, all), (Placement{0.0, true, 0.2, 1.4}));
+  description.jets.clear();
+  EXPECT_EQ(allowed_part(description, all), (Placement{0.0, true, 0.0, 1.0}));
+}
+
+// The worse of two rows fails, or uses more of its tolerance; the seconds add up.
+TEST(Placements, TheWorstRowIsKept) {
+  Row good;
+  good.case_name = "case";
+  good.quantity = "speed";
+  good.placement = "as written";
+  good.error = 0.01;
+  good.tolerance = 0.02;
+  good.verdict = Verdict::pass;
+  good.seconds = 1.0;
+  Row worse = good;
+  worse.placement = "mirrored";
+  worse.error = -0.015;
+  Findings written, elsewhere;
+  written.rows = {good};
+  elsewhere.rows = {worse};
+  EXPECT_EQ(worst_of(written, elsewhere).rows[0].placement, "mirrored");
+  EXPECT_EQ(worst_of(elsewhere, written).rows[0].placement, "mirrored");
+  written.rows[0].verdict = Verdict::fail;
+  EXPECT_EQ(worst_of(written, elsewhere).rows[0].placement, "as written");
+  EXPECT_EQ(worst_of(written, elsewhere).rows[0].seconds, 2.0);
 }
 
 TEST(Placements, SayWhyACaseCannotBePlaced) {
