@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "input/read.hpp"
 #include "input/write_used.hpp"
+#include "model/case.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
