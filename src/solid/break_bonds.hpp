@@ -74,7 +74,7 @@ struct PrepareCriterion {
   }
   // Returns whether the particle has failed by ductile damage.
   KERF_FUNCTION bool has_failed(Index i) const {
-    return solid.flows(i) && !(solid.current_flow[i].damage < Real(1));
+    return solid.flows(i) && !solid.held[i] && !(solid.current_flow[i].damage < Real(1));
   }
 };
 
@@ -86,6 +86,7 @@ struct BondTest {
   KERF_FUNCTION bool breaks(Index i, Index k, const SymmetricTensor<D, Real>& green) const {
     if (!solid.is_intact(i, k)) return false;
     const BondEnd end = solid.bond_end(i, k);
+    if (solid.held[i] || solid.held[end.particle]) return false;
     return end.mirror == 0 ? passes(i, DirectEnd{end.particle}, green) : passes(i, end, green);
   }
 

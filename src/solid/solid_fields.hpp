@@ -24,6 +24,7 @@ namespace kerf {
   FIELD(std::uint8_t, has_broken_bonds) /* 1: has lost bonds */                                \
   FIELD(std::uint8_t, changed)          /* 1: its correction is outdated */                    \
   FIELD(std::uint8_t, multi_material)   /* 1: has bonds to other media, or to images */        \
+  FIELD(std::uint8_t, held)             /* 1: by a clamp, hold_clamped.hpp */                  \
   FIELD(std::uint8_t, strained)         /* 1: one of its bonds may break */                    \
   FIELD(Real, stretch)                  /* largest lambda^2 - 1 of its bonds, if they break */ \
   FIELD(Packed, ends)                   /* displacement, velocity, traction and others */      \
@@ -100,10 +101,10 @@ struct SolidView {
     return any_flows && plasticity(i).flows();
   }
   KERF_FUNCTION bool softens(Index i) const {
-    return any_softens && medium(i).softens();
+    return any_softens && medium(i).softens() && !held[i];
   }
   KERF_FUNCTION bool has_flaws(Index i) const {
-    return any_flaws && medium(i).grady_kipp.is_on();
+    return any_flaws && medium(i).grady_kipp.is_on() && !held[i];
   }
   // Damage of a particle, by which its tension is less.
   KERF_FUNCTION Real damage(Index i) const {

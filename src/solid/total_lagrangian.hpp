@@ -16,6 +16,7 @@
 #include "solid/deformation_gradient.hpp"
 #include "solid/gradient_correction.hpp"
 #include "solid/gradient_correction_levels.hpp"
+#include "solid/hold_clamped.hpp"
 #include "solid/limit_break_energy.hpp"
 #include "solid/set_media.hpp"
 #include "solid/set_motion.hpp"
@@ -57,6 +58,7 @@ class TotalLagrangian {
     entries_ = lists.neighbour.size();
     fields_.make_room();
     to_device(bonds.multi_material, fields_.multi_material);
+    for_each_index(size(), HoldClamped<D, P>{view()});
     if (fields_.any_softens) for_each_index(size(), StartSoftening<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartPlasticity<D, P>{view()});
     if (fields_.any_flaws) for_each_index(size(), StartFlaws<D, P>{view()});

@@ -29,6 +29,7 @@ class SolidOnHost {
         share_(to_host(fields.elastic_share)),
         strain_(to_host(fields.current_strain)),
         detached_(to_host(fields.detached)),
+        held_(to_host(fields.held)),
         flow_(to_host(fields.current_flow)),
         flaws_(to_host(fields.flaws)) {
     // Detached particles do not flow: they keep the state at which they came detached.
@@ -45,6 +46,7 @@ class SolidOnHost {
     view_.bond_intact = intact_.data();
     view_.media = media_.data();
     view_.medium_index = medium_index_.data();
+    view_.held = held_.data();
     view_.gradient = gradient_.data();
     view_.elastic_share = share_.data();
     view_.current_flow = flow_.data();
@@ -84,7 +86,7 @@ class SolidOnHost {
   std::vector<std::uint32_t> intact_;
   std::vector<Matrix<D, Real>> gradient_;
   std::vector<Real> share_, strain_;
-  std::vector<std::uint8_t> detached_;
+  std::vector<std::uint8_t> detached_, held_;
   std::vector<PlasticState<D, Real>> flow_;
   std::vector<FlawState<Real>> flaws_;
   SolidView<D, P> view_{};
