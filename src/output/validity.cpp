@@ -135,11 +135,8 @@ ValidityFlag density_flag(double loss) {
 // particles across it is about 7 / n^2 of the elastic energy.
 void add_of_hourglass(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   const Balance& balance = outcome.balance;
-  const double stored = balance.elastic_strain + balance.hourglass;
-  const double supplied = balance.energy_initial + balance.energy_in +
-                          std::max(0.0, balance.work_gravity) +
-                          std::max(0.0, balance.work_constraint) + std::max(0.0, balance.work_load);
-  if (!(stored > notable_storage * supplied)) return;
+  const double stored = balance.solid_energy();
+  if (!(stored > notable_storage * balance.energy_supplied())) return;
   const double share = balance.hourglass / stored, percent = 100.0 * share;
   const bool good = share <= small_hourglass;
   flags.push_back(
@@ -156,7 +153,7 @@ void add_of_hourglass(const RunOutcome& outcome, std::vector<ValidityFlag>& flag
 // Whether the solids came to rest by the end of their relaxation.
 void add_of_relaxation(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   const Balance& balance = outcome.balance;
-  const double stored = balance.elastic_strain + balance.hourglass;
+  const double stored = balance.solid_energy();
   if (outcome.description.time.relax == 0.0 || !(stored > 0.0)) return;
   const double rest = balance.damping_peak / stored;
   const bool good = rest <= settled && balance.dissipated_damping > 0.0;
