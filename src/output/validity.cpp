@@ -144,9 +144,8 @@ void add_of_hourglass(const RunOutcome& outcome, std::vector<ValidityFlag>& flag
        good ? fmt::format("The hourglass control holds {:.2g}% of what the solids store.", percent)
             : fmt::format("The hourglass control holds {:.2g}% of what the solids store, more than "
                           "{:g}%: parts that bend have few particles across them (with 4 they bend "
-                          "right within 5% where their faces are in line with the lattice, too "
-                          "far by a tenth where not), or the motion is noise. Put 8 or more "
-                          "across them.",
+                          "too far by a tenth if they can break or are not in line with the "
+                          "lattice), or the motion is noise. Put 8 or more across them.",
                           percent, 100.0 * small_hourglass)});
 }
 

@@ -12,7 +12,8 @@
 // B_i the correction of solid/gradient_correction.hpp with all bonds: a gradient that is fitted to
 // neighbours on one side takes the strain of bending from below the surface, and the control makes
 // up for it there (docs/theory/total_lagrangian.md). b never changes, so that the force remains the
-// gradient of the energy.
+// gradient of the energy. Where bonds can break b = 1: more control would hold cracks that reach a
+// surface.
 #pragma once
 
 #include "solid/stored_energy.hpp"
@@ -59,10 +60,10 @@ struct SetSurfaceControl {
   SolidView<D, P> solid;
 
   KERF_FUNCTION void operator()(Index i) const {
-    if (solid.detached[i]) return;
+    const auto& medium = solid.medium(i);
+    if (solid.detached[i] || medium.can_break()) return;
     double trace = 0.0;
     for (int a = 0; a < D; ++a) trace += double(solid.correction[i](a, a));
-    const auto& medium = solid.medium(i);
     const double mean = double(medium.reference_volume()) * trace / D;
     const double missing = mean < 1.0 ? 0.0 : mean > 2.0 ? 1.0 : mean - 1.0;
     const double gain =
