@@ -37,9 +37,11 @@ std::vector<Key> plain_keys() {
       {"sound_speed", quantity, "m/s", "(sound_speed_factor times the fastest speed; 1481 m/s with shock_hugoniot)", up_to(1e8), {}, "water", "Sound speed of the equation of state at rest", stored_in<&Material::sound_speed>},
       {"sound_speed_factor", number, "", "10", {1.0, 1000.0}, {}, "tait water+shinohara2004", "Sound speed over the fastest speed V of jets and bodies or, for falling water, V = sqrt(2 g H), H = height of the water; eq. (18)", stored_in<&MaterialDraft::sound_speed_factor>},
       {"artificial_linear", number, "", "0.01", from_zero_to(10.0), {}, "water", "A of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_linear>},
-      {"artificial_linear", number, "", "2.5", from_zero_to(10.0), {}, "elastic", "A of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_linear>},
+      {"artificial_linear", number, "", "0.5", from_zero_to(10.0), {}, "elastic+standard", "A of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_linear>},
+      {"artificial_linear", number, "", "2.5", from_zero_to(10.0), {}, "elastic+shinohara2004", "A of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_linear>},
       {"artificial_quadratic", number, "", "0", from_zero_to(10.0), {}, "water", "B of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_quadratic>},
-      {"artificial_quadratic", number, "", "2.5", from_zero_to(10.0), {}, "elastic", "B of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_quadratic>},
+      {"artificial_quadratic", number, "", "0.5", from_zero_to(10.0), {}, "elastic+standard", "B of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_quadratic>},
+      {"artificial_quadratic", number, "", "2.5", from_zero_to(10.0), {}, "elastic+shinohara2004", "B of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_quadratic>},
       {"artificial_softening", number, "", "0.1", up_to(1.0), {}, "", "C of the artificial viscosity, eq. (39)", stored_in<&Material::artificial_softening>},
       {"source", text, "", "(the case file)", any, {}, "", "Source of the values", stored_in<&Material::source>},
   };

@@ -132,30 +132,27 @@ ValidityFlag density_flag(double loss) {
 }
 
 // The share of the hourglass control in what solids store by their bonds. In pure bending with n
-// particles across it is about 5 / n^2 of the elastic energy.
+// particles across it is about 7 / n^2 of the elastic energy.
 void add_of_hourglass(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   const Balance& balance = outcome.balance;
-  const double stored = balance.elastic_strain + balance.hourglass;
-  const double supplied = balance.energy_initial + balance.energy_in +
-                          std::max(0.0, balance.work_gravity) +
-                          std::max(0.0, balance.work_constraint) + std::max(0.0, balance.work_load);
-  if (!(stored > notable_storage * supplied)) return;
+  const double stored = balance.solid_energy();
+  if (!(stored > notable_storage * balance.energy_supplied())) return;
   const double share = balance.hourglass / stored, percent = 100.0 * share;
   const bool good = share <= small_hourglass;
   flags.push_back(
       {"hourglass", good_if(good), share, small_hourglass,
        good ? fmt::format("The hourglass control holds {:.2g}% of what the solids store.", percent)
             : fmt::format("The hourglass control holds {:.2g}% of what the solids store, more than "
-                          "{:g}%: parts that bend have too few particles across them (4 bend too "
-                          "far or too little by about a tenth), or the motion is noise. Put 8 or "
-                          "more across them.",
+                          "{:g}%: parts that bend have few particles across them (with 4 they bend "
+                          "too far by a tenth if they can break or are not in line with the "
+                          "lattice), or the motion is noise. Put 8 or more across them.",
                           percent, 100.0 * small_hourglass)});
 }
 
 // Whether the solids came to rest by the end of their relaxation.
 void add_of_relaxation(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   const Balance& balance = outcome.balance;
-  const double stored = balance.elastic_strain + balance.hourglass;
+  const double stored = balance.solid_energy();
   if (outcome.description.time.relax == 0.0 || !(stored > 0.0)) return;
   const double rest = balance.damping_peak / stored;
   const bool good = rest <= settled && balance.dissipated_damping > 0.0;

@@ -11,11 +11,6 @@ double length(const std::array<double, 3>& v) {
   return std::hypot(v[0], v[1], v[2]);
 }
 
-double energy_supplied(const Balance& balance) {
-  return balance.energy_initial + balance.energy_in + std::max(0.0, balance.work_gravity) +
-         std::max(0.0, balance.work_constraint) + std::max(0.0, balance.work_load);
-}
-
 double energy_due(const Balance& balance) {
   return balance.energy_initial + balance.energy_in - balance.energy_out + balance.work_gravity +
          balance.work_constraint + balance.work_load;
@@ -45,8 +40,17 @@ double Balance::energy_total() const {
          dissipated_plastic + dissipated_density + dissipated_reinitialisation + dissipated_damping;
 }
 
+double Balance::energy_supplied() const {
+  return energy_initial + energy_in + std::max(0.0, work_gravity) + std::max(0.0, work_constraint) +
+         std::max(0.0, work_load);
+}
+
+double Balance::solid_energy() const {
+  return elastic_strain + hourglass;
+}
+
 double Balance::energy_drift() const {
-  const double scale = energy_supplied(*this);
+  const double scale = energy_supplied();
   return scale > 0.0 ? (energy_total() - energy_due(*this)) / scale : 0.0;
 }
 
@@ -54,22 +58,21 @@ bool Balance::energy_is_sound() const {
   // Of matter at rest, which has no energy but noise, it is that of a motion of 1 mm/s.
   const double noise = 0.5 * mass_now * 1e-3 * 1e-3;
   const double total = energy_total(), gap = std::abs(total - energy_due(*this));
-  return gap <=
-         std::max(noise, 0.5 * std::max(std::abs(total), energy_supplied(*this)));  // not NaN
+  return gap <= std::max(noise, 0.5 * std::max(std::abs(total), energy_supplied()));  // not NaN
 }
 
 double Balance::energy_from_breaks() const {
-  const double scale = energy_supplied(*this);
+  const double scale = energy_supplied();
   return scale > 0.0 ? std::max(0.0, -dissipated_fracture) / scale : 0.0;
 }
 
 double Balance::density_loss() const {
-  const double scale = energy_supplied(*this);
+  const double scale = energy_supplied();
   return scale > 0.0 ? (dissipated_density + dissipated_reinitialisation) / scale : 0.0;
 }
 
 double Balance::pressure_energy_gap() const {
-  const double scale = energy_supplied(*this);
+  const double scale = energy_supplied();
   return scale > 0.0 ? (stored_water + stored_solid - pressure_work) / scale : 0.0;
 }
 

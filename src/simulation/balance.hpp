@@ -64,13 +64,16 @@ struct Balance {
   double stored_water = 0.0;
   double stored_solid = 0.0;
 
-  double mass_error() const;      // relative to the initial mass and the inflow
-  double momentum_error() const;  // relative to the largest momentum or impulse term
-  double energy_drift() const;    // relative to the energy supplied
-  double energy_total() const;    // now, stored + dissipated
+  double mass_error() const;       // relative to the initial mass and the inflow
+  double momentum_error() const;   // relative to the largest momentum or impulse term
+  double energy_drift() const;     // relative to the energy supplied
+  double energy_total() const;     // now, stored + dissipated
+  double energy_supplied() const;  // at the start, with the inflow and by positive work
+  double solid_energy() const;     // stored by total Lagrangian solids now, hourglass control too
   // Whether the energy can be that of the motion: what is stored and dissipated is a number and
-  // differs from what was supplied by at most half of the larger one. A run that breaks down gains
-  // many times its energy before a value stops being a number.
+  // differs from what was supplied by at most half of the larger one, or by no more than the energy
+  // of all the mass at 1 mm/s, the noise of matter at rest. A run that breaks down gains many times
+  // its energy before a value stops being a number.
   bool energy_is_sound() const;
   double energy_from_breaks() const;   // energy gained by fracture, likewise
   double density_loss() const;         // dissipated by density and reinitialisation, likewise

@@ -64,6 +64,7 @@ class TotalLagrangian {
     if (fields_.any_flaws) for_each_index(size(), StartFlaws<D, P>{view()});
     simd_.set_up(layout, bonds, view(), traits_.can_break);
     correct_all();
+    for_each_index(size(), SetSurfaceControl<D, P>{view()});
     count();  // makes room for sums
     if (!traits_.can_break) return;
     break_records_.resize(size());
@@ -185,7 +186,6 @@ class TotalLagrangian {
     const Terms<2> sum = sum_(size(), EnergyTerms<D, P>{view()});
     return {sum.value[0], sum.value[1]};
   }
-
   // What particles held before the last break.
   BreakRecords<D, P> records() { return {pointer(break_records_), half_step_}; }
 
