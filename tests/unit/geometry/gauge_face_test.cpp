@@ -22,16 +22,13 @@ TEST(GaugeFace, HasTheMomentsOfItsShape) {
       Point mean{};
       double square = 0.0;
       for (const Point& p : points) {
-        double off = 0.0;
-        for (std::size_t a = 0; a < 3; ++a) {
-          mean[a] += p[a] / static_cast<double>(points.size());
-          off += (p[a] - centre[a]) * normal[a];
-          square += (p[a] - centre[a]) * (p[a] - centre[a]) / static_cast<double>(points.size());
-        }
+        const Point r{p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]};
+        const double share = 1.0 / static_cast<double>(points.size());
+        const double off = r[0] * normal[0] + r[1] * normal[1] + r[2] * normal[2];
+        square += share * (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
+        mean = {mean[0] + share * p[0], mean[1] + share * p[1], mean[2] + share * p[2]};
         EXPECT_NEAR(off, 0.0, 1e-15);
-        if (dimension == 2) {
-          EXPECT_NEAR(p[2], centre[2], 1e-15);
-        }
+        EXPECT_TRUE(dimension == 3 || std::abs(p[2] - centre[2]) < 1e-15);
       }
       for (std::size_t a = 0; a < 3; ++a) EXPECT_NEAR(mean[a], centre[a], 1e-15);
       const double expected = dimension == 2 ? 1e-4 / 3.0 : 1e-4 / 2.0;
