@@ -50,10 +50,13 @@ std::vector<std::array<double, 2>> disc_offsets(double diameter, double spacing)
 }  // namespace
 
 Nozzle::Nozzle(const Jet& jet, double water_density, int dimension)
-    : spacing_(jet.spacing),
+    : density_(water_density),
+      spacing_(jet.spacing),
       start_(jet.start),
       stop_(jet.stop),
       dwell_(jet.dwell),
+      holds_pressure_(jet.feed == Feed::pressure),
+      pump_(0.5 * water_density * jet.speed * jet.speed, layers_inside * jet.spacing / jet.speed),
       period_(jet.pulse_frequency > 0.0 ? 1.0 / jet.pulse_frequency : 0.0),
       duty_(jet.duty),
       traverse_(jet.traverse) {
@@ -152,7 +155,7 @@ std::vector<InletParticle> Nozzle::standing_water() const {
 std::vector<InletParticle> Nozzle::emit(double time) {
   std::vector<InletParticle> water;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const double travelled = columns_[k].speed * open_time(time);
+    const double travelled = columns_[k].speed * flow_time(time);
     // Particle n enters when the column has travelled (n + 1) d, behind the one before it.
     while (travelled >= static_cast<double>(emitted_[k] + 1) * spacing_) {
       const double along = travelled - static_cast<double>(emitted_[k] + 1) * spacing_ -
@@ -164,11 +167,22 @@ std::vector<InletParticle> Nozzle::emit(double time) {
   return water;
 }
 
+double Nozzle::area() const {
+  return static_cast<double>(columns_.size()) * particle_mass_ / (density_ * spacing_);
+}
+
+double Nozzle::mass_in_time(double flow) const {
+  double mass = 0.0;
+  for (const Column& column : columns_) mass += particle_mass_ * column.speed * flow / spacing_;
+  return mass;
+}
+
 double Nozzle::mass_due(double time) const {
-  double due = 0.0;
-  for (const Column& column : columns_)
-    due += particle_mass_ * column.speed * open_time(time) / spacing_;
-  return due;
+  return mass_in_time(flow_time(time));
+}
+
+double Nozzle::mass_held_back(double time) const {
+  return mass_in_time(open_time(time) - flow_time(time));
 }
 
 double Nozzle::mass_emitted() const {

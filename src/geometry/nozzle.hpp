@@ -2,12 +2,14 @@
 // Nozzle is the continuous inflow of a jet. Water leaves the nozzle in columns of equal area; each
 // column emits particles of mass rho (A/N) d whenever it has travelled another spacing d, so that
 // the emitted mass differs from the integral of rho V A by less than a layer, and that remainder is
-// carried to the next layer.
+// carried to the next layer. V is the speed of the jet, times the share of it that the pressure at
+// the exit leaves where the pump holds its pressure (geometry/pump_limit.hpp).
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "geometry/pump_limit.hpp"
 #include "model/point.hpp"
 
 namespace kerf {
@@ -42,17 +44,30 @@ class Nozzle {
   // Return for how long water has flowed until the time, s, and whether it flows at the time.
   double open_time(double time) const;
   bool is_open(double time) const;
+  // Returns the time in which the water would have come as far at the speed of the jet, s.
+  double flow_time(double time) const { return pump_.flow_time(open_time(time)); }
+
+  // The pump's reaction to the pressure at the exit.
+  const PumpLimit& pump() const { return pump_; }
+  bool holds_pressure() const { return holds_pressure_; }
+  double area() const;  // m^2 (2D: m), of the columns
+  // Takes the pressure on the water in the nozzle over the step of `dt` s that ends at `time`.
+  void respond(double time, double dt, double pressure) {
+    pump_.respond(open_time(time), dt, pressure);
+  }
 
   // Returns the particles inside the nozzle at t = 0.
   std::vector<InletParticle> standing_water() const;
   // Returns the particles that have entered between the last call and `time`, s.
   std::vector<InletParticle> emit(double time);
 
-  double mass_due(double time) const;  // kg, integral of rho V A
-  double mass_emitted() const;         // kg
+  double mass_due(double time) const;        // kg, integral of rho V A
+  double mass_emitted() const;               // kg
+  double mass_held_back(double time) const;  // kg, that would have come without pressure
 
   const std::vector<std::uint64_t>& emitted() const { return emitted_; }
   void restore(std::vector<std::uint64_t> emitted) { emitted_ = std::move(emitted); }
+  void restore_pump(const std::vector<double>& state) { pump_.restore(state); }
 
  private:
   struct Column {
@@ -62,10 +77,14 @@ class Nozzle {
   void lay_out_columns(const Jet& jet, int dimension);
   // Returns the position of a column at the distance `along` the jet from the exit at `time`, m.
   Point position(const Column& column, double along, double time) const;
-  double moving_time(double time) const;  // s
+  double moving_time(double time) const;   // s
+  double mass_in_time(double flow) const;  // kg, in this time at the speed of the jet
 
   static constexpr int layers_inside = 4;  // more than the support of 2 h = 3 d
+  double density_;                         // kg/m^3
   double spacing_, start_, stop_, dwell_;
+  bool holds_pressure_;
+  PumpLimit pump_;
   double period_, duty_;  // s, 0 = no pulses; 1
   double particle_mass_ = 0.0;
   Point direction_{}, first_exit_{}, traverse_{};

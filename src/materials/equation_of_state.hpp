@@ -73,6 +73,20 @@ KERF_FUNCTION T sound_speed_at(const BarotropicMatter<T>& matter, T compression)
   });
 }
 
+// Compression at a pressure, 1; 0 where that is not positive. Newton's method from the compression
+// of a constant modulus, which is too large as the modulus grows with the compression: p(x) is
+// convex, so that each step comes closer from above.
+template <class T>
+T compression_at(const BarotropicMatter<T>& matter, T pressure) {
+  if (!(pressure > T(0))) return T(0);
+  T x = pressure / (matter.density * matter.sound_speed * matter.sound_speed);
+  for (int k = 0; k < 8; ++k) {
+    const T c = sound_speed_at(matter, x);
+    x -= (pressure_at(matter, x) - pressure) / (matter.density * c * c);
+  }
+  return x;
+}
+
 // Sound speed of the impedance between two particles, m/s. In weakly compressible matter that at
 // rest does, and costs no power per pair.
 template <class T>

@@ -34,14 +34,17 @@ struct BackFlowRemoval {
 };
 
 struct Probe {
-  enum class Kind { point, plane };
+  enum class Kind { point, plane, gauge };
   Kind kind = Kind::point;
   std::string name;
-  Point position{};             // m
-  Point normal{0.0, 1.0, 0.0};  // unit; plane only: force of the +normal side on the other side
+  Point position{};  // m
+  // Unit; of a plane: force of the +normal side on the other side; of a gauge: that of its face.
+  Point normal{0.0, 1.0, 0.0};
+  double diameter = 0.0;  // m, of the face of a gauge
+  bool is_plane() const { return kind == Kind::plane; }
   bool operator==(const Probe&) const = default;
 };
-inline constexpr std::array<std::string_view, 2> probe_words{"point", "plane"};
+inline constexpr std::array<std::string_view, 3> probe_words{"point", "plane", "gauge"};
 
 struct ArtificialStress {  // Gray, Monaghan & Swift (2001)
   double epsilon = 0.0;    // 1; 0 = off

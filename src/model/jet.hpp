@@ -2,11 +2,19 @@
 // This header declares a jet of a case as plain data in SI units.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "model/point.hpp"
 
 namespace kerf {
+
+// What the pump of a jet holds: its pressure, so that pressure at the exit slows the water, or the
+// flow, whatever pressure that takes.
+enum class Feed : std::uint8_t { pressure, flow };
+inline constexpr std::array<std::string_view, 2> feed_words{"pressure", "flow"};
 
 // A jet leaves its nozzle at `position - standoff * direction` and flies along
 // direction = (sin angle cos azimuth, -cos angle, sin angle sin azimuth). A nozzle that traverses
@@ -32,6 +40,7 @@ struct Jet {
   // Speed over the section, expression in r (0 on the axis, 1 at the edge), any scale: the mean is
   // normalised to `speed`. "1" = uniform.
   std::string profile = "1";
+  Feed feed = Feed::pressure;  // of the standard formulation; the other one holds the flow
   bool operator==(const Jet&) const = default;
 };
 

@@ -25,6 +25,9 @@ List mass_terms() {
        &B::jet_mass_due},
       {"jet_mass_carried", mass, "mass not yet a layer",
        "Part of the mass due that does not yet fill a layer of particles.", &B::jet_mass_carried},
+      {"jet_mass_held_back", mass, "mass held back by pressure at the nozzles",
+       "Mass that would be due besides if no pressure at the exits slowed the jets.",
+       &B::jet_mass_held_back},
   };
 }
 

@@ -75,7 +75,7 @@ void add_probes(Columns& columns, const Case& description) {
     ++index;
   };
   for (const Probe& probe : description.probes) {
-    const bool point = probe.kind == Probe::Kind::point;
+    const bool point = !probe.is_plane();
     if (point) add(probe.name + "_pressure", "Pa");
     for (const char axis : {'x', 'y', 'z'}) {
       if (point)

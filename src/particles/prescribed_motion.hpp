@@ -15,8 +15,9 @@ struct PrescribedMotion {
   // Of jets only.
   Vector<D, double> direction;     // unit vector
   Vector<D, double> exit;          // m, centre of the nozzle's exit
-  double open_time;                // s, for which the nozzle was open since the start of the step
-  double open_fraction;            // open_time over the step
+  double flow_time;                // s, of flow at the speed of the jet since the start of the step
+  double flow_fraction;            // flow_time over the step
+  double compression;              // 1, of the water inside the nozzle
   double back_flow_removal_speed;  // m/s, slower water along the jet is removed
   bool removes_back_flow;
 };
@@ -30,8 +31,9 @@ KERF_FUNCTION void apply_prescribed_motion(const ParticleView<D, P>& particles,
   Vector<D, double> velocity = motion.velocity;
   if (particles.has(i, flag::upstream)) {
     const double speed = particles.inlet_speed[i];
-    displacement += (speed * motion.open_time) * motion.direction;
-    velocity += (speed * motion.open_fraction) * motion.direction;
+    displacement += (speed * motion.flow_time) * motion.direction;
+    velocity += (speed * motion.flow_fraction) * motion.direction;
+    particles.compression[i] = static_cast<typename P::Real>(motion.compression);
   }
   particles.position[i] = particles.start_position[i] + displacement;
   particles.velocity[i] = Vector<D, typename P::Real>::from(velocity);

@@ -143,7 +143,7 @@ void add_force(Figures& figures, int dimension, const std::string& title, const 
 void add_probes(Figures& figures, const Case& description) {
   std::vector<Figures::Line> pressures, forces;
   for (const Probe& probe : description.probes) {
-    if (probe.kind == Probe::Kind::point)
+    if (!probe.is_plane())
       pressures.push_back({probe.name + "_pressure", probe.name});
     else
       forces.push_back({probe.name + "_force_y", probe.name});

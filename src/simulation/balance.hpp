@@ -18,8 +18,9 @@ struct Balance {
   double mass_erased = 0.0;  // removed by the back-flow removal
   double mass_now = 0.0;     // sum over the particles
   double mass_fractured = 0.0;
-  double jet_mass_due = 0.0;      // integral of rho V A since the start
-  double jet_mass_carried = 0.0;  // the part below a full layer: due = in + carried
+  double jet_mass_due = 0.0;        // integral of rho V A since the start
+  double jet_mass_carried = 0.0;    // the part below a full layer: due = in + carried
+  double jet_mass_held_back = 0.0;  // more would be due without pressure at the exits
 
   // Momentum, kg m/s.
   std::array<double, 3> momentum_initial{};

@@ -13,13 +13,13 @@
 namespace kerf {
 
 // Returns the particles of water that a nozzle emits at a time (s); they move with the nozzle, and
-// at the speed of the jet while it is open. `medium` is the index of the water in the list of
-// media.
+// at the speed of the jet, as far as the pump reaches it, while it is open. `medium` is the index
+// of the water in the list of media.
 inline std::vector<NewParticle> inlet_particles(const std::vector<InletParticle>& water,
                                                 const Nozzle& nozzle, std::size_t medium,
                                                 double time) {
   std::vector<NewParticle> particles;
-  const bool open = nozzle.is_open(time);
+  const double share = nozzle.is_open(time) ? nozzle.pump().speed_share() : 0.0;
   const Point carried = nozzle.velocity(time);
   for (const InletParticle& drop : water) {
     NewParticle particle;
@@ -28,7 +28,7 @@ inline std::vector<NewParticle> inlet_particles(const std::vector<InletParticle>
     particle.source = static_cast<std::uint16_t>(medium);
     particle.flags = flag::upstream;
     for (std::size_t a = 0; a < 3; ++a)
-      particle.velocity[a] = carried[a] + (open ? drop.speed * nozzle.direction()[a] : 0.0);
+      particle.velocity[a] = carried[a] + share * drop.speed * nozzle.direction()[a];
     particles.push_back(particle);
   }
   return particles;

@@ -53,8 +53,8 @@ class Motion {
     motion.exit = Vector<D, double>::from(nozzle.exit(now));
     motion.displacement = motion.exit - Vector<D, double>::from(nozzle.exit(start));
     if (dt > 0.0) motion.velocity = (1.0 / dt) * motion.displacement;
-    motion.open_time = nozzle.open_time(now) - nozzle.open_time(start);
-    motion.open_fraction = dt > 0.0 ? motion.open_time / dt : 0.0;
+    motion.flow_time = nozzle.flow_time(now) - nozzle.flow_time(start);
+    motion.flow_fraction = dt > 0.0 ? motion.flow_time / dt : 0.0;
     motion.removes_back_flow = removes_back_flow_;
     motion.back_flow_removal_speed = removal_speed_[jet];
     return motion;

@@ -65,6 +65,10 @@ class ParticleRun : public Simulation {
   template <class Before, class After>
   void accumulate_step(double dt, const Before& before, const After& after);
   MarkOutflow<D, P> mark_outflow();  // for each particle
+  // Lets the pumps that hold their pressure respond to the forces on the water in their nozzles, by
+  // the accelerations of the step. It must be called after the motions of the step are loaded, and
+  // before water is released.
+  void respond_at_exits(double dt);
   void tick(double dt);
 
   RunSettings settings_;  // nozzles, media and particles are moved to the members below
@@ -86,10 +90,12 @@ class ParticleRun : public Simulation {
   void remove_marked();
   void close_planes();
   void inject_inflow();
+  std::size_t first_jet() const { return settings_.source_names.size() - nozzles_.size(); }
   void append(std::vector<NewParticle> newcomers);
   [[noreturn]] void fail(const StepLimit& cause) const;
   void refresh() const;
 
+  OrderedSum<1> exit_force_;
   mutable bool fresh_ = false;
   std::uint64_t step_ = 0;
   std::uint32_t next_id_ = 0;

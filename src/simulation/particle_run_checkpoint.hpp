@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a checkpoint holds of a run: the state of the particles (rows STATE of
-// particles/fields.hpp), clock, counters, balance and the emission of the nozzles.
+// particles/fields.hpp), clock, counters, balance, the emission of the nozzles and their pumps.
 #pragma once
 
 #include <cstring>
@@ -23,8 +23,10 @@ void ParticleRun<D, P, Traits>::save(Archive& archive) const {
   std::memcpy(balance.data(), &balance_.totals(), sizeof(Balance));
   archive.arrays["balance"] = balance;
   archive.arrays["pair_interactions"] = std::vector<double>{pair_interactions_};
-  for (std::size_t j = 0; j < nozzles_.size(); ++j)
+  for (std::size_t j = 0; j < nozzles_.size(); ++j) {
     archive.arrays["nozzle/" + std::to_string(j)] = nozzles_[j].emitted();
+    archive.arrays["pump/" + std::to_string(j)] = nozzles_[j].pump().state();
+  }
 }
 
 template <int D, class P, class Traits>
@@ -43,8 +45,10 @@ void ParticleRun<D, P, Traits>::restore(const Archive& archive) {
   std::memcpy(static_cast<void*>(&balance), numbers.data(), sizeof(Balance));
   balance_.restore(balance);
   pair_interactions_ = find_array<double>(archive, "pair_interactions").at(0);
-  for (std::size_t j = 0; j < nozzles_.size(); ++j)
+  for (std::size_t j = 0; j < nozzles_.size(); ++j) {
     nozzles_[j].restore(find_array<std::uint64_t>(archive, "nozzle/" + std::to_string(j)));
+    nozzles_[j].restore_pump(find_array<double>(archive, "pump/" + std::to_string(j)));
+  }
   // The particles are in the order of the cells of their build positions: the same list results.
   list_.build(particles_);
   after_reorder();

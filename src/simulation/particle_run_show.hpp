@@ -31,6 +31,7 @@ Balance ParticleRun<D, P, Traits>::balance() const {
   for (const Nozzle& nozzle : nozzles_) {
     balance.jet_mass_due += nozzle.mass_due(time_);
     balance.jet_mass_carried += nozzle.mass_due(time_) - nozzle.mass_emitted();
+    balance.jet_mass_held_back += nozzle.mass_held_back(time_);
   }
   return balance;
 }
@@ -41,7 +42,7 @@ std::vector<double> ParticleRun<D, P, Traits>::probe_values() const {
   for (const RunProbe& probe : settings_.probes) {
     refresh();
     if (!probe.is_plane) {
-      probes_.sample_point(particles_, probe.position, values);
+      probes_.sample_mean(particles_, probe.points, values);
     } else {
       accelerate_across(
           AcrossPlane<D>{Position::from(probe.position), Position::from(probe.normal)});

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulation/breakdown.hpp"
+#include "simulation/exit_pressure.hpp"
 #include "simulation/inflow.hpp"
 #include "simulation/particle_run.hpp"
 #include "simulation/populate.hpp"
@@ -44,8 +45,7 @@ void ParticleRun<D, P, Traits>::remove_marked() {
 
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::inject_inflow() {
-  const std::size_t bodies = settings_.source_names.size() - nozzles_.size();
-  emit_inflow(nozzles_, bodies, time_,
+  emit_inflow(nozzles_, first_jet(), time_,
               [&](std::size_t medium, const std::vector<NewParticle>& newcomers) {
                 for (const NewParticle& newcomer : newcomers)
                   balance_.accumulate_inflow(medium, newcomer.velocity);
@@ -100,7 +100,23 @@ void ParticleRun<D, P, Traits>::fail(const StepLimit& cause) const {
 
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::load_prescribed_motions(double now) {
-  to_device(settings_.motion.template between<D>(time_, now, nozzles_), prescribed_motions_);
+  auto motions = settings_.motion.template between<D>(time_, now, nozzles_);
+  for (std::size_t j = 0; j < nozzles_.size(); ++j)
+    motions[first_jet() + j].compression =
+        compression_at(media_[first_jet() + j], nozzles_[j].pump().pressure());
+  to_device(motions, prescribed_motions_);
+}
+
+template <int D, class P, class Traits>
+void ParticleRun<D, P, Traits>::respond_at_exits(double dt) {
+  for (std::size_t j = 0; j < nozzles_.size(); ++j) {
+    if (!nozzles_[j].holds_pressure()) continue;
+    const auto source = static_cast<std::uint16_t>(first_jet() + j);
+    const auto direction = Position::from(nozzles_[j].direction());
+    const auto sum = exit_force_(particles_.size(),
+                                 ExitForce<D, P>{particles_.view(), direction, gravity_, source});
+    nozzles_[j].respond(time_ + dt, dt, sum.value[0] / nozzles_[j].area());
+  }
 }
 
 template <int D, class P, class Traits>

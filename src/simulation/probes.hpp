@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes: pressure and velocity at a point by kernel interpolation, and the force that one side of
-// a plane exerts on the other, which is the sum of the pair forces across it.
+// Probes: pressure and velocity at a point by kernel interpolation or as their mean over points of
+// the face of a gauge, and the force that one side of a plane exerts on the other, which is the sum
+// of the pair forces across it.
 #pragma once
 
 #include "kernels/cubic_spline.hpp"
@@ -70,6 +71,20 @@ struct ForceSum {
 template <int D, class P>
 class Probes {
  public:
+  // Appends the means over the points of the pressure and of the three components of the velocity.
+  // Where a point has no matter around it they are 0, so that the pressure of a gauge is the force
+  // on its face over its area.
+  void sample_mean(Particles<D, P>& particles, const std::vector<Point>& points,
+                   std::vector<double>& values) {
+    std::vector<double> sampled;
+    for (const Point& point : points) sample_point(particles, point, sampled);
+    for (std::size_t k = 0; k < 4; ++k) {
+      double sum = 0.0;
+      for (std::size_t n = k; n < sampled.size(); n += 4) sum += sampled[n];
+      values.push_back(sum / static_cast<double>(points.size()));
+    }
+  }
+
   // pressure, then velocity in three components.
   void sample_point(Particles<D, P>& particles, const Point& position,
                     std::vector<double>& values) {

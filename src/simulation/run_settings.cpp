@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "geometry/fill.hpp"
+#include "geometry/gauge_face.hpp"
 #include "model/case.hpp"
 #include "simulation/media.hpp"
 #include "simulation/populate.hpp"
@@ -29,10 +30,17 @@ std::vector<std::string> source_names(const Case& description) {
   return names;
 }
 
+std::vector<Point> points_of(const Probe& probe, int dimension) {
+  if (probe.is_plane()) return {};
+  if (probe.kind == Probe::Kind::point) return {probe.position};
+  return gauge_face(probe.position, probe.normal, probe.diameter, dimension);
+}
+
 std::vector<RunProbe> run_probes(const Case& description) {
   std::vector<RunProbe> probes;
   for (const Probe& probe : description.probes)
-    probes.push_back({probe.kind == Probe::Kind::plane, probe.position, probe.normal});
+    probes.push_back(
+        {probe.is_plane(), probe.position, probe.normal, points_of(probe, description.dimension)});
   return probes;
 }
 

@@ -19,11 +19,13 @@ namespace kerf {
 
 struct Case;
 
-// A point at which pressure and velocity are sampled, or a plane across which forces are summed.
+// Points at which pressure and velocity are sampled and averaged, or a plane across which forces
+// are summed.
 struct RunProbe {
   bool is_plane = false;
-  Point position{};  // m
-  Point normal{};    // unit vector, of a plane
+  Point position{};           // m
+  Point normal{};             // unit vector, of a plane
+  std::vector<Point> points;  // m; none of a plane
 };
 
 // A side of a body that absorbs waves.

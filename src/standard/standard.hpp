@@ -131,6 +131,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   void finalize_step(double dt) {
     const auto timer = timers_.stage("integrate");
     Run::load_prescribed_motions(time_ + dt);
+    Run::respond_at_exits(dt);
     const auto view = particles_.view();
     const ConcentrationGradient<D, typename P::Real>* concentration_gradient =
         settings_.shifting ? pointer(concentration_gradient_) : nullptr;

@@ -192,7 +192,7 @@ PlacementInverse::PlacementInverse(const Case& written, const Placement& placeme
     : placement_(placement), shift_(shift_of(written, placement)) {
   std::size_t next = 0;
   for (const Probe& probe : written.probes) {
-    const bool is_point = probe.kind == Probe::Kind::point;
+    const bool is_point = !probe.is_plane();
     vectors_.push_back(is_point ? next + 1 : next);
     next += is_point ? 4 : 3;
   }

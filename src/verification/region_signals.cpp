@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // These signals are sums over the particles of a body that are in a region at the time, such as a
 // section of a stream. The region is where the formula "within" of x, y, z in m is not 0.
+#include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "model/case.hpp"
@@ -59,6 +61,21 @@ Signal region_velocity_signal(const Parameters& parameters, const Beginning& beg
       momentum += double(frame.mass[row]) * frame.velocity[row][axis];
     }
     return mass > 0.0 ? momentum / mass : 0.0;
+  };
+}
+
+// How far the body's particles in the region reach along the axis `axis`, m: the greatest
+// coordinate, and half a spacing; minus infinity while there is none.
+Signal reach_signal(const Parameters& parameters, const Beginning& beginning) {
+  const auto region = std::make_shared<const Region>(parameters, beginning);
+  const std::size_t axis = named_axis(parameters);
+  return [region, axis](Moment& moment) {
+    const Frame& frame = moment.frame();
+    double reach = -std::numeric_limits<double>::infinity();
+    for (std::size_t row = 0; row < frame.id.size(); ++row)
+      if (region->has(frame, row))
+        reach = std::max(reach, frame.position[row][axis] + 0.5 * double(frame.spacing[row]));
+    return reach;
   };
 }
 

@@ -118,6 +118,22 @@ double time_above(const TimeSeries& s, const Parameters& parameters) {
                                  : s.time[static_cast<std::size_t>(s.value.rend() - found) - 1];
 }
 
+// The time at which the signal first passes a level from below, between two samples.
+double time_of_passing(const TimeSeries& s, double level) {
+  for (std::size_t i = 1; i < s.value.size(); ++i) {
+    if (!(s.value[i - 1] < level) || s.value[i] < level) continue;
+    const double part = (level - s.value[i - 1]) / (s.value[i] - s.value[i - 1]);
+    return s.time[i - 1] + part * (s.time[i] - s.time[i - 1]);
+  }
+  return none;
+}
+
+double time_between(const TimeSeries& s, const Parameters& parameters) {
+  const std::string unit = parameters.text("level_unit", "");
+  return time_of_passing(s, parameters.number("upper_level", unit)) -
+         time_of_passing(s, parameters.number("level", unit));
+}
+
 }  // namespace
 
 double value_at(const TimeSeries& series, double time) {
@@ -146,7 +162,8 @@ double reduce(const TimeSeries& series, const Parameters& parameters) {
           {"decay_rate", [](const TimeSeries& s, const Parameters&) { return decay_rate(s); }},
           {"period", [](const TimeSeries& s, const Parameters&) { return period(s); }},
           {"first_above", time_above},
-          {"last_above", time_above}};
+          {"last_above", time_above},
+          {"time_between", time_between}};
   const auto found = reductions.find(parameters.text("reduce"));
   if (found == reductions.end())
     parameters.fail(fmt::format("there is no reduction \"{}\"", parameters.text("reduce")));

@@ -23,6 +23,7 @@ double value_at(const TimeSeries& series, double time);
 //   slope          of the least-squares line, per second
 //   period         mean time between crossings of zero in the same direction
 //   first_above, last_above   the time at which the signal reaches "level" (in "level_unit")
+//   time_between   the time from first passing "level" to first passing "upper_level"
 // NaN if there is none. Throws std::logic_error for an unknown reduction.
 double reduce(const TimeSeries& series, const Parameters& parameters);
 

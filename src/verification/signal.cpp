@@ -20,8 +20,7 @@ std::size_t probe_index(const Case& description, const Parameters& parameters) {
 // Returns the index of the first value of a probe among those of all probes.
 std::size_t first_value(const Case& description, std::size_t probe) {
   std::size_t first = 0;
-  for (std::size_t i = 0; i < probe; ++i)
-    first += description.probes[i].kind == Probe::Kind::point ? 4 : 3;
+  for (std::size_t i = 0; i < probe; ++i) first += !description.probes[i].is_plane() ? 4 : 3;
   return first;
 }
 
@@ -68,7 +67,7 @@ Signal probe_signal(const Parameters& parameters, const Beginning& beginning) {
   static const std::map<std::string, std::size_t> of_point{{"pressure", 0}, {"x", 1}, {"y", 2}};
   static const std::map<std::string, std::size_t> of_plane{{"x", 0}, {"y", 1}, {"z", 2}};
   const std::size_t probe = probe_index(beginning.description, parameters);
-  const bool is_point = beginning.description.probes[probe].kind == Probe::Kind::point;
+  const bool is_point = !beginning.description.probes[probe].is_plane();
   const auto& components = is_point ? of_point : of_plane;
   const auto component = components.find(parameters.text("component"));
   if (component == components.end()) parameters.fail("the probe has no such component");
@@ -116,6 +115,7 @@ const std::map<std::string, SignalMaker>& signal_makers() {
       {"forward_share", forward_share_signal},
       {"region_volume", region_volume_signal},
       {"region_velocity", region_velocity_signal},
+      {"reach", reach_signal},
       {"asymmetry", asymmetry_signal},
       {"jet_split", jet_split_signal},
       {"fractured_below_jet", fractured_below_jet_signal},

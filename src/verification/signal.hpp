@@ -59,5 +59,6 @@ Signal deepest_water_signal(const Parameters& parameters, const Beginning& begin
 // Signals over the particles of a body that are in a region at the time.
 Signal region_volume_signal(const Parameters& parameters, const Beginning& beginning);
 Signal region_velocity_signal(const Parameters& parameters, const Beginning& beginning);
+Signal reach_signal(const Parameters& parameters, const Beginning& beginning);
 
 }  // namespace kerf

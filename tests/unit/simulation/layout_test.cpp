@@ -101,8 +101,8 @@ TEST(Motion, NozzlesTraverseAndAreOpenForPartOfAStep) {
   c.back_flow_removal = BackFlowRemoval{-0.1};
   const RunSettings settings = run_settings(c);
   const auto motion = settings.motion.between<2>(0.5e-3, 2.5e-3, settings.nozzles).at(0);
-  EXPECT_NEAR(motion.open_time, 1.5e-3, 1e-17);
-  EXPECT_NEAR(motion.open_fraction, 0.75, 1e-13);
+  EXPECT_NEAR(motion.flow_time, 1.5e-3, 1e-17);
+  EXPECT_NEAR(motion.flow_fraction, 0.75, 1e-13);
   EXPECT_NEAR(motion.displacement[0], 0.3 * 1.5e-3, 1e-16);
   EXPECT_NEAR(motion.exit[0], 0.3 * 1.5e-3, 1e-16);
   EXPECT_NEAR(motion.exit[1], 0.022, 1e-15);

@@ -124,6 +124,24 @@ TEST(Series, TimesOfALevel) {
   EXPECT_TRUE(std::isnan(reduce(series, reduction({{"reduce", "first_above"}, {"level", "7"}}))));
 }
 
+// A straight line passes a level exactly, a parabola t^2 within its sagitta dt^2 / 4 between
+// samples over its slope 2 t. Passing again later does not count.
+TEST(Series, TimeBetweenTwoLevels) {
+  const TimeSeries line{{0.0, 1.0, 2.0, 3.0, 4.0}, {-1.0, 1.0, 3.0, 0.0, 9.0}};
+  const auto between = [&](const char* level, const char* upper) {
+    return reduce(
+        line, reduction({{"reduce", "time_between"}, {"level", level}, {"upper_level", upper}}));
+  };
+  EXPECT_DOUBLE_EQ(between("0", "2"), 1.0);
+  EXPECT_DOUBLE_EQ(between("0", "6"), 3.0 + 2.0 / 3.0 - 0.5);
+  EXPECT_TRUE(std::isnan(between("0", "10")));
+  EXPECT_TRUE(std::isnan(between("-2", "2")));  // it starts above
+  const auto parabola = sampled([](double t) { return t * t; }, 0.1, 40);
+  const double seen = reduce(
+      parabola, reduction({{"reduce", "time_between"}, {"level", "1.03"}, {"upper_level", "7.9"}}));
+  EXPECT_NEAR(seen, std::sqrt(7.9) - std::sqrt(1.03), 0.1 * 0.1 / 8.0);
+}
+
 TEST(Series, RefusesUnknownReductions) {
   const TimeSeries series{{0.0}, {0.0}};
   EXPECT_THROW(reduce(series, reduction({{"reduce", "median"}})), std::logic_error);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Signals of water and other matter at the start of a run.
+#include <limits>
 #include <stdexcept>
 
 #include "support/signal_fixture.hpp"
@@ -71,6 +72,18 @@ TEST_F(WetBlockTest, ARegionContainsItsRows) {
                       {"within", "y < 2e-3"},
                       {"axis", "down"}}),
                std::logic_error);
+}
+
+// The right edge of the layer is at 10 mm, its top at 4 mm, that of the two lower rows at 2 mm; the
+// particles are half a spacing further in.
+TEST_F(WetBlockTest, ARegionReachesToItsEdge) {
+  const auto reach = [&](const char* within, const char* axis) {
+    return value({{"signal", "reach"}, {"body", "layer"}, {"within", within}, {"axis", axis}});
+  };
+  EXPECT_NEAR(reach("1", "x"), 10e-3, 1e-8);
+  EXPECT_NEAR(reach("1", "y"), 4e-3, 1e-8);
+  EXPECT_NEAR(reach("y < 2e-3", "y"), 2e-3, 1e-8);
+  EXPECT_EQ(reach("x > 1", "x"), -std::numeric_limits<double>::infinity());
 }
 
 TEST_F(WetBlockTest, NoElasticEnergyNoHourglassShare) {

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pump of a nozzle against Bernoulli's equation, the exact solution of its delay, and exact
+// times of flow.
+#include "geometry/pump_limit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "geometry/nozzle.hpp"
+#include "model/case.hpp"
+
+namespace kerf {
+namespace {
+
+constexpr double density = 998.0;
+
+Jet plain_jet() {
+  Jet jet;
+  jet.speed = 7.0;
+  jet.width = 4e-3;
+  jet.spacing = 0.5e-3;
+  jet.stop = std::numeric_limits<double>::infinity();
+  return jet;
+}
+
+// Under a constant pressure, p + rho V^2 / 2 is the head of the pump once the delay has passed.
+TEST(PumpLimit, KeepsTheTotalHead) {
+  const double head = 0.5 * density * 49.0;
+  for (const double share : {0.0, 1e-4, 0.1, 0.5, 0.9, 1.0}) {
+    PumpLimit pump(head, 1e-3);
+    for (int n = 1; n <= 4000; ++n) pump.respond(n * 1e-5, 1e-5, share * head);
+    const double speed = 7.0 * pump.speed_share();
+    EXPECT_NEAR(pump.pressure() + 0.5 * density * speed * speed, head, 1e-12 * head);
+    EXPECT_NEAR(pump.pressure(), share * head, 1e-12 * head);
+  }
+}
+
+// The pressure relaxes by a factor e in the delay: T dp/dt = P - p, to first order in the step.
+TEST(PumpLimit, FollowsWithItsDelay) {
+  PumpLimit pump(1e4, 2e-3);
+  for (int n = 1; n <= 2000; ++n) pump.respond(n * 1e-6, 1e-6, 3e3);
+  EXPECT_NEAR(pump.pressure(), 3e3 * (1.0 - std::exp(-1.0)), 1e-3 * 3e3);
+}
+
+// It neither exceeds the free speed nor flows back, whatever pulls and pushes: what is beyond the
+// head is a blow that the inertia of the water takes.
+TEST(PumpLimit, StaysBetweenRestAndTheFreeSpeed) {
+  std::mt19937 engine(4);
+  std::normal_distribution<double> blow(0.0, 30.0);
+  PumpLimit pump(1.0, 1e-3);
+  double open = 0.0, flow = 0.0;
+  for (int n = 0; n < 20000; ++n) {
+    const double dt = 1e-5 * (1 + n % 3);
+    const double before = pump.flow_time(open), share = pump.speed_share();
+    open += dt;
+    flow += share * dt;
+    EXPECT_NEAR(pump.flow_time(open) - before, share * dt, 1e-12);
+    pump.respond(open, dt, blow(engine));
+    EXPECT_GE(pump.speed_share(), 0.0);
+    EXPECT_LE(pump.speed_share(), 1.0);
+    EXPECT_LE(pump.pressure(), 1.0);
+  }
+  EXPECT_NEAR(pump.flow_time(open), flow, 1e-10 * open);
+  PumpLimit drained(1.0, 1e-3);
+  for (int n = 1; n < 1000; ++n) drained.respond(n * 1e-5, 1e-5, -0.5);
+  EXPECT_EQ(drained.speed_share(), 1.0);
+  EXPECT_EQ(drained.flow_time(0.01), 0.01);
+}
+
+// Noise of no mean leaves the speed of a free jet alone: with a tenth of the head from step to
+// step, and 100 steps per delay, p scatters by 0.1 / sqrt(200) of the head, and V by half of that
+// at a time and a fifth of it on average (a half-normal distribution).
+TEST(PumpLimit, NoiseHardlySlowsAFreeJet) {
+  std::mt19937 engine(4);
+  std::normal_distribution<double> noise(0.0, 0.1);
+  PumpLimit pump(1.0, 1e-3);
+  for (int n = 1; n <= 100000; ++n) pump.respond(n * 1e-5, 1e-5, noise(engine));
+  EXPECT_NEAR(pump.flow_time(1.0), 1.0, 2e-3);
+}
+
+// The mass that comes in is rho A times the integral of the speed that the pressure leaves, in
+// whole layers a spacing apart, and what was held back makes up the rest.
+TEST(PumpLimit, TheNozzleEmitsWhatFlows) {
+  Jet jet = plain_jet();
+  jet.profile = "1 - 0.6*r^2";
+  jet.start = 2e-4;
+  for (const int dimension : {2, 3}) {
+    Nozzle nozzle(jet, density, dimension), resumed = nozzle;
+    const double area = nozzle_area(jet, dimension), head = 0.5 * density * 49.0;
+    EXPECT_NEAR(nozzle.area(), area, 1e-12 * area);
+    double mass = 0.0, time = 0.0, emitted = 0.0;
+    for (int n = 0; n < 5000; ++n) {
+      const double dt = 3e-6 * (1 + n % 4);
+      resumed = Nozzle(jet, density, dimension);
+      resumed.restore(nozzle.emitted());
+      resumed.restore_pump(nozzle.pump().state());
+      const auto water = nozzle.emit(time), again = resumed.emit(time);
+      ASSERT_EQ(water.size(), again.size());
+      for (std::size_t k = 0; k < water.size(); ++k)
+        EXPECT_EQ(water[k].position, again[k].position);
+      emitted += nozzle.particle_mass() * static_cast<double>(water.size());
+      const double open = nozzle.open_time(time + dt) - nozzle.open_time(time);
+      mass += density * area * 7.0 * nozzle.pump().speed_share() * open;
+      time += dt;
+      nozzle.respond(time, dt, head * (0.5 - 0.5 * std::cos(time / 1e-3)));
+      EXPECT_NEAR(nozzle.mass_due(time), mass, 1e-10 * density * area * 7.0 * time);
+    }
+    const double layer = nozzle.particle_mass() * static_cast<double>(nozzle.columns());
+    EXPECT_NEAR(nozzle.mass_emitted(), emitted, 1e-12 * emitted);
+    EXPECT_GE(mass - emitted, -1e-9 * mass);
+    EXPECT_LT(mass - emitted, 1.5 * layer);
+    const double whole = density * area * 7.0 * nozzle.open_time(time);
+    EXPECT_NEAR(nozzle.mass_due(time) + nozzle.mass_held_back(time), whole, 1e-12 * whole);
+    EXPECT_LT(mass, 0.9 * whole);
+  }
+}
+
+}  // namespace
+}  // namespace kerf
