@@ -35,7 +35,7 @@ constexpr Stage stages[] = {
     {"fracture_break", Load::solid, &StagedRun::break_bonds, &StagedRun::pull_apart,
      &Balance::dissipated_fracture},
     {"integrate", Load::solid, &StagedRun::integrate},
-    {"contact", Load::slabs, &StagedRun::compute_pair_forces, nullptr, &Balance::plate_potential},
+    {"contact", Load::slabs, &StagedRun::compute_pair_forces, nullptr, &Balance::rigid_potential},
     {"contact", Load::soaked, &StagedRun::compute_pair_forces},
 };
 

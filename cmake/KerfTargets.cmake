@@ -24,6 +24,10 @@ if(KERF_SANITIZE)
     # g++ mistakes code of the sanitizers for reads of uninitialized values, for instance in <regex>.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE})
+  if(KERF_SANITIZE MATCHES thread AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # g++ warns that ThreadSanitizer does not see the fences of Boost.Asio.
+    set_source_files_properties(src/study/child_process.cpp PROPERTIES COMPILE_OPTIONS -Wno-tsan)
+  endif()
 endif()
 
 # kerf_precompile_headers(name layers...) compiles the headers of the standard library once for these layers, which

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // PrincipalFrame holds the principal values and axes of a symmetric tensor. Jacobi's rotations
 // (Golub & Van Loan, Matrix Computations, section 8.5) give them to a few roundings of the largest
-// value, also for close values. The closed forms of principal_axes.hpp are faster, but lose a digit
+// value, also for close values. The closed forms of Eigen are faster, but lose a digit
 // or more for close values, which is too much for elastic strains of 1e-3 in single precision.
 #pragma once
 

@@ -64,7 +64,7 @@ struct FluidPair {
       const auto left = side(particles, pair.i, *pair.medium_i, u_i);
       const auto right = side(particles, pair.j, *pair.medium_j, u_j);
       auto star = scheme == WaterScheme::delta_sph && pair.are_water()
-                      ? CentralWater::solve(left, right, inverse * pair.smoothing_length)
+                      ? DeltaSphPair::solve(left, right, inverse * pair.smoothing_length)
                       : solve_riemann(left, right, smoothing(pair, left, right));
       if (pair.are_water()) {
         const Real viscosity = viscosity_between(*pair.medium_i, *pair.medium_j);

@@ -190,7 +190,8 @@ Box bounding_box(const Shape& shape, int dimension) {
     case Shape::Kind::difference:
       return bounding_box(shape.parts.front(), dimension);
     case Shape::Kind::mesh:
-      return shape.mesh.surface->box();
+      // The surface of a mesh that could not be read is missing while other faults are looked for.
+      return shape.mesh.surface ? shape.mesh.surface->box() : Box{};
   }
   return {};
 }

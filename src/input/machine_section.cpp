@@ -9,8 +9,8 @@
 #include "input/draft.hpp"
 #include "input/sections.hpp"
 #include "input/toml_writer.hpp"
+#include "machine/jet_breakup.hpp"
 #include "machine/machine_jet.hpp"
-#include "machine/standoff.hpp"
 #include "model/case.hpp"
 
 namespace kerf {

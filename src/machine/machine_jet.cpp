@@ -8,8 +8,8 @@
 
 #include "machine/characteristic_speed.hpp"
 #include "machine/contraction.hpp"
+#include "machine/jet_breakup.hpp"
 #include "machine/jet_speed.hpp"
-#include "machine/standoff.hpp"
 #include "model/jet.hpp"
 #include "model/machine.hpp"
 #include "model/material.hpp"

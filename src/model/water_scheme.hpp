@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The schemes for pairs of water particles in the `standard` formulation: Riemann solutions
 // (fluid/riemann.hpp), or delta-SPH with mean pressures and density diffusion
-// (fluid/delta_sph.hpp, fluid/density_diffusion.hpp).
+// (fluid/delta_sph.hpp, fluid/delta_sph.hpp).
 #pragma once
 
 #include <array>

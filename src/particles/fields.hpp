@@ -44,7 +44,7 @@ namespace kerf {
   STATE(Real, pressure_work, medium.tait.energy(medium, medium.initial_compression), always, hidden)     \
   STATE(Real, inlet_speed, start.inlet_speed, always, hidden)        /* m/s, inside a nozzle */    \
   STATE(std::uint32_t, id, start.id, always, hidden)                 /* unique, never reused */    \
-  STATE(std::uint16_t, source, start.source, always, hidden)         /* simulation/levels.hpp */   \
+  STATE(std::uint16_t, source, start.source, always, hidden)         /* simulation/media_order.hpp */   \
   STATE(std::uint8_t, fractured, 0, always, hidden) /* 1 = bears compression only */               \
   STATE(std::uint8_t, flags, start.flags, always, hidden) /* particles/new_particle.hpp */         \
   STATE(Stress, shear, Stress(), rate_stress,                                                      \

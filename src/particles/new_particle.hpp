@@ -25,7 +25,7 @@ struct NewParticle {
   Point face_normal{};       // of a rigid body: outward normal of the face nearest to the particle
   double face_depth = 0.0;   // m, of the particle below that face
   std::uint32_t id = 0;      // given when it joins
-  std::uint16_t source = 0;  // number of its medium (simulation/levels.hpp)
+  std::uint16_t source = 0;  // number of its medium (simulation/media_order.hpp)
   std::uint8_t flags = 0;
 };
 

@@ -104,7 +104,7 @@ void add_energy(Figures& figures) {
       {"elastic_deviatoric", "elastic, shape"},
       {"elastic_strain", "elastic, total Lagrangian"},
       {"hourglass", "hourglass control"},
-      {"plate_potential", "plate repulsion"},
+      {"rigid_potential", "plate repulsion"},
       {"dissipated_artificial", "lost to artificial viscosity"},
       {"dissipated_viscous", "lost to water's viscosity"},
       {"dissipated_fracture", "lost to fracture"},
@@ -123,8 +123,8 @@ void add_momentum(Figures& figures) {
   std::vector<Figures::Line> lines = {{"momentum_now_y", "of the particles"},
                                       {"momentum_in_y", "brought by the jets"},
                                       {"momentum_out_y", "left"}};
-  if (figures.moves("impulse_plate_y"))
-    lines.push_back({"impulse_plate_y", "impulse of the plate"});
+  if (figures.moves("impulse_rigid_y"))
+    lines.push_back({"impulse_rigid_y", "impulse of the plate"});
   if (figures.moves("impulse_constraint_y"))
     lines.push_back({"impulse_constraint_y", "impulse of nozzles and clamps"});
   if (figures.moves("impulse_gravity_y"))
@@ -132,7 +132,7 @@ void add_momentum(Figures& figures) {
   figures.add("Vertical momentum (up is positive)", {"momentum", figures.unit("N s")}, lines);
 }
 
-// `term` is force_water or force_plate.
+// `term` is force_water or force_rigid.
 void add_force(Figures& figures, int dimension, const std::string& title, const std::string& term) {
   if (!figures.moves(term + "_y")) return;
   std::vector<Figures::Line> lines = {{term + "_y", "vertical"}, {term + "_x", "across"}};
@@ -175,7 +175,7 @@ std::vector<ReportFigure> report_figures(const SeriesTable& series, const Case& 
   add_energy(figures);
   add_momentum(figures);
   add_force(figures, description.dimension, "Force of the water on the workpiece", "force_water");
-  add_force(figures, description.dimension, "Force on the plate", "force_plate");
+  add_force(figures, description.dimension, "Force on the plate", "force_rigid");
   add_probes(figures, description);
   figures.add_time_step();
   return std::move(figures).result();

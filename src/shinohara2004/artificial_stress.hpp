@@ -5,11 +5,32 @@
 //   dv_i/dt = sum_j m_j (R_i + R_j) f^n . nabla_i W_ij,   f = W(d_ij) / W(spacing).
 #pragma once
 
-#include "core/principal_axes.hpp"
+#include <Eigen/Dense>
+
+#include "core/tensor.hpp"
 #include "kernels/cubic_spline.hpp"
 #include "pairs/pair.hpp"
 
 namespace kerf {
+
+// Returns the tensor with its negative principal values set to zero, by Eigen's closed forms.
+template <int D, class T>
+KERF_FUNCTION SymmetricTensor<D, T> tensile_part(const SymmetricTensor<D, T>& tensor) {
+  Eigen::Matrix<T, D, D> in_plane;
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) in_plane(a, b) = tensor(a, b);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, D, D>> solver;
+  solver.computeDirect(in_plane);
+  auto result = SymmetricTensor<D, T>::zero();
+  for (int k = 0; k < D; ++k) {
+    const T value = solver.eigenvalues()(k);
+    if (!(value > T(0))) continue;
+    for (int a = 0; a < D; ++a)
+      for (int b = a; b < D; ++b)
+        result(a, b) += value * solver.eigenvectors()(a, k) * solver.eigenvectors()(b, k);
+  }
+  return result;
+}
 
 template <int D, class P>
 struct TensileRepulsion {

@@ -8,7 +8,7 @@
 #include "shinohara2004/simple_fracture.hpp"
 #include "shinohara2004/traits.hpp"
 #include "simulation/particle_run.hpp"
-#include "time/keep_start.hpp"
+#include "time/save_step_start.hpp"
 
 namespace kerf {
 
@@ -58,7 +58,7 @@ class Shinohara2004 final : public ParticleRun<D, P, Shinohara2004Traits> {
     pair_interactions_ += static_cast<double>(list_.pairs()) * Rates<D, P>::pair_passes;
   }
 
-  void keep_start() { for_each_index(particles_.size(), KeepStart<D, P>{particles_.view()}); }
+  void keep_start() { for_each_index(particles_.size(), SaveStepStart<D, P>{particles_.view()}); }
 
   void advance_to(double dt) {
     const auto timer = timers_.stage("integrate");

@@ -27,16 +27,16 @@ double Balance::momentum_error() const {
   std::array<double, 3> gap{};
   for (std::size_t a = 0; a < 3; ++a)
     gap[a] = momentum_now[a] - momentum_initial[a] - momentum_in[a] + momentum_out[a] -
-             impulse_gravity[a] - impulse_plate[a] - impulse_constraint[a] - impulse_load[a];
+             impulse_gravity[a] - impulse_rigid[a] - impulse_constraint[a] - impulse_load[a];
   const double scale = std::max(
       {length(momentum_initial), length(momentum_now), length(momentum_in), length(impulse_gravity),
-       length(impulse_plate), length(impulse_constraint), length(impulse_load), momentum_scale});
+       length(impulse_rigid), length(impulse_constraint), length(impulse_load), momentum_scale});
   return scale > 0.0 ? length(gap) / scale : 0.0;
 }
 
 double Balance::energy_total() const {
   return kinetic + pressure_work + elastic_deviatoric + elastic_strain + hourglass +
-         plate_potential + dissipated_artificial + dissipated_viscous + dissipated_fracture +
+         rigid_potential + dissipated_artificial + dissipated_viscous + dissipated_fracture +
          dissipated_plastic + dissipated_density + dissipated_reinitialisation + dissipated_damping;
 }
 

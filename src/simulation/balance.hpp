@@ -28,11 +28,11 @@ struct Balance {
   std::array<double, 3> momentum_in{};
   std::array<double, 3> momentum_out{};  // with the outflow
   std::array<double, 3> impulse_gravity{};
-  std::array<double, 3> impulse_plate{};       // of rigid bodies on the particles
+  std::array<double, 3> impulse_rigid{};       // of rigid bodies on the particles
   std::array<double, 3> impulse_constraint{};  // of nozzles, clamps, motion and symmetry planes
   std::array<double, 3> impulse_load{};        // of given loads on the solids
   std::array<double, 3> impulse_water{};       // of the water on the solids
-  std::array<double, 3> force_plate{};         // N, of the particles on the rigid bodies, last step
+  std::array<double, 3> force_rigid{};         // N, of the particles on the rigid bodies, last step
   std::array<double, 3> force_water{};         // N, of the water on the solids, last step
   double momentum_scale = 0.0;  // kg m/s, sum of m |v| now: a scale where momenta cancel
 
@@ -48,7 +48,7 @@ struct Balance {
   double elastic_deviatoric = 0.0;
   double elastic_strain = 0.0;  // all of it in total Lagrangian solids, now
   double hourglass = 0.0;       // in their hourglass control, now
-  double plate_potential = 0.0;
+  double rigid_potential = 0.0;
   double dissipated_artificial = 0.0;  // integrated
   double dissipated_viscous = 0.0;
   double dissipated_fracture = 0.0;

@@ -34,7 +34,7 @@ class BalanceAccumulator {
         add_up(particles.size(), StepWithBodies<D, P, Before, After>{before, change, after});
     for (int a = 0; a < D; ++a) {
       const auto axis = static_cast<std::size_t>(a);
-      balance_.impulse_plate[axis] += sum.value[Change::plate + a];
+      balance_.impulse_rigid[axis] += sum.value[Change::plate + a];
       balance_.impulse_constraint[axis] += sum.value[Change::constraint + a];
       balance_.impulse_water[axis] += sum.value[Change::water + a];
       balance_.impulse_gravity[axis] += sum.value[Change::mass] * gravity[a] * dt;
@@ -82,7 +82,7 @@ class BalanceAccumulator {
     now.mass_fractured = sum.value[State::fractured_mass];
     for (int a = 0; a < D; ++a) {
       now.momentum_now[static_cast<std::size_t>(a)] = sum.value[State::momentum + a];
-      now.force_plate[static_cast<std::size_t>(a)] = sum.value[State::plate_force + a];
+      now.force_rigid[static_cast<std::size_t>(a)] = sum.value[State::rigid_force + a];
       now.force_water[static_cast<std::size_t>(a)] = sum.value[State::water_force + a];
     }
     now.kinetic = sum.value[State::kinetic];
@@ -90,7 +90,7 @@ class BalanceAccumulator {
     now.stored_water = sum.value[State::stored_water];
     now.stored_solid = sum.value[State::stored_solid];
     now.elastic_deviatoric = sum.value[State::deviatoric];
-    now.plate_potential = sum.value[State::plate_potential];
+    now.rigid_potential = sum.value[State::rigid_potential];
     now.momentum_scale = sum.value[State::momentum_scale];
     return now;
   }

@@ -161,9 +161,9 @@ struct StateSum {
     deviatoric,
     stored_water,
     stored_solid,
-    plate_potential,
-    plate_force,
-    water_force = plate_force + D,
+    rigid_potential,
+    rigid_force,
+    water_force = rigid_force + D,
     momentum_scale = water_force + D,
     slots
   };
@@ -184,14 +184,14 @@ struct StateSum {
     sum.value[fractured_mass] += particles.fractured[i] ? m : 0.0;
     for (int a = 0; a < D; ++a) {
       sum.value[momentum + a] += m * double(particles.velocity[i][a]);
-      sum.value[plate_force + a] -= m * double(particles.repulsion[i][a]);
+      sum.value[rigid_force + a] -= m * double(particles.repulsion[i][a]);
     }
     sum.value[kinetic] += energy.kinetic;
     sum.value[pressure_work] += energy.pressure_work;
     sum.value[deviatoric] += energy.deviatoric;
     sum.value[stored_water] += energy.stored_water;
     sum.value[stored_solid] += energy.stored_solid;
-    sum.value[plate_potential] += m * double(particles.repulsion_potential[i]);
+    sum.value[rigid_potential] += m * double(particles.repulsion_potential[i]);
     sum.value[momentum_scale] += m * norm(Vector<D, double>::from(particles.velocity[i]));
   }
 };

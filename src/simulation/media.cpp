@@ -10,7 +10,7 @@
 #include "geometry/graded_fill.hpp"
 #include "model/case.hpp"
 #include "model/material_laws.hpp"
-#include "simulation/levels.hpp"
+#include "simulation/media_order.hpp"
 
 namespace kerf {
 namespace {

@@ -11,7 +11,7 @@ namespace kerf {
 
 struct Case;
 
-// The media in the order of simulation/levels.hpp.
+// The media in the order of simulation/media_order.hpp.
 std::vector<Medium<double>> make_media(const Case& description, const std::vector<Nozzle>& nozzles);
 
 }  // namespace kerf

@@ -8,7 +8,7 @@
 #include "geometry/nozzle.hpp"
 #include "model/expression.hpp"
 #include "particles/prescribed_motion.hpp"
-#include "simulation/levels.hpp"
+#include "simulation/media_order.hpp"
 
 namespace kerf {
 

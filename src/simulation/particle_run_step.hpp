@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The stages of a step that formulations share: inflow, removal of outflow, neighbours, choice of
-// the time step, breakdown, sums of the balance.
+// the time step, failure, sums of the balance.
 #pragma once
 
-#include "simulation/breakdown.hpp"
 #include "simulation/exit_pressure.hpp"
 #include "simulation/inflow.hpp"
 #include "simulation/particle_run.hpp"
 #include "simulation/populate.hpp"
+#include "simulation/run_failure.hpp"
 
 namespace kerf {
 
@@ -83,19 +83,19 @@ double ParticleRun<D, P, Traits>::choose_step(StepRates rates, const StepLimit& 
 
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::fail(const StepLimit& cause) const {
-  Breakdown breakdown;
-  breakdown.time = time_;
-  breakdown.step = step_;
-  breakdown.particle = particles_.id[cause.particle];
+  RunFailure failure;
+  failure.time = time_;
+  failure.step = step_;
+  failure.particle = particles_.id[cause.particle];
   const std::uint16_t medium = particles_.source[cause.particle];
-  breakdown.owner = settings_.source_names[settings_.origins[medium].source];
+  failure.owner = settings_.source_names[settings_.origins[medium].source];
   const Position x = particles_.position[cause.particle];
-  for (int a = 0; a < D; ++a) breakdown.position[static_cast<std::size_t>(a)] = x[a];
-  breakdown.fault = cause.dt < 0.0;
-  breakdown.dt = cause.dt;
-  breakdown.cause = limit_name(cause.limit);
-  breakdown.courant = settings_.courant;
-  report_breakdown(breakdown);
+  for (int a = 0; a < D; ++a) failure.position[static_cast<std::size_t>(a)] = x[a];
+  failure.fault = cause.dt < 0.0;
+  failure.dt = cause.dt;
+  failure.cause = limit_name(cause.limit);
+  failure.courant = settings_.courant;
+  report_run_failure(failure);
 }
 
 template <int D, class P, class Traits>

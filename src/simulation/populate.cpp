@@ -11,7 +11,7 @@
 #include "model/case.hpp"
 #include "model/expression.hpp"
 #include "simulation/inflow.hpp"
-#include "simulation/levels.hpp"
+#include "simulation/media_order.hpp"
 
 namespace kerf {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "model/expression.hpp"
 #include "model/point.hpp"
-#include "simulation/levels.hpp"
+#include "simulation/media_order.hpp"
 
 namespace kerf {
 

@@ -11,7 +11,7 @@
 #include "model/medium.hpp"
 #include "model/water_scheme.hpp"
 #include "particles/new_particle.hpp"
-#include "simulation/levels.hpp"
+#include "simulation/media_order.hpp"
 #include "simulation/motion.hpp"
 #include "simulation/run_loads.hpp"
 
@@ -58,7 +58,7 @@ struct RunSettings {
   bool smooth_walls = false;
   int subcycles = 8;  // steps with the same bond forces, at most
 
-  // The content. Vectors marked "per medium" have the order of levels.hpp.
+  // The content. Vectors marked "per medium" have the order of media_order.hpp.
   std::vector<std::string> source_names;  // of bodies, then of jets, as in "body 'plate'"
   std::vector<Nozzle> nozzles;            // per jet
   Motion motion;

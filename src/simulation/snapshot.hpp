@@ -4,7 +4,7 @@
 
 #include "particles/fields.hpp"
 #include "simulation/frame.hpp"
-#include "simulation/levels.hpp"
+#include "simulation/media_order.hpp"
 
 namespace kerf {
 

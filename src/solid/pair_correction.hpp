@@ -13,15 +13,15 @@ template <int D, class P>
 struct PairCorrection {
   using Real = typename P::Real;
   const Real* factor = nullptr;  // per bond; null: 1
-  const Index* number_of_id = nullptr;
+  const Index* solid_index_of_id = nullptr;
   BondTable<D> bonds{};
 
   KERF_FUNCTION Real operator()(const ParticleView<D, P>& particles, const Pair<D, P>& pair) const {
     if (factor == nullptr || !particles.has(pair.i, flag::fitted) ||
         !particles.has(pair.j, flag::fitted) || !is_one_volume(particles, pair))
       return Real(1);
-    const Index bond =
-        bond_between(bonds, number_of_id[particles.id[pair.i]], number_of_id[particles.id[pair.j]]);
+    const Index bond = bond_between(bonds, solid_index_of_id[particles.id[pair.i]],
+                                    solid_index_of_id[particles.id[pair.j]]);
     return bond == no_bond ? Real(1) : factor[bond];
   }
 };

@@ -227,8 +227,10 @@ struct SolidFields {
     return static_cast<Index>(reference.size());
   }
 
-  // Allocates the fields that are not given at set-up; all bonds are intact.
-  void make_room() {
+  // Allocates the fields that are not given at set-up; all bonds are intact. `most`: bonds of a
+  // particle.
+  void make_room(Index most) {
+    words = (most + bonds_per_word - 1) / bonds_per_word;
     bond_intact.assign(words * reference.size(), ~std::uint32_t(0));
 #define KERF_FIELD(type, name) name.resize(reference.size());
     KERF_SOLID_RESULTS(KERF_FIELD)

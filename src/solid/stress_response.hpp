@@ -2,7 +2,7 @@
 // These functions compute the stress of a particle from its deformation gradient. That of an
 // elastic one depends on the gradient alone. One with plastic flow starts each step from the state
 // of the last one, `flow_start`, and reaches `current_flow`; computing a deformation changes
-// `current_flow` only, until KeepFlow makes it the start of the next step.
+// `current_flow` only, until UpdatePlasticity makes it the start of the next step.
 #pragma once
 
 #include "fracture/softening.hpp"

@@ -53,10 +53,8 @@ class TotalLagrangian {
     to_device(bonds.entry, fields_.bond_entry);
     to_device(bonds.in_order<Real>(fit.of_bond), fields_.bond_correction);
     to_device(bonds.in_order<Real>(fit.of_pair), fields_.pair_correction);
-    const Index most = *std::max_element(bonds.count.begin(), bonds.count.end());
-    fields_.words = (most + bonds_per_word - 1) / bonds_per_word;
     entries_ = lists.neighbour.size();
-    fields_.make_room();
+    fields_.make_room(*std::max_element(bonds.count.begin(), bonds.count.end()));
     to_device(bonds.multi_material, fields_.multi_material);
     for_each_index(size(), HoldClamped<D, P>{view()});
     if (fields_.any_softens) for_each_index(size(), StartSoftening<D, P>{view()});
@@ -92,13 +90,13 @@ class TotalLagrangian {
   // Ends a step: the next one starts from the current plastic state. Returns the plastic work, J.
   double keep_flow() {
     if (!fields_.any_flows) return 0.0;
-    for_each_index(size(), KeepFlow<D, P>{view()});
+    for_each_index(size(), UpdatePlasticity<D, P>{view()});
     return power_sum_(size(), FlowLossTerm<D, P>{view()}).value[0];
   }
   // Ends a step of media that soften. Returns the energy dissipated by their hourglass control, J.
   double keep_softening() {
     if (!fields_.any_softens) return 0.0;
-    for_each_index(size(), KeepSoftening<D, P>{view()});
+    for_each_index(size(), UpdateSoftening<D, P>{view()});
     return power_sum_(size(), SofteningLossTerm<D, P>{view()}).value[0];
   }
   // Returns the energy dissipated by softening since the start, J.
@@ -108,7 +106,7 @@ class TotalLagrangian {
   // Ends a step: flaws grow for its time at the current deformation. Returns what is released, J.
   double keep_damage(double dt) {
     if (!fields_.any_flaws) return 0.0;
-    for_each_index(size(), KeepDamage<D, P>{view(), static_cast<Real>(dt)});
+    for_each_index(size(), UpdateDamage<D, P>{view(), static_cast<Real>(dt)});
     return power_sum_(size(), DamageLossTerm<D, P>{view()}).value[0];
   }
   // Returns the plastic work from the last keep_flow() to the current deformation, J.
@@ -186,6 +184,7 @@ class TotalLagrangian {
     const Terms<2> sum = sum_(size(), EnergyTerms<D, P>{view()});
     return {sum.value[0], sum.value[1]};
   }
+
   // What particles held before the last break.
   BreakRecords<D, P> records() { return {pointer(break_records_), half_step_}; }
 
@@ -196,8 +195,7 @@ class TotalLagrangian {
     const Terms<2> sum = sum_(size(), CountTerms<D, P>{view()});
     return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1])};
   }
-  // Number of bonds, each counted from both ends, broken or not.
-  std::uint64_t entries() const { return entries_; }
+  std::uint64_t entries() const { return entries_; }  // bonds, broken or not, from both ends
   std::size_t bytes() const {
     return fields_.bytes() + simd_.bytes() + break_records_.size() * sizeof(BondBreakRecord);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// KeepDamage ends a step of media with flaws: the flaws grow at the current deformation. The
+// UpdateDamage ends a step of media with flaws: the flaws grow at the current deformation. The
 // tension of a particle, and with it the modulus of its hourglass control, mu = zeta E (1 - 0.9 D),
 // fall at this deformation; the excess of stored energy is released.
 #pragma once
@@ -21,7 +21,7 @@ struct StartFlaws {
 };
 
 template <int D, class P>
-struct KeepDamage {
+struct UpdateDamage {
   using Real = typename P::Real;
   SolidView<D, P> solid;
   Real dt;  // s
@@ -45,7 +45,7 @@ struct KeepDamage {
   }
 };
 
-// Sums the energy that the last KeepDamage released, J.
+// Sums the energy that the last UpdateDamage released, J.
 template <int D, class P>
 struct DamageLossTerm {
   SolidView<D, P> solid;

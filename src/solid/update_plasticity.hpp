@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// KeepFlow ends a step of media with plastic flow: the next step starts from their current state.
+// UpdatePlasticity ends a step of media with plastic flow: the next step starts from their current
+// state.
 #pragma once
 
 #include "parallel/ordered_sum.hpp"
@@ -28,7 +29,7 @@ KERF_FUNCTION double flow_work_of(const SolidView<D, P>& solid, Index i) {
 }
 
 template <int D, class P>
-struct KeepFlow {
+struct UpdatePlasticity {
   using Real = typename P::Real;
   SolidView<D, P> solid;
 
@@ -47,7 +48,7 @@ struct FlowWorkTerm {
   SolidView<D, P> solid;
   KERF_FUNCTION void add(Index i, Terms<1>& sum) const { sum.value[0] += flow_work_of(solid, i); }
 };
-// Sums the energy that the last KeepFlow dissipated, J.
+// Sums the energy that the last UpdatePlasticity dissipated, J.
 template <int D, class P>
 struct FlowLossTerm {
   SolidView<D, P> solid;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// KeepSoftening ends a step of media that soften: the next step starts from their largest strain.
+// UpdateSoftening ends a step of media that soften: the next step starts from their largest strain.
 #pragma once
 
 #include "parallel/ordered_sum.hpp"
@@ -20,7 +20,7 @@ struct StartSoftening {
 // Lowers the hourglass control to that of the remaining share; the excess of its energy is
 // dissipated.
 template <int D, class P>
-struct KeepSoftening {
+struct UpdateSoftening {
   SolidView<D, P> solid;
 
   KERF_FUNCTION void operator()(Index i) const {
@@ -31,7 +31,7 @@ struct KeepSoftening {
   }
 };
 
-// Sums the energy that the hourglass control lost in the last KeepSoftening, J.
+// Sums the energy that the hourglass control lost in the last UpdateSoftening, J.
 template <int D, class P>
 struct SofteningLossTerm {
   SolidView<D, P> solid;

@@ -7,7 +7,7 @@
 #include "contact/debris_contact.hpp"
 #include "contact/surface_contact.hpp"
 #include "fluid/concentration_gradient.hpp"
-#include "fluid/density_diffusion.hpp"
+#include "fluid/delta_sph.hpp"
 #include "fluid/density_gradient.hpp"
 #include "fluid/fluid_continuity.hpp"
 #include "fluid/fluid_force.hpp"

@@ -16,12 +16,12 @@ inline constexpr Index no_index = 0xffffffffu;
 
 // Both directions of the correspondence. Ids of solid particles are those of the start.
 struct SolidIndexView {
-  const Index* number_of_id;  // solid number, or no_index
-  Index ids;                  // entries of it
-  Index* particle_of;         // per solid number: index of the particle, or no_index
+  const Index* solid_index_of_id;  // solid number, or no_index
+  Index ids;                       // entries of it
+  Index* particle_of;              // per solid number: index of the particle, or no_index
 
   KERF_FUNCTION Index number(std::uint32_t id) const {
-    return id < ids ? number_of_id[id] : no_index;
+    return id < ids ? solid_index_of_id[id] : no_index;
   }
 };
 

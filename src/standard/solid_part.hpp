@@ -238,11 +238,11 @@ class SolidPart {
   }
 
  private:
-  void mark_fitted(const std::vector<Index>& number_of_id, Particles<D, P>& particles) {
+  void mark_fitted(const std::vector<Index>& solid_index_of_id, Particles<D, P>& particles) {
     if (solid_->fitted().empty()) return;
     auto flags = to_host(particles.flags);
-    for (std::size_t id = 0; id < number_of_id.size(); ++id)
-      if (number_of_id[id] != no_index && solid_->fitted()[number_of_id[id]] != 0)
+    for (std::size_t id = 0; id < solid_index_of_id.size(); ++id)
+      if (solid_index_of_id[id] != no_index && solid_->fitted()[solid_index_of_id[id]] != 0)
         flags[id] |= flag::fitted;
     to_device(flags, particles.flags);
   }

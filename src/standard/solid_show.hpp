@@ -143,11 +143,13 @@ void show_pieces(const SolidOnHost<D, P>& solid, const std::vector<Index>& solid
 }
 
 // Adds the columns of the solid to a frame: the pieces, the deviatoric stress, then those of the
-// table. Other particles have zeros. `number_of_id`: solid number of a particle's id, or no_index.
+// table. Other particles have zeros. `solid_index_of_id`: solid number of a particle's id, or
+// no_index.
 template <int D, class P>
-void show_solid(const SolidFields<D, P>& fields, const Array<Index>& number_of_id, Frame& frame) {
+void show_solid(const SolidFields<D, P>& fields, const Array<Index>& solid_index_of_id,
+                Frame& frame) {
   const SolidOnHost<D, P> solid(fields);
-  const std::vector<Index> number = to_host(number_of_id);
+  const std::vector<Index> number = to_host(solid_index_of_id);
   std::vector<Index> solid_of(frame.id.size(), no_index);
   for (std::size_t i = 0; i < frame.id.size(); ++i)
     if (frame.id[i] < number.size()) solid_of[i] = number[frame.id[i]];

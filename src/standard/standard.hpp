@@ -10,9 +10,9 @@
 #include "standard/pair_forces.hpp"
 #include "standard/solid_part.hpp"
 #include "standard/traits.hpp"
-#include "time/keep_start.hpp"
 #include "time/kinetic_damping.hpp"
 #include "time/reflect_at_symmetry.hpp"
+#include "time/save_step_start.hpp"
 #include "time/verlet.hpp"
 
 namespace kerf {
@@ -92,7 +92,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     solid_.set_time(time_ + 0.5 * dt);
     for_each_index(
         particles_.size(),
-        FusedKernel(KeepStart<D, P>{particles_.view()},
+        FusedKernel(SaveStepStart<D, P>{particles_.view()},
                     DriftHalf<D, P>{particles_.view(), pointer(prescribed_motions_), dt}));
   }
 

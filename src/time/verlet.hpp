@@ -23,7 +23,7 @@ KERF_FUNCTION T limit_expansion(T compression) {
   return compression < T(-0.5) ? T(-0.5) : compression;
 }
 
-// Moves a particle to the middle of the step; KeepStart must have recorded the start.
+// Moves a particle to the middle of the step; SaveStepStart must have recorded the start.
 template <int D, class P>
 struct DriftHalf {
   using Real = typename P::Real;

@@ -218,9 +218,9 @@ Frame PlacementInverse::frame(Frame frame) const {
 Balance PlacementInverse::balance(Balance balance) const {
   if (placement_.is_as_written()) return balance;
   for (auto* v : {&balance.momentum_initial, &balance.momentum_now, &balance.momentum_in,
-                  &balance.momentum_out, &balance.impulse_gravity, &balance.impulse_plate,
+                  &balance.momentum_out, &balance.impulse_gravity, &balance.impulse_rigid,
                   &balance.impulse_constraint, &balance.impulse_load, &balance.impulse_water,
-                  &balance.force_plate, &balance.force_water})
+                  &balance.force_rigid, &balance.force_water})
     *v = vector(*v);
   return balance;
 }

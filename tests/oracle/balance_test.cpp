@@ -32,7 +32,7 @@ void expect_terms_balanced(const Balance& now, PrecisionKind precision) {
   EXPECT_LE(std::abs(now.mass_error()), 1e-12);
   for (std::size_t a = 0; a < 3; ++a) {
     const double due = now.momentum_initial[a] + now.momentum_in[a] - now.momentum_out[a] +
-                       now.impulse_gravity[a] + now.impulse_plate[a] + now.impulse_constraint[a];
+                       now.impulse_gravity[a] + now.impulse_rigid[a] + now.impulse_constraint[a];
     EXPECT_NEAR(now.momentum_now[a], due, balance_rounding(precision) * now.momentum_scale);
   }
   EXPECT_LE(now.momentum_error(), balance_rounding(precision));
@@ -72,7 +72,7 @@ void run_all_terms(int dimension, PrecisionKind precision, int steps) {
   EXPECT_GT(now.mass_fractured, 0.0);
   EXPECT_GT(now.dissipated_viscous, 0.0);
   EXPECT_NE(now.work_constraint, 0.0);
-  EXPECT_GT(now.impulse_plate[1], 0.0);
+  EXPECT_GT(now.impulse_rigid[1], 0.0);
   EXPECT_LE(std::abs(now.energy_drift()), 0.02);
   // The mass of the jet is exact up to rounding: rho V A t = in + carried.
   const double area = dimension == 2 ? 5e-3 : std::numbers::pi * 25e-6 / 4.0;
@@ -153,9 +153,9 @@ TEST(Balance, PlateImpulseReversesTheMomentum) {
   const Balance now = simulation->balance();
   const double thrown = 0.5 * 940.0 * 4e-4;
   EXPECT_GT(now.momentum_now[1], 0.0);  // after the rebound
-  EXPECT_NEAR(now.impulse_plate[1], thrown + now.momentum_now[1], 1e-12 * thrown);
+  EXPECT_NEAR(now.impulse_rigid[1], thrown + now.momentum_now[1], 1e-12 * thrown);
   EXPECT_LE(std::abs(now.energy_drift()), 0.01);
-  EXPECT_EQ(now.force_plate[1], 0.0);  // the block has left the plate
+  EXPECT_EQ(now.force_rigid[1], 0.0);  // the block has left the plate
 }
 
 // A body that is in the repulsive range of the plate at the start has that potential energy.
@@ -166,7 +166,7 @@ TEST(Balance, InitialEnergyHasThePotentialOfThePlate) {
   c.bodies[0].offset = {0.0, -5e-4, 0.0};
   const auto simulation = make_simulation(c);
   const Balance start = simulation->balance();
-  ASSERT_GT(start.plate_potential, 0.0);
+  ASSERT_GT(start.rigid_potential, 0.0);
   EXPECT_NEAR(start.energy_initial, start.energy_total(), 1e-12 * start.energy_total());
 }
 

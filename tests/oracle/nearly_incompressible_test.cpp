@@ -87,7 +87,7 @@ TEST(Debris, StandsAsALiquid) {
   c.bodies.back().velocity = {"0.02*sin(3000*x)", "0.02*sin(3000*y)", "0"};
   const auto simulation = make_simulation(c);
   while (simulation->time() < 0.02) simulation->advance();
-  const double impulse = simulation->balance().impulse_plate[1], from = simulation->time();
+  const double impulse = simulation->balance().impulse_rigid[1], from = simulation->time();
   const double period = 4.0 * depth / std::sqrt(1e5 / 1.2 / 940.0);
   std::array<double, 10> profile{};
   const int looks = 100;
@@ -96,7 +96,7 @@ TEST(Debris, StandsAsALiquid) {
     add_profile(simulation->frame(), scale, profile);
   }
   const Balance now = simulation->balance();
-  const double force = (now.impulse_plate[1] - impulse) / (simulation->time() - from);
+  const double force = (now.impulse_rigid[1] - impulse) / (simulation->time() - from);
   double square = 0.0;
   for (std::size_t k = 1; k < 9; ++k)  // rows at the floor and at the surface lack neighbours
     square += std::pow(profile[k] / looks - (0.95 - 0.1 * static_cast<double>(k)), 2) / 8.0;

@@ -53,7 +53,7 @@ void run_everything(int dimension, PrecisionKind precision, int steps) {
   EXPECT_GT(now.mass_out, 0.0);
   EXPECT_GT(now.dissipated_fracture, 0.0);  // bonds broke
   EXPECT_NE(now.work_constraint, 0.0);
-  EXPECT_GT(now.impulse_plate[1], 0.0);
+  EXPECT_GT(now.impulse_rigid[1], 0.0);
 }
 TEST(StandardBalance, AllTermsMixed2D) {
   run_everything(2, PrecisionKind::mixed, 900);
@@ -231,7 +231,7 @@ void collide(int dimension, PrecisionKind precision, double poisson_ratio) {
     const Balance now = simulation->balance();
     worst = std::max(worst, std::abs(now.energy_drift()));
     stored = std::max(stored, now.elastic_strain / start);
-    touched = std::max(touched, now.plate_potential / start);
+    touched = std::max(touched, now.rigid_potential / start);
   }
   const Balance end = simulation->balance();
   std::printf(
@@ -241,7 +241,7 @@ void collide(int dimension, PrecisionKind precision, double poisson_ratio) {
   if (poisson_ratio < 0.4) {
     EXPECT_GT(stored, 0.3);
   }
-  EXPECT_EQ(end.plate_potential, 0.0);  // separated
+  EXPECT_EQ(end.rigid_potential, 0.0);  // separated
   EXPECT_LE(worst, 0.01);
   expect_conserved(end, precision);
 }

@@ -192,6 +192,16 @@ TEST(Refuse, Expressions) {
   });
 }
 
+// The other sections are read to their end without the surface of the mesh.
+TEST(Refuse, AMachineCaseWhoseMeshIsMissing) {
+  const std::string message = message_of(
+      "title = \"part\"\ndimension = 3\n[machine]\npressure = \"20 bar\"\norifice = \"1 mm\"\n"
+      "position = [\"0 m\", \"9 mm\", \"0 m\"]\nstandoff = \"5 mm\"\n"
+      "[[body]]\nname = \"part\"\nmaterial = \"tofu\"\nspacing = \"1 mm\"\n"
+      "shape = { type = \"mesh\", file = \"missing.stl\", scale = \"1 mm\" }\n");
+  EXPECT_NE(message.find("missing.stl"), std::string::npos) << message;
+}
+
 TEST(Refuse, UndeterminedSpeeds) {
   const std::string still =
       "title = \"still\"\ndimension = 2\n[time]\nend = \"1 s\"\n[[body]]\nname = \"pool\"\n"

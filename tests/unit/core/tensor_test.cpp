@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "core/principal_axes.hpp"
+#include "shinohara2004/artificial_stress.hpp"
 #include "support/mixture.hpp"
 
 namespace kerf::test {

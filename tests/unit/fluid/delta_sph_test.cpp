@@ -6,7 +6,6 @@
 #include <random>
 
 #include "fluid/delta_sph.hpp"
-#include "fluid/density_diffusion.hpp"
 #include "fluid/density_gradient.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "pairs/pair_loop.hpp"
@@ -134,17 +133,17 @@ TYPED_TEST(DeltaSph, DiffusionSmooths) {
 }
 
 // - 2 V_i V_j P_d nabla W against alpha rho c h V_i V_j (v_ij . r_ij / r^2) nabla W, and its power.
-TEST(CentralWater, HasMeanPressureAndArtificialViscosity) {
+TEST(DeltaSphPair, HasMeanPressureAndArtificialViscosity) {
   const RiemannSide<double> left{1010.0 * 50.0, 3e3, 2.0, 50.0},
       right{1010.0 * 50.0, 1e3, -1.0, 50.0};
   const double h = 1.3e-3, r = 1e-3;
-  const auto star = CentralWater::solve(left, right, h / r);
+  const auto star = DeltaSphPair::solve(left, right, h / r);
   EXPECT_EQ(star.mean_pressure, 2e3);
   EXPECT_EQ(star.speed, 0.5);
   // U = - v . e, e from j to i: v_ij . r_ij = - (U_l - U_r) r.
   const double along = -(left.speed - right.speed) * r / (r * r);
   EXPECT_NEAR(-2.0 * star.dissipation, 0.02 * 1010.0 * 50.0 * h * along, 1e-9);
-  const auto parting = CentralWater::solve(right, left, h / r);
+  const auto parting = DeltaSphPair::solve(right, left, h / r);
   EXPECT_EQ(parting.dissipation, -star.dissipation);  // it resists separation
 }
 

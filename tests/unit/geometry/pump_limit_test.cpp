@@ -17,7 +17,7 @@ namespace {
 
 constexpr double density = 998.0;
 
-Jet plain_jet() {
+Jet jet_of_pump() {
   Jet jet;
   jet.speed = 7.0;
   jet.width = 4e-3;
@@ -84,7 +84,7 @@ TEST(PumpLimit, NoiseHardlySlowsAFreeJet) {
 // The mass that comes in is rho A times the integral of the speed that the pressure leaves, in
 // whole layers a spacing apart, and what was held back makes up the rest.
 TEST(PumpLimit, TheNozzleEmitsWhatFlows) {
-  Jet jet = plain_jet();
+  Jet jet = jet_of_pump();
   jet.profile = "1 - 0.6*r^2";
   jet.start = 2e-4;
   for (const int dimension : {2, 3}) {

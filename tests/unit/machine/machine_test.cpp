@@ -10,9 +10,9 @@
 #include "input/material_library.hpp"
 #include "machine/characteristic_speed.hpp"
 #include "machine/contraction.hpp"
+#include "machine/jet_breakup.hpp"
 #include "machine/jet_speed.hpp"
 #include "machine/machine_jet.hpp"
-#include "machine/standoff.hpp"
 #include "model/case.hpp"
 
 namespace kerf {

@@ -54,12 +54,12 @@ TEST(SeriesColumns, CarryTheirUnits) {
   for (const char* name :
        {"time_s", "step", "dt_s", "limit", "front_depth_m", "fractured_mass_kg_per_m",
         "removed_mass_kg_per_m", "mass_in_kg_per_m", "momentum_now_x_N_s_per_m", "kinetic_J_per_m",
-        "force_plate_y_N_per_m", "energy_drift", "momentum_error", "mass_error", "pieces"})
+        "force_rigid_y_N_per_m", "energy_drift", "momentum_error", "mass_error", "pieces"})
     EXPECT_EQ(std::count(flat.begin(), flat.end(), name), 1) << name;
   description.dimension = 3;
   const std::vector<std::string> solid = header_words(description);
   for (const char* name :
-       {"fractured_mass_kg", "momentum_now_z_N_s", "kinetic_J", "force_plate_z_N"})
+       {"fractured_mass_kg", "momentum_now_z_N_s", "kinetic_J", "force_rigid_z_N"})
     EXPECT_EQ(std::count(solid.begin(), solid.end(), name), 1) << name;
 }
 

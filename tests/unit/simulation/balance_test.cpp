@@ -31,7 +31,7 @@ TEST(Balance, MomentumErrorIsRelativeToTheLargestTerm) {
   balance.momentum_initial = {1.0, 0.0, 0.0};
   balance.momentum_in = {0.0, -2.0, 0.0};
   balance.impulse_gravity = {0.0, -3.0, 0.0};
-  balance.impulse_plate = {0.0, 4.0, 0.0};
+  balance.impulse_rigid = {0.0, 4.0, 0.0};
   balance.impulse_constraint = {0.5, 0.0, 0.0};
   balance.momentum_out = {0.25, 0.0, 0.0};
   balance.momentum_now = {1.25, -1.0, 0.0};
@@ -72,7 +72,7 @@ TEST(Balance, EnergyDriftIsInputLessStoredAndDissipated) {
   balance.elastic_deviatoric = 0.5;
   balance.elastic_strain = 0.25;
   balance.hourglass = 0.125;
-  balance.plate_potential = 0.125;
+  balance.rigid_potential = 0.125;
   balance.dissipated_artificial = 2.0;
   balance.dissipated_viscous = 1.0;
   balance.dissipated_fracture = -0.5;
@@ -212,7 +212,7 @@ TEST(BalanceSums, StepAddsImpulsesWorkAndDissipation) {
   accumulator.accumulate_step(particles, gravity, dt, NoOp{}, NoOp{});
   const Balance& sum = accumulator.totals();
   EXPECT_NEAR(sum.impulse_gravity[1], -10.0 * 8.0 * dt, 1e-14);
-  EXPECT_NEAR(sum.impulse_plate[1], 2.0 * 2.0 * dt, 1e-15);
+  EXPECT_NEAR(sum.impulse_rigid[1], 2.0 * 2.0 * dt, 1e-15);
   // The water's acceleration is (5, -4), of which (0, -10) is gravity and (0, 2) is due to the
   // wall.
   EXPECT_NEAR(sum.impulse_water[0], -2.0 * 5.0 * dt, 1e-15);

@@ -8,7 +8,7 @@
 #include "shinohara2004/midpoint.hpp"
 #include "support/loaded.hpp"
 #include "support/mixture.hpp"
-#include "time/keep_start.hpp"
+#include "time/save_step_start.hpp"
 
 namespace kerf::test {
 namespace {
@@ -77,7 +77,7 @@ class Turning {
       place_ = loaded_.places();
       evaluate(gradient);
       const auto count = loaded_.particles.size();
-      for_each_index(count, KeepStart<D, Double>{loaded_.particles.view()});
+      for_each_index(count, SaveStepStart<D, Double>{loaded_.particles.view()});
       advance(0.5 * dt);
       move_to(t + 0.5 * dt);
       evaluate(gradient);
@@ -197,7 +197,7 @@ TYPED_TEST(RigidRotation, TranslationKeepsTheStress) {
   Array<PrescribedMotion<dimension>> drives(1);
   const auto count = loaded.particles.size();
   rates.evaluate(loaded.particles, loaded.list.view());
-  for_each_index(count, KeepStart<dimension, Double>{loaded.particles.view()});
+  for_each_index(count, SaveStepStart<dimension, Double>{loaded.particles.view()});
   for_each_index(
       count, AdvanceFromStart<dimension, Double>{loaded.particles.view(), pointer(drives), 1e-5});
   for (std::size_t i : loaded.places()) {

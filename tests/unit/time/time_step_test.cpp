@@ -128,7 +128,7 @@ void expect_in(const std::string& text, std::initializer_list<const char*> parts
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TEST(Breakdown, NotANumberStopsTheRun) {
+TEST(RunFailure, NotANumberStopsTheRun) {
   for (Role role : {Role::water, Role::elastic})
     for (const Damage& damage :
          {Damage{"velocity", 12, 0, nan}, Damage{"velocity", 12, 1, infinity},
@@ -140,14 +140,14 @@ TEST(Breakdown, NotANumberStopsTheRun) {
 
 // The rates of its neighbours are not numbers either, but the invalid state is that of the
 // particle.
-TEST(Breakdown, NamesTheParticleThatBroke) {
+TEST(RunFailure, NamesTheParticleThatBroke) {
   for (Role role : {Role::water, Role::elastic}) {
     expect_in(refusal(square(role), {"velocity", 12, 0, nan}), {"particle 12 of"});
     expect_in(refusal(square(role), {"compression", 12, 0, nan}), {"particle 12 of"});
   }
 }
 
-TEST(Breakdown, Runaway) {
+TEST(RunFailure, Runaway) {
   // Ten times the largest sound speed is 500 m/s.
   expect_in(refusal(square(Role::water), {"velocity", 15, 0, 600.0}),
             {"ten times", "particle 15 of body 'square'"});
@@ -155,7 +155,7 @@ TEST(Breakdown, Runaway) {
 
 // Compressions of -1 and less, in water and in solid, are named as the cause, not their
 // consequences.
-TEST(Breakdown, NegativeDensity) {
+TEST(RunFailure, NegativeDensity) {
   for (Role role : {Role::water, Role::elastic})
     for (double compression : {-1.5, -1.0})
       expect_in(refusal(square(role), {"compression", 12, 0, compression}),
@@ -164,20 +164,20 @@ TEST(Breakdown, NegativeDensity) {
 
 // A particle with an invalid position has not left the domain and must not be removed without an
 // error.
-TEST(Breakdown, NotANumberInAPosition) {
+TEST(RunFailure, NotANumberInAPosition) {
   expect_in(refusal(square(Role::water), {"position", 12, 1, nan}), {"not a number"});
 }
 
 // A user can cause this by a prescribed motion that is defined for a part of the run, of an elastic
 // body and of a rigid body.
-TEST(Breakdown, PrescribedMotionThatIsNotANumber) {
+TEST(RunFailure, PrescribedMotionThatIsNotANumber) {
   Case c = square(Role::elastic);
   c.bodies[0].displacement = {"t < 0.00005 ? 0 : sqrt(-1)", "0", "0"};
   const auto simulation = make_simulation(c);
   expect_in(refusal(*simulation, 20), {"body 'square'", "not a number"});
   EXPECT_EQ(simulation->balance().mass_out, 0.0);
 }
-TEST(Breakdown, PrescribedMotionOfAPlateThatIsNotANumber) {
+TEST(RunFailure, PrescribedMotionOfAPlateThatIsNotANumber) {
   Case c = square(Role::elastic);
   c.bodies.push_back(body("plate", Role::rigid, box({0.0, -0.004, 0.0}, {0.01, 0.0, 0.0}), 2e-3));
   c.bodies[1].displacement = {"0", "t < 0.00005 ? 0 : sqrt(-1)", "0"};
@@ -185,7 +185,7 @@ TEST(Breakdown, PrescribedMotionOfAPlateThatIsNotANumber) {
   expect_in(refusal(*simulation, 20), {"body 'plate'", "not a number"});
 }
 
-TEST(Breakdown, ZeroTimeStep) {
+TEST(RunFailure, ZeroTimeStep) {
   Case c = square(Role::water);
   c.gravity = {0.0, -1e20, 0.0};
   const auto simulation = make_simulation(c);

@@ -9,7 +9,7 @@
 
 #include "core/precision.hpp"
 #include "shinohara2004/midpoint.hpp"
-#include "time/keep_start.hpp"
+#include "time/save_step_start.hpp"
 
 namespace kerf::test {
 namespace {
@@ -42,7 +42,7 @@ class Oscillators {
   static double phase(int a) { return 0.3 + 0.7 * a; }
 
   void step() {
-    for_each_index(count, KeepStart<D, Double>{particles_.view()});
+    for_each_index(count, SaveStepStart<D, Double>{particles_.view()});
     for_each_index(count, DriftHalf<D, Double>{particles_.view(), nullptr, dt_});
     for (int i = 0; i < count; ++i)
       particles_.acceleration[i] = -omega(i) * omega(i) * Vector<D, double>(particles_.position[i]);
@@ -112,7 +112,7 @@ TYPED_TEST(Verlet, VelocityDependentForcesAreOfSecondOrder) {
     particles.velocity[0] = v;
     particles.kernel_sum[0] = 0.0;
     for (int n = 0; n < steps; ++n) {
-      for_each_index(1, KeepStart<D, Double>{particles.view()});
+      for_each_index(1, SaveStepStart<D, Double>{particles.view()});
       for_each_index(1, DriftHalf<D, Double>{particles.view(), nullptr, dt});
       x = particles.position[0];
       v = particles.velocity[0];

@@ -149,10 +149,10 @@ TEST_P(PlacementTest, ResultsAreMappedBack) {
   frame.position = {in_run(x, GetParam())};
   frame.velocity = {in_run(v, GetParam())};
   Balance balance;
-  balance.impulse_plate = in_run(v, GetParam());
+  balance.impulse_rigid = in_run(v, GetParam());
   const Frame back = inverse.frame(frame);
   expect_near(back.velocity[0], v, 1e-12);
-  expect_near(inverse.balance(balance).impulse_plate, v, 1e-12);
+  expect_near(inverse.balance(balance).impulse_rigid, v, 1e-12);
   EXPECT_NEAR(back.time, 0.002 - 0.03 * (GetParam().standoff - 1.0) / 5.0, 1e-15);
   // The jet stays, and bodies move the other way.
   const double by = std::hypot(back.position[0][0] - x[0], back.position[0][1] - x[1]);

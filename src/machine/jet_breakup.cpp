@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machine/standoff.hpp"
+#include "machine/jet_breakup.hpp"
 
 namespace kerf {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/levels.hpp"
+#include "simulation/media_order.hpp"
 
 #include "model/case.hpp"
 

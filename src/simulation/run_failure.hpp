@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-struct Breakdown {
+struct RunFailure {
   double time = 0.0;  // s
   std::uint64_t step = 0;
   std::uint32_t particle = 0;  // id
@@ -22,6 +22,6 @@ struct Breakdown {
 };
 
 // Throws a UserError (exit_run_failed) with time, particle, cause and remedy.
-[[noreturn]] void report_breakdown(const Breakdown& breakdown);
+[[noreturn]] void report_run_failure(const RunFailure& failure);
 
 }  // namespace kerf

@@ -8,7 +8,7 @@
 namespace kerf {
 
 template <int D, class P>
-struct KeepStart {
+struct SaveStepStart {
   ParticleView<D, P> particles;
 
   KERF_FUNCTION void operator()(Index i) const {
