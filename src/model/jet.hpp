@@ -40,7 +40,7 @@ struct Jet {
   // Speed over the section, expression in r (0 on the axis, 1 at the edge), any scale: the mean is
   // normalised to `speed`. "1" = uniform.
   std::string profile = "1";
-  Feed feed = Feed::pressure;  // of the standard formulation; the other one holds the flow
+  Feed feed = Feed::flow;  // the paper's formulation holds the flow only
   bool operator==(const Jet&) const = default;
 };
 

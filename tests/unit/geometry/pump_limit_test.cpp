@@ -23,6 +23,7 @@ Jet jet_of_pump() {
   jet.width = 4e-3;
   jet.spacing = 0.5e-3;
   jet.stop = std::numeric_limits<double>::infinity();
+  jet.feed = Feed::pressure;
   return jet;
 }
 

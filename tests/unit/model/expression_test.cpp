@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/expression.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,16 +24,7 @@ TEST(Expression, Evaluates) {
 
 TEST(Expression, NumbersKeepAllTheirDigits) {
   for (const double value : {0.1, -1.0 / 3.0, 1e-300, 6.02214076e23, 5e-05})
-    EXPECT_EQ(Expression(std::to_string(0) + "+ t*0 + (" +
-                             [&] {
-                               char text[40];
-                               std::snprintf(text, sizeof text, "%.17g", value);
-                               return std::string(text);
-                             }() +
-                             ")",
-                         {"t"})
-                  .evaluate(1.0),
-              value);
+    EXPECT_EQ(Expression(fmt::format("0+ t*0 + ({:.17g})", value), {"t"}).evaluate(1.0), value);
 }
 
 TEST(Expression, CopiesAreIndependent) {
