@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The equations of the balance: what was supplied, what is due, and the errors.
 #include "simulation/balance.hpp"
 
 #include <algorithm>
