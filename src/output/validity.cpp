@@ -132,7 +132,7 @@ ValidityFlag density_flag(double loss) {
 }
 
 // The share of the hourglass control in what solids store by their bonds. In pure bending with n
-// particles across it is about 7 / n^2 of the elastic energy.
+// particles across it is about 5 / n^2 of the elastic energy.
 void add_of_hourglass(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   const Balance& balance = outcome.balance;
   const double stored = balance.solid_energy();
@@ -143,9 +143,9 @@ void add_of_hourglass(const RunOutcome& outcome, std::vector<ValidityFlag>& flag
       {"hourglass", good_if(good), share, small_hourglass,
        good ? fmt::format("The hourglass control holds {:.2g}% of what the solids store.", percent)
             : fmt::format("The hourglass control holds {:.2g}% of what the solids store, more than "
-                          "{:g}%: parts that bend have few particles across them (with 4 they bend "
-                          "too far by a tenth if they can break or are not in line with the "
-                          "lattice), or the motion is noise. Put 8 or more across them.",
+                          "{:g}%: parts that bend have too few particles across them (4 bend too "
+                          "far or too little by about a tenth), or the motion is noise. Put 8 or "
+                          "more across them.",
                           percent, 100.0 * small_hourglass)});
 }
 

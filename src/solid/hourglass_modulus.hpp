@@ -7,20 +7,11 @@
 // compression. It has the share s of the elastic response that breaks leave
 // (solid/limit_break_energy.hpp). The excess of the control's energy is dissipated. The force is in
 // solid/bond_force.hpp.
-// At the surface of the layout mu has a factor
-//   b_i = 1 + 4.5 (G / E) min(1, max(0, tr B_i / D - 1)),
-// B_i the correction of solid/gradient_correction.hpp with all bonds: a gradient that is fitted to
-// neighbours on one side takes the strain of bending from below the surface, and the control makes
-// up for it there (docs/theory/total_lagrangian.md). b never changes, so that the force remains the
-// gradient of the energy. Where bonds can break b = 1: more control would hold cracks that reach a
-// surface.
 #pragma once
 
 #include "solid/stored_energy.hpp"
 
 namespace kerf {
-
-inline constexpr double surface_control_gain = 4.5;  // b - 1 per G / E
 
 template <class T>
 KERF_FUNCTION T flowing_hourglass(const Medium<T>& medium, const PlasticParameters<T>& parameters,
@@ -36,7 +27,7 @@ template <int D, class P>
 KERF_FUNCTION typename P::Real hourglass_of(const SolidView<D, P>& solid, Index i) {
   using Real = typename P::Real;
   const auto& medium = solid.medium(i);
-  const Real share = solid.elastic_share[i] * solid.surface_control[i];
+  const Real share = solid.elastic_share[i];
   if (solid.flows(i))
     return share *
            flowing_hourglass(medium, solid.plasticity(i), solid.flow_start[i].plastic_strain);
@@ -51,26 +42,6 @@ template <int D, class P>
 struct SetHourglassModulus {
   SolidView<D, P> solid;
   KERF_FUNCTION void operator()(Index i) const { solid.ends[i].hourglass = hourglass_of(solid, i); }
-};
-
-// Sets b, and mu with it, from the corrections of a layout whose bonds are all intact.
-template <int D, class P>
-struct SetSurfaceControl {
-  using Real = typename P::Real;
-  SolidView<D, P> solid;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    const auto& medium = solid.medium(i);
-    if (solid.detached[i] || medium.can_break()) return;
-    double trace = 0.0;
-    for (int a = 0; a < D; ++a) trace += double(solid.correction[i](a, a));
-    const double mean = double(medium.reference_volume()) * trace / D;
-    const double missing = mean < 1.0 ? 0.0 : mean > 2.0 ? 1.0 : mean - 1.0;
-    const double gain =
-        surface_control_gain * double(medium.shear_modulus / medium.young_modulus());
-    solid.surface_control[i] = static_cast<Real>(1.0 + gain * missing);
-    solid.ends[i].hourglass = hourglass_of(solid, i);
-  }
 };
 
 // Lowers mu to the value of the state at the end of a step, which is that at the start of the next.

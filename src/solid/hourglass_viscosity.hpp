@@ -22,8 +22,7 @@ KERF_FUNCTION typename P::Real hourglass_viscosity(const SolidView<D, P>& solid,
   using Real = typename P::Real;
   if (!solid.flows(i)) return Real(0);
   const auto& medium = solid.medium(i);
-  const Real full = solid.surface_control[i] * medium.hourglass_modulus();
-  const Real lost = solid.elastic_share[i] * full - solid.ends[i].hourglass;
+  const Real lost = solid.elastic_share[i] * medium.hourglass_modulus() - solid.ends[i].hourglass;
   return Real(hourglass_damping) * lost * medium.smoothing_length / medium.bond_wave_speed();
 }
 

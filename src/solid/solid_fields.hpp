@@ -31,7 +31,6 @@ namespace kerf {
   FIELD(Tensor, correction)             /* B_i / V_i, 1/m^D */                                 \
   FIELD(Tensor, gradient)               /* H = F - 1 */                                        \
   FIELD(Real, elastic_share)            /* s of limit_break_energy.hpp, 1 without breaks */    \
-  FIELD(Real, surface_control)          /* b of hourglass_modulus.hpp, 1 inside */             \
   FIELD(Real, criterion)                /* of the fracture criterion */                        \
   FIELD(Speed, acceleration)            /* m/s^2 */                                            \
   FIELD(Real, viscous_power)            /* W, dissipated by the bond viscosity */
@@ -235,7 +234,6 @@ struct SolidFields {
 #define KERF_FIELD(type, name) name.resize(reference.size());
     KERF_SOLID_RESULTS(KERF_FIELD)
     elastic_share.assign(reference.size(), Real(1));
-    surface_control.assign(reference.size(), Real(1));
     if (mirrors.faces != 0) {
       KERF_SOLID_MIRRORED(KERF_FIELD)
     }

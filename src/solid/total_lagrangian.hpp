@@ -62,7 +62,6 @@ class TotalLagrangian {
     if (fields_.any_flaws) for_each_index(size(), StartFlaws<D, P>{view()});
     simd_.set_up(layout, bonds, view(), traits_.can_break);
     correct_all();
-    for_each_index(size(), SetSurfaceControl<D, P>{view()});
     count();  // makes room for sums
     if (!traits_.can_break) return;
     break_records_.resize(size());

@@ -75,9 +75,8 @@ double stored_energy(SolidOnTrial<D, P>& trial) {
         medium.softens() ? undamaged_share(medium, double(solid.current_strain[i])) : 1.0;
     const double density = energy_density(softened(medium, green, undamaged), green);
     const double share = solid.elastic_share[i], control = undamaged_at_start(trial, i);
-    const double surface = solid.surface_control[i];
     sum += share * (medium.reference_volume() * density +
-                    0.5 * control * control * surface * medium.hourglass_modulus() * misfit);
+                    0.5 * control * control * medium.hourglass_modulus() * misfit);
   }
   return sum;
 }

@@ -136,7 +136,7 @@ TEST(Series, TimeBetweenTwoLevels) {
   EXPECT_DOUBLE_EQ(between("0", "6"), 3.0 + 2.0 / 3.0 - 0.5);
   EXPECT_TRUE(std::isnan(between("0", "10")));
   EXPECT_TRUE(std::isnan(between("-2", "2")));  // it starts above
-  const auto parabola = sampled([](double t) { return t * t; }, 0.1, 40);
+  const auto parabola = sampled([](double t) { return t * t; }, 4.0, 40);
   const double seen = reduce(
       parabola, reduction({{"reduce", "time_between"}, {"level", "1.03"}, {"upper_level", "7.9"}}));
   EXPECT_NEAR(seen, std::sqrt(7.9) - std::sqrt(1.03), 0.1 * 0.1 / 8.0);
