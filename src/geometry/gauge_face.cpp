@@ -4,15 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/cross_product.hpp"
+
 namespace kerf {
 namespace {
 
 constexpr int strip_points = 16;
 constexpr int rings = 4;
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 // Returns a unit vector at right angles to a unit vector; in the plane of x and y if that is.
 Point tangent(const Point& normal) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/closed_surface.hpp"
+#include "geometry/cross_product.hpp"
 #include "geometry/shapes.hpp"
 
 namespace kerf {
@@ -15,9 +16,6 @@ using Elements = std::vector<SurfaceElement>;
 
 Point sum(const Point& a, double factor, const Point& b) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 double length_of(const Point& a) {
   return std::hypot(a[0], a[1], a[2]);
