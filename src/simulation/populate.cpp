@@ -5,8 +5,8 @@
 
 #include "geometry/fill.hpp"
 #include "geometry/graded_fill.hpp"
-#include "geometry/nearest_face.hpp"
 #include "geometry/shapes.hpp"
+#include "geometry/surface_layers.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "model/case.hpp"
 #include "model/expression.hpp"
@@ -16,62 +16,70 @@
 namespace kerf {
 namespace {
 
-// Sets the faces of the rigid body `number` that are nearest to its particles.
-class FaceFinder {
- public:
-  FaceFinder(const Case& description, std::size_t number)
-      : body_(description.bodies[number]),
-        dimension_(description.dimension),
-        is_wanted_(description.numerics.smooth_walls && body_.role == Role::rigid) {
-    double coarsest = 0.0;
-    for (const Body& body : description.bodies) coarsest = std::max(coarsest, body.spacing);
-    for (const Jet& jet : description.jets) coarsest = std::max(coarsest, jet.spacing);
-    reach_ = WendlandC2<2>::support * description.smoothing_ratio * coarsest;
-    for (std::size_t b = 0; b < description.bodies.size(); ++b)
-      if (b != number && description.bodies[b].role == Role::rigid)
-        others_.push_back(description.bodies[b].shape);
-  }
-  void find(NewParticle& particle) const {
-    if (!is_wanted_) return;
-    const auto face = nearest_face(body_.shape, others_, particle.position, reach_, dimension_);
-    if (!face) return;
-    particle.face_normal = face->normal;
-    particle.face_depth = face->depth;
-  }
+// Lays the particles of the rigid body `number` along its surface and finds the faces nearest to
+// them.
+std::vector<std::optional<NearestFace>> lay_wall(const Case& description, std::size_t number,
+                                                 std::vector<Point>& points) {
+  double coarsest = 0.0;
+  for (const Body& body : description.bodies) coarsest = std::max(coarsest, body.spacing);
+  for (const Jet& jet : description.jets) coarsest = std::max(coarsest, jet.spacing);
+  SurfaceLayers layers{description.bodies[number], {}, 0.0};
+  layers.depth = WendlandC2<2>::support * description.smoothing_ratio * coarsest;
+  for (std::size_t b = 0; b < description.bodies.size(); ++b)
+    if (b != number && description.bodies[b].role == Role::rigid)
+      layers.others.push_back(description.bodies[b].shape);
+  return lay_along_surface(layers, description.dimension, points);
+}
 
- private:
-  const Body& body_;
-  int dimension_;
-  bool is_wanted_;
-  double reach_ = 0.0;  // m
-  std::vector<Shape> others_;
+// The particles of a body as laid out.
+struct Layout {
+  std::vector<Point> points;                      // m
+  std::vector<int> levels;                        // of resolution
+  std::vector<std::uint8_t> repelling;            // flags of rigid bodies
+  std::vector<std::optional<NearestFace>> faces;  // of rigid bodies with smooth walls
 };
+
+Layout lay_out(const Case& description, std::size_t number) {
+  const Body& body = description.bodies[number];
+  Layout layout;
+  for (const GradedParticle& particle : fill_levels(body, description.dimension)) {
+    layout.points.push_back(particle.position);
+    layout.levels.push_back(particle.level);
+  }
+  const bool is_rigid = body.role == Role::rigid;
+  if (is_rigid && description.numerics.smooth_walls && body.grading.levels == 0) {
+    layout.faces = lay_wall(description, number, layout.points);
+    layout.levels.assign(layout.points.size(), 0);
+  }
+  layout.faces.resize(layout.points.size());
+  layout.repelling.resize(layout.points.size());
+  if (is_rigid) layout.repelling = repelling_flags(body, layout.points, description.dimension);
+  return layout;
+}
 
 // `levels`: the media of its levels.
 void add_body(const Case& description, std::size_t number, const std::vector<std::uint16_t>& levels,
               std::vector<NewParticle>& particles) {
   const Body& body = description.bodies[number];
   const int dimension = description.dimension;
-  const std::vector<GradedParticle> laid = fill_levels(body, dimension);
-  std::vector<Point> points;
-  for (const GradedParticle& particle : laid) points.push_back(particle.position);
-  std::vector<std::uint8_t> repelling(points.size(), 0);
-  if (body.role == Role::rigid) repelling = repelling_flags(body, points, dimension);
+  const Layout layout = lay_out(description, number);
   std::vector<Expression> velocity;
   for (const std::string& component : body.velocity)
     velocity.emplace_back(component, std::vector<std::string>{"x", "y", "z"});
-  const FaceFinder faces(description, number);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (is_beyond(description.symmetry, description.domain, points[k])) continue;
+  for (std::size_t k = 0; k < layout.points.size(); ++k) {
+    if (is_beyond(description.symmetry, description.domain, layout.points[k])) continue;
     NewParticle particle;
-    particle.position = points[k];
-    particle.source = levels[static_cast<std::size_t>(laid[k].level)];
-    particle.flags = repelling[k] ? flag::repelling : std::uint8_t{0};
-    faces.find(particle);
+    particle.position = layout.points[k];
+    particle.source = levels[static_cast<std::size_t>(layout.levels[k])];
+    particle.flags = layout.repelling[k] ? flag::repelling : std::uint8_t{0};
+    if (const auto& face = layout.faces[k]) {
+      particle.face_normal = face->normal;
+      particle.face_depth = face->depth;
+    }
     if (!body.fixed && body.displacement[0].empty() && body.role != Role::rigid)
       for (int a = 0; a < dimension; ++a)
         particle.velocity[static_cast<std::size_t>(a)] =
-            velocity[static_cast<std::size_t>(a)](points[k]);
+            velocity[static_cast<std::size_t>(a)](particle.position);
     particles.push_back(particle);
   }
 }

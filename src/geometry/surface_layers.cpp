@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/surface_layers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+#include "geometry/level_curve.hpp"
+#include "model/body.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double slack = 1e-6;               // of a spacing
+constexpr double tracing_step = 1.0 / 16.0;  // of a spacing
+constexpr double corner_alignment = 0.866;   // most of the normals of faces that meet at a corner
+
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+double dot(const Point& a, const Point& b) {
+  return a[0] * b[0] + a[1] * b[1];
+}
+
+// Points in the cells of a square grid, for the question whether one is near.
+class NearbyPoints {
+ public:
+  explicit NearbyPoints(double reach) : reach_(reach) {}
+  void add(const Point& point) { cells_[cell_of(point)].push_back(point); }
+  bool has_one_near(const Point& point) const {
+    const Cell middle = cell_of(point);
+    const auto is_near = [&](const Point& other) { return distance(other, point) < reach_; };
+    for (std::int64_t k = 0; k < 9; ++k) {
+      const auto found = cells_.find({middle[0] + k % 3 - 1, middle[1] + k / 3 - 1});
+      if (found == cells_.end()) continue;
+      if (std::any_of(found->second.begin(), found->second.end(), is_near)) return true;
+    }
+    return false;
+  }
+
+ private:
+  using Cell = std::array<std::int64_t, 2>;
+  Cell cell_of(const Point& point) const {
+    return {static_cast<std::int64_t>(std::floor(point[0] / reach_)),
+            static_cast<std::int64_t>(std::floor(point[1] / reach_))};
+  }
+  double reach_;
+  std::map<Cell, std::vector<Point>> cells_;
+};
+
+class PlaneLayers {
+ public:
+  explicit PlaneLayers(const SurfaceLayers& layers)
+      : spacing_(layers.body.spacing),
+        depth_(std::ceil(layers.depth / spacing_ - slack) * spacing_),
+        region_{layers.body.shape, layers.others, depth_} {}
+
+  // Returns whether every node near the surface is at the depth of a layer, but for those behind a
+  // corner that faces outward.
+  bool are_at(const std::vector<Point>& nodes) const {
+    return std::all_of(nodes.begin(), nodes.end(), [&](const Point& node) {
+      const auto face = region_.nearest(node, 2);
+      return !face || std::abs(face->depth - depth_of(layer_of(*face))) < slack * spacing_ ||
+             is_behind_corner(node, *face);
+    });
+  }
+
+  std::vector<Point> lay(const std::vector<Point>& nodes) const {
+    std::vector<Point> points;
+    NearbyPoints laid(0.6 * spacing_);
+    const int count = static_cast<int>(std::lround(depth_ / spacing_));
+    for (int layer = 0; layer < count; ++layer) {
+      std::vector<Point> of_layer;
+      for (const Point& point : points_of_layer(layer, nodes))
+        if (!laid.has_one_near(point)) of_layer.push_back(point);
+      for (const Point& point : of_layer) {
+        laid.add(point);
+        points.push_back(point);
+      }
+    }
+    for (const Point& node : nodes)
+      if (!region_.nearest(node, 2) && !laid.has_one_near(node)) points.push_back(node);
+    return points;
+  }
+
+  // Returns the nearest face of a particle; at a corner, which is equally far from two faces, the
+  // one that goes on farther, along which water is led, whatever the direction of the body.
+  std::optional<NearestFace> face_of(const Point& point) const {
+    const auto face = region_.nearest(point, 2);
+    if (!face) return face;
+    for (const double side : {-1e-3 * spacing_, 1e-3 * spacing_}) {
+      const auto other = region_.nearest(moved_aside(point, *face, side), 2);
+      if (!other || std::abs(other->depth - face->depth) > 1e-2 * spacing_) continue;
+      if (dot(face->normal, other->normal) > corner_alignment) continue;
+      const double way = length_from_corner(point, *face, other->normal);
+      const double other_way = length_from_corner(point, *other, face->normal);
+      const bool is_first = face->normal[0] * other->normal[1] > face->normal[1] * other->normal[0];
+      const bool keeps = way != other_way ? way > other_way : is_first;
+      return keeps ? face : NearestFace{other->normal, face->depth};
+    }
+    return face;
+  }
+
+ private:
+  // Returns how far the layer goes along a face, away from a corner where a face of the normal
+  // `beyond` begins: powers of two of the spacing, m.
+  double length_from_corner(const Point& corner, const NearestFace& face,
+                            const Point& beyond) const {
+    const double side = dot(moved_aside({}, face, 1.0), beyond) < 0.0 ? 1.0 : -1.0;
+    double length = spacing_;
+    for (; length < 1e3 * spacing_; length *= 2.0) {
+      const auto there = region_.nearest(moved_aside(corner, face, side * length), 2);
+      if (!there || std::abs(there->depth - face.depth) > 0.1 * spacing_) break;
+      if (dot(there->normal, face.normal) < corner_alignment) break;
+    }
+    return length;
+  }
+  static Point moved_aside(const Point& point, const NearestFace& face, double way) {
+    return {point[0] - way * face.normal[1], point[1] + way * face.normal[0], 0.0};
+  }
+  // The nearest point of the surface stays the same as the point moves along the face.
+  bool is_behind_corner(const Point& node, const NearestFace& face) const {
+    const double aside = 0.1 * spacing_;
+    for (const double side : {-aside, aside}) {
+      const Point beside = moved_aside(node, face, side);
+      const auto there = region_.nearest(beside, 2);
+      if (!there) return false;
+      const Point foot{node[0] + face.depth * face.normal[0], node[1] + face.depth * face.normal[1],
+                       0.0};
+      const Point other{beside[0] + there->depth * there->normal[0],
+                        beside[1] + there->depth * there->normal[1], 0.0};
+      if (distance(foot, other) > 0.5 * aside) return false;
+    }
+    return true;
+  }
+  int layer_of(const NearestFace& face) const {
+    return static_cast<int>(std::floor(face.depth / spacing_ + slack));
+  }
+  double depth_of(int layer) const { return (layer + 0.5) * spacing_; }
+
+  // Every node in the layer leads to a level curve.
+  std::vector<Point> points_of_layer(int layer, const std::vector<Point>& nodes) const {
+    const double step = tracing_step * spacing_;
+    std::vector<Point> points;
+    NearbyPoints traced(1.5 * step);
+    for (const Point& node : nodes) {
+      auto face = region_.nearest(node, 2);
+      if (!face || layer_of(*face) != layer) continue;
+      Point start = node;
+      const double out = face->depth - depth_of(layer);
+      for (std::size_t a = 0; a < 2; ++a) start[a] += out * face->normal[a];
+      face = region_.nearest(start, 2);
+      if (!face || std::abs(face->depth - depth_of(layer)) > 1e-3 * step) continue;
+      if (traced.has_one_near(start)) continue;
+      const LevelCurve curve = trace_level_curve(region_, depth_of(layer), start, step);
+      for (const Point& point : curve.points) traced.add(point);
+      for (const Point& point : spread_on_curve(curve, spacing_)) points.push_back(point);
+    }
+    return points;
+  }
+
+  double spacing_, depth_;
+  CoveredShape region_;
+};
+
+}  // namespace
+
+std::vector<std::optional<NearestFace>> lay_along_surface(const SurfaceLayers& layers,
+                                                          int dimension,
+                                                          std::vector<Point>& points) {
+  std::vector<std::optional<NearestFace>> faces;
+  if (dimension == 2) {
+    const PlaneLayers plane(layers);
+    if (!plane.are_at(points)) points = plane.lay(points);
+    for (const Point& point : points) faces.push_back(plane.face_of(point));
+    return faces;
+  }
+  const CoveredShape region{layers.body.shape, layers.others, layers.depth};
+  for (const Point& point : points) faces.push_back(region.nearest(point, dimension));
+  return faces;
+}
+
+}  // namespace kerf
