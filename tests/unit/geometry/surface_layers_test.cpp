@@ -17,14 +17,14 @@
 namespace kerf {
 namespace {
 
-constexpr double spacing = 1e-3;
+constexpr double wall_spacing = 1e-3;
 constexpr double layers_depth = 2.6e-3;
 
 Body rigid(const Shape& shape) {
   Body body;
   body.role = Role::rigid;
   body.shape = shape;
-  body.spacing = spacing;
+  body.spacing = wall_spacing;
   return body;
 }
 
@@ -56,7 +56,7 @@ Layout lay(const Body& body, int dimension, std::vector<Shape> others = {}) {
 
 // The sum of V W over a layout at a point.
 double kernel_sum(const Layout& layout, const Body& body, const Point& x, int dimension) {
-  const double h = 1.3 * spacing, volume = particle_volume(body, dimension);
+  const double h = 1.3 * wall_spacing, volume = particle_volume(body, dimension);
   double sum = 0.0;
   for (const Point& y : layout.points) {
     const double r = std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
@@ -103,7 +103,7 @@ TEST(SurfaceLayers, LieAtHalfOddSpacingsBelowTheFace) {
       EXPECT_TRUE(contains(body.shape, layout.points[i], 2));
       const auto face = nearest_face(body.shape, {}, layout.points[i], 3e-3, 2);
       ASSERT_TRUE(face && (layout.faces[i] || face->depth > layers_depth)) << degrees;
-      const double layer = face->depth / spacing - 0.5;
+      const double layer = face->depth / wall_spacing - 0.5;
       EXPECT_NEAR(layer, std::round(layer), 0.02) << degrees;
     }
   }
@@ -126,7 +126,7 @@ TEST(SurfaceLayers, EndWhereAnotherBodyCoversTheSurface) {
   double last = -1.0;  // along the plate, in its outermost layer
   for (const Point& x : layout.points)
     if (std::abs(-s * x[0] + c * x[1] - 2.5e-3) < 1e-5) last = std::max(last, c * x[0] + s * x[1]);
-  EXPECT_NEAR(last, 10e-3 - 0.5 * spacing, 0.1 * spacing);
+  EXPECT_NEAR(last, 10e-3 - 0.5 * wall_spacing, 0.1 * wall_spacing);
 }
 
 // A box in line with its lattice is at such depths already.
@@ -156,10 +156,10 @@ TEST(SurfaceLayers, FollowRoundFaces) {
       const double apart = radius * (angles[k] - angles[k - 1]);
       least = std::min(least, apart), most = std::max(most, apart);
     }
-    EXPECT_NEAR(static_cast<double>(angles.size() - 1), 2.0 * std::numbers::pi * radius / spacing,
-                1.0);
-    EXPECT_GT(least, 0.98 * spacing);
-    EXPECT_LT(most, 1.02 * spacing);
+    EXPECT_NEAR(static_cast<double>(angles.size() - 1),
+                2.0 * std::numbers::pi * radius / wall_spacing, 1.0);
+    EXPECT_GT(least, 0.98 * wall_spacing);
+    EXPECT_LT(most, 1.02 * wall_spacing);
   }
 }
 
