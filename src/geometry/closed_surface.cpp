@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "geometry/cross_product.hpp"
+#include "geometry/point_vectors.hpp"
 
 namespace kerf {
 
@@ -25,10 +25,6 @@ constexpr double tolerance = 1e-6;  // of the longest edge of the box
 
 Point difference(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 Bounds bounds_of(const Point& low, const Point& high) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/cross_product.hpp"
+#include "geometry/point_vectors.hpp"
 
 namespace kerf {
 namespace {

@@ -4,24 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/point_vectors.hpp"
 #include "geometry/shapes.hpp"
 
 namespace kerf {
 
 namespace {
 
-constexpr double least_alignment = 0.866;  // of the normals of neighbouring points, else a corner
 constexpr std::size_t most_points = 10'000'000;
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1];
-}
-Point moved(const Point& point, double length, const Point& direction) {
-  return {point[0] + length * direction[0], point[1] + length * direction[1], point[2]};
-}
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
-}
 
 // Goes along a level curve, the surface on its right (`side` 1) or on its left (-1).
 class Tracer {
@@ -37,26 +27,26 @@ class Tracer {
     double way = 0.0;
     while (face && chain.points.size() < most_points) {
       const Point direction = along(*face);
-      Point next = moved(point, step_, direction);
+      Point next = sum(point, step_, direction);
       auto ahead = contains(region_.shape, next, 2) ? region_.nearest(next, 2) : std::nullopt;
       if (!ahead) return false;
       bool is_corner = false;
-      if (dot(ahead->normal, face->normal) < least_alignment) {
+      if (dot(ahead->normal, face->normal) < corner_alignment) {
         const double slope = dot(ahead->normal, direction);
         if (!(slope > 0.0)) return false;  // the surface ends
         const double more = (ahead->depth - depth_) / slope;
         if (std::abs(more) > 2.0 * step_) return false;
-        next = moved(next, more, direction);
+        next = sum(next, more, direction);
         ahead->depth = depth_;
         is_corner = true;
       } else {
-        next = moved(next, ahead->depth - depth_, ahead->normal);
+        next = sum(next, ahead->depth - depth_, ahead->normal);
         ahead = region_.nearest(next, 2);
         if (!ahead || std::abs(ahead->depth - depth_) > 0.2 * step_) return false;
       }
-      way += distance(point, next);
-      const bool is_beside_start = way > 4.0 * step_ && distance(next, start) < 0.75 * step_;
-      if (is_beside_start && (is_corner || dot(ahead->normal, first) > least_alignment)) {
+      way += plane_distance(point, next);
+      const bool is_beside_start = way > 4.0 * step_ && plane_distance(next, start) < 0.75 * step_;
+      if (is_beside_start && (is_corner || dot(ahead->normal, first) > corner_alignment)) {
         const bool starts_at_corner = !chain.corners.empty() && chain.corners.front() <= 1;
         if (is_corner && !starts_at_corner) {
           chain.corners.insert(chain.corners.begin(), 0);
@@ -86,7 +76,7 @@ void spread(const std::vector<Point>& chain, std::size_t first, std::size_t last
             const std::vector<double>& shares, std::vector<Point>& points) {
   std::vector<double> length{0.0};
   for (std::size_t k = first; k < last; ++k)
-    length.push_back(length.back() + distance(chain[k], chain[k + 1]));
+    length.push_back(length.back() + plane_distance(chain[k], chain[k + 1]));
   for (const double share : shares) {
     const double at = share * length.back();
     const auto above = std::upper_bound(length.begin(), length.end(), at);
@@ -103,7 +93,7 @@ void spread(const std::vector<Point>& chain, std::size_t first, std::size_t last
 
 double chain_length(const std::vector<Point>& chain, std::size_t first, std::size_t last) {
   double length = 0.0;
-  for (std::size_t k = first; k < last; ++k) length += distance(chain[k], chain[k + 1]);
+  for (std::size_t k = first; k < last; ++k) length += plane_distance(chain[k], chain[k + 1]);
   return length;
 }
 

@@ -10,6 +10,9 @@
 
 namespace kerf {
 
+// The product of the normals of two faces that meet at a corner is less: 30 degrees between them.
+inline constexpr double corner_alignment = 0.866;
+
 // The region, and the shapes that cover parts of its surface.
 struct CoveredShape {
   const Shape& shape;

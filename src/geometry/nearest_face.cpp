@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/closed_surface.hpp"
+#include "geometry/point_vectors.hpp"
 #include "geometry/shapes.hpp"
 
 namespace kerf {
@@ -16,15 +17,6 @@ struct Foot {
   Point point{};
   Point normal{};
 };
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-// Returns a + factor b.
-Point sum(const Point& a, double factor, const Point& b) {
-  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
 
 double length(const Point& a) {
   return std::sqrt(dot(a, a));

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "geometry/closed_surface.hpp"
-#include "geometry/cross_product.hpp"
+#include "geometry/point_vectors.hpp"
 #include "geometry/shapes.hpp"
 
 namespace kerf {
@@ -14,9 +14,6 @@ namespace {
 
 using Elements = std::vector<SurfaceElement>;
 
-Point sum(const Point& a, double factor, const Point& b) {
-  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
 double length_of(const Point& a) {
   return std::hypot(a[0], a[1], a[2]);
 }

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "geometry/level_curve.hpp"
+#include "geometry/point_vectors.hpp"
 #include "model/body.hpp"
 
 namespace kerf {
@@ -16,15 +17,6 @@ namespace {
 
 constexpr double slack = 1e-6;               // of a spacing
 constexpr double tracing_step = 1.0 / 16.0;  // of a spacing
-constexpr double corner_alignment = 0.866;   // most of the normals of faces that meet at a corner
-
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
-}
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1];
-}
 
 // Points in the cells of a square grid, for the question whether one is near.
 class NearbyPoints {
@@ -33,7 +25,7 @@ class NearbyPoints {
   void add(const Point& point) { cells_[cell_of(point)].push_back(point); }
   bool has_one_near(const Point& point) const {
     const Cell middle = cell_of(point);
-    const auto is_near = [&](const Point& other) { return distance(other, point) < reach_; };
+    const auto is_near = [&](const Point& other) { return plane_distance(other, point) < reach_; };
     for (std::int64_t k = 0; k < 9; ++k) {
       const auto found = cells_.find({middle[0] + k % 3 - 1, middle[1] + k / 3 - 1});
       if (found == cells_.end()) continue;
@@ -54,36 +46,38 @@ class NearbyPoints {
 
 class PlaneLayers {
  public:
-  explicit PlaneLayers(const SurfaceLayers& layers)
-      : spacing_(layers.body.spacing),
+  PlaneLayers(const SurfaceLayers& layers, const std::vector<Point>& nodes)
+      : nodes_(nodes),
+        spacing_(layers.body.spacing),
         depth_(std::ceil(layers.depth / spacing_ - slack) * spacing_),
-        region_{layers.body.shape, layers.others, depth_} {}
+        region_{layers.body.shape, layers.others, depth_} {
+    for (const Point& node : nodes) faces_.push_back(region_.nearest(node, 2));
+  }
 
   // Returns whether every node near the surface is at the depth of a layer, but for those behind a
   // corner that faces outward.
-  bool are_at(const std::vector<Point>& nodes) const {
-    return std::all_of(nodes.begin(), nodes.end(), [&](const Point& node) {
-      const auto face = region_.nearest(node, 2);
-      return !face || std::abs(face->depth - depth_of(layer_of(*face))) < slack * spacing_ ||
-             is_behind_corner(node, *face);
-    });
+  bool are_laid() const {
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (faces_[i] && !is_at_layer(*faces_[i]) && !is_behind_corner(nodes_[i], *faces_[i]))
+        return false;
+    return true;
   }
 
-  std::vector<Point> lay(const std::vector<Point>& nodes) const {
+  std::vector<Point> lay() const {
     std::vector<Point> points;
     NearbyPoints laid(0.6 * spacing_);
     const int count = static_cast<int>(std::lround(depth_ / spacing_));
     for (int layer = 0; layer < count; ++layer) {
       std::vector<Point> of_layer;
-      for (const Point& point : points_of_layer(layer, nodes))
+      for (const Point& point : points_of_layer(layer))
         if (!laid.has_one_near(point)) of_layer.push_back(point);
       for (const Point& point : of_layer) {
         laid.add(point);
         points.push_back(point);
       }
     }
-    for (const Point& node : nodes)
-      if (!region_.nearest(node, 2) && !laid.has_one_near(node)) points.push_back(node);
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (!faces_[i] && !laid.has_one_near(nodes_[i])) points.push_back(nodes_[i]);
     return points;
   }
 
@@ -129,13 +123,14 @@ class PlaneLayers {
       const Point beside = moved_aside(node, face, side);
       const auto there = region_.nearest(beside, 2);
       if (!there) return false;
-      const Point foot{node[0] + face.depth * face.normal[0], node[1] + face.depth * face.normal[1],
-                       0.0};
-      const Point other{beside[0] + there->depth * there->normal[0],
-                        beside[1] + there->depth * there->normal[1], 0.0};
-      if (distance(foot, other) > 0.5 * aside) return false;
+      const Point foot = sum(node, face.depth, face.normal);
+      const Point other = sum(beside, there->depth, there->normal);
+      if (plane_distance(foot, other) > 0.5 * aside) return false;
     }
     return true;
+  }
+  bool is_at_layer(const NearestFace& face) const {
+    return std::abs(face.depth - depth_of(layer_of(face))) < slack * spacing_;
   }
   int layer_of(const NearestFace& face) const {
     return static_cast<int>(std::floor(face.depth / spacing_ + slack));
@@ -143,17 +138,14 @@ class PlaneLayers {
   double depth_of(int layer) const { return (layer + 0.5) * spacing_; }
 
   // Every node in the layer leads to a level curve.
-  std::vector<Point> points_of_layer(int layer, const std::vector<Point>& nodes) const {
+  std::vector<Point> points_of_layer(int layer) const {
     const double step = tracing_step * spacing_;
     std::vector<Point> points;
     NearbyPoints traced(1.5 * step);
-    for (const Point& node : nodes) {
-      auto face = region_.nearest(node, 2);
-      if (!face || layer_of(*face) != layer) continue;
-      Point start = node;
-      const double out = face->depth - depth_of(layer);
-      for (std::size_t a = 0; a < 2; ++a) start[a] += out * face->normal[a];
-      face = region_.nearest(start, 2);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (!faces_[i] || layer_of(*faces_[i]) != layer) continue;
+      const Point start = sum(nodes_[i], faces_[i]->depth - depth_of(layer), faces_[i]->normal);
+      const auto face = region_.nearest(start, 2);
       if (!face || std::abs(face->depth - depth_of(layer)) > 1e-3 * step) continue;
       if (traced.has_one_near(start)) continue;
       const LevelCurve curve = trace_level_curve(region_, depth_of(layer), start, step);
@@ -163,8 +155,10 @@ class PlaneLayers {
     return points;
   }
 
+  const std::vector<Point>& nodes_;
   double spacing_, depth_;
   CoveredShape region_;
+  std::vector<std::optional<NearestFace>> faces_;  // of the nodes
 };
 
 }  // namespace
@@ -174,8 +168,8 @@ std::vector<std::optional<NearestFace>> lay_along_surface(const SurfaceLayers& l
                                                           std::vector<Point>& points) {
   std::vector<std::optional<NearestFace>> faces;
   if (dimension == 2) {
-    const PlaneLayers plane(layers);
-    if (!plane.are_at(points)) points = plane.lay(points);
+    const PlaneLayers plane(layers, points);
+    if (layers.body.grading.levels == 0 && !plane.are_laid()) points = plane.lay();
     for (const Point& point : points) faces.push_back(plane.face_of(point));
     return faces;
   }

@@ -25,7 +25,8 @@ struct SurfaceLayers {
 // Replaces the nodes of the body's lattice at `points` (m) that are less than `depth` below the
 // surface by particles at the depths d/2, 3d/2, 5d/2, ... that are evenly spaced along it. A body
 // all of whose nodes are at such depths, a box above all, stays as it is. Returns the nearest face
-// of each particle; it is empty where there is none within `depth`. Bodies in 3D stay as they are.
+// of each particle; it is empty where there is none within `depth`. Graded bodies and those in 3D
+// stay as they are.
 std::vector<std::optional<NearestFace>> lay_along_surface(const SurfaceLayers& layers,
                                                           int dimension,
                                                           std::vector<Point>& points);

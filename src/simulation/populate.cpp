@@ -47,10 +47,9 @@ Layout lay_out(const Case& description, std::size_t number) {
     layout.levels.push_back(particle.level);
   }
   const bool is_rigid = body.role == Role::rigid;
-  if (is_rigid && description.numerics.smooth_walls && body.grading.levels == 0) {
+  if (is_rigid && description.numerics.smooth_walls)
     layout.faces = lay_wall(description, number, layout.points);
-    layout.levels.assign(layout.points.size(), 0);
-  }
+  layout.levels.resize(layout.points.size());
   layout.faces.resize(layout.points.size());
   layout.repelling.resize(layout.points.size());
   if (is_rigid) layout.repelling = repelling_flags(body, layout.points, description.dimension);
