@@ -66,14 +66,14 @@ TEST_F(View, ServesThePageOfARun) {
 }
 
 TEST_F(View, FramesAreThoseOnTheDisk) {
-  const auto json = run();
+  const auto description = run();
   const auto files = frame_files(out_);
   ASSERT_GT(files.size(), 2u);
-  ASSERT_EQ(json.at("frames").size(), files.size());
-  const auto fields = json.at("fields").size();
+  ASSERT_EQ(description.at("frames").size(), files.size());
+  const auto fields = description.at("fields").size();
   for (std::size_t n = 0; n < files.size(); ++n) {
     const Frame frame = read_frame(files[n].path, description_.dimension);
-    const auto& entry = json.at("frames").at(n);
+    const auto& entry = description.at("frames").at(n);
     const std::size_t count = frame.position.size();
     ASSERT_EQ(entry.at("count").get<std::size_t>(), count);
     EXPECT_EQ(entry.at("time").get<double>(), frame.time);
@@ -82,7 +82,7 @@ TEST_F(View, FramesAreThoseOnTheDisk) {
     const auto dimension = static_cast<std::size_t>(description_.dimension);
     ASSERT_EQ(bytes.size(), count * (2 * dimension + 2 + fields));
     for (std::size_t a = 0; a < dimension; ++a) {
-      const double low = json.at("minimum").at(a), high = json.at("maximum").at(a);
+      const double low = description.at("minimum").at(a), high = description.at("maximum").at(a);
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at = 2 * (a * count + i);
         const unsigned code = static_cast<unsigned char>(bytes[at]) +

@@ -22,7 +22,7 @@
 namespace kerf {
 namespace {
 
-const std::filesystem::path folder = KERF_SOURCE_DIR "/materials";
+const std::filesystem::path library = KERF_SOURCE_DIR "/materials";
 
 std::string content(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -31,12 +31,12 @@ std::string content(const std::filesystem::path& file) {
 
 TEST(MaterialLibrary, EqualsTheFolder) {
   std::set<std::string> files, embedded;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  for (const auto& entry : std::filesystem::directory_iterator(library))
     files.insert(entry.path().filename());
   for (const EmbeddedText& text : material_files()) {
     const std::string file = std::string(text.name) + ".toml";
     embedded.insert(file);
-    EXPECT_EQ(text.text, content(folder / file)) << file;
+    EXPECT_EQ(text.text, content(library / file)) << file;
   }
   EXPECT_EQ(embedded, files);
   EXPECT_EQ(material_library().size(), files.size());

@@ -15,12 +15,13 @@
 namespace kerf::test {
 namespace {
 
-constexpr double spacing = 1e-3;  // m
+constexpr double block_spacing = 1e-3;  // m
 
 // 10 x 5 particles.
 Case one_block() {
   Case c = empty_case(2, PrecisionKind::double_precision);
-  c.bodies = {body("block", Role::elastic, box({0.0, 0.0, 0.0}, {0.01, 0.005, 0.0}), spacing)};
+  c.bodies = {
+      body("block", Role::elastic, box({0.0, 0.0, 0.0}, {0.01, 0.005, 0.0}), block_spacing)};
   return c;
 }
 
@@ -42,7 +43,7 @@ TEST(Populate, ParticlesHaveTheVelocityOfTheExpressions) {
 
 TEST(Populate, RepellingLayerOfAWallIsItsTopRow) {
   Case c = one_block();
-  c.bodies[0] = body("wall", Role::rigid, c.bodies[0].shape, spacing);
+  c.bodies[0] = body("wall", Role::rigid, c.bodies[0].shape, block_spacing);
   std::size_t repelling = 0;
   for (const NewParticle& particle : run_settings(c).particles) {
     const bool top = particle.position[1] > 0.004;
@@ -124,8 +125,8 @@ TEST(Symmetry, PlanesAreTheFacesThatTheCaseNames) {
 
 TEST(Symmetry, APieceIsJoinedToItsImageAtThePlane) {
   Case c = one_block();
-  c.bodies.push_back(
-      body("apart", Role::elastic, box({spacing, 0.01, 0.0}, {0.006, 0.015, 0.0}), spacing));
+  c.bodies.push_back(body("apart", Role::elastic,
+                          box({block_spacing, 0.01, 0.0}, {0.006, 0.015, 0.0}), block_spacing));
   c.domain.minimum = {0.0, -0.15, 0.0};
   c.symmetry.minimum = {true, false, false};
   const RunSettings settings = run_settings(c);
@@ -153,15 +154,15 @@ TEST(AbsorbingSites, RowsAtTheFacesAreDampedByTheImpedanceOfTheirWaves) {
   const auto sites = sites_of(c);
   EXPECT_EQ(sites.size(), 10u + 5u - 1u);
   // The rate is rho c v on the face of a particle over its mass: c / spacing.
-  const double shear = std::sqrt(1e5 / 2.6 / 940.0) / spacing;
-  const double pressure = std::sqrt((1e5 / 1.2 + 4.0 / 3.0 * 1e5 / 2.6) / 940.0) / spacing;
+  const double shear = std::sqrt(1e5 / 2.6 / 940.0) / block_spacing;
+  const double pressure = std::sqrt((1e5 / 1.2 + 4.0 / 3.0 * 1e5 / 2.6) / 940.0) / block_spacing;
   int corners = 0;
   for (const auto& site : sites) {
     const bool left = site.particle % 10 == 0, low = site.particle < 10;
     ASSERT_TRUE(left || low);
     EXPECT_NEAR(site.rate[0], (left ? pressure : 0.0) + (low ? shear : 0.0), 1e-6);
     EXPECT_NEAR(site.rate[1], (left ? shear : 0.0) + (low ? pressure : 0.0), 1e-6);
-    EXPECT_NEAR(site.mass, 940.0 * spacing * spacing, 1e-15);
+    EXPECT_NEAR(site.mass, 940.0 * block_spacing * block_spacing, 1e-15);
     corners += left && low;
   }
   EXPECT_EQ(corners, 1);
