@@ -10,6 +10,8 @@
 //   d, wall_volume_factor  g_i = sum_l d w_1(x_l) / sum_j V_j W_ij,            l = 0, 1, 2, ...
 // with the distance s_i of the particle from the surface, w_1(x) the integral of W and w_2(x) that
 // of x S over a plane at the distance x from i.
+// On water that passes the end of a face the wall acts along the line from the edge, so that the
+// water turns around it freely.
 #pragma once
 
 #include <cmath>
@@ -67,7 +69,8 @@ KERF_FUNCTION RigidWallArm<D, typename P::Real> rigid_wall_arm(const ParticleVie
   if (!is_plane && (particles.has(pair.i, flag::in_corner) || !has_face))
     return {pair.separation, false};
   const Real above = dot(pair.separation, of_face);
-  const bool is_facing = above > Real(0) && above > particles.face_depth[pair.j];
+  const bool is_facing = above > Real(0) && above > particles.face_depth[pair.j] &&
+                         !particles.has(pair.i, flag::at_edge);
   const auto normal = is_facing ? of_face : of_wall;  // 0: a face that looks elsewhere
   const Real along = dot(pair.separation, normal);
   return {(along > Real(0) ? along : Real(0)) * normal, true};
@@ -90,11 +93,15 @@ struct RigidWallSum {
     Real force{}, volume{};      // 1/m, 1: what the factors scale
     Real spacing{}, reach{};     // m, the largest ones
     Real distance = Real(1e30);  // m, from the nearest piece of the surface
+    RealVector nearest{};        // m, from the nearest point of the surface to i
+    bool is_passing = false;     // i lies beyond the end of that piece and does not come to it
   };
   // Normals that differ by this are not those of a plane or smoothly curved wall.
   static constexpr double least_alignment = 0.98;
   static constexpr double least_wall = 0.02;  // of h sum a, as in FluidContinuity
   static constexpr double most_factor = 1.5, least_factor = 0.6;
+  static constexpr double least_beyond = 0.1;  // spacings beyond the end of a face
+  static constexpr double most_coming = 0.25;  // of the speed, that towards the edge
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
@@ -111,15 +118,14 @@ struct RigidWallSum {
     const RealVector normal = pair.of_j(particles.face_normal[pair.j]);
     const Real depth = particles.face_depth[pair.j], along = dot(pair.separation, normal);
     const Real height = along - depth;
+    const RealVector foot = depth * normal - pair.separation;
+    if (dot(normal, normal) > Real(0)) find_nearest(pair, height * normal, foot, height, sum);
     if (!(along > Real(0)) || !(height > Real(-0.5) * spacing)) return;
     const Real share = weight * along;
-    const RealVector foot = depth * normal - pair.separation;
     sum.normal += share * normal;
     sum.foot += share * foot;
     sum.facing += share;
     sum.height += share * height;
-    const Real distance = distance_from_piece(height, norm(foot + height * normal), spacing);
-    if (distance < sum.distance) sum.distance = distance;
   }
 
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
@@ -131,18 +137,36 @@ struct RigidWallSum {
     if (wall.is_corner) return;
     const Real length = norm(sum.normal);
     wall.room = room(sum.distance / sum.spacing);
-    if (sum.facing * sum.reach > Real(least_wall) && length > Real(least_alignment) * sum.facing)
-      find_plane(sum, dot(particles.face_normal[i], particles.face_normal[i]) > Real(0), wall);
+    const auto before = particles.face_normal[i];
+    const bool was_plane = dot(before, before) > Real(0) && !particles.has(i, flag::at_edge);
+    wall.is_edge = sum.is_passing;
+    if (wall.is_edge)
+      wall.normal = (Real(1) / norm(sum.nearest)) * sum.nearest;
+    else if (sum.facing * sum.reach > Real(least_wall) &&
+             length > Real(least_alignment) * sum.facing)
+      find_plane(sum, was_plane, wall);
     else
       wall.is_corner = is_concave(sum);
   }
 
  private:
-  // The surface consists of pieces as wide as the spacing. Behind the plane of a piece the distance
-  // is negative.
-  KERF_FUNCTION static Real distance_from_piece(Real height, Real aside, Real spacing) {
-    const Real beyond = aside - Real(0.5) * spacing;
-    return beyond > Real(0) ? std::sqrt(height * height + beyond * beyond) : height;
+  // Finds the point of the surface nearest to i. The surface consists of pieces as wide as the
+  // spacing, one about each foot. `across`: from the plane of a piece to i, m.
+  KERF_FUNCTION static void find_nearest(const Pair<D, P>& pair, const RealVector& across,
+                                         const RealVector& foot, Real height, Sum& sum) {
+    const Real spacing = pair.medium_j->spacing;
+    const RealVector aside = Real(-1) * (foot + across);  // from the foot to i, along the plane
+    const Real length = norm(aside), beyond = length - Real(0.5) * spacing;
+    const bool is_beside = beyond > Real(0);
+    if (!is_beside && !(height > Real(-0.5) * spacing)) return;
+    // Behind the plane of its piece the distance of a particle is negative.
+    const Real distance = is_beside ? std::sqrt(height * height + beyond * beyond) : height;
+    if (!(distance < sum.distance)) return;
+    sum.distance = distance;
+    sum.nearest = is_beside ? across + (beyond / length) * aside : across;
+    const Real coming = -dot(sum.nearest, pair.velocity);
+    sum.is_passing = beyond > Real(least_beyond) * spacing &&
+                     coming < Real(most_coming) * norm(sum.nearest) * norm(pair.velocity);
   }
   // A row of water at rest is half a spacing from a wall. The room falls from 1 at 0.45 to 0 at 0.2
   // of a spacing.

@@ -16,6 +16,7 @@ inline constexpr std::uint8_t erased = 8;      // flowed back towards its nozzle
 inline constexpr std::uint8_t fitted = 16;     // beside a jump of the spacing of its body
 inline constexpr std::uint8_t surface = 32;    // its kernel sum is not full: near a free surface
 inline constexpr std::uint8_t in_corner = 64;  // fluid in a corner between rigid walls
+inline constexpr std::uint8_t at_edge = 128;   // fluid beyond the end of a rigid face
 }  // namespace flag
 
 struct NewParticle {

@@ -47,7 +47,8 @@ Layout lay_out(const Case& description, std::size_t number) {
     layout.levels.push_back(particle.level);
   }
   const bool is_rigid = body.role == Role::rigid;
-  if (is_rigid && description.numerics.smooth_walls)
+  const bool is_standard = description.formulation == Formulation::standard;
+  if (is_rigid && is_standard && description.numerics.smooth_walls)
     layout.faces = lay_wall(description, number, layout.points);
   layout.levels.resize(layout.points.size());
   layout.faces.resize(layout.points.size());

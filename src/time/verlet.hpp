@@ -88,8 +88,9 @@ struct UpdateSurfaceFlags {
       particles.wall_force_excess[i] = wall.force_excess;
       particles.wall_volume_excess[i] = wall.volume_excess;
       particles.wall_room[i] = wall.room;
-      flags &= ~flag::in_corner;
+      flags &= ~(flag::in_corner | flag::at_edge);
       if (wall.is_corner) flags |= flag::in_corner;
+      if (wall.is_edge) flags |= flag::at_edge;
     }
     particles.flags[i] = static_cast<std::uint8_t>(flags);
   }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// These signals are sums over the particles of a body that are in a region at the time, such as a
-// section of a stream. The region is where the formula "within" of x, y, z in m is not 0.
+// These signals are sums over the particles of a "body", or of the water of a "jet", that are in a
+// region at the time, such as a section of a stream. The region is where the formula "within" of x,
+// y, z in m is not 0.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -13,16 +16,32 @@ namespace kerf {
 
 namespace {
 
+std::size_t named_jet(const Parameters& parameters, const Beginning& beginning) {
+  const std::string name = parameters.text("jet");
+  const auto& jets = beginning.description.jets;
+  for (std::size_t j = 0; j < jets.size(); ++j)
+    if (jets[j].name == name) return beginning.description.bodies.size() + j;
+  parameters.fail(fmt::format("there is no jet \"{}\"", name));
+}
+
 struct Region {
   Region(const Parameters& parameters, const Beginning& beginning)
-      : body(named_body(parameters, beginning)),
+      : source(parameters.has("jet") ? named_jet(parameters, beginning)
+                                     : named_body(parameters, beginning)),
         within(parameters.text("within"), {"x", "y", "z"}) {}
 
   bool has(const Frame& frame, std::size_t row) const {
-    return frame.source[row] == body && within(frame.position[row]) != 0.0;
+    return frame.source[row] == source && within(frame.position[row]) != 0.0;
   }
 
-  std::size_t body;
+  // Returns the index of its material; -1 for a rigid body.
+  int material(const Case& description) const {
+    const auto& bodies = description.bodies;
+    return source < bodies.size() ? bodies[source].material
+                                  : description.jets[source - bodies.size()].material;
+  }
+
+  std::size_t source;  // as in Frame
   Expression within;
 };
 
@@ -33,7 +52,7 @@ struct Region {
 // particle at a surface has a lower density.
 Signal region_volume_signal(const Parameters& parameters, const Beginning& beginning) {
   const auto region = std::make_shared<const Region>(parameters, beginning);
-  const int material = beginning.description.bodies[region->body].material;
+  const int material = region->material(beginning.description);
   if (material < 0) parameters.fail("a rigid body has no density");
   const double density =
       beginning.description.materials[static_cast<std::size_t>(material)].density;

@@ -74,6 +74,14 @@ TEST_F(WetBlockTest, ARegionContainsItsRows) {
                std::logic_error);
 }
 
+TEST_F(WetBlockTest, ARegionContainsTheWaterOfAJet) {
+  const auto velocity = [&](const char* jet) {
+    return value({{"signal", "region_velocity"}, {"jet", jet}, {"within", "1"}, {"axis", "y"}});
+  };
+  EXPECT_FLOAT_EQ(static_cast<float>(velocity("jet")), -5.0f);
+  EXPECT_THROW(velocity("stream"), std::logic_error);
+}
+
 // The right edge of the layer is at 10 mm, its top at 4 mm, that of the two lower rows at 2 mm; the
 // particles are half a spacing further in.
 TEST_F(WetBlockTest, ARegionReachesToItsEdge) {
