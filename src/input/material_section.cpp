@@ -107,13 +107,14 @@ void check_sound_speed(Section& section) {
                    "Remove one of the two", "one of sound_speed and sound_speed_factor");
 }
 
-void refuse_key(Section& section, const char* key, const Material& material,
-                const CriterionKeys& keys) {
+// A zero is no limit; a case file that Kerf wrote has it.
+void refuse_key(Section& section, const char* key, double value, const Material& material) {
+  if (!section.has(key) || value == 0.0) return;
   const auto word = word_of(material.criterion, bond_criterion_words);
-  if (section.has(key))
-    section.refuse(key, fmt::format("the criterion uses {}", keys.compared_quantity),
-                   "Remove the key, or choose another criterion",
-                   fmt::format("nothing beside the criterion \"{}\"", word));
+  section.refuse(
+      key, fmt::format("the criterion uses {}", keys_of(material.criterion).compared_quantity),
+      "Remove the key, or choose another criterion",
+      fmt::format("nothing beside the criterion \"{}\"", word));
 }
 
 void require_key(Section& section, const char* key, double value, const Material& material) {
@@ -157,12 +158,12 @@ void resolve_fracture(Section& section, Formulation formulation, Material& mater
       break;
     case StrainOrEnergy::energy:
       require_key(section, "fracture_energy", material.fracture_energy, material);
-      refuse_key(section, "failure_strain", material, keys);
+      refuse_key(section, "failure_strain", material.failure_strain, material);
       material.failure_strain = 0.0;
       break;
     case StrainOrEnergy::neither:
-      refuse_key(section, "failure_strain", material, keys);
-      refuse_key(section, "fracture_energy", material, keys);
+      refuse_key(section, "failure_strain", material.failure_strain, material);
+      refuse_key(section, "fracture_energy", material.fracture_energy, material);
       material.failure_strain = material.fracture_energy = 0.0;
       break;
   }

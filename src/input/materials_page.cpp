@@ -21,14 +21,14 @@ holds, and where it was derived from others. A value without a source is not in 
 without one. So these are missing: agar (no measured stiffness was found in a source that could be read), fat (no
 strength), bread, cheese, potato and EPDM (no fracture energy, strength or density), and cardboard (no strength).
 
-Nearly incompressible ones (gels, silicone rubber, liver) have the Poisson's ratio that their source measured or
+Nearly incompressible ones (gels, rubber, tissues) have the Poisson's ratio that their source measured or
 assumed, or 0.49 where it says that they are incompressible; the nearer to 0.5, the stiffer they are in volume and the
 shorter the time step.
 
 ## Strength
-The strength of tough soft materials was measured in slow tests, where a note does not say otherwise; jets strain them at
-1000 /s and more. No law of elasticity or fracture depends on the rate, so that a value that a test cut gives is one at
-the rates of jets.
+The strength of soft materials was measured in slow tests, where a note does not say otherwise; jets strain them at about
+their speed over their width, 1e4 /s and more. No law for soft materials depends on the rate, so that the value that a
+test cut gives is one at the rate of that jet.
 
 A crack of a soft tough material opens by 2 Gc / (E e_0) before it is free of stress; that is millimetres to centimetres
 in muscle, leather, rubber and foams, wider than jets. There the strength decides and not the fracture energy, and these

@@ -14,7 +14,7 @@ std::string calibration_need(const Case& description) {
   std::set<int> told;  // materials
   std::vector<std::string> sentences;
   for (const Body& body : description.bodies) {
-    if (body.role != Role::elastic || body.fixed) continue;
+    if (body.role != Role::elastic || body.fixed || body.material < 0) continue;
     const Material& material = description.materials.at(static_cast<std::size_t>(body.material));
     if (material.uncalibrated.empty() || !told.insert(body.material).second) continue;
     sentences.push_back(
