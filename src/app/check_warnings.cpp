@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/fill.hpp"
 #include "geometry/shapes.hpp"
 #include "machine/characteristic_speed.hpp"
+#include "model/calibration_need.hpp"
 #include "model/case.hpp"
 #include "model/material_laws.hpp"
 
@@ -140,6 +142,8 @@ std::vector<std::string> check_warnings(const Case& description, const DerivedNu
     warnings.emplace_back("the back-flow removal removes mass and momentum");
   warn_of_nothing_to_cut(description, warnings);
   warn_of_materials(description, warnings);
+  if (std::string need = calibration_need(description); !need.empty())
+    warnings.push_back(std::move(need));
   warn_of_misfits(description, warnings);
   return warnings;
 }

@@ -24,13 +24,18 @@ struct MaterialsOptions {
 void print_list() {
   fmt::print("Materials of the library; \"kerf materials NAME\" shows the values of one:\n\n");
   for (const LibraryMaterial& entry : material_library())
-    fmt::print("  {:<18} {:<8} {}\n", entry.name, kind_name(entry.kind), entry.title);
+    fmt::print("  {:<18} {:<8} {}{}\n", entry.name, kind_name(entry.kind), entry.title,
+               entry.has_intervals() ? " (calibrate)" : "");
 }
 
 void print_values(const std::vector<LibraryValue>& values) {
   for (const LibraryValue& value : values) {
     fmt::print("  {:<21} {:<14} {}\n", value.name, value.written, value.source);
     if (!value.note.empty()) fmt::print("  {:<21} {:<14} ({})\n", "", "", value.note);
+    if (value.interval)
+      fmt::print("  {:<21} {:<14} calibrate (kerf study): {} to {} by {}\n", "", "",
+                 value.interval->low_written, value.interval->high_written,
+                 value.interval->sources);
   }
 }
 
@@ -56,6 +61,8 @@ void print_material(const std::string& name) {
   fmt::print("{} ({}): {}\n\n", entry->name, kind_name(entry->kind), entry->title);
   fmt::print("  {:<21} {:<14} {}\n", "key", "value", "source");
   print_values(entry->values);
+  if (entry->kind == MaterialKind::elastic)
+    fmt::print("  {:<21} {:<14}\n", "criterion", word_of(entry->criterion, bond_criterion_words));
   print_defaults(*entry);
   if (entry->known.empty()) return;
   fmt::print("\n{}\n\n", known_heading);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/material_library.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "input/schema.hpp"
 
 namespace kerf {
@@ -40,6 +44,11 @@ std::span<const KnownQuantity> known_quantities() {
   return all_known;
 }
 
+std::string LibraryValue::interval_text() const {
+  if (!interval) return {};
+  return fmt::format("{} {} to {}", name, interval->low_written, interval->high_written);
+}
+
 const LibraryValue* LibraryMaterial::find(std::string_view key) const {
   for (const LibraryValue& value : values)
     if (value.name == key) return &value;
@@ -50,6 +59,7 @@ std::set<std::string> LibraryMaterial::conditions() const {
   Material material;
   material.kind = kind;
   material.plasticity = plasticity;
+  material.criterion = criterion;
   return material_conditions(material, Formulation::standard);
 }
 
@@ -57,7 +67,10 @@ Material LibraryMaterial::material(Formulation formulation) const {
   Material result;
   result.name = name;
   result.kind = kind;
-  if (formulation == Formulation::standard) result.plasticity = plasticity;
+  if (formulation == Formulation::standard) {
+    result.plasticity = plasticity;
+    result.criterion = criterion;
+  }
   result.source = "Kerf's library: " + title;
   std::set<std::string> conditions{formulation_name(formulation)};
   for (const Key* key : keys_stored_in("materials", result, conditions)) {
@@ -67,7 +80,27 @@ Material LibraryMaterial::material(Formulation formulation) const {
     const LibraryValue* given = find(key->name);
     **number = given ? given->value : standard_number(*key);
   }
+  if (formulation != Formulation::standard) result.fracture_energy = 0.0;
+  result.uncalibrated = uncalibrated(result, formulation);
   return result;
+}
+
+std::string LibraryMaterial::uncalibrated(const Material& material, Formulation formulation) const {
+  const auto numbers = numbers_in("materials", material, {formulation_name(formulation)});
+  std::vector<std::string> intervals;
+  for (const LibraryValue& value : values) {
+    const auto is_used = [&](const NamedNumber& number) {
+      return number.name == value.name && number.value == value.value;
+    };
+    if (value.interval && std::any_of(numbers.begin(), numbers.end(), is_used))
+      intervals.push_back(value.interval_text());
+  }
+  return fmt::format("{}", fmt::join(intervals, ", "));
+}
+
+bool LibraryMaterial::has_intervals() const {
+  return std::any_of(values.begin(), values.end(),
+                     [](const LibraryValue& value) { return value.interval.has_value(); });
 }
 
 std::span<const LibraryMaterial> material_library() {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <vector>
 
 #include "fracture/bond_criterion.hpp"
 #include "input/draft.hpp"
@@ -10,6 +11,7 @@
 #include "input/toml_writer.hpp"
 #include "model/case.hpp"
 #include "model/law_keys.hpp"
+#include "model/material_laws.hpp"
 
 namespace kerf {
 
@@ -30,7 +32,7 @@ std::vector<Key> plain_keys() {
       {"fracture_energy", quantity, "J/m2", "0 J/m2", from_zero_to(1e7), {}, "elastic", "Fracture energy per area of a crack, instead of a failure_strain, which then follows from the spacing; only in the standard formulation", stored_in<&Material::fracture_energy>},
       {"elasticity", word, "", "neo_hookean", any, elastic_law_words, "elastic+standard", "Law of elasticity; a material with plasticity has Hencky's", stored_in<&Material::elasticity>},
       {"plasticity", word, "", "(that of the base, or none)", any, plastic_law_words, "elastic+standard", "Law of plasticity: of metals (von_mises, johnson_cook), or of rock (drucker_prager)", stored_in<&Material::plasticity>},
-      {"criterion", word, "", "principal_strain", any, bond_criterion_words, "elastic+standard", "Fracture criterion at a bond: a strain, or the energy stored in tension, is compared with the failure_strain, the largest principal stress with the tensile_strength; crack_band: softening from the failure_strain on that dissipates the fracture_energy; brittle_band: the same with the fracture_energy alone, for brittle cracks in any direction; grady_kipp: damage by cracks that grow from flaws", stored_in<&Material::criterion>},
+      {"criterion", word, "", "(that of the base, or principal_strain)", any, bond_criterion_words, "elastic+standard", "Fracture criterion at a bond: a strain, or the energy stored in tension, is compared with the failure_strain, the largest principal stress with the tensile_strength; crack_band: softening from the failure_strain on that dissipates the fracture_energy; brittle_band: the same with the fracture_energy alone, for brittle cracks in any direction; grady_kipp: damage by cracks that grow from flaws", stored_in<&Material::criterion>},
       {"friction", number, "", "0", from_zero_to(10.0), {}, "elastic+standard", "Coefficient of dry friction on other bodies; the smaller of two applies", stored_in<&Material::friction>},
       {"viscosity", quantity, "Pa s", "0 Pa s", from_zero_to(1e6), {}, "water", "Dynamic viscosity", stored_in<&Material::viscosity>},
       {"equation_of_state", word, "", "(tait; shock_hugoniot if something moves faster than 150 m/s and neither a sound speed nor an exponent is given)", any, equation_of_state_words, "water+standard", "Equation of state: weakly compressible water, or water with the shock speeds of real water", stored_in<&Material::equation_of_state>},
@@ -43,6 +45,7 @@ std::vector<Key> plain_keys() {
       {"artificial_quadratic", number, "", "0.5", from_zero_to(10.0), {}, "elastic+standard", "B of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_quadratic>},
       {"artificial_quadratic", number, "", "2.5", from_zero_to(10.0), {}, "elastic+shinohara2004", "B of the artificial viscosity, eq. (38)", stored_in<&Material::artificial_quadratic>},
       {"artificial_softening", number, "", "0.1", up_to(1.0), {}, "", "C of the artificial viscosity, eq. (39)", stored_in<&Material::artificial_softening>},
+      {"uncalibrated", text, "", "(those of the base that the case does not give)", any, {}, "elastic", "Values that are known within an interval only, with the intervals; a validity flag and `kerf check` ask to calibrate them (`kerf study` with `[calibrate]`)", stored_in<&Material::uncalibrated>},
       {"source", text, "", "(the case file)", any, {}, "", "Source of the values", stored_in<&Material::source>},
   };
   // clang-format on
@@ -104,13 +107,14 @@ void check_sound_speed(Section& section) {
                    "Remove one of the two", "one of sound_speed and sound_speed_factor");
 }
 
-void refuse_key(Section& section, const char* key, const Material& material,
-                const CriterionKeys& keys) {
+// A zero is no limit; a case file that Kerf wrote has it.
+void refuse_key(Section& section, const char* key, double value, const Material& material) {
+  if (!section.has(key) || value == 0.0) return;
   const auto word = word_of(material.criterion, bond_criterion_words);
-  if (section.has(key))
-    section.refuse(key, fmt::format("the criterion uses {}", keys.compared_quantity),
-                   "Remove the key, or the criterion",
-                   fmt::format("nothing beside the criterion \"{}\"", word));
+  section.refuse(
+      key, fmt::format("the criterion uses {}", keys_of(material.criterion).compared_quantity),
+      "Remove the key, or choose another criterion",
+      fmt::format("nothing beside the criterion \"{}\"", word));
 }
 
 void require_key(Section& section, const char* key, double value, const Material& material) {
@@ -120,8 +124,17 @@ void require_key(Section& section, const char* key, double value, const Material
                    "greater than 0");
 }
 
+// Of two limits that a base with another criterion has, one stays: the one that the case gives,
+// else the energy, which has a length scale.
+void choose_limit(const Section& section, Material& material) {
+  if (section.has("fracture_energy") || material.fracture_energy == 0.0) return;
+  const bool by_strain = section.has("failure_strain") && material.failure_strain > 0.0;
+  (by_strain ? material.fracture_energy : material.failure_strain) = 0.0;
+}
+
 // Checks the fracture energy, which replaces a failure strain.
 void resolve_energy(Section& section, Formulation formulation, Material& material) {
+  choose_limit(section, material);
   if (!section.has("fracture_energy") || material.fracture_energy == 0.0) return;
   if (formulation != Formulation::standard)
     section.refuse("fracture_energy", "this formulation breaks particles at a strain",
@@ -145,12 +158,12 @@ void resolve_fracture(Section& section, Formulation formulation, Material& mater
       break;
     case StrainOrEnergy::energy:
       require_key(section, "fracture_energy", material.fracture_energy, material);
-      refuse_key(section, "failure_strain", material, keys);
+      refuse_key(section, "failure_strain", material.failure_strain, material);
       material.failure_strain = 0.0;
       break;
     case StrainOrEnergy::neither:
-      refuse_key(section, "failure_strain", material, keys);
-      refuse_key(section, "fracture_energy", material, keys);
+      refuse_key(section, "failure_strain", material.failure_strain, material);
+      refuse_key(section, "fracture_energy", material.fracture_energy, material);
       material.failure_strain = material.fracture_energy = 0.0;
       break;
   }
@@ -178,6 +191,20 @@ Section::KeepRule values_of(const Material& base, Formulation formulation) {
   };
 }
 
+// A material with another criterion than its base has no values of that of the base.
+void forget_criterion(BondCriterion of_base, Material& material) {
+  if (material.criterion == of_base) return;
+  BondCriterionSet<double>::visit(*material.laws, of_base, [](auto& law) { law = {}; });
+}
+
+// What the case does not give is as uncertain as in the library.
+std::string uncalibrated_values(const Section& section, const LibraryMaterial& base,
+                                const Material& material, Formulation formulation) {
+  LibraryMaterial left = base;
+  std::erase_if(left.values, [&](const LibraryValue& value) { return section.has(value.name); });
+  return left.uncalibrated(material, formulation);
+}
+
 MaterialDraft read_material(Section& section, Formulation formulation, const std::string& name) {
   const LibraryMaterial* base = read_base(section);
   MaterialDraft draft;
@@ -189,11 +216,15 @@ MaterialDraft read_material(Section& section, Formulation formulation, const std
   const auto keep = inherits ? values_of(material, formulation) : Section::KeepRule();
   material.kind = kind;
   material.name = name;
+  const BondCriterion of_base = material.criterion;
   section.read(material, keep);
+  if (inherits) forget_criterion(of_base, material);
   section.read(draft);
   draft.equation_is_open = equation_is_open(section, formulation, material);
   check_sound_speed(section);
   resolve_fracture(section, formulation, material);
+  if (inherits && !section.has("uncalibrated"))
+    material.uncalibrated = uncalibrated_values(section, *base, material, formulation);
   section.refuse_unknown();
   return draft;
 }
@@ -243,7 +274,9 @@ std::string material_text(const Case& description, int material) {
 }
 
 void write_material(TomlWriter& writer, const Material& material) {
-  writer.table(fmt::format("[materials.{}]", material.name), "materials", material);
+  WrittenKeys left_out;
+  if (material.uncalibrated.empty()) left_out["uncalibrated"] = "";
+  writer.table(fmt::format("[materials.{}]", material.name), "materials", material, left_out);
 }
 
 }  // namespace kerf

@@ -16,14 +16,33 @@ Made by `kerf materials --page` from the files of `materials/`; not written by h
 
 This page lists the materials that every case may name, with the source of each value, and the laws that a material may
 obey. A case names one of these materials, or starts from it with `base` ([keys.md](keys.md)). A value that a material
-leaves out has its default in a case file; above all, a material without `failure_strain` never fractures until the case
-gives it one. Values of real materials scatter: the note says under which conditions a value holds, and where it was
-derived from others. A value without a source is not in the library: agar is missing, since no measured stiffness of it
-was found in a source that could be read.
+leaves out has its default in a case file. Values of real materials scatter: the note says under which conditions a value
+holds, and where it was derived from others. A value without a source is not in the library, and neither is a material
+without one. So these are missing: agar (no measured stiffness was found in a source that could be read), fat (no
+strength), bread, cheese, potato and EPDM (no fracture energy, strength or density), and cardboard (no strength).
 
-Nearly incompressible ones (gels, silicone rubber, liver) have the Poisson's ratio that their source measured or
+Nearly incompressible ones (gels, rubber, tissues) have the Poisson's ratio that their source measured or
 assumed, or 0.49 where it says that they are incompressible; the nearer to 0.5, the stiffer they are in volume and the
 shorter the time step.
+
+## Strength
+The strength of soft materials was measured in slow tests, where a note does not say otherwise; jets strain them at about
+their speed over their width, 1e4 /s and more. No law for soft materials depends on the rate, so that the value that a
+test cut gives is one at the rate of that jet.
+
+A crack of a soft tough material opens by 2 Gc / (E e_0) before it is free of stress; that is millimetres to centimetres
+in muscle, leather, rubber and foams, wider than jets. There the strength decides and not the fracture energy, and these
+materials break at a stress or strain (`principal_stress`, `principal_strain`); their fracture energy is known besides. A
+material whose cracks open by less than a millimetre has a `crack_band`, and a brittle gel, whose strength follows from
+its flaws, a `brittle_band`. The rings of `rubber` and the metals do not break: the former bounced, the latter are cut
+with an abrasive, which is not modelled.
+
+## Values to calibrate
+Where sources disagree, or none measured the very quantity, an entry has the interval that they leave open. **calibrate**
+in a note marks it. A run with such a value has the validity flag `uncalibrated` ([results.md](results.md)), and `kerf
+check` warns of it. Find the value from one test cut: `kerf study` with `[calibrate]` ([studies.md](studies.md)), `key =
+"materials.NAME.tensile_strength"` and the ends of the interval as `from` and `to`. A case that gives the value itself is
+calibrated.
 
 ## Adding a material
 Put a file `materials/NAME.toml` there; the build finds it.
@@ -31,12 +50,16 @@ Put a file `materials/NAME.toml` there; the build finds it.
 ```
 title = "Description in one line"
 kind = "elastic"           # or "water"
+criterion = "crack_band"   # and plasticity = "..."; if left out, the defaults of a case file
 
 [[values]]                 # for each number that a case file has a key for
 key = "youngs_modulus"     # density, youngs_modulus and poisson_ratio must be given
 value = "5.4 kPa"
 source = "Author, title, journal, year, page or table, DOI"
-note = "Range and conditions"
+note = "Range, rate of strain, direction and temperature"
+interval.low = "4 kPa"     # if the sources leave it open, for a value that a test cut calibrates
+interval.high = "8 kPa"
+interval.sources = "..."
 
 [[known]]                  # for what no law uses yet
 name = "fracture_energy"
@@ -50,11 +73,18 @@ Write this page anew with `kerf materials --page > docs/materials.md`. The names
 | --- | --- | --- |
 )";
 
+std::string note_of(const LibraryValue& value) {
+  if (!value.interval) return value.note;
+  return fmt::format("**calibrate**: {} to {} by {}{}{}", value.interval->low_written,
+                     value.interval->high_written, value.interval->sources,
+                     value.note.empty() ? "" : "; ", value.note);
+}
+
 std::string rows(const std::vector<LibraryValue>& values) {
   std::string text;
   for (const LibraryValue& value : values)
     text += fmt::format("| `{}` | {} | {} | {} |\n", value.name, value.written, value.source,
-                        value.note);
+                        note_of(value));
   return text;
 }
 

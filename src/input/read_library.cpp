@@ -26,14 +26,17 @@ class LibraryFile {
   }
 
   LibraryMaterial read() const {
-    allow(table_, {"title", "kind", "plasticity", "values", "known"});
+    allow(table_, {"title", "kind", "plasticity", "criterion", "values", "known"});
     LibraryMaterial result;
     result.name = name_;
     result.title = text(table_, "title");
     const std::string kind = text(table_, "kind");
     if (kind != "water" && kind != "elastic") fail(fmt::format("unknown kind \"{}\"", kind));
     result.kind = kind == "water" ? MaterialKind::water : MaterialKind::elastic;
-    if (table_.contains("plasticity")) result.plasticity = plasticity();
+    if (table_.contains("plasticity"))
+      result.plasticity = law<PlasticLaw>("plasticity", plastic_law_words);
+    if (table_.contains("criterion"))
+      result.criterion = law<BondCriterion>("criterion", bond_criterion_words);
     for (const toml::table* entry : entries("values"))
       add(result.values, case_value(*entry, result.conditions()));
     for (const toml::table* entry : entries("known")) add(result.known, known_value(*entry));
@@ -73,16 +76,16 @@ class LibraryFile {
     list.push_back(std::move(value));
   }
 
-  PlasticLaw plasticity() const {
-    const std::string word = text(table_, "plasticity");
-    const PlasticLaw law = law_of<PlasticLaw>(word, plastic_law_words);
-    if (word_of(law, plastic_law_words) != word)
-      fail(fmt::format("unknown plasticity \"{}\"", word));
+  template <class Law, class Words>
+  Law law(std::string_view key, const Words& words) const {
+    const std::string word = text(table_, key);
+    const Law law = law_of<Law>(word, words);
+    if (word_of(law, words) != word) fail(fmt::format("unknown {} \"{}\"", key, word));
     return law;
   }
 
   LibraryValue case_value(const toml::table& entry, const std::set<std::string>& conditions) const {
-    allow(entry, {"key", "value", "source", "note"});
+    allow(entry, {"key", "value", "source", "note", "interval"});
     const std::string name = text(entry, "key");
     const Key* key = find_key("materials", name, conditions);
     const bool number = key && (key->kind == ValueKind::quantity || key->kind == ValueKind::number);
@@ -91,6 +94,27 @@ class LibraryFile {
     LibraryValue result = measured(entry, name, key->unit);
     if (!in_range(*key, result.value))
       fail(fmt::format("{} = {} is out of range", name, result.written));
+    if (entry.contains("interval")) result.interval = interval(entry, result, key->unit);
+    return result;
+  }
+
+  ValueInterval interval(const toml::table& entry, const LibraryValue& of,
+                         std::string_view unit) const {
+    const toml::table* table = entry["interval"].as_table();
+    if (!table) fail(fmt::format("the interval of {} must be a table", of.name));
+    allow(*table, {"low", "high", "sources"});
+    ValueInterval result;
+    result.sources = text(*table, "sources");
+    const auto end = [&](std::string_view key, double& value, std::string& written) {
+      const LibraryValue read = number(*table, key, of.name, unit);
+      value = read.value;
+      written = read.written;
+    };
+    end("low", result.low, result.low_written);
+    end("high", result.high, result.high_written);
+    if (!(result.low < result.high && result.low <= of.value && of.value <= result.high))
+      fail(fmt::format("{} = {} is not between {} and {}", of.name, of.written, result.low_written,
+                       result.high_written));
     return result;
   }
 
@@ -104,16 +128,24 @@ class LibraryFile {
 
   LibraryValue measured(const toml::table& entry, const std::string& name,
                         std::string_view unit) const {
-    LibraryValue result{name, 0.0, {}, text(entry, "source"), {}};
+    LibraryValue result = number(entry, "value", name, unit);
+    result.source = text(entry, "source");
     if (entry.contains("note")) result.note = text(entry, "note");
+    return result;
+  }
+
+  // Reads the number of a key, and how it is written.
+  LibraryValue number(const toml::table& table, std::string_view key, const std::string& name,
+                      std::string_view unit) const {
+    LibraryValue result{name, 0.0, {}, {}, {}};
     if (unit.empty()) {
-      const toml::node* node = entry.get("value");
+      const toml::node* node = table.get(key);
       if (!node || !node->is_number()) fail(fmt::format("{} must be a number", name));
       result.value = *node->value<double>();
       result.written = shortest(result.value);
       return result;
     }
-    result.written = text(entry, "value");
+    result.written = text(table, key);
     const Quantity quantity = read_quantity(result.written, std::string(unit));
     if (!quantity.problem.empty()) fail(fmt::format("{}: {}", name, quantity.problem));
     result.value = quantity.value;

@@ -42,7 +42,9 @@ class LawParameters {
 struct Material {
   std::string name;
   MaterialKind kind = MaterialKind::water;
-  std::string source;       // where the values come from
+  std::string source;  // where the values come from
+  // Values that are known within an interval only, in words with the intervals; empty = none.
+  std::string uncalibrated;
   double density = 1000.0;  // kg/m^3, reference
   LawParameters laws;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/calibration_need.hpp"
 #include "model/case.hpp"
 #include "output/result.hpp"
 
@@ -225,6 +226,8 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
                      standoff,
                      {},
                      "Air is not simulated: the jet has no drag and no breakup."});
+  if (const std::string need = calibration_need(description); !need.empty())
+    flags.push_back({"uncalibrated", State::warning, {}, {}, need});
   if (description.jets.empty()) return;
   if (const Material* material = unbreakable_material(description))
     flags.push_back({"unbreakable",

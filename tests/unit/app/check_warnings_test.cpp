@@ -41,13 +41,20 @@ shape = {{ type = "box", minimum = ["-10 mm", "0 mm"], maximum = ["10 mm", "6 mm
 }
 
 TEST(CheckWarnings, WarnOfASolidThatCannotBreak) {
-  const auto never = HasSubstr("\"block\" never breaks: its material \"gelatin-5\"");
-  EXPECT_THAT(warnings_of(block_of("gelatin-5")), Contains(never));
-  EXPECT_THAT(warnings_of(block_of("gelatin-5") + "fixed = true\n"), Not(Contains(never)));
+  const auto never = HasSubstr("\"block\" never breaks: its material \"copper\"");
+  EXPECT_THAT(warnings_of(block_of("copper")), Contains(never));
+  EXPECT_THAT(warnings_of(block_of("copper") + "fixed = true\n"), Not(Contains(never)));
   EXPECT_THAT(warnings_of(block_of("tofu")), Not(Contains(HasSubstr("never breaks"))));
-  EXPECT_THAT(warnings_of("[materials.gel]\nbase = \"gelatin-5\"\nfailure_strain = 0.3\n" +
-                          block_of("gel")),
-              Not(Contains(HasSubstr("never breaks"))));
+  EXPECT_THAT(
+      warnings_of("[materials.gel]\nbase = \"copper\"\nfailure_strain = 0.3\n" + block_of("gel")),
+      Not(Contains(HasSubstr("never breaks"))));
+}
+
+TEST(CheckWarnings, WarnOfValuesToBeCalibrated) {
+  const auto calibrate = HasSubstr("muscle has values that are known within an interval only: ");
+  EXPECT_THAT(warnings_of(block_of("muscle")), Contains(calibrate));
+  EXPECT_THAT(warnings_of(block_of("muscle") + "fixed = true\n"), Not(Contains(calibrate)));
+  EXPECT_THAT(warnings_of(block_of("pmma")), Not(Contains(HasSubstr("Calibrate"))));
 }
 
 TEST(CheckWarnings, WarnOfAJetWithoutAWorkpiece) {

@@ -43,9 +43,30 @@ TEST(MaterialLibrary, EqualsTheFolder) {
 }
 
 TEST(MaterialLibrary, HasTheRequiredMaterials) {
-  for (const char* name : {"tofu", "gelatin-5", "gelatin-10", "gelatin-20", "silicone",
-                           "polyurethane-foam", "liver", "cortical-bone", "trabecular-bone", "pmma",
-                           "sandstone", "granite", "concrete", "aluminium-6061", "copper", "glass"})
+  for (const char* name : {"tofu",
+                           "gelatin-5",
+                           "gelatin-10",
+                           "gelatin-20",
+                           "silicone",
+                           "polyurethane-foam",
+                           "liver",
+                           "cortical-bone",
+                           "trabecular-bone",
+                           "pmma",
+                           "sandstone",
+                           "granite",
+                           "concrete",
+                           "aluminium-6061",
+                           "copper",
+                           "glass",
+                           "muscle",
+                           "skin",
+                           "apple",
+                           "natural-rubber",
+                           "leather",
+                           "polyethylene-foam",
+                           "softwood",
+                           "polyacrylamide"})
     EXPECT_NE(find_library_material(name), nullptr) << name;
   EXPECT_EQ(find_library_material("unobtainium"), nullptr);
 }
@@ -91,6 +112,13 @@ void expect_source(const LibraryMaterial& material, const LibraryValue& value) {
   EXPECT_GT(value.source.size(), 10u) << material.name << ' ' << value.name;
   EXPECT_TRUE(std::regex_search(value.source, named))
       << material.name << ' ' << value.name << ": " << value.source;
+  if (value.interval) {
+    EXPECT_TRUE(std::regex_search(value.interval->sources, named))
+        << material.name << ' ' << value.name << ": " << value.interval->sources;
+    EXPECT_LT(value.interval->low, value.interval->high) << material.name << ' ' << value.name;
+    EXPECT_LE(value.interval->low, value.value) << material.name << ' ' << value.name;
+    EXPECT_GE(value.interval->high, value.value) << material.name << ' ' << value.name;
+  }
   EXPECT_EQ((value.source + value.note).find('|'), std::string::npos) << "breaks a table";
 }
 
@@ -100,6 +128,28 @@ TEST(MaterialLibrary, EveryValueHasASource) {
     EXPECT_GE(material.values.size(), 3u) << material.name;
     for (const LibraryValue& value : material.values) expect_source(material, value);
     for (const LibraryValue& value : material.known) expect_source(material, value);
+  }
+}
+
+// Not to be cut: the published rings bounce, and metals need an abrasive.
+const std::set<std::string> not_to_be_cut{"rubber", "copper", "aluminium-6061"};
+
+// A fracture energy is a value, or known besides where the process zone of a crack is wider than
+// jets are, so that the strength decides; else a note says that none was found.
+TEST(MaterialLibrary, EveryMaterialToBeCutHasAStrength) {
+  const std::set<std::string> published{"tofu"};
+  for (const LibraryMaterial& entry : material_library()) {
+    if (entry.kind == MaterialKind::water) continue;
+    EXPECT_EQ(entry.material().can_break(), not_to_be_cut.count(entry.name) == 0) << entry.name;
+    bool has_energy = false, says_so = false;
+    for (const auto* list : {&entry.values, &entry.known})
+      for (const LibraryValue& value : *list) {
+        has_energy = has_energy || value.name == "fracture_energy";
+        says_so = says_so || value.note.find("o fracture energy was found") != std::string::npos;
+      }
+    EXPECT_TRUE(has_energy || says_so || not_to_be_cut.count(entry.name) != 0 ||
+                published.count(entry.name) != 0)
+        << entry.name;
   }
 }
 
@@ -120,24 +170,25 @@ TEST(MaterialLibrary, ValuesArePhysical) {
   const auto known = [](const LibraryMaterial& material, const std::string& name) {
     for (const LibraryValue& value : material.known)
       if (value.name == name) return value.value;
-    return 0.0;
+    const LibraryValue* used = material.find(name);
+    return used ? used->value : 0.0;
   };
   for (const LibraryMaterial& entry : material_library()) {
     const Material material = entry.material();
-    EXPECT_GT(material.density, 50.0) << entry.name;
+    EXPECT_GT(material.density, 20.0) << entry.name;
     EXPECT_LT(material.density, 10000.0) << entry.name;
     if (material.kind == MaterialKind::water) continue;
     const double rod_speed = std::sqrt(material.youngs_modulus / material.density);
     EXPECT_GT(rod_speed, 1.0) << entry.name;
     EXPECT_LT(rod_speed, 6000.0) << entry.name;
-    // Brittle materials are stronger in compression, and all strengths are far below the modulus,
-    // except that of liver, which is said to be 50 times its modulus.
+    // Brittle materials are stronger in compression, and the strengths of stiff ones are far below
+    // the modulus; soft ones stretch far before they break.
     const double tension = known(entry, "tensile_strength");
     const double compression = known(entry, "compressive_strength");
     if (compression > 0.0 && tension > 0.0) {
       EXPECT_GT(compression, tension) << entry.name;
     }
-    if (entry.name != "liver") {
+    if (material.youngs_modulus > 1e8) {
       EXPECT_LT(tension, 0.1 * material.youngs_modulus) << entry.name;
     }
   }
@@ -164,11 +215,11 @@ TEST(MaterialLibrary, EveryMaterialMakesACase) {
 
 // Values that a file omits have the defaults of a case file.
 TEST(MaterialLibrary, MissingValuesHaveTheDefaults) {
-  const Material glass = find_library_material("glass")->material();
-  EXPECT_EQ(glass.failure_strain, 0.0);
-  EXPECT_EQ(glass.artificial_linear, 0.5);
-  EXPECT_EQ(glass.artificial_quadratic, 0.5);
-  EXPECT_EQ(glass.artificial_softening, 0.1);
+  const Material copper = find_library_material("copper")->material();
+  EXPECT_EQ(copper.failure_strain, 0.0);
+  EXPECT_EQ(copper.artificial_linear, 0.5);
+  EXPECT_EQ(copper.artificial_quadratic, 0.5);
+  EXPECT_EQ(copper.artificial_softening, 0.1);
 }
 
 TEST(MaterialLibrary, PageIsUpToDate) {

@@ -52,5 +52,22 @@ TEST(SolidValidity, FlagsSolidsThatDidNotComeToRest) {
   EXPECT_THAT(validity_of(outcome), flag_of("relaxation", State::warning, "did not come to rest"));
 }
 
+TEST(SolidValidity, FlagsUncalibratedMaterials) {
+  RunOutcome outcome = outcome_with_solid();
+  outcome.description.materials.resize(2);
+  outcome.description.materials[1].name = "ham";
+  outcome.description.bodies.resize(2);
+  for (Body& body : outcome.description.bodies) {
+    body.role = Role::elastic;
+    body.material = 1;
+  }
+  EXPECT_THAT(validity_of(outcome), Not(any_of_name("uncalibrated")));
+  outcome.description.materials[1].uncalibrated = "tensile_strength 25 kPa to 300 kPa";
+  EXPECT_THAT(validity_of(outcome),
+              flag_of("uncalibrated", State::warning, "only: tensile_strength 25 kPa to 300 kPa."));
+  for (Body& body : outcome.description.bodies) body.fixed = true;
+  EXPECT_THAT(validity_of(outcome), Not(any_of_name("uncalibrated")));
+}
+
 }  // namespace
 }  // namespace kerf::test::solid_validity_test
