@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "geometry/jitter.hpp"
+#include "geometry/lattice_angle.hpp"
+#include "geometry/plane_turn.hpp"
 #include "geometry/shapes.hpp"
 
 namespace kerf {
@@ -86,6 +88,7 @@ Box inner_box(const Box& box, double margin) {
   return inner;
 }
 
+// Returns the lattice of a body in its own axes.
 LatticeFrame make_frame(const Body& body, int dimension) {
   const Box box = bounding_box(body.shape, dimension);
   const bool centred = is_centred(body.shape);
@@ -159,9 +162,7 @@ bool visit_row(const Body& body, int dimension, const LatticeVisit& request,
   return true;
 }
 
-}  // namespace
-
-void visit_particles(const Body& body, int dimension, const LatticeVisit& request) {
+void visit_along_axes(const Body& body, int dimension, const LatticeVisit& request) {
   LatticeFrame frame = make_frame(body, dimension);
   const std::array<Axis*, 3> axes{&frame.x, &frame.y, &frame.z};
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
@@ -175,7 +176,25 @@ void visit_particles(const Body& body, int dimension, const LatticeVisit& reques
       if (!visit_row(body, dimension, request, frame, {j, k})) return;
 }
 
+}  // namespace
+
+void visit_particles(const Body& body, int dimension, const LatticeVisit& request) {
+  if (body.lattice_angle == 0.0) {
+    visit_along_axes(body, dimension, request);
+    return;
+  }
+  const PlaneTurn turn(body.lattice_angle);
+  LatticeVisit straight = request;
+  straight.window = box_around(request.window, PlaneTurn(-body.lattice_angle));
+  straight.visit = [&](const Point& node) {
+    const Point point = turn(node);
+    return !within(request.window, point, dimension) || request.visit(point);
+  };
+  visit_along_axes(along_lattice(body), dimension, straight);
+}
+
 std::vector<Point> fill(const Body& body, int dimension) {
+  const Body straight = along_lattice(body);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<Point> particles;
   LatticeVisit request;
@@ -185,8 +204,12 @@ std::vector<Point> fill(const Body& body, int dimension) {
     particles.push_back(point);
     return true;
   };
-  visit_particles(body, dimension, request);
-  jitter(body, dimension, particles);
+  visit_along_axes(straight, dimension, request);
+  jitter(straight, dimension, particles);
+  if (body.lattice_angle != 0.0) {
+    const PlaneTurn turn(body.lattice_angle);
+    for (Point& particle : particles) particle = turn(particle);
+  }
   return particles;
 }
 
@@ -202,7 +225,7 @@ double layer_distance(const Body& body, int axis, int dimension) {
 }
 
 double lattice_nodes(const Body& body, int dimension) {
-  const Box box = bounding_box(body.shape, dimension);
+  const Box box = bounding_box(along_lattice(body).shape, dimension);
   double volume = 1.0;
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
     volume *= (box.maximum[a] - box.minimum[a]) + body.spacing;
@@ -210,7 +233,7 @@ double lattice_nodes(const Body& body, int dimension) {
 }
 
 Box lattice_box(const Body& body, int dimension) {
-  const LatticeFrame frame = make_frame(body, dimension);
+  const LatticeFrame frame = make_frame(along_lattice(body), dimension);
   const std::array<const Axis*, 3> axes{&frame.x, &frame.y, &frame.z};
   Box box;
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {

@@ -8,6 +8,9 @@
 // about 0 are then symmetric to the last bit. A hexagonal lattice has its rows along x,
 // d sqrt(3)/2 apart, every other row shifted by d/2; in 3D it is hexagonal close-packed with layers
 // d sqrt(2/3) apart along z.
+//
+// All of this holds in the axes of the lattice, which are those of the case turned by
+// `lattice_angle` about z: "x" and "box" above are along those axes.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +36,7 @@ double layer_distance(const Body& body, int axis, int dimension);
 double lattice_nodes(const Body& body, int dimension);
 
 // Returns the box that the cells of an unshifted square lattice fill, including the nodes outside
-// the shape.
+// the shape, in the axes of the lattice.
 Box lattice_box(const Body& body, int dimension);
 
 // Calls `visit` for the nodes of particles inside `window`, in order, every `stride`-th node along

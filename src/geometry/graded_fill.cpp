@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "geometry/fill.hpp"
+#include "geometry/lattice_angle.hpp"
+#include "geometry/plane_turn.hpp"
 #include "geometry/shapes.hpp"
 
 namespace kerf {
@@ -54,7 +56,9 @@ struct Cell {
 class Tree {
  public:
   Tree(const Body& body, int dimension)
-      : body_(body),
+      : body_(along_lattice(body)),
+        grading_(body.grading),
+        turn_(body.lattice_angle),
         box_(lattice_box(body, dimension)),
         dimension_(dimension),
         axes_(static_cast<std::size_t>(dimension)) {
@@ -64,7 +68,7 @@ class Tree {
 
   std::vector<GradedParticle> fill() {
     Cell root;
-    root.level = body_.grading.levels;
+    root.level = grading_.levels;
     const long width = 1L << root.level;
     // The remainder of the division into coarsest cells is split between both ends, so that a
     // symmetric body has a symmetric layout if possible.
@@ -81,7 +85,7 @@ class Tree {
     while (split_steep_cells()) {
     }
     std::vector<GradedParticle> particles;
-    for (const Cell& cell : cells_) particles.push_back({cell.position, cell.level});
+    for (const Cell& cell : cells_) particles.push_back({turn_(cell.position), cell.level});
     return particles;
   }
 
@@ -108,8 +112,8 @@ class Tree {
   // The nearest point of the cell is decisive, so that neighbours differ by one level at most.
   bool is_far_enough(const Cell& cell, const Point& middle) const {
     const double half_diagonal = 0.5 * edge(cell) * std::sqrt(static_cast<double>(dimension_));
-    const double nearest = distance_from_finest(body_.grading, middle, dimension_) - half_diagonal;
-    return nearest >= body_.grading.width * cell.level;
+    const double distance = distance_from_finest(grading_, turn_(middle), dimension_);
+    return distance - half_diagonal >= grading_.width * cell.level;
   }
 
   // Calls `visit` for the particles that the uniform body has in the cell.
@@ -214,7 +218,9 @@ class Tree {
     return steep;
   }
 
-  const Body& body_;
+  Body body_;  // in the axes of its lattice, as all positions of cells
+  const Grading& grading_;
+  PlaneTurn turn_;  // from those axes to those of the case
   Box box_;
   int dimension_;
   std::size_t axes_;

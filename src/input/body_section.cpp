@@ -32,7 +32,8 @@ std::vector<Key> body_keys() {
       {"shape", table, "", "", any, {}, "", "The region that the body fills"},
       {"spacing", quantity, "m", "(that of the finest jet; without a jet it must be given)", positive, {}, "", "Distance of neighbouring particles, d", stored_in<&Body::spacing>},
       {"lattice", word, "", "square", any, lattice_words, "", "Initial lattice of the particles; square is cubic in 3D, hexagonal is close-packed in 3D", stored_in<&Body::lattice>},
-      {"offset", vector, "m", "0 m", any, {}, "", "Shift of the lattice, at most one spacing along each axis", stored_in<&Body::offset>},
+      {"lattice_angle", quantity, "rad", "(that of most faces of the body; 0 deg in the paper's formulation)", within(0.7853981633974484), {}, "", "Angle of the lattice to the axes, about z and counterclockwise; bodies that are joined, or included in one another, have one angle, bodies at a symmetry plane 0 deg", stored_in<&Body::lattice_angle>},
+      {"offset", vector, "m", "0 m", any, {}, "", "Shift of the lattice along its axes, at most one spacing along each", stored_in<&Body::offset>},
       {"grading", table, "", "(off: one spacing)", any, {}, "elastic+standard rigid+standard", "Resolution that decreases with the distance from a region; `spacing` is the finest. For a square lattice without offset"},
       {"jitter", number, "", "0", from_zero_to(0.3), {}, "elastic+standard water+standard", "Random displacement of particles from the lattice, in spacings, before the layout is relaxed; it removes preferred directions of cracks and flows", stored_in<&Body::jitter>},
       {"seed", integer, "", "1", {0, 2147483647}, {}, "elastic+standard water+standard", "Seed of the random numbers of this body", stored_in<&Body::seed>},
@@ -213,6 +214,7 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
   section.refuse_unknown();
   entry.has_repulsion = section.has("repulsion");
   entry.has_offset = section.has("offset");
+  entry.has_lattice_angle = section.has("lattice_angle");
   draft.bodies.push_back(std::move(entry));
 }
 
@@ -256,6 +258,7 @@ void read_bodies(Draft& draft, Section& top) {
 void write_body(TomlWriter& writer, const Case& description, const Body& body) {
   WrittenKeys others{{"shape", shape_text(writer, body.shape)}};
   if (body.role != Role::rigid) others["material"] = material_text(description, body.material);
+  if (body.lattice_follows_faces) others["lattice_angle"] = "";
   const Grading& grading = body.grading;
   if (grading.levels > 0) {
     WrittenKeys around;

@@ -29,6 +29,7 @@ struct BodyDraft {
   std::string inclusion_of;  // name of the body that contains this one; empty = none
   bool has_repulsion = false;
   bool has_offset = false;
+  bool has_lattice_angle = false;
 };
 
 struct JetDraft {
@@ -75,7 +76,8 @@ double finest_jet_spacing(const Draft& draft);
 // Returns the default end time of the run, s; 0 without a machine.
 double standard_end(const Draft& draft);
 void read_bodies(Draft& draft, Section& top);
-// Cuts the shapes of inclusions out of the bodies that contain them, and bonds them to these.
+// Turns the lattices along faces, cuts the shapes of inclusions out of the bodies that contain
+// them, and bonds them to these.
 void place_inclusions(Draft& draft);
 void read_loads(Draft& draft, Section& top);
 void read_jets(Draft& draft, Section& top);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Applies `inclusion_of`: it cuts the shape of the inclusion out of the body that contains it,
-// continues the lattice across the interface, and adds bonds. In the finished case these are
-// ordinary shapes, offsets and joined_to.
+// Turns lattices along the faces of their bodies, and applies `inclusion_of`: it cuts the shape of
+// the inclusion out of the body that contains it, continues the lattice across the interface, and
+// adds bonds. In the finished case these are ordinary shapes, offsets and joined_to.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "geometry/fill.hpp"
+#include "geometry/lattice_angle.hpp"
 #include "input/draft.hpp"
 #include "model/case.hpp"
 
@@ -48,13 +49,26 @@ void align(Body& body, const Body& around, int dimension) {
   constexpr double rounding = 1e-9;  // of a spacing
   const double d = body.spacing;
   if (std::abs(around.spacing - d) > rounding * d || body.lattice != Lattice::square ||
-      around.lattice != Lattice::square || body.grading.levels > 0)
+      around.lattice != Lattice::square || body.grading.levels > 0 ||
+      body.lattice_angle != around.lattice_angle)
     return;
   const Box own = lattice_box(body, dimension), other = lattice_box(around, dimension);
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
     const double shift = std::remainder(other.minimum[a] + around.offset[a] - own.minimum[a], d);
     body.offset[a] = std::abs(shift) > rounding * d ? shift : 0.0;
   }
+}
+
+// Turns the lattices of the bodies that have no angle of their own; those of the paper's
+// formulation are along the axes.
+void orient(Draft& draft) {
+  if (draft.result.formulation != Formulation::standard) return;
+  std::vector<Body*> bodies;
+  for (BodyDraft& entry : draft.bodies) {
+    entry.body.lattice_follows_faces = !entry.has_lattice_angle;
+    bodies.push_back(&entry.body);
+  }
+  orient_lattices(bodies, {draft.result.symmetry, draft.result.domain}, draft.reading.dimension);
 }
 
 }  // namespace
@@ -69,6 +83,10 @@ void place_inclusions(Draft& draft) {
          "bodies of which one contains the other", "Remove the key from the outermost body"});
     return;
   }
+  for (BodyDraft& entry : draft.bodies)
+    if (!entry.inclusion_of.empty() && entry.body.role == Role::elastic)
+      entry.body.joined_to = entry.inclusion_of;
+  orient(draft);
   // The outer bodies come first, since each inclusion takes its lattice from the body around it.
   for (std::size_t depth = 1; depth < draft.bodies.size(); ++depth)
     for (std::size_t b = 0; b < draft.bodies.size(); ++b) {
@@ -76,8 +94,11 @@ void place_inclusions(Draft& draft) {
       if (entry.inclusion_of.empty() || depth_of(draft, entry) != depth) continue;
       BodyDraft& around = *body_around(draft, entry);
       cut_out(around.body.shape, written[b]);
+      if (entry.body.role == Role::water && entry.body.lattice_follows_faces) {
+        entry.body.lattice_follows_faces = false;
+        entry.body.lattice_angle = around.body.lattice_angle;
+      }
       if (!entry.has_offset) align(entry.body, around.body, draft.reading.dimension);
-      if (entry.body.role == Role::elastic) entry.body.joined_to = around.body.name;
     }
 }
 

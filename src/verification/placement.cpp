@@ -8,6 +8,8 @@
 #include <numbers>
 #include <regex>
 
+#include "geometry/lattice_angle.hpp"
+#include "geometry/plane_turn.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -18,21 +20,9 @@ Point moved_by(const Point& x, const Point& shift) {
   return {x[0] + shift[0], x[1] + shift[1], x[2] + shift[2]};
 }
 
-// The map of vectors and points from the case as written to the run, about the origin.
-struct Turn {
-  double c = 1.0, s = 0.0, side = 1.0;
-
-  explicit Turn(const Placement& placement)
-      : c(std::cos(placement.angle)),
-        s(std::sin(placement.angle)),
-        side(placement.mirrored ? -1.0 : 1.0) {}
-  Point operator()(const Point& v) const {
-    return {c * side * v[0] - s * v[1], s * side * v[0] + c * v[1], v[2]};
-  }
-  Point back(const Point& v) const {
-    return {side * (c * v[0] + s * v[1]), -s * v[0] + c * v[1], v[2]};
-  }
-};
+PlaneTurn turn_of(const Placement& placement) {
+  return PlaneTurn(placement.angle, placement.mirrored);
+}
 
 Point jet_direction(const Jet& jet) {
   return {std::sin(jet.angle) * std::cos(jet.azimuth), -std::cos(jet.angle),
@@ -54,49 +44,14 @@ Point shift_of(const Case& written, const Placement& placement) {
   return {by * across[0], by * across[1], 0.0};
 }
 
-std::vector<std::array<double, 2>> corners_of(const Box& box) {
-  return {{box.minimum[0], box.minimum[1]},
-          {box.maximum[0], box.minimum[1]},
-          {box.maximum[0], box.maximum[1]},
-          {box.minimum[0], box.maximum[1]}};
-}
-
-void turn_corners(std::vector<std::array<double, 2>>& corners, const Turn& turn) {
-  for (auto& corner : corners) {
-    const Point at = turn({corner[0], corner[1], 0.0});
-    corner = {at[0], at[1]};
-  }
-}
-
-// A turned box is a polygon, in 3D an extruded one; a mirrored one is a box.
-Shape turned(Shape shape, const Turn& turn) {
-  if (shape.kind == Shape::Kind::box && turn.s != 0.0) {
-    shape.kind = Shape::Kind::polygon;
-    shape.vertices = corners_of(shape.box);
-    shape.depth_minimum = shape.box.minimum[2];
-    shape.depth_maximum = shape.box.maximum[2];
-  } else if (shape.kind == Shape::Kind::box) {
-    const Point a = turn(shape.box.minimum), b = turn(shape.box.maximum);
-    for (std::size_t k = 0; k < 3; ++k) {
-      shape.box.minimum[k] = std::min(a[k], b[k]);
-      shape.box.maximum[k] = std::max(a[k], b[k]);
-    }
-  }
-  turn_corners(shape.vertices, turn);
-  shape.centre = turn(shape.centre);
-  shape.axis = turn(shape.axis);
-  for (Shape& part : shape.parts) part = turned(part, turn);
-  return shape;
-}
-
 // Returns the components of a vector in the run, each a formula of the components as written.
-std::array<std::string, 3> turned(const std::array<std::string, 3>& v, const Turn& turn) {
+std::array<std::string, 3> turned(const std::array<std::string, 3>& v, const PlaneTurn& turn) {
   return {fmt::format("{:.17g}*({})-({:.17g})*({})", turn.c * turn.side, v[0], turn.s, v[1]),
           fmt::format("{:.17g}*({})+({:.17g})*({})", turn.s * turn.side, v[0], turn.c, v[1]), v[2]};
 }
 
 // Writes x and y of the case as written in terms of those of the run.
-std::string in_coordinates_of_run(const std::string& formula, const Turn& turn) {
+std::string in_coordinates_of_run(const std::string& formula, const PlaneTurn& turn) {
   const std::string x =
       fmt::format("({:.17g}*(x_run)+({:.17g})*(y_run))", turn.side * turn.c, turn.side * turn.s);
   const std::string y = fmt::format("({:.17g}*(x_run)+({:.17g})*(y_run))", -turn.s, turn.c);
@@ -106,11 +61,11 @@ std::string in_coordinates_of_run(const std::string& formula, const Turn& turn) 
   return std::regex_replace(result, std::regex("\\by_run\\b"), "y");
 }
 
-void mirror_sides(Faces& faces, const Turn& turn) {
+void mirror_sides(Faces& faces, const PlaneTurn& turn) {
   if (turn.side < 0.0) std::swap(faces.minimum[0], faces.maximum[0]);
 }
 
-void place(Body& body, const Turn& turn) {
+void place(Body& body, const PlaneTurn& turn) {
   body.shape = turned(body.shape, turn);
   if (body.grading.around) body.grading.around = turned(*body.grading.around, turn);
   for (auto& line : body.grading.lines) {
@@ -122,6 +77,7 @@ void place(Body& body, const Turn& turn) {
   if (!body.displacement[0].empty()) body.displacement = turned(body.displacement, turn);
   mirror_sides(body.absorbing, turn);
   body.offset[0] *= turn.side;
+  body.lattice_angle *= turn.side;
   if (turn.side > 0.0) return;
   if (body.repelling_layer == RepellingLayer::left)
     body.repelling_layer = RepellingLayer::right;
@@ -129,14 +85,14 @@ void place(Body& body, const Turn& turn) {
     body.repelling_layer = RepellingLayer::left;
 }
 
-void place(Load& load, const Turn& turn) {
+void place(Load& load, const PlaneTurn& turn) {
   if (load.region) load.region = turned(*load.region, turn);
   load.traction = turn(load.traction);
   load.acceleration = turn(load.acceleration);
 }
 
 // Contains the turned domain and the nozzles, of which `reach` is the half of the largest width.
-Box turned_domain(const Case& description, const Box& written, const Turn& turn) {
+Box turned_domain(const Case& description, const Box& written, const PlaneTurn& turn) {
   auto corners = corners_of(written);
   turn_corners(corners, turn);
   Box box = written;
@@ -160,7 +116,7 @@ Box turned_domain(const Case& description, const Box& written, const Turn& turn)
 
 Case placed(Case description, const Placement& placement) {
   if (placement.is_as_written()) return description;
-  const Turn turn(placement);
+  const PlaneTurn turn = turn_of(placement);
   const Point shift = shift_of(description, placement);
   const Box domain = description.domain;
   const double delay = PlacementInverse(description, placement).delay();
@@ -179,11 +135,16 @@ Case placed(Case description, const Placement& placement) {
     probe.position = turn(moved_by(probe.position, shift));
     probe.normal = turn(probe.normal);
   }
-  for (Body& body : description.bodies) place(body, turn);
+  std::vector<Body*> bodies;
+  for (Body& body : description.bodies) {
+    place(body, turn);
+    bodies.push_back(&body);
+  }
   for (Load& load : description.loads) place(load, turn);
   description.gravity = turn(description.gravity);
   mirror_sides(description.symmetry, turn);
   description.domain = turned_domain(description, domain, turn);
+  orient_lattices(bodies, {description.symmetry, description.domain}, description.dimension);
   if (delay > 0.0) description.time.end += delay;
   return description;
 }
@@ -201,7 +162,7 @@ PlacementInverse::PlacementInverse(const Case& written, const Placement& placeme
 }
 
 std::array<double, 3> PlacementInverse::vector(const std::array<double, 3>& v) const {
-  return Turn(placement_).back(v);
+  return turn_of(placement_).back(v);
 }
 
 Frame PlacementInverse::frame(Frame frame) const {

@@ -18,7 +18,7 @@ struct Case;
 // A point x of the case lies at R(angle) M (x + moved d across) of the run, where M mirrors x and d
 // is the spacing of the first jet, by which `across` (at right angles to the jet) is scaled.
 struct Placement {
-  double angle = 0.0;     // rad, about z, counterclockwise; lattices are not turned with the shapes
+  double angle = 0.0;  // rad, about z, counterclockwise; lattices turn only where they follow faces
   bool mirrored = false;  // x becomes -x before the turn
   double moved = 0.0;     // spacings of the first jet, by which jets and probes move across the jet
   double standoff = 1.0;  // factor of the standoff of jets; at least 1

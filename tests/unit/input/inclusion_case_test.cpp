@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 #include "core/error.hpp"
@@ -74,6 +75,31 @@ TEST(InclusionOf, EveryLatticeNodeHasOneParticle) {
   for (const auto& [place, count] : found) EXPECT_EQ(count, 1);
   EXPECT_EQ(read.bodies[1].joined_to, "square");
   EXPECT_EQ(read.bodies[2].joined_to, "");  // water has no bonds
+  EXPECT_EQ(parse_case(write_used(read), "case.used.toml"), read) << write_used(read);
+}
+
+// The lattice of a square that is turned by 20 degrees goes on in its inclusions.
+TEST(InclusionOf, ATurnedLatticeGoesOnInTheInclusions) {
+  const std::string turned =
+      R"(type = "polygon", vertices = [["-5.9767 mm", "-12.8171 mm"], ["12.8171 mm", "-5.9767 mm"],)"
+      R"( ["5.9767 mm", "12.8171 mm"], ["-12.8171 mm", "5.9767 mm"]])";
+  const std::string slot =
+      R"(type = "box", minimum = ["-4 mm", "-1 mm"], maximum = ["4 mm", "1 mm"])";
+  const Case read =
+      parse_case(head + body("square", turned) + body("disc", disc, "inclusion_of = \"square\"") +
+                     body("slot", slot, "inclusion_of = \"disc\"", "water"),
+                 "case.toml");
+  std::map<Cell, int> found;
+  const double c = std::cos(0.3490658503988659), s = std::sin(0.3490658503988659);
+  for (const Body& one : read.bodies)
+    for (const Point& x : fill(one, 2)) {
+      const Point back{c * x[0] + s * x[1], -s * x[0] + c * x[1], 0.0};
+      ++found[cell_of(back)];
+      EXPECT_NEAR(back[0] / 1e-3 - 0.5, std::round(back[0] / 1e-3 - 0.5), 1e-3);
+      EXPECT_NEAR(back[1] / 1e-3 - 0.5, std::round(back[1] / 1e-3 - 0.5), 1e-3);
+    }
+  EXPECT_EQ(found.size(), 400u);
+  for (const auto& [place, count] : found) EXPECT_EQ(count, 1);
   EXPECT_EQ(parse_case(write_used(read), "case.used.toml"), read) << write_used(read);
 }
 
