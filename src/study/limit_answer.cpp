@@ -38,10 +38,27 @@ std::string interval_text(const LimitPlan& plan, double value, const Bracket& in
                      shown(plan, interval.high));
 }
 
+// Returns whether the condition is that the jet cuts, also all along its path.
+bool is_cut(const LimitPlan& plan) {
+  const std::string& metric = goal_of(plan).condition.metric;
+  return metric == "cut_through" || metric == "kerf.through_share";
+}
+
 std::string verb(const LimitPlan& plan, bool holds) {
-  const Condition& condition = goal_of(plan).condition;
-  if (condition.metric == "cut_through") return holds ? "cuts through" : "does not cut through";
-  return fmt::format("{} {}", condition.text(), holds ? "holds" : "does not hold");
+  if (is_cut(plan)) return holds ? "The jet cuts" : "The jet does not cut";
+  return fmt::format("{} {}", goal_of(plan).condition.text(), holds ? "holds" : "does not hold");
+}
+
+// Returns "Greatest feed that still cuts (kerf.through_share >= 0.95)".
+std::string question_of(const LimitPlan& plan) {
+  const ThresholdGoal& goal = goal_of(plan);
+  const std::string subject =
+      fmt::format("{} {}", goal.least ? "Least" : "Greatest", plan.quantity);
+  if (!is_cut(plan)) return fmt::format("{} with {}", subject, goal.condition.text());
+  const std::string detail = goal.condition.metric == "cut_through"
+                                 ? std::string()
+                                 : fmt::format(" ({})", goal.condition.text());
+  return fmt::format("{} that still cuts{}", subject, detail);
 }
 
 // Describes a range in which all runs have the same verdict.
@@ -55,8 +72,8 @@ std::string without_limit(const LimitPlan& plan, bool holds) {
                                                : fmt::format("1/{:.3g} of", plan.stated / end),
                                       shown(plan, plan.stated))
                         : std::string();
-  return fmt::format("none. {} at every {} {} {}{}. {}", verb(plan, holds), plan.quantity,
-                     is_upper ? "up to" : "down to", shown(plan, end), far,
+  return fmt::format("none in the range. {} at every {} {} {}{}. {}", verb(plan, holds),
+                     plan.quantity, is_upper ? "up to" : "down to", shown(plan, end), far,
                      is_upper ? "Raise --to to search further" : "Lower --from to search further");
 }
 
@@ -116,7 +133,7 @@ Json trial_json(const LimitPlan& plan, const RunRow& row) {
                                   {"cut_through_time", "cut_through_time"},
                                   {"depth", "kerf.depth"},
                                   {"width", "kerf.middle.width"},
-                                  {"end", "time"}})
+                                  {"end_time", "end_time"}})
     json[key] = number_or_null(metric(row, name));
   const std::string report = report_of(row);
   json["report"] = report.empty() ? Json(nullptr) : Json(report);
@@ -162,11 +179,8 @@ int rounds_left(const Bracket& bracket, double tolerance, int side_by_side) {
 }
 
 LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer) {
-  const ThresholdGoal& goal = goal_of(plan);
   LimitWords words;
-  const bool is_plain = goal.condition.metric == "cut_through";
-  words.question = fmt::format("{} {} {}", goal.least ? "Least" : "Greatest", plan.quantity,
-                               is_plain ? "that still cuts" : "with " + goal.condition.text());
+  words.question = question_of(plan);
   if (!answer.threshold || !answer.threshold->problem.empty()) {
     const auto so_far = bracket_of(plan, answer.runs, {{}, 0, plan.study.refinement});
     if (answer.threshold && answer.threshold->holds_everywhere)
@@ -188,6 +202,14 @@ LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer) {
   return words;
 }
 
+std::string trial_verdict(const LimitPlan& plan, const RunRow& row) {
+  if (row.state != RunState::done)
+    return std::string(run_state_words[static_cast<std::size_t>(row.state)]);
+  const bool holds = goal_of(plan).condition.holds(row.metrics);
+  if (is_cut(plan)) return holds ? "cuts" : "does not cut";
+  return holds ? "holds" : "does not hold";
+}
+
 std::string trial_heading(const LimitPlan& plan) {
   return fmt::format("  {:>3}  {:<14}  {:<14}  {:>8}  {:>9}  {:>10}  {:>6}", "run", plan.quantity,
                      "verdict", "margin", "depth/mm", "spacing/mm", "layout");
@@ -198,10 +220,7 @@ std::string trial_line(const LimitPlan& plan, std::size_t number, const RunRow& 
   const double depth = 1e3 * metric(row, "kerf.depth");
   return fmt::format(
       "  {:>3}  {:<14}  {:<14}  {:>8}  {:>9}  {:>10.4g}  {:>6}", number,
-      shown(plan, value_of(plan, row)),
-      !is_done                                     ? "failed"
-      : goal_of(plan).condition.holds(row.metrics) ? "cuts"
-                                                   : "does not cut",
+      shown(plan, value_of(plan, row)), trial_verdict(plan, row),
       is_done ? fmt::format("{:+.1f}%", 100.0 * goal_of(plan).condition.margin(row.metrics)) : "-",
       std::isfinite(depth) ? fmt::format("{:.4g}", depth) : "-", 1e3 * row.spacing,
       row.trial.repeat);

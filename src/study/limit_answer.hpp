@@ -43,6 +43,10 @@ struct LimitWords {
 };
 LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer);
 
+// Returns whether a completed run cuts, in the words of the tables: "cuts" or "does not cut", of
+// another condition "holds" or "does not hold"; "failed" of a failed run.
+std::string trial_verdict(const LimitPlan& plan, const RunRow& row);
+
 // Returns the heading of the table of trials and one line of it, of equal widths.
 std::string trial_heading(const LimitPlan& plan);
 std::string trial_line(const LimitPlan& plan, std::size_t number, const RunRow& row);

@@ -19,12 +19,6 @@ const Axis& axis_of(const LimitPlan& plan) {
   return plan.study.threshold->axis;
 }
 
-std::string word_of_trial(const LimitPlan& plan, const RunRow& row) {
-  if (row.state != RunState::done)
-    return std::string(verdict_words[static_cast<std::size_t>(verdict_of(row))]);
-  return plan.study.threshold->condition.holds(row.metrics) ? "cuts" : "does not cut";
-}
-
 // Draws one number of the trials over the quantity; the interval of the limit is shaded.
 template <class NumberOf>
 std::string plot_of(const LimitPlan& plan, const LimitAnswer& answer, const PlotAxis& upward,
@@ -44,7 +38,7 @@ std::string plot_of(const LimitPlan& plan, const LimitAnswer& answer, const Plot
     const bool holds = plan.study.threshold->condition.holds(row.metrics);
     const double at = row.trial.setting.numbers.at(axis.name());
     plot.points.push_back({at / unit, value, holds ? Mark::filled : Mark::hollow,
-                           fmt::format("{}: {}", show_number(at, axis), word_of_trial(plan, row)),
+                           fmt::format("{}: {}", show_number(at, axis), trial_verdict(plan, row)),
                            report_of(row)});
   }
   return plot.points.empty() ? "" : draw_plot(plot);
@@ -67,7 +61,7 @@ std::string table_of(const LimitPlan& plan, const LimitAnswer& answer) {
     text += fmt::format(
         "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
         "<td>{}</td></tr>\n",
-        word_of_trial(plan, row), html::escape(shown_value(row.trial.setting, axis_of(plan))),
+        trial_verdict(plan, row), html::escape(shown_value(row.trial.setting, axis_of(plan))),
         is_done ? html::percent(plan.study.threshold->condition.margin(row.metrics)) : "–",
         depth ? html::quantity(*depth, "m") : "–", html::quantity(row.spacing, "m"),
         row.trial.repeat,

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program `kerf limit`, also when it is killed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "faults/program.hpp"
+#include "small_study.hpp"
+#include "study/study_database.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace kerf {
+namespace {
+
+using test::Ending;
+using test::Program;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class LimitProgram : public testing::Test {
+ protected:
+  LimitProgram() { write_file(folder_ / "small.toml", test::small_study_case); }
+  std::vector<std::string> arguments(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{
+        "limit", (folder_ / "small.toml").string(), "--out", out().string(), "--jobs", "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  Ending limit(const std::vector<std::string>& more) const {
+    return Program(arguments(more), folder_ / "output.txt").wait();
+  }
+  std::filesystem::path out() const { return folder_ / "out"; }
+  nlohmann::json answer() const { return nlohmann::json::parse(read_file(out() / "limit.json")); }
+  std::vector<RunRow> rows() const {
+    return std::filesystem::exists(out() / "study.db") ? StudyDatabase(out() / "study.db").runs()
+                                                       : std::vector<RunRow>();
+  }
+  std::size_t done() const {
+    const auto all = rows();
+    return static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(), [](const RunRow& row) { return row.state == RunState::done; }));
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(LimitProgram, FindsTheLeastSpeedOfAnOrdinaryCase) {
+  const Ending ending = limit({"--of", "jet_speed"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  EXPECT_THAT(ending.output,
+              AllOf(HasSubstr("verdict"), HasSubstr("more round"),
+                    HasSubstr("Least jet_speed that still cuts"), HasSubstr("limit.html")));
+  const auto json = answer();
+  ASSERT_EQ(json.at("problem"), "") << ending.output;
+  EXPECT_EQ(json.at("within_tolerance"), true);
+  for (const auto& trial : json.at("trials")) {
+    const double speed = trial.at("value");
+    EXPECT_EQ(trial.at("holds"), trial.at("margin").get<double>() >= 0.0);
+    EXPECT_TRUE(trial.at("holds") == true ? speed >= json.at("bracket").at("high").get<double>()
+                                          : speed <= json.at("bracket").at("low").get<double>());
+    EXPECT_TRUE(std::filesystem::exists(out() / trial.at("report").get<std::string>()));
+  }
+  EXPECT_THAT(read_file(out() / "limit.html"), HasSubstr("<svg"));
+}
+
+TEST_F(LimitProgram, ContinuesAfterAKillWithoutRepeatedRuns) {
+  Program first(arguments({"--of", "jet_speed"}), folder_ / "output.txt");
+  ASSERT_TRUE(test::wait_for([&] { return done() >= 2; }));
+  ASSERT_EQ(first.end(SIGKILL).signal, SIGKILL) << "it ended before it was killed";
+  ASSERT_EQ(limit({"--of", "jet_speed"}).exit_code, 0);
+  const std::size_t runs = rows().size();
+  for (const RunRow& row : rows()) EXPECT_LE(row.attempts, 2);
+  ASSERT_EQ(limit({"--of", "jet_speed"}).exit_code, 0);
+  EXPECT_EQ(rows().size(), runs);
+  EXPECT_EQ(answer().at("runs"), runs);
+}
+
+TEST_F(LimitProgram, SaysThatItIsStoppedAndHowToContinue) {
+  Program first(arguments({"--of", "jet_speed"}), folder_ / "output.txt");
+  ASSERT_TRUE(test::wait_for([&] { return done() >= 2; }));
+  const Ending ending = first.end(SIGINT);
+  EXPECT_EQ(ending.exit_code, 130);
+  EXPECT_THAT(ending.output, AllOf(HasSubstr("not found yet"), HasSubstr("same command again")));
+  EXPECT_EQ(answer().at("trials").at(0).at("state"), "done");
+}
+
+TEST_F(LimitProgram, SaysThatTheJetCutsAtEverySpeedOfTheRange) {
+  const Ending ending = limit({"--of", "jet_speed", "--from", "9 m/s", "--to", "20 m/s"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  EXPECT_THAT(ending.output, HasSubstr("The jet cuts at every jet_speed down to 9 m/s"));
+  EXPECT_EQ(answer().at("holds_everywhere"), true);
+  EXPECT_TRUE(answer().at("value").is_null());
+}
+
+TEST_F(LimitProgram, RefusesAQuantityThatTheCaseDoesNotHave) {
+  const Ending ending = limit({"--of", "pressure"});
+  EXPECT_EQ(ending.exit_code, 1);
+  EXPECT_THAT(ending.output, HasSubstr("a case with a [[jet]] has no such limit"));
+  EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
+}  // namespace
+}  // namespace kerf
