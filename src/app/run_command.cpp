@@ -5,6 +5,7 @@
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
+#include "app/converge.hpp"
 #include "app/run_loop.hpp"
 #include "core/error.hpp"
 #include "input/read.hpp"
@@ -22,6 +23,8 @@ struct RunOptions {
   bool resume = false;
   bool force = false;
   bool quiet = false;
+  bool converge = false;
+  int layouts = 3;
 };
 
 // Returns a path quoted for a shell.
@@ -70,13 +73,31 @@ void print_output_paths(const RunLoopSettings& settings) {
   fmt::print("  numbers    {0}/result.json, {0}/series.csv\n", folder);
 }
 
+ConvergeSettings converge_settings_of(const RunOptions& options, const RunLoopSettings& run) {
+  ConvergeSettings settings;
+  settings.case_file = options.case_file;
+  settings.folder = run.folder;
+  settings.layouts = options.layouts;
+  settings.resume_command = run.resume_command;
+  settings.executor.cores = run.threads;
+  settings.executor.device = options.machine.device;
+  settings.executor.quiet = options.quiet;
+  return settings;
+}
+
+// The exit code is 128 plus the number of the signal, as in a shell.
+void leave_if_stopped(int signal) {
+  if (signal != 0) throw CLI::RuntimeError(128 + signal);
+}
+
 void run(const RunOptions& options) {
   take_machine(options.machine);
   const RunLoopSettings settings = settings_of(options);
-  const RunEnd end = RunLoop(settings, make_simulation).run();
-  // The exit code is 128 plus the number of the signal, as in a shell.
-  if (end.signal != 0) throw CLI::RuntimeError(128 + end.signal);
+  const ConvergeSettings further = converge_settings_of(options, settings);
+  if (options.converge) check_convergence(settings.description, further);
+  leave_if_stopped(RunLoop(settings, make_simulation).run().signal);
   print_output_paths(settings);
+  if (options.converge) leave_if_stopped(converge(settings.description, further));
 }
 
 }  // namespace
@@ -91,6 +112,14 @@ void add_run_command(CLI::App& program) {
       command->add_flag("--resume", options->resume, "continue from the last checkpoint");
   command->add_flag("--force", options->force, "replace the run in the folder")->excludes(resume);
   command->add_flag("--quiet", options->quiet, "show the result only");
+  CLI::Option* converges = command->add_flag(
+      "--converge", options->converge,
+      "also run the case at two coarser spacings and in other layouts, and give each headline "
+      "number its interval");
+  command->add_option("--layouts", options->layouts, "layouts of the particles with --converge")
+      ->needs(converges)
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   command->callback([options] { run(*options); });
 }
 
