@@ -9,8 +9,9 @@ const MetricList<MetricInterval>& MetricInterval::metrics() {
       {"metric", "1", "metric", "Key of the metric in this file.", &M::metric},
       {"unit", "1", "unit", "SI unit of the numbers of this record.", &M::unit},
       {"value", "1", "value", "The metric of this run.", &M::value},
-      {"low", "1", "lower end", "Lower end of the interval.", &M::low},
-      {"high", "1", "upper end", "Upper end of the interval.", &M::high},
+      {"low", "1", "lower end",
+       "Lower end of the interval; null where no coarser run has the metric.", &M::low},
+      {"high", "1", "upper end", "Upper end of the interval, likewise.", &M::high},
       {"spacing", "1", "part of the spacing",
        "Distance from the value to an end of the interval that the spacing causes.", &M::spacing},
       {"layout", "1", "part of the layout",
@@ -19,8 +20,8 @@ const MetricList<MetricInterval>& MetricInterval::metrics() {
       {"order", "1", "observed order",
        "Observed order of convergence in the spacing, where the runs show one.", &M::order},
       {"rule", "1", "rule",
-       "How the part of the spacing was found: `grid convergence`, `two spacings`, `range` or "
-       "`constant` (docs/limits.md).",
+       "How the part of the spacing was found: `grid convergence`, `two spacings`, `range`, "
+       "`constant` or `unknown` (docs/limits.md).",
        &M::rule},
       {"runs", "1", "runs", "Number of runs that have the metric.", &M::runs}};
   return list;

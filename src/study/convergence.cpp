@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "model/case.hpp"
 #include "output/result_metrics.hpp"
-#include "report/html.hpp"
 
 namespace kerf {
 
@@ -19,6 +17,8 @@ constexpr const char* headline_metrics[] = {
     "cut_through",       "cut_through_time",    "front_depth",       "kerf.depth",
     "kerf.middle.width", "kerf.removed_volume", "kerf.removal_rate", "kerf.margin"};
 
+constexpr double usual_safety = 1.25, cautious_safety = 3.0;
+
 SpacingEffect range_of(std::span<const double> values) {
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
   SpacingEffect effect{values[0] - *least, *greatest - values[0]};
@@ -27,9 +27,10 @@ SpacingEffect range_of(std::span<const double> values) {
 }
 
 SpacingEffect grid_convergence(double change, double order, double ratio) {
-  constexpr double least_order = 0.5, greatest_order = 2.0, usual = 1.25, cautious = 3.0;
-  const double safety = order < least_order ? cautious : usual;
-  const double used = std::clamp(order, least_order, greatest_order);
+  constexpr double least_order = 0.5, greatest_order = 2.0, slack = 1.1;
+  const bool is_plausible = order >= least_order && order <= slack * greatest_order;
+  const double safety = is_plausible ? usual_safety : cautious_safety;
+  const double used = std::clamp(order, least_order, is_plausible ? greatest_order : 1.0);
   const double index = safety * std::abs(change) / (std::pow(ratio, used) - 1.0);
   return {index, index, order, SpacingRule::grid_convergence};
 }
@@ -79,7 +80,16 @@ Samples samples_of(const std::string& name, const Outcome& run, const OtherRuns&
 }
 
 std::string in_unit(double value, const std::string& unit) {
-  return unit == "1" ? fmt::format("{:.3g}", value) : html::quantity(value, unit, 3);
+  if (unit == "m" || unit == "s") return fmt::format("{:.3g} m{}", 1e3 * value, unit);
+  return unit == "1" ? fmt::format("{:.3g}", value) : fmt::format("{:.3g} {}", value, unit);
+}
+
+std::string verdict_line(const MetricInterval& interval) {
+  if (interval.low == interval.high)
+    return fmt::format("{:<20} {} in all {} runs", interval.metric,
+                       interval.value > 0.5 ? "yes" : "no", interval.runs);
+  return fmt::format("{:<20} {}, but the {} runs differ: the verdict is uncertain", interval.metric,
+                     interval.value > 0.5 ? "yes" : "no", interval.runs);
 }
 
 MetricInterval interval_of(const std::string& name, const Samples& samples, double ratio) {
@@ -95,7 +105,7 @@ MetricInterval interval_of(const std::string& name, const Samples& samples, doub
   interval.low = interval.value - std::hypot(spacing.below, layout.below);
   interval.high = interval.value + std::hypot(spacing.above, layout.above);
   // All headline numbers but the margin are amounts.
-  if (name != "kerf.margin") interval.low = std::max(0.0, interval.low);
+  if (name != "kerf.margin" && interval.low < 0.0) interval.low = 0.0;
   if (name == "cut_through") interval.high = std::min(1.0, interval.high);
   interval.spacing = std::max(spacing.below, spacing.above);
   interval.layout = std::max(layout.below, layout.above);
@@ -108,19 +118,28 @@ MetricInterval interval_of(const std::string& name, const Samples& samples, doub
 
 SpacingEffect effect_of_spacing(std::span<const double> values, double ratio) {
   values = values.first(std::min<std::size_t>(values.size(), 3));
+  if (values.size() < 2) {
+    const double none = std::nan("");
+    return {none, none, none, SpacingRule::unknown};
+  }
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
   const double scale = std::max(std::abs(*least), std::abs(*greatest));
   if (*greatest - *least <= 1e-12 * scale) return {};
   if (values.size() == 2) {
-    constexpr double cautious = 3.0;
-    const double index = cautious * std::abs(values[1] - values[0]) / (ratio - 1.0);
+    const double index = cautious_safety * std::abs(values[1] - values[0]) / (ratio - 1.0);
     SpacingEffect effect{index, index};
     effect.rule = SpacingRule::two_spacings;
     return effect;
   }
   const double near = values[1] - values[0], far = values[2] - values[1];
   const bool converges = far != 0.0 && near / far > 0.0 && near / far < 1.0;
-  if (!converges) return range_of(values);
+  if (!converges) {
+    // Such a sequence does not tell on which side of its last value the answer lies.
+    const double width = *greatest - *least;
+    SpacingEffect effect{width, width};
+    effect.rule = SpacingRule::range;
+    return effect;
+  }
   return grid_convergence(near, std::log(far / near) / std::log(ratio), ratio);
 }
 
@@ -150,7 +169,11 @@ std::vector<MetricInterval> find_intervals(const Outcome& run, const std::vector
 }
 
 std::string interval_line(const MetricInterval& interval) {
+  if (interval.metric == "cut_through") return verdict_line(interval);
   const auto shown = [&](double value) { return in_unit(value, interval.unit); };
+  if (std::isnan(interval.low))
+    return fmt::format("{:<20} {}, no interval: no coarser run has this number", interval.metric,
+                       shown(interval.value));
   const double spacing = interval.spacing * interval.spacing;
   const double all = spacing + interval.layout * interval.layout;
   const std::string parts = all > 0.0

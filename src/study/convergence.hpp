@@ -16,9 +16,9 @@ namespace kerf {
 
 struct Case;
 
-enum class SpacingRule { grid_convergence, two_spacings, range, constant };
-inline constexpr std::array<std::string_view, 4> spacing_rules{"grid convergence", "two spacings",
-                                                               "range", "constant"};
+enum class SpacingRule { grid_convergence, two_spacings, range, constant, unknown };
+inline constexpr std::array<std::string_view, 5> spacing_rules{"grid convergence", "two spacings",
+                                                               "range", "constant", "unknown"};
 
 // What the spacing leaves open: distances from the value at the finest spacing, at least 0.
 struct SpacingEffect {
@@ -31,11 +31,13 @@ struct SpacingEffect {
 // first three count. With e_21 = f_2 - f_1 and e_32 = f_3 - f_2:
 // - Three values with 0 < e_21 / e_32 < 1 converge with the observed order
 //   p = ln(e_32 / e_21) / ln r. The effect is the grid convergence index
-//   F |e_21| / (r^p - 1) to both sides, with F = 1.25 and p at most 2; below p = 0.5 the runs do
-//   not show an order, and F = 3 with p = 0.5 (Roache, J. Fluids Eng. 116 (1994) 405; Celik et al.,
-//   J. Fluids Eng. 130 (2008) 078001; ASME V&V 20-2009, section 2).
+//   F |e_21| / (r^p - 1) to both sides, with F = 1.25 for p from 0.5 to 2.2, used up to 2 (Roache,
+//   J. Fluids Eng. 116 (1994) 405; ASME V&V 20-2009, section 2). An order outside that range is
+//   accidental; then F = 3, with p = 0.5 below and p = 1 above (after Oberkampf & Roy 2010,
+//   section 8.7).
 // - Two values: F = 3 with p = 1 (Roache 1994).
-// - Other sequences do not converge, and the effect is the range of the values.
+// - Other sequences do not converge. The effect is the width of their range, to both sides.
+// - One value says nothing, and the effect is not a number.
 SpacingEffect effect_of_spacing(std::span<const double> values, double ratio);
 
 // Returns the runs that show the effects, the cheapest first: the case at two coarser spacings, and

@@ -101,5 +101,40 @@ TEST_F(LimitProgram, RefusesAQuantityThatTheCaseDoesNotHave) {
   EXPECT_FALSE(std::filesystem::exists(out()));
 }
 
+TEST_F(LimitProgram, ConvergeGivesEachHeadlineNumberAnInterval) {
+  const std::vector<std::string> words{"run", (folder_ / "small.toml").string(), "--out",
+                                       out().string(), "--converge"};
+  const Ending first = Program(words, folder_ / "output.txt").wait();
+  ASSERT_EQ(first.exit_code, 0) << first.output;
+  EXPECT_THAT(first.output, AllOf(HasSubstr("4 of 4 runs"), HasSubstr("front_depth")));
+  const std::string result = read_file(out() / "result.json");
+  const auto json = nlohmann::json::parse(result);
+  ASSERT_GE(json.at("intervals").size(), 4u);
+  for (const auto& interval : json.at("intervals")) {
+    EXPECT_LE(interval.at("low"), interval.at("value"));
+    EXPECT_GE(interval.at("high"), interval.at("value"));
+    EXPECT_GE(interval.at("runs"), 1);
+  }
+  EXPECT_THAT(read_file(out() / "report.html"), HasSubstr("Value [low, high]"));
+  std::vector<std::string> again = words;
+  again.emplace_back("--resume");
+  ASSERT_EQ(Program(again, folder_ / "output.txt").wait().exit_code, 0);
+  EXPECT_EQ(read_file(out() / "result.json"), result);
+  for (const RunRow& row : StudyDatabase(out() / "converge" / "study.db").runs())
+    EXPECT_EQ(row.attempts, 1);
+}
+
+TEST_F(LimitProgram, ConvergeNeedsAJet) {
+  std::string plain = test::small_study_case;
+  const auto start = plain.find("[[jet]]"), end = plain.find("[output]");
+  write_file(folder_ / "plain.toml", plain.erase(start, end - start));
+  const Ending ending =
+      Program({"run", (folder_ / "plain.toml").string(), "--out", out().string(), "--converge"},
+              folder_ / "output.txt")
+          .wait();
+  EXPECT_EQ(ending.exit_code, 1);
+  EXPECT_THAT(ending.output, AllOf(HasSubstr("--converge"), HasSubstr("no jet")));
+}
+
 }  // namespace
 }  // namespace kerf
