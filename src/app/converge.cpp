@@ -51,8 +51,10 @@ void keep(const std::vector<MetricInterval>& intervals, const Case& description,
 }
 
 void print_intervals(const std::vector<MetricInterval>& intervals, const Case& description) {
-  fmt::print("Value [low, high] over spacings {:.3g} times as large each, and layouts:\n",
-             convergence_ratio(description));
+  const double ratio = convergence_ratio(description);
+  fmt::print(
+      "Value [low, high], from spacings 1, {:.3g} and {:.3g} times as large and from layouts:\n",
+      ratio, ratio * ratio);
   for (const MetricInterval& interval : intervals) fmt::print("  {}\n", interval_line(interval));
   if (!has_other_layouts(description))
     fmt::print(

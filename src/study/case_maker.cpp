@@ -89,6 +89,8 @@ ResolvedCase CaseMaker::make(const Trial& trial) const {
     result.text = write_used(description);
     result.spacing = finest_spacing(description);
     result.memory = derive(description).memory;
+    for (const MeshShape* mesh : meshes_of(description))
+      result.meshes[kept_mesh_name(*mesh)] = mesh->content;
     return result;
   } catch (const UserError& error) {
     throw UserError(fmt::format("{}: with {} the case is not valid:{}", file_name_,

@@ -2,7 +2,10 @@
 // Writes limit.html: the answer, its plots and the table of its trials.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "core/version.hpp"
 #include "report/html.hpp"
@@ -26,13 +29,13 @@ std::string plot_of(const LimitPlan& plan, const LimitAnswer& answer, const Plot
   const Axis& axis = axis_of(plan);
   const double unit = axis.shown_factor();
   Plot plot{
-      {axis.path.unit().empty() ? plan.quantity : plan.quantity + " / (" + axis.shown_unit + ")",
-       "1"},
+      {axis.path.unit().empty() ? plan.quantity : plan.quantity + " in " + axis.shown_unit, "1"},
       upward};
   if (answer.threshold && answer.threshold->problem.empty())
     plot.bands.push_back(
         {answer.threshold->stated.low / unit, answer.threshold->stated.high / unit});
   for (const RunRow& row : answer.runs) {
+    if (row.trial.refinement != plan.study.refinement) continue;
     const double value = row.state == RunState::done ? number_of(row) : std::nan("");
     if (!std::isfinite(value)) continue;
     const bool holds = plan.study.threshold->condition.holds(row.metrics);
@@ -54,7 +57,14 @@ std::string table_of(const LimitPlan& plan, const LimitAnswer& answer) {
       "<table><thead><tr><th>verdict</th><th>{}</th><th>margin</th><th>depth of the kerf</th>"
       "<th>spacing</th><th>layout</th><th>run</th></tr></thead><tbody>\n",
       html::escape(plan.quantity));
-  for (const RunRow& row : answer.runs) {
+  std::vector<RunRow> rows = answer.runs;
+  const auto place = [&](const RunRow& row) {
+    return std::tuple(row.spacing, row.trial.repeat,
+                      row.trial.setting.numbers.at(axis_of(plan).name()));
+  };
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](const RunRow& a, const RunRow& b) { return place(a) < place(b); });
+  for (const RunRow& row : rows) {
     const bool is_done = row.state == RunState::done;
     const double* depth = find_number(row, "kerf.depth");
     const std::string report = report_of(row);

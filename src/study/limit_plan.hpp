@@ -4,7 +4,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,9 +66,5 @@ LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion
 
 // Returns the trial with the end of its run.
 Trial with_end(const LimitPlan& plan, Trial trial);
-
-// Reads "METRIC >= VALUE" or "METRIC <= VALUE". A metric with a unit needs a value with one. Throws
-// UserError.
-Condition read_where(const std::string& text, int dimension);
 
 }  // namespace kerf

@@ -12,9 +12,10 @@
 #include "model/case.hpp"
 #include "output/files.hpp"
 #include "study/case_maker.hpp"
-#include "study/layout.hpp"
 #include "study/limit_answer.hpp"
 #include "study/limit_runs.hpp"
+#include "study/read_condition.hpp"
+#include "study/study_runs.hpp"
 #include "support/temporary_folder.hpp"
 #include "synthetic.hpp"
 
@@ -24,28 +25,6 @@ namespace {
 using test::speed_of;
 using testing::AllOf;
 using testing::HasSubstr;
-
-const std::string limit_machine_case = R"(title = "small machine"
-dimension = 2
-[machine]
-pressure = "50 kPa"
-orifice_diameter = "2 mm"
-standoff = "4 mm"
-position = ["-6 mm", "6 mm"]
-traverse_speed = "2 m/s"
-dwell = "1 ms"
-[time]
-end = "9 ms"
-[materials.curd]
-base = "tofu"
-criterion = "crack_band"
-failure_strain = 0.05
-fracture_energy = "10 J/m2"
-[[body]]
-name = "block"
-material = "curd"
-shape = { type = "box", minimum = ["-20 mm", "0 mm"], maximum = ["20 mm", "6 mm"] }
-)";
 
 LimitPlan limit_plan_of(const std::string& text, const LimitQuestion& question) {
   const test::TemporaryFolder folder;
@@ -123,7 +102,7 @@ TEST(Limit, SaysWhereThereIsNone) {
 
 // All runs of a feed are one task: the nozzle travels the path of the case.
 TEST(Limit, KeepsThePathOfANozzleThatTravels) {
-  const LimitPlan plan = limit_plan_of(limit_machine_case, limit_of("feed"));
+  const LimitPlan plan = limit_plan_of(test::machine_case, limit_of("feed"));
   const ThresholdGoal& goal = *plan.study.threshold;
   EXPECT_FALSE(goal.least);
   EXPECT_EQ(goal.condition.text(), "kerf.through_share >= 0.95");
@@ -141,7 +120,7 @@ TEST(Limit, KeepsThePathOfANozzleThatTravels) {
 // The spacing of the water would follow the width of the jet, and so would that of the block.
 TEST(Limit, KeepsTheSpacingsOfTheCase) {
   for (const char* quantity : {"standoff", "orifice", "pressure"}) {
-    const LimitPlan plan = limit_plan_of(limit_machine_case, limit_of(quantity));
+    const LimitPlan plan = limit_plan_of(test::machine_case, limit_of(quantity));
     const Axis& axis = plan.study.threshold->axis;
     const CaseMaker maker(plan.study);
     const double stated = maker.make({{}, 0, 1.0}).spacing;
@@ -161,26 +140,26 @@ TEST(Limit, RefusesWhatTheCaseDoesNotHave) {
   EXPECT_THAT(limit_refusal(test::small_case, limit_of("standoff")), HasSubstr("no such limit"));
   EXPECT_THAT(limit_refusal(test::small_case, limit_of("feed")),
               AllOf(HasSubstr("(0, 0, 0) m/s"), HasSubstr("traverse = [\"10 mm/s\"")));
-  EXPECT_THAT(limit_refusal(limit_machine_case, limit_of("jet_speed")),
+  EXPECT_THAT(limit_refusal(test::machine_case, limit_of("jet_speed")),
               AllOf(HasSubstr("Allowed: feed, pressure"), HasSubstr("Ask for the pressure")));
-  EXPECT_THAT(limit_refusal(limit_machine_case, limit_of("presure")),
+  EXPECT_THAT(limit_refusal(test::machine_case, limit_of("presure")),
               HasSubstr("Did you mean \"pressure\"?"));
-  EXPECT_THAT(limit_refusal(limit_machine_case, limit_of("body.block.spacing")),
+  EXPECT_THAT(limit_refusal(test::machine_case, limit_of("body.block.spacing")),
               HasSubstr("states no body.block.spacing"));
-  EXPECT_THAT(limit_refusal(limit_machine_case, limit_of("machine.dwell")),
+  EXPECT_THAT(limit_refusal(test::machine_case, limit_of("machine.dwell")),
               HasSubstr("Add --find least or --find greatest"));
-  EXPECT_THAT(limit_refusal(limit_machine_case, limit_of("materials.curd.youngs_modulus")),
+  EXPECT_THAT(limit_refusal(test::machine_case, limit_of("materials.curd.youngs_modulus")),
               HasSubstr("the case states no materials.curd.youngs_modulus"));
 }
 
 TEST(Limit, RefusesRangesAndConditions) {
   LimitQuestion question = limit_of("pressure");
   question.from = "3";
-  EXPECT_THAT(limit_refusal(limit_machine_case, question),
+  EXPECT_THAT(limit_refusal(test::machine_case, question),
               AllOf(HasSubstr("--from \"3\": a unit is missing"), HasSubstr("machine.pressure")));
   question.from = "90 kPa";
   question.to = "30 kPa";
-  EXPECT_THAT(limit_refusal(limit_machine_case, question), HasSubstr("Correct --from or --to"));
+  EXPECT_THAT(limit_refusal(test::machine_case, question), HasSubstr("Correct --from or --to"));
   question.from = question.to = "";
   for (const auto& [where, words] :
        {std::pair{"kerf.dept >= 3 mm", "there is no metric \"kerf.dept\""},
@@ -188,7 +167,7 @@ TEST(Limit, RefusesRangesAndConditions) {
         {"kerf.depth >= 3", "a unit is missing"},
         {"kerf.margin >= a", "this is no number"}}) {
     question.where = where;
-    EXPECT_THAT(limit_refusal(limit_machine_case, question), HasSubstr(words)) << where;
+    EXPECT_THAT(limit_refusal(test::machine_case, question), HasSubstr(words)) << where;
   }
   EXPECT_DOUBLE_EQ(read_where("kerf.depth <= 5 mm", 2).bound, 0.005);
   EXPECT_FALSE(read_where("kerf.depth <= 5 mm", 2).at_least);
@@ -196,7 +175,7 @@ TEST(Limit, RefusesRangesAndConditions) {
 
 TEST(Limit, AKeyOfAMaterialHasAGreatestValue) {
   const LimitPlan plan =
-      limit_plan_of(limit_machine_case, limit_of("materials.curd.failure_strain"));
+      limit_plan_of(test::machine_case, limit_of("materials.curd.failure_strain"));
   EXPECT_FALSE(plan.study.threshold->least);
   EXPECT_DOUBLE_EQ(plan.stated, 0.05);
 }
@@ -280,34 +259,34 @@ TEST(Limit, TablePageAndJsonHaveTheSameTrials) {
                           HasSubstr("The stated 5 m/s is")));
 }
 
-TEST(Layout, MovesTheNozzleWhereNothingIsRandom) {
-  const Case stated = parse_case(limit_machine_case, "my.toml");
-  EXPECT_FALSE(has_random_layout(stated));
-  EXPECT_TRUE(has_other_layouts(stated));
-  std::vector<double> shares;
-  for (int layout = 0; layout < 5; ++layout) {
-    Case other = stated;
-    change_layout(other, layout);
-    const double share =
-        (other.machine->position[0] - stated.machine->position[0]) / stated.machine->spacing;
-    EXPECT_NEAR(other.jets[0].position[0], other.machine->position[0], 1e-15);
-    EXPECT_LE(std::abs(share), 0.5);
-    for (const double known : shares) EXPECT_GT(std::abs(share - known), 0.08);
-    shares.push_back(share);
+// Reads the case of each job and fails where it is not valid.
+class ReadingExecutor : public Executor {
+ public:
+  void run(const std::vector<Job>& jobs, JobWatcher& watcher) override {
+    for (const Job& job : jobs) {
+      watcher.started(job);
+      JobEnd end{exit_run_failed, 0, "read"};
+      try {
+        read_case(job.case_file);
+      } catch (const UserError& error) {
+        end.problem = error.what();
+      }
+      watcher.ended(job, end);
+    }
   }
-  EXPECT_EQ(shares[0], 0.0);
-}
+  int side_by_side() const override { return 1; }
+};
 
-TEST(Layout, ChangesSeedsWhereTheLayoutIsRandom) {
-  Case other = parse_case(limit_machine_case, "my.toml");
-  other.bodies[0].jitter = 0.2;
-  const double place = other.jets[0].position[0];
-  change_layout(other, 3);
-  EXPECT_EQ(other.bodies[0].seed, 4u);
-  EXPECT_EQ(other.jets[0].position[0], place);
-  other.bodies[0].jitter = 0.0;
-  other.symmetry.minimum[0] = true;
-  EXPECT_FALSE(has_other_layouts(other));
+TEST(Limit, MeshesOfTheCaseAreBesideItsRuns) {
+  const test::TemporaryFolder folder;
+  const LimitPlan plan = plan_limit(
+      std::filesystem::path(KERF_SOURCE_DIR) / "cases/machine/stl-part.toml", limit_of("pressure"));
+  StudyDatabase database(folder / "study.db");
+  const CaseMaker maker(plan.study);
+  ReadingExecutor executor;
+  StudyRuns runs(folder.path(), maker, database, executor, {}, false);
+  const auto outcomes = runs.run({{}, {{{{"machine.pressure", 1e5}}, {}}, 0, 1.0}});
+  for (const Outcome& outcome : outcomes) EXPECT_EQ(outcome.error, "read");
 }
 
 }  // namespace
