@@ -67,7 +67,7 @@ void refuse_failures(const std::vector<Outcome>& outcomes, const ConvergeSetting
     if (outcome.failed)
       throw UserError(
           fmt::format("the run {} of --converge failed: {}. The run itself is complete. "
-                      "Correct the cause, then continue with: {} --converge",
+                      "Correct the cause, then continue with: {}",
                       outcome.id, outcome.error, settings.resume_command),
           exit_run_failed);
 }
@@ -106,8 +106,7 @@ int converge(const Case& description, const ConvergeSettings& settings) {
     outcomes = runs.run(trials);
   } catch (const StudyStopped& stopped) {
     display.clear();
-    fmt::print("Stopped. The run itself is complete; continue with: {} --converge\n",
-               settings.resume_command);
+    fmt::print("Stopped. The run itself is complete; continue with: {}\n", settings.resume_command);
     return stopped.signal;
   }
   display.clear();

@@ -42,6 +42,7 @@ std::string resume_command(const RunOptions& options, const fs::path& folder) {
   if (machine.threads > 0) command += fmt::format(" --threads {}", machine.threads);
   if (machine.device != Device::cpu)
     command += fmt::format(" --device {}", word_of(machine.device));
+  if (options.converge) command += fmt::format(" --converge --layouts {}", options.layouts);
   return command + " --resume";
 }
 

@@ -38,6 +38,12 @@ std::string interval_text(const LimitPlan& plan, double value, const Bracket& in
                      shown(plan, interval.high));
 }
 
+// Returns the width of the column of values.
+std::size_t value_width(const LimitPlan& plan) {
+  constexpr std::size_t least = 14;
+  return std::max(least, plan.quantity.size());
+}
+
 // Returns whether the condition is that the jet cuts, also all along its path.
 bool is_cut(const LimitPlan& plan) {
   const std::string& metric = goal_of(plan).condition.metric;
@@ -77,10 +83,12 @@ std::string without_limit(const LimitPlan& plan, bool holds) {
                      is_upper ? "Raise --to to search further" : "Lower --from to search further");
 }
 
-std::string stated_note(const LimitPlan& plan, double limit) {
-  const double off = plan.stated / limit - 1.0;
-  return fmt::format("The stated {} is {:.3g}% {} the limit.", shown(plan, plan.stated),
-                     100.0 * std::abs(off), off < 0.0 ? "below" : "above");
+std::string stated_note(const LimitPlan& plan, const ThresholdAnswer& found) {
+  const double off = plan.stated / found.value() - 1.0;
+  const bool is_open = plan.stated > found.stated.low && plan.stated < found.stated.high;
+  return fmt::format("The stated {} is {:.3g}% {} the limit{}.", shown(plan, plan.stated),
+                     100.0 * std::abs(off), off < 0.0 ? "below" : "above",
+                     is_open ? ", within its interval: whether it cuts is uncertain" : "");
 }
 
 std::vector<std::string> cause_notes(const LimitPlan& plan, const ThresholdAnswer& answer) {
@@ -195,7 +203,7 @@ LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer) {
   } else {
     const ThresholdAnswer& found = *answer.threshold;
     words.finding = interval_text(plan, found.value(), found.stated);
-    words.notes.push_back(stated_note(plan, found.value()));
+    words.notes.push_back(stated_note(plan, found));
     for (std::string& note : cause_notes(plan, found)) words.notes.push_back(std::move(note));
   }
   for (const std::string& sentence : plan.held) words.notes.push_back(sentence);
@@ -211,16 +219,16 @@ std::string trial_verdict(const LimitPlan& plan, const RunRow& row) {
 }
 
 std::string trial_heading(const LimitPlan& plan) {
-  return fmt::format("  {:>3}  {:<14}  {:<14}  {:>8}  {:>9}  {:>10}  {:>6}", "run", plan.quantity,
-                     "verdict", "margin", "depth/mm", "spacing/mm", "layout");
+  return fmt::format("  {:>3}  {:<{}}  {:<14}  {:>8}  {:>9}  {:>10}  {:>6}", "run", plan.quantity,
+                     value_width(plan), "verdict", "margin", "depth/mm", "spacing/mm", "layout");
 }
 
 std::string trial_line(const LimitPlan& plan, std::size_t number, const RunRow& row) {
   const bool is_done = row.state == RunState::done;
   const double depth = 1e3 * metric(row, "kerf.depth");
   return fmt::format(
-      "  {:>3}  {:<14}  {:<14}  {:>8}  {:>9}  {:>10.4g}  {:>6}", number,
-      shown(plan, value_of(plan, row)), trial_verdict(plan, row),
+      "  {:>3}  {:<{}}  {:<14}  {:>8}  {:>9}  {:>10.4g}  {:>6}", number,
+      shown(plan, value_of(plan, row)), value_width(plan), trial_verdict(plan, row),
       is_done ? fmt::format("{:+.1f}%", 100.0 * goal_of(plan).condition.margin(row.metrics)) : "-",
       std::isfinite(depth) ? fmt::format("{:.4g}", depth) : "-", 1e3 * row.spacing,
       row.trial.repeat);

@@ -196,7 +196,13 @@ double draft_of(const Case& description) {
 }
 
 std::vector<std::string> held_in(const LimitPlan& plan) {
-  std::vector<std::string> held{"The spacings of the particles are those of the case in all runs."};
+  const double refinement = plan.study.refinement;
+  std::vector<std::string> held{
+      refinement == 1.0
+          ? std::string("The spacings of the particles are those of the case in all runs.")
+          : fmt::format("The spacings of the particles are {:.3g} times those of the case in all "
+                        "runs.",
+                        1.0 / refinement)};
   if (plan.end.path > 0.0)
     held.push_back(fmt::format("The nozzle travels {:.4g} mm in each run.", 1e3 * plan.end.path));
   else

@@ -65,6 +65,32 @@ TEST_F(LimitProgram, FindsTheLeastSpeedOfAnOrdinaryCase) {
   EXPECT_THAT(read_file(out() / "limit.html"), HasSubstr("<svg"));
 }
 
+// A nozzle that is faster cuts less of its path; all runs have the same path.
+TEST_F(LimitProgram, FindsTheGreatestFeedOverOnePath) {
+  std::string travelling = test::small_study_case;
+  const auto replace = [&](const std::string& old, const std::string& by) {
+    travelling.replace(travelling.find(old), old.size(), by);
+  };
+  replace("[\"12 mm\", \"8 mm\"]", "[\"40 mm\", \"8 mm\"]");
+  replace("[\"40 mm\", \"40 mm\"]", "[\"60 mm\", \"40 mm\"]");
+  replace("standoff = \"4 mm\"", "standoff = \"4 mm\"\ntraverse = [\"2 m/s\", \"0 m/s\"]");
+  replace("end = \"6 ms\"", "end = \"8 ms\"");
+  write_file(folder_ / "small.toml", travelling);
+  const Ending ending = limit({"--of", "feed"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  const auto json = answer();
+  ASSERT_EQ(json.at("problem"), "") << ending.output;
+  EXPECT_EQ(json.at("key"), "jet.jet.traverse.0");
+  EXPECT_LT(json.at("value"), 2.0) << "the stated feed does not cut";
+  // 2 m/s for 8 ms, less the flight of 4 mm at 5 m/s.
+  const double flight = 0.8e-3, path = 2.0 * (8e-3 - flight);
+  for (const auto& trial : json.at("trials")) {
+    const double feed = trial.at("value"), end = trial.at("end_time");
+    EXPECT_NEAR(feed * (end - flight), path, 1e-6 * path);
+    EXPECT_EQ(trial.at("holds"), feed <= json.at("bracket").at("low").get<double>());
+  }
+}
+
 TEST_F(LimitProgram, ContinuesAfterAKillWithoutRepeatedRuns) {
   Program first(arguments({"--of", "jet_speed"}), folder_ / "output.txt");
   ASSERT_TRUE(test::wait_for([&] { return done() >= 2; }));
