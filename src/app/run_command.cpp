@@ -63,7 +63,7 @@ RunLoopSettings settings_of(const RunOptions& options) {
   return settings;
 }
 
-void print_output_paths(const RunLoopSettings& settings) {
+void print_output_paths(const RunLoopSettings& settings, bool will_converge) {
   const auto result = nlohmann::json::parse(read_file(settings.folder / "result.json"));
   fmt::print("{}\n", result.at("verdict").get<std::string>());
   if (settings.quiet) return;
@@ -72,6 +72,9 @@ void print_output_paths(const RunLoopSettings& settings) {
   fmt::print("  particles  {}/{}.vtkhdf.series (ParaView)\n", folder,
              result.at("case").get<std::string>());
   fmt::print("  numbers    {0}/result.json, {0}/series.csv\n", folder);
+  if (result.contains("kerf") && !will_converge &&
+      (!result.contains("intervals") || result.at("intervals").empty()))
+    fmt::print("  intervals  not examined; {} --converge does\n", settings.resume_command);
 }
 
 ConvergeSettings converge_settings_of(const RunOptions& options, const RunLoopSettings& run) {
@@ -97,7 +100,7 @@ void run(const RunOptions& options) {
   const ConvergeSettings further = converge_settings_of(options, settings);
   if (options.converge) check_convergence(settings.description, further);
   leave_if_stopped(RunLoop(settings, make_simulation).run().signal);
-  print_output_paths(settings);
+  print_output_paths(settings, options.converge);
   if (options.converge) leave_if_stopped(converge(settings.description, further));
 }
 

@@ -35,7 +35,11 @@ html::Row row_of(const Json& interval) {
 
 std::string intervals_table(const Json& result) {
   const auto intervals = result.find("intervals");
-  if (intervals == result.end() || intervals->empty()) return "";
+  if (intervals == result.end() || !result.contains("kerf")) return "";
+  if (intervals->empty())
+    return "<p class=\"remark\">How far these numbers depend on spacing and layout was not "
+           "examined; "
+           "<code>kerf run CASE --converge --resume</code> does.</p>\n";
   std::vector<html::Row> rows;
   for (const Json& interval : *intervals) rows.push_back(row_of(interval));
   return "<h3>What the resolution and the layout leave open</h3>\n" +

@@ -35,7 +35,7 @@ inline bool is_parted(const nlohmann::ordered_json& result) {
 // jet.
 std::string kerf_part(const nlohmann::ordered_json& result, const Case& description);
 // Returns the table of the intervals of the headline numbers, from the list `intervals` of
-// result.json; empty where there are none.
+// result.json, or the remark that there are none; empty for a run without a jet.
 std::string intervals_table(const nlohmann::ordered_json& result);
 // Returns the tables of all other numbers.
 std::string report_tables(const nlohmann::ordered_json& result, const Case& description);
