@@ -16,5 +16,6 @@ void add_materials_command(CLI::App& program);
 void add_bench_command(CLI::App& program);
 void add_verify_command(CLI::App& program);
 void add_study_command(CLI::App& program);
+void add_limit_command(CLI::App& program);
 
 }  // namespace kerf

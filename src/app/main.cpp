@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   kerf::add_bench_command(program);
   kerf::add_verify_command(program);
   kerf::add_study_command(program);
+  kerf::add_limit_command(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::RuntimeError& error) {

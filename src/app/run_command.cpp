@@ -5,6 +5,7 @@
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
+#include "app/converge.hpp"
 #include "app/run_loop.hpp"
 #include "core/error.hpp"
 #include "input/read.hpp"
@@ -22,6 +23,8 @@ struct RunOptions {
   bool resume = false;
   bool force = false;
   bool quiet = false;
+  bool converge = false;
+  int layouts = 3;
 };
 
 // Returns a path quoted for a shell.
@@ -39,6 +42,7 @@ std::string resume_command(const RunOptions& options, const fs::path& folder) {
   if (machine.threads > 0) command += fmt::format(" --threads {}", machine.threads);
   if (machine.device != Device::cpu)
     command += fmt::format(" --device {}", word_of(machine.device));
+  if (options.converge) command += fmt::format(" --converge --layouts {}", options.layouts);
   return command + " --resume";
 }
 
@@ -59,7 +63,7 @@ RunLoopSettings settings_of(const RunOptions& options) {
   return settings;
 }
 
-void print_output_paths(const RunLoopSettings& settings) {
+void print_output_paths(const RunLoopSettings& settings, bool will_converge) {
   const auto result = nlohmann::json::parse(read_file(settings.folder / "result.json"));
   fmt::print("{}\n", result.at("verdict").get<std::string>());
   if (settings.quiet) return;
@@ -68,15 +72,36 @@ void print_output_paths(const RunLoopSettings& settings) {
   fmt::print("  particles  {}/{}.vtkhdf.series (ParaView)\n", folder,
              result.at("case").get<std::string>());
   fmt::print("  numbers    {0}/result.json, {0}/series.csv\n", folder);
+  if (result.contains("kerf") && !will_converge &&
+      (!result.contains("intervals") || result.at("intervals").empty()))
+    fmt::print("  intervals  not examined; {} --converge does\n", settings.resume_command);
+}
+
+ConvergeSettings converge_settings_of(const RunOptions& options, const RunLoopSettings& run) {
+  ConvergeSettings settings;
+  settings.case_file = options.case_file;
+  settings.folder = run.folder;
+  settings.layouts = options.layouts;
+  settings.resume_command = run.resume_command;
+  settings.executor.cores = run.threads;
+  settings.executor.device = options.machine.device;
+  settings.executor.quiet = options.quiet;
+  return settings;
+}
+
+// The exit code is 128 plus the number of the signal, as in a shell.
+void leave_if_stopped(int signal) {
+  if (signal != 0) throw CLI::RuntimeError(128 + signal);
 }
 
 void run(const RunOptions& options) {
   take_machine(options.machine);
   const RunLoopSettings settings = settings_of(options);
-  const RunEnd end = RunLoop(settings, make_simulation).run();
-  // The exit code is 128 plus the number of the signal, as in a shell.
-  if (end.signal != 0) throw CLI::RuntimeError(128 + end.signal);
-  print_output_paths(settings);
+  const ConvergeSettings further = converge_settings_of(options, settings);
+  if (options.converge) check_convergence(settings.description, further);
+  leave_if_stopped(RunLoop(settings, make_simulation).run().signal);
+  print_output_paths(settings, options.converge);
+  if (options.converge) leave_if_stopped(converge(settings.description, further));
 }
 
 }  // namespace
@@ -91,6 +116,14 @@ void add_run_command(CLI::App& program) {
       command->add_flag("--resume", options->resume, "continue from the last checkpoint");
   command->add_flag("--force", options->force, "replace the run in the folder")->excludes(resume);
   command->add_flag("--quiet", options->quiet, "show the result only");
+  CLI::Option* converges = command->add_flag(
+      "--converge", options->converge,
+      "also run the case at two coarser spacings and in other layouts, and give each headline "
+      "number its interval");
+  command->add_option("--layouts", options->layouts, "layouts of the particles with --converge")
+      ->needs(converges)
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   command->callback([options] { run(*options); });
 }
 

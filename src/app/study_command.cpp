@@ -2,20 +2,18 @@
 // This file implements kerf study: many runs of a case, their map and the search for a setting.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/embedded.hpp"
-#include "app/progress.hpp"
+#include "app/executor_options.hpp"
 #include "app/signals.hpp"
+#include "app/study_display.hpp"
 #include "core/error.hpp"
 #include "output/files.hpp"
-#include "study/local_executor.hpp"
 #include "study/run_table.hpp"
-#include "study/slurm_executor.hpp"
 #include "study/study_answers.hpp"
 #include "study/study_page.hpp"
 #include "study/study_runs.hpp"
@@ -29,82 +27,7 @@ namespace fs = std::filesystem;
 struct StudyOptions {
   std::string file;
   std::string folder;
-  int jobs = 0;
-  int cores = 0;
-  double memory = 0.0;  // GiB
-  std::string where = "local";
-  Device device = Device::cpu;
-  bool retry = false;
-  bool quiet = false;
-};
-
-// Returns the path of the program for the runs. A child process gets the running program, even if
-// its file was replaced.
-constexpr const char* this_program = "/proc/self/exe";
-
-LocalBudget budget_of(const StudyOptions& options) {
-  constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
-  LocalBudget budget = budget_of_machine();
-  if (options.cores > 0) budget.cores = options.cores;
-  budget.device = word_of(options.device);
-  const int at_once = options.device == Device::gpu ? 1 : budget.cores;
-  budget.jobs = options.jobs > 0 ? options.jobs : at_once;
-  if (options.memory > 0.0) budget.memory = options.memory * gibibyte;
-  return budget;
-}
-
-std::unique_ptr<Executor> executor_of(const StudyOptions& options, const fs::path& folder) {
-  if (options.where == "local") {
-    set_device(options.device);  // throws when it is not available
-    return std::make_unique<LocalExecutor>(this_program, budget_of(options));
-  }
-  SlurmBudget budget;
-  budget.device = word_of(options.device);
-  if (options.jobs > 0) budget.jobs = options.jobs;
-  if (options.cores > 0) budget.cores = options.cores;
-  return std::make_unique<SlurmExecutor>(fs::read_symlink(this_program), folder, budget);
-}
-
-// Shows the progress of the runs.
-class StudyDisplay {
- public:
-  explicit StudyDisplay(ProgressStyle style) : style_(style) {}
-
-  void show(const StudyProgress& now) {
-    const auto time = Clock::now();
-    const bool is_new_batch = now.total != last_.total || now.ended < last_.ended;
-    if (is_new_batch) {
-      start_ = time;
-      start_share_ = now.share;
-    }
-    const bool has_changed = is_new_batch || now.ended != last_.ended;
-    last_ = now;
-    if (style_ == ProgressStyle::none) return;
-    const std::string words = line(now, std::chrono::duration<double>(time - start_).count());
-    if (style_ == ProgressStyle::bar) {
-      bar_.show(now.share, words);
-    } else if (has_changed) {
-      fmt::print("{}\n", words);
-      std::fflush(stdout);
-    }
-  }
-  void clear() { bar_.clear(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  std::string line(const StudyProgress& now, double seconds) const {
-    const double done = now.share - start_share_;
-    const double left = done > 0.0 ? (1.0 - now.share) * seconds / done : INFINITY;
-    return fmt::format("{} of {} runs | at work {} | failed {} | left {}", now.ended, now.total,
-                       now.at_work, now.failed, duration_text(left));
-  }
-
-  ProgressStyle style_;
-  Bar bar_;
-  StudyProgress last_;
-  Clock::time_point start_ = Clock::now();
-  double start_share_ = 0.0;
+  ExecutorOptions executor;
 };
 
 std::vector<Trial> design_trials(const StudyPlan& plan) {
@@ -173,10 +96,10 @@ void study(const StudyOptions& options) {
   StudyDatabase database(folder / "study.db");
   database.remember("study", plan.text);
   const CaseMaker maker(plan);
-  const auto executor = executor_of(options, folder);
-  if (!options.quiet) fmt::print("{}, results in {}\n", plan.title, folder.string());
+  const auto executor = make_executor(options.executor, folder);
+  if (!options.executor.quiet) fmt::print("{}, results in {}\n", plan.title, folder.string());
   const StopSignals signals;
-  StudyDisplay display(progress_style(options.quiet));
+  StudyDisplay display(progress_style(options.executor.quiet));
   StudyPageFile page(plan, folder);
   const StudyRuns* made = nullptr;
   const auto show = [&](const StudyProgress& now) {
@@ -188,7 +111,7 @@ void study(const StudyOptions& options) {
     });
   };
   StudyRuns runs(folder, maker, database, *executor, {show, [&] { return signals.caught(); }},
-                 options.retry);
+                 options.executor.retry);
   made = &runs;
   StudyAnswers answers;
   const auto finish = [&](StudyState state) {
@@ -219,25 +142,7 @@ void add_study_command(CLI::App& program) {
       program.add_subcommand("study", "Run a case with many settings, or search for a setting");
   command->add_option("STUDY", options->file, "the study file")->required();
   command->add_option("--out", options->folder, "folder for the results; default out/<study>");
-  command
-      ->add_option("--jobs", options->jobs,
-                   "maximum number of concurrent runs; default: one per core, one on a GPU")
-      ->check(CLI::Range(1, 4096));
-  command
-      ->add_option(
-          "--cores", options->cores,
-          "cores of all concurrent runs; default: all; with Slurm the cores of each run, default 1")
-      ->check(CLI::Range(1, 4096));
-  command
-      ->add_option("--memory", options->memory,
-                   "memory of all concurrent runs, in GiB; default: four fifths of the free memory")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--on", options->where, "where runs are computed: this machine, or Slurm")
-      ->check(CLI::IsMember({"local", "slurm"}))
-      ->capture_default_str();
-  add_device_option(*command, options->device);
-  command->add_flag("--retry", options->retry, "repeat failed runs");
-  command->add_flag("--quiet", options->quiet, "show the results only");
+  add_executor_options(*command, options->executor);
   command->callback([options] { study(*options); });
 }
 

@@ -13,6 +13,7 @@
 #include "analysis/derived.hpp"
 #include "analysis/kerf.hpp"
 #include "model/case.hpp"
+#include "output/metric_interval.hpp"
 #include "output/validity.hpp"
 #include "simulation/balance.hpp"
 #include "simulation/simulation.hpp"
@@ -47,6 +48,7 @@ struct RunOutcome {
   std::vector<StageTime> stage_times;
   std::size_t frames = 0;  // that were written
   std::vector<RunPicture> pictures;
+  std::vector<MetricInterval> intervals;  // of a run with --converge
 
   // Return the metrics of the size of the run, of the computer, and of the files.
   static const MetricList<RunOutcome>& run_metrics();

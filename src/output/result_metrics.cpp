@@ -198,6 +198,12 @@ void add_run(Table& table) {
   table.push_back(records(
       {"pictures", "1", "pictures", "The pictures of the run."}, When::always,
       RunPicture::metrics(), [](const RunOutcome& outcome) -> auto& { return outcome.pictures; }));
+  table.push_back(records(
+      {"intervals", "1", "intervals of the headline numbers",
+       "What the spacing and the layout of the particles leave open; empty unless the run "
+       "was started with --converge."},
+      When::always, MetricInterval::metrics(),
+      [](const RunOutcome& outcome) -> auto& { return outcome.intervals; }));
 }
 
 Table make_table() {

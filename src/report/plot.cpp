@@ -159,6 +159,10 @@ std::string draw_plot(const Plot& plot) {
     x_values.include(point.x);
     y_values.include(point.y);
   }
+  for (const Band& band : plot.bands) {
+    x_values.include(band.low);
+    x_values.include(band.high);
+  }
   Scale x = scale_of(plot.x_axis, x_values, left, right);
   Scale y = scale_of(plot.y_axis, y_values, bottom, top);
   const bool has_points = !plot.points.empty();
@@ -166,6 +170,10 @@ std::string draw_plot(const Plot& plot) {
   (has_points ? fit_to_points : fit_to_curves)(y.range);
 
   Drawing drawing(width, height, html::escape(y.title + " over " + x.title));
+  for (const Band& band : plot.bands)
+    drawing.add(fmt::format(
+        "<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>", x.at(band.low),
+        top, std::max(1.0, x.at(band.high) - x.at(band.low)), bottom - top, hex(palette::grid)));
   draw_axes(drawing, x, y);
   if (plot.mark >= 0.0)
     drawing.line(x.at(plot.mark), top, x.at(plot.mark), bottom, stroke(palette::ink, 1.0, "6 4"));

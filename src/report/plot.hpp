@@ -30,6 +30,11 @@ struct PlotPoint {
   std::string link = {};   // the address that it leads to; "" = none
 };
 
+// A shaded range of x over the whole height.
+struct Band {
+  double low = 0.0, high = 0.0;
+};
+
 struct PlotAxis {
   std::string name;
   std::string unit;  // SI, which gets a prefix; "1" = numbers are shown as they are
@@ -40,7 +45,8 @@ struct Plot {
   std::vector<double> x = {};  // of the curves
   std::vector<Curve> curves = {};
   std::vector<PlotPoint> points = {};
-  double mark = -1.0;  // x of a vertical line; negative = none
+  double mark = -1.0;            // x of a vertical line; negative = none
+  std::vector<Band> bands = {};  // behind everything else
 };
 
 // Returns an <svg> element that scales with its container.

@@ -184,7 +184,7 @@ Parts parts_of(const fs::path& folder, const Case& description) {
   thin_figures(figures, time, most_points);
   Parts parts;
   parts.above = heading(result) + verdict(result, has_jet) + key_figures(result, has_jet) +
-                validity(result) + "<h2>The run</h2>\n";
+                intervals_table(result) + validity(result) + "<h2>The run</h2>\n";
   parts.below = pictures(result, folder, most_picture_bytes) + kerf_part(result, description) +
                 "<h2>Curves</h2>\n" +
                 html::section("kerf-curves", report_plots(figures, time, cut_time)) +

@@ -34,6 +34,9 @@ inline bool is_parted(const nlohmann::ordered_json& result) {
 // Returns the part on the kerf and the machine, a drawing and tables; empty for a run without a
 // jet.
 std::string kerf_part(const nlohmann::ordered_json& result, const Case& description);
+// Returns the table of the intervals of the headline numbers, from the list `intervals` of
+// result.json, or the remark that there are none; empty for a run without a jet.
+std::string intervals_table(const nlohmann::ordered_json& result);
 // Returns the tables of all other numbers.
 std::string report_tables(const nlohmann::ordered_json& result, const Case& description);
 

@@ -88,4 +88,14 @@ void Bisection::start_at(Bracket guess) {
   }
 }
 
+void Bisection::leave(double start) {
+  constexpr double factor = 2.0;
+  try_values({start});
+  while (!is_exhausted() && !is_confirmed() && !same_everywhere()) {
+    const bool is_low_open = known_.count(bracket().low) == 0;
+    try_values({is_low_open ? std::max(range_.low, known_.begin()->first / factor)
+                            : std::min(range_.high, known_.rbegin()->first * factor)});
+  }
+}
+
 }  // namespace kerf

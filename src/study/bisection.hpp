@@ -25,6 +25,10 @@ class Bisection {
   // Starts from a probable bracket, which is widened on the side where it proves wrong.
   void start_at(Bracket guess);
 
+  // Starts from one value, which is left by factors of 2 on the side of the threshold until the
+  // verdict changes or an end of the range is reached. The range lies above 0.
+  void leave(double start);
+
   Bracket bracket() const;
   int count() const { return static_cast<int>(known_.size()); }
   bool is_exhausted() const { return count() >= most_; }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid.hpp>
+#include <filesystem>
 #include <limits>
 #include <sstream>
 
@@ -15,6 +16,7 @@
 #include "input/refine.hpp"
 #include "input/write_used.hpp"
 #include "model/case.hpp"
+#include "study/layout.hpp"
 
 namespace kerf {
 
@@ -25,13 +27,6 @@ double finest_spacing(const Case& description) {
   for (const Body& body : description.bodies) finest = std::min(finest, body.spacing);
   for (const Jet& jet : description.jets) finest = std::min(finest, jet.spacing);
   return finest;
-}
-
-// Changes the seeds of the case for a repeat; repeat 0 keeps them.
-void reseed(Case& description, int repeat) {
-  constexpr std::uint64_t largest = 2147483647;
-  for (Body& body : description.bodies)
-    body.seed = (body.seed + static_cast<std::uint64_t>(repeat)) % (largest + 1);
 }
 
 // Removes line numbers from a message: they refer to text that no user wrote.
@@ -57,7 +52,11 @@ std::string text_id(const std::string& text) {
 }
 
 CaseMaker::CaseMaker(const StudyPlan& plan)
-    : title_(plan.title), file_name_(plan.name + ".toml"), base_(plan.base), axes_(plan.axes) {
+    : title_(plan.title),
+      file_name_(
+          (std::filesystem::path(plan.base_name).parent_path() / (plan.name + ".toml")).string()),
+      base_(plan.base),
+      axes_(plan.axes) {
   if (plan.threshold) axes_.push_back(plan.threshold->axis);
   if (!plan.calibration) return;
   axes_.push_back(plan.calibration->axis);
@@ -83,13 +82,15 @@ ResolvedCase CaseMaker::make(const Trial& trial) const {
   written << table;
   try {
     Case description = refined(parse_case(written.str(), file_name_), trial.refinement);
-    reseed(description, trial.repeat);
+    change_layout(description, trial.repeat);
     ResolvedCase result;
     result.id = text_id(write_used(description));  // under the title of the base
     description.title = title_of(trial.setting);
     result.text = write_used(description);
     result.spacing = finest_spacing(description);
     result.memory = derive(description).memory;
+    for (const MeshShape* mesh : meshes_of(description))
+      result.meshes[kept_mesh_name(*mesh)] = mesh->content;
     return result;
   } catch (const UserError& error) {
     throw UserError(fmt::format("{}: with {} the case is not valid:{}", file_name_,

@@ -2,6 +2,8 @@
 // This header declares the maker of cases: it turns a trial into the case that is run.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,8 @@ struct ResolvedCase {
   std::string text;      // a complete case, as case.used.toml
   double spacing = 0.0;  // m, the finest of its particles
   double memory = 0.0;   // bytes, estimated
+  // The contents of the meshes that the text refers to, by the names of their files.
+  std::map<std::string, std::shared_ptr<const std::string>> meshes;
 };
 
 class CaseMaker {

@@ -18,6 +18,10 @@ struct Condition {
   double bound = 0.5;    // SI
   bool at_least = true;  // otherwise at most
   bool holds(const std::map<std::string, double>& metrics) const;
+  // Returns by how much a run satisfies the condition, 1; below 0 it does not. For cut-through it
+  // is the remaining share of the time of the run, or minus that of the thickness; otherwise the
+  // distance of the metric from the bound, over the bound.
+  double margin(const std::map<std::string, double>& metrics) const;
   std::string text() const;
 };
 
@@ -32,6 +36,14 @@ struct ThresholdGoal {
   double draft = 0.5;       // resolution of the drafts over that of the study; 1 = none
   int most_runs = 24;
   int repeats = 1;  // layouts in which the bracket must hold
+  // The first value that is run. The search leaves it by factors of 2 towards the threshold, and
+  // the ends of the range are the last values that it tries. Without it the range is divided.
+  std::optional<double> start;
+  // Returns whether the run lies beyond the threshold: for a least value, where the condition
+  // holds.
+  bool is_beyond(const std::map<std::string, double>& metrics) const {
+    return condition.holds(metrics) == least;
+  }
 };
 
 // The setting of the axes of the study at which a metric is least (or greatest) while the condition

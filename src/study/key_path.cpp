@@ -163,6 +163,18 @@ KeyPath find_key_path(const std::string& path, const toml::table& case_table) {
   return result;
 }
 
+toml::node* find_value(toml::table& case_table, const KeyPath& path) {
+  toml::node* node = &case_table;
+  for (const std::string& word : path.segments) {
+    if (!node) return nullptr;
+    if (toml::array* list = node->as_array())
+      node = entry_of(*list, word);
+    else
+      node = node->is_table() ? node->as_table()->get(word) : nullptr;
+  }
+  return node;
+}
+
 void set_key(toml::table& case_table, const KeyPath& path, const toml::node& value) {
   toml::node& holder = holder_of(case_table, path);
   const std::string& last = path.segments.back();

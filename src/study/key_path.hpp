@@ -28,6 +28,9 @@ struct KeyPath {
 // present.
 KeyPath find_key_path(const std::string& path, const toml::table& case_table);
 
+// Returns the value that the case writes at a path; null where it writes none.
+toml::node* find_value(toml::table& case_table, const KeyPath& path);
+
 // Sets the value of the key at a path. A material that the case takes from the library gets a table
 // of its own, based on the library's.
 void set_key(toml::table& case_table, const KeyPath& path, const toml::node& value);

@@ -25,17 +25,6 @@ struct Tried {
   double margin = 0.0;  // >= 0 where the condition holds
 };
 
-// Returns by how much a run satisfies the condition. For cut-through it is the remaining share of
-// the time of the run, or of the thickness: a number without a jump, which a search can follow.
-double margin_of(const Condition& condition, const Metrics& metrics) {
-  const bool is_cut = condition.metric == "cut_through";
-  const auto found = metrics.find(is_cut ? "kerf.margin" : condition.metric);
-  if (found == metrics.end()) return condition.holds(metrics) ? 0.0 : -1.0;
-  if (is_cut) return condition.holds(metrics) ? std::abs(found->second) : -std::abs(found->second);
-  const double scale = std::max(std::abs(condition.bound), std::numeric_limits<double>::min());
-  return (condition.at_least ? 1.0 : -1.0) * (found->second - condition.bound) / scale;
-}
-
 class Search {
  public:
   Search(const OptimumGoal& goal, double refinement, Laboratory& laboratory)
@@ -83,9 +72,8 @@ class Search {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const auto found = outcomes[i].metrics.find(goal_.metric);
       const bool has_value = !outcomes[i].failed && found != outcomes[i].metrics.end();
-      tried_.push_back(
-          {wanted[i], refinement, has_value ? found->second : std::nan(""),
-           outcomes[i].failed ? -1.0 : margin_of(goal_.condition, outcomes[i].metrics)});
+      tried_.push_back({wanted[i], refinement, has_value ? found->second : std::nan(""),
+                        outcomes[i].failed ? -1.0 : goal_.condition.margin(outcomes[i].metrics)});
     }
   }
   Tried at(const Shares& shares, double refinement) {

@@ -8,6 +8,7 @@
 #include "input/section.hpp"
 #include "model/case.hpp"
 #include "output/files.hpp"
+#include "study/layout.hpp"
 #include "study/read_study.hpp"
 #include "study/study_plan.hpp"
 
@@ -121,12 +122,7 @@ void check_use_of_axes(StudySection& top, const StudyPlan& plan) {
 
 // Refuses repeats of a case in which nothing depends on the seeds.
 void check_repeats(StudySection& top, const StudyPlan& plan, const Case& base) {
-  const bool is_random = std::any_of(base.bodies.begin(), base.bodies.end(), [&](const Body& body) {
-    const bool has_flaws =
-        body.material >= 0 && base.materials[static_cast<std::size_t>(body.material)].criterion ==
-                                  BondCriterion::grady_kipp;
-    return body.jitter > 0.0 || has_flaws;
-  });
+  const bool is_random = has_random_layout(base);
   const bool is_varied = std::any_of(plan.axes.begin(), plan.axes.end(), [](const Axis& axis) {
     return axis.name().ends_with(".jitter");
   });

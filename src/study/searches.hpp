@@ -22,7 +22,9 @@ struct Bracket {
 };
 
 struct ThresholdAnswer {
-  std::string problem;            // why there is no answer; empty when there is one
+  std::string problem;  // why there is no answer; empty when there is one
+  // The verdict of every run where the condition does not change over the range.
+  std::optional<bool> holds_everywhere;
   Bracket bracket;                // at the study's resolution, over all layouts
   std::vector<Bracket> layouts;   // one for each layout
   std::optional<Bracket> draft;   // at the coarser resolution

@@ -73,6 +73,10 @@ Job StudyRuns::prepared(const ResolvedCase& resolved) const {
   const auto beside = [&](const char* ending) { return fs::path(results.string() + ending); };
   make_folder(results.parent_path());
   if (!fs::exists(beside(".toml"))) write_file(beside(".toml"), resolved.text);
+  for (const auto& [name, content] : resolved.meshes) {
+    const fs::path file = results.parent_path() / name;  // one copy for all runs
+    if (!fs::exists(file)) write_file(file, *content);
+  }
   return {resolved.id, beside(".toml"), results, beside(".txt"), resolved.memory};
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "study/bisection.hpp"
@@ -12,11 +13,6 @@
 namespace kerf {
 
 namespace {
-
-// Returns whether the run lies beyond the threshold: for a least value, where the condition holds.
-bool is_beyond(const ThresholdGoal& goal, const Outcome& outcome) {
-  return goal.condition.holds(outcome.metrics) == goal.least;
-}
 
 Verdicts verdicts_of(const ThresholdGoal& goal, const Trial& at, Laboratory& laboratory) {
   return [&goal, at, &laboratory](const std::vector<double>& values) {
@@ -30,10 +26,10 @@ Verdicts verdicts_of(const ThresholdGoal& goal, const Trial& at, Laboratory& lab
       if (outcome.failed)
         throw UserError(
             fmt::format("the search stopped: the run {} failed: {}. Correct the cause, then "
-                        "start the study again with --retry.",
+                        "start the search again with --retry.",
                         outcome.id, outcome.error),
             exit_run_failed);
-      verdicts.push_back(is_beyond(goal, outcome));
+      verdicts.push_back(goal.is_beyond(outcome.metrics));
     }
     return verdicts;
   };
@@ -96,12 +92,18 @@ class Search {
   Bracket layout(const Trial& at, const std::optional<Bracket>& guess) {
     Bisection bisection(verdicts_of(goal_, at, laboratory_), range_, runs_left(),
                         goal_.axis.is_logarithmic);
-    if (guess) bisection.start_at(*guess);
+    if (guess)
+      bisection.start_at(*guess);
+    else if (goal_.start)
+      bisection.leave(*goal_.start);
     bisection.narrow(goal_.tolerance, laboratory_.side_by_side());
     answer_.runs += bisection.count();
-    if (const auto same = bisection.same_everywhere())
+    answer_.holds_everywhere.reset();
+    if (const auto same = bisection.same_everywhere()) {
       answer_.problem = why_nothing(goal_, *same);
-    else if (!bisection.is_confirmed())
+      answer_.holds_everywhere = *same == goal_.least;
+    }
+    if (answer_.problem.empty() && !bisection.is_confirmed())
       answer_.problem = fmt::format("{} runs were not enough. Raise \"runs\", or narrow the range",
                                     goal_.most_runs);
     return bisection.bracket();
@@ -141,6 +143,15 @@ bool Condition::holds(const std::map<std::string, double>& metrics) const {
   const auto found = metrics.find(metric);
   if (found == metrics.end()) return false;
   return at_least ? found->second >= bound : found->second <= bound;
+}
+
+double Condition::margin(const std::map<std::string, double>& metrics) const {
+  const bool is_cut = metric == "cut_through";
+  const auto found = metrics.find(is_cut ? "kerf.margin" : metric);
+  if (found == metrics.end()) return holds(metrics) ? 0.0 : -1.0;
+  if (is_cut) return holds(metrics) ? std::abs(found->second) : -std::abs(found->second);
+  const double scale = std::max(std::abs(bound), std::numeric_limits<double>::min());
+  return (at_least ? 1.0 : -1.0) * (found->second - bound) / scale;
 }
 
 std::string Condition::text() const {

@@ -41,6 +41,28 @@ standoff = "2 mm"
 spacing = "2 mm"
 )";
 
+inline const std::string machine_case = R"(title = "small machine"
+dimension = 2
+[machine]
+pressure = "50 kPa"
+orifice_diameter = "2 mm"
+standoff = "4 mm"
+position = ["-6 mm", "6 mm"]
+traverse_speed = "2 m/s"
+dwell = "1 ms"
+[time]
+end = "9 ms"
+[materials.curd]
+base = "tofu"
+criterion = "crack_band"
+failure_strain = 0.05
+fracture_energy = "10 J/m2"
+[[body]]
+name = "block"
+material = "curd"
+shape = { type = "box", minimum = ["-20 mm", "0 mm"], maximum = ["20 mm", "6 mm"] }
+)";
+
 // A study of the small case, which is given as a template.
 inline StudyPlan plan_of(const std::string& text) {
   const EmbeddedText templates[] = {{"small", small_case}};

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/converge.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/signals.hpp"
+#include "app/study_display.hpp"
+#include "core/error.hpp"
+#include "model/case.hpp"
+#include "output/files.hpp"
+#include "output/result.hpp"
+#include "output/result_metrics.hpp"
+#include "report/report.hpp"
+#include "study/convergence.hpp"
+#include "study/layout.hpp"
+#include "study/metrics.hpp"
+#include "study/study_runs.hpp"
+
+namespace kerf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+StudyPlan plan_of(const Case& description, const ConvergeSettings& settings) {
+  StudyPlan plan;
+  plan.name = settings.case_file.stem().string();
+  plan.title = description.title;
+  plan.text = read_file(settings.case_file);
+  plan.base_name = settings.case_file.string();
+  plan.base = toml::parse(plan.text);
+  plan.dimension = description.dimension;
+  return plan;
+}
+
+std::vector<Trial> trials_of(const Case& description, const ConvergeSettings& settings) {
+  const int layouts = has_other_layouts(description) ? settings.layouts : 1;
+  return convergence_trials(convergence_ratio(description), layouts);
+}
+
+void keep(const std::vector<MetricInterval>& intervals, const Case& description,
+          const fs::path& folder) {
+  RunOutcome outcome;
+  outcome.intervals = intervals;
+  auto result = nlohmann::ordered_json::parse(read_file(folder / "result.json"));
+  result["intervals"] = *find_result_metric("intervals")->value(outcome);
+  write_file(folder / "result.json", result.dump(2) + "\n");
+  write_report(folder, description);
+}
+
+void print_intervals(const std::vector<MetricInterval>& intervals, const Case& description) {
+  const double ratio = convergence_ratio(description);
+  fmt::print(
+      "Value [low, high], from spacings 1, {:.3g} and {:.3g} times as large and from layouts:\n",
+      ratio, ratio * ratio);
+  for (const MetricInterval& interval : intervals) fmt::print("  {}\n", interval_line(interval));
+  if (!has_other_layouts(description))
+    fmt::print(
+        "  Layouts were not varied: nothing is random and a symmetry plane holds the jet.\n");
+  fmt::print("  Material data have no intervals in a case, so their share is left out.\n");
+}
+
+void refuse_failures(const std::vector<Outcome>& outcomes, const ConvergeSettings& settings) {
+  for (const Outcome& outcome : outcomes)
+    if (outcome.failed)
+      throw UserError(
+          fmt::format("the run {} of --converge failed: {}. The run itself is complete. "
+                      "Correct the cause, then continue with: {}",
+                      outcome.id, outcome.error, settings.resume_command),
+          exit_run_failed);
+}
+
+}  // namespace
+
+void check_convergence(const Case& description, const ConvergeSettings& settings) {
+  if (description.jets.empty())
+    throw UserError(
+        fmt::format("{}: --converge needs the numbers of a cut, and the case has no "
+                    "jet. Allowed: a case with a [machine] or a [[jet]]. Add one, or "
+                    "leave --converge out.",
+                    settings.case_file.string()));
+  const CaseMaker maker(plan_of(description, settings));
+  for (const Trial& trial : trials_of(description, settings)) maker.make(trial);
+}
+
+int converge(const Case& description, const ConvergeSettings& settings) {
+  const StudyPlan plan = plan_of(description, settings);
+  const fs::path folder = settings.folder / "converge";
+  make_folder(folder);
+  const FolderLock lock(folder);
+  StudyDatabase database(folder / "study.db");
+  const CaseMaker maker(plan);
+  const auto executor = make_executor(settings.executor, folder);
+  const StopSignals signals;
+  StudyDisplay display(progress_style(settings.executor.quiet));
+  constexpr bool retry = true;  // a new start repeats what failed
+  StudyRuns runs(
+      folder, maker, database, *executor,
+      {[&](const StudyProgress& now) { display.show(now); }, [&] { return signals.caught(); }},
+      retry);
+  const std::vector<Trial> trials = trials_of(description, settings);
+  std::vector<Outcome> outcomes;
+  try {
+    outcomes = runs.run(trials);
+  } catch (const StudyStopped& stopped) {
+    display.clear();
+    fmt::print("Stopped. The run itself is complete; continue with: {}\n", settings.resume_command);
+    return stopped.signal;
+  }
+  display.clear();
+  refuse_failures(outcomes, settings);
+  Outcome run;
+  run.metrics = read_metrics(read_file(settings.folder / "result.json"));
+  const auto intervals =
+      find_intervals(run, trials, outcomes, convergence_ratio(description), description.dimension);
+  keep(intervals, description, settings.folder);
+  print_intervals(intervals, description);
+  return 0;
+}
+
+}  // namespace kerf

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/executor_options.hpp"
+
+#include "app/command_line.hpp"
+#include "study/local_executor.hpp"
+#include "study/slurm_executor.hpp"
+
+namespace kerf {
+
+namespace {
+
+// Returns the path of the program for the runs. A child process gets the running program, even if
+// its file was replaced.
+constexpr const char* this_program = "/proc/self/exe";
+
+LocalBudget budget_of(const ExecutorOptions& options) {
+  constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
+  LocalBudget budget = budget_of_machine();
+  if (options.cores > 0) budget.cores = options.cores;
+  budget.device = word_of(options.device);
+  const int at_once = options.device == Device::gpu ? 1 : budget.cores;
+  budget.jobs = options.jobs > 0 ? options.jobs : at_once;
+  if (options.memory > 0.0) budget.memory = options.memory * gibibyte;
+  return budget;
+}
+
+}  // namespace
+
+std::unique_ptr<Executor> make_executor(const ExecutorOptions& options,
+                                        const std::filesystem::path& folder) {
+  if (options.where == "local") {
+    set_device(options.device);  // throws when it is not available
+    return std::make_unique<LocalExecutor>(this_program, budget_of(options));
+  }
+  SlurmBudget budget;
+  budget.device = word_of(options.device);
+  if (options.jobs > 0) budget.jobs = options.jobs;
+  if (options.cores > 0) budget.cores = options.cores;
+  return std::make_unique<SlurmExecutor>(std::filesystem::read_symlink(this_program), folder,
+                                         budget);
+}
+
+void add_executor_options(CLI::App& command, ExecutorOptions& options) {
+  constexpr int most = 4096;
+  command
+      .add_option("--jobs", options.jobs,
+                  "maximum number of concurrent runs; default: one per core, one on a GPU")
+      ->check(CLI::Range(1, most));
+  command
+      .add_option(
+          "--cores", options.cores,
+          "cores of all concurrent runs; default: all; with Slurm the cores of each run, default 1")
+      ->check(CLI::Range(1, most));
+  command
+      .add_option("--memory", options.memory,
+                  "memory of all concurrent runs, in GiB; default: four fifths of the free memory")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--on", options.where, "where runs are computed: this machine, or Slurm")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
+  add_device_option(command, options.device);
+  command.add_flag("--retry", options.retry, "repeat failed runs");
+  command.add_flag("--quiet", options.quiet, "show the results only");
+}
+
+}  // namespace kerf

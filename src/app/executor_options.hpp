@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// This header declares the options of commands that make many runs: where and how many at once.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "engine/device.hpp"
+#include "study/executor.hpp"
+
+namespace kerf {
+
+struct ExecutorOptions {
+  int jobs = 0;         // 0 = by the cores
+  int cores = 0;        // 0 = all
+  double memory = 0.0;  // GiB; 0 = four fifths of the free memory
+  std::string where = "local";
+  Device device = Device::cpu;
+  bool retry = false;
+  bool quiet = false;
+};
+
+// Adds --jobs, --cores, --memory, --on, --device, --retry and --quiet. `options` must live as long
+// as the command.
+void add_executor_options(CLI::App& command, ExecutorOptions& options);
+
+// Returns the executor of the options; `folder` is that of the runs. Throws UserError when the
+// device is not available.
+std::unique_ptr<Executor> make_executor(const ExecutorOptions& options,
+                                        const std::filesystem::path& folder);
+
+}  // namespace kerf

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/convergence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/case.hpp"
+#include "output/result_metrics.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* headline_metrics[] = {
+    "cut_through",       "cut_through_time",    "front_depth",       "kerf.depth",
+    "kerf.middle.width", "kerf.removed_volume", "kerf.removal_rate", "kerf.margin"};
+
+constexpr double usual_safety = 1.25, cautious_safety = 3.0;
+
+SpacingEffect range_of(std::span<const double> values) {
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  SpacingEffect effect{values[0] - *least, *greatest - values[0]};
+  effect.rule = SpacingRule::range;
+  return effect;
+}
+
+SpacingEffect grid_convergence(double change, double order, double ratio) {
+  constexpr double least_order = 0.5, greatest_order = 2.0, slack = 1.1;
+  const bool is_plausible = order >= least_order && order <= slack * greatest_order;
+  const double safety = is_plausible ? usual_safety : cautious_safety;
+  const double used = std::clamp(order, least_order, is_plausible ? greatest_order : 1.0);
+  const double index = safety * std::abs(change) / (std::pow(ratio, used) - 1.0);
+  return {index, index, order, SpacingRule::grid_convergence};
+}
+
+const double* find_metric(const Outcome& outcome, const std::string& name) {
+  const auto found = outcome.metrics.find(name);
+  return found == outcome.metrics.end() ? nullptr : &found->second;
+}
+
+// The runs beside the run itself.
+struct OtherRuns {
+  const std::vector<Trial>& trials;
+  const std::vector<Outcome>& outcomes;
+  double ratio;
+};
+
+// The values of a metric: by spacing, the finest first, and by layout, that of the case first.
+struct Samples {
+  std::vector<double> by_spacing, by_layout;
+  int runs = 0;
+};
+
+Samples samples_of(const std::string& name, const Outcome& run, const OtherRuns& others) {
+  const auto& [trials, outcomes, ratio] = others;
+  Samples samples;
+  std::vector<std::pair<double, double>> levels{{1.0, *find_metric(run, name)}};
+  double middle = 0.0;  // refinement at which the layouts were run
+  for (const Trial& trial : trials) middle = std::max(middle, trial.refinement);
+  samples.runs = 1;
+  std::vector<std::pair<int, double>> layouts;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const double* value = outcomes[i].failed ? nullptr : find_metric(outcomes[i], name);
+    if (!value) continue;
+    ++samples.runs;
+    if (trials[i].repeat == 0) levels.emplace_back(trials[i].refinement, *value);
+    if (trials[i].refinement == middle) layouts.emplace_back(trials[i].repeat, *value);
+  }
+  std::sort(levels.rbegin(), levels.rend());
+  std::sort(layouts.begin(), layouts.end());
+  for (const auto& [refinement, value] : levels) {
+    const double expected = std::pow(ratio, -static_cast<double>(samples.by_spacing.size()));
+    if (std::abs(refinement / expected - 1.0) > 1e-6) break;  // a run between has no such number
+    samples.by_spacing.push_back(value);
+  }
+  for (const auto& [layout, value] : layouts) samples.by_layout.push_back(value);
+  return samples;
+}
+
+std::string in_unit(double value, const std::string& unit) {
+  if (unit == "m" || unit == "s") return fmt::format("{:.3g} m{}", 1e3 * value, unit);
+  return unit == "1" ? fmt::format("{:.3g}", value) : fmt::format("{:.3g} {}", value, unit);
+}
+
+std::string verdict_line(const MetricInterval& interval) {
+  if (interval.low == interval.high)
+    return fmt::format("{:<20} {} in all {} runs", interval.metric,
+                       interval.value > 0.5 ? "yes" : "no", interval.runs);
+  return fmt::format("{:<20} {}, but the {} runs differ: the verdict is uncertain", interval.metric,
+                     interval.value > 0.5 ? "yes" : "no", interval.runs);
+}
+
+MetricInterval interval_of(const std::string& name, const Samples& samples, double ratio) {
+  MetricInterval interval;
+  interval.metric = name;
+  interval.value = samples.by_spacing.front();
+  interval.runs = samples.runs;
+  const SpacingEffect spacing = name == "cut_through"
+                                    ? range_of(samples.by_spacing)
+                                    : effect_of_spacing(samples.by_spacing, ratio);
+  const SpacingEffect layout =
+      samples.by_layout.empty() ? SpacingEffect{} : range_of(samples.by_layout);
+  interval.low = interval.value - std::hypot(spacing.below, layout.below);
+  interval.high = interval.value + std::hypot(spacing.above, layout.above);
+  // All headline numbers but the margin are amounts.
+  if (name != "kerf.margin" && interval.low < 0.0) interval.low = 0.0;
+  if (name == "cut_through") interval.high = std::min(1.0, interval.high);
+  interval.spacing = std::max(spacing.below, spacing.above);
+  interval.layout = std::max(layout.below, layout.above);
+  interval.order = spacing.order;
+  interval.rule = spacing_rules[static_cast<std::size_t>(spacing.rule)];
+  return interval;
+}
+
+}  // namespace
+
+SpacingEffect effect_of_spacing(std::span<const double> values, double ratio) {
+  values = values.first(std::min<std::size_t>(values.size(), 3));
+  if (values.size() < 2) {
+    const double none = std::nan("");
+    return {none, none, none, SpacingRule::unknown};
+  }
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  const double scale = std::max(std::abs(*least), std::abs(*greatest));
+  if (*greatest - *least <= 1e-12 * scale) return {};
+  if (values.size() == 2) {
+    const double index = cautious_safety * std::abs(values[1] - values[0]) / (ratio - 1.0);
+    SpacingEffect effect{index, index};
+    effect.rule = SpacingRule::two_spacings;
+    return effect;
+  }
+  const double near = values[1] - values[0], far = values[2] - values[1];
+  const bool converges = far != 0.0 && near / far > 0.0 && near / far < 1.0;
+  if (!converges) {
+    // Such a sequence does not tell on which side of its last value the answer lies.
+    const double width = *greatest - *least;
+    SpacingEffect effect{width, width};
+    effect.rule = SpacingRule::range;
+    return effect;
+  }
+  return grid_convergence(near, std::log(far / near) / std::log(ratio), ratio);
+}
+
+std::vector<Trial> convergence_trials(double ratio, int layouts) {
+  std::vector<Trial> trials{{{}, 0, 1.0 / (ratio * ratio)}, {{}, 0, 1.0 / ratio}};
+  for (int layout = 1; layout < layouts; ++layout) trials.push_back({{}, layout, 1.0 / ratio});
+  return trials;
+}
+
+double convergence_ratio(const Case& description) {
+  constexpr double least_across = 5.0, least = 1.26;
+  const Jet& jet = description.jets.front();
+  return std::clamp(std::sqrt(jet.width / jet.spacing / least_across), least, std::sqrt(2.0));
+}
+
+std::vector<MetricInterval> find_intervals(const Outcome& run, const std::vector<Trial>& trials,
+                                           const std::vector<Outcome>& outcomes, double ratio,
+                                           int dimension) {
+  std::vector<MetricInterval> intervals;
+  for (const char* name : headline_metrics) {
+    if (!find_metric(run, name)) continue;
+    intervals.push_back(interval_of(name, samples_of(name, run, {trials, outcomes, ratio}), ratio));
+    const std::string unit = metric_unit(name, dimension);
+    intervals.back().unit = unit.empty() ? "1" : unit;
+  }
+  return intervals;
+}
+
+std::string interval_line(const MetricInterval& interval) {
+  if (interval.metric == "cut_through") return verdict_line(interval);
+  const auto shown = [&](double value) { return in_unit(value, interval.unit); };
+  if (std::isnan(interval.low))
+    return fmt::format("{:<20} {}, no interval: no coarser run has this number", interval.metric,
+                       shown(interval.value));
+  const double spacing = interval.spacing * interval.spacing;
+  const double all = spacing + interval.layout * interval.layout;
+  const std::string parts = all > 0.0
+                                ? fmt::format("spacing {:.0f}%, layout {:.0f}%",
+                                              100.0 * spacing / all, 100.0 * (1.0 - spacing / all))
+                                : std::string("no change");
+  const std::string order =
+      std::isfinite(interval.order) ? fmt::format(" of order {:.2f}", interval.order) : "";
+  return fmt::format("{:<20} {} [{}, {}]  {}; {}{}, {} runs", interval.metric,
+                     shown(interval.value), shown(interval.low), shown(interval.high), parts,
+                     interval.rule, order, interval.runs);
+}
+
+}  // namespace kerf

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/limit_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/version.hpp"
+#include "study/run_table.hpp"
+#include "study/study_answers.hpp"
+
+namespace kerf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int format = 1;
+
+const ThresholdGoal& goal_of(const LimitPlan& plan) {
+  return *plan.study.threshold;
+}
+
+std::string shown(const LimitPlan& plan, double value) {
+  const Axis& axis = goal_of(plan).axis;
+  if (axis.path.unit().empty()) return fmt::format("{:.4g}", value);
+  return fmt::format("{:.4g} {}", value / axis.shown_factor(), axis.shown_unit);
+}
+
+double value_of(const LimitPlan& plan, const RunRow& row) {
+  return row.trial.setting.numbers.at(goal_of(plan).axis.name());
+}
+
+// Returns "12.4 mm/s, between 12 mm/s and 12.8 mm/s".
+std::string interval_text(const LimitPlan& plan, double value, const Bracket& interval) {
+  return fmt::format("{}, between {} and {}", shown(plan, value), shown(plan, interval.low),
+                     shown(plan, interval.high));
+}
+
+// Returns the width of the column of values.
+std::size_t value_width(const LimitPlan& plan) {
+  constexpr std::size_t least = 14;
+  return std::max(least, plan.quantity.size());
+}
+
+// Returns whether the condition is that the jet cuts, also all along its path.
+bool is_cut(const LimitPlan& plan) {
+  const std::string& metric = goal_of(plan).condition.metric;
+  return metric == "cut_through" || metric == "kerf.through_share";
+}
+
+std::string verb(const LimitPlan& plan, bool holds) {
+  if (is_cut(plan)) return holds ? "The jet cuts" : "The jet does not cut";
+  return fmt::format("{} {}", goal_of(plan).condition.text(), holds ? "holds" : "does not hold");
+}
+
+// Returns "Greatest feed that still cuts (kerf.through_share >= 0.95)".
+std::string question_of(const LimitPlan& plan) {
+  const ThresholdGoal& goal = goal_of(plan);
+  const std::string subject =
+      fmt::format("{} {}", goal.least ? "Least" : "Greatest", plan.quantity);
+  if (!is_cut(plan)) return fmt::format("{} with {}", subject, goal.condition.text());
+  const std::string detail = goal.condition.metric == "cut_through"
+                                 ? std::string()
+                                 : fmt::format(" ({})", goal.condition.text());
+  return fmt::format("{} that still cuts{}", subject, detail);
+}
+
+// Describes a range in which all runs have the same verdict.
+std::string without_limit(const LimitPlan& plan, bool holds) {
+  const ThresholdGoal& goal = goal_of(plan);
+  const bool is_upper = holds != goal.least;  // the end that the search has reached
+  const double end = is_upper ? goal.axis.values.back() : goal.axis.values.front();
+  const std::string far =
+      plan.is_own_range ? fmt::format(", {} the stated {}",
+                                      is_upper ? fmt::format("{:.3g} times", end / plan.stated)
+                                               : fmt::format("1/{:.3g} of", plan.stated / end),
+                                      shown(plan, plan.stated))
+                        : std::string();
+  return fmt::format("none in the range. {} at every {} {} {}{}. {}", verb(plan, holds),
+                     plan.quantity, is_upper ? "up to" : "down to", shown(plan, end), far,
+                     is_upper ? "Raise --to to search further" : "Lower --from to search further");
+}
+
+std::string stated_note(const LimitPlan& plan, const ThresholdAnswer& found) {
+  const double off = plan.stated / found.value() - 1.0;
+  const bool is_open = plan.stated > found.stated.low && plan.stated < found.stated.high;
+  return fmt::format("The stated {} is {:.3g}% {} the limit{}.", shown(plan, plan.stated),
+                     100.0 * std::abs(off), off < 0.0 ? "below" : "above",
+                     is_open ? ", within its interval: whether it cuts is uncertain" : "");
+}
+
+std::vector<std::string> cause_notes(const LimitPlan& plan, const ThresholdAnswer& answer) {
+  const ThresholdGoal& goal = goal_of(plan);
+  const LimitCauses causes = causes_of(answer);
+  std::vector<std::string> notes;
+  notes.push_back(fmt::format(
+      "Bracket of the first layout: ± {}{}.", shown(plan, causes.bracket),
+      answer.is_within_tolerance
+          ? ""
+          : fmt::format(", with all layouts wider than the tolerance of {:g}%: verdicts alternate, "
+                        "layouts differ or the runs were used up",
+                        100.0 * goal.tolerance)));
+  if (causes.layout)
+    notes.push_back(fmt::format("{} layouts: up to {} more.", answer.layouts.size(),
+                                shown(plan, *causes.layout)));
+  else
+    notes.push_back("Layouts were not examined (--layouts, --converge).");
+  if (causes.spacing)
+    notes.push_back(fmt::format(
+        "Spacing: {} with {:.3g} times the spacing, {} for a spacing of zero (first order).",
+        shown(plan, answer.draft->middle()), answer.refinement / answer.draft_refinement,
+        shown(plan, answer.extrapolated)));
+  else
+    notes.push_back("The spacing was not examined (--converge).");
+  notes.push_back("Material data have no intervals in a case, so their share is left out.");
+  return notes;
+}
+
+double metric(const RunRow& row, const char* name) {
+  const double* found = find_number(row, name);
+  return found ? *found : std::nan("");
+}
+
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json trial_json(const LimitPlan& plan, const RunRow& row) {
+  const Condition& condition = goal_of(plan).condition;
+  const bool is_done = row.state == RunState::done;
+  Json json{{"value", value_of(plan, row)},
+            {"layout", row.trial.repeat},
+            {"refinement", row.trial.refinement},
+            {"spacing", row.spacing},
+            {"state", run_state_words[static_cast<std::size_t>(row.state)]}};
+  json["holds"] = is_done ? Json(condition.holds(row.metrics)) : Json(nullptr);
+  json["margin"] = is_done ? number_or_null(condition.margin(row.metrics)) : Json(nullptr);
+  for (const auto& [key, name] : {std::pair{"cut_through", "cut_through"},
+                                  {"cut_through_time", "cut_through_time"},
+                                  {"depth", "kerf.depth"},
+                                  {"width", "kerf.middle.width"},
+                                  {"end_time", "end_time"}})
+    json[key] = number_or_null(metric(row, name));
+  const std::string report = report_of(row);
+  json["report"] = report.empty() ? Json(nullptr) : Json(report);
+  json["error"] = row.error;
+  return json;
+}
+
+}  // namespace
+
+LimitCauses causes_of(const ThresholdAnswer& answer) {
+  LimitCauses causes;
+  if (answer.layouts.empty()) return causes;
+  const Bracket& first = answer.layouts.front();
+  causes.bracket = first.half_width();
+  if (answer.layouts.size() > 1)
+    causes.layout = std::max(first.low - answer.bracket.low, answer.bracket.high - first.high);
+  if (answer.draft) causes.spacing = answer.extrapolated - first.middle();
+  return causes;
+}
+
+std::optional<Bracket> bracket_of(const LimitPlan& plan, const std::vector<RunRow>& runs,
+                                  const Trial& of) {
+  std::map<double, bool> verdicts;
+  for (const RunRow& row : runs)
+    if (row.state == RunState::done && row.trial.repeat == of.repeat &&
+        row.trial.refinement == of.refinement)
+      verdicts[value_of(plan, row)] = goal_of(plan).is_beyond(row.metrics);
+  std::optional<double> low, high;
+  for (const auto& [value, is_beyond] : verdicts) {
+    if (is_beyond) break;
+    low = value;
+  }
+  for (auto entry = verdicts.rbegin(); entry != verdicts.rend() && entry->second; ++entry)
+    high = entry->first;
+  if (!low || !high) return std::nullopt;
+  return Bracket{*low, *high};
+}
+
+int rounds_left(const Bracket& bracket, double tolerance, int side_by_side) {
+  const double ratio = bracket.half_width() / (tolerance * std::abs(bracket.middle()));
+  if (ratio <= 1.0) return 0;
+  return static_cast<int>(std::ceil(std::log(ratio) / std::log(std::max(1, side_by_side) + 1.0)));
+}
+
+LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer) {
+  LimitWords words;
+  words.question = question_of(plan);
+  if (!answer.threshold || !answer.threshold->problem.empty()) {
+    const auto so_far = bracket_of(plan, answer.runs, {{}, 0, plan.study.refinement});
+    if (answer.threshold && answer.threshold->holds_everywhere)
+      words.finding = without_limit(plan, *answer.threshold->holds_everywhere);
+    else if (so_far)
+      words.finding =
+          fmt::format("not found yet; so far {}", interval_text(plan, so_far->middle(), *so_far));
+    else
+      words.finding = "not found yet";
+    if (answer.threshold && !answer.threshold->holds_everywhere)
+      words.notes.push_back(answer.threshold->problem + ".");
+  } else {
+    const ThresholdAnswer& found = *answer.threshold;
+    words.finding = interval_text(plan, found.value(), found.stated);
+    words.notes.push_back(stated_note(plan, found));
+    for (std::string& note : cause_notes(plan, found)) words.notes.push_back(std::move(note));
+  }
+  for (const std::string& sentence : plan.held) words.notes.push_back(sentence);
+  return words;
+}
+
+std::string trial_verdict(const LimitPlan& plan, const RunRow& row) {
+  if (row.state != RunState::done)
+    return std::string(run_state_words[static_cast<std::size_t>(row.state)]);
+  const bool holds = goal_of(plan).condition.holds(row.metrics);
+  if (is_cut(plan)) return holds ? "cuts" : "does not cut";
+  return holds ? "holds" : "does not hold";
+}
+
+std::string trial_heading(const LimitPlan& plan) {
+  return fmt::format("  {:>3}  {:<{}}  {:<14}  {:>8}  {:>9}  {:>10}  {:>6}", "run", plan.quantity,
+                     value_width(plan), "verdict", "margin", "depth/mm", "spacing/mm", "layout");
+}
+
+std::string trial_line(const LimitPlan& plan, std::size_t number, const RunRow& row) {
+  const bool is_done = row.state == RunState::done;
+  const double depth = 1e3 * metric(row, "kerf.depth");
+  return fmt::format(
+      "  {:>3}  {:<{}}  {:<14}  {:>8}  {:>9}  {:>10.4g}  {:>6}", number,
+      shown(plan, value_of(plan, row)), value_width(plan), trial_verdict(plan, row),
+      is_done ? fmt::format("{:+.1f}%", 100.0 * goal_of(plan).condition.margin(row.metrics)) : "-",
+      std::isfinite(depth) ? fmt::format("{:.4g}", depth) : "-", 1e3 * row.spacing,
+      row.trial.repeat);
+}
+
+nlohmann::ordered_json limit_json(const LimitPlan& plan, const LimitAnswer& answer) {
+  const Axis& axis = goal_of(plan).axis;
+  Json json{{"format", format},
+            {"title", plan.study.title},
+            {"case", plan.study.base_name},
+            {"version", program_version},
+            {"quantity", plan.quantity},
+            {"stated", plan.stated},
+            {"range", {{"low", axis.values.front()}, {"high", axis.values.back()}}},
+            {"shown_unit", axis.shown_unit},
+            {"shown_factor", axis.shown_factor()}};
+  const LimitWords words = describe_limit(plan, answer);
+  json["question"] = words.question;
+  json["finding"] = words.finding;
+  json["notes"] = words.notes;
+  if (answer.threshold) {
+    StudyAnswers answers;
+    answers.threshold = answer.threshold;
+    json.update(describe_answers(plan.study, answers).front().members);
+    json["holds_everywhere"] =
+        answer.threshold->holds_everywhere ? Json(*answer.threshold->holds_everywhere) : Json();
+    const LimitCauses causes = causes_of(*answer.threshold);
+    json["causes"] = {{"bracket", causes.bracket},
+                      {"layout", causes.layout ? Json(*causes.layout) : Json()},
+                      {"spacing", causes.spacing ? Json(*causes.spacing) : Json()},
+                      {"material", nullptr}};
+  }
+  json["trials"] = Json::array();
+  for (const RunRow& row : answer.runs) json["trials"].push_back(trial_json(plan, row));
+  return json;
+}
+
+}  // namespace kerf

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// This header declares the answer to a question for a limit as the terminal, limit.json and
+// limit.html present it, and the table of its trials.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/limit_plan.hpp"
+#include "study/searches.hpp"
+#include "study/study_database.hpp"
+
+namespace kerf {
+
+struct LimitAnswer {
+  std::optional<ThresholdAnswer> threshold;  // of a search that has ended
+  std::vector<RunRow> runs;                  // in the order in which they were asked for
+};
+
+// What causes the width of the interval, in SI units of the key; null where it was not examined.
+struct LimitCauses {
+  double bracket = 0.0;           // half-width of the bracket of the first layout
+  std::optional<double> layout;   // by which the other layouts extend that bracket
+  std::optional<double> spacing;  // change from the value to that for a spacing of 0
+};
+LimitCauses causes_of(const ThresholdAnswer& answer);
+
+// Returns the bracket that the completed runs of one layout and resolution make; nothing while all
+// of them have the same verdict.
+std::optional<Bracket> bracket_of(const LimitPlan& plan, const std::vector<RunRow>& runs,
+                                  const Trial& of);
+// Returns how many more rounds of `side_by_side` runs narrow the bracket to the tolerance, where
+// each round divides it into side_by_side + 1 parts.
+int rounds_left(const Bracket& bracket, double tolerance, int side_by_side);
+
+// The answer in words.
+struct LimitWords {
+  std::string question;            // "Greatest feed that still cuts"
+  std::string finding;             // "12.4 mm/s, between ..."; why there is none; how far it is
+  std::vector<std::string> notes;  // causes of the interval, the stated value, what was held
+};
+LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer);
+
+// Returns whether a completed run cuts, in the words of the tables: "cuts" or "does not cut", of
+// another condition "holds" or "does not hold"; "failed" of a failed run.
+std::string trial_verdict(const LimitPlan& plan, const RunRow& row);
+
+// Returns the heading of the table of trials and one line of it, of equal widths.
+std::string trial_heading(const LimitPlan& plan);
+std::string trial_line(const LimitPlan& plan, std::size_t number, const RunRow& row);
+
+// Returns limit.json, which docs/limits.md describes.
+nlohmann::ordered_json limit_json(const LimitPlan& plan, const LimitAnswer& answer);
+// Returns limit.html, which loads nothing.
+std::string limit_page(const LimitPlan& plan, const LimitAnswer& answer);
+
+}  // namespace kerf

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/limit_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "input/problems.hpp"
+#include "input/read.hpp"
+#include "input/units.hpp"
+#include "model/case.hpp"
+#include "output/files.hpp"
+#include "study/layout.hpp"
+#include "study/read_condition.hpp"
+#include "study/read_study.hpp"
+
+namespace kerf {
+
+namespace {
+
+// A case with what the question refers to.
+struct Asked {
+  const LimitQuestion& question;
+  std::string file;
+  Case description;
+};
+
+[[noreturn]] void refuse(const Asked& asked, const std::string& what, const std::string& remedy) {
+  throw UserError(fmt::format("{}: --of {}: {}. {}.", asked.file, asked.question.of, what, remedy));
+}
+
+const LimitQuantity* find_quantity(const std::string& name) {
+  const auto& all = limit_quantities();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const LimitQuantity& each) { return each.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+// Returns the quantities that have a key in such a case, with commas between.
+std::string quantities_of(const Case& description) {
+  std::vector<std::string_view> names;
+  for (const LimitQuantity& each : limit_quantities())
+    if (!(description.machine ? each.of_machine : each.of_jet).empty()) names.push_back(each.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// Returns the path of the only component of the traverse of a jet that is not 0.
+std::string traverse_path(const Asked& asked, const std::string& key) {
+  const Jet& jet = asked.description.jets.front();
+  int moving = -1, count = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    if (jet.traverse[static_cast<std::size_t>(axis)] != 0.0) moving = axis, ++count;
+  if (count == 1 && jet.traverse[static_cast<std::size_t>(moving)] > 0.0)
+    return fmt::format("{}.{}", key, moving);
+  refuse(asked,
+         fmt::format("jet.{}.traverse is ({:g}, {:g}, {:g}) m/s; the feed is searched along one "
+                     "axis. Allowed: one component greater than 0 m/s, the others 0 m/s",
+                     jet.name, jet.traverse[0], jet.traverse[1], jet.traverse[2]),
+         "Let the nozzle travel along +x, such as traverse = [\"10 mm/s\", \"0 m/s\"], or write a "
+         "[machine] with a traverse_speed");
+}
+
+std::string path_of(const Asked& asked) {
+  const Case& description = asked.description;
+  const LimitQuantity* quantity = find_quantity(asked.question.of);
+  if (!quantity) return asked.question.of;
+  if (description.jets.empty())
+    refuse(asked, "the case has no jet", "Add a [machine] or a [[jet]]");
+  const std::string_view key = description.machine ? quantity->of_machine : quantity->of_jet;
+  if (key.empty())
+    refuse(asked,
+           fmt::format("a case with a {} has no such limit. Allowed: {}, or the path of a key",
+                       description.machine ? "[machine]" : "[[jet]]", quantities_of(description)),
+           description.machine ? "Ask for the pressure, from which the speed follows"
+                               : "Write the jet as a [machine], or ask for another quantity");
+  if (description.machine) return std::string(key);
+  const std::string path = fmt::format("jet.{}.{}", description.jets.front().name, key);
+  return key == "traverse" ? traverse_path(asked, path) : path;
+}
+
+bool is_least(const Asked& asked, const std::string& path) {
+  const std::string& find = asked.question.find;
+  if (!find.empty()) return find == "least";
+  if (const LimitQuantity* quantity = find_quantity(asked.question.of)) return quantity->least;
+  if (path.starts_with("materials.")) return false;  // a stronger material is harder to cut
+  refuse(asked, "the program does not know whether this key has a least or a greatest value",
+         "Add --find least or --find greatest");
+}
+
+KeyPath key_of(const Asked& asked, const toml::table& base) {
+  KeyPath path = find_key_path(path_of(asked), base);
+  const bool is_usable = path.problem.empty() && path.is_number();
+  if (is_usable) return path;
+  std::vector<std::string> words;
+  for (const LimitQuantity& each : limit_quantities()) words.emplace_back(each.name);
+  const std::string guess = closest(asked.question.of, words);
+  refuse(asked,
+         fmt::format("{}. Allowed: {}, or the path of a key that holds one number, such as "
+                     "materials.NAME.failure_strain",
+                     path.problem.empty() ? "the key does not hold one number" : path.problem,
+                     quantities_of(asked.description)),
+         guess.empty() ? "docs/keys.md has all keys" : fmt::format("Did you mean \"{}\"?", guess));
+}
+
+double read_number(const Asked& asked, const KeyPath& path, const char* option,
+                   const std::string& text) {
+  const Quantity quantity = read_value(text, path.unit());
+  if (!quantity.problem.empty() || !in_range(*path.key, quantity.value) || quantity.value <= 0.0)
+    throw UserError(fmt::format(
+        "{}: {} \"{}\": {}. Allowed for {}: {}, greater than 0. Write a text such as "
+        "\"{}\".",
+        asked.file, option, text,
+        quantity.problem.empty() ? "the value is out of range" : quantity.problem, path.text,
+        allowed_text(*path.key), path.unit().empty() ? "0.5" : example_of(path.unit())));
+  return quantity.value;
+}
+
+// Reads the stated value and chooses the range around it.
+Axis axis_of(const Asked& asked, toml::table& base, double& stated) {
+  Axis axis;
+  axis.path = key_of(asked, base);
+  const toml::node* node = find_value(base, axis.path);
+  Problems problems(asked.file);
+  if (node) {
+    problems.mention(axis.name(), static_cast<int>(node->source().begin.line), "");
+    stated = AxisReader(problems, base).number(axis.path, axis.name(), *node).value_or(0.0);
+    axis.shown_unit = unit_of(*node);
+  }
+  problems.throw_if_any();
+  if (!(stated > 0.0))
+    refuse(asked,
+           fmt::format("the case states {}; the search starts from the stated value. Allowed for "
+                       "{}: {}, greater than 0",
+                       node ? fmt::format("{} = {:g}", axis.name(), stated) : "no " + axis.name(),
+                       axis.name(), allowed_text(*axis.path.key)),
+           "State a value at which the cut is tried first");
+  const LimitQuestion& question = asked.question;
+  const double most = axis.path.key->range.maximum;
+  double low = stated / limit_range_factor, high = std::min(most, stated * limit_range_factor);
+  if (!question.from.empty()) low = read_number(asked, axis.path, "--from", question.from);
+  if (!question.to.empty()) high = read_number(asked, axis.path, "--to", question.to);
+  if (low >= high)
+    throw UserError(fmt::format(
+        "{}: the range of {} ends at {:g} {}, which is not above its beginning, {:g} {}. Correct "
+        "--from or --to.",
+        asked.file, axis.name(), high, axis.path.unit(), low, axis.path.unit()));
+  axis.values = {low, high};
+  axis.is_range = axis.is_logarithmic = true;
+  return axis;
+}
+
+// Sets the spacings that follow from the jet to those of the case, so that all runs have the same.
+void hold_spacings(const Case& description, toml::table& base) {
+  const auto hold = [&](const std::string& path, double spacing) {
+    set_number(base, find_key_path(path, base), spacing);
+  };
+  if (description.machine) hold("machine.spacing", description.machine->spacing);
+  for (std::size_t i = 0; i < description.bodies.size(); ++i)
+    hold(fmt::format("body.{}.spacing", i), description.bodies[i].spacing);
+  if (description.machine) return;
+  for (std::size_t i = 0; i < description.jets.size(); ++i)
+    hold(fmt::format("jet.{}.spacing", i), description.jets[i].spacing);
+}
+
+// Removes times of outputs, which may lie beyond the end of a shorter run.
+void drop_output_times(toml::table& base) {
+  if (toml::table* output = base["output"].as_table())
+    for (const char* key : {"frame_interval", "frame_times", "picture_times", "series_interval"})
+      output->erase(key);
+}
+
+LimitEnd end_of(const Asked& asked, bool is_feed) {
+  LimitEnd end;
+  end.end = asked.description.time.end;
+  if (!is_feed) return end;
+  const Jet& jet = asked.description.jets.front();
+  const double speed = std::hypot(jet.traverse[0], jet.traverse[1], jet.traverse[2]);
+  end.start = jet.start + std::max(jet.dwell, jet.standoff / jet.speed);
+  end.path = speed * (end.end - end.start);
+  if (end.path <= 0.0)
+    refuse(asked,
+           fmt::format("{} = {:g} s is before the jet travels over the workpiece, from {:g} s on",
+                       end_key, end.end, end.start),
+           "Raise time.end, or lower the dwell");
+  return end;
+}
+
+// Returns how many times coarser the drafts are: 2, or sqrt 2 where they would otherwise have fewer
+// than five particles across the jet (docs/studies.md).
+double draft_of(const Case& description) {
+  constexpr double least_across = 5.0;
+  const Jet& jet = description.jets.front();
+  return jet.width / jet.spacing >= 2.0 * least_across ? 0.5 : std::sqrt(0.5);
+}
+
+std::vector<std::string> held_in(const LimitPlan& plan) {
+  const double refinement = plan.study.refinement;
+  std::vector<std::string> held{
+      refinement == 1.0
+          ? std::string("The spacings of the particles are those of the case in all runs.")
+          : fmt::format("The spacings of the particles are {:.3g} times those of the case in all "
+                        "runs.",
+                        1.0 / refinement)};
+  if (plan.end.path > 0.0)
+    held.push_back(fmt::format("The nozzle travels {:.4g} mm in each run.", 1e3 * plan.end.path));
+  else
+    held.push_back(fmt::format("Each run lasts {:.4g} ms.", 1e3 * plan.end.end));
+  return held;
+}
+
+ThresholdGoal goal_of(const Asked& asked, const LimitPlan& plan, Axis axis) {
+  const LimitQuestion& question = asked.question;
+  constexpr int converged_layouts = 3;
+  ThresholdGoal goal;
+  goal.least = is_least(asked, axis.name());
+  if (!question.where.empty())
+    goal.condition = read_where(question.where, asked.description.dimension);
+  else if (plan.end.path > 0.0)
+    goal.condition = {"kerf.through_share", 0.95, true};
+  goal.tolerance = question.tolerance;
+  goal.most_runs = question.most_runs;
+  goal.draft = question.converge ? draft_of(asked.description) : 1.0;
+  const int asked_layouts =
+      question.layouts > 0 ? question.layouts : (question.converge ? converged_layouts : 1);
+  goal.repeats = has_other_layouts(asked.description) ? asked_layouts : 1;
+  goal.start = std::clamp(plan.stated, axis.values.front(), axis.values.back());
+  goal.axis = std::move(axis);
+  return goal;
+}
+
+}  // namespace
+
+const std::vector<LimitQuantity>& limit_quantities() {
+  static const std::vector<LimitQuantity> all{
+      {"feed", "machine.traverse_speed", "traverse", false, "greatest traverse speed that cuts"},
+      {"pressure", "machine.pressure", "", true, "least pump pressure that cuts"},
+      {"jet_speed", "", "speed", true, "least jet speed that cuts"},
+      {"orifice", "machine.orifice_diameter", "", true, "least orifice diameter that cuts"},
+      {"jet_width", "", "width", true, "least width of a plane jet that cuts"},
+      {"standoff", "machine.standoff", "", false, "greatest standoff that cuts"}};
+  return all;
+}
+
+LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion& question) {
+  const std::string text = read_file(case_file);
+  const Asked asked{question, case_file.string(), parse_case(text, case_file.string())};
+  LimitPlan plan;
+  plan.quantity = question.of;
+  plan.is_own_range = question.from.empty() && question.to.empty();
+  StudyPlan& study = plan.study;
+  study.name = case_file.stem().string();
+  study.title = asked.description.title;
+  study.text = text;
+  study.base_name = case_file.string();
+  study.base = toml::parse(text);
+  study.dimension = asked.description.dimension;
+  study.refinement = question.refinement;
+  Axis axis = axis_of(asked, study.base, plan.stated);
+  const bool is_feed = find_quantity(question.of) && question.of == "feed";
+  plan.end = end_of(asked, is_feed);
+  plan.held = held_in(plan);
+  hold_spacings(asked.description, study.base);
+  drop_output_times(study.base);
+  const KeyPath end_path = find_key_path(std::string(end_key), study.base);
+  set_number(study.base, end_path, plan.end.end);
+  if (is_feed) {
+    Axis end;
+    end.path = end_path;
+    end.shown_unit = "ms";
+    study.axes.push_back(std::move(end));
+  }
+  study.threshold = goal_of(asked, plan, std::move(axis));
+  study.repeats = study.threshold->repeats;
+  return plan;
+}
+
+Trial with_end(const LimitPlan& plan, Trial trial) {
+  if (plan.end.path > 0.0) {
+    const double speed = trial.setting.numbers.at(plan.study.threshold->axis.name());
+    trial.setting.numbers[std::string(end_key)] = plan.end.at(speed);
+  }
+  return trial;
+}
+
+}  // namespace kerf

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Intervals from spacings and layouts, against series of known order.
+#include "study/convergence.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "input/read.hpp"
+#include "model/case.hpp"
+#include "synthetic.hpp"
+
+namespace kerf {
+namespace {
+
+using testing::HasSubstr;
+
+// f(d) = f_0 + c d^p at the spacings d, r d, r^2 d, whose error at d is c d^p.
+std::vector<double> series_of(double limit, double coefficient, double order, double ratio) {
+  std::vector<double> values;
+  for (int level = 0; level < 3; ++level)
+    values.push_back(limit + coefficient * std::pow(0.3 * std::pow(ratio, level), order));
+  return values;
+}
+
+TEST(Convergence, RecoversTheOrderAndErrorOfASeries) {
+  for (const double order : {0.6, 1.0, 1.5, 2.0})
+    for (const double ratio : {1.26, std::sqrt(2.0), 2.0})
+      for (const double coefficient : {-1.4, 0.02}) {
+        const auto values = series_of(3.0, coefficient, order, ratio);
+        const SpacingEffect effect = effect_of_spacing(values, ratio);
+        EXPECT_EQ(effect.rule, SpacingRule::grid_convergence);
+        EXPECT_NEAR(effect.order, order, 1e-9);
+        // Roache's factor of safety for three grids times the true error.
+        const double error = std::abs(values[0] - 3.0);
+        EXPECT_NEAR(effect.below, 1.25 * error, 1e-9 * error);
+        EXPECT_EQ(effect.below, effect.above);
+      }
+}
+
+// A series of order p is wrong by |e_21| / (r^p - 1): the cautious interval covers it.
+TEST(Convergence, IsCautiousWhereTheOrderIsAccidental) {
+  for (const double order : {0.3, 0.45, 2.3, 6.0, 12.0}) {
+    const auto values = series_of(3.0, 1.0, order, 1.4);
+    const SpacingEffect effect = effect_of_spacing(values, 1.4);
+    EXPECT_NEAR(effect.order, order, 1e-6);
+    const double used = order < 1.0 ? 0.5 : 1.0;
+    const double change = std::abs(values[1] - values[0]);
+    EXPECT_NEAR(effect.above, 3.0 * change / (std::pow(1.4, used) - 1.0), 1e-12);
+    EXPECT_GT(effect.above, std::abs(values[0] - 3.0));
+  }
+}
+
+TEST(Convergence, TwoSpacingsHaveAFactorOfThree) {
+  const auto values = series_of(3.0, 0.5, 1.0, 2.0);
+  const SpacingEffect effect = effect_of_spacing(std::span(values).first(2), 2.0);
+  EXPECT_EQ(effect.rule, SpacingRule::two_spacings);
+  EXPECT_NEAR(effect.above, 3.0 * (values[0] - 3.0), 1e-12);
+  EXPECT_TRUE(std::isnan(effect.order));
+}
+
+TEST(Convergence, SequencesThatDoNotConvergeHaveTheirRange) {
+  for (const std::vector<double>& values :
+       {std::vector{1.48, 3.47, 2.0}, std::vector{1.0, 2.0, 2.5}, std::vector{2.0, 2.0, 3.0},
+        std::vector{1.0, 2.0, 2.0}}) {
+    const SpacingEffect effect = effect_of_spacing(values, 1.4);
+    EXPECT_EQ(effect.rule, SpacingRule::range);
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    EXPECT_DOUBLE_EQ(effect.below, *greatest - *least);
+    EXPECT_DOUBLE_EQ(effect.above, *greatest - *least);
+  }
+  const std::vector<double> constant{2.0, 2.0, 2.0}, one{2.0};
+  EXPECT_EQ(effect_of_spacing(constant, 1.4).rule, SpacingRule::constant);
+  EXPECT_EQ(effect_of_spacing(constant, 1.4).above, 0.0);
+  EXPECT_EQ(effect_of_spacing(one, 1.4).rule, SpacingRule::unknown);
+}
+
+// A made-up run: the depth is of first order in the spacing and differs by layout.
+Outcome made_up(const Trial& trial, bool cuts) {
+  static constexpr double by_layout[] = {0.0, 2e-4, -1e-4};
+  Outcome outcome;
+  outcome.metrics = {{"kerf.depth", 4e-3 + 1e-3 / trial.refinement + by_layout[trial.repeat]},
+                     {"cut_through", cuts}};
+  if (cuts) outcome.metrics["cut_through_time"] = 5e-3;
+  return outcome;
+}
+
+TEST(Convergence, CombinesSpacingAndLayout) {
+  const double ratio = std::sqrt(2.0);
+  const auto trials = convergence_trials(ratio, 3);
+  ASSERT_EQ(trials.size(), 4u);
+  EXPECT_LT(trials[0].refinement, trials[1].refinement) << "the cheapest comes first";
+  std::vector<Outcome> outcomes;
+  for (const Trial& trial : trials) outcomes.push_back(made_up(trial, trial.repeat != 2));
+  const auto intervals = find_intervals(made_up({}, true), trials, outcomes, ratio, 2);
+  ASSERT_EQ(intervals.size(), 3u);
+  const MetricInterval &cut = intervals[0], &time = intervals[1], &depth = intervals[2];
+  EXPECT_EQ(depth.metric, "kerf.depth");
+  EXPECT_EQ(depth.unit, "m");
+  EXPECT_NEAR(depth.order, 1.0, 1e-9);
+  // The depth for a spacing of zero is 4 mm, 1 mm below the value; with the factor 1.25.
+  EXPECT_NEAR(depth.low, 5e-3 - std::hypot(1.25e-3, 1e-4), 1e-12);
+  EXPECT_NEAR(depth.high, 5e-3 + std::hypot(1.25e-3, 2e-4), 1e-12);
+  EXPECT_NEAR(depth.spacing, 1.25e-3, 1e-12);
+  EXPECT_NEAR(depth.layout, 2e-4, 1e-12);
+  EXPECT_EQ(depth.runs, 5);
+  EXPECT_EQ(cut.low, 0.0);
+  EXPECT_EQ(cut.high, 1.0);
+  EXPECT_THAT(interval_line(cut), HasSubstr("uncertain"));
+  EXPECT_EQ(time.runs, 4) << "one run does not cut";
+  EXPECT_EQ(time.low, time.high);
+  EXPECT_THAT(interval_line(depth), HasSubstr("5 mm [3.75 mm, 6.27 mm]  spacing 98%, layout 2%"));
+}
+
+TEST(Convergence, AMissingSpacingEndsTheSequence) {
+  const double ratio = 1.4;
+  const auto trials = convergence_trials(ratio, 1);
+  std::vector<Outcome> outcomes;
+  for (const Trial& trial : trials) outcomes.push_back(made_up(trial, true));
+  outcomes[1].metrics.erase("kerf.depth");
+  const auto intervals = find_intervals(made_up({}, true), trials, outcomes, ratio, 2);
+  EXPECT_EQ(intervals[2].metric, "kerf.depth");
+  EXPECT_EQ(intervals[2].rule, "unknown");
+  EXPECT_TRUE(std::isnan(intervals[2].low) && std::isnan(intervals[2].high));
+  EXPECT_THAT(interval_line(intervals[2]), HasSubstr("no interval"));
+  EXPECT_EQ(intervals[2].runs, 2);
+}
+
+TEST(Convergence, TheCoarsestSpacingHasFiveParticlesAcrossTheJet) {
+  Case description = parse_case(test::small_case, "small.toml");
+  Jet& jet = description.jets.front();
+  for (const double across : {8.0, 9.0, 10.0}) {
+    jet.spacing = jet.width / across;
+    const double ratio = convergence_ratio(description);
+    EXPECT_NEAR(across / (ratio * ratio), 5.0, 0.05) << across;
+  }
+  jet.spacing = jet.width / 30.0;
+  EXPECT_DOUBLE_EQ(convergence_ratio(description), std::sqrt(2.0));
+  jet.spacing = jet.width / 2.0;
+  EXPECT_DOUBLE_EQ(convergence_ratio(description), 1.26);
+}
+
+}  // namespace
+}  // namespace kerf
