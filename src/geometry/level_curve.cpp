@@ -12,6 +12,7 @@ namespace kerf {
 namespace {
 
 constexpr std::size_t most_points = 10'000'000;
+constexpr double same_place = 1e-3;  // of a step
 
 // Goes along a level curve, the surface on its right (`side` 1) or on its left (-1).
 class Tracer {
@@ -28,7 +29,7 @@ class Tracer {
     while (face && chain.points.size() < most_points) {
       const Point direction = along(*face);
       Point next = sum(point, step_, direction);
-      auto ahead = contains(region_.shape, next, 2) ? region_.nearest(next, 2) : std::nullopt;
+      auto ahead = contains(region_.shape, next, 2) ? face_ahead(next, *face) : std::nullopt;
       if (!ahead) return false;
       bool is_corner = false;
       if (dot(ahead->normal, face->normal) < corner_alignment) {
@@ -37,11 +38,12 @@ class Tracer {
         const double more = (ahead->depth - depth_) / slope;
         if (std::abs(more) > 2.0 * step_) return false;
         next = sum(next, more, direction);
+        if (turns_back(next, chain)) return false;
         ahead->depth = depth_;
         is_corner = true;
       } else {
         next = sum(next, ahead->depth - depth_, ahead->normal);
-        ahead = region_.nearest(next, 2);
+        ahead = face_ahead(next, *ahead);
         if (!ahead || std::abs(ahead->depth - depth_) > 0.2 * step_) return false;
       }
       way += plane_distance(point, next);
@@ -65,6 +67,20 @@ class Tracer {
  private:
   Point along(const NearestFace& face) const {
     return {-side_ * face.normal[1], side_ * face.normal[0], 0.0};
+  }
+  // Returns the nearest face; at a place as far from the one followed but for rounding, as at a
+  // corner and in the middle of a wall, that one.
+  std::optional<NearestFace> face_ahead(const Point& point, const NearestFace& followed) const {
+    auto face = region_.nearest(point, 2);
+    if (!face || std::abs(face->depth - depth_) > same_place * step_) return face;
+    const double alignment = dot(face->normal, followed.normal);
+    if (alignment > corner_alignment) return face;
+    return NearestFace{followed.normal, alignment < 0.0 ? 2.0 * depth_ - face->depth : depth_};
+  }
+  // The end of a wall, in its middle, is two corners at one place: there the curve ends.
+  bool turns_back(const Point& corner, const LevelCurve& chain) const {
+    return !chain.corners.empty() && chain.corners.back() + 1 == chain.points.size() &&
+           plane_distance(corner, chain.points.back()) < same_place * step_;
   }
 
   const CoveredShape& region_;
@@ -150,7 +166,8 @@ std::vector<Point> spread_on_curve(const LevelCurve& curve, double spacing) {
     const bool from = curve.is_closed || k > 0, to = curve.is_closed || k + 2 < ends.size();
     const double length = chain_length(chain, ends[k], ends[k + 1]);
     auto shares = shares_of(length, spacing, from, to);
-    if (to && shares.size() > 1) shares.pop_back();  // the first one of the next piece
+    const bool is_followed = k + 2 >= ends.size() || ends[k + 1] < ends[k + 2];
+    if (to && is_followed && shares.size() > 1) shares.pop_back();  // the first of the next piece
     if (ends[k] < ends[k + 1]) spread(chain, ends[k], ends[k + 1], shares, points);
   }
   return points;

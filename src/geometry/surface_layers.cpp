@@ -69,8 +69,12 @@ class PlaneLayers {
     const int count = static_cast<int>(std::lround(depth_ / spacing_));
     for (int layer = 0; layer < count; ++layer) {
       std::vector<Point> of_layer;
-      for (const Point& point : points_of_layer(layer))
-        if (!laid.has_one_near(point)) of_layer.push_back(point);
+      NearbyPoints same(0.1 * spacing_);  // a curve may pass the middle of a wall both ways
+      for (const Point& point : points_of_layer(layer)) {
+        if (laid.has_one_near(point) || same.has_one_near(point)) continue;
+        same.add(point);
+        of_layer.push_back(point);
+      }
       for (const Point& point : of_layer) {
         laid.add(point);
         points.push_back(point);

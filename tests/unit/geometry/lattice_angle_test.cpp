@@ -16,7 +16,7 @@ namespace kerf {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double spacing = 0.001;
+constexpr double plate_spacing = 0.001;
 
 Shape polygon_of(std::vector<std::array<double, 2>> vertices) {
   Shape shape;
@@ -28,7 +28,7 @@ Shape polygon_of(std::vector<std::array<double, 2>> vertices) {
 }
 
 // 30 x 14 spacings, not centred at the origin, turned.
-Shape turned_plate(double angle) {
+Shape plate_at(double angle) {
   Shape shape = polygon_of({{0.012, -0.003}, {0.042, -0.003}, {0.042, 0.011}, {0.012, 0.011}});
   turn_corners(shape.vertices, PlaneTurn(angle));
   return shape;
@@ -37,7 +37,7 @@ Shape turned_plate(double angle) {
 Body oriented(const Shape& shape, int dimension = 2) {
   Body body;
   body.shape = shape;
-  body.spacing = spacing;
+  body.spacing = plate_spacing;
   body.lattice_follows_faces = true;
   orient_lattices({&body}, {}, dimension);
   return body;
@@ -63,30 +63,29 @@ std::vector<Point> turned_back(std::vector<Point> points, double angle) {
 }
 
 TEST(LatticeAngle, ATurnedPlateHasTheParticlesOfAPlateAlongTheAxes) {
-  const auto straight = fill(oriented(turned_plate(0.0)), 2);
+  const auto straight = fill(oriented(plate_at(0.0)), 2);
   ASSERT_EQ(straight.size(), 30u * 14u);
   for (int k = 1; k < 72; ++k) {
     const double angle = (5.0 * k + 0.3) * degree;
-    const Body body = oriented(turned_plate(angle));
+    const Body body = oriented(plate_at(angle));
     EXPECT_NEAR(body.lattice_angle, std::remainder(angle, 90.0 * degree), 1e-9) << angle;
     const auto points = turned_back(fill(body, 2), angle);
     ASSERT_EQ(points.size(), straight.size()) << angle;
-    EXPECT_LT(farthest_from(points, straight), 1e-9 * spacing) << angle;
+    EXPECT_LT(farthest_from(points, straight), 1e-9 * plate_spacing) << angle;
   }
 }
 
 TEST(LatticeAngle, AnExtrudedPlateIsTurnedAboutItsThirdAxis) {
-  const auto straight = fill(oriented(turned_plate(0.0), 3), 3);
+  const auto straight = fill(oriented(plate_at(0.0), 3), 3);
   ASSERT_EQ(straight.size(), 30u * 14u * 7u);
-  const auto points =
-      turned_back(fill(oriented(turned_plate(-31.0 * degree), 3), 3), -31.0 * degree);
+  const auto points = turned_back(fill(oriented(plate_at(-31.0 * degree), 3), 3), -31.0 * degree);
   ASSERT_EQ(points.size(), straight.size());
-  EXPECT_LT(farthest_from(points, straight), 1e-9 * spacing);
+  EXPECT_LT(farthest_from(points, straight), 1e-9 * plate_spacing);
 }
 
 TEST(LatticeAngle, AGradedPlateIsGradedAlikeAtAnyAngle) {
   const auto graded = [](double angle) {
-    Body body = oriented(turned_plate(angle));
+    Body body = oriented(plate_at(angle));
     body.grading.levels = 2;
     body.grading.width = 0.004;
     Grading::Line line;
@@ -102,7 +101,7 @@ TEST(LatticeAngle, AGradedPlateIsGradedAlikeAtAnyAngle) {
   std::vector<Point> points, others;
   for (const auto& particle : fill_levels(inclined, 2)) points.push_back(particle.position);
   for (const auto& particle : fill_levels(straight, 2)) others.push_back(particle.position);
-  EXPECT_LT(farthest_from(turned_back(points, 27.0 * degree), others), 1e-9 * spacing);
+  EXPECT_LT(farthest_from(turned_back(points, 27.0 * degree), others), 1e-9 * plate_spacing);
 }
 
 TEST(LatticeAngle, TheDirectionOfMostOfTheFacesCounts) {
@@ -134,17 +133,17 @@ TEST(LatticeAngle, APlateWithAHoleHasTheLatticeOfThePlate) {
   hole.radius = 0.003;
   Shape drilled;
   drilled.kind = Shape::Kind::difference;
-  drilled.parts = {turned_plate(33.0 * degree), hole};
+  drilled.parts = {plate_at(33.0 * degree), hole};
   const Body body = oriented(drilled);
   EXPECT_NEAR(body.lattice_angle, 33.0 * degree, 1e-12);
-  const auto plate = fill(oriented(turned_plate(33.0 * degree)), 2);
+  const auto plate = fill(oriented(plate_at(33.0 * degree)), 2);
   const auto points = fill(body, 2);
   EXPECT_LT(points.size(), plate.size());
-  EXPECT_LT(farthest_from(points, plate), 1e-9 * spacing);
+  EXPECT_LT(farthest_from(points, plate), 1e-9 * plate_spacing);
 }
 
 TEST(LatticeAngle, JoinedBodiesHaveTheAngleOfTheBodyThatTheyAreJoinedTo) {
-  Body plate = oriented(turned_plate(12.0 * degree)), clamp = plate, hard = plate;
+  Body plate = oriented(plate_at(12.0 * degree)), clamp = plate, hard = plate;
   plate.name = "plate";
   clamp.shape = polygon_of({{0, 0}, {1, 0}, {0, 1}});
   clamp.joined_to = "plate";
@@ -160,7 +159,7 @@ TEST(LatticeAngle, JoinedBodiesHaveTheAngleOfTheBodyThatTheyAreJoinedTo) {
 }
 
 TEST(LatticeAngle, ABodyAtASymmetryPlaneKeepsTheAxes) {
-  Body body = oriented(turned_plate(12.0 * degree));
+  Body body = oriented(plate_at(12.0 * degree));
   SymmetryPlanes symmetry;
   symmetry.planes.minimum[0] = true;
   symmetry.domain = {{0.02, -1.0, 0.0}, {1.0, 1.0, 0.0}};
@@ -172,7 +171,7 @@ TEST(LatticeAngle, ABodyAtASymmetryPlaneKeepsTheAxes) {
 }
 
 TEST(LatticeAngle, AWindowIsAlongTheAxesOfTheCase) {
-  const Body body = oriented(turned_plate(40.0 * degree));
+  const Body body = oriented(plate_at(40.0 * degree));
   const auto all = fill(body, 2);
   LatticeVisit request;
   request.window = {{0.012, 0.010, 0.0}, {0.022, 0.030, 0.0}};

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "geometry/fill.hpp"
+#include "geometry/point_vectors.hpp"
 #include "geometry/shapes.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "model/body.hpp"
@@ -130,6 +131,20 @@ TEST(SurfaceLayers, EndWhereAnotherBodyCoversTheSurface) {
 }
 
 // A box in line with its lattice is at such depths already.
+// The middle of a wall of an odd number of spacings is equally far from both faces: its layer ends.
+TEST(SurfaceLayers, FillAWallOfAnOddNumberOfSpacingsAtAnyAngle) {
+  for (int step = 0; step < 24; ++step) {
+    const double length = 40e-3, thickness = 5e-3;
+    const Body wall = rigid(turned_plate(length, thickness, step * std::numbers::pi / 12.0));
+    const Layout layout = lay(wall, 2);
+    const double cells = length * thickness / (wall_spacing * wall_spacing);
+    EXPECT_NEAR(double(layout.points.size()), cells, 0.03 * cells) << step;
+    for (std::size_t i = 0; i < layout.points.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_GT(plane_distance(layout.points[i], layout.points[j]), 0.6 * wall_spacing);
+  }
+}
+
 TEST(SurfaceLayers, LeaveABoxInLineWithItsLatticeAsItIs) {
   const Body body = rigid(test::box({0, 0, 0}, {20e-3, 10e-3, 7e-3}));
   for (const int dimension : {2, 3}) EXPECT_EQ(lay(body, dimension).points, fill(body, dimension));
