@@ -16,6 +16,7 @@
 #include "study/convergence.hpp"
 #include "study/layout.hpp"
 #include "study/metrics.hpp"
+#include "study/study_plan.hpp"
 #include "study/study_runs.hpp"
 
 namespace kerf {
@@ -25,14 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 StudyPlan plan_of(const Case& description, const ConvergeSettings& settings) {
-  StudyPlan plan;
-  plan.name = settings.case_file.stem().string();
-  plan.title = description.title;
-  plan.text = read_file(settings.case_file);
-  plan.base_name = settings.case_file.string();
-  plan.base = toml::parse(plan.text);
-  plan.dimension = description.dimension;
-  return plan;
+  return plan_of_case(settings.case_file, read_file(settings.case_file), description);
 }
 
 std::vector<Trial> trials_of(const Case& description, const ConvergeSettings& settings) {

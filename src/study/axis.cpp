@@ -35,9 +35,9 @@ double Axis::shown_factor() const {
   return path.unit().empty() ? 1.0 : read_quantity("1 " + shown_unit, path.unit()).value;
 }
 
-std::string show_number(double value, const Axis& axis) {
-  if (axis.path.unit().empty()) return fmt::format("{:.6g}", value);
-  return fmt::format("{:.6g} {}", value / axis.shown_factor(), axis.shown_unit);
+std::string show_number(double value, const Axis& axis, int digits) {
+  if (axis.path.unit().empty()) return fmt::format("{:.{}g}", value, digits);
+  return fmt::format("{:.{}g} {}", value / axis.shown_factor(), digits, axis.shown_unit);
 }
 
 std::string show(const Setting& setting, const std::vector<Axis>& axes) {

@@ -40,6 +40,6 @@ double between(double first, double last, double share, bool is_logarithmic);
 
 // Return "jet.jet.speed = 4 m/s" and "4 m/s", in the units of the study file.
 std::string show(const Setting& setting, const std::vector<Axis>& axes);
-std::string show_number(double value, const Axis& axis);
+std::string show_number(double value, const Axis& axis, int digits = 6);
 
 }  // namespace kerf

@@ -7,20 +7,24 @@
 
 namespace kerf {
 
+DecidedEnds decided_ends(const std::map<double, bool>& verdicts) {
+  DecidedEnds ends;
+  for (const auto& [value, is_beyond] : verdicts) {
+    if (is_beyond) break;
+    ends.low = value;
+  }
+  for (auto entry = verdicts.rbegin(); entry != verdicts.rend() && entry->second; ++entry)
+    ends.high = entry->first;
+  return ends;
+}
+
 Bisection::Bisection(Verdicts verdicts, Bracket range, int most, bool is_logarithmic)
     : verdicts_(std::move(verdicts)), range_(range), most_(most), is_logarithmic_(is_logarithmic) {}
 
-// `high` is the lowest value from which every verdict is true, `low` the highest up to which every
-// verdict is false; either is an end of the range where no run decides it.
+// An end that no run decides is one of the range.
 Bracket Bisection::bracket() const {
-  Bracket result = range_;
-  for (const auto& [value, is_beyond] : known_) {
-    if (is_beyond) break;
-    result.low = value;
-  }
-  for (auto entry = known_.rbegin(); entry != known_.rend() && entry->second; ++entry)
-    result.high = entry->first;
-  return result;
+  const DecidedEnds ends = decided_ends(known_);
+  return {ends.low.value_or(range_.low), ends.high.value_or(range_.high)};
 }
 
 bool Bisection::is_confirmed() const {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "study/searches.hpp"
@@ -12,6 +13,13 @@ namespace kerf {
 
 // Returns for each value of the key, all of them run at once, whether it lies beyond the threshold.
 using Verdicts = std::function<std::vector<bool>(const std::vector<double>& values)>;
+
+// The ends of a bracket that verdicts decide: the highest value up to which every verdict is false,
+// and the lowest one from which every verdict is true.
+struct DecidedEnds {
+  std::optional<double> low, high;
+};
+DecidedEnds decided_ends(const std::map<double, bool>& verdicts);
 
 class Bisection {
  public:

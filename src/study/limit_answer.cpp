@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/version.hpp"
+#include "study/bisection.hpp"
 #include "study/run_table.hpp"
 #include "study/study_answers.hpp"
 
@@ -23,9 +24,7 @@ const ThresholdGoal& goal_of(const LimitPlan& plan) {
 }
 
 std::string shown(const LimitPlan& plan, double value) {
-  const Axis& axis = goal_of(plan).axis;
-  if (axis.path.unit().empty()) return fmt::format("{:.4g}", value);
-  return fmt::format("{:.4g} {}", value / axis.shown_factor(), axis.shown_unit);
+  return show_number(value, goal_of(plan).axis, 4);
 }
 
 double value_of(const LimitPlan& plan, const RunRow& row) {
@@ -106,15 +105,15 @@ std::vector<std::string> cause_notes(const LimitPlan& plan, const ThresholdAnswe
     notes.push_back(fmt::format("{} layouts: up to {} more.", answer.layouts.size(),
                                 shown(plan, *causes.layout)));
   else
-    notes.push_back("Layouts were not examined (--layouts, --converge).");
+    notes.emplace_back("Layouts were not examined (--layouts, --converge).");
   if (causes.spacing)
     notes.push_back(fmt::format(
         "Spacing: {} with {:.3g} times the spacing, {} for a spacing of zero (first order).",
         shown(plan, answer.draft->middle()), answer.refinement / answer.draft_refinement,
         shown(plan, answer.extrapolated)));
   else
-    notes.push_back("The spacing was not examined (--converge).");
-  notes.push_back("Material data have no intervals in a case, so their share is left out.");
+    notes.emplace_back("The spacing was not examined (--converge).");
+  notes.emplace_back("Material data have no intervals in a case, so their share is left out.");
   return notes;
 }
 
@@ -169,13 +168,7 @@ std::optional<Bracket> bracket_of(const LimitPlan& plan, const std::vector<RunRo
     if (row.state == RunState::done && row.trial.repeat == of.repeat &&
         row.trial.refinement == of.refinement)
       verdicts[value_of(plan, row)] = goal_of(plan).is_beyond(row.metrics);
-  std::optional<double> low, high;
-  for (const auto& [value, is_beyond] : verdicts) {
-    if (is_beyond) break;
-    low = value;
-  }
-  for (auto entry = verdicts.rbegin(); entry != verdicts.rend() && entry->second; ++entry)
-    high = entry->first;
+  const auto [low, high] = decided_ends(verdicts);
   if (!low || !high) return std::nullopt;
   return Bracket{*low, *high};
 }

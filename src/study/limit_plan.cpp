@@ -249,13 +249,8 @@ LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion
   LimitPlan plan;
   plan.quantity = question.of;
   plan.is_own_range = question.from.empty() && question.to.empty();
+  plan.study = plan_of_case(case_file, text, asked.description);
   StudyPlan& study = plan.study;
-  study.name = case_file.stem().string();
-  study.title = asked.description.title;
-  study.text = text;
-  study.base_name = case_file.string();
-  study.base = toml::parse(text);
-  study.dimension = asked.description.dimension;
   study.refinement = question.refinement;
   Axis axis = axis_of(asked, study.base, plan.stated);
   const bool is_feed = find_quantity(question.of) && question.of == "feed";

@@ -133,6 +133,18 @@ void check_repeats(StudySection& top, const StudyPlan& plan, const Case& base) {
 
 }  // namespace
 
+StudyPlan plan_of_case(const fs::path& case_file, const std::string& text,
+                       const Case& description) {
+  StudyPlan plan;
+  plan.name = case_file.stem().string();
+  plan.title = description.title;
+  plan.text = text;
+  plan.base_name = case_file.string();
+  plan.base = toml::parse(text);
+  plan.dimension = description.dimension;
+  return plan;
+}
+
 StudyPlan parse_study(const std::string& text, const fs::path& file,
                       std::span<const EmbeddedText> templates) {
   constexpr double least_refinement = 0.01, most_refinement = 100.0;

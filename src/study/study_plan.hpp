@@ -17,6 +17,8 @@
 
 namespace kerf {
 
+struct Case;
+
 struct StudyPlan {
   std::string name;  // the stem of the file
   std::string title;
@@ -34,6 +36,10 @@ struct StudyPlan {
   std::optional<ModelGoal> model;
   std::vector<std::string> metrics;  // columns besides the standard ones
 };
+
+// Returns the plan of runs of one case as its file has it; no key is varied.
+StudyPlan plan_of_case(const std::filesystem::path& case_file, const std::string& text,
+                       const Case& description);
 
 // Reads a study. Throws UserError, which names every problem. `base` names one of `templates` or a
 // file beside the study.

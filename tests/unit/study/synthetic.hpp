@@ -12,16 +12,18 @@
 
 namespace kerf::test {
 
-inline const std::string small_case = R"(title = "small"
-dimension = 2
-[time]
-end = "2 ms"
-[materials.curd]
+inline const std::string curd = R"([materials.curd]
 base = "tofu"
 criterion = "crack_band"
 failure_strain = 0.05
 fracture_energy = "10 J/m2"
-[[body]]
+)";
+
+inline const std::string small_case = R"(title = "small"
+dimension = 2
+[time]
+end = "2 ms"
+)" + curd + R"([[body]]
 name = "block"
 material = "curd"
 shape = { type = "box", minimum = ["-8 mm", "0 mm"], maximum = ["8 mm", "6 mm"] }
@@ -52,12 +54,7 @@ traverse_speed = "2 m/s"
 dwell = "1 ms"
 [time]
 end = "9 ms"
-[materials.curd]
-base = "tofu"
-criterion = "crack_band"
-failure_strain = 0.05
-fracture_energy = "10 J/m2"
-[[body]]
+)" + curd + R"([[body]]
 name = "block"
 material = "curd"
 shape = { type = "box", minimum = ["-20 mm", "0 mm"], maximum = ["20 mm", "6 mm"] }
