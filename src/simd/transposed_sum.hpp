@@ -32,6 +32,22 @@ struct SumOf16 {
     return fold_halves(fold_quarters(a, b), fold_quarters(c, d));
   }
 };
+#elif defined(__AVX2__)
+struct SumOf8 {
+  // [a, b, a, b] in both halves.
+  [[gnu::always_inline]] static __m256 fold2(__m256 a, __m256 b) {
+    return _mm256_add_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b));
+  }
+  // [a, b, c, d] in both halves, of two that hold [a, b, a, b] and [c, d, c, d].
+  [[gnu::always_inline]] static __m256 fold4(__m256 ab, __m256 cd) {
+    return _mm256_add_ps(_mm256_shuffle_ps(ab, cd, 0x44), _mm256_shuffle_ps(ab, cd, 0xEE));
+  }
+  [[gnu::always_inline]] static __m256 of(const __m256* r) {
+    const __m256 a = fold4(fold2(r[0], r[1]), fold2(r[2], r[3]));
+    const __m256 b = fold4(fold2(r[4], r[5]), fold2(r[6], r[7]));
+    return _mm256_add_ps(_mm256_permute2f128_ps(a, b, 0x20), _mm256_permute2f128_ps(a, b, 0x31));
+  }
+};
 #endif
 
 // Sets total[n] to factor[n] times the sum of the lanes of parts[n], the first `scaled` of them
@@ -51,6 +67,19 @@ template <int scaled, class T, int count>
     __m512 sums = _mm512_mul_ps(_mm512_maskz_load_ps(wanted, factor), SumOf16::of(rows));
     sums = _mm512_mask_mul_ps(sums, to_scale, sums, _mm512_set1_ps(scale));
     _mm512_mask_storeu_ps(total, wanted, sums);
+    return;
+  }
+#elif defined(__AVX2__)
+  if constexpr (sizeof(typename T::value_type) == 4 && T::size() == 8) {
+    alignas(32) float sums[(count + 7) / 8 * 8];
+    for (int first = 0; first < count; first += 8) {
+      __m256 rows[8];
+      for (int n = 0; n < 8; ++n)
+        rows[n] = first + n < count ? static_cast<__m256>(parts[first + n]) : _mm256_setzero_ps();
+      _mm256_store_ps(sums + first, SumOf8::of(rows));
+    }
+    for (int n = 0; n < count; ++n)
+      total[n] = factor[n] * sums[n] * (n < scaled ? scale : 1);
     return;
   }
 #endif

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // FluidPairKernel sums the pair terms over the neighbours of a particle that are of its own fluid,
 // a register of neighbours at a time, by the formulas of fluid/pair_terms.hpp, fluid/riemann.hpp
-// and kernels/wendland_c2.hpp. With d = r_i - r_j, in units of the fixed-point coordinates, the
+// and kernels/wendland_c2.hpp. With d = r_j - r_i, in units of the fixed-point coordinates, the
 // sums of i lack until their end that unit and the factors of
-//   nabla W = - K w^3 d,   K = 5 alpha / h^2,   W = alpha w^4 (5 - 4 w),   w = 1 - |d| / (2 h).
+//   nabla W = K w^3 d,   K = 5 alpha / h^2,   W = alpha w^4 (5 - 4 w),   w = 1 - |d| / (2 h).
 // It is compiled once for each instruction set.
 #pragma once
 
+#include <limits>
 #include <type_traits>
 
 #include "core/select.hpp"
@@ -29,10 +30,19 @@ class FluidPairKernel {
   static constexpr bool shocks = !std::is_same_v<Equation, WeaklyCompressible>;
   using T = SimdNumbers<Real>;
   static constexpr int width = static_cast<int>(T::size());
+#if defined(__AVX512F__)
+  static constexpr bool many_registers = true;  // 32, else 16
+#else
+  static constexpr bool many_registers = false;
+#endif
   using Kernel = WendlandC2<D>;
   using PackedParticle = PackedFluid<D, Real>;
   using Position = stdx::rebind_simd_t<typename PackedParticle::Position, T>;
   using Index = std::uint32_t;
+  // What takes the place of the squared distance where two particles coincide, so that one over it
+  // is finite: one unit, or the least number.
+  static constexpr Real closest_squared =
+      std::is_same_v<Real, float> ? Real(1) : std::numeric_limits<Real>::min();
   using Result = FluidSums<D, Real>;
 
  public:
@@ -40,22 +50,12 @@ class FluidPairKernel {
                   const Equation& equation)
       : task_(task), constants_(law, equation, task.unit) {}
 
-  // Sums over the neighbours of particle i. The next batch of neighbours is loaded before the
-  // current one is computed, because most of the time is latency of memory.
-  [[gnu::always_inline]] void run(Index i, Result& result) {
-    constants_.set(task_.fluid[i]);
-    Sums sums;
-    Row row{task_.neighbour + task_.begin[i], task_.same_fluid[i], i};
-    T slot[PackedParticle::slots];
-    load_batch(row, slot);
-    while (row.left > 0) {
-      T next[PackedParticle::slots];
-      load_batch(row, next);
-      add(slot, &constants_, sums);
-      for (int n = 0; n < PackedParticle::slots; ++n) slot[n] = next[n];
-    }
-    add(slot, &constants_, sums);
-    finish(sums, result);
+  // Computes the sums of particles `first` .. `last` - 1.
+  [[gnu::always_inline]] void run(Index first, Index last, Result* results) {
+    if constexpr (many_registers)
+      run_in_one_loop(first, last, results);
+    else
+      run_in_two_loops(first, last, results);
   }
 
  private:
@@ -76,64 +76,170 @@ class FluidPairKernel {
     row.left -= std::min(row.left, Index(width));
     load_transposed<PackedParticle, 0, PackedParticle::slots>(task_.fluid, indices, slot);
   }
-  struct Sums {
+  // What a batch of neighbours adds to the sums of vectors: d and v of the neighbours relative to
+  // the particle, and their weights.
+  struct Batch {
+    Vector<D, T> d, v;
+    T pressure, dissipation, drag, slope;
+  };
+  struct VectorSums {
     Vector<D, T> pressure_force = Vector<D, T>::zero(), dissipative_force = Vector<D, T>::zero(),
                  concentration_gradient = Vector<D, T>::zero();
-    T compression_rate = T(0), kernel_sum = T(0), fastest_squared = T(0);
-    typename T::mask_type near_free_surface{false};
+
+    [[gnu::always_inline]] void add(const Batch& batch) {
+      pressure_force += batch.pressure * batch.d;
+      dissipative_force += batch.dissipation * batch.d;
+      dissipative_force -= batch.drag * batch.v;
+      concentration_gradient += batch.slope * batch.d;
+    }
   };
+  struct NumberSums {
+    // `least_volume` is negative where a neighbour is in a free surface.
+    T compression_rate = T(0), kernel_sum = T(0), fastest_squared = T(0), least_volume = T(0);
+  };
+  bool has_pairs(Index i) const {
+    return task_.same_fluid[i] != 0 && task_.fluid[i].volume != Real(0);
+  }
+  Row row_of(Index i) const {
+    return {task_.neighbour + task_.begin[i], task_.same_fluid[i], i};
+  }
+
+  // The next batch of neighbours is loaded before the current one is computed, because most of the
+  // time is latency of memory.
+  [[gnu::always_inline]] void run_in_one_loop(Index first, Index last, Result* results) {
+    for (Index i = first; i < last; ++i, ++results) {
+      if (!has_pairs(i)) {
+        *results = {};
+        continue;
+      }
+      constants_.set(task_.fluid[i]);
+      NumberSums numbers;
+      VectorSums vectors;
+      Row row = row_of(i);
+      T slot[PackedParticle::slots];
+      load_batch(row, slot);
+      while (row.left > 0) {
+        T next[PackedParticle::slots];
+        load_batch(row, next);
+        vectors.add(compute(slot, &constants_, numbers));
+        for (int n = 0; n < PackedParticle::slots; ++n) slot[n] = next[n];
+      }
+      vectors.add(compute(slot, &constants_, numbers));
+      finish(i, numbers, vectors, *results);
+    }
+  }
+
+  // The sums of a particle whose last batches are not yet added to the sums of vectors.
+  struct UnfinishedSums {
+    static constexpr int most = 24;
+    NumberSums numbers;
+    VectorSums vectors;
+    Batch* end;
+    Batch batches[most];
+
+    [[gnu::always_inline]] void add_batches() {
+      VectorSums sums = vectors;  // in registers
+      for (const Batch* batch = batches; batch != end; ++batch) sums.add(*batch);
+      vectors = sums;
+      end = batches;
+    }
+  };
+  // Sixteen registers do not hold the sums of vectors beside the numbers of the formulas, so those
+  // sums have a loop of their own. It runs one particle later, when what it adds is there.
+  [[gnu::always_inline]] void run_in_two_loops(Index first, Index last, Result* results) {
+    UnfinishedSums sums[2];
+    for (Index i = first; i < last; ++i) {
+      begin(i, sums[i % 2]);
+      if (i > first) end(i - 1, sums[(i - 1) % 2], *results++);
+    }
+    if (first < last) end(last - 1, sums[(last - 1) % 2], *results);
+  }
+  [[gnu::always_inline]] void begin(Index i, UnfinishedSums& sums) {
+    if (!has_pairs(i)) return;
+    constants_.set(task_.fluid[i]);
+    NumberSums numbers;
+    sums.vectors = {};
+    sums.end = sums.batches;
+    Row row = row_of(i);
+    Batch* batch = sums.batches;
+    do {
+      if (batch == sums.batches + UnfinishedSums::most) [[unlikely]] {
+        sums.end = batch;
+        sums.add_batches();
+        batch = sums.batches;
+      }
+      T slot[PackedParticle::slots];
+      load_batch(row, slot);
+      compute(slot, &constants_, numbers, *batch++);
+    } while (row.left > 0);
+    sums.numbers = numbers;
+    sums.end = batch;
+  }
+  [[gnu::always_inline]] void end(Index i, UnfinishedSums& sums, Result& result) const {
+    if (!has_pairs(i)) {
+      result = {};
+      return;
+    }
+    sums.add_batches();
+    finish(i, sums.numbers, sums.vectors, result);
+  }
   // The Riemann solution of a pair; all but the speed lack one factor.
   struct PairFlux {
     T factor;
     T pressure, dissipation;  // Pa, P* and P_d
     T speed;                  // m/s, U*; without shocks it lacks `factor` times the volume of i
   };
-  // What is the same for all neighbours, as plain numbers in memory: registers are for sums.
+  // An instruction of AVX-512 takes one number in memory for all lanes, others take a register.
+  template <class Number, class Lanes>
+  using InMemory = std::conditional_t<many_registers, Number, Lanes>;
+  // What is the same for all neighbours, in memory: registers are for sums.
   struct ParticleConstants {
+    using Constant = InMemory<Real, T>;
     // Of the fluid.
-    Real reach_squared, per_diameter, viscosity;  // 1 / (2 h)
-    Real mass, triple_mass, sound_speed, mass_times_sound_speed, per_mass_times_sound_speed;
-    Real per_rest_density;  // of fluids with shocks
+    Constant reach_squared, per_diameter, viscosity;  // 1 / (2 h)
+    Constant triple_mass, mass_times_sound_speed, per_mass_times_sound_speed;
+    Real mass, per_rest_density;  // of fluids with shocks
     Equation equation;
     RestState<Real> rest;
     alignas(64) Real factor[Result::count];  // of the sums; those of forces lack the volume
     // Of the particle.
-    typename PackedParticle::Position position[D];
-    Real velocity[D];
-    Real volume, pressure;
+    InMemory<typename PackedParticle::Position, Position> position[D];
+    Constant velocity[D];
+    Constant volume, pressure;
     Real own_impedance, own_sound_speed;  // of fluids with shocks
 
     ParticleConstants(const FluidLaw<Real>& law, const Equation& equation_of_state, Real unit)
-        : per_diameter(unit * law.per_smoothing_length / Real(Kernel::support)),
-          viscosity(law.viscosity / unit),
-          mass(law.mass),
+        : viscosity(Real(law.viscosity / unit)),
           triple_mass(Real(3) * law.mass),
-          sound_speed(law.sound_speed),
-          mass_times_sound_speed(law.mass * law.sound_speed),
-          per_mass_times_sound_speed(Real(1) / mass_times_sound_speed),
+          mass_times_sound_speed(Real(law.mass * law.sound_speed)),
+          per_mass_times_sound_speed(Real(1) / (law.mass * law.sound_speed)),
+          mass(law.mass),
           per_rest_density(law.volume / law.mass),
           equation(equation_of_state),
           rest{law.mass / law.volume, law.sound_speed} {
-      reach_squared = Real(1) / (per_diameter * per_diameter);
+      const Real per_reach = unit * law.per_smoothing_length / Real(Kernel::support);
+      per_diameter = per_reach;
+      reach_squared = Real(1) / (per_reach * per_reach);
       const Real gradient = law.kernel_slope * unit,
                  normalised = Real(2) * law.kernel_gradient_normalisation * gradient;
       for (int a = 0; a < D; ++a) {
-        factor[Result::pressure_force_at + a] = normalised;
-        factor[Result::dissipative_force_at + a] = normalised;
-        factor[Result::concentration_gradient_at + a] = -law.volume * gradient;
+        factor[Result::pressure_force_at + a] = -normalised;
+        factor[Result::dissipative_force_at + a] = -normalised;
+        factor[Result::concentration_gradient_at + a] = law.volume * gradient;
       }
       factor[Result::compression_rate_at] = normalised;
       factor[Result::kernel_sum_at] = law.volume * law.kernel_scale;
     }
     [[gnu::always_inline]] void set(const PackedParticle& particle) {
-      volume = std::abs(particle.volume);
+      const Real own_volume = std::abs(particle.volume);
+      volume = own_volume;
       pressure = particle.pressure;
       for (int a = 0; a < D; ++a) {
         position[a] = particle.position[a];
         velocity[a] = particle.velocity[a];
       }
       if constexpr (shocks) {
-        const Real density = mass / volume;
+        const Real density = mass / own_volume;
         own_sound_speed = equation.sound_speed(rest, density * per_rest_density - Real(1));
         own_impedance = density * own_sound_speed;
       }
@@ -164,56 +270,68 @@ class FluidPairKernel {
     }
   };
 
-  [[gnu::always_inline]] static void add(const T (&slot)[PackedParticle::slots],
-                                         const ParticleConstants* from, Sums& sums) {
+  // Adds a batch to the sums of numbers, and returns what it adds to those of vectors.
+  [[gnu::always_inline]] static Batch compute(const T (&slot)[PackedParticle::slots],
+                                              const ParticleConstants* from, NumberSums& sums) {
+    Batch batch;
+    compute(slot, from, sums, batch);
+    return batch;
+  }
+  [[gnu::always_inline]] static void compute(const T (&slot)[PackedParticle::slots],
+                                             const ParticleConstants* from, NumberSums& sums,
+                                             Batch& batch) {
     asm("" : "+r"(from));  // the compiler must not keep the constants in registers
     const ParticleConstants& constants = *from;
     Vector<D, T> d, v;
     T distance_squared(0), along(0), speed_squared(0);
     for (int a = 0; a < D; ++a) {
       const Position other = std::bit_cast<Position>(slot[PackedParticle::position_slot + a]);
-      d[a] = stdx::static_simd_cast<T>(wrapping_difference(Position(constants.position[a]), other));
-      v[a] = T(constants.velocity[a]) - slot[PackedParticle::velocity_slot + a];
+      d[a] = stdx::static_simd_cast<T>(wrapping_difference(other, Position(constants.position[a])));
+      v[a] = slot[PackedParticle::velocity_slot + a] - T(constants.velocity[a]);
       distance_squared += d[a] * d[a];
       along += v[a] * d[a];
       speed_squared += v[a] * v[a];
+      batch.d[a] = d[a];
+      batch.v[a] = v[a];
     }
     const auto is_near = distance_squared < T(constants.reach_squared) && distance_squared > T(0);
-    const T inverse = reciprocal_square_root(select(is_near, distance_squared, T(1)));
+    const T signed_volume = slot[PackedParticle::volume_slot];
+    sums.fastest_squared = maximum(sums.fastest_squared, select(is_near, speed_squared, T(0)));
+    sums.least_volume = minimum(sums.least_volume, select(is_near, signed_volume, T(0)));
+
+    const T inverse = reciprocal_square_root(maximum(distance_squared, T(closest_squared)));
     const T distance = distance_squared * inverse;
     const T w = select(is_near, T(1) - distance * T(constants.per_diameter), T(0));
     const T slope = Kernel::slope_shape(w);
-    const T volume = magnitude(slot[PackedParticle::volume_slot]);
+    sums.kernel_sum += Kernel::value_shape(w);
 
+    const T volume = magnitude(signed_volume);
     const T speed = along * inverse;  // < 0 where the two approach
     const auto star =
         constants.pair_flux({volume, slot[PackedParticle::pressure_slot]}, speed, inverse);
     const T weight = pair_weight(volume, slope), flux_weight = weight * star.factor;
-    sums.pressure_force += pair_force(flux_weight, star.pressure, d);
-    sums.dissipative_force += pair_force(flux_weight, star.dissipation, d);
-    sums.dissipative_force -= pair_drag(weight, T(constants.viscosity), v);
-    sums.concentration_gradient += slope * d;
     sums.compression_rate -= pair_strain_rate(flux_weight, distance, star.speed);
-    sums.kernel_sum += Kernel::value_shape(w);
-    sums.fastest_squared =
-        select(is_near, maximum(sums.fastest_squared, speed_squared), sums.fastest_squared);
-    const auto at_surface = is_near && slot[PackedParticle::volume_slot] < T(0);
-    sums.near_free_surface = sums.near_free_surface || at_surface;
+    batch.pressure = flux_weight * star.pressure;
+    batch.dissipation = flux_weight * star.dissipation;
+    batch.drag = weight * T(constants.viscosity);
+    batch.slope = slope;
   }
 
-  [[gnu::always_inline]] void finish(const Sums& sums, Result& result) const {
+  [[gnu::always_inline]] void finish(Index i, const NumberSums& numbers, const VectorSums& vectors,
+                                     Result& result) const {
     T parts[Result::count];
     for (int a = 0; a < D; ++a) {
-      parts[Result::pressure_force_at + a] = sums.pressure_force[a];
-      parts[Result::dissipative_force_at + a] = sums.dissipative_force[a];
-      parts[Result::concentration_gradient_at + a] = sums.concentration_gradient[a];
+      parts[Result::pressure_force_at + a] = vectors.pressure_force[a];
+      parts[Result::dissipative_force_at + a] = vectors.dissipative_force[a];
+      parts[Result::concentration_gradient_at + a] = vectors.concentration_gradient[a];
     }
-    parts[Result::compression_rate_at] = sums.compression_rate;
-    parts[Result::kernel_sum_at] = sums.kernel_sum;
+    parts[Result::compression_rate_at] = numbers.compression_rate;
+    parts[Result::kernel_sum_at] = numbers.kernel_sum;
     static_assert(Result::pressure_force_at == 0 && Result::dissipative_force_at == D);
-    sum_each<shocks ? 2 * D : 2 * D + 1>(parts, constants_.factor, constants_.volume, result.sum);
-    result.fastest_squared = stdx::hmax(sums.fastest_squared);
-    result.near_free_surface = stdx::any_of(sums.near_free_surface) ? Real(1) : Real(0);
+    sum_each<shocks ? 2 * D : 2 * D + 1>(parts, constants_.factor, std::abs(task_.fluid[i].volume),
+                                         result.sum);
+    result.fastest_squared = stdx::hmax(numbers.fastest_squared);
+    result.near_free_surface = stdx::hmin(numbers.least_volume) < Real(0) ? Real(1) : Real(0);
   }
 
   const FluidKernelTask<D, Real>& task_;
@@ -239,13 +357,7 @@ struct SumsOfLaw {
   template <class Equation>
   void run(const Equation& equation) const {
     FluidPairKernel<D, Real, Equation> kernel(task, task.laws[task.source[first]], equation);
-    FluidSums<D, Real>* result = sums;
-    for (std::uint32_t i = first; i < last; ++i, ++result) {
-      if (task.same_fluid[i] == 0 || task.fluid[i].volume == Real(0))
-        *result = {};
-      else
-        kernel.run(i, *result);
-    }
+    kernel.run(first, last, sums);
   }
 };
 
