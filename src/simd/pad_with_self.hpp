@@ -22,8 +22,8 @@ template <int width, class Index>
   }
 #elif defined(__AVX2__)
   if constexpr (width == 8) {
-    const __m256i there = _mm256_cmpgt_epi32(_mm256_set1_epi32(left),
-                                             _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    const __m256i there =
+        _mm256_cmpgt_epi32(_mm256_set1_epi32(left), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
     const __m256i first = _mm256_maskload_epi32(reinterpret_cast<const int*>(indices), there);
     const __m256i selves = _mm256_set1_epi32(static_cast<int>(self));
     _mm256_store_si256(reinterpret_cast<__m256i*>(filled),

@@ -78,8 +78,7 @@ template <int scaled, class T, int count>
         rows[n] = first + n < count ? static_cast<__m256>(parts[first + n]) : _mm256_setzero_ps();
       _mm256_store_ps(sums + first, SumOf8::of(rows));
     }
-    for (int n = 0; n < count; ++n)
-      total[n] = factor[n] * sums[n] * (n < scaled ? scale : 1);
+    for (int n = 0; n < count; ++n) total[n] = factor[n] * sums[n] * (n < scaled ? scale : 1);
     return;
   }
 #endif

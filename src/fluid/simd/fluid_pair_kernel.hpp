@@ -12,32 +12,24 @@
 
 #include "core/select.hpp"
 #include "fluid/pair_terms.hpp"
-#include "fluid/riemann.hpp"
-#include "fluid/simd/packed_fluid.hpp"
+#include "fluid/simd/fluid_pair_constants.hpp"
 #include "kernels/wendland_c2.hpp"
-#include "materials/equation_of_state.hpp"
 #include "simd/pad_with_self.hpp"
 #include "simd/transposed_load.hpp"
 #include "simd/transposed_sum.hpp"
 
 namespace kerf::simd::KERF_SIMD {
 
-// `Equation`: of state, where the sound speed depends on the density; else WeaklyCompressible.
-struct WeaklyCompressible {};
-
+// `Equation`: as in fluid/simd/fluid_pair_constants.hpp.
 template <int D, class Real, class Equation>
 class FluidPairKernel {
   static constexpr bool shocks = !std::is_same_v<Equation, WeaklyCompressible>;
   using T = SimdNumbers<Real>;
   static constexpr int width = static_cast<int>(T::size());
-#if defined(__AVX512F__)
-  static constexpr bool many_registers = true;  // 32, else 16
-#else
-  static constexpr bool many_registers = false;
-#endif
   using Kernel = WendlandC2<D>;
+  using Constants = FluidPairConstants<D, Real, Equation>;
   using PackedParticle = PackedFluid<D, Real>;
-  using Position = stdx::rebind_simd_t<typename PackedParticle::Position, T>;
+  using Position = typename Constants::Position;
   using Index = std::uint32_t;
   // What takes the place of the squared distance where two particles coincide, so that one over it
   // is finite: one unit, or the least number.
@@ -94,15 +86,13 @@ class FluidPairKernel {
     }
   };
   struct NumberSums {
-    // `least_volume` is negative where a neighbour is in a free surface.
-    T compression_rate = T(0), kernel_sum = T(0), fastest_squared = T(0), least_volume = T(0);
+    T compression_rate = T(0), kernel_sum = T(0), fastest_squared = T(0);
+    NegativeSeen<T> surface_seen;
   };
   bool has_pairs(Index i) const {
     return task_.same_fluid[i] != 0 && task_.fluid[i].volume != Real(0);
   }
-  Row row_of(Index i) const {
-    return {task_.neighbour + task_.begin[i], task_.same_fluid[i], i};
-  }
+  Row row_of(Index i) const { return {task_.neighbour + task_.begin[i], task_.same_fluid[i], i}; }
 
   // The next batch of neighbours is loaded before the current one is computed, because most of the
   // time is latency of memory.
@@ -183,105 +173,19 @@ class FluidPairKernel {
     sums.add_batches();
     finish(i, sums.numbers, sums.vectors, result);
   }
-  // The Riemann solution of a pair; all but the speed lack one factor.
-  struct PairFlux {
-    T factor;
-    T pressure, dissipation;  // Pa, P* and P_d
-    T speed;                  // m/s, U*; without shocks it lacks `factor` times the volume of i
-  };
-  // An instruction of AVX-512 takes one number in memory for all lanes, others take a register.
-  template <class Number, class Lanes>
-  using InMemory = std::conditional_t<many_registers, Number, Lanes>;
-  // What is the same for all neighbours, in memory: registers are for sums.
-  struct ParticleConstants {
-    using Constant = InMemory<Real, T>;
-    // Of the fluid.
-    Constant reach_squared, per_diameter, viscosity;  // 1 / (2 h)
-    Constant triple_mass, mass_times_sound_speed, per_mass_times_sound_speed;
-    Real mass, per_rest_density;  // of fluids with shocks
-    Equation equation;
-    RestState<Real> rest;
-    alignas(64) Real factor[Result::count];  // of the sums; those of forces lack the volume
-    // Of the particle.
-    InMemory<typename PackedParticle::Position, Position> position[D];
-    Constant velocity[D];
-    Constant volume, pressure;
-    Real own_impedance, own_sound_speed;  // of fluids with shocks
-
-    ParticleConstants(const FluidLaw<Real>& law, const Equation& equation_of_state, Real unit)
-        : viscosity(Real(law.viscosity / unit)),
-          triple_mass(Real(3) * law.mass),
-          mass_times_sound_speed(Real(law.mass * law.sound_speed)),
-          per_mass_times_sound_speed(Real(1) / (law.mass * law.sound_speed)),
-          mass(law.mass),
-          per_rest_density(law.volume / law.mass),
-          equation(equation_of_state),
-          rest{law.mass / law.volume, law.sound_speed} {
-      const Real per_reach = unit * law.per_smoothing_length / Real(Kernel::support);
-      per_diameter = per_reach;
-      reach_squared = Real(1) / (per_reach * per_reach);
-      const Real gradient = law.kernel_slope * unit,
-                 normalised = Real(2) * law.kernel_gradient_normalisation * gradient;
-      for (int a = 0; a < D; ++a) {
-        factor[Result::pressure_force_at + a] = -normalised;
-        factor[Result::dissipative_force_at + a] = -normalised;
-        factor[Result::concentration_gradient_at + a] = law.volume * gradient;
-      }
-      factor[Result::compression_rate_at] = normalised;
-      factor[Result::kernel_sum_at] = law.volume * law.kernel_scale;
-    }
-    [[gnu::always_inline]] void set(const PackedParticle& particle) {
-      const Real own_volume = std::abs(particle.volume);
-      volume = own_volume;
-      pressure = particle.pressure;
-      for (int a = 0; a < D; ++a) {
-        position[a] = particle.position[a];
-        velocity[a] = particle.velocity[a];
-      }
-      if constexpr (shocks) {
-        const Real density = mass / own_volume;
-        own_sound_speed = equation.sound_speed(rest, density * per_rest_density - Real(1));
-        own_impedance = density * own_sound_speed;
-      }
-    }
-    // Solves the Riemann problem with a neighbour whose velocity relative to the particle along the
-    // line of centres is `speed`; `inverse` is one over its distance.
-    [[gnu::always_inline]] PairFlux pair_flux(const VolumeSide<T>& other, T speed,
-                                              T inverse) const {
-      const T viscous = T(viscosity) * inverse;
-      if constexpr (!shocks) {  // riemann_parts is faster than solve_riemann (fluid/riemann.hpp)
-        const auto parts =
-            riemann_parts(VolumeSide<T>{T(volume), T(pressure)}, other, speed,
-                          ParticlesOfOneFluid<T>{T(triple_mass), T(mass_times_sound_speed),
-                                                 T(per_mass_times_sound_speed)});
-        const T left = beyond_viscosity(parts.dissipative_force, viscous * parts.volume);
-        return {reciprocal(parts.volume), parts.pressure_force, parts.approach * left, parts.speed};
-      } else {
-        const RiemannSide<T> own{T(own_impedance), T(pressure), T(0), T(own_sound_speed)};
-        const T density = T(mass) * reciprocal(other.volume);
-        const T other_sound_speed =
-            equation.sound_speed(rest, T(density * T(per_rest_density) - T(1)));
-        const RiemannSide<T> side{density * other_sound_speed, other.pressure, speed,
-                                  other_sound_speed};
-        const auto star = solve_riemann(own, side, shock_smoothing(own, side));
-        const T left = beyond_viscosity(star.dissipation, viscous * maximum(-speed, T(0)));
-        return {T(1), star.mean_pressure, left, star.speed};
-      }
-    }
-  };
 
   // Adds a batch to the sums of numbers, and returns what it adds to those of vectors.
   [[gnu::always_inline]] static Batch compute(const T (&slot)[PackedParticle::slots],
-                                              const ParticleConstants* from, NumberSums& sums) {
+                                              const Constants* from, NumberSums& sums) {
     Batch batch;
     compute(slot, from, sums, batch);
     return batch;
   }
   [[gnu::always_inline]] static void compute(const T (&slot)[PackedParticle::slots],
-                                             const ParticleConstants* from, NumberSums& sums,
+                                             const Constants* from, NumberSums& sums,
                                              Batch& batch) {
     asm("" : "+r"(from));  // the compiler must not keep the constants in registers
-    const ParticleConstants& constants = *from;
+    const Constants& constants = *from;
     Vector<D, T> d, v;
     T distance_squared(0), along(0), speed_squared(0);
     for (int a = 0; a < D; ++a) {
@@ -297,7 +201,7 @@ class FluidPairKernel {
     const auto is_near = distance_squared < T(constants.reach_squared) && distance_squared > T(0);
     const T signed_volume = slot[PackedParticle::volume_slot];
     sums.fastest_squared = maximum(sums.fastest_squared, select(is_near, speed_squared, T(0)));
-    sums.least_volume = minimum(sums.least_volume, select(is_near, signed_volume, T(0)));
+    sums.surface_seen.add(is_near, signed_volume);
 
     const T inverse = reciprocal_square_root(maximum(distance_squared, T(closest_squared)));
     const T distance = distance_squared * inverse;
@@ -331,11 +235,11 @@ class FluidPairKernel {
     sum_each<shocks ? 2 * D : 2 * D + 1>(parts, constants_.factor, std::abs(task_.fluid[i].volume),
                                          result.sum);
     result.fastest_squared = stdx::hmax(numbers.fastest_squared);
-    result.near_free_surface = stdx::hmin(numbers.least_volume) < Real(0) ? Real(1) : Real(0);
+    result.near_free_surface = numbers.surface_seen.any() ? Real(1) : Real(0);
   }
 
   const FluidKernelTask<D, Real>& task_;
-  ParticleConstants constants_;
+  Constants constants_;
 };
 
 // Computes the sums of particles `first` .. `last` - 1, which are of one fluid.
