@@ -124,7 +124,12 @@ struct FluidPairConstants {
                         ParticlesOfOneFluid<T>{T(triple_mass), T(mass_times_sound_speed),
                                                T(per_mass_times_sound_speed)});
       const T left = beyond_viscosity(parts.dissipative_force, viscous * parts.volume);
-      return {reciprocal(parts.volume), parts.pressure_force, parts.approach * left, parts.speed};
+      PairFlux<T> flux;  // number by number: the compiler copies a list of them in memory
+      flux.factor = reciprocal(parts.volume);
+      flux.pressure = parts.pressure_force;
+      flux.dissipation = parts.approach * left;
+      flux.speed = parts.speed;
+      return flux;
     } else {
       const RiemannSide<T> own{T(own_impedance), T(pressure), T(0), T(own_sound_speed)};
       const T density = T(mass) * reciprocal(other.volume);
