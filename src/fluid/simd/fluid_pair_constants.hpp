@@ -124,12 +124,14 @@ struct FluidPairConstants {
                         ParticlesOfOneFluid<T>{T(triple_mass), T(mass_times_sound_speed),
                                                T(per_mass_times_sound_speed)});
       const T left = beyond_viscosity(parts.dissipative_force, viscous * parts.volume);
-      PairFlux<T> flux;  // number by number: the compiler copies a list of them in memory
-      flux.factor = reciprocal(parts.volume);
-      flux.pressure = parts.pressure_force;
-      flux.dissipation = parts.approach * left;
-      flux.speed = parts.speed;
-      return flux;
+      // Both branches are the same. With g++ 12, AVX2 keeps the first one's numbers in registers,
+      // and AVX-512 those of the second.
+      if constexpr (!many_registers) {
+        const PairFlux<T> flux{reciprocal(parts.volume), parts.pressure_force,
+                               parts.approach * left, parts.speed};
+        return flux;
+      }
+      return {reciprocal(parts.volume), parts.pressure_force, parts.approach * left, parts.speed};
     } else {
       const RiemannSide<T> own{T(own_impedance), T(pressure), T(0), T(own_sound_speed)};
       const T density = T(mass) * reciprocal(other.volume);

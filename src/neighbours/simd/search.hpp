@@ -34,15 +34,17 @@ class SearchOfParticle {
   // Tests the candidates from `first` on, of which `left` are in the row.
   [[gnu::always_inline]] void test(std::uint32_t first, std::uint32_t left) {
     using T = SimdNumbers<float>;
+    using Set = Lanes::Set;
+    const Set in_row = Lanes::first(left);
     const T square = squared_distance<D, T>([&](int a) KERF_SIMD_BODY {
       return Lanes::difference(own_position_[a], Lanes::load(position_[a] + first));
     });
     const auto number = Lanes::numbered(first);
-    const auto near = Lanes::first(left) & Lanes::less(square, limit_squared_);
-    const auto same_kind = near & Lanes::equal(Lanes::load(kind_ + first), own_kind_);
-    const auto close = same_kind & Lanes::less(square, same_squared_);
-    same_ = Lanes::append(same_, close & ~Lanes::equal(number, own_), number);
-    const auto others = near & ~same_kind;
+    const Set near = Lanes::less(in_row, square, limit_squared_);
+    const Set same_kind = Lanes::equal(near, Lanes::load(kind_ + first), own_kind_);
+    const Set close = Lanes::less(same_kind, square, same_squared_);
+    same_ = Lanes::append(same_, Lanes::unequal(close, number, own_), number);
+    const Set others = near & static_cast<Set>(~same_kind);
     if (others != 0) others_ = Lanes::append(others_, others, number);
   }
   SearchCounts counts(const SearchTask<D>& task) const {
@@ -52,7 +54,7 @@ class SearchOfParticle {
 
  private:
   SimdNumbers<float> limit_squared_, same_squared_;
-  typename Lanes::Integers own_position_[D], own_, own_kind_;
+  Lanes::Integers own_position_[D], own_, own_kind_;
   const std::int32_t* position_[D];
   const std::uint32_t* kind_;
   std::uint32_t *same_, *others_;  // where the next ones go

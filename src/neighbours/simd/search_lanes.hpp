@@ -33,11 +33,16 @@ struct SearchLanes {
   KERF_SIMD_FUNCTION static Set first(std::uint32_t count) {
     return count < width ? Set((1u << count) - 1u) : Set(0xffff);
   }
-  KERF_SIMD_FUNCTION static Set less(const T& a, const T& b) {
-    return _mm512_cmp_ps_mask(static_cast<__m512>(a), static_cast<__m512>(b), _CMP_LT_OQ);
+  // The lanes of `among` where a < b.
+  KERF_SIMD_FUNCTION static Set less(Set among, const T& a, const T& b) {
+    return _mm512_mask_cmp_ps_mask(among, static_cast<__m512>(a), static_cast<__m512>(b),
+                                   _CMP_LT_OQ);
   }
-  KERF_SIMD_FUNCTION static Set equal(Integers a, Integers b) {
-    return _mm512_cmpeq_epi32_mask(a, b);
+  KERF_SIMD_FUNCTION static Set equal(Set among, Integers a, Integers b) {
+    return _mm512_mask_cmpeq_epi32_mask(among, a, b);
+  }
+  KERF_SIMD_FUNCTION static Set unequal(Set among, Integers a, Integers b) {
+    return _mm512_mask_cmpneq_epi32_mask(among, a, b);
   }
   // Writes the numbers of the lanes in `which` to the list, which has room for a register; returns
   // its end.
@@ -84,11 +89,15 @@ struct SearchLanes {
   KERF_SIMD_FUNCTION static Set first(std::uint32_t count) {
     return count < width ? (1u << count) - 1u : 0xffu;
   }
-  KERF_SIMD_FUNCTION static Set less(const T& a, const T& b) {
-    return bits(_mm256_cmp_ps(static_cast<__m256>(a), static_cast<__m256>(b), _CMP_LT_OQ));
+  // The lanes of `among` where a < b.
+  KERF_SIMD_FUNCTION static Set less(Set among, const T& a, const T& b) {
+    return among & bits(_mm256_cmp_ps(static_cast<__m256>(a), static_cast<__m256>(b), _CMP_LT_OQ));
   }
-  KERF_SIMD_FUNCTION static Set equal(Integers a, Integers b) {
-    return bits(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a, b)));
+  KERF_SIMD_FUNCTION static Set equal(Set among, Integers a, Integers b) {
+    return among & bits(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a, b)));
+  }
+  KERF_SIMD_FUNCTION static Set unequal(Set among, Integers a, Integers b) {
+    return among & ~bits(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a, b)));
   }
   // Writes the numbers of the lanes in `which` to the list, which has room for a register; returns
   // its end.
