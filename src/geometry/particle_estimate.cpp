@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/particle_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/random.hpp"
+#include "geometry/fill.hpp"
+#include "geometry/graded_cells.hpp"
+#include "geometry/graded_fill.hpp"
+#include "geometry/shapes.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Returns the part of space on the counted side of the planes.
+Box counted_window(const CountedSide& side) {
+  Box window{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (side.planes.minimum[a]) window.minimum[a] = side.domain.minimum[a];
+    if (side.planes.maximum[a]) window.maximum[a] = side.domain.maximum[a];
+  }
+  return window;
+}
+
+class GradedEstimate {
+ public:
+  GradedEstimate(const Body& body, int dimension, const CountedSide& side)
+      : body_(body),
+        grid_(body, dimension),
+        dimension_(dimension),
+        axes_(static_cast<std::size_t>(dimension)),
+        side_(side),
+        counts_(static_cast<std::size_t>(body.grading.levels) + 1) {}
+
+  std::vector<double> count(double budget) {
+    GradedCell whole;
+    whole.low = grid_.first();
+    whole.level = body_.grading.levels;
+    for (std::size_t a = 0; a < axes_; ++a)
+      while (whole.low[a] + whole.width() < grid_.count()[a]) ++whole.level;
+    descend(whole, budget, 1.0);
+    return counts_;
+  }
+
+  // Returns the level of the particle whose cell holds a finest cell; -1 if there is none.
+  int level_of(const std::array<long, 3>& finest) const {
+    const std::array<long, 3> first = grid_.first();
+    for (int level = body_.grading.levels; level > 0; --level) {
+      GradedCell cell;
+      cell.level = level;
+      for (std::size_t a = 0; a < axes_; ++a)
+        cell.low[a] = first[a] + ((finest[a] - first[a]) >> level << level);
+      if (is_one_particle(cell)) return level;
+    }
+    return is_site(finest) ? 0 : -1;
+  }
+
+ private:
+  bool is_site(const std::array<long, 3>& finest) const {
+    GradedCell cell;
+    cell.low = finest;
+    if (grid_.is_beside_the_lattice(cell)) return false;
+    return contains(body_.shape, grid_.centre(cell), dimension_);
+  }
+
+  // Tests the corners of the cell, the middles of its edges and faces, and its middle.
+  bool is_full(const GradedCell& cell) const {
+    const long reach = cell.width() - 1;
+    for (int k = 0; k < (dimension_ == 2 ? 9 : 27); ++k) {
+      std::array<long, 3> site = cell.low;
+      for (std::size_t a = 0, rest = static_cast<std::size_t>(k); a < axes_; ++a, rest /= 3)
+        site[a] += static_cast<long>(rest % 3) * reach / 2;
+      if (!is_site(site)) return false;
+    }
+    return true;
+  }
+
+  bool is_one_particle(const GradedCell& cell) const {
+    return grid_.is_far_enough(cell, grid_.centre(cell)) && is_full(cell);
+  }
+
+  // Returns whether cells two levels finer touch a cell, looked for at the middles of its faces.
+  bool is_steep(const GradedCell& cell) const {
+    if (cell.level < 2) return false;
+    for (std::size_t a = 0; a < axes_; ++a)
+      for (const long beside : {-1L, cell.width()}) {
+        std::array<long, 3> site = cell.low;
+        for (std::size_t b = 0; b < axes_; ++b) site[b] += b == a ? beside : cell.width() / 2;
+        const int level = level_of(site);
+        if (level >= 0 && level + 1 < cell.level) return true;
+      }
+    return false;
+  }
+
+  // Returns a bound of the particles in a cell, but for those that its shape makes finer.
+  double possible_particles(const GradedCell& cell) const {
+    if (grid_.is_beside_the_lattice(cell)) return 0.0;
+    double finest = 1.0;
+    for (std::size_t a = 0; a < axes_; ++a)
+      finest *= static_cast<double>(std::min(cell.low[a] + cell.width(), grid_.count()[a]) -
+                                    std::max(cell.low[a], 0L));
+    GradedCell coarser = cell;
+    coarser.level = std::min(cell.level, body_.grading.levels);
+    const Point middle = grid_.centre(cell);
+    const double nearest = distance_from_finest(body_.grading, middle, dimension_) -
+                           0.5 * grid_.edge(cell) * std::sqrt(static_cast<double>(dimension_));
+    while (coarser.level > 0 && nearest < body_.grading.width * coarser.level) --coarser.level;
+    return std::max(1.0, std::ldexp(finest, -coarser.level * dimension_));
+  }
+
+  void keep(const GradedCell& cell, double weight) {
+    if (is_beyond(side_.planes, side_.domain, grid_.centre(cell))) return;
+    counts_[static_cast<std::size_t>(cell.level)] += weight;
+  }
+
+  // Counts the particles in a cell that stands for `weight` cells, by about `budget` looks.
+  void descend(const GradedCell& cell, double budget, double weight) {
+    if (grid_.is_beside_the_lattice(cell)) return;
+    if (cell.level == 0) {
+      if (is_site(cell.low)) keep(cell, weight);
+      return;
+    }
+    if (cell.level <= body_.grading.levels && is_one_particle(cell) && !is_steep(cell))
+      return keep(cell, weight);
+    std::array<double, 8> possible{};
+    const auto parts = static_cast<std::size_t>(grid_.parts());
+    for (std::size_t k = 0; k < parts; ++k)
+      possible[k] = possible_particles(grid_.part_of(cell, static_cast<int>(k)));
+    const double all = std::accumulate(possible.begin(), possible.end(), 0.0);
+    if (!(all > 0.0)) return;
+    if (budget >= static_cast<double>(parts)) {
+      for (std::size_t k = 0; k < parts; ++k)
+        if (possible[k] > 0.0)
+          descend(grid_.part_of(cell, static_cast<int>(k)), budget * possible[k] / all, weight);
+      return;
+    }
+    double place = all * random_number(1, looks_++);
+    std::size_t chosen = 0;
+    while (chosen + 1 < parts && place >= possible[chosen]) place -= possible[chosen++];
+    descend(grid_.part_of(cell, static_cast<int>(chosen)), budget, weight * all / possible[chosen]);
+  }
+
+  const Body& body_;
+  GradedCells grid_;
+  int dimension_;
+  std::size_t axes_;
+  const CountedSide& side_;
+  std::vector<double> counts_;
+  std::uint64_t looks_ = 0;
+};
+
+double count_uniform(const Body& body, int dimension, const CountedSide& side, double most) {
+  double count = 0.0;
+  LatticeVisit request;
+  request.window = counted_window(side);
+  request.visit = [&](const Point&) {
+    count += 1.0;
+    return true;
+  };
+  const double nodes = visit_sample(body, dimension, request, most);
+  return nodes * count;
+}
+
+}  // namespace
+
+double ParticleEstimate::total() const {
+  return std::accumulate(levels.begin(), levels.end(), 0.0);
+}
+
+double ParticleEstimate::uniform(int dimension) const {
+  double sum = 0.0;
+  for (std::size_t level = 0; level < levels.size(); ++level)
+    sum += std::ldexp(levels[level], static_cast<int>(level) * dimension);
+  return sum;
+}
+
+ParticleEstimate estimate_particles(const Body& body, int dimension, const CountedSide& side,
+                                    double most) {
+  ParticleEstimate estimate;
+  estimate.is_exact = lattice_nodes(body, dimension) <= most;
+  if (body.grading.levels == 0) {
+    estimate.levels = {count_uniform(body, dimension, side, most)};
+  } else if (estimate.is_exact) {
+    estimate.levels.resize(static_cast<std::size_t>(body.grading.levels) + 1);
+    for (const GradedParticle& particle : fill_levels(body, dimension))
+      if (!is_beyond(side.planes, side.domain, particle.position))
+        estimate.levels[static_cast<std::size_t>(particle.level)] += 1.0;
+  } else {
+    constexpr double tests_of_a_look = 10.0;
+    estimate.levels = GradedEstimate(body, dimension, side).count(most / tests_of_a_look);
+  }
+  return estimate;
+}
+
+int level_at(const Body& body, int dimension, const Point& position) {
+  const Box box = lattice_box(body, dimension);
+  std::array<long, 3> finest{};
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    finest[a] = static_cast<long>(std::floor((position[a] - box.minimum[a]) / body.spacing));
+  const CountedSide everywhere;
+  return GradedEstimate(body, dimension, everywhere).level_of(finest);
+}
+
+}  // namespace kerf
