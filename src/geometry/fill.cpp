@@ -166,8 +166,7 @@ LatticeFrame frame_within(const Body& body, int dimension, const Box& window) {
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
     widen(*axes[a], body.offset[a]);
     if (frame.hexagonal) widen(*axes[a], axes[a]->step);
-    narrow(*axes[a], window.minimum[a], window.maximum[a],
-           body.spacing + std::abs(body.offset[a]));
+    narrow(*axes[a], window.minimum[a], window.maximum[a], body.spacing + std::abs(body.offset[a]));
   }
   return frame;
 }
@@ -182,7 +181,8 @@ long spread_index(const Axis& axis, double number, std::size_t direction, int di
   const double root = dimension == 2 ? 1.32471795724474602596 : 1.22074408460575947536;
   const double place = number * std::pow(root, -1.0 - static_cast<double>(direction)) + 0.5;
   const double share = place - std::floor(place);
-  return axis.first + std::min(static_cast<long>(share * nodes_along(axis)), axis.last - axis.first);
+  return axis.first +
+         std::min(static_cast<long>(share * nodes_along(axis)), axis.last - axis.first);
 }
 
 }  // namespace

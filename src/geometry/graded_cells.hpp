@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cells of a graded body (geometry/graded_fill.hpp): a quadtree (3D: octree) over the lattice of
-// its finest spacing. A cell of level L is 2^L spacings wide.
+// The cells of a graded body (geometry/graded_fill.hpp): a quadtree (3D: octree) over the lattice
+// of its finest spacing. A cell of level L is 2^L spacings wide.
 #pragma once
 
 #include <array>

@@ -9,7 +9,6 @@
 #include "core/random.hpp"
 #include "geometry/fill.hpp"
 #include "geometry/graded_cells.hpp"
-#include "geometry/graded_fill.hpp"
 #include "geometry/shapes.hpp"
 
 namespace kerf {
@@ -48,17 +47,18 @@ class GradedEstimate {
     return counts_;
   }
 
-  // Returns the level of the particle whose cell holds a finest cell; -1 if there is none.
-  int level_of(const std::array<long, 3>& finest) const {
+  // Returns the particle whose cell holds a finest cell.
+  std::optional<GradedParticle> particle_of(const std::array<long, 3>& finest) const {
     const std::array<long, 3> first = grid_.first();
-    for (int level = body_.grading.levels; level > 0; --level) {
+    for (int level = body_.grading.levels; level >= 0; --level) {
       GradedCell cell;
       cell.level = level;
       for (std::size_t a = 0; a < axes_; ++a)
-        cell.low[a] = first[a] + ((finest[a] - first[a]) >> level << level);
-      if (is_one_particle(cell)) return level;
+        cell.low[a] = first[a] + (((finest[a] - first[a]) >> level) << level);
+      if (level > 0 ? is_one_particle(cell) : is_site(finest))
+        return GradedParticle{grid_.centre(cell), level};
     }
-    return is_site(finest) ? 0 : -1;
+    return {};
   }
 
  private:
@@ -92,8 +92,8 @@ class GradedEstimate {
       for (const long beside : {-1L, cell.width()}) {
         std::array<long, 3> site = cell.low;
         for (std::size_t b = 0; b < axes_; ++b) site[b] += b == a ? beside : cell.width() / 2;
-        const int level = level_of(site);
-        if (level >= 0 && level + 1 < cell.level) return true;
+        const auto beside_it = particle_of(site);
+        if (beside_it && beside_it->level + 1 < cell.level) return true;
       }
     return false;
   }
@@ -198,13 +198,13 @@ ParticleEstimate estimate_particles(const Body& body, int dimension, const Count
   return estimate;
 }
 
-int level_at(const Body& body, int dimension, const Point& position) {
+std::optional<GradedParticle> particle_at(const Body& body, int dimension, const Point& position) {
   const Box box = lattice_box(body, dimension);
   std::array<long, 3> finest{};
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
     finest[a] = static_cast<long>(std::floor((position[a] - box.minimum[a]) / body.spacing));
   const CountedSide everywhere;
-  return GradedEstimate(body, dimension, everywhere).level_of(finest);
+  return GradedEstimate(body, dimension, everywhere).particle_of(finest);
 }
 
 }  // namespace kerf

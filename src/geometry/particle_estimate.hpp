@@ -4,14 +4,17 @@
 // - A lattice of few nodes is laid out, and the count is exact.
 // - Of a larger lattice of one spacing, nodes that are spread evenly over it are tested. A box is
 //   exact, because all its nodes are inside.
-// - A larger graded body is searched as its quadtree (3D: octree) is built (geometry/graded_fill.hpp),
+// - A larger graded body is searched as its quadtree (3D: octree) is built
+// (geometry/graded_fill.hpp),
 //   but of a cell that is split only as many parts are looked at as a budget allows. A part is
 //   chosen with a probability p in proportion to the particles that it may have, and counts 1 / p
 //   times, so that the expected count is the true one.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "geometry/graded_fill.hpp"
 #include "model/body.hpp"
 
 namespace kerf {
@@ -37,8 +40,8 @@ struct ParticleEstimate {
 ParticleEstimate estimate_particles(const Body& body, int dimension, const CountedSide& side = {},
                                     double most = most_laid_nodes);
 
-// Returns whether a particle of the body covers the position, and its level; -1 if there is none.
-// Cells that are split because their neighbours are fine count as whole.
-int level_at(const Body& body, int dimension, const Point& position);
+// Returns the particle of the body whose cell holds the position. Cells that are split because
+// their neighbours are fine count as whole.
+std::optional<GradedParticle> particle_at(const Body& body, int dimension, const Point& position);
 
 }  // namespace kerf

@@ -60,9 +60,10 @@ double element_size(const Body& body, int dimension, double most) {
   std::array<double, 3> edge{};
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
     edge[a] = box.maximum[a] - box.minimum[a];
-  const double size = dimension == 2
-                          ? 2.0 * (edge[0] + edge[1]) / most
-                          : std::sqrt(2.0 * (edge[0] * edge[1] + edge[1] * edge[2] + edge[2] * edge[0]) / most);
+  const double size =
+      dimension == 2
+          ? 2.0 * (edge[0] + edge[1]) / most
+          : std::sqrt(2.0 * (edge[0] * edge[1] + edge[1] * edge[2] + edge[2] * edge[0]) / most);
   return std::max(0.25 * body.spacing, size);
 }
 

@@ -63,8 +63,14 @@ void read_top(Draft& draft, const toml::table& table) {
 Case parse_case(std::string_view text, std::string_view file_name, const ReadEffort& effort) {
   const toml::table table = parse_toml(text, file_name);
   const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
-  Draft draft{
-      Reading{Problems(std::string(file_name)), folder}, {}, {}, {}, {}, false, Quality::normal, effort};
+  Draft draft{Reading{Problems(std::string(file_name)), folder},
+              {},
+              {},
+              {},
+              {},
+              false,
+              Quality::normal,
+              effort};
   draft.reading.dimension = read_dimension(draft.reading, table);
   read_top(draft, table);
   finish(draft);

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run_cost.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "engine/device.hpp"
+#include "model/case.hpp"
+#include "parallel/threads.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double most_pilot_particles = 2e4;
+constexpr double longest_pilot = 2.0;       // s
+constexpr double least_across_pilot = 2.0;  // particles across a jet
+constexpr double thread_efficiency = 0.95;  // docs/performance.md, of each thread after the first
+
+double mean_particles(const DerivedNumbers& numbers) {
+  return 0.5 * static_cast<double>(numbers.particles_initial + numbers.particles_expected);
+}
+
+// Returns the time of one step of one particle on one core, s (docs/performance.md).
+double typical_particle_step(const Case& description) {
+  const bool plane = description.dimension == 2;
+  if (description.formulation == Formulation::standard) return plane ? 0.35e-6 : 0.7e-6;
+  return plane ? 1.9e-6 : 4.0e-6;
+}
+
+double on_threads(double seconds, int threads) {
+  return seconds / (1.0 + thread_efficiency * (threads - 1));
+}
+
+// Returns the factor of the spacing at which a run makes as many steps of particles as the pilot
+// may take: they are as the power -(D + 1) of the spacing.
+double coarsening(const Case& description, const DerivedNumbers& numbers) {
+  const double particles = mean_particles(numbers);
+  const double steps = longest_pilot / typical_particle_step(description);
+  const double by_work =
+      std::pow(particles * numbers.steps / steps, 1.0 / (description.dimension + 1));
+  const double by_size = std::pow(particles / most_pilot_particles, 1.0 / description.dimension);
+  return std::max({1.0, by_work, by_size});
+}
+
+struct PilotRun {
+  double seconds = 0.0, particle_steps = 0.0, steps = 0.0, simulated = 0.0;
+};
+
+PilotRun make_pilot_run(const Case& description) {
+  using Clock = std::chrono::steady_clock;
+  PilotRun run;
+  const auto simulation = make_simulation(description);
+  if (!simulation->finished())
+    simulation->advance();  // the first step also builds the neighbour lists
+  const auto start = Clock::now();
+  const double first_time = simulation->time();
+  while (run.seconds < longest_pilot && !simulation->finished()) {
+    simulation->advance();
+    run.particle_steps += static_cast<double>(simulation->particles());
+    run.steps += 1.0;
+    run.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  run.simulated = simulation->time() - first_time;
+  return run;
+}
+
+}  // namespace
+
+Pace typical_pace(const Case& description, int threads) {
+  return {on_threads(typical_particle_step(description), threads), 1.0,
+          "by the typical speed of a core"};
+}
+
+Case pilot_case(const Case& description, const DerivedNumbers& numbers) {
+  const double factor = coarsening(description, numbers);
+  Case pilot = description;
+  for (Body& body : pilot.bodies) body.spacing *= factor;
+  for (Jet& jet : pilot.jets) {
+    const double across = jet.width / jet.spacing;
+    jet.spacing *= std::clamp(across / least_across_pilot, 1.0, factor);
+  }
+  return pilot;
+}
+
+Pace measured_pace(const Case& description, const DerivedNumbers& numbers, int threads) {
+  Pace pace = typical_pace(description, threads);
+  try {
+    const Case pilot = pilot_case(description, numbers);
+    const DerivedNumbers coarse = derive(pilot);
+    if (static_cast<double>(coarse.particles_initial) > 4.0 * most_pilot_particles) return pace;
+    set_threads(1);
+    const PilotRun run = make_pilot_run(pilot);
+    set_threads(threads);
+    if (run.particle_steps == 0.0) return pace;
+    pace.particle_step = on_threads(run.seconds / run.particle_steps, threads);
+    pace.step_factor = run.steps * coarse.time_step / run.simulated;
+    pace.source =
+        fmt::format("by a pilot run of {} particles over {:.0f}% of the time",
+                    coarse.particles_initial, 100.0 * run.simulated / description.time.end);
+  } catch (const UserError&) {
+    // This build has no engine for the case, or the coarse run breaks down.
+    set_threads(threads);
+  }
+  return pace;
+}
+
+RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace) {
+  RunCost cost;
+  cost.particles = mean_particles(numbers);
+  cost.steps = pace.step_factor * numbers.steps;
+  cost.memory = numbers.memory;
+  cost.seconds = pace.particle_step * cost.particles * cost.steps;
+  return cost;
+}
+
+std::string duration(double seconds) {
+  constexpr double minute = 60.0, hour = 3600.0, day = 24.0 * hour, year = 365.25 * day;
+  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 100.0 * minute) return fmt::format("{:.0f} min", seconds / minute);
+  if (seconds < 2.0 * day) return fmt::format("{:.1f} h", seconds / hour);
+  if (seconds < year) return fmt::format("{:.0f} days", seconds / day);
+  return fmt::format("{:.2g} years", seconds / year);
+}
+
+}  // namespace kerf
