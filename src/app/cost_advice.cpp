@@ -17,7 +17,8 @@ namespace kerf {
 
 namespace {
 
-constexpr double noticeable = 1.1;  // gain
+constexpr double noticeable = 1.1;    // gain
+constexpr double least_across = 6.0;  // particles across a jet, as in a draft in 3D
 
 std::string as_text(const toml::table& table) {
   std::ostringstream text;
@@ -61,20 +62,29 @@ std::vector<CaseChange> possible_changes(const CostedCase& costed) {
   return changes;
 }
 
+// Returns the key of a line, with its table.
+std::string key_of(const std::string& line) {
+  return line.substr(0, line.find('='));
+}
+
 // Applies one kind of change after the other, each to the case that the ones before have made.
 std::optional<Advice> all_together(const CostedCase& costed) {
   CostedCase current = costed;
   Advice all;
-  all.before = run_cost(costed.numbers, costed.pace);
+  all.before = all.after = run_cost(costed.numbers, costed.pace);
   const auto apply = [&](const std::optional<CaseChange>& change) {
-    if (!change || (all.text.size() > 0 && all.after.seconds < long_run / 6.0)) return;
+    if (!change || all.after.seconds < long_run / 6.0) return;
     const auto step = advised(current, *change);
     if (!step) return;
     current.text = step->text;
     current.description = parse_case(current.text, current.file, quick_look);
     current.numbers = derive(current.description);
     current.pace.particle_step = step->after.seconds / (step->after.particles * step->after.steps);
-    all.lines.insert(all.lines.end(), step->lines.begin(), step->lines.end());
+    for (const std::string& line : step->lines) {
+      std::erase_if(all.lines,
+                    [&](const std::string& before) { return key_of(before) == key_of(line); });
+      all.lines.push_back(line);
+    }
     all.text = step->text;
     all.after = step->after;
   };
@@ -82,7 +92,11 @@ std::optional<Advice> all_together(const CostedCase& costed) {
   apply(draft_quality(current.description, toml::parse(current.text)));
   apply(graded_spacing(current.description));
   apply(plane_case(current.description));
-  apply(double_spacing(current.description, toml::parse(current.text)));
+  while (current.numbers.jet_resolution >= 2.0 * least_across && all.after.seconds > long_run) {
+    const double seconds = all.after.seconds;
+    apply(double_spacing(current.description, toml::parse(current.text)));
+    if (all.after.seconds == seconds) break;
+  }
   if (all.text.empty()) return {};
   return all;
 }

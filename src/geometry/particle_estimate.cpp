@@ -69,36 +69,44 @@ class GradedEstimate {
     return contains(body_.shape, grid_.centre(cell), dimension_);
   }
 
-  // Tests the corners of the cell, the middles of its edges and faces, and its middle.
-  bool is_full(const GradedCell& cell) const {
+  int looks() const { return dimension_ == 2 ? 9 : 27; }
+
+  // Returns how many of the corners of the cell, the middles of its edges and faces, and its middle
+  // are in the body.
+  int sites_inside(const GradedCell& cell) const {
     const long reach = cell.width() - 1;
-    for (int k = 0; k < (dimension_ == 2 ? 9 : 27); ++k) {
+    int inside = 0;
+    for (int k = 0; k < looks(); ++k) {
       std::array<long, 3> site = cell.low;
       for (std::size_t a = 0, rest = static_cast<std::size_t>(k); a < axes_; ++a, rest /= 3)
         site[a] += static_cast<long>(rest % 3) * reach / 2;
-      if (!is_site(site)) return false;
+      inside += is_site(site) ? 1 : 0;
     }
-    return true;
+    return inside;
   }
+  bool is_full(const GradedCell& cell) const { return sites_inside(cell) == looks(); }
 
   bool is_one_particle(const GradedCell& cell) const {
     return grid_.is_far_enough(cell, grid_.centre(cell)) && is_full(cell);
   }
 
-  // Returns whether cells two levels finer touch a cell, looked for at the middles of its faces.
+  // Returns whether cells two levels finer touch a cell, looked for at the middles of its faces and
+  // edges and at its corners.
   bool is_steep(const GradedCell& cell) const {
     if (cell.level < 2) return false;
-    for (std::size_t a = 0; a < axes_; ++a)
-      for (const long beside : {-1L, cell.width()}) {
-        std::array<long, 3> site = cell.low;
-        for (std::size_t b = 0; b < axes_; ++b) site[b] += b == a ? beside : cell.width() / 2;
-        const auto beside_it = particle_of(site);
-        if (beside_it && beside_it->level + 1 < cell.level) return true;
-      }
+    const std::array<long, 3> beside{-1, cell.width() / 2, cell.width()};
+    for (int k = 0; k < looks(); ++k) {
+      std::array<long, 3> site = cell.low;
+      for (std::size_t a = 0, rest = static_cast<std::size_t>(k); a < axes_; ++a, rest /= 3)
+        site[a] += beside[rest % 3];
+      const auto neighbour = particle_of(site);
+      if (neighbour && neighbour->level + 1 < cell.level) return true;
+    }
     return false;
   }
 
-  // Returns a bound of the particles in a cell, but for those that its shape makes finer.
+  // Returns about how many particles a cell may have. Where the surface passes through it, that is
+  // finer than the distance says.
   double possible_particles(const GradedCell& cell) const {
     if (grid_.is_beside_the_lattice(cell)) return 0.0;
     double finest = 1.0;
@@ -111,7 +119,10 @@ class GradedEstimate {
     const double nearest = distance_from_finest(body_.grading, middle, dimension_) -
                            0.5 * grid_.edge(cell) * std::sqrt(static_cast<double>(dimension_));
     while (coarser.level > 0 && nearest < body_.grading.width * coarser.level) --coarser.level;
-    return std::max(1.0, std::ldexp(finest, -coarser.level * dimension_));
+    double particles = std::max(1.0, std::ldexp(finest, -coarser.level * dimension_));
+    const int inside = sites_inside(cell);
+    if (inside > 0 && inside < looks()) particles += 2.0 * std::pow(finest, 1.0 - 1.0 / dimension_);
+    return particles;
   }
 
   void keep(const GradedCell& cell, double weight) {
@@ -192,7 +203,7 @@ ParticleEstimate estimate_particles(const Body& body, int dimension, const Count
       if (!is_beyond(side.planes, side.domain, particle.position))
         estimate.levels[static_cast<std::size_t>(particle.level)] += 1.0;
   } else {
-    constexpr double tests_of_a_look = 10.0;
+    constexpr double tests_of_a_look = 5.0;
     estimate.levels = GradedEstimate(body, dimension, side).count(most / tests_of_a_look);
   }
   return estimate;
