@@ -17,6 +17,7 @@ namespace kerf {
 namespace {
 
 constexpr double most_pilot_particles = 1e4;
+constexpr double most_graded_pilot = 4e3;   // particles of graded bodies, which take long to set up
 constexpr double longest_pilot = 1.5;       // s
 constexpr double least_across_pilot = 2.0;  // particles across a jet
 constexpr double thread_efficiency = 0.95;  // docs/performance.md, of each thread after the first
@@ -43,7 +44,10 @@ double coarsening(const Case& description, const DerivedNumbers& numbers) {
   const double steps = longest_pilot / typical_particle_step(description);
   const double by_work =
       std::pow(particles * numbers.steps / steps, 1.0 / (description.dimension + 1));
-  const double by_size = std::pow(particles / most_pilot_particles, 1.0 / description.dimension);
+  const bool is_graded = std::any_of(description.bodies.begin(), description.bodies.end(),
+                                     [](const Body& body) { return body.grading.levels > 0; });
+  const double most = is_graded ? most_graded_pilot : most_pilot_particles;
+  const double by_size = std::pow(particles / most, 1.0 / description.dimension);
   return std::max({1.0, by_work, by_size});
 }
 

@@ -43,18 +43,15 @@ class GradedEstimate {
     whole.level = body_.grading.levels;
     for (std::size_t a = 0; a < axes_; ++a)
       while (whole.low[a] + whole.width() < grid_.count()[a]) ++whole.level;
-    descend(whole, budget, 1.0);
+    constexpr double usual_depth = 10.0;  // a look descends from the largest cell to the particle
+    descend(whole, budget * std::min(1.0, usual_depth / whole.level), 1.0);
     return counts_;
   }
 
   // Returns the particle whose cell holds a finest cell.
   std::optional<GradedParticle> particle_of(const std::array<long, 3>& finest) const {
-    const std::array<long, 3> first = grid_.first();
     for (int level = body_.grading.levels; level >= 0; --level) {
-      GradedCell cell;
-      cell.level = level;
-      for (std::size_t a = 0; a < axes_; ++a)
-        cell.low[a] = first[a] + (((finest[a] - first[a]) >> level) << level);
+      const GradedCell cell = cell_at(finest, level);
       if (level > 0 ? is_one_particle(cell) : is_site(finest))
         return GradedParticle{grid_.centre(cell), level};
     }
@@ -90,19 +87,38 @@ class GradedEstimate {
     return grid_.is_far_enough(cell, grid_.centre(cell)) && is_full(cell);
   }
 
-  // Returns whether cells two levels finer touch a cell, looked for at the middles of its faces and
-  // edges and at its corners.
-  bool is_steep(const GradedCell& cell) const {
-    if (cell.level < 2) return false;
+  // Calls visit(site) for sites around a cell, at the middles of its faces and edges and at its
+  // corners, until it returns true; returns whether it did.
+  template <class Visit>
+  bool any_beside(const GradedCell& cell, const Visit& visit) const {
     const std::array<long, 3> beside{-1, cell.width() / 2, cell.width()};
     for (int k = 0; k < looks(); ++k) {
       std::array<long, 3> site = cell.low;
       for (std::size_t a = 0, rest = static_cast<std::size_t>(k); a < axes_; ++a, rest /= 3)
         site[a] += beside[rest % 3];
-      const auto neighbour = particle_of(site);
-      if (neighbour && neighbour->level + 1 < cell.level) return true;
+      if (visit(site)) return true;
     }
     return false;
+  }
+  // Returns whether cells two levels finer touch a cell.
+  bool is_beside_fine(const GradedCell& cell) const {
+    return cell.level >= 2 && any_beside(cell, [&](const std::array<long, 3>& site) {
+             const int level = level_of(site);
+             return level >= 0 && level + 1 < cell.level;
+           });
+  }
+  int level_of(const std::array<long, 3>& site) const {
+    const auto particle = particle_of(site);
+    return particle ? particle->level : -1;
+  }
+  // Returns the cell of a level that holds a finest cell.
+  GradedCell cell_at(const std::array<long, 3>& finest, int level) const {
+    const std::array<long, 3> first = grid_.first();
+    GradedCell cell;
+    cell.level = level;
+    for (std::size_t a = 0; a < axes_; ++a)
+      cell.low[a] = first[a] + (((finest[a] - first[a]) >> level) << level);
+    return cell;
   }
 
   // Returns about how many particles a cell may have. Where the surface passes through it, that is
@@ -120,6 +136,8 @@ class GradedEstimate {
                            0.5 * grid_.edge(cell) * std::sqrt(static_cast<double>(dimension_));
     while (coarser.level > 0 && nearest < body_.grading.width * coarser.level) --coarser.level;
     double particles = std::max(1.0, std::ldexp(finest, -coarser.level * dimension_));
+    const bool is_box = body_.shape.kind == Shape::Kind::box;
+    if (is_box && finest == std::ldexp(1.0, cell.level * dimension_)) return particles;
     const int inside = sites_inside(cell);
     if (inside > 0 && inside < looks()) particles += 2.0 * std::pow(finest, 1.0 - 1.0 / dimension_);
     return particles;
@@ -137,7 +155,7 @@ class GradedEstimate {
       if (is_site(cell.low)) keep(cell, weight);
       return;
     }
-    if (cell.level <= body_.grading.levels && is_one_particle(cell) && !is_steep(cell))
+    if (cell.level <= body_.grading.levels && is_one_particle(cell) && !is_beside_fine(cell))
       return keep(cell, weight);
     std::array<double, 8> possible{};
     const auto parts = static_cast<std::size_t>(grid_.parts());
@@ -203,7 +221,7 @@ ParticleEstimate estimate_particles(const Body& body, int dimension, const Count
       if (!is_beyond(side.planes, side.domain, particle.position))
         estimate.levels[static_cast<std::size_t>(particle.level)] += 1.0;
   } else {
-    constexpr double tests_of_a_look = 5.0;
+    constexpr double tests_of_a_look = 8.0;
     estimate.levels = GradedEstimate(body, dimension, side).count(most / tests_of_a_look);
   }
   return estimate;
