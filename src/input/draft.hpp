@@ -46,7 +46,7 @@ struct Draft {
   std::vector<JetDraft> jets;
   bool has_domain = false;
   Quality quality = Quality::normal;
-  ReadEffort effort;
+  ReadEffort effort = {};
 };
 
 void read_time(Draft& draft, Section& top);
