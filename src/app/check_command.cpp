@@ -164,8 +164,9 @@ void check(const CheckOptions& options) {
 }  // namespace
 
 void add_check_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
-      "check", "Check a case and print its derived numbers, cost and expected run time");
+  CLI::App* command = program.add_subcommand("check",
+                                             "Check a case and print its derived numbers, its cost "
+                                             "and, where that is too much, what to change");
   auto options = std::make_shared<CheckOptions>();
   auto* file = command->add_option("case", options->file, "Case file (TOML)");
   command->add_flag("--no-timing", options->no_timing, "Estimate the run time without a pilot run");

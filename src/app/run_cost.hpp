@@ -32,11 +32,12 @@ struct RunCost {
 Pace typical_pace(const Case& description, int threads);
 
 // Makes a pilot run, of 1.5 s and of 10^4 particles at most. Returns the typical pace where
-// this build cannot run the case, or the pilot fails.
+// this build cannot run the case, or all pilots fail.
 Pace measured_pace(const Case& description, const DerivedNumbers& numbers, int threads);
 
-// Returns the spacings of the pilot run of a case: its bodies and jets, coarsened.
-Case pilot_case(const Case& description, const DerivedNumbers& numbers);
+// Returns the case of the pilot run: with its bodies and jets coarsened, `stretch` times as much as
+// is needed.
+Case pilot_case(const Case& description, const DerivedNumbers& numbers, double stretch = 1.0);
 
 RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace);
 
