@@ -105,6 +105,23 @@ double nozzle_area(const Jet& jet, int dimension) {
   return jet.length > 0.0 ? jet.width * jet.length : std::numbers::pi * jet.width * jet.width / 4.0;
 }
 
+double nozzle_columns(const Jet& jet, int dimension) {
+  const double across = jet.width / jet.spacing + 1.0;
+  if (dimension == 2) return across;
+  return across * (jet.length > 0.0 ? jet.length / jet.spacing + 1.0 : across);
+}
+
+Jet coarsened(const Jet& jet, int dimension, double most) {
+  Jet result = jet;
+  const double columns = nozzle_columns(jet, dimension);
+  if (columns <= most) return result;
+  const double across = std::round(jet.width / jet.spacing);
+  const double allowed = across / std::pow(columns / most, dimension == 2 ? 1.0 : 0.5);
+  const double parity = std::fmod(across, 2.0);
+  result.spacing = jet.width / std::max(1.0, 2.0 * std::floor(0.5 * allowed) + parity);
+  return result;
+}
+
 double entering_particles(const Jet& jet, int dimension, double end) {
   const double open = std::max(0.0, std::min(jet.stop, end) - jet.start) * jet.duty;
   return jet.speed * nozzle_area(jet, dimension) * open / std::pow(jet.spacing, dimension);

@@ -25,6 +25,11 @@ struct InletParticle {
 
 // Returns the area of the section, m^2 (2D: m).
 double nozzle_area(const Jet& jet, int dimension);
+// Returns the approximate number of columns.
+double nozzle_columns(const Jet& jet, int dimension);
+// Returns the jet with a spacing at which it has about `most` columns at most, and as many across,
+// even or odd, as before.
+Jet coarsened(const Jet& jet, int dimension, double most);
 // Returns the approximate number of particles that a jet emits until the time `end`, s.
 double entering_particles(const Jet& jet, int dimension, double end);
 

@@ -100,7 +100,7 @@ void check_body(Draft& draft, const Plane& plane, std::size_t number) {
     found = std::abs(plane.depth(point)) < reach * (1.0 - 1e-9);
     return !found;
   };
-  visit_particles(body, draft.result.dimension, request);
+  visit_sample(body, draft.result.dimension, request, draft.effort.most_tested);
   if (!found) return;
   draft.reading.problems.add(
       {indexed("body", number) + ".spacing",
@@ -117,7 +117,8 @@ void check_jet(Draft& draft, const Plane& plane, std::size_t number) {
   const Case& result = draft.result;
   const Jet& jet = result.jets[number];
   const auto& water = result.materials[static_cast<std::size_t>(jet.material)];
-  const Nozzle nozzle(jet, water.density, result.dimension);
+  const Nozzle nozzle(coarsened(jet, result.dimension, draft.effort.most_tested), water.density,
+                      result.dimension);
   const double reach = nearest * jet.spacing;
   bool beyond = false, on_plane = false, inside = false;
   for (const InletParticle& particle : nozzle.standing_water()) {

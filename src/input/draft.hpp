@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "input/read.hpp"
 #include "input/section.hpp"
 #include "model/case.hpp"
 
@@ -46,6 +47,7 @@ struct Draft {
   std::vector<JetDraft> jets;
   bool has_domain = false;
   Quality quality = Quality::normal;
+  ReadEffort effort = {};
 };
 
 void read_time(Draft& draft, Section& top);

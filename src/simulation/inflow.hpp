@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The inflow of water: a nozzle emits layers of water as the jet advances (Nozzle::emit of
-// geometry/nozzle.hpp), emit_inflow() makes particles of them, and ParticleRun::inject_inflow adds
-// them to the run before each list of neighbours.
+// geometry/nozzle.hpp), emit_inflow() makes particles of them, and ParticleRun::inject_inflow
+// (simulation/particle_run_step.hpp) adds them to the run before each list of neighbours.
 #pragma once
 
 #include <cstddef>

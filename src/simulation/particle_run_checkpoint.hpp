@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a checkpoint holds of a run: the state of the particles (rows STATE of
 // particles/fields.hpp), clock, counters, balance, the emission of the nozzles and their pumps.
+// output/checkpoint.hpp lists what the other parts of the program add.
 #pragma once
 
 #include <cstring>
