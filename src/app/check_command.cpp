@@ -23,6 +23,7 @@
 #include "input/schema.hpp"
 #include "machine/machine_jet.hpp"
 #include "model/case.hpp"
+#include "output/piece_reasons.hpp"
 #include "output/readable.hpp"
 #include "output/result_reference.hpp"
 #include "report/html.hpp"
@@ -80,6 +81,13 @@ void print_machine(const Case& description) {
   if (jet.pulse_frequency > 0.0)
     row("pulses",
         fmt::format("{}, water for {:.3g} of each", readable(jet.pulse_frequency, "Hz"), jet.duty));
+}
+
+void print_piece(const Case& description) {
+  const auto sentences = piece_reasons(description);
+  if (sentences.empty()) return;
+  fmt::print("\nWhat is simulated\n");
+  for (const std::string& sentence : sentences) fmt::print("  {}\n", sentence);
 }
 
 void print_loads(const DerivedNumbers& numbers) {
@@ -145,6 +153,7 @@ void check(const CheckOptions& options) {
   fmt::print("{} ({}D; bodies: {}, jets: {})\n", description.title, description.dimension,
              description.bodies.size(), description.jets.size());
   print_machine(description);
+  print_piece(description);
   print_speeds(numbers);
   print_loads(numbers);
   print_meshes(description);

@@ -45,6 +45,7 @@ void read_top(Draft& draft, const toml::table& table) {
   read_materials(draft, top);
   read_jets(draft, top);
   read_machine(draft, top);
+  read_workpiece(draft, top);
   read_bodies(draft, top);
   read_loads(draft, top);
   read_time(draft, top);
@@ -64,6 +65,7 @@ Case parse_case(std::string_view text, std::string_view file_name, const ReadEff
   const toml::table table = parse_toml(text, file_name);
   const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
   Draft draft{Reading{Problems(std::string(file_name)), folder},
+              {},
               {},
               {},
               {},

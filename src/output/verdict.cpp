@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/case.hpp"
 #include "output/layer_metrics.hpp"
@@ -95,6 +96,34 @@ std::string cut_sentence(const RunOutcome& outcome) {
                      pieces == 1 ? "piece" : "pieces");
 }
 
+// Says what the run means for a nozzle that stands in it and moves at the machine.
+std::string exposure_sentence(const RunOutcome& outcome) {
+  if (!outcome.exposure) return "";
+  const Exposure& exposure = *outcome.exposure;
+  const std::string feed = readable(outcome.description.machine->traverse_speed, "m/s");
+  const std::string time = readable(exposure.time, "s");
+  if (outcome.cut.cut_through)
+    return fmt::format(
+        " A feed of {} exposes each point for {}: it {} through; the greatest feed that does is "
+        "about {}.",
+        feed, time, exposure.cuts ? "cuts" : "does not cut",
+        readable(exposure.greatest_feed, "m/s"));
+  if (!(exposure.decades() > 0.0))
+    return fmt::format(" A feed of {} exposes each point for no longer: it cuts {} deep.", feed,
+                       readable(exposure.depth, "m"));
+  if (std::isnan(exposure.depth))
+    return fmt::format(" A feed of {} exposes each point for {}, and no law of the depth shows.",
+                       feed, time);
+  return fmt::format(
+      " Carried over {:.1f} decades of time to the {} of a feed of {}, the cut is {} deep ({} to "
+      "{}): it {} through.",
+      exposure.decades(), time, feed, readable(exposure.depth, "m"),
+      readable(exposure.depth_low, "m"), readable(exposure.depth_high, "m"),
+      exposure.cuts                               ? "cuts"
+      : exposure.depth_high >= exposure.thickness ? "may cut"
+                                                  : "does not cut");
+}
+
 }  // namespace
 
 bool still_cutting(const std::vector<CutState>& history) {
@@ -110,7 +139,8 @@ std::string verdict_of(const RunOutcome& outcome) {
   if (outcome.description.jets.empty())
     return fmt::format("The run reached {}; it has no jet, so there is nothing to cut.",
                        readable(outcome.time, "s"));
-  return outcome.cut.cut_through ? cut_sentence(outcome) : depth_sentence(outcome);
+  return (outcome.cut.cut_through ? cut_sentence(outcome) : depth_sentence(outcome)) +
+         exposure_sentence(outcome);
 }
 
 }  // namespace kerf
