@@ -13,6 +13,8 @@ namespace {
 
 // The shares of the time after which the law is fitted: the exponents differ where no law holds.
 constexpr double fit_shares[] = {0.5, 0.25, 0.125};
+// Exponents that differ by more are of no law: the front may as well have come to rest.
+constexpr double same_exponent = 0.1;
 
 DepthHistory history_since(const std::vector<CutState>& history, double contact) {
   DepthHistory since;
@@ -22,6 +24,7 @@ DepthHistory history_since(const std::vector<CutState>& history, double contact)
     deepest = std::max(deepest, state.front_depth);
     since.times.push_back(state.time - contact);
     since.depths.push_back(deepest);
+    since.widths.push_back(state.kerf_width);
   }
   return since;
 }
@@ -35,33 +38,67 @@ double last_speed(const DepthHistory& history) {
   return time > 0.0 ? (history.depths.back() - history.depths[n]) / time : 0.0;
 }
 
-// Carries the depth to the exposure time: the laws of the three fits, and what holds for every
-// front that slows down: it stays between its last depth and a motion on at its last speed.
-void carry(const DepthHistory& history, Exposure& exposure) {
-  const double least = history.depths.back();
-  const double most = least + last_speed(history) * (exposure.time - exposure.simulated);
-  const auto within = [&](double depth) { return std::clamp(depth, least, std::max(least, most)); };
-  std::vector<double> depths;
+struct DepthRange {
+  double low = Exposure::none, high = Exposure::none;
+};
+
+// Returns the depths after a time that the run does not reach. A front that slows down stays
+// between its last depth and a motion on at its last speed; the laws continue from the last depth.
+DepthRange carried(const DepthHistory& history, double time) {
+  const double last = history.depths.back(), end = history.times.back();
+  const double most = std::max(last, last + last_speed(history) * (time - end));
+  DepthRange range;
+  double least_exponent = 1.0, greatest_exponent = 0.0;
   for (const double share : fit_shares) {
     const auto law = fit_depth(history, share);
     if (!law) continue;
-    // The law continues from the last depth.
-    depths.push_back(within(least * std::pow(exposure.time / exposure.simulated, law->exponent)));
-    if (depths.size() == 1) exposure.exponent = law->exponent;
+    const double depth = std::clamp(last * std::pow(time / end, law->exponent), last, most);
+    range.low = std::fmin(range.low, depth);
+    range.high = std::fmax(range.high, depth);
+    least_exponent = std::min(least_exponent, law->exponent);
+    greatest_exponent = std::max(greatest_exponent, law->exponent);
   }
-  if (depths.empty()) return;
-  exposure.depth = depths.front();
-  exposure.depth_low = *std::min_element(depths.begin(), depths.end());
-  exposure.depth_high = *std::max_element(depths.begin(), depths.end());
+  if (greatest_exponent - least_exponent > same_exponent) range.low = last;
+  return range;
 }
 
-// Returns the time since contact after which the carried front has passed the workpiece, s.
-double passage_of(const Exposure& exposure, double depth) {
-  return exposure.simulated * std::pow(exposure.thickness / depth, 1.0 / exposure.exponent);
+DepthRange depths_after(const DepthHistory& history, double time) {
+  if (time > history.times.back()) return carried(history, time);
+  const auto next = std::lower_bound(history.times.begin(), history.times.end(), time);
+  const double depth = history.depths[static_cast<std::size_t>(next - history.times.begin())];
+  return {depth, depth};
+}
+
+// Returns the time for which a jet of the extent (m) stays within its hole at the speed (m/s): the
+// first time t with u t >= W(t), else with the last width.
+double longest_exposure(const DepthHistory& history, double extent, double speed) {
+  for (std::size_t k = 0; k < history.times.size(); ++k)
+    if (speed * history.times[k] >= std::max(extent, history.widths[k])) return history.times[k];
+  return std::max(extent, history.widths.back()) / speed;
 }
 
 double thickness_of(const Case& description) {
   return description.workpiece->size[1] / std::cos(description.jets.back().angle);
+}
+
+// A cut in the run: how fast the nozzle may move.
+void add_feeds_of_cut(const DepthHistory& history, double extent, Exposure& exposure) {
+  const auto at = std::lower_bound(history.times.begin(), history.times.end(), exposure.simulated);
+  const auto n =
+      std::min(static_cast<std::size_t>(at - history.times.begin()), history.times.size() - 1);
+  exposure.greatest_feed = extent / exposure.simulated;
+  exposure.possible_feed = std::max(extent, history.widths[n]) / exposure.simulated;
+}
+
+// No cut in the run: the feed at which the law reaches the thickness.
+void add_carried_feeds(const DepthHistory& history, double extent, Exposure& exposure) {
+  const auto law = fit_depth(history, fit_shares[0]);
+  if (!law || !(law->exponent > 0.0)) return;
+  const double passage = history.times.back() *
+                         std::pow(exposure.thickness / history.depths.back(), 1.0 / law->exponent);
+  exposure.exponent = law->exponent;
+  exposure.greatest_feed = extent / passage;
+  exposure.possible_feed = std::max(extent, history.widths.back()) / passage;
 }
 
 }  // namespace
@@ -91,33 +128,41 @@ std::optional<DepthLaw> fit_depth(const DepthHistory& history, double from) {
 }
 
 double Exposure::decades() const {
-  return simulated > 0.0 ? std::max(0.0, std::log10(time / simulated)) : 0.0;
+  return simulated > 0.0 && !std::isnan(exponent) ? std::max(0.0, std::log10(longest / simulated))
+                                                  : 0.0;
 }
 
 const MetricList<Exposure>& Exposure::metrics() {
   using E = Exposure;
   static const MetricList<E> list{
-      {"time", "s", "exposure time, t_e",
-       "Time for which the jet acts on a point of its path: its extent over the traverse speed.",
-       &E::time},
+      {"shortest", "s", "shortest exposure, w / u",
+       "Time for which the jet covers a point of its path: its extent over the traverse speed.",
+       &E::shortest},
+      {"longest", "s", "longest exposure, W / u",
+       "Time for which the jet stays within the hole that it has made by then: the width of the "
+       "opening over the traverse speed.",
+       &E::longest},
       {"simulated", "s", "simulated time of the exposure",
        "Time of the run since the jet met the workpiece, until the cut or the end.", &E::simulated},
       {"decades", "1", "decades of time carried",
-       "Decimal logarithm of the exposure time over the simulated time; 0 where the run covers the "
-       "exposure, and after a cut.",
-       [](const E& e) { return e.cuts && std::isnan(e.exponent) ? 0.0 : e.decades(); }},
-      {"cuts", "1", "cut through at the traverse speed",
-       "Whether the traverse cuts the workpiece through, by the exposure.", &E::cuts},
-      {"depth", "m", "depth at the traverse speed",
-       "Depth that the exposure reaches, at most the thickness.", &E::depth},
+       "Decimal logarithm of the longest exposure over the simulated time; 0 where the run covers "
+       "the exposure, and after a cut.",
+       &E::decades},
+      {"cuts", "1", "certainly cut through at the traverse speed",
+       "Whether the shortest exposure cuts the workpiece through.", &E::cuts},
+      {"may_cut", "1", "possibly cut through at the traverse speed",
+       "Whether the longest exposure cuts the workpiece through.", &E::may_cut},
+      {"depth", "m", "depth at the traverse speed", "Mean of the two following depths.", &E::depth},
       {"depth_low", "m", "least depth at the traverse speed",
-       "Lower end of the interval of that depth from the fits of the law.", &E::depth_low},
-      {"depth_high", "m", "greatest depth at the traverse speed", "Upper end of that interval.",
-       &E::depth_high},
+       "Depth after the shortest exposure, at most the thickness.", &E::depth_low},
+      {"depth_high", "m", "greatest depth at the traverse speed",
+       "Depth after the longest exposure, at most the thickness.", &E::depth_high},
       {"exponent", "1", "exponent of time, n",
        "Exponent n of the depth over time, which carries the depth beyond the run.", &E::exponent},
       {"greatest_feed", "m/s", "greatest traverse speed that cuts",
-       "Traverse speed at which the exposure just cuts through.", &E::greatest_feed}};
+       "Traverse speed at which the shortest exposure just cuts through.", &E::greatest_feed},
+      {"possible_feed", "m/s", "greatest traverse speed that may cut",
+       "Traverse speed at which the longest exposure just cuts through.", &E::possible_feed}};
   return list;
 }
 
@@ -129,29 +174,27 @@ std::optional<Exposure> exposure_of(const Case& description, const std::vector<C
   if (machine.motion != NozzleMotion::standing || machine.traverse_speed == 0.0)
     return std::nullopt;
   const DepthHistory since = history_since(history, cut.contact_time);
-  if (since.times.empty()) return std::nullopt;
+  if (since.times.empty() || !(since.depths.back() > 0.0)) return std::nullopt;
   Exposure exposure;
-  exposure.time = exposure_time(machine, description.jets.back(), description.dimension);
+  exposure.shortest = exposure_time(machine, description.jets.back(), description.dimension);
+  const double extent = exposure.shortest * machine.traverse_speed;
+  exposure.longest = longest_exposure(since, extent, machine.traverse_speed);
   exposure.thickness = thickness_of(description);
   exposure.simulated =
       cut.cut_through ? cut.cut_through_time - cut.contact_time : since.times.back();
-  if (cut.cut_through) {
-    exposure.depth = exposure.depth_low = exposure.depth_high = exposure.thickness;
-    exposure.greatest_feed = machine.traverse_speed * exposure.time / exposure.simulated;
-    exposure.cuts = exposure.simulated <= exposure.time;
-    return exposure;
-  }
-  if (exposure.simulated >= exposure.time) {
-    exposure.depth = exposure.depth_low = exposure.depth_high = since.depths.back();
-    return exposure;
-  }
-  carry(since, exposure);
-  if (exposure.exponent > 0.0 && since.depths.back() > 0.0)
-    exposure.greatest_feed =
-        machine.traverse_speed * exposure.time / passage_of(exposure, since.depths.back());
-  for (double* depth : {&exposure.depth, &exposure.depth_low, &exposure.depth_high})
-    *depth = std::min(*depth, exposure.thickness);
-  exposure.cuts = exposure.depth_low >= exposure.thickness;
+  const auto after = [&](double time) {
+    return cut.cut_through && time >= exposure.simulated
+               ? DepthRange{exposure.thickness, exposure.thickness}
+               : depths_after(since, time);
+  };
+  const auto within = [&](double depth) { return std::min(depth, exposure.thickness); };
+  if (cut.cut_through)
+    add_feeds_of_cut(since, extent, exposure);
+  else if (exposure.longest > exposure.simulated)
+    add_carried_feeds(since, extent, exposure);
+  exposure.depth_low = within(after(exposure.shortest).low);
+  exposure.depth_high = within(after(exposure.longest).high);
+  exposure.depth = 0.5 * (exposure.depth_low + exposure.depth_high);
   return exposure;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cut of a moving nozzle from a run with the nozzle at rest. A jet that moves at the traverse
-// speed u acts on a point of its path for the exposure time t_e = w / u, w its extent along the
-// path; the depth of its cut is that of a jet at rest after t_e. Where the run is shorter, the
-// depth follows the law h = a (t - t_0)^n with t_0 the time of contact, fitted to the deepest front
-// of the run. The theory, the interval and its comparison with moving nozzles are in
-// docs/theory/exposure.md.
+// The cut of a moving nozzle from a run with the nozzle at rest. At the traverse speed u the jet
+// acts on a point of its path at least for w / u, w its extent along the path, and at most for W /
+// u, W the width of the opening that it has made by then: so long it stays within its own hole. The
+// depth of the cut is between the depths of the jet at rest after these two times. Where the run is
+// shorter, the depth follows the law h = a t^n, t since contact, fitted to the deepest front of the
+// run. The theory and the comparison with moving nozzles are in docs/theory/exposure.md.
 #pragma once
 
 #include <limits>
@@ -25,9 +25,11 @@ struct DepthLaw {
   double at(double time) const;
 };
 
-// The history of the deepest front: times since contact (s) and depths (m).
+// The history of a cut since contact.
 struct DepthHistory {
-  std::vector<double> times, depths;
+  std::vector<double> times;   // s
+  std::vector<double> depths;  // m, the deepest front until then
+  std::vector<double> widths;  // m, of the opening
 };
 
 // Returns the law that fits the depths after the share `from` of the time best, by least squares of
@@ -35,17 +37,19 @@ struct DepthHistory {
 std::optional<DepthLaw> fit_depth(const DepthHistory& history, double from);
 
 struct Exposure {
-  double time = 0.0;       // s, t_e
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double shortest = 0.0;   // s, w / u
+  double longest = 0.0;    // s, W / u
   double simulated = 0.0;  // s, since contact, until the cut or the end of the run
   double thickness = 0.0;  // m, of the workpiece along the jet
-  bool cuts = false;       // whether the traverse cuts through
-  // m, of the cut of the traverse, with its interval.
-  double depth = std::numeric_limits<double>::quiet_NaN();
-  double depth_low = depth, depth_high = depth;
-  double exponent = std::numeric_limits<double>::quiet_NaN();  // n; none where nothing is carried
-  // m/s, the greatest traverse speed that cuts through.
-  double greatest_feed = std::numeric_limits<double>::quiet_NaN();
+  // m, of the cut at the traverse speed: after the shortest and the longest exposure, and the mean.
+  double depth_low = none, depth_high = none, depth = none;
+  double exponent = none;  // n; none where nothing is carried
+  // m/s, the traverse speeds up to which the cut is certain, and possible.
+  double greatest_feed = none, possible_feed = none;
 
+  bool cuts() const { return depth_low >= thickness; }
+  bool may_cut() const { return depth_high >= thickness; }
   // Returns the decades of time over which the depth is carried; 0 = the run covers the exposure.
   double decades() const;
 

@@ -101,27 +101,25 @@ std::string exposure_sentence(const RunOutcome& outcome) {
   if (!outcome.exposure) return "";
   const Exposure& exposure = *outcome.exposure;
   const std::string feed = readable(outcome.description.machine->traverse_speed, "m/s");
-  const std::string time = readable(exposure.time, "s");
+  const char* verdict = exposure.cuts()      ? "cuts through"
+                        : exposure.may_cut() ? "may cut through"
+                                             : "does not cut through";
+  if (std::isnan(exposure.depth))
+    return fmt::format(" No law of the depth shows that could be carried to a feed of {}.", feed);
   if (outcome.cut.cut_through)
     return fmt::format(
-        " A feed of {} exposes each point for {}: it {} through; the greatest feed that does is "
-        "about {}.",
-        feed, time, exposure.cuts ? "cuts" : "does not cut",
-        readable(exposure.greatest_feed, "m/s"));
-  if (!(exposure.decades() > 0.0))
-    return fmt::format(" A feed of {} exposes each point for no longer: it cuts {} deep.", feed,
-                       readable(exposure.depth, "m"));
-  if (std::isnan(exposure.depth))
-    return fmt::format(" A feed of {} exposes each point for {}, and no law of the depth shows.",
-                       feed, time);
+        " A feed of {}, which exposes each point for {} or more, {}; the cut is certain up to {} "
+        "and possible up to {}.",
+        feed, readable(exposure.shortest, "s"), verdict, readable(exposure.greatest_feed, "m/s"),
+        readable(exposure.possible_feed, "m/s"));
+  const std::string carried =
+      exposure.decades() > 0.0
+          ? fmt::format(", carried over {:.1f} decades of time,", exposure.decades())
+          : std::string();
   return fmt::format(
-      " Carried over {:.1f} decades of time to the {} of a feed of {}, the cut is {} deep ({} to "
-      "{}): it {} through.",
-      exposure.decades(), time, feed, readable(exposure.depth, "m"),
-      readable(exposure.depth_low, "m"), readable(exposure.depth_high, "m"),
-      exposure.cuts                               ? "cuts"
-      : exposure.depth_high >= exposure.thickness ? "may cut"
-                                                  : "does not cut");
+      " A feed of {} exposes each point for {} to {}{} and {}: the cut is {} to {} deep.", feed,
+      readable(exposure.shortest, "s"), readable(exposure.longest, "s"), carried, verdict,
+      readable(exposure.depth_low, "m"), readable(exposure.depth_high, "m"));
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ std::vector<CutState> front_of(const std::function<double(double)>& depth, doubl
     CutState state;
     state.time = first_contact + k * end / 500.0;
     state.front_depth = depth(state.time - first_contact);
+    state.kerf_width = 3e-3;
     history.push_back(state);
   }
   return history;
@@ -57,16 +58,19 @@ TEST(Exposure, PowerLawIsCarriedExactly) {
     const auto depth = [n](double t) { return 1e-3 * std::pow(t / 1e-4, n); };
     const auto exposure =
         exposure_of(feeding_case(0.5), front_of(depth, 1e-4), summary_from()).value();
-    EXPECT_NEAR(exposure.time, 2e-3, 1e-15);
-    EXPECT_NEAR(exposure.decades(), std::log10(20.0), 1e-6);
+    EXPECT_NEAR(exposure.shortest, 2e-3, 1e-15);  // 1 mm at 0.5 m/s
+    EXPECT_NEAR(exposure.longest, 6e-3, 1e-15);   // 3 mm
+    EXPECT_NEAR(exposure.decades(), std::log10(60.0), 1e-6);
     EXPECT_NEAR(exposure.exponent, n, 1e-6);
-    const double reached = std::min(slab_thickness, depth(2e-3));
-    EXPECT_NEAR(exposure.depth, reached, 1e-6 * reached) << n;
-    EXPECT_NEAR(exposure.depth_high - exposure.depth_low, 0.0, 1e-6 * reached);
-    // The depth is the slab_thickness after t with depth(t) = slab_thickness.
+    const double low = std::min(slab_thickness, depth(2e-3));
+    const double high = std::min(slab_thickness, depth(6e-3));
+    EXPECT_NEAR(exposure.depth_low, low, 1e-6 * low) << n;
+    EXPECT_NEAR(exposure.depth_high, high, 1e-6 * high) << n;
+    // The depth is the thickness after the time t with depth(t) = thickness.
     const double passage = 1e-4 * std::pow(10.0, 1.0 / n);
     EXPECT_NEAR(exposure.greatest_feed, 1e-3 / passage, 1e-5 * 1e-3 / passage);
-    EXPECT_EQ(exposure.cuts, n == 1.0);
+    EXPECT_NEAR(exposure.possible_feed, 3e-3 / passage, 1e-5 * 3e-3 / passage);
+    EXPECT_EQ(exposure.cuts(), n == 1.0);
   }
 }
 
@@ -75,32 +79,36 @@ TEST(Exposure, IntervalHoldsAFrontThatSlowsDown) {
   const auto depth = [](double t) { return 2e-3 * (1.0 - std::exp(-t / 5e-5)); };
   const auto exposure =
       exposure_of(feeding_case(2.0), front_of(depth, 1e-4), summary_from()).value();
-  EXPECT_LE(exposure.depth_low, exposure.depth);
-  EXPECT_GT(exposure.depth_high, 1.05 * exposure.depth_low);
+  EXPECT_LE(exposure.depth_low, depth(5e-4));
+  EXPECT_GE(exposure.depth_high, depth(1.5e-3));
   EXPECT_GE(exposure.depth_low, depth(1e-4));
-  EXPECT_FALSE(exposure.cuts);
+  EXPECT_FALSE(exposure.may_cut());
 }
 
 TEST(Exposure, CutGivesTheGreatestFeed) {
   const auto depth = [](double t) { return std::min(slab_thickness, 100.0 * t); };
   const double cut_time = first_contact + 1e-4;
-  const auto slow =
-      exposure_of(feeding_case(1.0), front_of(depth, 1.2e-4), summary_from(cut_time)).value();
-  EXPECT_TRUE(slow.cuts);
-  EXPECT_NEAR(slow.greatest_feed, 10.0, 1e-9);
-  EXPECT_EQ(slow.depth, slab_thickness);
-  const auto fast =
-      exposure_of(feeding_case(20.0), front_of(depth, 1.2e-4), summary_from(cut_time)).value();
-  EXPECT_FALSE(fast.cuts);
+  const auto at = [&](double feed) {
+    return exposure_of(feeding_case(feed), front_of(depth, 1.2e-4), summary_from(cut_time)).value();
+  };
+  EXPECT_TRUE(at(1.0).cuts());
+  EXPECT_NEAR(at(1.0).greatest_feed, 10.0, 1e-9);
+  EXPECT_NEAR(at(1.0).possible_feed, 30.0, 1e-9);
+  EXPECT_EQ(at(1.0).decades(), 0.0);
+  EXPECT_EQ(at(1.0).depth, slab_thickness);
+  EXPECT_FALSE(at(20.0).cuts());
+  EXPECT_TRUE(at(20.0).may_cut());
+  EXPECT_FALSE(at(40.0).may_cut());
 }
 
+// The jet of 1 mm leaves its hole, 3 mm wide, after 75 us at 40 m/s.
 TEST(Exposure, RunThatCoversTheExposureCarriesNothing) {
   const auto depth = [](double t) { return 20.0 * t; };
   const auto exposure =
-      exposure_of(feeding_case(10.0), front_of(depth, 1e-4), summary_from()).value();
+      exposure_of(feeding_case(40.0), front_of(depth, 1e-4), summary_from()).value();
   EXPECT_EQ(exposure.decades(), 0.0);
-  EXPECT_NEAR(exposure.depth, 2e-3, 1e-12);
-  EXPECT_EQ(exposure.depth_low, exposure.depth_high);
+  EXPECT_NEAR(exposure.depth_low, 20.0 * 25e-6, 20.0 * 0.21e-6);  // rows are 0.2 us apart
+  EXPECT_NEAR(exposure.depth_high, 20.0 * 75e-6, 20.0 * 0.21e-6);
   EXPECT_TRUE(std::isnan(exposure.exponent));
 }
 
