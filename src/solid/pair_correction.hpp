@@ -17,11 +17,14 @@ struct PairCorrection {
   BondTable<D> bonds{};
 
   KERF_FUNCTION Real operator()(const ParticleView<D, P>& particles, const Pair<D, P>& pair) const {
-    if (factor == nullptr || !particles.has(pair.i, flag::fitted) ||
-        !particles.has(pair.j, flag::fitted) || !is_one_volume(particles, pair))
-      return Real(1);
-    const Index bond = bond_between(bonds, solid_index_of_id[particles.id[pair.i]],
-                                    solid_index_of_id[particles.id[pair.j]]);
+    return factor != nullptr && is_one_volume(particles, pair) ? between(particles, pair.i, pair.j)
+                                                               : Real(1);
+  }
+  // The same for two particles of one volume.
+  KERF_FUNCTION Real between(const ParticleView<D, P>& particles, Index i, Index j) const {
+    if (!particles.has(i, flag::fitted) || !particles.has(j, flag::fitted)) return Real(1);
+    const Index bond =
+        bond_between(bonds, solid_index_of_id[particles.id[i]], solid_index_of_id[particles.id[j]]);
     return bond == no_bond ? Real(1) : factor[bond];
   }
 };
