@@ -160,13 +160,14 @@ class LevelFit {
     return sum;
   }
 
-  std::vector<double> factors(const Rows& wanted) const {
+  std::vector<double> factors(const Rows& wanted) {
     Rows missing = wanted;
     for (std::size_t r = 0; r < missing.size(); ++r)
       add(missing[r], own_sums(particle_of_[r], {}), -1.0);
     const auto system = [this](const Rows& x) { return apply(x); };
-    const Rows multipliers =
-        scaled(conjugate_gradients<rows>(system, std::move(missing), inverse_diagonal(), accuracy));
+    solution_ = conjugate_gradients<rows>(system, std::move(missing), inverse_diagonal(), accuracy,
+                                          std::move(solution_));
+    const Rows multipliers = scaled(solution_);
     std::vector<double> factor(bonds_.neighbour.size(), 1.0);
     for (const Entry& pair : pairs_) {
       const double s =
@@ -306,6 +307,7 @@ class LevelFit {
   std::vector<Entry> pairs_;
   std::vector<Index> row_of_, particle_of_;
   std::vector<Matrix<D, double>> match_;  // C, per particle
+  Rows solution_;                         // lambda of the last round, with which the next begins
 };
 
 }  // namespace kerf
