@@ -76,6 +76,7 @@ class LevelFit {
     Index i, j;
     Index bond, back;  // in the lists of i and of j
     double weight;     // w_ij
+    Position matched;  // (C_i + C_j) R / 2, m
   };
 
   const Medium<double>& medium(Index i) const { return layout_.media[layout_.medium_index[i]]; }
@@ -112,7 +113,7 @@ class LevelFit {
           row_of_[i] = static_cast<Index>(particle_of_.size());
           particle_of_.push_back(i);
         }
-        if (i < j) pairs_.push_back({i, j, k, entry_of(j, i), weight(i, j)});
+        if (i < j) pairs_.push_back({i, j, k, entry_of(j, i), weight(i, j), bond(i, j)});
       }
   }
   Index entry_of(Index i, Index j) const {
@@ -191,6 +192,7 @@ class LevelFit {
       auto match = second_moment(wanted[r]);
       if (divide(match, second_moment(own_sums(i, factor)), 1e-6)) match_[i] = match;
     }
+    for (Entry& pair : pairs_) pair.matched = matched(pair.i, pair.j);
   }
 
   // Finds the neighbours of i in its body and their neighbours: all within its own kernel. `seen`
@@ -253,7 +255,7 @@ class LevelFit {
     return x;
   }
   Row pair_row(const Entry& pair) const {
-    const Position apart = bond(pair.i, pair.j), first = matched(pair.i, pair.j);
+    const Position apart = bond(pair.i, pair.j), first = pair.matched;
     Row row;
     std::size_t n = 0;
     for (int a = 0; a < D; ++a) row[n++] = pair.weight * first[a];
