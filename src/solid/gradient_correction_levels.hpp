@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// budget: file: the conditions and the system that they form read best in one place
 // These factors correct the weights of pairs where the spacing of a body jumps. A particle there
 // has smaller neighbours over a shorter kernel on one side than on the other; its sums are not
 // balanced, and a uniform stress or pressure would exert a force on it. So every pair near a jump
@@ -43,7 +44,8 @@ class LevelFit {
   using Position = Vector<D, double>;
 
  public:
-  LevelFit(const SolidLayout<D>& layout, const BondLists& bonds) : layout_(layout), bonds_(bonds) {}
+  LevelFit(const SolidLayout<D>& layout, const BondLists& bonds)
+      : layout_(layout), bonds_(bonds), scales_(layout.media) {}
 
   BondFit solve() {
     BondFit fit;
@@ -73,9 +75,15 @@ class LevelFit {
   struct Entry {
     Index i, j;
     Index bond, back;  // in the lists of i and of j
+    double weight;     // w_ij
+    Position matched;  // (C_i + C_j) R / 2, m
   };
 
   const Medium<double>& medium(Index i) const { return layout_.media[layout_.medium_index[i]]; }
+  Position bond(Index i, Index j) const { return layout_.reference[j] - layout_.reference[i]; }
+  double weight(Index i, Index j) const {
+    return scales_(layout_.medium_index[i], layout_.medium_index[j]).weight(norm(bond(i, j)));
+  }
   bool same_body(Index i, Index j) const {
     return layout_.body[layout_.medium_index[i]] == layout_.body[layout_.medium_index[j]];
   }
@@ -105,7 +113,7 @@ class LevelFit {
           row_of_[i] = static_cast<Index>(particle_of_.size());
           particle_of_.push_back(i);
         }
-        if (i < j) pairs_.push_back({i, j, k, entry_of(j, i)});
+        if (i < j) pairs_.push_back({i, j, k, entry_of(j, i), weight(i, j), bond(i, j)});
       }
   }
   Index entry_of(Index i, Index j) const {
@@ -126,12 +134,10 @@ class LevelFit {
     return row;
   }
   Row conditions(Index i, Index j) const {
-    const Position bond = layout_.reference[j] - layout_.reference[i];
-    const auto &own = medium(i), &other = medium(j);
-    return conditions(bond, 0.5 * ((match_[i] + match_[j]) * bond),
-                      intact_weight<D>(own, other, norm(bond)) / own.reference_volume(),
-                      own.spacing);
+    return conditions(bond(i, j), matched(i, j), weight(i, j) / medium(i).reference_volume(),
+                      medium(i).spacing);
   }
+  Position matched(Index i, Index j) const { return 0.5 * ((match_[i] + match_[j]) * bond(i, j)); }
   static void add(Row& sum, const Row& row, double share) {
     for (std::size_t n = 0; n < rows; ++n) sum[n] += share * row[n];
   }
@@ -155,16 +161,18 @@ class LevelFit {
     return sum;
   }
 
-  std::vector<double> factors(const Rows& wanted) const {
+  std::vector<double> factors(const Rows& wanted) {
     Rows missing = wanted;
     for (std::size_t r = 0; r < missing.size(); ++r)
       add(missing[r], own_sums(particle_of_[r], {}), -1.0);
     const auto system = [this](const Rows& x) { return apply(x); };
-    const Rows multipliers =
-        conjugate_gradients<rows>(system, std::move(missing), inverse_diagonal(), accuracy);
+    solution_ = conjugate_gradients<rows>(system, std::move(missing), inverse_diagonal(), accuracy,
+                                          std::move(solution_));
+    const Rows multipliers = scaled(solution_);
     std::vector<double> factor(bonds_.neighbour.size(), 1.0);
     for (const Entry& pair : pairs_) {
-      const double s = 1.0 + change(pair, multipliers);
+      const double s =
+          1.0 + change(pair_row(pair), multipliers[row_of_[pair.i]], multipliers[row_of_[pair.j]]);
       factor[pair.bond] = factor[pair.back] = s > least_factor ? s : least_factor;
     }
     return factor;
@@ -184,6 +192,7 @@ class LevelFit {
       auto match = second_moment(wanted[r]);
       if (divide(match, second_moment(own_sums(i, factor)), 1e-6)) match_[i] = match;
     }
+    for (Entry& pair : pairs_) pair.matched = matched(pair.i, pair.j);
   }
 
   // Finds the neighbours of i in its body and their neighbours: all within its own kernel. `seen`
@@ -208,17 +217,17 @@ class LevelFit {
   void add_resampled(Index i, Index j, Row& sum) const {
     if (i == j) return;
     const double spacing = medium(i).spacing, ratio = medium(j).spacing / spacing;
-    const Position bond = layout_.reference[j] - layout_.reference[i];
+    const Position apart = bond(i, j);
     if (ratio < 0.75) {
       Position site;
-      for (int a = 0; a < D; ++a) site[a] = spacing * std::round(bond[a] / spacing);
+      for (int a = 0; a < D; ++a) site[a] = spacing * std::round(apart[a] / spacing);
       add_site(i, site, std::pow(ratio, D), sum);
       return;
     }
     const int across = static_cast<int>(std::lround(ratio));
     const int count = D == 3 ? across * across * across : across * across;
     for (int k = 0; k < count; ++k) {
-      Position site = bond;
+      Position site = apart;
       for (int a = 0, rest = k; a < D; ++a, rest /= across)
         site[a] += spacing * (rest % across - 0.5 * (across - 1));
       add_site(i, site, 1.0, sum);
@@ -228,55 +237,79 @@ class LevelFit {
     const double distance = norm(site);
     const auto& own = medium(i);
     if (distance < 0.5 * own.spacing) return;  // itself
-    const double weight = intact_weight<D>(own, own, distance) / own.reference_volume();
-    add(sum, conditions(site, site, weight, own.spacing), share);
+    const double weight =
+        scales_(layout_.medium_index[i], layout_.medium_index[i]).weight(distance);
+    add(sum, conditions(site, site, weight / own.reference_volume(), own.spacing), share);
   }
 
-  static double dot_rows(const Row& a, const Row& b) {
+  // A and its transpose are products of a part of each particle, which scales its rows, and a part
+  // of each pair, whose row is the same for both ends but for the sign of the first condition:
+  // w_ij (+- C R, R (x) R).
+  Rows scaled(Rows x) const {
+    for (std::size_t r = 0; r < x.size(); ++r) {
+      const auto& own = medium(particle_of_[r]);
+      const double volume = own.reference_volume();
+      for (std::size_t n = 0; n < rows; ++n)
+        x[r][n] *= (n < D ? own.spacing : second_weight) / volume;
+    }
+    return x;
+  }
+  Row pair_row(const Entry& pair) const {
+    const Position apart = bond(pair.i, pair.j), first = pair.matched;
+    Row row;
+    std::size_t n = 0;
+    for (int a = 0; a < D; ++a) row[n++] = pair.weight * first[a];
+    for (int a = 0; a < D; ++a)
+      for (int b = a; b < D; ++b) row[n++] = pair.weight * apart[a] * apart[b];
+    return row;
+  }
+  // Returns s - 1 of the pair of this row.
+  static double change(const Row& row, const Row& own, const Row& other) {
     double sum = 0.0;
-    for (std::size_t n = 0; n < rows; ++n) sum += a[n] * b[n];
+    for (std::size_t n = 0; n < D; ++n) sum += row[n] * (own[n] - other[n]);
+    for (std::size_t n = D; n < rows; ++n) sum += row[n] * (own[n] + other[n]);
     return sum;
-  }
-
-  // Returns s - 1 of a pair.
-  double change(const Entry& pair, const Rows& multipliers) const {
-    return dot_rows(conditions(pair.i, pair.j), multipliers[row_of_[pair.i]]) +
-           dot_rows(conditions(pair.j, pair.i), multipliers[row_of_[pair.j]]);
   }
   // Returns (A A^T + e) x.
   Rows apply(const Rows& x) const {
+    const Rows from = scaled(x);
     Rows result(x.size());
-    for (std::size_t r = 0; r < x.size(); ++r) add(result[r], x[r], softness);
     for (const Entry& pair : pairs_) {
-      const double s = change(pair, x);
-      add(result[row_of_[pair.i]], conditions(pair.i, pair.j), s);
-      add(result[row_of_[pair.j]], conditions(pair.j, pair.i), s);
+      const Index i = row_of_[pair.i], j = row_of_[pair.j];
+      const Row row = pair_row(pair);
+      const double s = change(row, from[i], from[j]);
+      for (std::size_t n = 0; n < rows; ++n) {
+        result[i][n] += s * row[n];
+        result[j][n] += (n < D ? -s : s) * row[n];
+      }
     }
+    result = scaled(std::move(result));
+    add_blocks(result, x, softness);
     return result;
   }
   // Returns 1 / the diagonal of A A^T + e.
   Rows inverse_diagonal() const {
     Rows diagonal(particle_of_.size());
-    for (Row& row : diagonal) row.fill(softness);
-    const auto square = [](Row& sum, const Row& row) {
-      for (std::size_t n = 0; n < rows; ++n) sum[n] += row[n] * row[n];
-    };
     for (const Entry& pair : pairs_) {
-      square(diagonal[row_of_[pair.i]], conditions(pair.i, pair.j));
-      square(diagonal[row_of_[pair.j]], conditions(pair.j, pair.i));
+      const Row row = pair_row(pair);
+      for (const Index i : {row_of_[pair.i], row_of_[pair.j]})
+        for (std::size_t n = 0; n < rows; ++n) diagonal[i][n] += row[n] * row[n];
     }
+    diagonal = scaled(scaled(std::move(diagonal)));
     for (Row& row : diagonal)
-      for (double& value : row) value = 1.0 / value;
+      for (double& value : row) value = 1.0 / (value + softness);
     return diagonal;
   }
 
   static constexpr Index none = 0xffffffffu;
   const SolidLayout<D>& layout_;
   const BondLists& bonds_;
+  BondScales<D> scales_;
   std::vector<std::uint8_t> at_jump_;
   std::vector<Entry> pairs_;
   std::vector<Index> row_of_, particle_of_;
   std::vector<Matrix<D, double>> match_;  // C, per particle
+  Rows solution_;                         // lambda of the last round, with which the next begins
 };
 
 }  // namespace kerf

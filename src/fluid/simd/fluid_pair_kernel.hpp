@@ -4,7 +4,11 @@
 // and kernels/wendland_c2.hpp. With d = r_i - r_j, in units of the fixed-point coordinates, the
 // sums of i lack until their end that unit and the factors of
 //   nabla W = - K w^3 d,   K = 5 alpha / h^2,   W = alpha w^4 (5 - 4 w),   w = 1 - |d| / (2 h).
-// It is compiled once for each instruction set.
+// In a graded solid a neighbour has the mass m q^D and the volume V_0 q^D, where q = h_j / h_i, and
+// its pair the mean length h / c with c = 2 / (1 + q), the factor s_ij of the gradient in forces
+// and rates, and Z = rho c_s in the Riemann solution with its own mass: that of two particles of
+// the mass m q^D, the left one with the volume V_i q^D. It is compiled once for each instruction
+// set.
 #pragma once
 
 #include <type_traits>
@@ -24,7 +28,7 @@ namespace kerf::simd::KERF_SIMD {
 // `Equation`: of state, where the sound speed depends on the density; else WeaklyCompressible.
 struct WeaklyCompressible {};
 
-template <int D, class Real, class Equation>
+template <int D, class Real, class Equation, bool graded = false>
 class FluidPairKernel {
   static constexpr bool shocks = !std::is_same_v<Equation, WeaklyCompressible>;
   using T = SimdNumbers<Real>;
@@ -34,6 +38,10 @@ class FluidPairKernel {
   using Position = stdx::rebind_simd_t<typename PackedParticle::Position, T>;
   using Index = std::uint32_t;
   using Result = FluidSums<D, Real>;
+  // A batch of neighbours; those of graded solids have two numbers more.
+  static constexpr int correction_slot = PackedParticle::slots, length_slot = correction_slot + 1,
+                       slots = PackedParticle::slots + (graded ? 2 : 0);
+  static_assert(!(graded && shocks));
 
  public:
   FluidPairKernel(const FluidKernelTask<D, Real>& task, const FluidLaw<Real>& law,
@@ -45,14 +53,14 @@ class FluidPairKernel {
   [[gnu::always_inline]] void run(Index i, Result& result) {
     constants_.set(task_.fluid[i]);
     Sums sums;
-    Row row{task_.neighbour + task_.begin[i], task_.same_fluid[i], i};
-    T slot[PackedParticle::slots];
+    Row row{task_.neighbour + task_.begin[i], task_.same_fluid[i], i, task_.begin[i]};
+    T slot[slots];
     load_batch(row, slot);
     while (row.left > 0) {
-      T next[PackedParticle::slots];
+      T next[slots];
       load_batch(row, next);
       add(slot, &constants_, sums);
-      for (int n = 0; n < PackedParticle::slots; ++n) slot[n] = next[n];
+      for (int n = 0; n < slots; ++n) slot[n] = next[n];
     }
     add(slot, &constants_, sums);
     finish(sums, result);
@@ -63,9 +71,10 @@ class FluidPairKernel {
   struct Row {
     const Index* list;
     Index left, self;
+    Index entry;  // of the first of them in the whole list
   };
   // Loads the next of them; the last batch is padded with the particle itself, which adds nothing.
-  [[gnu::always_inline]] void load_batch(Row& row, T (&slot)[PackedParticle::slots]) const {
+  [[gnu::always_inline]] void load_batch(Row& row, T (&slot)[slots]) const {
     alignas(64) Index padded[width];
     const Index* indices = row.list;
     if (row.left < Index(width)) {
@@ -75,6 +84,11 @@ class FluidPairKernel {
     row.list += width;
     row.left -= std::min(row.left, Index(width));
     load_transposed<PackedParticle, 0, PackedParticle::slots>(task_.fluid, indices, slot);
+    if constexpr (graded) {
+      slot[correction_slot].copy_from(task_.correction + row.entry, stdx::element_aligned);
+      slot[length_slot].copy_from(task_.length_ratio + row.entry, stdx::element_aligned);
+      row.entry += width;
+    }
   }
   struct Sums {
     Vector<D, T> pressure_force = Vector<D, T>::zero(), dissipative_force = Vector<D, T>::zero(),
@@ -164,8 +178,8 @@ class FluidPairKernel {
     }
   };
 
-  [[gnu::always_inline]] static void add(const T (&slot)[PackedParticle::slots],
-                                         const ParticleConstants* from, Sums& sums) {
+  [[gnu::always_inline]] static void add(const T (&slot)[slots], const ParticleConstants* from,
+                                         Sums& sums) {
     asm("" : "+r"(from));  // the compiler must not keep the constants in registers
     const ParticleConstants& constants = *from;
     Vector<D, T> d, v;
@@ -177,6 +191,10 @@ class FluidPairKernel {
       distance_squared += d[a] * d[a];
       along += v[a] * d[a];
       speed_squared += v[a] * v[a];
+    }
+    if constexpr (graded) {
+      add_graded(slot, constants, {d, distance_squared, along}, sums);
+      return;
     }
     const auto is_near = distance_squared < T(constants.reach_squared) && distance_squared > T(0);
     const T inverse = reciprocal_square_root(select(is_near, distance_squared, T(1)));
@@ -201,6 +219,40 @@ class FluidPairKernel {
     sums.near_free_surface = sums.near_free_surface || at_surface;
   }
 
+  struct Approach {
+    Vector<D, T> d;
+    T distance_squared, along;  // v . d, < 0 where the two approach
+  };
+  // Adds neighbours of a graded solid, which has no viscosity of water and no free surface.
+  [[gnu::always_inline]] static void add_graded(const T (&slot)[slots],
+                                                const ParticleConstants& constants,
+                                                const Approach& pair, Sums& sums) {
+    const T q = slot[length_slot], c = T(2) * reciprocal(T(1) + q);
+    const T volume_ratio = D == 3 ? q * q * q : q * q, kernel_ratio = D == 3 ? c * c * c : c * c;
+    const T per_diameter = T(constants.per_diameter) * c;
+    const auto is_near =
+        pair.distance_squared * per_diameter * per_diameter < T(1) && pair.distance_squared > T(0);
+    const T inverse = reciprocal_square_root(select(is_near, pair.distance_squared, T(1)));
+    const T distance = pair.distance_squared * inverse;
+    const T w = select(is_near, T(1) - distance * per_diameter, T(0));
+    const T slope = Kernel::slope_shape(w) * kernel_ratio * c * c;
+    const T volume = magnitude(slot[PackedParticle::volume_slot]);
+
+    const T mass_speed = T(constants.mass_times_sound_speed) * volume_ratio;
+    const auto parts = riemann_parts(
+        VolumeSide<T>{T(constants.volume) * volume_ratio, T(constants.pressure)},
+        VolumeSide<T>{volume, slot[PackedParticle::pressure_slot]}, T(pair.along * inverse),
+        ParticlesOfOneFluid<T>{T(constants.triple_mass) * volume_ratio, mass_speed,
+                               reciprocal(mass_speed)});
+    const T weight = pair_weight(volume, slope) * slot[correction_slot] * reciprocal(parts.volume);
+    sums.pressure_force += pair_force(weight, parts.pressure_force, pair.d);
+    sums.dissipative_force +=
+        pair_force(weight, T(parts.approach * parts.dissipative_force), pair.d);
+    sums.concentration_gradient += (slope * volume_ratio) * pair.d;
+    sums.compression_rate -= pair_strain_rate(weight, distance, T(parts.speed * volume_ratio));
+    sums.kernel_sum += Kernel::value_shape(w) * kernel_ratio * volume_ratio;
+  }
+
   [[gnu::always_inline]] void finish(const Sums& sums, Result& result) const {
     T parts[Result::count];
     for (int a = 0; a < D; ++a) {
@@ -219,49 +271,5 @@ class FluidPairKernel {
   const FluidKernelTask<D, Real>& task_;
   ParticleConstants constants_;
 };
-
-// Computes the sums of particles `first` .. `last` - 1, which are of one fluid.
-template <int D, class Real>
-struct SumsOfLaw {
-  const FluidKernelTask<D, Real>& task;
-  std::uint32_t first, last;
-  FluidSums<D, Real>* sums;
-
-  template <class Equation>
-  void operator()(const Equation& equation) const {
-    if constexpr (Equation::is_weakly_compressible)
-      run(WeaklyCompressible{});
-    else
-      run(equation);
-  }
-
- private:
-  template <class Equation>
-  void run(const Equation& equation) const {
-    FluidPairKernel<D, Real, Equation> kernel(task, task.laws[task.source[first]], equation);
-    FluidSums<D, Real>* result = sums;
-    for (std::uint32_t i = first; i < last; ++i, ++result) {
-      if (task.same_fluid[i] == 0 || task.fluid[i].volume == Real(0))
-        *result = {};
-      else
-        kernel.run(i, *result);
-    }
-  }
-};
-
-template <int D, class Real>
-[[gnu::flatten]] void compute_fluid_sums(const FluidKernelTask<D, Real>& task, std::uint32_t first,
-                                         std::uint32_t last) {
-  FluidSums<D, Real>* sums = task.results;
-  while (first < last) {
-    std::uint32_t end = first + 1;
-    while (end < last && task.source[end] == task.source[first]) ++end;
-    const FluidLaw<Real>& law = task.laws[task.source[first]];
-    EquationOfStateSet<Real>::visit(law.equations, law.equation_of_state,
-                                    SumsOfLaw<D, Real>{task, first, end, sums});
-    sums += end - first;
-    first = end;
-  }
-}
 
 }  // namespace kerf::simd::KERF_SIMD

@@ -20,11 +20,18 @@ constexpr double spacing = 1e-3, h = 1.3e-3, mass = 1e-6, sound_speed = 40.0, mu
 struct Drop {
   double x[3], v[3], pressure, volume;
   bool surface;
+  double length = 1.0, correction = 1.0;  // h_j / h_i, s_ij of a graded solid
+};
+// Drops of water, of a fluid with shocks, of a graded solid.
+struct Matter {
+  double hugoniot_slope = 0.0;  // 0: without shocks
+  bool graded = false;
+  double viscosity() const { return graded ? 0.0 : mu; }
 };
 
 // Some thousand neighbours of particle 0 at random in a ball of 3 h.
 template <int D>
-std::vector<Drop> cloud(int count, unsigned seed) {
+std::vector<Drop> cloud(int count, unsigned seed, bool graded) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   std::vector<Drop> drops;
@@ -40,7 +47,12 @@ std::vector<Drop> cloud(int count, unsigned seed) {
     if (square > 9.0 * h * h) continue;
     drop.pressure = 2e4 * (1.0 + uniform(engine));
     drop.volume = 1e-9 * (1.0 + 0.02 * uniform(engine));
-    drop.surface = uniform(engine) > 0.9;
+    drop.surface = !graded && uniform(engine) > 0.9;
+    if (graded && !drops.empty()) {
+      drop.length = std::ldexp(1.0, static_cast<int>(engine() % 3) - 1);
+      drop.correction = 1.2 + 0.6 * uniform(engine);
+      drop.volume *= std::pow(drop.length, D);
+    }
     drops.push_back(drop);
   }
   return drops;
@@ -48,8 +60,9 @@ std::vector<Drop> cloud(int count, unsigned seed) {
 
 // Returns the impedance and the sound speed at the density; with shocks, c of
 // materials/shock_hugoniot.hpp.
-RiemannSide<double> side_of(const Drop& drop, double hugoniot_slope, double speed) {
-  const double density = mass / drop.volume,
+RiemannSide<double> side_of(const Drop& drop, double own_mass, double hugoniot_slope,
+                            double speed) {
+  const double density = own_mass / drop.volume,
                eta = std::max(0.0, 1.0 - (mass / (spacing * spacing * spacing)) / density),
                steep = hugoniot_slope * eta,
                c = sound_speed * (1.0 - eta) * std::sqrt((1.0 + steep) / (1.0 - steep)) /
@@ -58,9 +71,9 @@ RiemannSide<double> side_of(const Drop& drop, double hugoniot_slope, double spee
   return {density * speed_of_sound, drop.pressure, speed, speed_of_sound};
 }
 
-// `hugoniot_slope`: 0 for a fluid without shocks.
 template <int D>
-FluidSums<D, double> plain_sums(const std::vector<Drop>& drops, double hugoniot_slope) {
+FluidSums<D, double> plain_sums(const std::vector<Drop>& drops, const Matter& matter) {
+  const double hugoniot_slope = matter.hugoniot_slope, viscosity = matter.viscosity();
   FluidSums<D, double> sums{};
   const Drop& i = drops[0];
   for (std::size_t n = 1; n < drops.size(); ++n) {
@@ -71,27 +84,30 @@ FluidSums<D, double> plain_sums(const std::vector<Drop>& drops, double hugoniot_
       along += (i.v[a] - j.v[a]) * (i.x[a] - j.x[a]);
       speed += std::pow(i.v[a] - j.v[a], 2);
     }
-    const double r = std::sqrt(square);
-    if (!(r < 2.0 * h)) continue;
-    const double slope = WendlandC2<D>::derivative(r, h), approach = -along / r;
-    const auto left = side_of(i, hugoniot_slope, 0.0),
-               right = side_of(j, hugoniot_slope, -approach);
+    const double r = std::sqrt(square), mean_h = 0.5 * (1.0 + j.length) * h,
+                 size = std::pow(j.length, D);
+    if (!(r < 2.0 * mean_h)) continue;
+    const double slope = WendlandC2<D>::derivative(r, mean_h), approach = -along / r;
+    const auto left = side_of(i, mass, hugoniot_slope, 0.0),
+               right = side_of(j, size * mass, hugoniot_slope, -approach);
     const auto star =
         solve_riemann(left, right, hugoniot_slope > 0.0 ? shock_smoothing(left, right) : 1.0);
-    const double damping = beyond_viscosity(star.dissipation, mu * std::max(0.0, approach) / r);
+    const double damping =
+        beyond_viscosity(star.dissipation, viscosity * std::max(0.0, approach) / r);
     for (int a = 0; a < D; ++a) {
-      const double e = (i.x[a] - j.x[a]) / r,
-                   normal = -2.0 * kernel_gradient_normalisation * i.volume * j.volume * slope;
+      const double e = (i.x[a] - j.x[a]) / r, normal = -2.0 * kernel_gradient_normalisation *
+                                                       j.correction * i.volume * j.volume * slope;
       sums.sum[FluidSums<D, double>::pressure_force_at + a] += normal * star.mean_pressure * e;
       sums.sum[FluidSums<D, double>::dissipative_force_at + a] +=
-          normal * (damping * e - mu * (i.v[a] - j.v[a]) / r);
+          normal * (damping * e - viscosity * (i.v[a] - j.v[a]) / r);
       sums.sum[FluidSums<D, double>::concentration_gradient_at + a] +=
-          spacing * spacing * spacing * slope * e;
+          size * spacing * spacing * spacing * slope * e;
     }
     sums.sum[FluidSums<D, double>::compression_rate_at] +=
-        2.0 * kernel_gradient_normalisation * j.volume * star.speed * slope;
+        2.0 * kernel_gradient_normalisation * j.correction * j.volume * star.speed * slope;
     sums.sum[FluidSums<D, double>::kernel_sum_at] +=
-        spacing * spacing * spacing * WendlandC2<D>::value(r, h);
+        size * spacing * spacing * spacing * WendlandC2<D>::value(r, mean_h);
+    if (matter.graded) continue;  // it is no fluid
     sums.fastest_squared = std::max(sums.fastest_squared, speed);
     if (j.surface) sums.near_free_surface = 1.0;
   }
@@ -99,7 +115,9 @@ FluidSums<D, double> plain_sums(const std::vector<Drop>& drops, double hugoniot_
 }
 
 template <int D, class Real>
-FluidSums<D, Real> simd_sums(const std::vector<Drop>& drops, double hugoniot_slope) {
+FluidSums<D, Real> simd_sums(const std::vector<Drop>& drops, const Matter& matter) {
+  const double hugoniot_slope = matter.hugoniot_slope;
+  std::vector<Real> correction, length;
   const auto unit = FixedPointScale<Real>::of_spacing(spacing);
   std::vector<PackedFluid<D, Real>> fluid;
   std::vector<std::uint32_t> neighbour;
@@ -111,7 +129,11 @@ FluidSums<D, Real> simd_sums(const std::vector<Drop>& drops, double hugoniot_slo
     }
     packed.pressure = Real(drop.pressure);
     packed.volume = Real(drop.surface ? -drop.volume : drop.volume);
-    if (!fluid.empty()) neighbour.push_back(static_cast<std::uint32_t>(fluid.size()));
+    if (!fluid.empty()) {
+      neighbour.push_back(static_cast<std::uint32_t>(fluid.size()));
+      correction.push_back(Real(drop.correction));
+      length.push_back(Real(drop.length));
+    }
     fluid.push_back(packed);
   }
   FluidLaw<Real> law{};
@@ -121,7 +143,7 @@ FluidSums<D, Real> simd_sums(const std::vector<Drop>& drops, double hugoniot_slo
   law.equations.shock_hugoniot.slope = Real(hugoniot_slope);
   law.equation_of_state =
       hugoniot_slope > 0.0 ? EquationOfState::shock_hugoniot : EquationOfState::tait;
-  law.viscosity = Real(mu);
+  law.viscosity = Real(matter.viscosity());
   law.per_smoothing_length = Real(1.0 / h);
   law.kernel_scale = Real(WendlandC2<D>::scale(h));
   law.kernel_slope = Real(5.0 * WendlandC2<D>::scale(h) / (h * h));
@@ -130,20 +152,27 @@ FluidSums<D, Real> simd_sums(const std::vector<Drop>& drops, double hugoniot_slo
   const std::uint16_t source = 0;
   FluidSums<D, Real> sums{};
   neighbour.resize(neighbour.size() + 64);
-  const FluidKernelTask<D, Real> task{
-      fluid.data(), &begin, &same_fluid, neighbour.data(),
-      &source,      &law,   &sums,       static_cast<Real>(unit.unit)};
+  FluidKernelTask<D, Real> task{fluid.data(), &begin, &same_fluid, neighbour.data(),
+                                &source,      &law,   &sums,       static_cast<Real>(unit.unit)};
+  const std::uint8_t is_graded = 1;
+  correction.resize(correction.size() + 64, Real(1));
+  length.resize(length.size() + 64, Real(1));
+  if (matter.graded) {
+    task.graded = &is_graded;
+    task.correction = correction.data();
+    task.length_ratio = length.data();
+  }
   fluid_kernels().get<D, Real>()(task, 0, 1);
   return sums;
 }
 
 template <int D, class Real>
-void expect_same_sums(double hugoniot_slope) {
+void expect_same_sums(const Matter& matter) {
   const double tolerance = sizeof(Real) == 4 ? 2e-5 : 1e-13;  // roundings of sums of some terms
   for (int count : {2, 3, 16, 17, 18, 33, 90}) {
-    const auto drops = cloud<D>(count, 7u + static_cast<unsigned>(count));
-    const auto due = plain_sums<D>(drops, hugoniot_slope);
-    const auto is = simd_sums<D, Real>(drops, hugoniot_slope);
+    const auto drops = cloud<D>(count, 7u + static_cast<unsigned>(count), matter.graded);
+    const auto due = plain_sums<D>(drops, matter);
+    const auto is = simd_sums<D, Real>(drops, matter);
     const double force = std::sqrt(dot(due.pressure_force(), due.pressure_force())) + 1e-30;
     const double damping = std::sqrt(dot(due.dissipative_force(), due.dissipative_force())) + 1e-30;
     const double concentration_gradient =
@@ -166,11 +195,11 @@ void expect_same_sums(double hugoniot_slope) {
 }
 
 TEST(FluidKernel, IsTheSumOfItsPairs) {
-  for (const double hugoniot_slope : {0.0, 2.0}) {
-    expect_same_sums<2, float>(hugoniot_slope);
-    expect_same_sums<3, float>(hugoniot_slope);
-    expect_same_sums<2, double>(hugoniot_slope);
-    expect_same_sums<3, double>(hugoniot_slope);
+  for (const Matter& matter : {Matter{}, Matter{2.0, false}, Matter{0.0, true}}) {
+    expect_same_sums<2, float>(matter);
+    expect_same_sums<3, float>(matter);
+    expect_same_sums<2, double>(matter);
+    expect_same_sums<3, double>(matter);
   }
 }
 
