@@ -210,9 +210,8 @@ double sample_along_axes(const Body& body, int dimension, const LatticeVisit& re
   one.visit = [&](const Point& point) { return goes_on = request.visit(point); };
   for (double n = 0.0; n < most && goes_on; n += 1.0) {
     frame.x.first = frame.x.last = spread_index(whole.x, n, 0, dimension);
-    const long j = spread_index(whole.y, n, 1, dimension);
     const long k = dimension == 3 ? spread_index(whole.z, n, 2, dimension) : 0;
-    visit_row(body, dimension, one, frame, {j, k});
+    visit_row(body, dimension, one, frame, {spread_index(whole.y, n, 1, dimension), k});
   }
   return nodes / most;
 }
