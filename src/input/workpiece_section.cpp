@@ -21,7 +21,7 @@ std::vector<Key> workpiece_keys() {
   return {
       {"material", name, "", "", any, {}, "", "Name of a material of this case or of the library", stored_in<&WorkpieceDraft::material>},
       {"size", vector, "m", "", up_to(1e4), {}, "", "Length along x, thickness and, in 3D, length along z", stored_in<&WorkpieceSetting::size>},
-      {"minimum", vector, "m", "(8 jet widths from the water of the jet and its path, or a symmetry plane)", within(1e4), {}, "", "Lowest corner of the part that is simulated, over the whole thickness", stored_in<&WorkpieceSetting::part, &Box::minimum>},
+      {"minimum", vector, "m", "(8 jet widths, in 2D 24, from the water of the jet and its path, or a symmetry plane)", within(1e4), {}, "", "Lowest corner of the part that is simulated, over the whole thickness", stored_in<&WorkpieceSetting::part, &Box::minimum>},
       {"maximum", vector, "m", "(likewise)", within(1e4), {}, "", "Highest corner of that part", stored_in<&WorkpieceSetting::part, &Box::maximum>},
       {"spacing", quantity, "m", "(that of the jet)", positive, {}, "", "Distance of neighbouring particles at the jet", stored_in<&WorkpieceSetting::spacing>},
       {"levels", integer, "", "(2; 0 where symmetry planes save more particles)", {0, 4}, {}, "", "How often the spacing doubles away from the jet; 0 = one spacing", stored_in<&WorkpieceSetting::levels>},

@@ -36,7 +36,7 @@ Box part_around(const PieceRequest& request) {
   part.minimum[1] = -request.size[1];
   for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
     if (a == 2 && request.dimension == 2) continue;
-    const double half = 0.5 * extent[a] + window_reach * jet.width;
+    const double half = 0.5 * extent[a] + window_reach(request.dimension) * jet.width;
     const double path = speed > 0.0 ? way * jet.traverse[a] / speed : 0.0;
     const double shift = lean[a] * request.size[1];
     const auto whole = [&](double length) { return unit * std::ceil(length / unit - 1e-9); };

@@ -11,8 +11,11 @@ namespace kerf {
 
 struct Machine;
 
-// The workpiece is simulated up to this distance from the water of the jet, in jet widths.
-inline constexpr double window_reach = 8.0;
+// The workpiece is simulated up to this distance from the water of the jet, in jet widths. Holes of
+// plane jets in soft materials are wider than those of round ones, which push matter to all sides.
+constexpr double window_reach(int dimension) {
+  return dimension == 2 ? 24.0 : 8.0;
+}
 // Water beyond the simulated part by this distance, in jet widths, is removed.
 inline constexpr double domain_margin = 2.0;
 
