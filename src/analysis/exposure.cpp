@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/line_slope.hpp"
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 
@@ -15,6 +16,19 @@ namespace {
 constexpr double fit_shares[] = {0.5, 0.25, 0.125};
 // Exponents that differ by more are of no law: the front may as well have come to rest.
 constexpr double same_exponent = 0.1;
+
+// The history of a cut since contact.
+struct DepthHistory {
+  std::vector<double> times;   // s
+  std::vector<double> depths;  // m, the deepest front until then
+  std::vector<double> widths;  // m, of the opening
+
+  // Returns the first row at or after a time, the last row at most.
+  std::size_t row_at(double time) const {
+    const auto row = std::lower_bound(times.begin(), times.end(), time) - times.begin();
+    return std::min(static_cast<std::size_t>(row), times.size() - 1);
+  }
+};
 
 DepthHistory history_since(const std::vector<CutState>& history, double contact) {
   DepthHistory since;
@@ -31,11 +45,27 @@ DepthHistory history_since(const std::vector<CutState>& history, double contact)
 
 // Returns the mean speed of the front over the last quarter of the time, m/s.
 double last_speed(const DepthHistory& history) {
-  const double late = 0.75 * history.times.back();
-  const auto first = std::lower_bound(history.times.begin(), history.times.end(), late);
-  const auto n = static_cast<std::size_t>(first - history.times.begin());
+  const std::size_t n = history.row_at(0.75 * history.times.back());
   const double time = history.times.back() - history.times[n];
   return time > 0.0 ? (history.depths.back() - history.depths[n]) / time : 0.0;
+}
+
+// Returns the exponent n of the law h = a t^n that fits the depths after the share `from` of the
+// time best, by least squares of the logarithms; nothing from fewer than five times.
+std::optional<double> fit_exponent(const DepthHistory& history, double from) {
+  constexpr std::size_t fewest = 5;
+  struct Logarithms {
+    double time, depth;
+  };
+  std::vector<Logarithms> points;
+  for (std::size_t k = 0; k < history.times.size(); ++k)
+    if (history.times[k] >= from * history.times.back() && history.depths[k] > 0.0)
+      points.push_back({std::log(history.times[k]), std::log(history.depths[k])});
+  if (points.size() < fewest) return std::nullopt;
+  const double slope = line_slope(
+      points, [](const Logarithms& point) { return point.time; },
+      [](const Logarithms& point) { return point.depth; });
+  return std::max(0.0, slope);
 }
 
 struct DepthRange {
@@ -50,13 +80,13 @@ DepthRange carried(const DepthHistory& history, double time) {
   DepthRange range;
   double least_exponent = 1.0, greatest_exponent = 0.0;
   for (const double share : fit_shares) {
-    const auto law = fit_depth(history, share);
-    if (!law) continue;
-    const double depth = std::clamp(last * std::pow(time / end, law->exponent), last, most);
+    const auto exponent = fit_exponent(history, share);
+    if (!exponent) continue;
+    const double depth = std::clamp(last * std::pow(time / end, *exponent), last, most);
     range.low = std::fmin(range.low, depth);
     range.high = std::fmax(range.high, depth);
-    least_exponent = std::min(least_exponent, law->exponent);
-    greatest_exponent = std::max(greatest_exponent, law->exponent);
+    least_exponent = std::min(least_exponent, *exponent);
+    greatest_exponent = std::max(greatest_exponent, *exponent);
   }
   if (greatest_exponent - least_exponent > same_exponent) range.low = last;
   return range;
@@ -64,8 +94,7 @@ DepthRange carried(const DepthHistory& history, double time) {
 
 DepthRange depths_after(const DepthHistory& history, double time) {
   if (time > history.times.back()) return carried(history, time);
-  const auto next = std::lower_bound(history.times.begin(), history.times.end(), time);
-  const double depth = history.depths[static_cast<std::size_t>(next - history.times.begin())];
+  const double depth = history.depths[history.row_at(time)];
   return {depth, depth};
 }
 
@@ -83,49 +112,23 @@ double thickness_of(const Case& description) {
 
 // A cut in the run: how fast the nozzle may move.
 void add_feeds_of_cut(const DepthHistory& history, double extent, Exposure& exposure) {
-  const auto at = std::lower_bound(history.times.begin(), history.times.end(), exposure.simulated);
-  const auto n =
-      std::min(static_cast<std::size_t>(at - history.times.begin()), history.times.size() - 1);
+  const double width = history.widths[history.row_at(exposure.simulated)];
   exposure.greatest_feed = extent / exposure.simulated;
-  exposure.possible_feed = std::max(extent, history.widths[n]) / exposure.simulated;
+  exposure.possible_feed = std::max(extent, width) / exposure.simulated;
 }
 
 // No cut in the run: the feed at which the law reaches the thickness.
 void add_carried_feeds(const DepthHistory& history, double extent, Exposure& exposure) {
-  const auto law = fit_depth(history, fit_shares[0]);
-  if (!law || !(law->exponent > 0.0)) return;
-  const double passage = history.times.back() *
-                         std::pow(exposure.thickness / history.depths.back(), 1.0 / law->exponent);
-  exposure.exponent = law->exponent;
+  const auto exponent = fit_exponent(history, fit_shares[0]);
+  if (!exponent || !(*exponent > 0.0)) return;
+  const double passage =
+      history.times.back() * std::pow(exposure.thickness / history.depths.back(), 1.0 / *exponent);
+  exposure.exponent = *exponent;
   exposure.greatest_feed = extent / passage;
   exposure.possible_feed = std::max(extent, history.widths.back()) / passage;
 }
 
 }  // namespace
-
-double DepthLaw::at(double time) const {
-  return factor * std::pow(time, exponent);
-}
-
-std::optional<DepthLaw> fit_depth(const DepthHistory& history, double from) {
-  constexpr double fewest = 5.0;
-  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-  for (std::size_t k = 0; k < history.times.size(); ++k) {
-    if (history.times[k] < from * history.times.back() || history.depths[k] <= 0.0) continue;
-    const double log_time = std::log(history.times[k]), log_depth = std::log(history.depths[k]);
-    n += 1.0;
-    x += log_time;
-    y += log_depth;
-    xx += log_time * log_time;
-    xy += log_time * log_depth;
-  }
-  const double spread = n * xx - x * x;
-  if (n < fewest || !(spread > 0.0)) return std::nullopt;
-  DepthLaw law;
-  law.exponent = std::max(0.0, (n * xy - x * y) / spread);
-  law.factor = std::exp((y - law.exponent * x) / n);
-  return law;
-}
 
 double Exposure::decades() const {
   return simulated > 0.0 && !std::isnan(exponent) ? std::max(0.0, std::log10(longest / simulated))

@@ -18,24 +18,6 @@ namespace kerf {
 
 struct Case;
 
-// A depth h = a t^n over the time t since contact, m and s.
-struct DepthLaw {
-  double factor = 0.0;    // a
-  double exponent = 0.0;  // n
-  double at(double time) const;
-};
-
-// The history of a cut since contact.
-struct DepthHistory {
-  std::vector<double> times;   // s
-  std::vector<double> depths;  // m, the deepest front until then
-  std::vector<double> widths;  // m, of the opening
-};
-
-// Returns the law that fits the depths after the share `from` of the time best, by least squares of
-// the logarithms; nothing from fewer than five times.
-std::optional<DepthLaw> fit_depth(const DepthHistory& history, double from);
-
 struct Exposure {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   double shortest = 0.0;   // s, w / u

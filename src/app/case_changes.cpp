@@ -11,6 +11,7 @@
 #include "geometry/shapes.hpp"
 #include "input/units.hpp"
 #include "kernels/wendland_c2.hpp"
+#include "model/face_names.hpp"
 
 namespace kerf {
 
@@ -85,10 +86,7 @@ Box around_jet(const Case& description, const Jet& jet, double reach) {
 
 toml::array words(const Faces& faces) {
   toml::array list;
-  for (std::size_t a = 0; a < 3; ++a) {
-    if (faces.minimum[a]) list.push_back(std::string(face_words[2 * a]));
-    if (faces.maximum[a]) list.push_back(std::string(face_words[2 * a + 1]));
-  }
+  for (const std::string& name : names_of(faces)) list.push_back(name);
   return list;
 }
 

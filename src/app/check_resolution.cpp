@@ -72,17 +72,28 @@ void look_along(const Box& box, const JetAxis& axis, double reach, const Look& l
   }
 }
 
+// A body, and its particles where they are few enough to be laid out.
+struct LaidBody {
+  const Body& body;
+  std::vector<GradedParticle> particles;
+};
+
+LaidBody laid_out(const Body& body, int dimension) {
+  const bool are_few = body.jitter == 0.0 && lattice_nodes(body, dimension) <= most_laid_nodes;
+  return {body, are_few ? fill_levels(body, dimension) : std::vector<GradedParticle>()};
+}
+
 // Returns the largest spacing of a body within `reach` of the axis of a jet.
-double coarsest_near(const Body& body, int dimension, const JetAxis& axis, double reach) {
+double coarsest_near(const LaidBody& laid, int dimension, const JetAxis& axis, double reach) {
+  const Body& body = laid.body;
   int level = -1;
   const auto note = [&](const GradedParticle& particle) {
     if (particle.level > level && axis.distance(particle.position) <= reach &&
         axis.depth(particle.position) > -axis.standoff)
       level = particle.level;
   };
-  if (body.jitter == 0.0 && lattice_nodes(body, dimension) <= most_laid_nodes) {
-    for (const GradedParticle& particle : fill_levels(body, dimension)) note(particle);
-  } else {
+  for (const GradedParticle& particle : laid.particles) note(particle);
+  if (laid.particles.empty()) {
     look_along(bounding_box(body.shape, dimension), axis, reach, [&](const Point& point) {
       if (const auto particle = particle_at(body, dimension, point)) note(*particle);
     });
@@ -90,10 +101,11 @@ double coarsest_near(const Body& body, int dimension, const JetAxis& axis, doubl
   return level < 0 ? 0.0 : level_spacing(body, level);
 }
 
-void warn_of_coarse_solid(const Case& description, const Body& body, const Jet& jet,
+void warn_of_coarse_solid(const Case& description, const LaidBody& laid, const Jet& jet,
                           Warnings& warnings) {
+  const Body& body = laid.body;
   const JetAxis axis(jet, description.dimension);
-  const double near = coarsest_near(body, description.dimension, axis, near_jet * jet.width);
+  const double near = coarsest_near(laid, description.dimension, axis, near_jet * jet.width);
   if (near > jet.spacing * rounding)
     warnings.push_back(fmt::format(
         "{} = {}: within {} of the axis of \"{}\" the solid's spacing is {}, {:.3g} x that of the "
@@ -103,7 +115,7 @@ void warn_of_coarse_solid(const Case& description, const Body& body, const Jet& 
         "grading",
         key_of(description, body, "spacing"), length(body.spacing), length(near_jet * jet.width),
         jet.name, length(near), near / jet.spacing, length(jet.spacing)));
-  const double in_cut = coarsest_near(body, description.dimension, axis, cut_reach * jet.width);
+  const double in_cut = coarsest_near(laid, description.dimension, axis, cut_reach * jet.width);
   if (in_cut > body.spacing * rounding)
     warnings.push_back(
         fmt::format("{} = {}: the spacing doubles within {} of the axis of \"{}\", where the cut "
@@ -153,7 +165,8 @@ std::vector<std::string> resolution_warnings(const Case& description) {
   for (const Body& body : description.bodies) {
     warn_of_thin_levels(description, body, warnings);
     if (body.role != Role::elastic || description.jets.empty()) continue;
-    for (const Jet& jet : description.jets) warn_of_coarse_solid(description, body, jet, warnings);
+    const LaidBody laid = laid_out(body, description.dimension);
+    for (const Jet& jet : description.jets) warn_of_coarse_solid(description, laid, jet, warnings);
   }
   return warnings;
 }

@@ -156,11 +156,11 @@ RunEnd RunLoop::steps() {
 bool RunLoop::is_over() const {
   if (simulation_->finished()) return true;
   const double after_cut = settings_.description.time.after_cut;
-  if (std::isinf(after_cut)) return false;
   const auto& history = cut_->history();
+  if (std::isinf(after_cut) || history.empty() || !history.back().cut_through) return false;
   const auto cut = std::find_if(history.begin(), history.end(),
                                 [](const CutState& state) { return state.cut_through; });
-  return cut != history.end() && simulation_->time() >= cut->time + after_cut;
+  return simulation_->time() >= cut->time + after_cut;
 }
 
 // At the end all output up to the end is due, in spite of the rounding of the sum of all steps.

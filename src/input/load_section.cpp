@@ -49,8 +49,6 @@ void read_loads(Draft& draft, Section& top) {
   }
 }
 
-// Refuses loads on bodies that do not exist or cannot move, and those whose region holds no part of
-// the body.
 namespace {
 
 // Returns a size of the elements of a surface, m: a quarter of the spacing, or one at which the
@@ -69,6 +67,8 @@ double element_size(const Body& body, int dimension, double most) {
 
 }  // namespace
 
+// Refuses loads on bodies that do not exist or cannot move, and those whose region holds no part of
+// the body.
 void check_loads(Draft& draft) {
   const Case& result = draft.result;
   std::vector<std::string> names;

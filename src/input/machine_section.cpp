@@ -141,7 +141,7 @@ double standard_end(const Draft& draft) {
     return std::min(
         through, jet.standoff / jet.speed + exposure_time(machine, jet, draft.reading.dimension));
   const double speed = std::hypot(jet.traverse[0], jet.traverse[2]);
-  const double along = speed > 0.0 ? jet.dwell + 4.0 * jet.width / speed : 0.0;
+  const double along = speed > 0.0 ? jet.dwell + traverse_widths * jet.width / speed : 0.0;
   return std::max(through, along);
 }
 

@@ -11,6 +11,7 @@
 #include "machine/machine_jet.hpp"
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
+#include "model/face_names.hpp"
 
 namespace kerf {
 
@@ -72,10 +73,7 @@ toml::table as_body(const Draft& draft, const Faces& absorbing) {
     body.insert("grading", toml::table{{"levels", workpiece.levels},
                                        {"width", write_quantity(workpiece.grading_width, "m")}});
   toml::array sides;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
-    if (absorbing.minimum[a]) sides.push_back(std::string(face_words[2 * a]));
-    if (absorbing.maximum[a]) sides.push_back(std::string(face_words[2 * a + 1]));
-  }
+  for (const std::string& name : names_of(absorbing)) sides.push_back(name);
   if (!sides.empty()) body.insert("absorbing", std::move(sides));
   return body;
 }
@@ -84,13 +82,12 @@ toml::table as_body(const Draft& draft, const Faces& absorbing) {
 void resolve_motion(Draft& draft) {
   Machine& machine = *draft.result.machine;
   Jet& jet = draft.jets.back().jet;
-  if (machine.motion == NozzleMotion::automatic)
-    machine.motion =
-        machine.traverse_speed > 0.0 &&
-                may_stand(machine, jet, draft.workpiece.setting.size[1], draft.reading.dimension)
-            ? NozzleMotion::standing
-            : NozzleMotion::travelling;
-  if (machine.motion == NozzleMotion::standing) jet.traverse = {};
+  if (machine.motion != NozzleMotion::automatic) return;
+  const bool stands =
+      machine.traverse_speed > 0.0 &&
+      may_stand(machine, jet, draft.workpiece.setting.size[1], draft.reading.dimension);
+  machine.motion = stands ? NozzleMotion::standing : NozzleMotion::travelling;
+  if (stands) jet.traverse = {};
 }
 
 // Sets what the user leaves open.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
 #include "model/body.hpp"
 #include "model/machine.hpp"
@@ -13,7 +14,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double traverse_widths = 4.0;  // of a nozzle that moves in the run
 constexpr int graded_levels = 2;
 constexpr double graded_width = 2.0;  // jet widths
 
@@ -84,12 +84,9 @@ double particles_of(const PieceRequest& request, const Box& part, bool graded) {
   body.shape.box = part;
   body.spacing = request.spacing;
   if (graded) {
-    const Point lean = lean_of(request.jet);
-    const double c = std::cos(request.jet.angle);
     body.grading.levels = graded_levels;
     body.grading.width = graded_width * request.jet.width;
-    body.grading.lines = {
-        {request.jet.position, {lean[0] * c, -c, lean[2] * c}, 0.5 * request.jet.width}};
+    body.grading.lines = {line_of(request.jet)};
   }
   return estimate_particles(body, request.dimension).total();
 }

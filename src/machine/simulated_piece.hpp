@@ -16,6 +16,8 @@ struct Machine;
 constexpr double window_reach(int dimension) {
   return dimension == 2 ? 24.0 : 8.0;
 }
+// The path of a nozzle that moves in the run, in jet widths.
+inline constexpr double traverse_widths = 4.0;
 // Water beyond the simulated part by this distance, in jet widths, is removed.
 inline constexpr double domain_margin = 2.0;
 

@@ -7,6 +7,7 @@
 
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
+#include "model/face_names.hpp"
 #include "output/readable.hpp"
 
 namespace kerf {
@@ -18,15 +19,6 @@ std::string extent_text(const Point& low, const Point& high, int dimension) {
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
     lengths.push_back(readable(high[a] - low[a], "m"));
   return fmt::format("{}", fmt::join(lengths, " x "));
-}
-
-std::vector<std::string_view> names_of(const Faces& faces) {
-  std::vector<std::string_view> names;
-  for (std::size_t a = 0; a < 3; ++a) {
-    if (faces.minimum[a]) names.push_back(face_words[2 * a]);
-    if (faces.maximum[a]) names.push_back(face_words[2 * a + 1]);
-  }
-  return names;
 }
 
 std::string part_sentence(const Case& description) {

@@ -11,6 +11,7 @@
 
 #include "core/mirror_planes.hpp"
 #include "neighbours/level_grids.hpp"
+#include "neighbours/pair_range.hpp"
 #include "solid/bond_weight.hpp"
 
 namespace kerf {
@@ -85,22 +86,21 @@ class BondFinder {
 
   std::size_t level(Index i) const { return layout_.media[layout_.medium_index[i]].level; }
 
-  // Finds the longest bond between any two levels.
+  // Finds the longest bond between any two levels that have particles.
   void find_reach() {
     std::vector<std::uint8_t> is_used(layout_.media.size());
     for (const auto medium : layout_.medium_index) is_used[medium] = 1;
-    std::vector<const Medium<double>*> used;
+    std::vector<Medium<double>> used;
     for (std::size_t m = 0; m < is_used.size(); ++m)
-      if (is_used[m] != 0) used.push_back(&layout_.media[m]);
+      if (is_used[m] != 0) used.push_back(layout_.media[m]);
+    reach_ = LevelReach::of<D, ContactPairs>(used);
+    cells_.resize(static_cast<std::size_t>(reach_.levels));
     // A little longer, so that rounding never leaves out a bond.
     constexpr double beyond = 1.0 + 1e-9;
-    for (const auto* a : used)
-      for (const auto* b : used) {
-        double& longest = reach_[a->level][b->level];
-        const double h = 0.5 * (a->smoothing_length + b->smoothing_length);
-        longest = std::max(longest, beyond * WendlandC2<D>::support * h);
+    for (auto& row : reach_.longest)
+      for (double& longest : row) {
+        longest *= beyond;
         longest_ = std::max(longest_, longest);
-        cells_.resize(std::max<std::size_t>(cells_.size(), a->level + std::size_t(1)));
       }
   }
 
@@ -109,7 +109,7 @@ class BondFinder {
     LevelCells& cells = cells_[a];
     const auto n = static_cast<Index>(members.size());
     // Cells half as wide as the longest bond: fewer candidates are tested in vain.
-    cells.grid = Grid<D>::covering(low, high, 0.5 * reach_[a][a], 4.0 * n + 64.0);
+    cells.grid = Grid<D>::covering(low, high, 0.5 * reach_.longest[a][a], 4.0 * n + 64.0);
     cells.begin.assign(cells.grid.count() + 1, 0);
     for (const Index i : members) ++cells.begin[cells.grid.number(layout_.reference[i]) + 1];
     for (Index c = 0; c < cells.grid.count(); ++c) cells.begin[c + 1] += cells.begin[c];
@@ -136,7 +136,7 @@ class BondFinder {
     for (std::size_t b = 0; b < cells_.size(); ++b) {
       const LevelCells& cells = cells_[b];
       if (cells.member.empty()) continue;
-      const double limit = reach_[level(i)][b];
+      const double limit = reach_.longest[level(i)][b];
       const auto reach = Vector<D, double>::filled(limit);
       const auto append = [&](Index begin, Index end) {
         for (Index m = begin; m < end; ++m)
@@ -157,9 +157,9 @@ class BondFinder {
 
   const SolidLayout<D>& layout_;
   BondScales<D> scales_;
-  double reach_[most_levels][most_levels] = {};  // m, of the bonds between two levels
-  double longest_ = 0.0;                         // of all
-  std::vector<LevelCells> cells_;                // per level
+  LevelReach reach_;               // of the bonds between two levels
+  double longest_ = 0.0;           // m, of all
+  std::vector<LevelCells> cells_;  // per level
 };
 
 }  // namespace kerf

@@ -78,15 +78,13 @@ class BondsOfParticle {
         Vector<D, T> velocity;
         for (int a = 0; a < D; ++a)
           velocity[a] = batch.slot[End::velocity_slot + a] - T(own_->velocity[a]);
-        bool is_added = false;
-        if constexpr (!shared) {
-          is_added = task_.has_levels;
-          if (is_added)
+        if constexpr (!shared)
+          if (task_.has_levels) {
             add_bond_viscosity(force, power, batch.bond, velocity, batch.per_length,
                                viscosity_of(batch.mean_length));
-        }
-        if (!is_added)
-          add_bond_viscosity(force, power, batch.bond, velocity, batch.per_length, law_.viscosity);
+            return;
+          }
+        add_bond_viscosity(force, power, batch.bond, velocity, batch.per_length, law_.viscosity);
       }
     });
     T parts[D + 1];
