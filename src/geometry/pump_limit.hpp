@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// PumpLimit is the share of its free speed at which water leaves a nozzle whose pump holds its
-// pressure. Bernoulli's equation from the pump, whose total head is rho V_0^2 / 2, to the exit,
+// PumpLimit is the share of its free speed at which the water of a column leaves a nozzle whose
+// pump holds its pressure. Bernoulli's equation from the pump, whose total head is rho V_0^2 / 2,
+// to the exit,
 //   p + rho V^2 / 2 = rho V_0^2 / 2,   V = V_0 sqrt(1 - 2 p / (rho V_0^2)),
 // slows the water by the pressure p at the exit. p follows the force on the water in the nozzle
 // with the delay T in which that water passes, which stands for its inertia:
@@ -17,7 +18,7 @@ namespace kerf {
 
 class PumpLimit {
  public:
-  // `head`: Pa, total head of the pump; `delay`: s, T.
+  // `head`: Pa, total head of the column; 0 where its free speed is 0. `delay`: s, T.
   PumpLimit(double head, double delay) : head_(head), delay_(delay) {}
 
   double speed_share() const { return share_; }                 // 1, V / V_0
@@ -36,9 +37,10 @@ class PumpLimit {
     since_ = open_time;
     const double felt = std::clamp(pressure, -head_, head_);
     pressure_ += dt / (delay_ + dt) * (felt - pressure_);
-    share_ = std::sqrt(std::max(0.0, 1.0 - this->pressure() / head_));
+    if (head_ > 0.0) share_ = std::sqrt(std::max(0.0, 1.0 - this->pressure() / head_));
   }
 
+  static constexpr std::size_t state_length = 4;
   std::vector<double> state() const { return {lost_, since_, pressure_, share_}; }
   void restore(const std::vector<double>& state) {
     lost_ = state.at(0);
