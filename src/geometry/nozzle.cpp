@@ -55,7 +55,6 @@ Nozzle::Nozzle(const Jet& jet, double water_density, int dimension)
       start_(jet.start),
       stop_(jet.stop),
       dwell_(jet.dwell),
-      delay_(layers_inside * jet.spacing / jet.speed),
       holds_pressure_(jet.feed == Feed::pressure),
       period_(jet.pulse_frequency > 0.0 ? 1.0 / jet.pulse_frequency : 0.0),
       duty_(jet.duty),
@@ -73,7 +72,8 @@ Nozzle::Nozzle(const Jet& jet, double water_density, int dimension)
 void Nozzle::start_columns() {
   pumps_.clear();
   for (const Column& column : columns_)
-    pumps_.emplace_back(0.5 * density_ * column.speed * column.speed, delay_);
+    pumps_.emplace_back(0.5 * density_ * column.speed * column.speed,
+                        layers_inside * spacing_ / column.speed);
   emitted_.assign(columns_.size(), 0);
 }
 

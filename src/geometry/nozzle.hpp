@@ -86,7 +86,6 @@ class Nozzle {
   static constexpr int layers_inside = 4;  // more than the support of 2 h = 3 d
   double density_;                         // kg/m^3
   double spacing_, start_, stop_, dwell_;
-  double delay_;  // s, in which the water inside passes at the speed of the jet
   bool holds_pressure_;
   double period_, duty_;  // s, 0 = no pulses; 1
   double particle_mass_ = 0.0;
