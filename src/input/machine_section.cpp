@@ -105,6 +105,8 @@ void read_machine(Draft& draft, Section& top) {
   if (!section.has("spacing"))
     machine.spacing = numbers().diameter_at_workpiece / particles_across(draft.quality, dimension);
   entry.jet = machine_jet(machine, water->material, dimension);
+  if (draft.reading.formulation == formulation_name(Formulation::standard))
+    entry.jet.feed = Feed::pressure;
   draft.result.machine = machine;
   draft.jets.push_back(std::move(entry));
 }

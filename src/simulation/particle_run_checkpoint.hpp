@@ -26,7 +26,7 @@ void ParticleRun<D, P, Traits>::save(Archive& archive) const {
   archive.arrays["pair_interactions"] = std::vector<double>{pair_interactions_};
   for (std::size_t j = 0; j < nozzles_.size(); ++j) {
     archive.arrays["nozzle/" + std::to_string(j)] = nozzles_[j].emitted();
-    archive.arrays["pump/" + std::to_string(j)] = nozzles_[j].pump().state();
+    archive.arrays["pump/" + std::to_string(j)] = nozzles_[j].pump_state();
   }
 }
 
@@ -52,7 +52,7 @@ void ParticleRun<D, P, Traits>::restore(const Archive& archive) {
   }
   // The particles are in the order of the cells of their build positions: the same list results.
   list_.build(particles_);
-  after_reorder();
+  note_order();
   fresh_ = false;
 }
 
