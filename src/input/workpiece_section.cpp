@@ -25,7 +25,7 @@ std::vector<Key> workpiece_keys() {
       {"minimum", vector, "m", "(8 jet widths, in 2D 24, from the water of the jet and its path, or a symmetry plane)", within(1e4), {}, "", "Lowest corner of the part that is simulated, over the whole thickness", stored_in<&WorkpieceSetting::part, &Box::minimum>},
       {"maximum", vector, "m", "(likewise)", within(1e4), {}, "", "Highest corner of that part", stored_in<&WorkpieceSetting::part, &Box::maximum>},
       {"spacing", quantity, "m", "(that of the jet)", positive, {}, "", "Distance of neighbouring particles at the jet", stored_in<&WorkpieceSetting::spacing>},
-      {"levels", integer, "", "(2; 0 where symmetry planes save more particles)", {0, 4}, {}, "", "How often the spacing doubles away from the jet; 0 = one spacing", stored_in<&WorkpieceSetting::levels>},
+      {"levels", integer, "", "(2, or 0 where that has fewer particles)", {0, 4}, {}, "", "How often the spacing doubles away from the jet; 0 = one spacing", stored_in<&WorkpieceSetting::levels>},
       {"grading_width", quantity, "m", "(two widths of the jet)", positive, {}, "", "The spacing doubles beyond this distance from the water of the jet, again beyond twice it, and so on", stored_in<&WorkpieceSetting::grading_width>},
   };
   // clang-format on
@@ -95,12 +95,13 @@ void choose_part(Draft& draft, Section& top, const Section& section) {
   WorkpieceSetting& workpiece = draft.workpiece.setting;
   const Jet& jet = draft.jets.back().jet;
   if (!section.has("spacing")) workpiece.spacing = jet.spacing;
-  // Symmetry planes exclude graded bodies, and could cut others.
-  const bool may_mirror = !draft.has_domain && !top.has("body") && !section.has("minimum") &&
-                          !section.has("maximum") &&
-                          !(section.has("levels") && workpiece.levels > 0);
-  const SimulatedPiece chosen = simulated_piece(
-      {jet, workpiece.size, draft.reading.dimension, workpiece.spacing, may_mirror});
+  // Symmetry planes could cut other bodies.
+  const bool may_mirror =
+      !draft.has_domain && !top.has("body") && !section.has("minimum") && !section.has("maximum");
+  PieceRequest request{jet, workpiece.size, draft.reading.dimension, workpiece.spacing, may_mirror,
+                       {}};
+  if (section.has("levels")) request.levels = workpiece.levels;
+  const SimulatedPiece chosen = simulated_piece(request);
   if (!section.has("minimum")) workpiece.part.minimum = chosen.workpiece.part.minimum;
   if (!section.has("maximum")) workpiece.part.maximum = chosen.workpiece.part.maximum;
   if (!section.has("levels")) workpiece.levels = chosen.workpiece.levels;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
@@ -31,7 +32,7 @@ Box part_around(const PieceRequest& request) {
   // Of the nozzle in the run, m.
   const double way = std::max(traverse_widths * jet.width,
                               speed * (jet.dwell + passage_time(jet, request.size[1])));
-  const double unit = request.spacing * (1 << graded_levels);
+  const double unit = request.spacing * (1 << request.levels.value_or(graded_levels));
   Box part;
   part.minimum[1] = -request.size[1];
   for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
@@ -78,17 +79,45 @@ Box domain_around(const PieceRequest& request, const Box& part, const Faces& pla
   return domain;
 }
 
-double particles_of(const PieceRequest& request, const Box& part, bool graded) {
+double particles_of(const PieceRequest& request, const Box& part, int levels) {
   Body body;
   body.shape.kind = Shape::Kind::box;
   body.shape.box = part;
   body.spacing = request.spacing;
-  if (graded) {
-    body.grading.levels = graded_levels;
+  if (levels > 0) {
+    body.grading.levels = levels;
     body.grading.width = graded_width * request.jet.width;
     body.grading.lines = {line_of(request.jet)};
   }
   return estimate_particles(body, request.dimension).total();
+}
+
+// Whether whole coarsest cells lie beside each plane, as symmetry planes demand of graded bodies.
+bool holds_whole_cells(const Box& part, const Faces& planes, double cell) {
+  for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
+    const double cells = (part.maximum[a] - part.minimum[a]) / cell;
+    if (planes.minimum[a] && std::abs(cells - std::round(cells)) > 1e-6) return false;
+  }
+  return true;
+}
+
+// Sets the part, its planes and its levels to the choice with the fewest particles.
+void choose_layout(const PieceRequest& request, SimulatedPiece& piece) {
+  const Box whole = piece.workpiece.part;
+  double fewest = std::numeric_limits<double>::infinity();
+  for (const bool mirrored : {request.may_mirror, false})
+    for (const int levels :
+         request.levels ? std::vector{*request.levels} : std::vector{graded_levels, 0}) {
+      Box part = whole;
+      const Faces planes = mirrored ? cut_at_planes(request, part) : Faces{};
+      if (levels > 0 && !holds_whole_cells(part, planes, request.spacing * (1 << levels))) continue;
+      const double particles = particles_of(request, part, levels);
+      if (particles >= fewest) continue;
+      fewest = particles;
+      piece.workpiece.part = part;
+      piece.workpiece.levels = levels;
+      piece.symmetry = planes;
+    }
 }
 
 }  // namespace
@@ -127,16 +156,7 @@ SimulatedPiece simulated_piece(const PieceRequest& request) {
   workpiece.spacing = request.spacing;
   workpiece.grading_width = graded_width * request.jet.width;
   workpiece.part = part_around(request);
-  Box cut = workpiece.part;
-  const Faces planes = request.may_mirror ? cut_at_planes(request, cut) : Faces{};
-  const bool is_graded = !planes.any() || particles_of(request, workpiece.part, true) <
-                                              particles_of(request, cut, false);
-  if (is_graded) {
-    workpiece.levels = graded_levels;
-  } else {
-    workpiece.part = cut;
-    piece.symmetry = planes;
-  }
+  choose_layout(request, piece);
   piece.domain = domain_around(request, workpiece.part, piece.symmetry);
   return piece;
 }

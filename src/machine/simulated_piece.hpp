@@ -4,6 +4,8 @@
 // docs/theory/exposure.md.
 #pragma once
 
+#include <optional>
+
 #include "model/jet.hpp"
 #include "model/workpiece_setting.hpp"
 
@@ -47,8 +49,9 @@ struct PieceRequest {
   Jet jet;     // its nozzle moves as it does in the run
   Point size;  // m, of the workpiece
   int dimension = 3;
-  double spacing = 0.0;    // m, of the workpiece at the jet
-  bool may_mirror = true;  // whether the part may end at symmetry planes
+  double spacing = 0.0;       // m, of the workpiece at the jet
+  bool may_mirror = true;     // whether the part may end at symmetry planes
+  std::optional<int> levels;  // of resolution beside the finest, where they are not to be chosen
 };
 SimulatedPiece simulated_piece(const PieceRequest& request);
 

@@ -69,7 +69,7 @@ TEST(SimulatedPiece, NozzleStandsWhereTheCutIsFaster) {
 TEST(SimulatedPiece, WindowEndsAtPlanesAndAtEdges) {
   const auto whole = simulated_piece(request_for(round_jet(), {1.0, 0.25e-3, 1.0}));
   EXPECT_TRUE(whole.symmetry.minimum[0] && whole.symmetry.minimum[2]);
-  EXPECT_EQ(whole.workpiece.levels, 0);
+  EXPECT_EQ(whole.workpiece.levels, 2);
   EXPECT_EQ(whole.workpiece.part.minimum[0], 0.0);
   EXPECT_EQ(whole.domain.minimum[0], 0.0);
   EXPECT_NEAR(whole.workpiece.part.maximum[0], 8.5e-3, 0.5e-3);  // whole coarsest cells
@@ -86,6 +86,20 @@ TEST(SimulatedPiece, WindowEndsAtPlanesAndAtEdges) {
   EXPECT_FALSE(edge.symmetry.minimum[0]);
   EXPECT_FALSE(continued_faces(edge.workpiece, edge.symmetry, 3).maximum[0]);
   EXPECT_TRUE(continued_faces(edge.workpiece, edge.symmetry, 3).minimum[0]);
+}
+
+// A workpiece that is narrower than the window has 10.25 coarsest cells beside the plane, which
+// graded bodies exclude.
+TEST(SimulatedPiece, PlanesAndLevelsGoTogetherInWholeCells) {
+  auto request = request_for(round_jet(), {10.25e-3, 4e-3, 1.0});
+  const auto either = simulated_piece(request);
+  EXPECT_TRUE(either.workpiece.levels == 0 || !either.symmetry.any());
+  request.size[0] = 10e-3;
+  const auto both = simulated_piece(request);
+  EXPECT_EQ(both.workpiece.levels, 2);
+  EXPECT_TRUE(both.symmetry.minimum[0] && both.symmetry.minimum[2]);
+  request.levels = 0;
+  EXPECT_EQ(simulated_piece(request).workpiece.levels, 0);
 }
 
 TEST(SimulatedPiece, MotionAndLeanRemovePlanes) {
