@@ -26,7 +26,7 @@ endfunction()
 file(GLOB kerf_material_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/materials/*.toml)
 kerf_embed(kerf_input material_files ${kerf_material_files})
 file(GLOB kerf_case_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cases/*.toml
-  ${CMAKE_SOURCE_DIR}/cases/machine/*.toml)
+  ${CMAKE_SOURCE_DIR}/cases/machine/*.toml ${CMAKE_SOURCE_DIR}/cases/cuts/*.toml)
 kerf_embed(kerf_app case_templates ${kerf_case_files})
 file(GLOB kerf_mesh_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cases/machine/*.stl)
 kerf_embed(kerf_app case_meshes ${kerf_mesh_files})

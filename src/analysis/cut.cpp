@@ -5,6 +5,7 @@
 
 #include "analysis/front.hpp"
 #include "analysis/kerf_map.hpp"
+#include "analysis/line_slope.hpp"
 #include "analysis/opening_width.hpp"
 #include "analysis/pieces.hpp"
 #include "analysis/unbroken.hpp"
@@ -14,21 +15,11 @@
 namespace kerf {
 namespace {
 
-// Returns the slope of the least-squares line through (time, front depth), m/s.
-double slope(const std::vector<CutState>& states) {
-  if (states.size() < 2) return 0.0;
-  const double count = static_cast<double>(states.size());
-  double mean_time = 0.0, mean_depth = 0.0;
-  for (const CutState& state : states) {
-    mean_time += state.time / count;
-    mean_depth += state.front_depth / count;
-  }
-  double product = 0.0, square = 0.0;
-  for (const CutState& state : states) {
-    product += (state.time - mean_time) * (state.front_depth - mean_depth);
-    square += (state.time - mean_time) * (state.time - mean_time);
-  }
-  return square > 0.0 ? product / square : 0.0;
+// Returns the mean speed of the front, m/s.
+double mean_front_speed(const std::vector<CutState>& states) {
+  return line_slope(
+      states, [](const CutState& state) { return state.time; },
+      [](const CutState& state) { return state.front_depth; });
 }
 
 double fractured_mass(const Workpiece& workpiece, const Frame& frame,
@@ -147,7 +138,7 @@ CutSummary CutMonitor::summary() const {
       break;
   }
   if (!cutting.empty()) summary.contact_time = cutting.front().time;
-  summary.front_speed = slope(cutting);
+  summary.front_speed = mean_front_speed(cutting);
   return summary;
 }
 

@@ -8,16 +8,15 @@
 #include <limits>
 #include <numbers>
 
-#include "analysis/joint_step.hpp"
 #include "analysis/regime.hpp"
-#include "geometry/graded_fill.hpp"
+#include "analysis/step_estimate.hpp"
 #include "geometry/nozzle.hpp"
+#include "geometry/particle_estimate.hpp"
 #include "geometry/shapes.hpp"
 #include "machine/characteristic_speed.hpp"
 #include "model/case.hpp"
 #include "model/material_laws.hpp"
 #include "neighbours/skin.hpp"
-#include "solid/joint_courant.hpp"
 
 namespace kerf {
 
@@ -156,59 +155,34 @@ void derive_spacings(DerivedNumbers& numbers, const Case& description) {
     numbers.solid_to_water_spacing = coarsest_solid / finest_water;
 }
 
+// Returns the share of a jet that is not beyond symmetry planes. The axis is in the planes that cut
+// the jet.
+double simulated_share(const Case& description, const Jet& jet) {
+  const double near = 1e-6 * jet.spacing;
+  double share = 1.0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double below = jet.position[a] - description.domain.minimum[a];
+    const double above = description.domain.maximum[a] - jet.position[a];
+    if (description.symmetry.minimum[a]) share *= below > near ? 1.0 : below < -near ? 0.0 : 0.5;
+    if (description.symmetry.maximum[a]) share *= above > near ? 1.0 : above < -near ? 0.0 : 0.5;
+  }
+  return share;
+}
+
 void derive_particles(DerivedNumbers& numbers, const Case& description) {
-  for (const Body& body : description.bodies)
-    for (const std::size_t count : count_levels(body, description.dimension)) {
-      numbers.particles_initial += count;
-      if (body.role != Role::elastic) continue;
-      numbers.particles_elastic += count;
-      if (body.jitter > 0.0) numbers.particles_jittered += count;
-    }
+  for (const Body& body : description.bodies) {
+    const auto count =
+        static_cast<std::size_t>(std::llround(estimated_particles(description, body).total()));
+    numbers.particles_initial += count;
+    if (body.role != Role::elastic) continue;
+    numbers.particles_elastic += count;
+    if (body.jitter > 0.0) numbers.particles_jittered += count;
+  }
   double added = 0.0;
   for (const Jet& jet : description.jets)
-    added += entering_particles(jet, description.dimension, description.time.end);
+    added += simulated_share(description, jet) *
+             entering_particles(jet, description.dimension, description.time.end);
   numbers.particles_expected = numbers.particles_initial + static_cast<std::size_t>(added);
-}
-
-// Returns the acoustic limit of the time step, s, with its term of artificial viscosity: courant
-// h / (c + V + 1.2 A c).
-double acoustic_step(const Case& description, const Material& material, double spacing,
-                     double speed) {
-  double sound_speed = material.sound_speed, fastest_wave = material.sound_speed;
-  if (material.kind == MaterialKind::elastic) {
-    DerivedNumbers solid;
-    derive_solid(solid, material);
-    sound_speed = solid.bulk_speed;
-    fastest_wave = solid.longitudinal_speed;
-  }
-  return description.time.courant * description.smoothing_ratio * spacing /
-         (fastest_wave + speed + 1.2 * material.artificial_linear * sound_speed);
-}
-
-// Returns the shortest estimate for the joints of unlike bodies, s; infinity without any.
-double step_of_joints(const Case& description) {
-  double step = std::numeric_limits<double>::infinity();
-  if (description.formulation != Formulation::standard) return step;
-  for (const Body& body : description.bodies)
-    for (const Body& other : description.bodies)
-      if (!body.joined_to.empty() && other.name == body.joined_to &&
-          body.material != other.material)
-        step = std::min(step, joint_step(description, body, other));
-  return std::min(1.0, description.time.courant / joint_courant) * step;
-}
-
-void derive_steps(DerivedNumbers& numbers, const Case& description) {
-  double step = std::min(description.time.maximum_step, description.time.end);
-  const auto limit = [&](int material, double spacing) {
-    step = std::min(step, acoustic_step(description, material_of(description, material), spacing,
-                                        numbers.jet_speed));
-  };
-  for (const Body& body : description.bodies)
-    if (body.role != Role::rigid) limit(body.material, body.spacing);
-  for (const Jet& jet : description.jets) limit(jet.material, jet.spacing);
-  step = std::min(step, step_of_joints(description));
-  numbers.time_step = step;
-  numbers.steps = std::ceil(description.time.end / step);
 }
 
 // Returns the number of particles of a square or cubic lattice within a radius in spacings.
@@ -243,6 +217,13 @@ double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
 
 }  // namespace
 
+ParticleEstimate estimated_particles(const Case& description, const Body& body) {
+  constexpr double most_of_all = 1e6, least = 1e3;  // nodes to look at
+  const double share = most_of_all / static_cast<double>(description.bodies.size());
+  return estimate_particles(body, description.dimension, {description.symmetry, description.domain},
+                            std::clamp(share, least, most_laid_nodes));
+}
+
 DerivedNumbers derive(const Case& description) {
   DerivedNumbers numbers;
   numbers.jet_speed = fastest_jet(description);
@@ -255,7 +236,9 @@ DerivedNumbers derive(const Case& description) {
   derive_reflection(numbers, description);
   derive_spacings(numbers, description);
   derive_particles(numbers, description);
-  derive_steps(numbers, description);
+  numbers.time_step = estimated_step(description, numbers,
+                                     {water_material(description), target_material(description)});
+  numbers.steps = std::ceil(description.time.end / numbers.time_step);
   numbers.memory = estimate_memory(numbers, description);
   numbers.regime = description.jets.empty() || !solid ? "no jet" : regime_of(numbers);
   return numbers;

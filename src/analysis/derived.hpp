@@ -9,7 +9,9 @@
 
 namespace kerf {
 
+struct Body;
 struct Case;
+struct ParticleEstimate;
 
 struct DerivedNumbers {
   // These are of the first elastic material that a jet or moving body can hit; 0 if there is none.
@@ -51,6 +53,10 @@ struct DerivedNumbers {
   static const MetricList<DerivedNumbers>& metrics();
 };
 
+// Takes a bounded time and memory, whatever the size of the case: particles are not laid out.
 DerivedNumbers derive(const Case& description);
+
+// Returns the numbers of particles of a body, without those beyond symmetry planes.
+ParticleEstimate estimated_particles(const Case& description, const Body& body);
 
 }  // namespace kerf

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kerf at one instant: its shape, what was removed, damage, splash, leaked water, fragments,
-// layers. docs/metrics.md defines the numbers. Depth and widths of the kerf are measured in
-// analysis/kerf_shape.hpp, the current width of the opening in analysis/opening_width.hpp.
+// layers. docs/metrics.md defines the numbers. The depth of the kerf is measured in
+// analysis/kerf_shape.hpp, its widths in analysis/kerf_width.hpp, the current width of the opening
+// in analysis/opening_width.hpp.
 #pragma once
 
 #include <tuple>

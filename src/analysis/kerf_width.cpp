@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/line_slope.hpp"
+
 namespace kerf {
 namespace {
 
@@ -54,18 +56,11 @@ KerfLevel measure_level(const KerfMap& map, const std::vector<KerfSection>& pass
 
 // Returns the angle of one face, rad, from the least-squares line through widths over depth.
 double find_taper(const std::vector<KerfLevel>& levels) {
-  const double count = static_cast<double>(levels.size());
-  KerfLevel mean;
-  for (const KerfLevel& level : levels) {
-    mean.below += level.below / count;
-    mean.width += level.width / count;
-  }
-  double product = 0.0, square = 0.0;
-  for (const KerfLevel& level : levels) {
-    product += (level.below - mean.below) * (level.width - mean.width);
-    square += (level.below - mean.below) * (level.below - mean.below);
-  }
-  return square > 0.0 ? std::atan(-product / square / 2.0) : 0.0;
+  if (levels.size() < 2) return 0.0;
+  const double slope = line_slope(
+      levels, [](const KerfLevel& level) { return level.below; },
+      [](const KerfLevel& level) { return level.width; });
+  return std::atan(-slope / 2.0);
 }
 
 }  // namespace

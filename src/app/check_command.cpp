@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -14,17 +13,21 @@
 #include "app/check_warnings.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
+#include "app/cost_advice.hpp"
+#include "app/run_cost.hpp"
 #include "engine/device.hpp"
 #include "geometry/closed_surface.hpp"
 #include "geometry/fill.hpp"
-#include "geometry/graded_fill.hpp"
+#include "geometry/particle_estimate.hpp"
 #include "input/read.hpp"
 #include "input/schema.hpp"
 #include "machine/machine_jet.hpp"
 #include "model/case.hpp"
+#include "output/piece_reasons.hpp"
 #include "output/readable.hpp"
 #include "output/result_reference.hpp"
 #include "report/html.hpp"
+#include "study/local_executor.hpp"
 
 namespace kerf {
 
@@ -80,6 +83,13 @@ void print_machine(const Case& description) {
         fmt::format("{}, water for {:.3g} of each", readable(jet.pulse_frequency, "Hz"), jet.duty));
 }
 
+void print_piece(const Case& description) {
+  const auto sentences = piece_reasons(description);
+  if (sentences.empty()) return;
+  fmt::print("\nWhat is simulated\n");
+  for (const std::string& sentence : sentences) fmt::print("  {}\n", sentence);
+}
+
 void print_loads(const DerivedNumbers& numbers) {
   fmt::print("\nLoads\n");
   if (numbers.stagnation_pressure > 0.0) {
@@ -100,22 +110,25 @@ void print_loads(const DerivedNumbers& numbers) {
   row("regime", numbers.regime);
 }
 
-void print_cost(const Case& description, const DerivedNumbers& numbers) {
+void print_cost(const Case& description, const DerivedNumbers& numbers, const Pace& pace) {
+  const RunCost cost = run_cost(numbers, pace);
   fmt::print("\nCost\n");
   for (const auto& [name, particles] : particle_rows(description)) row(name, particles);
   row("initial particles", fmt::format("{}", numbers.particles_initial));
   row("particles including jet water", fmt::format("{}", numbers.particles_expected));
-  row("time step", readable(numbers.time_step, "s"));
-  row("steps", fmt::format("{:.0f}", numbers.steps));
-  row("memory", readable(numbers.memory, "B"));
+  row("simulated time", readable(description.time.end, "s"));
+  row("time step", readable(numbers.time_step / pace.step_factor, "s"));
+  row("steps", fmt::format("{:.0f}", cost.steps));
+  row("memory", readable(cost.memory, "B"));
+  row("speed on this machine", fmt::format("{:.3g} particle-steps/s", 1.0 / pace.particle_step));
+  row("run time", fmt::format("about {}, {}", duration(cost.seconds), pace.source));
 }
 
-// Returns the volume of the particles as laid out, m^3.
-double filled_volume(const Body& body) {
-  double volume = 0.0;
-  for (const GradedParticle& particle : fill_levels(body, 3))
-    volume += particle_volume(body, 3) * std::pow(8.0, particle.level);
-  return volume;
+// Returns the volume of the particles of a body, m^3.
+double filled_volume(const Case& description, const Body& body) {
+  const CountedSide everywhere;
+  return estimate_particles(body, description.dimension, everywhere).uniform(3) *
+         particle_volume(body, 3);
 }
 
 void print_meshes(const Case& description) {
@@ -124,61 +137,32 @@ void print_meshes(const Case& description) {
   for (const Body& body : description.bodies) {
     if (body.shape.kind != Shape::Kind::mesh) continue;
     const ClosedSurface& surface = *body.shape.mesh.surface;
-    const double volume = surface.volume(), filled = filled_volume(body);
+    const double volume = surface.volume(), filled = filled_volume(description, body);
     row(body.name,
         fmt::format("{:.4g} m3 in {} triangles; particles fill {:.4g} m3 ({:+.2f}%)", volume,
                     surface.triangles(), filled, 100.0 * (filled / volume - 1.0)));
   }
 }
 
-std::string duration(double seconds) {
-  if (seconds < 100.0) return fmt::format("about {:.2g} s", seconds);
-  if (seconds < 6000.0) return fmt::format("about {:.0f} min", seconds / 60.0);
-  return fmt::format("about {:.1f} h", seconds / 3600.0);
-}
-
-// Measures about 30 steps of the run, for 3 s at most, and scales the time to all its steps and to
-// the mean of its particles at the start and at the end.
-void print_run_time(const Case& description, const DerivedNumbers& numbers) {
-  constexpr std::size_t most_particles = 4'000'000;
-  constexpr int steps_wanted = 30;
-  constexpr double longest = 3.0;  // s
-  if (numbers.particles_initial > most_particles) {
-    row("run time", "not measured: too many particles for a short trial");
-    return;
-  }
-  using Clock = std::chrono::steady_clock;
-  const auto simulation = make_simulation(description);
-  if (!simulation->finished())
-    simulation->advance();  // the first step also builds the neighbour lists
-  const auto start = Clock::now();
-  const std::uint64_t first = simulation->step();
-  double seconds = 0.0, particle_steps = 0.0;
-  for (int i = 0; i < steps_wanted && seconds < longest && !simulation->finished(); ++i) {
-    simulation->advance();
-    particle_steps += static_cast<double>(simulation->particles());
-    seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  }
-  if (simulation->step() == first || particle_steps == 0.0) return;
-  const double mean_particles =
-      0.5 * static_cast<double>(numbers.particles_initial + numbers.particles_expected);
-  row("speed on this machine", fmt::format("{:.3g} particle-steps/s", particle_steps / seconds));
-  row("run time", duration(seconds / particle_steps * mean_particles * numbers.steps));
-}
-
 void check(const CheckOptions& options) {
   take_machine(options.machine);
-  const Case description = read_case(options.file);
+  const std::string text = case_text(options.file);
+  const Case description = parse_case(text, options.file, quick_look);
   const DerivedNumbers numbers = derive(description);
   fmt::print("{}: the case is valid.\n", options.file);
   fmt::print("{} ({}D; bodies: {}, jets: {})\n", description.title, description.dimension,
              description.bodies.size(), description.jets.size());
   print_machine(description);
+  print_piece(description);
   print_speeds(numbers);
   print_loads(numbers);
   print_meshes(description);
-  print_cost(description, numbers);
-  if (!options.no_timing) print_run_time(description, numbers);
+  const int threads = threads_of(options.machine);
+  const Pace pace = options.no_timing ? typical_pace(description, threads)
+                                      : measured_pace(description, numbers, threads);
+  print_cost(description, numbers, pace);
+  fmt::print("{}",
+             advice_text({text, options.file, description, numbers, pace}, available_memory()));
   auto warnings = check_warnings(description, numbers);
   for (const auto& warning : resolution_warnings(description))
     warnings.push_back(fmt::format("{}: {}", options.file, warning));
@@ -189,11 +173,12 @@ void check(const CheckOptions& options) {
 }  // namespace
 
 void add_check_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
-      "check", "Check a case and print its derived numbers, cost and expected run time");
+  CLI::App* command = program.add_subcommand("check",
+                                             "Check a case and print its derived numbers, its cost "
+                                             "and, where that is too much, what to change");
   auto options = std::make_shared<CheckOptions>();
   auto* file = command->add_option("case", options->file, "Case file (TOML)");
-  command->add_flag("--no-timing", options->no_timing, "Do not measure the time of a few steps");
+  command->add_flag("--no-timing", options->no_timing, "Estimate the run time without a pilot run");
   add_machine_options(*command, options->machine);
   auto* keys =
       command->add_flag("--keys", options->keys, "Print the reference of all keys instead");

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/jet_axis.hpp"
-#include "geometry/graded_fill.hpp"
+#include "geometry/fill.hpp"
+#include "geometry/particle_estimate.hpp"
+#include "geometry/shapes.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -45,21 +48,64 @@ void warn_of_narrow_jets(const Case& description, Warnings& warnings) {
   }
 }
 
+// Calls `look` for points of a tube around the axis of a jet, as long as the bounding box of a
+// body.
+template <class Look>
+void look_along(const Box& box, const JetAxis& axis, double reach, const Look& look) {
+  constexpr int along = 100, aside = 4;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    JetAxis::Vector3 x{};
+    for (std::size_t a = 0; a < 3; ++a) x[a] = corner >> a & 1 ? box.maximum[a] : box.minimum[a];
+    low = std::min(low, axis.depth(x));
+    high = std::max(high, axis.depth(x));
+  }
+  low = std::max(low, -axis.standoff);
+  const int most_sideways = axis.sideways == JetAxis::Vector3{} ? 0 : aside;
+  for (int n = 0; n < along * (2 * aside + 1) * (2 * most_sideways + 1); ++n) {
+    const int i = n / along % (2 * aside + 1) - aside;
+    const int j = n / along / (2 * aside + 1) - most_sideways;
+    Point x = axis.point_at(low + (n % along + 0.5) / along * (high - low), 0.0);
+    for (std::size_t a = 0; a < 3; ++a)
+      x[a] += reach / aside * (i * axis.across[a] + j * axis.sideways[a]);
+    look(x);
+  }
+}
+
+// A body, and its particles where they are few enough to be laid out.
+struct LaidBody {
+  const Body& body;
+  std::vector<GradedParticle> particles;
+};
+
+LaidBody laid_out(const Body& body, int dimension) {
+  const bool are_few = body.jitter == 0.0 && lattice_nodes(body, dimension) <= most_laid_nodes;
+  return {body, are_few ? fill_levels(body, dimension) : std::vector<GradedParticle>()};
+}
+
 // Returns the largest spacing of a body within `reach` of the axis of a jet.
-double coarsest_near(const std::vector<GradedParticle>& particles, const Body& body,
-                     const JetAxis& axis, double reach) {
+double coarsest_near(const LaidBody& laid, int dimension, const JetAxis& axis, double reach) {
+  const Body& body = laid.body;
   int level = -1;
-  for (const GradedParticle& particle : particles)
+  const auto note = [&](const GradedParticle& particle) {
     if (particle.level > level && axis.distance(particle.position) <= reach &&
         axis.depth(particle.position) > -axis.standoff)
       level = particle.level;
+  };
+  for (const GradedParticle& particle : laid.particles) note(particle);
+  if (laid.particles.empty()) {
+    look_along(bounding_box(body.shape, dimension), axis, reach, [&](const Point& point) {
+      if (const auto particle = particle_at(body, dimension, point)) note(*particle);
+    });
+  }
   return level < 0 ? 0.0 : level_spacing(body, level);
 }
 
-void warn_of_coarse_solid(const Case& description, const Body& body, const Jet& jet,
-                          const std::vector<GradedParticle>& particles, Warnings& warnings) {
+void warn_of_coarse_solid(const Case& description, const LaidBody& laid, const Jet& jet,
+                          Warnings& warnings) {
+  const Body& body = laid.body;
   const JetAxis axis(jet, description.dimension);
-  const double near = coarsest_near(particles, body, axis, near_jet * jet.width);
+  const double near = coarsest_near(laid, description.dimension, axis, near_jet * jet.width);
   if (near > jet.spacing * rounding)
     warnings.push_back(fmt::format(
         "{} = {}: within {} of the axis of \"{}\" the solid's spacing is {}, {:.3g} x that of the "
@@ -69,7 +115,7 @@ void warn_of_coarse_solid(const Case& description, const Body& body, const Jet& 
         "grading",
         key_of(description, body, "spacing"), length(body.spacing), length(near_jet * jet.width),
         jet.name, length(near), near / jet.spacing, length(jet.spacing)));
-  const double in_cut = coarsest_near(particles, body, axis, cut_reach * jet.width);
+  const double in_cut = coarsest_near(laid, description.dimension, axis, cut_reach * jet.width);
   if (in_cut > body.spacing * rounding)
     warnings.push_back(
         fmt::format("{} = {}: the spacing doubles within {} of the axis of \"{}\", where the cut "
@@ -98,18 +144,14 @@ void warn_of_thin_levels(const Case& description, const Body& body, Warnings& wa
 std::vector<std::pair<std::string, std::string>> particle_rows(const Case& description) {
   std::vector<std::pair<std::string, std::string>> rows;
   for (const Body& body : description.bodies) {
-    const auto counts = count_levels(body, description.dimension);
+    const ParticleEstimate counts = estimated_particles(description, body);
     std::vector<std::string> levels;
-    double total = 0.0, uniform = 0.0;
-    for (std::size_t level = 0; level < counts.size(); ++level) {
-      const auto count = static_cast<double>(counts[level]);
-      total += count;
-      uniform += std::ldexp(count, static_cast<int>(level) * description.dimension);
-      levels.push_back(fmt::format("{} of {}", counts[level],
+    for (std::size_t level = 0; level < counts.levels.size(); ++level)
+      levels.push_back(fmt::format("{:.0f} of {}", counts.levels[level],
                                    length(level_spacing(body, static_cast<int>(level)))));
-    }
+    const double total = counts.total(), uniform = counts.uniform(description.dimension);
     std::string text = fmt::format("{}", fmt::join(levels, ", "));
-    if (counts.size() > 1)
+    if (counts.levels.size() > 1)
       text += fmt::format(": {:.0f} instead of {:.0f} ({:.0f}%)", total, uniform,
                           100.0 * total / uniform);
     rows.emplace_back(fmt::format("particles of \"{}\"", body.name), text);
@@ -123,9 +165,8 @@ std::vector<std::string> resolution_warnings(const Case& description) {
   for (const Body& body : description.bodies) {
     warn_of_thin_levels(description, body, warnings);
     if (body.role != Role::elastic || description.jets.empty()) continue;
-    const auto particles = fill_levels(body, description.dimension);
-    for (const Jet& jet : description.jets)
-      warn_of_coarse_solid(description, body, jet, particles, warnings);
+    const LaidBody laid = laid_out(body, description.dimension);
+    for (const Jet& jet : description.jets) warn_of_coarse_solid(description, laid, jet, warnings);
   }
   return warnings;
 }

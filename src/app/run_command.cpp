@@ -6,10 +6,13 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/converge.hpp"
+#include "app/cost_advice.hpp"
 #include "app/run_loop.hpp"
 #include "core/error.hpp"
 #include "input/read.hpp"
 #include "input/write_used.hpp"
+#include "output/readable.hpp"
+#include "study/local_executor.hpp"
 
 namespace kerf {
 namespace {
@@ -25,6 +28,7 @@ struct RunOptions {
   bool quiet = false;
   bool converge = false;
   int layouts = 3;
+  bool ignore_memory = false;
 };
 
 // Returns a path quoted for a shell.
@@ -46,9 +50,27 @@ std::string resume_command(const RunOptions& options, const fs::path& folder) {
   return command + " --resume";
 }
 
+// Refuses a case that does not fit into the memory of this machine; nothing is laid out for that.
+void refuse_beyond_memory(const RunOptions& options, const Case& description) {
+  const DerivedNumbers numbers = derive(description);
+  const double memory = available_memory();
+  if (options.ignore_memory || options.machine.device != Device::cpu || numbers.memory <= memory)
+    return;
+  const Pace pace = typical_pace(description, threads_of(options.machine));
+  throw UserError(fmt::format(
+      "{}: the run needs about {} for {} particles. Allowed: at most {}, the memory of this "
+      "machine "
+      "that is free. Change the case, or run it with --ignore-memory.\n{}",
+      options.case_file, readable(numbers.memory, "B"), numbers.particles_expected,
+      readable(memory, "B"),
+      advice_text({case_text(options.case_file), options.case_file, description, numbers, pace},
+                  memory)));
+}
+
 RunLoopSettings settings_of(const RunOptions& options) {
   RunLoopSettings settings;
   settings.description = read_case(options.case_file);
+  refuse_beyond_memory(options, settings.description);
   settings.case_name = fs::path(options.case_file).stem().string();
   settings.case_text = write_used(settings.description);
   settings.folder =
@@ -124,6 +146,8 @@ void add_run_command(CLI::App& program) {
       ->needs(converges)
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  command->add_flag("--ignore-memory", options->ignore_memory,
+                    "run a case whose estimated memory is more than this machine has free");
   command->callback([options] { run(*options); });
 }
 

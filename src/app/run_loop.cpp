@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <spdlog/sinks/basic_file_sink.h>
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
 
 #include "core/error.hpp"
@@ -137,7 +139,7 @@ void RunLoop::resume(const Archive& state) {
 
 RunEnd RunLoop::steps() {
   const double interval = settings_.description.output.checkpoint_interval;
-  while (!simulation_->finished()) {
+  while (!is_over()) {
     if (signals_.caught() != 0) return stop(signals_.caught());
     simulation_->advance();
     frame_.reset();
@@ -148,6 +150,17 @@ RunEnd RunLoop::steps() {
   }
   finish();
   return {};
+}
+
+// The history of the cut is part of checkpoints, so that a resumed run ends with the same step.
+bool RunLoop::is_over() const {
+  if (simulation_->finished()) return true;
+  const double after_cut = settings_.description.time.after_cut;
+  const auto& history = cut_->history();
+  if (std::isinf(after_cut) || history.empty() || !history.back().cut_through) return false;
+  const auto cut = std::find_if(history.begin(), history.end(),
+                                [](const CutState& state) { return state.cut_through; });
+  return simulation_->time() >= cut->time + after_cut;
 }
 
 // At the end all output up to the end is due, in spite of the rounding of the sum of all steps.

@@ -65,6 +65,7 @@ class RunLoop {
   void begin();
   void resume(const Archive& state);
   RunEnd steps();
+  bool is_over() const;  // at the end time, or a while after the cut
   void write_due();
   void write_row();
   void write_frame(bool as_frame, bool as_picture);

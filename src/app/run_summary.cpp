@@ -76,6 +76,7 @@ void RunLoop::write_result() {
   outcome.derived = derive(settings_.description);
   outcome.cut = cut_->summary();
   measure(outcome);
+  outcome.exposure = exposure_of(settings_.description, cut_->history(), outcome.cut);
   outcome.still_cutting = still_cutting(cut_->history());
   outcome.balance = simulation_->balance();
   outcome.time = simulation_->time();

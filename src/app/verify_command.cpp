@@ -83,28 +83,39 @@ double read_angle(const std::string& text) {
   return quantity.value;
 }
 
-// Places the runs of the cases that can be placed like this, and removes the others by name.
-void place(const Placement& placement, std::vector<VerificationCase>& cases) {
+VerificationCase placed_at(VerificationCase entry, const Placement& placement) {
+  for (PlannedRun& run : entry.runs) run.placement = placement;
+  return entry;
+}
+
+// Refuses a placement of a case that was named.
+[[noreturn]] void refuse_placement(const VerificationCase& entry, const Placement& placement,
+                                   const std::string& problem) {
+  const Placement allowed = allowed_part(entry, placement);
+  throw UserError(
+      fmt::format("{} cannot be {}: {}. {}, or leave out the case.", entry.name, placement.text(),
+                  problem,
+                  allowed.is_as_written()
+                      ? "Leave out --turned, --mirrored, --moved and --standoff"
+                      : fmt::format("Of this it can be {}: leave out the rest", allowed.text())),
+      exit_bad_input);
+}
+
+// Places the runs of the cases that can be placed like this, and removes the others. A case that
+// was named is refused instead.
+void place(const Placement& placement, bool are_named, std::vector<VerificationCase>& cases) {
   if (placement.is_as_written()) return;
   fmt::print("Every case is {}.\n", placement.text());
   std::erase_if(cases, [&](VerificationCase& entry) {
-    std::string problem;
-    for (PlannedRun& run : entry.runs) {
-      run.placement = placement;
-      if (problem.empty()) problem = placement_problem(run.description(), placement);
+    const std::string problem = placement_problem(entry, placement);
+    if (problem.empty()) {
+      entry = placed_at(std::move(entry), placement);
+      return false;
     }
-    if (!problem.empty()) fmt::print("{} is left out: {}\n", entry.name, problem);
-    return !problem.empty();
+    if (are_named) refuse_placement(entry, placement, problem);
+    fmt::print("{} is left out: {}\n", entry.name, problem);
+    return true;
   });
-}
-
-// Returns the case in the parts of a placement that all of its runs allow; nothing if that is as it
-// is written.
-std::optional<VerificationCase> placed_elsewhere(VerificationCase entry, Placement placement) {
-  for (const PlannedRun& run : entry.runs) placement = allowed_part(run.description(), placement);
-  if (placement.is_as_written()) return std::nullopt;
-  for (PlannedRun& run : entry.runs) run.placement = placement;
-  return entry;
 }
 
 // A line on the terminal that is removed when the case is done.
@@ -129,9 +140,13 @@ Findings verify_here_and_elsewhere(const VerificationCase& entry, const VerifyOp
     line.show(entry.name, run, share);
   };
   Findings found = verify(entry, options.all, show, kept);
-  if (!options.elsewhere.empty())
-    if (const auto placed = placed_elsewhere(entry, random_placement(options.elsewhere)))
-      found = worst_of(std::move(found), verify(*placed, options.all, show, kept));
+  if (!options.elsewhere.empty()) {
+    const Placement drawn = random_placement(options.elsewhere);
+    const Placement there = allowed_part(entry, drawn);
+    if (!there.is_as_written())
+      found = worst_of(std::move(found), verify(placed_at(entry, there), options.all, show, kept));
+    found.elsewhere[entry.name] = allowed_text(entry, drawn);
+  }
   line.clear();
   return found;
 }
@@ -146,6 +161,8 @@ Findings verify_and_print(const std::vector<VerificationCase>& cases, const Veri
   for (const VerificationCase& entry : cases) {
     Findings found = verify_here_and_elsewhere(entry, options, kept);
     for (const Row& row : found.rows) fmt::print("{}", table_row(row));
+    for (const auto& [name, text] : found.elsewhere) fmt::print("{} elsewhere: {}\n", name, text);
+    findings.elsewhere.merge(found.elsewhere);
     std::fflush(stdout);
     append(findings.rows, found.rows);
     append(findings.curves, found.curves);
@@ -178,13 +195,14 @@ void run_verification(const VerifyOptions& options) {
         "--page: the page shows the cases as they are written. Leave out --turned, --mirrored, "
         "--moved and --standoff, or write the table with --json.",
         exit_bad_input);
-  place(placement, cases);
+  place(placement, !options.names.empty(), cases);
   take_machine(options.machine);
   const KeptRuns kept(options.keep);
   for (VerificationCase& entry : cases) take_up_kept(entry, kept);
   const Findings findings = verify_and_print(cases, options, kept);
   if (!options.json.empty()) write_file(options.json, to_json(findings.rows));
-  if (!options.page.empty()) write_verification_page(options.page, cases, findings);
+  if (!options.page.empty())
+    write_verification_page(options.page, cases, findings, !options.names.empty());
   const auto count = [&](Verdict verdict) {
     return std::count_if(findings.rows.begin(), findings.rows.end(),
                          [verdict](const Row& row) { return row.verdict == verdict; });
@@ -208,7 +226,7 @@ void add_verify_command(CLI::App& program) {
   command->add_option(
       "--page", options->page,
       "Also write the table into this Markdown page, between its marks, with curves "
-      "and pictures beside it");
+      "and pictures beside it; with names of cases, their sections only");
   command->add_option("--keep", options->keep,
                       "Keep each run in this folder, show those that it holds, long ones too, and "
                       "make none of them again; empty it after a change of the program");

@@ -94,10 +94,26 @@ class Figures {
   std::map<std::string, std::string> by_case_;
 };
 
+constexpr std::string_view section_begin = "### `";
+
+// Returns the sections between the marks of a page by "NAME/", which is also their order.
+std::map<std::string, std::string> sections_of(const std::string& text) {
+  std::map<std::string, std::string> sections;
+  for (auto begin = text.find(section_begin); begin != std::string::npos;) {
+    const auto next = text.find(section_begin, begin + 1);
+    const std::string section = text.substr(begin, next - begin);
+    const auto name_end = section.find('`', section_begin.size());
+    sections[section.substr(section_begin.size(), name_end - section_begin.size()) + "/"] = section;
+    begin = next;
+  }
+  return sections;
+}
+
 }  // namespace
 
 void write_verification_page(const std::filesystem::path& page,
-                             const std::vector<VerificationCase>& cases, const Findings& findings) {
+                             const std::vector<VerificationCase>& cases, const Findings& findings,
+                             bool keeps_others) {
   std::string text = read_file(page);
   const auto begin = text.find(table_begin);
   const auto end = text.find(table_end);
@@ -110,7 +126,16 @@ void write_verification_page(const std::filesystem::path& page,
   for (const CheckCurves& curves : findings.curves) figures.add(curves);
   for (const RunImage& image : findings.images) figures.add(image);
   const auto first = begin + table_begin.size();
-  text.replace(first, end - first, to_markdown(cases, findings.rows, figures.by_case()));
+  auto sections = keeps_others ? sections_of(text.substr(first, end - first))
+                               : std::map<std::string, std::string>{};
+  for (const VerificationCase& entry : cases) {
+    const auto shown = figures.by_case().find(entry.name);
+    sections[entry.name + "/"] = to_markdown(
+        entry, findings, shown == figures.by_case().end() ? std::string() : shown->second);
+  }
+  std::string table;
+  for (const auto& [name, section] : sections) table += section;
+  text.replace(first, end - first, table);
   write_file(page, text);
   figures.remove_all_but_those_of(text);
 }

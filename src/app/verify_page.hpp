@@ -10,9 +10,11 @@
 namespace kerf {
 
 // Replaces the part between the marks of the page and its figures in images/validation/ beside it;
-// figures that the page does not show are removed. Throws UserError (exit_files) when the page
-// cannot be read or written or has no marks.
+// figures that the page does not show are removed. With `keeps_others` the sections of cases that
+// are not among `cases` stay. Throws UserError (exit_files) when the page cannot be read or written
+// or has no marks.
 void write_verification_page(const std::filesystem::path& page,
-                             const std::vector<VerificationCase>& cases, const Findings& findings);
+                             const std::vector<VerificationCase>& cases, const Findings& findings,
+                             bool keeps_others);
 
 }  // namespace kerf

@@ -162,27 +162,65 @@ bool visit_row(const Body& body, int dimension, const LatticeVisit& request,
   return true;
 }
 
-void visit_along_axes(const Body& body, int dimension, const LatticeVisit& request) {
+// Returns the lattice with the ranges of indices whose nodes can lie in the window.
+LatticeFrame frame_within(const Body& body, int dimension, const Box& window) {
   LatticeFrame frame = make_frame(body, dimension);
   const std::array<Axis*, 3> axes{&frame.x, &frame.y, &frame.z};
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
     widen(*axes[a], body.offset[a]);
     if (frame.hexagonal) widen(*axes[a], axes[a]->step);
-    narrow(*axes[a], request.window.minimum[a], request.window.maximum[a],
-           body.spacing + std::abs(body.offset[a]));
+    narrow(*axes[a], window.minimum[a], window.maximum[a], body.spacing + std::abs(body.offset[a]));
   }
+  return frame;
+}
+
+double nodes_along(const Axis& axis) {
+  return std::max(0.0, static_cast<double>(axis.last) - static_cast<double>(axis.first) + 1.0);
+}
+
+// Returns node `number` of a sequence that fills a range evenly: multiples of the powers of the
+// root g of g^(D + 1) = g + 1 (1.3247 in 2D, 1.2207 in 3D), modulo 1.
+long spread_index(const Axis& axis, double number, std::size_t direction, int dimension) {
+  const double root = dimension == 2 ? 1.32471795724474602596 : 1.22074408460575947536;
+  const double place = number * std::pow(root, -1.0 - static_cast<double>(direction)) + 0.5;
+  const double share = place - std::floor(place);
+  return axis.first +
+         std::min(static_cast<long>(share * nodes_along(axis)), axis.last - axis.first);
+}
+
+void visit_along_axes(const Body& body, int dimension, const LatticeVisit& request) {
+  const LatticeFrame frame = frame_within(body, dimension, request.window);
   for (long k = frame.z.first; k <= frame.z.last; k += request.stride)
     for (long j = frame.y.first; j <= frame.y.last; j += request.stride)
       if (!visit_row(body, dimension, request, frame, {j, k})) return;
 }
 
-}  // namespace
-
-void visit_particles(const Body& body, int dimension, const LatticeVisit& request) {
-  if (body.lattice_angle == 0.0) {
+double sample_along_axes(const Body& body, int dimension, const LatticeVisit& request,
+                         double most) {
+  LatticeFrame frame = frame_within(body, dimension, request.window);
+  const double nodes = nodes_along(frame.x) * nodes_along(frame.y) * nodes_along(frame.z);
+  if (nodes <= most) {
     visit_along_axes(body, dimension, request);
-    return;
+    return 1.0;
   }
+  LatticeVisit one = request;
+  one.stride = 1;
+  const LatticeFrame whole = frame;
+  bool goes_on = true;
+  one.visit = [&](const Point& point) { return goes_on = request.visit(point); };
+  for (double n = 0.0; n < most && goes_on; n += 1.0) {
+    frame.x.first = frame.x.last = spread_index(whole.x, n, 0, dimension);
+    const long k = dimension == 3 ? spread_index(whole.z, n, 2, dimension) : 0;
+    visit_row(body, dimension, one, frame, {spread_index(whole.y, n, 1, dimension), k});
+  }
+  return nodes / most;
+}
+
+// Returns what visit(body, request) returns with both in the axes of the body's lattice.
+template <class Visit>
+auto in_lattice_axes(const Body& body, int dimension, const LatticeVisit& request,
+                     const Visit& visit) {
+  if (body.lattice_angle == 0.0) return visit(body, request);
   const PlaneTurn turn(body.lattice_angle);
   LatticeVisit straight = request;
   straight.window = box_around(request.window, PlaneTurn(-body.lattice_angle));
@@ -190,7 +228,23 @@ void visit_particles(const Body& body, int dimension, const LatticeVisit& reques
     const Point point = turn(node);
     return !within(request.window, point, dimension) || request.visit(point);
   };
-  visit_along_axes(along_lattice(body), dimension, straight);
+  return visit(along_lattice(body), straight);
+}
+
+}  // namespace
+
+void visit_particles(const Body& body, int dimension, const LatticeVisit& request) {
+  in_lattice_axes(body, dimension, request,
+                  [&](const Body& straight, const LatticeVisit& straight_request) {
+                    visit_along_axes(straight, dimension, straight_request);
+                  });
+}
+
+double visit_sample(const Body& body, int dimension, const LatticeVisit& request, double most) {
+  return in_lattice_axes(body, dimension, request,
+                         [&](const Body& straight, const LatticeVisit& straight_request) {
+                           return sample_along_axes(straight, dimension, straight_request, most);
+                         });
 }
 
 std::vector<Point> fill(const Body& body, int dimension) {

@@ -48,6 +48,10 @@ struct LatticeVisit {
 };
 void visit_particles(const Body& body, int dimension, const LatticeVisit& request);
 
+// Does the same for at most `most` nodes of the window, which are spread evenly over it where it
+// has more (`stride` is then not used). Returns how many nodes each of them stands for.
+double visit_sample(const Body& body, int dimension, const LatticeVisit& request, double most);
+
 // Returns one flag per particle: 1 for particles of a rigid body in its `repelling_layer`, which
 // have no neighbour on that side.
 std::vector<std::uint8_t> repelling_flags(const Body& body, const std::vector<Point>& particles,

@@ -7,8 +7,7 @@
 #include <limits>
 
 #include "geometry/fill.hpp"
-#include "geometry/lattice_angle.hpp"
-#include "geometry/plane_turn.hpp"
+#include "geometry/graded_cells.hpp"
 #include "geometry/shapes.hpp"
 
 namespace kerf {
@@ -44,37 +43,19 @@ double distance_from_line(const Grading::Line& line, const Point& position) {
   return std::max(0.0, std::sqrt(square) - line.radius);
 }
 
-// A cell of the tree: its lowest corner in cells of the finest lattice, and the position of its
-// particle.
-struct Cell {
-  std::array<long, 3> low{};
-  int level = 0;
-  Point position{};
-  long width() const { return 1L << level; }
-};
-
 class Tree {
  public:
   Tree(const Body& body, int dimension)
-      : body_(along_lattice(body)),
-        grading_(body.grading),
-        turn_(body.lattice_angle),
-        box_(lattice_box(body, dimension)),
+      : grid_(body, dimension),
         dimension_(dimension),
-        axes_(static_cast<std::size_t>(dimension)) {
-    for (std::size_t a = 0; a < axes_; ++a)
-      count_[a] = std::lround((box_.maximum[a] - box_.minimum[a]) / body.spacing);
-  }
+        axes_(static_cast<std::size_t>(dimension)),
+        count_(grid_.count()) {}
 
   std::vector<GradedParticle> fill() {
     Cell root;
-    root.level = grading_.levels;
-    const long width = 1L << root.level;
-    // The remainder of the division into coarsest cells is split between both ends, so that a
-    // symmetric body has a symmetric layout if possible.
-    std::array<long, 3> first{};
-    for (std::size_t a = 0; a < axes_; ++a) first[a] = count_[a] % width / 2;
-    for (std::size_t a = 0; a < axes_; ++a) first[a] -= first[a] > 0 ? width : 0;
+    root.level = grid_.straight().grading.levels;
+    const long width = root.width();
+    const std::array<long, 3> first = grid_.first();
     const long layers = dimension_ == 3 ? count_[2] : 1;
     for (long z = first[2]; z < layers; z += width)
       for (long y = first[1]; y < count_[1]; y += width)
@@ -85,60 +66,36 @@ class Tree {
     while (split_steep_cells()) {
     }
     std::vector<GradedParticle> particles;
-    for (const Cell& cell : cells_) particles.push_back({turn_(cell.position), cell.level});
+    for (const Cell& cell : cells_) particles.push_back({grid_.turn()(cell.position), cell.level});
     return particles;
   }
 
  private:
-  double edge(const Cell& cell) const { return body_.spacing * static_cast<double>(cell.width()); }
-
-  Point centre(const Cell& cell) const {
-    Point point{};
-    for (std::size_t a = 0; a < axes_; ++a) {
-      const double from_middle = static_cast<double>(cell.low[a]) +
-                                 0.5 * static_cast<double>(cell.width()) -
-                                 0.5 * static_cast<double>(count_[a]);
-      point[a] = 0.5 * (box_.minimum[a] + box_.maximum[a]) + from_middle * body_.spacing;
-    }
-    return point;
-  }
-
-  bool is_beside_the_lattice(const Cell& cell) const {
-    for (std::size_t a = 0; a < axes_; ++a)
-      if (cell.low[a] + cell.width() <= 0 || cell.low[a] >= count_[a]) return true;
-    return false;
-  }
-
-  // The nearest point of the cell is decisive, so that neighbours differ by one level at most.
-  bool is_far_enough(const Cell& cell, const Point& middle) const {
-    const double half_diagonal = 0.5 * edge(cell) * std::sqrt(static_cast<double>(dimension_));
-    const double distance = distance_from_finest(grading_, turn_(middle), dimension_);
-    return distance - half_diagonal >= grading_.width * cell.level;
-  }
+  using Cell = GradedCell;
 
   // Calls `visit` for the particles that the uniform body has in the cell.
   template <class Visit>
   void visit_finest(const Cell& cell, const Point& middle, const Visit& visit) const {
     LatticeVisit request;
     for (std::size_t a = 0; a < axes_; ++a) {
-      request.window.minimum[a] = middle[a] - 0.5 * edge(cell);
-      request.window.maximum[a] = middle[a] + 0.5 * edge(cell);
+      request.window.minimum[a] = middle[a] - 0.5 * grid_.edge(cell);
+      request.window.maximum[a] = middle[a] + 0.5 * grid_.edge(cell);
     }
     request.visit = [&](const Point& point) {
       visit(point);
       return true;
     };
-    visit_particles(body_, dimension_, request);
+    visit_particles(grid_.straight(), dimension_, request);
   }
 
   void add(const Cell& cell) {
-    if (is_beside_the_lattice(cell)) return;
-    const Point middle = centre(cell);
+    if (grid_.is_beside_the_lattice(cell)) return;
+    const Point middle = grid_.centre(cell);
     if (cell.level == 0) {
       visit_finest(cell, middle, [&](const Point& point) { keep(cell, point); });
       return;
     }
-    if (is_far_enough(cell, middle)) {
+    if (grid_.is_far_enough(cell, middle)) {
       long sites = 0;
       visit_finest(cell, middle, [&](const Point&) { ++sites; });
       if (sites == 0) return;
@@ -147,18 +104,12 @@ class Tree {
         return;
       }
     }
-    for (int k = 0; k < 1 << dimension_; ++k) add(part_of(cell, k));
+    for (int k = 0; k < 1 << dimension_; ++k) add(grid_.part_of(cell, k));
   }
 
   void keep(const Cell& cell, const Point& position) {
     cells_.push_back(cell);
     cells_.back().position = position;
-  }
-  Cell part_of(const Cell& cell, int k) const {
-    Cell part = cell;
-    --part.level;
-    for (std::size_t a = 0; a < axes_; ++a) part.low[a] += (k >> a & 1) * part.width();
-    return part;
   }
 
   // Coarse cells beside fine ones, which the shape requires, are split until neighbours differ by
@@ -173,8 +124,8 @@ class Tree {
         continue;
       }
       for (int k = 0; k < 1 << dimension_; ++k) {  // all full
-        const Cell part = part_of(cell, k);
-        const Point middle = centre(part);
+        const Cell part = grid_.part_of(cell, k);
+        const Point middle = grid_.centre(part);
         if (part.level > 0)
           keep(part, middle);
         else
@@ -218,13 +169,10 @@ class Tree {
     return steep;
   }
 
-  Body body_;  // in the axes of its lattice, as all positions of cells
-  const Grading& grading_;
-  PlaneTurn turn_;  // from those axes to those of the case
-  Box box_;
+  GradedCells grid_;
   int dimension_;
   std::size_t axes_;
-  std::array<long, 3> count_{};
+  std::array<long, 3> count_;
   std::vector<Cell> cells_;
   std::vector<std::uint8_t> level_at_;  // of each finest cell
 };

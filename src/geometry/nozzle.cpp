@@ -56,7 +56,6 @@ Nozzle::Nozzle(const Jet& jet, double water_density, int dimension)
       stop_(jet.stop),
       dwell_(jet.dwell),
       holds_pressure_(jet.feed == Feed::pressure),
-      pump_(0.5 * water_density * jet.speed * jet.speed, layers_inside * jet.spacing / jet.speed),
       period_(jet.pulse_frequency > 0.0 ? 1.0 / jet.pulse_frequency : 0.0),
       duty_(jet.duty),
       traverse_(jet.traverse) {
@@ -67,6 +66,14 @@ Nozzle::Nozzle(const Jet& jet, double water_density, int dimension)
   lay_out_columns(jet, dimension);
   particle_mass_ =
       water_density * nozzle_area(jet, dimension) / static_cast<double>(columns_.size()) * spacing_;
+  start_columns();
+}
+
+void Nozzle::start_columns() {
+  pumps_.clear();
+  for (const Column& column : columns_)
+    pumps_.emplace_back(0.5 * density_ * column.speed * column.speed,
+                        layers_inside * spacing_ / column.speed);
   emitted_.assign(columns_.size(), 0);
 }
 
@@ -74,7 +81,7 @@ void Nozzle::cut_at(const Faces& planes, const Box& domain) {
   std::erase_if(columns_, [&](const Column& column) {
     return is_beyond(planes, domain, position(column, 0.0, 0.0));
   });
-  emitted_.assign(columns_.size(), 0);
+  start_columns();
 }
 
 void Nozzle::lay_out_columns(const Jet& jet, int dimension) {
@@ -103,6 +110,23 @@ void Nozzle::lay_out_columns(const Jet& jet, int dimension) {
 double nozzle_area(const Jet& jet, int dimension) {
   if (dimension == 2) return jet.width;
   return jet.length > 0.0 ? jet.width * jet.length : std::numbers::pi * jet.width * jet.width / 4.0;
+}
+
+double nozzle_columns(const Jet& jet, int dimension) {
+  const double across = jet.width / jet.spacing + 1.0;
+  if (dimension == 2) return across;
+  return across * (jet.length > 0.0 ? jet.length / jet.spacing + 1.0 : across);
+}
+
+Jet coarsened(const Jet& jet, int dimension, double most) {
+  Jet result = jet;
+  const double columns = nozzle_columns(jet, dimension);
+  if (columns <= most) return result;
+  const double across = std::round(jet.width / jet.spacing);
+  const double allowed = across / std::pow(columns / most, dimension == 2 ? 1.0 : 0.5);
+  const double parity = std::fmod(across, 2.0);
+  result.spacing = jet.width / std::max(1.0, 2.0 * std::floor(0.5 * allowed) + parity);
+  return result;
 }
 
 double entering_particles(const Jet& jet, int dimension, double end) {
@@ -147,42 +171,67 @@ Point Nozzle::position(const Column& column, double along, double time) const {
 std::vector<InletParticle> Nozzle::standing_water() const {
   std::vector<InletParticle> water;
   for (int layer = 0; layer < layers_inside; ++layer)
-    for (const Column& column : columns_)
-      water.push_back({position(column, -(layer + 0.5) * spacing_, 0.0), column.speed});
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+      water.push_back({position(columns_[k], -(layer + 0.5) * spacing_, 0.0), columns_[k].speed,
+                       static_cast<std::uint32_t>(k)});
   return water;
 }
 
 std::vector<InletParticle> Nozzle::emit(double time) {
   std::vector<InletParticle> water;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const double travelled = columns_[k].speed * flow_time(time);
+    const double come = travelled(k, time);
     // Particle n enters when the column has travelled (n + 1) d, behind the one before it.
-    while (travelled >= static_cast<double>(emitted_[k] + 1) * spacing_) {
-      const double along = travelled - static_cast<double>(emitted_[k] + 1) * spacing_ -
-                           (layers_inside - 0.5) * spacing_;
-      water.push_back({position(columns_[k], along, time), columns_[k].speed});
+    while (come >= static_cast<double>(emitted_[k] + 1) * spacing_) {
+      const double along =
+          come - static_cast<double>(emitted_[k] + 1) * spacing_ - (layers_inside - 0.5) * spacing_;
+      water.push_back(
+          {position(columns_[k], along, time), columns_[k].speed, static_cast<std::uint32_t>(k)});
       ++emitted_[k];
     }
   }
   return water;
 }
 
-double Nozzle::area() const {
-  return static_cast<double>(columns_.size()) * particle_mass_ / (density_ * spacing_);
+double Nozzle::column_area() const {
+  return particle_mass_ / (density_ * spacing_);
 }
 
-double Nozzle::mass_in_time(double flow) const {
-  double mass = 0.0;
-  for (const Column& column : columns_) mass += particle_mass_ * column.speed * flow / spacing_;
-  return mass;
+void Nozzle::respond(double time, double dt, std::span<const double> pressure) {
+  const double open = open_time(time);
+  for (std::size_t k = 0; k < pumps_.size(); ++k) pumps_[k].respond(open, dt, pressure[k]);
+}
+
+std::vector<double> Nozzle::pump_state() const {
+  std::vector<double> state;
+  for (const PumpLimit& pump : pumps_)
+    for (const double number : pump.state()) state.push_back(number);
+  return state;
+}
+
+void Nozzle::restore_pump(const std::vector<double>& state) {
+  const auto numbers = static_cast<std::ptrdiff_t>(PumpLimit::state_length);
+  auto next = state.begin();
+  for (PumpLimit& pump : pumps_) {
+    pump.restore({next, next + numbers});
+    next += numbers;
+  }
 }
 
 double Nozzle::mass_due(double time) const {
-  return mass_in_time(flow_time(time));
+  double mass = 0.0;
+  for (std::size_t k = 0; k < columns_.size(); ++k)
+    mass += particle_mass_ * travelled(k, time) / spacing_;
+  return mass;
 }
 
 double Nozzle::mass_held_back(double time) const {
-  return mass_in_time(open_time(time) - flow_time(time));
+  double mass = 0.0;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    const double lost = open_time(time) - pumps_[k].flow_time(open_time(time));
+    mass += particle_mass_ * columns_[k].speed * lost / spacing_;
+  }
+  return mass;
 }
 
 double Nozzle::mass_emitted() const {

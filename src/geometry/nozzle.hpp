@@ -2,11 +2,12 @@
 // Nozzle is the continuous inflow of a jet. Water leaves the nozzle in columns of equal area; each
 // column emits particles of mass rho (A/N) d whenever it has travelled another spacing d, so that
 // the emitted mass differs from the integral of rho V A by less than a layer, and that remainder is
-// carried to the next layer. V is the speed of the jet, times the share of it that the pressure at
-// the exit leaves where the pump holds its pressure (geometry/pump_limit.hpp).
+// carried to the next layer. V is the speed of the column, times the share of it that the pressure
+// at its exit leaves where the pump holds its pressure (geometry/pump_limit.hpp).
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/pump_limit.hpp"
@@ -20,11 +21,17 @@ struct Jet;
 
 struct InletParticle {
   Point position;  // m
-  double speed;    // m/s, along the jet
+  double speed;    // m/s, of its column without pressure at the exit
+  std::uint32_t column = 0;
 };
 
 // Returns the area of the section, m^2 (2D: m).
 double nozzle_area(const Jet& jet, int dimension);
+// Returns the approximate number of columns.
+double nozzle_columns(const Jet& jet, int dimension);
+// Returns the jet with a spacing at which it has about `most` columns at most, and as many across,
+// even or odd, as before.
+Jet coarsened(const Jet& jet, int dimension, double most);
 // Returns the approximate number of particles that a jet emits until the time `end`, s.
 double entering_particles(const Jet& jet, int dimension, double end);
 
@@ -44,17 +51,17 @@ class Nozzle {
   // Return for how long water has flowed until the time, s, and whether it flows at the time.
   double open_time(double time) const;
   bool is_open(double time) const;
-  // Returns the time in which the water would have come as far at the speed of the jet, s.
-  double flow_time(double time) const { return pump_.flow_time(open_time(time)); }
-
-  // The pump's reaction to the pressure at the exit.
-  const PumpLimit& pump() const { return pump_; }
-  bool holds_pressure() const { return holds_pressure_; }
-  double area() const;  // m^2 (2D: m), of the columns
-  // Takes the pressure on the water in the nozzle over the step of `dt` s that ends at `time`.
-  void respond(double time, double dt, double pressure) {
-    pump_.respond(open_time(time), dt, pressure);
+  // Returns how far the water of a column has come until the time, m.
+  double travelled(std::size_t column, double time) const {
+    return columns_[column].speed * pumps_[column].flow_time(open_time(time));
   }
+
+  // The pump's reaction to the pressure at the exit of a column.
+  const PumpLimit& pump(std::size_t column) const { return pumps_[column]; }
+  bool holds_pressure() const { return holds_pressure_; }
+  double column_area() const;  // m^2 (2D: m)
+  // Takes the pressure on the water of each column over the step of `dt` s that ends at `time`, Pa.
+  void respond(double time, double dt, std::span<const double> pressure);
 
   // Returns the particles inside the nozzle at t = 0.
   std::vector<InletParticle> standing_water() const;
@@ -67,7 +74,8 @@ class Nozzle {
 
   const std::vector<std::uint64_t>& emitted() const { return emitted_; }
   void restore(std::vector<std::uint64_t> emitted) { emitted_ = std::move(emitted); }
-  void restore_pump(const std::vector<double>& state) { pump_.restore(state); }
+  std::vector<double> pump_state() const;  // of one column after the other
+  void restore_pump(const std::vector<double>& state);
 
  private:
   struct Column {
@@ -77,18 +85,18 @@ class Nozzle {
   void lay_out_columns(const Jet& jet, int dimension);
   // Returns the position of a column at the distance `along` the jet from the exit at `time`, m.
   Point position(const Column& column, double along, double time) const;
-  double moving_time(double time) const;   // s
-  double mass_in_time(double flow) const;  // kg, in this time at the speed of the jet
+  double moving_time(double time) const;  // s
+  void start_columns();                   // when they are laid out
 
   static constexpr int layers_inside = 4;  // more than the support of 2 h = 3 d
   double density_;                         // kg/m^3
   double spacing_, start_, stop_, dwell_;
   bool holds_pressure_;
-  PumpLimit pump_;
   double period_, duty_;  // s, 0 = no pulses; 1
   double particle_mass_ = 0.0;
   Point direction_{}, first_exit_{}, traverse_{};
   std::vector<Column> columns_;
+  std::vector<PumpLimit> pumps_;        // per column
   std::vector<std::uint64_t> emitted_;  // per column
 };
 

@@ -246,6 +246,7 @@ void check_partner(Draft& draft, const BodyDraft& entry, const char* key, const 
 }  // namespace
 
 void read_bodies(Draft& draft, Section& top) {
+  if (draft.result.workpiece) read_body(draft, draft.workpiece.body, "workpiece");
   const auto tables = top.tables("body");
   for (std::size_t i = 0; i < tables.size(); ++i) read_body(draft, *tables[i], indexed("body", i));
   for (const BodyDraft& entry : draft.bodies) {

@@ -27,6 +27,7 @@ std::vector<Key> top_keys() {
       {"materials", table, "", "(the library's)", any, {}, "", "Materials of this case, by name"},
       {"body", tables, "", "(none)", any, {}, "", "Bodies that consist of particles at the start"},
       {"load", tables, "", "(none)", any, {}, "standard", "Forces on elastic bodies: tractions, pressures, body forces"},
+      {"workpiece", table, "", "(none)", any, {}, "standard", "A workpiece under a [machine], of which Kerf chooses the simulated part"},
       {"machine", table, "", "(none)", any, {}, "", "The setting of a water-jet machine, from which a jet follows"},
       {"jet", tables, "", "(none)", any, {}, "", "Nozzles that emit water"},
       {"back_flow_removal", table, "", "(off)", any, {}, "", "Removes jet water that flows back to its nozzle"},
@@ -46,6 +47,7 @@ std::vector<Key> time_keys() {
       {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, or 4 jet widths of traverse)", up_to(1e6), {}, "", "End time of the run", stored_in<&TimeControl::end>},
       {"courant", number, "", "0.25", up_to(1.0), {}, "", "Factor of the acoustic limit of the time step", stored_in<&TimeControl::courant>},
       {"maximum_step", quantity, "s", "none", positive, {}, "", "Largest time step", stored_in<&TimeControl::maximum_step>},
+      {"after_cut", quantity, "s", "none", not_negative, {}, "", "The run ends this time after the workpiece is cut through, if that is before `end`; with a [workpiece] under a standing nozzle the default is a flight of 20 jet widths", stored_in<&TimeControl::after_cut>},
       {"relax", quantity, "s", "0 s", not_negative, {}, "standard", "Until this time solids are settled under their loads by dynamic relaxation: whenever their kinetic energy has passed a peak, they are stopped", stored_in<&TimeControl::relax>},
   };
   // clang-format on
@@ -122,6 +124,7 @@ void read_time(Draft& draft, Section& top) {
   if (time.end == 0.0 && !section.has("end"))
     section.refuse("end", "the key is missing", "Add it: the end time of the run");
   section.read(time);
+  if (!section.has("after_cut")) time.after_cut = draft.after_cut;
   section.refuse_unknown();
 }
 

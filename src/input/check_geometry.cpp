@@ -18,9 +18,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double most_particles = 5e8;
-constexpr double most_tested = 2e7;  // particles of a body that are tested against another
-
 std::string position_text(const Point& point, int dimension) {
   const std::string xy = fmt::format("{:.6g} m, {:.6g} m", point[0], point[1]);
   return dimension == 2 ? fmt::format("({})", xy) : fmt::format("({}, {:.6g} m)", xy, point[2]);
@@ -77,25 +74,26 @@ bool deep_inside(const Shape& shape, const Point& point, double depth, int dimen
   return true;
 }
 
-// Returns the first particle of `body` inside `other`; of very many particles only every n-th is
-// tested.
-std::optional<Point> particle_inside(const Body& body, const Body& other, int dimension) {
+// Returns the first particle of `body` inside `other`; of very many particles `most` are tested.
+std::optional<Point> particle_inside(const Body& body, const Body& other, int dimension,
+                                     double most) {
   LatticeVisit request;
   request.window =
       common_part(bounding_box(body.shape, dimension), bounding_box(other.shape, dimension));
   if (box_is_empty(request.window, dimension)) return {};
-  const double excess = lattice_nodes(body, dimension) / most_tested;
-  request.stride = std::max(1L, static_cast<long>(std::ceil(std::pow(excess, 1.0 / dimension))));
   std::optional<Point> found;
   request.visit = [&](const Point& point) {
     if (deep_inside(other.shape, point, 0.25 * body.spacing, dimension)) found = point;
     return !found;
   };
-  visit_particles(body, dimension, request);
+  visit_sample(body, dimension, request, most);
   return found;
 }
 
-bool holds_a_particle(const Body& body, int dimension) {
+// Where the lattice has more than `most` nodes, that many are tested, and a body with more volume
+// than a few particles holds one.
+bool holds_a_particle(const Body& body, int dimension, double most) {
+  constexpr double few = 10.0;
   bool found = false;
   LatticeVisit request;
   request.window = bounding_box(body.shape, dimension);
@@ -103,16 +101,18 @@ bool holds_a_particle(const Body& body, int dimension) {
     found = true;
     return false;
   };
-  visit_particles(body, dimension, request);
-  return found;
+  visit_sample(body, dimension, request, most);
+  return found || (lattice_nodes(body, dimension) > most &&
+                   volume_estimate(body.shape, dimension) > few * particle_volume(body, dimension));
 }
 
 void check_overlap(Draft& draft, std::size_t i, std::size_t j) {
   const Body& first = draft.result.bodies[i];
   const Body& second = draft.result.bodies[j];
   const int dimension = draft.reading.dimension;
-  auto found = particle_inside(first, second, dimension);
-  if (!found) found = particle_inside(second, first, dimension);
+  const double most = draft.effort.most_tested;
+  auto found = particle_inside(first, second, dimension, most);
+  if (!found) found = particle_inside(second, first, dimension, most);
   if (!found) return;
   draft.reading.problems.add(
       {indexed("body", j) + ".shape",
@@ -122,21 +122,16 @@ void check_overlap(Draft& draft, std::size_t i, std::size_t j) {
        "Move one of them or cut it away with a shape of the type \"difference\""});
 }
 
-double jet_columns(const Jet& jet, int dimension) {
-  const double across = jet.width / jet.spacing + 1.0;
-  if (dimension == 2) return across;
-  return across * (jet.length > 0.0 ? jet.length / jet.spacing + 1.0 : across);
-}
-
 }  // namespace
 
 void check_counts(Draft& draft) {
   const Case& result = draft.result;
-  const std::string allowed = fmt::format("at most {:g} particles", most_particles);
+  const double most = draft.effort.most_particles;
+  const std::string allowed = fmt::format("at most {:g} particles", most);
   double total = 0.0;
   const auto count = [&](const std::string& path, double particles) {
     total += particles;
-    if (total <= most_particles) return;
+    if (total <= most) return;
     draft.reading.problems.add({path + ".spacing",
                                 fmt::format("this makes {:.3g} particles", particles), allowed,
                                 "Choose a larger spacing or a smaller shape"});
@@ -147,7 +142,7 @@ void check_counts(Draft& draft) {
   for (std::size_t i = 0; i < result.jets.size(); ++i)
     count(draft.jets[i].path,
           entering_particles(result.jets[i], result.dimension, result.time.end) +
-              10.0 * jet_columns(result.jets[i], result.dimension));
+              10.0 * nozzle_columns(result.jets[i], result.dimension));
 }
 
 void check_bodies(Draft& draft) {
@@ -164,7 +159,7 @@ void check_bodies(Draft& draft) {
                                               body.name, box_text(around, dimension)),
                                   "shapes inside the domain, " + box_text(result.domain, dimension),
                                   "Move the body or enlarge the [domain]"});
-    if (!holds_a_particle(body, dimension))
+    if (!holds_a_particle(body, dimension, draft.effort.most_tested))
       draft.reading.problems.add(
           {path, fmt::format("no particle of the body \"{}\" fits into it", body.name),
            fmt::format("a shape that contains a lattice point at {}",

@@ -100,7 +100,8 @@ void check_jets(Draft& draft) {
     const Jet& jet = result.jets[i];
     const std::string& path = draft.jets[i].path;
     const auto& water = result.materials[static_cast<std::size_t>(jet.material)];
-    Nozzle nozzle(jet, water.density, result.dimension);
+    Nozzle nozzle(coarsened(jet, result.dimension, draft.effort.most_tested), water.density,
+                  result.dimension);
     nozzle.cut_at(result.symmetry, result.domain);
     const std::vector<InletParticle> standing = nozzle.standing_water();
     const std::size_t before = draft.reading.problems.count();

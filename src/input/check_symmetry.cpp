@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks for symmetry planes. Refused are gravity across a plane, particles on it, jets that it
-// cuts outside their axis, and opposite planes so near that particles interact with images of
-// images.
+// Checks for symmetry planes. Refused are gravity across a plane, particles on it, graded bodies of
+// which it cuts coarsest cells, jets that it cuts outside their axis, and opposite planes so near
+// that particles interact with images of images.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/fill.hpp"
+#include "geometry/graded_cells.hpp"
 #include "geometry/nozzle.hpp"
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
@@ -69,14 +70,29 @@ void check_width(Draft& draft, const Plane& plane) {
                               "Choose a smaller spacing or a wider domain"});
 }
 
-// Refuses graded bodies: the gradient correction at jumps of the spacing
-// (solid/gradient_correction_levels.hpp) does not include mirror images.
-void check_grading(Draft& draft, std::size_t number) {
-  if (draft.result.bodies[number].grading.levels == 0) return;
-  draft.reading.problems.add({indexed("body", number) + ".grading",
-                              "the domain has symmetry planes, which exclude graded bodies",
-                              "bodies of one spacing where the domain has symmetry planes",
-                              "Remove the grading, or model the full domain without planes"});
+// Refuses graded bodies with coarsest cells that a plane cuts: the layout on both sides of it would
+// not be one of mirror images.
+void check_grading(Draft& draft, const Plane& plane, std::size_t number) {
+  const Body& body = draft.result.bodies[number];
+  if (body.grading.levels == 0) return;
+  const Box box = bounding_box(body.shape, draft.result.dimension);
+  const GradedCells cells(body, draft.result.dimension);
+  GradedCell corner;
+  corner.low = cells.first();
+  corner.level = body.grading.levels;
+  const double width = cells.edge(corner);
+  if (plane.at < box.minimum[plane.axis] - width || plane.at > box.maximum[plane.axis] + width)
+    return;
+  const double from = (plane.at - cells.centre(corner)[plane.axis]) / width - 0.5;
+  if (std::abs(from - std::round(from)) < 1e-6 && body.lattice_angle == 0.0) return;
+  draft.reading.problems.add(
+      {indexed("body", number) + ".grading",
+       fmt::format("the symmetry plane \"{}\" cuts cells of the coarsest spacing, {:.6g} m",
+                   plane.name, width),
+       "bodies with a straight lattice of which whole coarsest cells lie on either side of a plane",
+       fmt::format("Let the body end in the plane and be a multiple of {:.6g} m wide, or reach as "
+                   "far beyond the plane as on this side with a multiple of {:.6g} m on each",
+                   width, width)});
 }
 
 void check_body(Draft& draft, const Plane& plane, std::size_t number) {
@@ -100,7 +116,7 @@ void check_body(Draft& draft, const Plane& plane, std::size_t number) {
     found = std::abs(plane.depth(point)) < reach * (1.0 - 1e-9);
     return !found;
   };
-  visit_particles(body, draft.result.dimension, request);
+  visit_sample(body, draft.result.dimension, request, draft.effort.most_tested);
   if (!found) return;
   draft.reading.problems.add(
       {indexed("body", number) + ".spacing",
@@ -117,7 +133,8 @@ void check_jet(Draft& draft, const Plane& plane, std::size_t number) {
   const Case& result = draft.result;
   const Jet& jet = result.jets[number];
   const auto& water = result.materials[static_cast<std::size_t>(jet.material)];
-  const Nozzle nozzle(jet, water.density, result.dimension);
+  const Nozzle nozzle(coarsened(jet, result.dimension, draft.effort.most_tested), water.density,
+                      result.dimension);
   const double reach = nearest * jet.spacing;
   bool beyond = false, on_plane = false, inside = false;
   for (const InletParticle& particle : nozzle.standing_water()) {
@@ -151,12 +168,13 @@ void check_jet(Draft& draft, const Plane& plane, std::size_t number) {
 
 void check_symmetry(Draft& draft) {
   const auto planes = planes_of(draft.result);
-  for (std::size_t i = 0; i < draft.result.bodies.size() && !planes.empty(); ++i)
-    check_grading(draft, i);
   for (const Plane& plane : planes) {
     check_gravity(draft, plane);
     check_width(draft, plane);
-    for (std::size_t i = 0; i < draft.result.bodies.size(); ++i) check_body(draft, plane, i);
+    for (std::size_t i = 0; i < draft.result.bodies.size(); ++i) {
+      check_grading(draft, plane, i);
+      check_body(draft, plane, i);
+    }
     for (std::size_t i = 0; i < draft.result.jets.size(); ++i) check_jet(draft, plane, i);
   }
   draft.reading.problems.throw_if_any();

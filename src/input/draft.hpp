@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "input/read.hpp"
 #include "input/section.hpp"
 #include "model/case.hpp"
 
@@ -38,14 +40,23 @@ struct JetDraft {
   std::string path;
 };
 
+struct WorkpieceDraft {
+  WorkpieceSetting setting;
+  std::string material;
+  toml::table body;  // as a [[body]]
+};
+
 struct Draft {
   Reading reading;
   Case result;  // finish() sets bodies, jets, materials and the defaults that follow from others
   std::map<std::string, MaterialDraft> materials;  // of the case, and the used ones of the library
   std::vector<BodyDraft> bodies;
   std::vector<JetDraft> jets;
+  WorkpieceDraft workpiece;
   bool has_domain = false;
   Quality quality = Quality::normal;
+  ReadEffort effort = {};
+  double after_cut = std::numeric_limits<double>::infinity();  // s, the default of [time]
 };
 
 void read_time(Draft& draft, Section& top);
@@ -69,6 +80,9 @@ void read_mesh(Section& section, Shape& shape);
 Shape read_shape(Reading& reading, const toml::table& table, const std::string& path);
 // Reads [machine]. It must be called before bodies and times are read, which may follow from jets.
 void read_machine(Draft& draft, Section& top);
+// Reads [workpiece], chooses the simulated part, and makes a body of it; sets the domain and the
+// motion of the nozzle. It must be called after [machine] and before bodies are read.
+void read_workpiece(Draft& draft, Section& top);
 // Returns the number of water particles across a jet.
 int particles_across(Quality quality, int dimension);
 // Returns the default spacing of bodies, m; 0 without a jet.

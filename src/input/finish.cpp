@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "geometry/jet_direction.hpp"
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
 #include "machine/characteristic_speed.hpp"
@@ -56,13 +57,7 @@ void find_axes(Draft& draft) {
   for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
     Grading& grading = draft.result.bodies[i].grading;
     if (grading.levels == 0 || grading.around) continue;
-    for (const Jet& jet : draft.result.jets) {
-      const double level = std::sin(jet.angle);
-      grading.lines.push_back(
-          {jet.position,
-           {level * std::cos(jet.azimuth), -std::cos(jet.angle), level * std::sin(jet.azimuth)},
-           0.5 * jet.width});
-    }
+    for (const Jet& jet : draft.result.jets) grading.lines.push_back(line_of(jet));
     if (grading.lines.empty())
       draft.reading.problems.add({draft.bodies[i].path + ".grading.around",
                                   "there is no jet around which the body could be finer", "a shape",

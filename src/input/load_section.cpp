@@ -49,6 +49,24 @@ void read_loads(Draft& draft, Section& top) {
   }
 }
 
+namespace {
+
+// Returns a size of the elements of a surface, m: a quarter of the spacing, or one at which the
+// surface of the bounding box has about `most` elements.
+double element_size(const Body& body, int dimension, double most) {
+  const Box box = bounding_box(body.shape, dimension);
+  std::array<double, 3> edge{};
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    edge[a] = box.maximum[a] - box.minimum[a];
+  const double size =
+      dimension == 2
+          ? 2.0 * (edge[0] + edge[1]) / most
+          : std::sqrt(2.0 * (edge[0] * edge[1] + edge[1] * edge[2] + edge[2] * edge[0]) / most);
+  return std::max(0.25 * body.spacing, size);
+}
+
+}  // namespace
+
 // Refuses loads on bodies that do not exist or cannot move, and those whose region holds no part of
 // the body.
 void check_loads(Draft& draft) {
@@ -70,7 +88,8 @@ void check_loads(Draft& draft) {
       continue;
     }
     if (load.kind == LoadKind::body_force || !load.region) continue;
-    if (!surface_elements_within(*load.region, body->shape, result.dimension, 0.25 * body->spacing)
+    if (!surface_elements_within(*load.region, body->shape, result.dimension,
+                                 element_size(*body, result.dimension, draft.effort.most_tested))
              .empty())
       continue;
     draft.reading.problems.add(

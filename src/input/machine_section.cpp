@@ -11,6 +11,7 @@
 #include "input/toml_writer.hpp"
 #include "machine/jet_breakup.hpp"
 #include "machine/machine_jet.hpp"
+#include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -30,11 +31,12 @@ std::vector<Key> machine_keys() {
       {"discharge_coefficient", number, "", "(the velocity_coefficient times the contraction of an ideal jet: 0.611 out of a plate)", up_to(1.0), {}, "", "Flow rate over that of the full orifice area without friction", stored_in<&Machine::discharge_coefficient>},
       {"standoff", quantity, "m", "", from_zero_to(100.0), {}, "", "Distance from the orifice to the workpiece, along the jet", stored_in<&Machine::standoff>},
       {"coherent_length", quantity, "m", "(28.3 diameters of the jet)", up_to(1e6), {}, "", "Distance up to which the jet is intact in air; a [model](theory/machine.md) describes the breakup beyond it", stored_in<&Machine::coherent_length>},
-      {"position", vector, "m", "", within(1e6), {}, "", "Point on the workpiece that the jet aims at, at the start", stored_in<&Machine::position>},
+      {"position", vector, "m", "(the middle of the upper face of the [workpiece]; without one it must be given)", within(1e6), {}, "", "Point on the workpiece that the jet aims at, at the start", stored_in<&Machine::position>},
       {"lead_angle", quantity, "rad", "0 deg", within(1.4), {}, "", "Inclination of the jet forwards along the traverse", stored_in<&Machine::lead_angle>},
       {"tilt_angle", quantity, "rad", "0 deg", within(1.4), {}, "3D", "Inclination of the jet to the right of the traverse", stored_in<&Machine::tilt_angle>},
       {"traverse_speed", quantity, "m/s", "0 m/s", from_zero_to(1e4), {}, "", "Speed of the nozzle over the workpiece", stored_in<&Machine::traverse_speed>},
       {"traverse_direction", vector, "", "(along x)", any, {}, "", "Direction of the traverse, horizontal", stored_in<&Machine::traverse_direction>},
+      {"motion", word, "", "(auto with a [workpiece], else travelling)", any, nozzle_motion_words, "", "Whether the nozzle moves in the run; a standing one is simulated at rest, and the depth is [carried to the exposure](theory/exposure.md) of the traverse speed; auto = standing where the nozzle would move by less than its jet while the workpiece is passed", stored_in<&Machine::motion>},
       {"dwell", quantity, "s", "0 s", not_negative, {}, "", "Time before the traverse during which the nozzle does not move", stored_in<&Machine::dwell>},
       {"pulse_frequency", quantity, "Hz", "0 Hz", not_negative, {}, "", "Frequency of a pulsed jet; 0 = steady", stored_in<&Machine::pulse_frequency>},
       {"duty", number, "", "1", up_to(1.0), {}, "", "Share of each pulse period during which water flows", stored_in<&Machine::duty>},
@@ -88,8 +90,11 @@ void read_machine(Draft& draft, Section& top) {
   const MaterialDraft* water = use_water(draft, section, entry.material);
   Machine machine;
   section.read(machine);
+  if (!section.has("position") && !top.has("workpiece"))
+    section.refuse("position", "the key is missing", "Add it, or describe a [workpiece]");
   resolve_coefficients(section, machine);
   resolve_direction(section, machine.traverse_direction);
+  if (!section.has("motion") && top.has("workpiece")) machine.motion = NozzleMotion::automatic;
   check_pulses(section, machine.pulse_frequency, machine.duty);
   section.refuse_unknown();
   if (!water || draft.reading.problems.any()) return;
@@ -100,6 +105,8 @@ void read_machine(Draft& draft, Section& top) {
   if (!section.has("spacing"))
     machine.spacing = numbers().diameter_at_workpiece / particles_across(draft.quality, dimension);
   entry.jet = machine_jet(machine, water->material, dimension);
+  if (draft.reading.formulation == formulation_name(Formulation::standard))
+    entry.jet.feed = Feed::pressure;
   draft.result.machine = machine;
   draft.jets.push_back(std::move(entry));
 }
@@ -130,10 +137,13 @@ double standard_end(const Draft& draft) {
     low = std::min(low, around.minimum[1]);
     high = std::max(high, around.maximum[1]);
   }
-  const double through =
-      (jet.standoff + 4.0 * (high - low) / std::cos(jet.angle)) / (jet.speed * jet.duty);
+  const double through = passage_time(jet, high - low);
+  const Machine& machine = *draft.result.machine;
+  if (machine.motion == NozzleMotion::standing && machine.traverse_speed > 0.0)
+    return std::min(
+        through, jet.standoff / jet.speed + exposure_time(machine, jet, draft.reading.dimension));
   const double speed = std::hypot(jet.traverse[0], jet.traverse[2]);
-  const double along = speed > 0.0 ? jet.dwell + 4.0 * jet.width / speed : 0.0;
+  const double along = speed > 0.0 ? jet.dwell + traverse_widths * jet.width / speed : 0.0;
   return std::max(through, along);
 }
 

@@ -45,6 +45,7 @@ void read_top(Draft& draft, const toml::table& table) {
   read_materials(draft, top);
   read_jets(draft, top);
   read_machine(draft, top);
+  read_workpiece(draft, top);
   read_bodies(draft, top);
   read_loads(draft, top);
   read_time(draft, top);
@@ -60,11 +61,18 @@ void read_top(Draft& draft, const toml::table& table) {
 
 }  // namespace
 
-Case parse_case(std::string_view text, std::string_view file_name) {
+Case parse_case(std::string_view text, std::string_view file_name, const ReadEffort& effort) {
   const toml::table table = parse_toml(text, file_name);
   const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
-  Draft draft{
-      Reading{Problems(std::string(file_name)), folder}, {}, {}, {}, {}, false, Quality::normal};
+  Draft draft{Reading{Problems(std::string(file_name)), folder},
+              {},
+              {},
+              {},
+              {},
+              {},
+              false,
+              Quality::normal,
+              effort};
   draft.reading.dimension = read_dimension(draft.reading, table);
   read_top(draft, table);
   finish(draft);
@@ -79,7 +87,7 @@ Case parse_case(std::string_view text, std::string_view file_name) {
   return draft.result;
 }
 
-Case read_case(const std::filesystem::path& file) {
+std::string case_text(const std::filesystem::path& file) {
   std::error_code error;
   const auto size = std::filesystem::file_size(file, error);
   if (error)
@@ -98,7 +106,11 @@ Case read_case(const std::filesystem::path& file) {
     throw UserError(
         fmt::format("{}: the case file cannot be read. Check its permissions.", file.string()),
         exit_files);
-  return parse_case(text, file.string());
+  return text;
+}
+
+Case read_case(const std::filesystem::path& file, const ReadEffort& effort) {
+  return parse_case(case_text(file), file.string(), effort);
 }
 
 }  // namespace kerf

@@ -3,15 +3,28 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
+#include <string>
 #include <string_view>
 
 namespace kerf {
 
 struct Case;
 
+// How large a case may be and how much work its checks are.
+struct ReadEffort {
+  double most_particles = 5e8;  // of a case; more are refused
+  double most_tested = 2e7;     // nodes of a lattice, or columns of a jet, that a check looks at
+};
+// Accepts any size and looks at so few nodes that every case is read within a second or so. A run
+// reads with the default.
+inline constexpr ReadEffort quick_look{std::numeric_limits<double>::infinity(), 1e5};
+
 // Both throw a UserError that names file, line, key, value, allowed range and remedy of up to ten
-// problems. The same text gives the same Case, bit for bit.
-Case read_case(const std::filesystem::path& file);
-Case parse_case(std::string_view text, std::string_view file_name);
+// problems. The same text gives the same Case, bit for bit, with any effort.
+Case read_case(const std::filesystem::path& file, const ReadEffort& effort = {});
+Case parse_case(std::string_view text, std::string_view file_name, const ReadEffort& effort = {});
+// Returns the text of a case file. Throws a UserError if it cannot be read.
+std::string case_text(const std::filesystem::path& file);
 
 }  // namespace kerf

@@ -43,6 +43,12 @@ std::vector<SchemaSection> all_sections() {
        "it. "
        "See [machine](theory/machine.md).",
        machine_keys()},
+      {"workpiece", "`[workpiece]`",
+       "A slab under a `[machine]`, in place of a `[[body]]`: its upper face is at y = 0, its "
+       "middle "
+       "at the origin. Kerf chooses the part that is simulated, its resolution, the domain and "
+       "symmetry planes; each key sets one of them. See [real cuts](theory/exposure.md).",
+       workpiece_keys()},
       {"jet", "`[[jet]]`",
        "A jet leaves its nozzle at `standoff` from `position` and flies towards it.", jet_keys()},
       {"back_flow_removal", "`[back_flow_removal]`",

@@ -19,11 +19,12 @@ std::vector<Key> numerics_keys();
 std::vector<Key> material_keys();  // material_section.cpp
 std::vector<Key> body_keys();      // body_section.cpp
 std::vector<Key> grading_keys();
-std::vector<Key> load_keys();     // load_section.cpp
-std::vector<Key> shape_keys();    // shape_section.cpp
-std::vector<Key> machine_keys();  // machine_section.cpp
-std::vector<Key> jet_keys();      // jet_section.cpp
-std::vector<Key> probe_keys();    // output_section.cpp
+std::vector<Key> load_keys();       // load_section.cpp
+std::vector<Key> shape_keys();      // shape_section.cpp
+std::vector<Key> machine_keys();    // machine_section.cpp
+std::vector<Key> workpiece_keys();  // workpiece_section.cpp
+std::vector<Key> jet_keys();        // jet_section.cpp
+std::vector<Key> probe_keys();      // output_section.cpp
 std::vector<Key> output_keys();
 
 }  // namespace kerf

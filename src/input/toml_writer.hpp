@@ -73,6 +73,7 @@ class TomlWriter {
 void write_top(TomlWriter& writer, const Case& description);
 void write_material(TomlWriter& writer, const Material& material);
 void write_body(TomlWriter& writer, const Case& description, const Body& body);
+void write_workpiece(TomlWriter& writer, const Case& description);
 void write_load(TomlWriter& writer, const Load& load);
 void write_machine(TomlWriter& writer, const Case& description);
 void write_jet(TomlWriter& writer, const Case& description, const Jet& jet);

@@ -10,7 +10,10 @@ std::string write_used(const Case& description) {
   TomlWriter writer(description);
   write_top(writer, description);
   for (const Material& material : description.materials) write_material(writer, material);
-  for (const Body& body : description.bodies) write_body(writer, description, body);
+  if (description.workpiece) write_workpiece(writer, description);
+  for (const Body& body : description.bodies)
+    if (!description.workpiece || &body != &description.bodies.front())
+      write_body(writer, description, body);
   for (const Load& load : description.loads) write_load(writer, load);
   if (description.machine) write_machine(writer, description);
   for (const Jet& jet : description.jets)

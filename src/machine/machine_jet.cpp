@@ -105,8 +105,9 @@ Jet machine_jet(const Machine& machine, const Material& water, int dimension) {
   aim(machine, dimension, jet);
   jet.spacing = machine.spacing;
   jet.stop = std::numeric_limits<double>::infinity();
-  for (std::size_t a = 0; a < 3; ++a)
-    jet.traverse[a] = machine.traverse_speed * machine.traverse_direction[a];
+  if (machine.motion != NozzleMotion::standing)
+    for (std::size_t a = 0; a < 3; ++a)
+      jet.traverse[a] = machine.traverse_speed * machine.traverse_direction[a];
   jet.dwell = machine.dwell;
   pulse(machine,
         jet_after(machine.standoff, numbers.diameter, numbers.speed, machine.coherent_length), jet);

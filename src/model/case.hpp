@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@
 #include "model/machine.hpp"
 #include "model/material.hpp"
 #include "model/water_scheme.hpp"
+#include "model/workpiece_setting.hpp"
 
 namespace kerf {
 
@@ -64,7 +66,9 @@ struct TimeControl {
   double end = 0.0;           // s
   double courant = 0.25;      // 1, factor of the acoustic limit
   double maximum_step = 0.0;  // s; infinity = none
-  double relax = 0.0;         // s, until which solids are settled by kinetic damping; 0 = never
+  // s, of the run after the cut-through; infinity = until the end.
+  double after_cut = std::numeric_limits<double>::infinity();
+  double relax = 0.0;  // s, until which solids are settled by kinetic damping; 0 = never
   bool operator==(const TimeControl&) const = default;
 };
 
@@ -93,6 +97,8 @@ struct Case {
   std::vector<Load> loads;         // on elastic bodies
   std::vector<Jet> jets;           // the last one is the machine's, where there is one
   std::optional<Machine> machine;  // what was given instead of a jet
+  // What was given instead of a body: that is the first one.
+  std::optional<WorkpieceSetting> workpiece;
   std::optional<BackFlowRemoval> back_flow_removal;
   std::vector<Probe> probes;
   OutputControl output;

@@ -13,6 +13,12 @@ namespace kerf {
 enum class OrificeType { sharp, conical, slit, fan };
 inline constexpr std::array<std::string_view, 4> orifice_words{"sharp", "conical", "slit", "fan"};
 
+// What the nozzle does in the run: it stands still where the workpiece is cut long before the
+// nozzle has moved by the width of its jet.
+enum class NozzleMotion { automatic, travelling, standing };
+inline constexpr std::array<std::string_view, 3> nozzle_motion_words{"auto", "travelling",
+                                                                     "standing"};
+
 struct Machine {
   double pressure = 0.0;  // Pa, at the orifice, above that of the air
   OrificeType orifice_type = OrificeType::sharp;
@@ -29,11 +35,12 @@ struct Machine {
   double tilt_angle = 0.0;             // rad, and to the right of it
   double traverse_speed = 0.0;         // m/s
   Point traverse_direction{1.0, 0.0, 0.0};  // unit vector, horizontal
-  double dwell = 0.0;                       // s, before the traverse begins
-  double pulse_frequency = 0.0;             // Hz, 0 = a steady jet
-  double duty = 1.0;                        // 1, part of a pulse in which water flows
-  double spacing = 0.0;                     // m, of the water's particles
-  int material = -1;                        // index into Case::materials
+  NozzleMotion motion = NozzleMotion::travelling;
+  double dwell = 0.0;            // s, before the traverse begins
+  double pulse_frequency = 0.0;  // Hz, 0 = a steady jet
+  double duty = 1.0;             // 1, part of a pulse in which water flows
+  double spacing = 0.0;          // m, of the water's particles
+  int material = -1;             // index into Case::materials
   bool operator==(const Machine&) const = default;
 };
 

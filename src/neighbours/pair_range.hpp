@@ -9,8 +9,17 @@
 namespace kerf {
 
 // The class of a pair when the list was built. `same_fluid`: of one fluid, or of one nearly
-// incompressible solid, with the same parameters in all formulas. `same_body`: of one other solid.
+// incompressible solid, with the same parameters in all formulas; for particles beside a jump of
+// the spacing of such a solid also those of its other levels. `same_body`: of one other solid.
 enum class PairClass : std::uint8_t { other, same_body, same_fluid };
+
+// Whether the SIMD kernel sums over neighbours of every spacing of the particle's own nearly
+// incompressible solid (fluid/simd/graded_pairs.hpp).
+template <int D, class P>
+KERF_FUNCTION bool sums_over_levels(const ParticleView<D, P>& particles, Index i) {
+  return particles.has(i, flag::fitted) && !particles.fractured[i] &&
+         is_weakly_compressible(particles.medium(i));
+}
 
 // A scheme has the kernel of a formulation, the smoothing length of two media, and the reach of j,
 // or of its mirror image, on i in m; 0 where j does not act on i. Nothing acts on rigid bodies.
@@ -46,10 +55,15 @@ struct ContactPairs {
   template <int D, class P>
   KERF_FUNCTION static PairClass pair_class(const ParticleView<D, P>& particles, Index i, Index j) {
     if (particles.has_density(i)) {
-      const bool same = particles.source[i] == particles.source[j] &&
-                        particles.fractured[i] == particles.fractured[j];
-      const bool fitted = particles.has(i, flag::fitted) && particles.has(j, flag::fitted);
-      return same && !fitted ? PairClass::same_fluid : PairClass::other;
+      bool same = particles.source[i] == particles.source[j];
+      if (particles.has(i, flag::fitted)) {
+        if (sums_over_levels(particles, i))
+          same = same || are_levels_of_one_body(particles.medium(i), particles.medium(j));
+        else
+          same = same && (particles.fractured[i] || !particles.has(j, flag::fitted));
+      }
+      same = same && particles.fractured[i] == particles.fractured[j];
+      return same ? PairClass::same_fluid : PairClass::other;
     }
     const auto& b = particles.medium(j);
     const bool same_body = b.phase == Phase::solid && particles.medium(i).piece == b.piece;
@@ -57,7 +71,9 @@ struct ContactPairs {
   }
   template <int D, class P>
   KERF_FUNCTION static std::uint32_t kind(const ParticleView<D, P>& particles, Index i) {
-    if (particles.medium(i).phase == Phase::rigid || particles.has(i, flag::fitted)) return 0u;
+    const auto& medium = particles.medium(i);
+    if (medium.phase == Phase::rigid) return 0u;
+    if (particles.has(i, flag::fitted) && !is_weakly_compressible(medium)) return 0u;
     return 2u * particles.source[i] + (particles.fractured[i] ? 2u : 1u);
   }
   // Returns the distance from which on the two do not interact, m: within a solid that of contact.
@@ -67,6 +83,15 @@ struct ContactPairs {
     if (pair.is_one_piece() && !particles.has_density(pair.i) && !particles.is_fluid(pair.j))
       return Real(0.5) * (pair.medium_i->spacing + pair.medium_j->spacing);
     return Real(Kernel::support) * pair.smoothing_length;
+  }
+
+ private:
+  // Whether two media, the first of them nearly incompressible, differ in their spacing alone in
+  // the formulas of pairs.
+  template <class Medium>
+  KERF_FUNCTION static bool are_levels_of_one_body(const Medium& a, const Medium& b) {
+    return a.piece == b.piece && b.phase == Phase::solid && a.density == b.density &&
+           a.sound_speed == b.sound_speed && a.excess_bulk_modulus == b.excess_bulk_modulus;
   }
 };
 

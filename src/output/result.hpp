@@ -11,6 +11,7 @@
 
 #include "analysis/cut.hpp"
 #include "analysis/derived.hpp"
+#include "analysis/exposure.hpp"
 #include "analysis/kerf.hpp"
 #include "model/case.hpp"
 #include "output/metric_interval.hpp"
@@ -34,8 +35,9 @@ struct RunOutcome {
   std::string case_name;
   DerivedNumbers derived;
   CutSummary cut;
-  std::optional<Kerf> kerf;    // of runs with a jet
-  bool still_cutting = false;  // the front was moving when the run ended
+  std::optional<Kerf> kerf;          // of runs with a jet
+  std::optional<Exposure> exposure;  // of a nozzle that stands in the run and moves in the case
+  bool still_cutting = false;        // the front was moving when the run ended
   Balance balance;
   double time = 0.0;  // s
   std::uint64_t steps = 0;

@@ -47,6 +47,7 @@ Json object_of(const MetricList<Record>& metrics, const Record& record) {
 
 bool has(const RunOutcome& outcome, When when) {
   if (when == When::with_jet) return outcome.kerf.has_value();
+  if (when == When::with_exposure) return outcome.exposure.has_value();
   return when == When::always || outcome.description.machine.has_value();
 }
 
@@ -67,11 +68,11 @@ void add(Table& table, const MetricList<Record>& metrics, When when, Reach reach
 // Adds the metrics of a record under a name, with a word for the object that they describe.
 template <class Record, class Reach>
 void add_under(Table& table, const MetricList<Record>& metrics, const std::string& prefix,
-               const std::string& word, Reach reach) {
+               const std::string& word, Reach reach, When when = When::with_jet) {
   MetricList<RunOutcome> named;
   add_metrics(named, metrics, prefix, word, reach);
   add(
-      table, named, When::with_jet, [](const RunOutcome& outcome) -> auto& { return outcome; });
+      table, named, when, [](const RunOutcome& outcome) -> auto& { return outcome; });
 }
 
 template <class Record>
@@ -169,6 +170,12 @@ void add_machine(Table& table) {
   for (std::size_t i = first; i < table.size(); ++i) table[i].name = "machine." + table[i].name;
 }
 
+void add_exposure(Table& table) {
+  add_under(
+      table, Exposure::metrics(), "exposure.", "",
+      [](const RunOutcome& outcome) -> auto& { return *outcome.exposure; }, When::with_exposure);
+}
+
 void add_run(Table& table) {
   const auto whole = [](const RunOutcome& outcome) -> auto& {
     return outcome;
@@ -218,6 +225,7 @@ Table make_table() {
   add_cut(table);
   add_kerf(table);
   add_machine(table);
+  add_exposure(table);
   add(
       table, DerivedNumbers::metrics(), When::always,
       [](const RunOutcome& outcome) -> auto& { return outcome.derived; });

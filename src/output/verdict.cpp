@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/case.hpp"
 #include "output/layer_metrics.hpp"
@@ -95,6 +96,32 @@ std::string cut_sentence(const RunOutcome& outcome) {
                      pieces == 1 ? "piece" : "pieces");
 }
 
+// Says what the run means for a nozzle that stands in it and moves at the machine.
+std::string exposure_sentence(const RunOutcome& outcome) {
+  if (!outcome.exposure) return "";
+  const Exposure& exposure = *outcome.exposure;
+  const std::string feed = readable(outcome.description.machine->traverse_speed, "m/s");
+  const char* verdict = exposure.cuts()      ? "cuts through"
+                        : exposure.may_cut() ? "may cut through"
+                                             : "does not cut through";
+  if (std::isnan(exposure.depth))
+    return fmt::format(" No law of the depth shows that could be carried to a feed of {}.", feed);
+  if (outcome.cut.cut_through)
+    return fmt::format(
+        " A feed of {}, which exposes each point for {} or more, {}; the cut is certain up to {} "
+        "and possible up to {}.",
+        feed, readable(exposure.shortest, "s"), verdict, readable(exposure.greatest_feed, "m/s"),
+        readable(exposure.possible_feed, "m/s"));
+  const std::string carried =
+      exposure.decades() > 0.0
+          ? fmt::format(", carried over {:.1f} decades of time,", exposure.decades())
+          : std::string();
+  return fmt::format(
+      " A feed of {} exposes each point for {} to {}{} and {}: the cut is {} to {} deep.", feed,
+      readable(exposure.shortest, "s"), readable(exposure.longest, "s"), carried, verdict,
+      readable(exposure.depth_low, "m"), readable(exposure.depth_high, "m"));
+}
+
 }  // namespace
 
 bool still_cutting(const std::vector<CutState>& history) {
@@ -110,7 +137,8 @@ std::string verdict_of(const RunOutcome& outcome) {
   if (outcome.description.jets.empty())
     return fmt::format("The run reached {}; it has no jet, so there is nothing to cut.",
                        readable(outcome.time, "s"));
-  return outcome.cut.cut_through ? cut_sentence(outcome) : depth_sentence(outcome);
+  return (outcome.cut.cut_through ? cut_sentence(outcome) : depth_sentence(outcome)) +
+         exposure_sentence(outcome);
 }
 
 }  // namespace kerf

@@ -42,7 +42,7 @@ namespace kerf {
   STATE(Real, wall_volume_excess, 0, rigid_walls, hidden) /* 1, fluid/rigid_wall.hpp */            \
   STATE(Real, wall_room, 0, rigid_walls, hidden)          /* 1 */                                  \
   STATE(Real, pressure_work, medium.tait.energy(medium, medium.initial_compression), always, hidden)     \
-  STATE(Real, inlet_speed, start.inlet_speed, always, hidden)        /* m/s, inside a nozzle */    \
+  STATE(std::uint32_t, inlet_column, start.inlet_column, always, hidden) /* of its nozzle */       \
   STATE(std::uint32_t, id, start.id, always, hidden)                 /* unique, never reused */    \
   STATE(std::uint16_t, source, start.source, always, hidden)         /* simulation/media_order.hpp */   \
   STATE(std::uint8_t, fractured, 0, always, hidden) /* 1 = bears compression only */               \

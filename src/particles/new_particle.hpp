@@ -20,9 +20,9 @@ inline constexpr std::uint8_t at_edge = 128;   // fluid beyond the end of a rigi
 }  // namespace flag
 
 struct NewParticle {
-  Point position{};          // m
-  Point velocity{};          // m/s
-  double inlet_speed = 0.0;  // m/s
+  Point position{};                // m
+  Point velocity{};                // m/s
+  std::uint32_t inlet_column = 0;  // of its nozzle, of jet water
   Point face_normal{};       // of a rigid body: outward normal of the face nearest to the particle
   double face_depth = 0.0;   // m, of the particle below that face
   std::uint32_t id = 0;      // given when it joins

@@ -7,6 +7,13 @@
 
 namespace kerf {
 
+// What the water of one column of a nozzle does inside it.
+struct ColumnFlow {
+  double distance;     // m, along the jet since the start of the step
+  double speed;        // m/s, mean over the step
+  double compression;  // 1
+};
+
 // One per medium. Displacement and velocity of a jet's medium are those of its nozzle.
 template <int D>
 struct PrescribedMotion {
@@ -15,9 +22,7 @@ struct PrescribedMotion {
   // Of jets only.
   Vector<D, double> direction;     // unit vector
   Vector<D, double> exit;          // m, centre of the nozzle's exit
-  double flow_time;                // s, of flow at the speed of the jet since the start of the step
-  double flow_fraction;            // flow_time over the step
-  double compression;              // 1, of the water inside the nozzle
+  const ColumnFlow* columns;       // of its nozzle
   double back_flow_removal_speed;  // m/s, slower water along the jet is removed
   bool removes_back_flow;
 };
@@ -30,10 +35,10 @@ KERF_FUNCTION void apply_prescribed_motion(const ParticleView<D, P>& particles,
   Vector<D, double> displacement = motion.displacement;
   Vector<D, double> velocity = motion.velocity;
   if (particles.has(i, flag::upstream)) {
-    const double speed = particles.inlet_speed[i];
-    displacement += (speed * motion.flow_time) * motion.direction;
-    velocity += (speed * motion.flow_fraction) * motion.direction;
-    particles.compression[i] = static_cast<typename P::Real>(motion.compression);
+    const ColumnFlow& column = motion.columns[particles.inlet_column[i]];
+    displacement += column.distance * motion.direction;
+    velocity += column.speed * motion.direction;
+    particles.compression[i] = static_cast<typename P::Real>(column.compression);
   }
   particles.position[i] = particles.start_position[i] + displacement;
   particles.velocity[i] = Vector<D, typename P::Real>::from(velocity);

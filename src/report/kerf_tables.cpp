@@ -8,6 +8,7 @@
 
 #include "analysis/kerf_shape.hpp"
 #include "model/case.hpp"
+#include "output/piece_reasons.hpp"
 #include "report/html.hpp"
 #include "report/kerf_drawing.hpp"
 #include "report/metric_rows.hpp"
@@ -87,6 +88,14 @@ std::string parted_sentence(const Json& kerf) {
   return fmt::format("Below {} it parted without loss of material.", html::quantity(depth, "m", 3));
 }
 
+// Returns what was simulated of the workpiece, and why.
+std::string piece_part(const Case& description) {
+  std::string text;
+  for (const std::string& sentence : piece_reasons(description))
+    text += html::escape(sentence) + " ";
+  return text.empty() ? text : "<p>" + text + "</p>\n";
+}
+
 std::string figure(const Json& result, const Case& description) {
   const Json& kerf = result.at("kerf");
   const bool parted = is_parted(result);
@@ -112,12 +121,13 @@ std::string figure(const Json& result, const Case& description) {
 std::string kerf_part(const Json& result, const Case& description) {
   if (!result.contains("kerf") || description.jets.empty()) return {};
   const Json& kerf = result.at("kerf");
-  std::string text = "<h2>Kerf</h2>\n" + figure(result, description);
+  std::string text = "<h2>Kerf</h2>\n" + figure(result, description) + piece_part(description);
   text += "<div class=\"tables\">\n" + shape_table(result, "Taken away, as laid out", "kerf") +
           shape_table(result, "Open at the end, dents and bulges too", "opening") +
           removal_table(result) + workpiece_table(kerf, description);
   if (!kerf.at("layers").empty()) text += layers_table(kerf.at("layers"));
   if (result.contains("machine")) text += machine_table(result);
+  if (result.contains("exposure")) text += exposure_table(result);
   return text + "</div>\n";
 }
 

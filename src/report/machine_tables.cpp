@@ -2,6 +2,7 @@
 // This file writes the tables of the workpiece and of the machine's setting.
 #include <fmt/format.h>
 
+#include "analysis/exposure.hpp"
 #include "model/case.hpp"
 #include "report/html.hpp"
 #include "report/metric_rows.hpp"
@@ -79,6 +80,13 @@ std::string machine_table(const Json& result) {
   add_jet(rows);
   add_way(rows);
   return html::table("Machine", std::move(rows).rows());
+}
+
+std::string exposure_table(const Json& result) {
+  std::vector<Row> rows;
+  for (const Metric<Exposure>& metric : Exposure::metrics())
+    rows.push_back(metric_row(result, "exposure." + metric.name));
+  return html::table("The cut at the traverse speed, from a nozzle at rest", rows);
 }
 
 std::string workpiece_table(const Json& kerf, const Case& description) {

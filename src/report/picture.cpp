@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/jet_direction.hpp"
 #include "geometry/shapes.hpp"
 #include "model/case.hpp"
 #include "output/files.hpp"
@@ -30,8 +31,7 @@ void include(Box& window, const Point& point, double radius) {
 }
 
 Point nozzle_of(const Jet& jet) {
-  const Point direction{std::sin(jet.angle) * std::cos(jet.azimuth), -std::cos(jet.angle),
-                        std::sin(jet.angle) * std::sin(jet.azimuth)};
+  const Point direction = jet_direction(jet);
   Point nozzle = jet.position;
   for (std::size_t k = 0; k < 3; ++k) nozzle[k] -= jet.standoff * direction[k];
   return nozzle;

@@ -19,6 +19,8 @@ inline double value_of(const nlohmann::ordered_json& value) {
 
 // Returns the table of the setting of the machine and its jet from result.json.
 std::string machine_table(const nlohmann::ordered_json& result);
+// Returns the table of the exposure from result.json, which has one.
+std::string exposure_table(const nlohmann::ordered_json& result);
 // Returns the table of the workpiece, its materials and its thickness at the jet, from the object
 // `kerf` of result.json.
 std::string workpiece_table(const nlohmann::ordered_json& kerf, const Case& description);

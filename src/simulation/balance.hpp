@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The balance of mass, momentum and energy of a run, which measures its errors. All sums are in
-// double precision and in a fixed order. In 2D every quantity is per metre of depth. The sums over
-// particles are in simulation/balance_sums.hpp; balance_accumulator.hpp adds up the steps; the
-// energy that solids store is in solid/stored_energy.hpp, their losses come from
-// standard/solid_part.hpp. `rigid` in a name stands for the rigid bodies, and equations are those
-// of Shinohara et al. (2004).
+// double precision and in a fixed order; the equations are in balance.cpp. In 2D every quantity is
+// per metre of depth. The sums over particles are in simulation/balance_sums.hpp;
+// balance_accumulator.hpp adds up the steps; the energy that solids store is in
+// solid/stored_energy.hpp, their losses come from standard/solid_part.hpp. `rigid` in a name stands
+// for the rigid bodies, and equations are those of Shinohara et al. (2004).
 #pragma once
 
 #include <array>

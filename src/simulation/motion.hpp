@@ -14,12 +14,25 @@ namespace kerf {
 
 struct Case;
 
+// Returns the flow of each column of a nozzle from `start` to `now`. `water`: medium of the jet.
+inline std::vector<ColumnFlow> column_flows(const Nozzle& nozzle, const Medium<double>& water,
+                                            double start, double now) {
+  std::vector<ColumnFlow> flows;
+  for (std::size_t k = 0; k < nozzle.columns(); ++k) {
+    const double distance = nozzle.travelled(k, now) - nozzle.travelled(k, start);
+    flows.push_back({distance, now > start ? distance / (now - start) : 0.0,
+                     compression_at(water, nozzle.pump(k).pressure())});
+  }
+  return flows;
+}
+
 class Motion {
  public:
   Motion() = default;  // of a run without bodies and jets
   explicit Motion(const Case& description);
 
-  // Prescribed motion from `start` to `now`, one entry per medium; `now` >= `start`.
+  // Prescribed motion from `start` to `now`, one entry per medium; `now` >= `start`. The columns of
+  // nozzles are those of column_flows() and are not set.
   template <int D>
   std::vector<PrescribedMotion<D>> between(double start, double now,
                                            const std::vector<Nozzle>& nozzles) const {
@@ -53,8 +66,6 @@ class Motion {
     motion.exit = Vector<D, double>::from(nozzle.exit(now));
     motion.displacement = motion.exit - Vector<D, double>::from(nozzle.exit(start));
     if (dt > 0.0) motion.velocity = (1.0 / dt) * motion.displacement;
-    motion.flow_time = nozzle.flow_time(now) - nozzle.flow_time(start);
-    motion.flow_fraction = dt > 0.0 ? motion.flow_time / dt : 0.0;
     motion.removes_back_flow = removes_back_flow_;
     motion.back_flow_removal_speed = removal_speed_[jet];
     return motion;

@@ -8,6 +8,7 @@
 #include "particles/outflow.hpp"
 #include "particles/reorder.hpp"
 #include "simulation/balance_accumulator.hpp"
+#include "simulation/exit_pressure.hpp"
 #include "simulation/probes.hpp"
 #include "simulation/run_settings.hpp"
 #include "simulation/simulation.hpp"
@@ -87,6 +88,7 @@ class ParticleRun : public Simulation {
 
  private:
   bool any_has(std::uint8_t flags) const;
+  void note_order();  // when the particles have been put into another order
   void remove_marked();
   void close_planes();
   void inject_inflow();
@@ -95,7 +97,8 @@ class ParticleRun : public Simulation {
   [[noreturn]] void fail(const StepLimit& cause) const;
   void refresh() const;
 
-  OrderedSum<1> exit_force_;
+  ExitPressure<D, P> exit_pressure_;
+  Array<ColumnFlow> column_flows_;  // of all nozzles, one after the other
   mutable bool fresh_ = false;
   std::uint64_t step_ = 0;
   std::uint32_t next_id_ = 0;

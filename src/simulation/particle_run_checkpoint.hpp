@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a checkpoint holds of a run: the state of the particles (rows STATE of
 // particles/fields.hpp), clock, counters, balance, the emission of the nozzles and their pumps.
+// output/checkpoint.hpp lists what the other parts of the program add.
 #pragma once
 
 #include <cstring>
@@ -25,7 +26,7 @@ void ParticleRun<D, P, Traits>::save(Archive& archive) const {
   archive.arrays["pair_interactions"] = std::vector<double>{pair_interactions_};
   for (std::size_t j = 0; j < nozzles_.size(); ++j) {
     archive.arrays["nozzle/" + std::to_string(j)] = nozzles_[j].emitted();
-    archive.arrays["pump/" + std::to_string(j)] = nozzles_[j].pump().state();
+    archive.arrays["pump/" + std::to_string(j)] = nozzles_[j].pump_state();
   }
 }
 
@@ -51,7 +52,7 @@ void ParticleRun<D, P, Traits>::restore(const Archive& archive) {
   }
   // The particles are in the order of the cells of their build positions: the same list results.
   list_.build(particles_);
-  after_reorder();
+  note_order();
   fresh_ = false;
 }
 

@@ -3,7 +3,6 @@
 // the time step, failure, sums of the balance.
 #pragma once
 
-#include "simulation/exit_pressure.hpp"
 #include "simulation/inflow.hpp"
 #include "simulation/particle_run.hpp"
 #include "simulation/populate.hpp"
@@ -59,6 +58,12 @@ void ParticleRun<D, P, Traits>::rebuild_list() {
   particles_.build_position = particles_.position;
   sort_particles(particles_, list_.cell_numbers(particles_));
   list_.build(particles_);
+  note_order();
+}
+
+template <int D, class P, class Traits>
+void ParticleRun<D, P, Traits>::note_order() {
+  exit_pressure_.find_columns(particles_, nozzles_, first_jet());
   after_reorder();
 }
 
@@ -101,22 +106,25 @@ void ParticleRun<D, P, Traits>::fail(const StepLimit& cause) const {
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::load_prescribed_motions(double now) {
   auto motions = settings_.motion.template between<D>(time_, now, nozzles_);
-  for (std::size_t j = 0; j < nozzles_.size(); ++j)
-    motions[first_jet() + j].compression =
-        compression_at(media_[first_jet() + j], nozzles_[j].pump().pressure());
+  std::vector<ColumnFlow> flows;
+  for (std::size_t j = 0; j < nozzles_.size(); ++j) {
+    const auto more = column_flows(nozzles_[j], media_[first_jet() + j], time_, now);
+    flows.insert(flows.end(), more.begin(), more.end());
+  }
+  to_device(flows, column_flows_);
+  const ColumnFlow* columns = pointer(column_flows_);
+  for (std::size_t j = 0; j < nozzles_.size(); ++j) {
+    motions[first_jet() + j].columns = columns;
+    columns += nozzles_[j].columns();
+  }
   to_device(motions, prescribed_motions_);
 }
 
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::respond_at_exits(double dt) {
-  for (std::size_t j = 0; j < nozzles_.size(); ++j) {
-    if (!nozzles_[j].holds_pressure()) continue;
-    const auto source = static_cast<std::uint16_t>(first_jet() + j);
-    const auto direction = Position::from(nozzles_[j].direction());
-    const auto sum = exit_force_(particles_.size(),
-                                 ExitForce<D, P>{particles_.view(), direction, gravity_, source});
-    nozzles_[j].respond(time_ + dt, dt, sum.value[0] / nozzles_[j].area());
-  }
+  for (std::size_t j = 0; j < nozzles_.size(); ++j)
+    if (nozzles_[j].holds_pressure())
+      nozzles_[j].respond(time_ + dt, dt, exit_pressure_.of(j, particles_, nozzles_[j], gravity_));
 }
 
 template <int D, class P, class Traits>

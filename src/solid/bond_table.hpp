@@ -49,18 +49,18 @@ struct BondTable {
 
 inline constexpr Index no_bond = 0xffffffffu;
 
-// Returns the bond of particle i to `end`, broken or not; or no_bond.
+// Returns the bond of particle i to `end`, broken or not; or no_bond. The search has no branch that
+// a processor could guess wrong.
 template <int D>
 KERF_FUNCTION Index bond_between(const BondTable<D>& bonds, Index i, Index end) {
-  Index low = bonds.first(i), high = bonds.last(i);
-  while (low < high) {
-    const Index middle = low + (high - low) / 2;
-    if (bonds.end(i, middle) < end)
-      low = middle + 1;
-    else
-      high = middle;
+  Index low = bonds.first(i), left = bonds.last(i) - low;
+  if (left == 0) return no_bond;
+  while (left > 1) {
+    const Index half = left / 2;
+    low += bonds.end(i, low + half - 1) < end ? half : 0;
+    left -= half;
   }
-  return low < bonds.last(i) && bonds.end(i, low) == end ? low : no_bond;
+  return bonds.end(i, low) == end ? low : no_bond;
 }
 
 }  // namespace kerf

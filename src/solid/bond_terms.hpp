@@ -89,7 +89,7 @@ KERF_FORMULA void add_bond_viscosity(Vector<D, T>& force, T& power, const BondGe
   const T damping = bond.weight * T(law.density * law.length) * speed *
                     (T(law.linear) + T(law.quadratic) * theta);  // N
   for (int a = 0; a < D; ++a) force[a] -= damping * inverse * line[a];
-  power += T(Number(0.5)) * damping * speed;
+  power += T(0.5F) * damping * speed;
 }
 
 }  // namespace kerf

@@ -29,19 +29,25 @@ double dot_blocks(const Blocks<N>& a, const Blocks<N>& b) {
 }
 
 // Returns the x of  apply(x) = right  to `accuracy` of the right side. `inverse`: 1 / the diagonal.
+// `start`: where the search for x begins; empty: at 0.
 template <std::size_t N, class Apply>
 Blocks<N> conjugate_gradients(const Apply& apply, Blocks<N> right, const Blocks<N>& inverse,
-                              double accuracy) {
+                              double accuracy, Blocks<N> start = {}) {
   constexpr int most_iterations = 3000;
   const auto precondition = [&](Blocks<N> blocks) {
     for (std::size_t r = 0; r < blocks.size(); ++r)
       for (std::size_t n = 0; n < N; ++n) blocks[r][n] *= inverse[r][n];
     return blocks;
   };
+  const double enough = accuracy * accuracy * dot_blocks(right, precondition(right));
   Blocks<N>& residual = right;
-  Blocks<N> solution(residual.size()), direction = precondition(residual);
+  Blocks<N> solution(residual.size());
+  if (!start.empty()) {
+    solution = std::move(start);
+    add_blocks(residual, apply(solution), -1.0);
+  }
+  Blocks<N> direction = precondition(residual);
   double product = dot_blocks(residual, direction);
-  const double enough = accuracy * accuracy * product;
   for (int k = 0; k < most_iterations && product > enough; ++k) {
     const Blocks<N> applied = apply(direction);
     const double step = product / dot_blocks(direction, applied);

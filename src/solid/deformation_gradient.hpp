@@ -28,7 +28,7 @@ struct Deform {
       traction = Matrix<D, Real>::zero();
       return;
     }
-    const bool is_known = known_sums.are_known() && !solid.multi_material[i];
+    const bool is_known = known_sums.are_known() && !solid.several_bodies[i];
     const BondGradient bonds = is_known ? known_sums[i] : sum_all(i);
     solid.stretch[i] = bonds.stretch;
     const auto& medium = solid.medium(i);

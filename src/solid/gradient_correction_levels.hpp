@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// budget: file: the conditions and the system that they form read best in one place
 // These factors correct the weights of pairs where the spacing of a body jumps. A particle there
 // has smaller neighbours over a shorter kernel on one side than on the other; its sums are not
 // balanced, and a uniform stress or pressure would exert a force on it. So every pair near a jump
@@ -9,7 +10,9 @@
 // 0 and that of the lattice inside a body, those of the face at a face. They minimise
 //   sum (s - 1)^2 + (1 / e) sum_i [(gap of the first)^2 + (theta gap of the second)^2].
 // With A (s - 1) = b for the conditions this is  s - 1 = A^T lambda,  (A A^T + e) lambda = b,
-// solved by conjugate gradients, once, on the host. The second condition has little weight: to meet
+// solved by conjugate gradients, once, on the host. The other end of a bond may be a mirror image
+// (core/mirror_planes.hpp); its conditions are the mirrored ones of its particle, so that a part
+// has the factors of the whole. The second condition has little weight: to meet
 // both takes factors from 0.2 to 3. These are the factors of pairs with pressures from their
 // densities. Bonds use corrected gradients, so that theirs have  sum_j s_ij w_ij (C_i + C_j) R / 2
 // in the first condition, C_i = (sum~ w R (x) R) (sum s w R (x) R)^-1, found in a few rounds. A
@@ -43,7 +46,9 @@ class LevelFit {
   using Position = Vector<D, double>;
 
  public:
-  LevelFit(const SolidLayout<D>& layout, const BondLists& bonds) : layout_(layout), bonds_(bonds) {}
+  // `accuracy`: of the solution, as a share of what the sums lack with factors of 1.
+  LevelFit(const SolidLayout<D>& layout, const BondLists& bonds, double accuracy = 1e-4)
+      : layout_(layout), bonds_(bonds), scales_(layout.media), accuracy_(accuracy) {}
 
   BondFit solve() {
     BondFit fit;
@@ -58,7 +63,7 @@ class LevelFit {
       fit.of_bond = factors(wanted);
     }
     fit.fitted.assign(layout_.reference.size(), 0);
-    for (const Entry& pair : pairs_) fit.fitted[pair.i] = fit.fitted[pair.j] = 1;
+    for (const Entry& pair : pairs_) fit.fitted[pair.i] = fit.fitted[particle(pair.end)] = 1;
     return fit;
   }
 
@@ -68,16 +73,30 @@ class LevelFit {
   static constexpr double softness = 1e-3;      // e
   static constexpr double second_weight = 0.1;  // theta
   static constexpr int rounds = 3;              // a fourth does not improve the balance
-  static constexpr double accuracy = 1e-4;
 
   struct Entry {
-    Index i, j;
+    Index i, end;      // i and j, or the image of j
     Index bond, back;  // in the lists of i and of j
+    double weight;     // w_ij
+    Position matched;  // (C_i + C_j) R / 2, m
   };
 
   const Medium<double>& medium(Index i) const { return layout_.media[layout_.medium_index[i]]; }
-  bool same_body(Index i, Index j) const {
-    return layout_.body[layout_.medium_index[i]] == layout_.body[layout_.medium_index[j]];
+  // Below, `end` is a particle with the code of its image.
+  Index particle(Index end) const { return layout_.mirrors.particle(end); }
+  MirrorCode code(Index end) const { return layout_.mirrors.code(end); }
+  const Medium<double>& medium_of(Index end) const { return medium(particle(end)); }
+  Position bond(Index i, Index end) const {
+    return -1.0 * layout_.mirrors.separation(code(end), layout_.reference[i],
+                                             layout_.reference[particle(end)]);
+  }
+  double weight(Index i, Index end) const {
+    return scales_(layout_.medium_index[i], layout_.medium_index[particle(end)])
+        .weight(norm(bond(i, end)));
+  }
+  bool same_body(Index i, Index end) const {
+    return layout_.body[layout_.medium_index[i]] ==
+           layout_.body[layout_.medium_index[particle(end)]];
   }
 
   // Marks the particles with neighbours of another level.
@@ -86,7 +105,7 @@ class LevelFit {
     bool any = false;
     for (Index i = 0; i < static_cast<Index>(at_jump_.size()); ++i)
       for (Index k = bonds_.begin[i]; k < bonds_.begin[i + 1]; ++k) {
-        const Index j = bonds_.neighbour[k];
+        const Index j = particle(bonds_.neighbour[k]);
         if (layout_.medium_index[i] == layout_.medium_index[j] || !same_body(i, j)) continue;
         at_jump_[i] = 1;
         any = true;
@@ -99,19 +118,20 @@ class LevelFit {
     row_of_.assign(layout_.reference.size(), none);
     for (Index i = 0; i < static_cast<Index>(at_jump_.size()); ++i)
       for (Index k = bonds_.begin[i]; k < bonds_.begin[i + 1]; ++k) {
-        const Index j = bonds_.neighbour[k];
+        const Index end = bonds_.neighbour[k], j = particle(end);
         if (!same_body(i, j) || !(at_jump_[i] || at_jump_[j])) continue;
         if (row_of_[i] == none) {
           row_of_[i] = static_cast<Index>(particle_of_.size());
           particle_of_.push_back(i);
         }
-        if (i < j) pairs_.push_back({i, j, k, entry_of(j, i)});
+        if (i <= j)
+          pairs_.push_back({i, end, k, entry_of(j, i | code(end)), weight(i, end), bond(i, end)});
       }
   }
-  Index entry_of(Index i, Index j) const {
+  Index entry_of(Index i, Index end) const {
     const auto first = bonds_.neighbour.begin() + bonds_.begin[i];
     const auto last = bonds_.neighbour.begin() + bonds_.begin[i + 1];
-    return static_cast<Index>(std::lower_bound(first, last, j) - bonds_.neighbour.begin());
+    return static_cast<Index>(std::lower_bound(first, last, end) - bonds_.neighbour.begin());
   }
 
   // Returns the dimensionless terms of a neighbour at R of volume V in the sums of a particle of
@@ -125,24 +145,25 @@ class LevelFit {
       for (int b = a; b < D; ++b) row[n++] = second_weight * weight * bond[a] * bond[b];
     return row;
   }
-  Row conditions(Index i, Index j) const {
-    const Position bond = layout_.reference[j] - layout_.reference[i];
-    const auto &own = medium(i), &other = medium(j);
-    return conditions(bond, 0.5 * ((match_[i] + match_[j]) * bond),
-                      intact_weight<D>(own, other, norm(bond)) / own.reference_volume(),
-                      own.spacing);
+  Row conditions(Index i, Index end) const {
+    return conditions(bond(i, end), matched(i, end), weight(i, end) / medium(i).reference_volume(),
+                      medium(i).spacing);
+  }
+  Position matched(Index i, Index end) const {
+    const auto other = MirrorPlanes<D>::image(code(end), match_[particle(end)]);
+    return 0.5 * ((match_[i] + other) * bond(i, end));
   }
   static void add(Row& sum, const Row& row, double share) {
     for (std::size_t n = 0; n < rows; ++n) sum[n] += share * row[n];
   }
 
   // Returns the sums that each particle should have.
-  Rows resampled_sums() const {
+  Rows resampled_sums() {
     Rows sums(particle_of_.size());
     std::vector<Index> seen(layout_.reference.size(), none);
     for (std::size_t r = 0; r < sums.size(); ++r) {
       const Index i = particle_of_[r];
-      visit_around(i, seen, [&](Index j) { add_resampled(i, j, sums[r]); });
+      visit_around(i, seen, [&](Index end) { add_resampled(i, end, sums[r]); });
     }
     return sums;
   }
@@ -155,16 +176,17 @@ class LevelFit {
     return sum;
   }
 
-  std::vector<double> factors(const Rows& wanted) const {
+  std::vector<double> factors(const Rows& wanted) {
     Rows missing = wanted;
     for (std::size_t r = 0; r < missing.size(); ++r)
       add(missing[r], own_sums(particle_of_[r], {}), -1.0);
     const auto system = [this](const Rows& x) { return apply(x); };
-    const Rows multipliers =
-        conjugate_gradients<rows>(system, std::move(missing), inverse_diagonal(), accuracy);
+    solution_ = conjugate_gradients<rows>(system, std::move(missing), inverse_diagonal(), accuracy_,
+                                          std::move(solution_));
+    const Rows multipliers = scaled(solution_);
     std::vector<double> factor(bonds_.neighbour.size(), 1.0);
     for (const Entry& pair : pairs_) {
-      const double s = 1.0 + change(pair, multipliers);
+      const double s = 1.0 + change(pair, pair_row(pair), multipliers);
       factor[pair.bond] = factor[pair.back] = s > least_factor ? s : least_factor;
     }
     return factor;
@@ -184,41 +206,62 @@ class LevelFit {
       auto match = second_moment(wanted[r]);
       if (divide(match, second_moment(own_sums(i, factor)), 1e-6)) match_[i] = match;
     }
+    for (Entry& pair : pairs_) pair.matched = matched(pair.i, pair.end);
   }
 
   // Finds the neighbours of i in its body and their neighbours: all within its own kernel. `seen`
   // holds the last particle that visited each.
   template <class Visit>
-  void visit_around(Index i, std::vector<Index>& seen, const Visit& visit) const {
+  void visit_around(Index i, std::vector<Index>& seen, const Visit& visit) {
+    images_.clear();
     const auto visit_neighbours = [&](Index of) {
-      for (Index k = bonds_.begin[of]; k < bonds_.begin[of + 1]; ++k) {
-        const Index j = bonds_.neighbour[k];
-        if (seen[j] == i || !same_body(i, j)) continue;
-        seen[j] = i;
-        visit(j);
+      const Index middle = particle(of);
+      for (Index k = bonds_.begin[middle]; k < bonds_.begin[middle + 1]; ++k) {
+        Index end = bonds_.neighbour[k];
+        if (!same_body(i, end) || !see_in(code(of), end)) continue;
+        if (code(end) != 0) {
+          images_.push_back(end);
+        } else if (seen[end] != i) {
+          seen[end] = i;
+          visit(end);
+        }
       }
     };
     visit_neighbours(i);
     for (Index k = bonds_.begin[i]; k < bonds_.begin[i + 1]; ++k)
       visit_neighbours(bonds_.neighbour[k]);
+    std::sort(images_.begin(), images_.end());
+    images_.erase(std::unique(images_.begin(), images_.end()), images_.end());
+    for (const Index end : images_) visit(end);
+  }
+  // Turns an end into its image in these planes; false where that is an image in two opposite
+  // planes, which is out of reach.
+  bool see_in(MirrorCode planes, Index& end) const {
+    const MirrorCode own = code(end);
+    for (int a = 0; a < D; ++a) {
+      const MirrorCode faces = MirrorPlanes<D>::low_face(a) | MirrorPlanes<D>::high_face(a);
+      if (((own ^ planes) & faces) == faces) return false;
+    }
+    end ^= planes;
+    return true;
   }
 
   // Adds the terms of the volume of j as if that had the spacing of i: a share of one site of its
   // lattice, or several sites.
-  void add_resampled(Index i, Index j, Row& sum) const {
-    if (i == j) return;
-    const double spacing = medium(i).spacing, ratio = medium(j).spacing / spacing;
-    const Position bond = layout_.reference[j] - layout_.reference[i];
+  void add_resampled(Index i, Index end, Row& sum) const {
+    if (i == end) return;
+    const double spacing = medium(i).spacing, ratio = medium_of(end).spacing / spacing;
+    const Position apart = bond(i, end);
     if (ratio < 0.75) {
       Position site;
-      for (int a = 0; a < D; ++a) site[a] = spacing * std::round(bond[a] / spacing);
+      for (int a = 0; a < D; ++a) site[a] = spacing * std::round(apart[a] / spacing);
       add_site(i, site, std::pow(ratio, D), sum);
       return;
     }
     const int across = static_cast<int>(std::lround(ratio));
     const int count = D == 3 ? across * across * across : across * across;
     for (int k = 0; k < count; ++k) {
-      Position site = bond;
+      Position site = apart;
       for (int a = 0, rest = k; a < D; ++a, rest /= across)
         site[a] += spacing * (rest % across - 0.5 * (across - 1));
       add_site(i, site, 1.0, sum);
@@ -228,55 +271,96 @@ class LevelFit {
     const double distance = norm(site);
     const auto& own = medium(i);
     if (distance < 0.5 * own.spacing) return;  // itself
-    const double weight = intact_weight<D>(own, own, distance) / own.reference_volume();
-    add(sum, conditions(site, site, weight, own.spacing), share);
+    const double weight =
+        scales_(layout_.medium_index[i], layout_.medium_index[i]).weight(distance);
+    add(sum, conditions(site, site, weight / own.reference_volume(), own.spacing), share);
   }
 
-  static double dot_rows(const Row& a, const Row& b) {
+  // A and its transpose are products of a part of each particle, which scales its rows, and a part
+  // of each pair, whose row is the same for both ends but for the sign of the first condition:
+  // w_ij (+- C R, R (x) R).
+  Rows scaled(Rows x) const {
+    for (std::size_t r = 0; r < x.size(); ++r) {
+      const auto& own = medium(particle_of_[r]);
+      const double volume = own.reference_volume();
+      for (std::size_t n = 0; n < rows; ++n)
+        x[r][n] *= (n < D ? own.spacing : second_weight) / volume;
+    }
+    return x;
+  }
+  Row pair_row(const Entry& pair) const {
+    const Position apart = bond(pair.i, pair.end), first = pair.matched;
+    Row row;
+    std::size_t n = 0;
+    for (int a = 0; a < D; ++a) row[n++] = pair.weight * first[a];
+    for (int a = 0; a < D; ++a)
+      for (int b = a; b < D; ++b) row[n++] = pair.weight * apart[a] * apart[b];
+    return row;
+  }
+  // The conditions of the image of a particle.
+  static Row image(MirrorCode code, Row row) {
+    if (code == 0) return row;
+    std::size_t n = 0;
+    for (int a = 0; a < D; ++a, ++n)
+      if (MirrorPlanes<D>::flips(code, a)) row[n] = -row[n];
+    for (int a = 0; a < D; ++a)
+      for (int b = a; b < D; ++b, ++n)
+        if (MirrorPlanes<D>::flips(code, a) != MirrorPlanes<D>::flips(code, b)) row[n] = -row[n];
+    return row;
+  }
+  // Returns s - 1 of the pair of this row.
+  double change(const Entry& pair, const Row& row, const Rows& multipliers) const {
+    const Row& own = multipliers[row_of_[pair.i]];
+    const Row other = image(code(pair.end), multipliers[row_of_[particle(pair.end)]]);
     double sum = 0.0;
-    for (std::size_t n = 0; n < rows; ++n) sum += a[n] * b[n];
+    for (std::size_t n = 0; n < D; ++n) sum += row[n] * (own[n] - other[n]);
+    for (std::size_t n = D; n < rows; ++n) sum += row[n] * (own[n] + other[n]);
     return sum;
   }
-
-  // Returns s - 1 of a pair.
-  double change(const Entry& pair, const Rows& multipliers) const {
-    return dot_rows(conditions(pair.i, pair.j), multipliers[row_of_[pair.i]]) +
-           dot_rows(conditions(pair.j, pair.i), multipliers[row_of_[pair.j]]);
-  }
-  // Returns (A A^T + e) x.
+  // Returns (A A^T + e) x. A pair of a particle and its own image is one condition of one particle,
+  // and half a pair of the whole.
   Rows apply(const Rows& x) const {
+    const Rows from = scaled(x);
     Rows result(x.size());
-    for (std::size_t r = 0; r < x.size(); ++r) add(result[r], x[r], softness);
     for (const Entry& pair : pairs_) {
-      const double s = change(pair, x);
-      add(result[row_of_[pair.i]], conditions(pair.i, pair.j), s);
-      add(result[row_of_[pair.j]], conditions(pair.j, pair.i), s);
+      const Index i = row_of_[pair.i], j = row_of_[particle(pair.end)];
+      Row row = pair_row(pair);
+      const double s = change(pair, row, from);
+      add(result[i], row, s);
+      if (i == j) continue;
+      for (std::size_t n = 0; n < D; ++n) row[n] = -row[n];
+      add(result[j], image(code(pair.end), row), s);
     }
+    result = scaled(std::move(result));
+    add_blocks(result, x, softness);
     return result;
   }
-  // Returns 1 / the diagonal of A A^T + e.
+  // Returns 1 / the diagonal of A A^T + e of the whole.
   Rows inverse_diagonal() const {
     Rows diagonal(particle_of_.size());
-    for (Row& row : diagonal) row.fill(softness);
-    const auto square = [](Row& sum, const Row& row) {
-      for (std::size_t n = 0; n < rows; ++n) sum[n] += row[n] * row[n];
-    };
     for (const Entry& pair : pairs_) {
-      square(diagonal[row_of_[pair.i]], conditions(pair.i, pair.j));
-      square(diagonal[row_of_[pair.j]], conditions(pair.j, pair.i));
+      const Row row = pair_row(pair);
+      const Index i = row_of_[pair.i], j = row_of_[particle(pair.end)];
+      for (std::size_t n = 0; n < rows; ++n) diagonal[i][n] += row[n] * row[n];
+      for (std::size_t n = 0; n < rows && j != i; ++n) diagonal[j][n] += row[n] * row[n];
     }
+    diagonal = scaled(scaled(std::move(diagonal)));
     for (Row& row : diagonal)
-      for (double& value : row) value = 1.0 / value;
+      for (double& value : row) value = 1.0 / (value + softness);
     return diagonal;
   }
 
   static constexpr Index none = 0xffffffffu;
   const SolidLayout<D>& layout_;
   const BondLists& bonds_;
+  BondScales<D> scales_;
+  double accuracy_;
   std::vector<std::uint8_t> at_jump_;
   std::vector<Entry> pairs_;
   std::vector<Index> row_of_, particle_of_;
+  std::vector<Index> images_;             // scratch of visit_around()
   std::vector<Matrix<D, double>> match_;  // C, per particle
+  Rows solution_;                         // lambda of the last round, with which the next begins
 };
 
 }  // namespace kerf

@@ -20,8 +20,14 @@ struct PairCorrection {
     if (factor == nullptr || !particles.has(pair.i, flag::fitted) ||
         !particles.has(pair.j, flag::fitted) || !is_one_volume(particles, pair))
       return Real(1);
-    const Index bond = bond_between(bonds, solid_index_of_id[particles.id[pair.i]],
-                                    solid_index_of_id[particles.id[pair.j]]);
+    return between(solid_index_of_id[particles.id[pair.i]], solid_index_of_id[particles.id[pair.j]],
+                   pair.mirror);
+  }
+  // The same for two particles of one volume, by their numbers among those of solids, or for the
+  // image of the second; no_bond: it has no factors.
+  KERF_FUNCTION Real between(Index i, Index j, MirrorCode mirror = 0) const {
+    if (i == no_bond || j == no_bond) return Real(1);
+    const Index bond = bond_between(bonds, i, j | mirror);
     return bond == no_bond ? Real(1) : factor[bond];
   }
 };

@@ -29,7 +29,8 @@ struct StoredBonds {
   std::vector<Index> owner;     // of each shared list, the first particle that has it
   std::vector<std::uint8_t>
       multi_material;  // per particle: 1: has bonds to other media, or to images
-  Index shared = 0;    // entries of shared lists
+  std::vector<std::uint8_t> several_bodies;  // 1: to other bodies, or to images
+  Index shared = 0;                          // entries of shared lists
 
   // Reorders values, one per bond in the order of the search, into the order of storage. Returns an
   // empty array for an empty one.
@@ -59,7 +60,10 @@ class ListSharing {
 
   StoredBonds store() {
     StoredBonds stored;
-    for (Index i = 0; i < n_; ++i) stored.multi_material.push_back(is_multi_material(i));
+    for (Index i = 0; i < n_; ++i) {
+      stored.multi_material.push_back(leaves(i, [&](Index j) { return layout_.medium_index[j]; }));
+      stored.several_bodies.push_back(leaves(i, [&](Index j) { return body(j); }));
+    }
     find_equal_lists(stored.multi_material);
     stored.begin.resize(n_);
     for (Index i = 0; i < n_; ++i) {
@@ -124,11 +128,17 @@ class ListSharing {
       ++users_[last];
     }
   }
-  bool is_multi_material(Index i) const {
+  // The body of which its medium is a level; without levels its medium.
+  std::uint16_t body(Index i) const {
+    const std::uint16_t medium = layout_.medium_index[i];
+    return layout_.body.empty() ? medium : layout_.body[medium];
+  }
+  // Whether a bond of i leads to a mirror image, or out of the group that `group` names.
+  template <class Group>
+  bool leaves(Index i, const Group& group) const {
     for (Index k = lists_.begin[i]; k < lists_.begin[i + 1]; ++k) {
       const Index end = lists_.neighbour[k];
-      if (layout_.mirrors.code(end) != 0 || layout_.medium_index[end] != layout_.medium_index[i])
-        return true;
+      if (layout_.mirrors.code(end) != 0 || group(end) != group(i)) return true;
     }
     return false;
   }

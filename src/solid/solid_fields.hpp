@@ -24,6 +24,7 @@ namespace kerf {
   FIELD(std::uint8_t, has_broken_bonds) /* 1: has lost bonds */                                \
   FIELD(std::uint8_t, changed)          /* 1: its correction is outdated */                    \
   FIELD(std::uint8_t, multi_material)   /* 1: has bonds to other media, or to images */        \
+  FIELD(std::uint8_t, several_bodies)   /* 1: has bonds to other bodies, or to images */       \
   FIELD(std::uint8_t, held)             /* 1: by a clamp, hold_clamped.hpp */                  \
   FIELD(std::uint8_t, strained)         /* 1: one of its bonds may break */                    \
   FIELD(Real, stretch)                  /* largest lambda^2 - 1 of its bonds, if they break */ \

@@ -56,6 +56,7 @@ class TotalLagrangian {
     entries_ = lists.neighbour.size();
     fields_.make_room(*std::max_element(bonds.count.begin(), bonds.count.end()));
     to_device(bonds.multi_material, fields_.multi_material);
+    to_device(bonds.several_bodies, fields_.several_bodies);
     for_each_index(size(), HoldClamped<D, P>{view()});
     if (fields_.any_softens) for_each_index(size(), StartSoftening<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartPlasticity<D, P>{view()});

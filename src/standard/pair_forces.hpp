@@ -66,6 +66,14 @@ class StandardRates {
     fluid_pair_.correction = correction;
   }
 
+  // Must be called for each new list, of `entries` entries.
+  void take_list(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
+                 Index entries) {
+    if constexpr (simd_exists)
+      if (separates_same_fluid())
+        same_fluid_pairs_.graded().take(view, count, list, entries, fluid_pair_.correction);
+  }
+
   // Evaluates what a step needs in one pair loop: pressures, the accelerations by gravity and all
   // pairs, the rates of compression, the kernel sums and the concentration gradients.
   template <class Bonds>

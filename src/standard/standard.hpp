@@ -146,7 +146,10 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   }
 
  private:
-  void after_reorder() override { solid_.relink(particles_, list_.view()); }
+  void after_reorder() override {
+    solid_.relink(particles_, list_.view());
+    rates_.take_list(particles_.view(), particles_.size(), list_.view(), list_.pairs());
+  }
 
   void evaluate_current() const override {
     rates_.accelerate(particles_.view(), particles_.size(),

@@ -34,15 +34,6 @@ bool is_in_use(const std::filesystem::path& folder) {
   }
 }
 
-// Returns the available memory, bytes: free memory and the system's cache of files.
-double available_memory() {
-  std::ifstream file("/proc/meminfo");
-  std::string name, unit;
-  for (double kibibytes = 0.0; file >> name >> kibibytes; std::getline(file, unit))
-    if (name == "MemAvailable:") return 1024.0 * kibibytes;
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
 struct AtWork {
   Job job;
   int threads = 1;
@@ -143,6 +134,14 @@ class LocalQueue {
 };
 
 }  // namespace
+
+double available_memory() {
+  std::ifstream file("/proc/meminfo");
+  std::string name, unit;
+  for (double kibibytes = 0.0; file >> name >> kibibytes; std::getline(file, unit))
+    if (name == "MemAvailable:") return 1024.0 * kibibytes;
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
 
 void LocalExecutor::run(const std::vector<Job>& jobs, JobWatcher& watcher) {
   LocalQueue(program_, budget_, watcher, jobs).run();

@@ -33,6 +33,9 @@ class LocalExecutor : public Executor {
   LocalBudget budget_;
 };
 
+// Returns the available memory, bytes: free memory and the system's cache of files.
+double available_memory();
+
 // Returns the budget of this machine: all cores and four fifths of the free memory.
 LocalBudget budget_of_machine();
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <regex>
 
+#include "geometry/jet_direction.hpp"
 #include "geometry/lattice_angle.hpp"
 #include "geometry/plane_turn.hpp"
 #include "model/case.hpp"
@@ -22,11 +23,6 @@ Point moved_by(const Point& x, const Point& shift) {
 
 PlaneTurn turn_of(const Placement& placement) {
   return PlaneTurn(placement.angle, placement.mirrored);
-}
-
-Point jet_direction(const Jet& jet) {
-  return {std::sin(jet.angle) * std::cos(jet.azimuth), -std::cos(jet.angle),
-          std::sin(jet.angle) * std::sin(jet.azimuth)};
 }
 
 // The unit vector at right angles to the first jet, in the plane of x and y.

@@ -14,6 +14,13 @@
 namespace kerf {
 
 struct Case;
+struct VerificationCase;
+
+// Why a case does not allow each kind of move, in a clause such as "the wall would be in the jet";
+// empty where it does.
+struct PlacementRefusals {
+  std::string turned, mirrored, moved, standoff;
+};
 
 // A point x of the case lies at R(angle) M (x + moved d across) of the run, where M mirrors x and d
 // is the spacing of the first jet, by which `across` (at right angles to the jet) is scaled.
@@ -38,6 +45,14 @@ std::string placement_problem(const Case& description, const Placement& placemen
 
 // Returns the parts of a placement that a case allows; the case as it is written if it allows none.
 Placement allowed_part(const Case& description, const Placement& placement);
+
+// The same for a verification case: what all of its runs allow and it does not refuse.
+std::string placement_problem(const VerificationCase& verification, const Placement& placement);
+Placement allowed_part(const VerificationCase& verification, const Placement& placement);
+
+// Returns the parts of a placement that a verification case allows, and why not the others, as
+// text.
+std::string allowed_text(const VerificationCase& verification, const Placement& placement);
 
 // Returns the case of the run. The domain is the bounding box of the turned one.
 Case placed(Case description, const Placement& placement);

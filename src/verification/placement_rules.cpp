@@ -10,6 +10,7 @@
 
 #include "model/case.hpp"
 #include "verification/placement.hpp"
+#include "verification/plan.hpp"
 
 namespace kerf {
 
@@ -23,6 +24,54 @@ bool has_mesh(const Shape& shape) {
 bool is_straight_down_or_in_plane(const Jet& jet) {
   return std::sin(jet.angle) == 0.0 || std::abs(std::sin(jet.azimuth)) < 1e-12;
 }
+
+// Returns the first reason of a case against a placement; empty if there is none.
+std::string refusal(const PlacementRefusals& refuses, const Placement& placement) {
+  if (placement.angle != 0.0 && !refuses.turned.empty()) return refuses.turned;
+  if (placement.mirrored && !refuses.mirrored.empty()) return refuses.mirrored;
+  if (placement.moved != 0.0 && !refuses.moved.empty()) return refuses.moved;
+  if (placement.standoff != 1.0) return refuses.standoff;
+  return "";
+}
+
+// Returns the parts of a placement, and calls refused(part alone, problem) for the others.
+// problem(placement) is empty for what is allowed.
+template <class Problem, class Refused>
+Placement part_without(const Problem& problem, const Placement& placement, const Refused& refused) {
+  Placement allowed;
+  const auto add = [&](auto part) {
+    Placement more = allowed, alone;
+    more.*part = alone.*part = placement.*part;
+    const std::string reason = problem(more);
+    if (reason.empty())
+      allowed = more;
+    else
+      refused(alone, reason);
+  };
+  add(&Placement::angle);
+  add(&Placement::mirrored);
+  add(&Placement::moved);
+  add(&Placement::standoff);
+  return allowed;
+}
+
+// Returns what a verification case says against placements.
+class Problems {
+ public:
+  explicit Problems(const VerificationCase& verification) : refuses_(verification.refuses) {
+    for (const PlannedRun& run : verification.runs) runs_.push_back(run.description());
+  }
+  std::string operator()(const Placement& placement) const {
+    std::string problem = refusal(refuses_, placement);
+    for (const Case& run : runs_)
+      if (problem.empty()) problem = placement_problem(run, placement);
+    return problem;
+  }
+
+ private:
+  const PlacementRefusals& refuses_;
+  std::vector<Case> runs_;
+};
 
 }  // namespace
 
@@ -72,17 +121,26 @@ std::string placement_problem(const Case& description, const Placement& placemen
 }
 
 Placement allowed_part(const Case& description, const Placement& placement) {
-  Placement allowed;
-  const auto add = [&](auto part) {
-    Placement more = allowed;
-    more.*part = placement.*part;
-    if (placement_problem(description, more).empty()) allowed = more;
-  };
-  add(&Placement::angle);
-  add(&Placement::mirrored);
-  add(&Placement::moved);
-  add(&Placement::standoff);
-  return allowed;
+  return part_without([&](const Placement& part) { return placement_problem(description, part); },
+                      placement, [](const Placement&, const std::string&) {});
+}
+
+std::string placement_problem(const VerificationCase& verification, const Placement& placement) {
+  return Problems(verification)(placement);
+}
+
+Placement allowed_part(const VerificationCase& verification, const Placement& placement) {
+  return part_without(Problems(verification), placement,
+                      [](const Placement&, const std::string&) {});
+}
+
+std::string allowed_text(const VerificationCase& verification, const Placement& placement) {
+  std::string others;
+  const Placement allowed = part_without(
+      Problems(verification), placement, [&](const Placement& part, const std::string& reason) {
+        others += fmt::format("; not {}: {}", part.text(), reason);
+      });
+  return allowed.text() + others;
 }
 
 }  // namespace kerf

@@ -57,6 +57,7 @@ struct VerificationCase {
   std::string title;
   std::vector<PlannedRun> runs;
   std::vector<Check> checks;
+  PlacementRefusals refuses;
 
   const PlannedRun& run(const std::string& name) const;
   // Leaves out all other runs; the named ones are made even if they are long. Returns false, and

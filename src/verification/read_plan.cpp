@@ -109,6 +109,21 @@ Check read_check(const toml::table& table, const std::string& owner) {
   return check;
 }
 
+// The moves that a case does not allow: its table [refuses], with a reason for each.
+PlacementRefusals read_refusals(const toml::table& table, const std::string& owner) {
+  const toml::table* written = table["refuses"].as_table();
+  if (!written) return {};
+  const Parameters keys = parameters_of(*written, owner + "/reference.toml, refuses");
+  const PlacementRefusals refuses{keys.text("turned", ""), keys.text("mirrored", ""),
+                                  keys.text("moved", ""), keys.text("standoff", "")};
+  if (const auto unread = keys.unread(); !unread.empty())
+    keys.fail(
+        fmt::format("unknown key \"{}\"; the kinds of moves are turned, mirrored, moved and "
+                    "standoff",
+                    unread.front()));
+  return refuses;
+}
+
 VerificationCase read_verification(const std::string& name, const Sources& sources) {
   const toml::table table = toml::parse(find_text(sources.validation, name + "/reference"));
   VerificationCase result;
@@ -118,6 +133,7 @@ VerificationCase read_verification(const std::string& name, const Sources& sourc
     result.runs.push_back(read_run(*node.as_table(), name, sources));
   for (const toml::node& node : *table["check"].as_array())
     result.checks.push_back(read_check(*node.as_table(), name));
+  result.refuses = read_refusals(table, name);
   for (const Check& check : result.checks)
     for (const std::string& run : check.runs) (void)result.run(run);
   return result;

@@ -48,11 +48,23 @@ std::string unit_of(const Row& row) {
   return row.unit == "1" ? "" : row.unit;
 }
 
+bool is_as_written(const std::string& placement) {
+  return placement.empty() || placement == Placement{}.text();
+}
+
 // Returns the name of the run of a row, with its placement if that is not as written.
 std::string run_of(const Row& row) {
-  return row.placement.empty() || row.placement == Placement{}.text()
-             ? row.run
-             : fmt::format("{} ({})", row.run, row.placement);
+  return is_as_written(row.placement) ? row.run : fmt::format("{} ({})", row.run, row.placement);
+}
+
+// Returns where a row holds: "written", "elsewhere", both, or "nowhere"; "-" if it is not judged.
+std::string places_of(const Row& row) {
+  if (row.verdict == Verdict::reported || row.verdict == Verdict::coarse) return "-";
+  std::string places;
+  for (const std::string& placement : row.holds_in)
+    places += fmt::format("{}{}", places.empty() ? "" : ", ",
+                          is_as_written(placement) ? "written" : "elsewhere");
+  return places.empty() ? "nowhere" : places;
 }
 
 constexpr auto layout = "{:<12} {:<34} {:<13} {:>9} {:>13} {:<7} {:>8} {:>6}  {:<8} {:>6}\n";
@@ -96,35 +108,35 @@ std::string to_json(const std::vector<Row>& rows) {
                               {"at_least", optional_json(row.at_least)},
                               {"at_most", optional_json(row.at_most)},
                               {"verdict", verdict_name(row.verdict)},
+                              {"holds_in", row.holds_in},
                               {"problem", row.problem},
                               {"source", row.source},
                               {"seconds", row.seconds}});
   return result.dump(2) + "\n";
 }
 
-std::string to_markdown(const std::vector<VerificationCase>& cases, const std::vector<Row>& rows,
-                        const std::map<std::string, std::string>& figures) {
-  std::string text;
-  for (const VerificationCase& verification : cases) {
-    std::string table, sources, last;
-    for (const Row& row : rows) {
-      if (row.case_name != verification.name) continue;
-      table += fmt::format("| {} | {} | {} {} | {} | {} | {} | {} | {:.0f} |\n", row.quantity,
-                           run_of(row), number(row.measured), unit_of(row), expected(row),
-                           percent(row.error, "{:+.2f}%"), percent(row.tolerance, "{:.3g}%"),
-                           verdict_name(row.verdict), row.seconds);
-      if (row.quantity != last) sources += fmt::format("- {}: {}\n", row.quantity, row.source);
-      last = row.quantity;
-    }
-    if (table.empty()) continue;
-    text += fmt::format(
-        "### `{}`\n{}\n\n| quantity | run | measured | reference | error | within | verdict | s |\n"
-        "| --- | --- | --- | --- | --- | --- | --- | --- |\n{}\n{}\n",
-        verification.name, verification.title, table, sources);
-    if (const auto shown = figures.find(verification.name); shown != figures.end())
-      text += shown->second;
+std::string to_markdown(const VerificationCase& verification, const Findings& findings,
+                        const std::string& figures) {
+  std::string table, sources, last;
+  for (const Row& row : findings.rows) {
+    if (row.case_name != verification.name) continue;
+    table += fmt::format("| {} | {} | {} {}{} | {} | {} | {} | {} | {} | {:.0f} |\n", row.quantity,
+                         row.run, number(row.measured), unit_of(row),
+                         is_as_written(row.placement) ? "" : " (elsewhere)", expected(row),
+                         percent(row.error, "{:+.2f}%"), percent(row.tolerance, "{:.3g}%"),
+                         verdict_name(row.verdict), places_of(row), row.seconds);
+    if (row.quantity != last) sources += fmt::format("- {}: {}\n", row.quantity, row.source);
+    last = row.quantity;
   }
-  return text;
+  if (table.empty()) return "";
+  const auto there = findings.elsewhere.find(verification.name);
+  const std::string elsewhere =
+      there == findings.elsewhere.end() ? "" : fmt::format("Elsewhere: {}.\n\n", there->second);
+  return fmt::format(
+      "### `{}`\n{}\n\n{}| quantity | run | measured | reference | error | within | verdict | "
+      "holds | "
+      "s |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n{}\n{}\n{}",
+      verification.name, verification.title, elsewhere, table, sources, figures);
 }
 
 }  // namespace kerf

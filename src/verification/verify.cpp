@@ -145,6 +145,7 @@ Findings verify(const VerificationCase& verification, bool all, const VerifyProg
     for (const std::string& run : due) {
       Row row = measured_row(verification, check, recordings, run);
       judge(check, check.judges(run, due), row);
+      if (row.verdict == Verdict::pass) row.holds_in = {row.placement};
       findings.rows.push_back(row);
     }
     if (check.plot && !due.empty())

@@ -2,6 +2,7 @@
 // This file runs verification cases and judges them.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,9 @@ struct Row {
   std::optional<double> reference, error, tolerance;  // error and tolerance relative
   std::optional<double> at_least, at_most;
   Verdict verdict = Verdict::reported;
-  std::string problem;   // why there is no number
-  double seconds = 0.0;  // of the run, or of the runs of which this is the worst
+  std::vector<std::string> holds_in;  // the placements in which it passes
+  std::string problem;                // why there is no number
+  double seconds = 0.0;               // of the run, or of the runs of which this is the worst
 };
 
 // The signal of a check over time, in each run that was made.
@@ -49,6 +51,8 @@ struct RunImage {
 
 struct Findings {
   std::vector<Row> rows;
+  // Of the cases that were set up elsewhere too: where, and why not in other ways.
+  std::map<std::string, std::string> elsewhere;
   std::vector<CheckCurves> curves;  // of the checks with `plot`
   std::vector<RunImage> images;
 };

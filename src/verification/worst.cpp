@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace kerf {
 
@@ -27,8 +28,11 @@ Findings worst_of(Findings written, const Findings& elsewhere) {
         });
     if (same == elsewhere.rows.end()) continue;
     const double seconds = row.seconds + same->seconds;
+    auto holds_in = row.holds_in;
+    holds_in.insert(holds_in.end(), same->holds_in.begin(), same->holds_in.end());
     if (used_tolerance(*same) > used_tolerance(row)) row = *same;
     row.seconds = seconds;
+    row.holds_in = std::move(holds_in);
   }
   return written;
 }

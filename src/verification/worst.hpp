@@ -7,7 +7,8 @@
 namespace kerf {
 
 // Returns, for each row of `written`, the worse of it and its counterpart of `elsewhere`: the one
-// that fails, then the one that uses more of its tolerance. Curves and images are those of
+// that fails, then the one that uses more of its tolerance, with the placements of both in which it
+// holds. Curves and images are those of
 // `written`.
 Findings worst_of(Findings written, const Findings& elsewhere);
 

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <sys/mount.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,7 +23,9 @@ namespace kerf::test {
 struct Ending {
   int exit_code = -1;  // -1 = ended by a signal
   int signal = 0;
-  std::string output;  // standard output and standard error
+  std::string output;           // standard output and standard error
+  double processor_time = 0.0;  // s
+  double memory = 0.0;          // bytes, the most that it had
 };
 
 class Program {
@@ -49,9 +52,14 @@ class Program {
 
   Ending wait() {
     int status = 0;
-    waitpid(process_, &status, 0);
+    rusage usage{};
+    wait4(process_, &status, 0, &usage);
     process_ = -1;
     Ending ending;
+    ending.processor_time =
+        static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+        1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+    ending.memory = 1024.0 * static_cast<double>(usage.ru_maxrss);
     if (WIFEXITED(status))
       ending.exit_code = WEXITSTATUS(status);
     else

@@ -47,6 +47,24 @@ TEST(RefuseProgram, BadCasesEndWithOneAndAMessage) {
   std::filesystem::remove(file);
 }
 
+// A verification case that is named is not left out: the message has its reason and what it allows.
+TEST(RefuseProgram, MovesThatACaseDoesNotAllowAreNamedWithTheReason) {
+  const Outcome moved =
+      run("verify standard-wall-beside-jet --turned '20 deg' --mirrored --moved 0.3", true);
+  EXPECT_EQ(moved.code, 1);
+  EXPECT_NE(moved.output.find("standard-wall-beside-jet cannot be turned 20 deg, mirrored, moved "
+                              "0.3 d: the jet touches the wall"),
+            std::string::npos)
+      << moved.output;
+  EXPECT_NE(moved.output.find("Of this it can be turned 20 deg, mirrored: leave out the rest"),
+            std::string::npos)
+      << moved.output;
+  const Outcome turned = run("verify standard-kalthoff --turned '20 deg'", true);
+  EXPECT_EQ(turned.code, 1);
+  EXPECT_NE(turned.output.find("asymmetry"), std::string::npos) << turned.output;
+  EXPECT_NE(turned.output.find("Leave out --turned"), std::string::npos) << turned.output;
+}
+
 TEST(RefuseProgram, MissingFilesEndWithFour) {
   const Outcome outcome = run("check /nowhere/case.toml", true);
   EXPECT_EQ(outcome.code, 4);

@@ -58,6 +58,21 @@ TEST(RefuseSymmetry, AcceptsTheHalfCase) {
   EXPECT_EQ(message_of(half_case), "(no error)");
 }
 
+// Ten coarsest cells of 4 mm reach from end to end, five on either side of the plane; then the
+// plane is in the middle of a cell.
+TEST(RefuseSymmetry, GradedBodiesHaveWholeCellsBesideAPlane) {
+  const std::string grading = "\ngrading = { levels = 2, width = \"4 mm\" }\nabsorbing";
+  EXPECT_EQ(message_of(changed({"\nabsorbing", grading, {}})), "(no error)");
+  std::string text = changed({"\nabsorbing", grading, {}});
+  const std::string from = "[\"-20 mm\", \"0 mm\"], maximum = [\"20 mm\"";
+  ASSERT_NE(text.find(from), std::string::npos);
+  text.replace(text.find(from), from.size(), "[\"-22 mm\", \"0 mm\"], maximum = [\"22 mm\"");
+  const std::string message = message_of(text);
+  for (const char* part :
+       {"body[1].grading", "cuts cells of the coarsest spacing, 0.004 m", "a multiple of 0.004 m"})
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
 TEST(RefuseSymmetry, AsymmetricCases) {
   const std::string planes = "symmetry = [\"x-\"]";
   const Change changes[] = {

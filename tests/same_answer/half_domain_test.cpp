@@ -39,8 +39,12 @@ double distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+// Different orders of summation give differences of 1e-16; after an impact of some hundred steps
+// they are below 1e-9 of a spacing and of the speeds.
+constexpr double grown = 1e-9;
+
 // Runs both `steps` steps with the same time steps.
-Gap run_both(const Case& description, int steps) {
+Gap run_both(const Case& description, int steps, double tolerance = grown) {
   const auto whole = make_simulation(description), half = make_simulation(right_half(description));
   const auto like = likes(half->frame(), whole->frame());
   EXPECT_NEAR(static_cast<double>(half->particles()), 0.5 * static_cast<double>(whole->particles()),
@@ -48,7 +52,7 @@ Gap run_both(const Case& description, int steps) {
   for (int n = 0; n < steps; ++n) {
     whole->advance();
     half->advance();
-    EXPECT_NEAR(half->last_step().dt, whole->last_step().dt, 1e-9 * whole->last_step().dt);
+    EXPECT_NEAR(half->last_step().dt, whole->last_step().dt, tolerance * whole->last_step().dt);
   }
   const Frame a = half->frame(), b = whole->frame();
   const auto place = by_id(b);
@@ -66,15 +70,15 @@ Gap run_both(const Case& description, int steps) {
   }
   // Sums over the half are half of the sums over the full problem; momentum agrees up to rounding.
   const Balance one = half->balance(), two = whole->balance();
-  EXPECT_NEAR(one.kinetic, 0.5 * two.kinetic, 1e-9 * two.kinetic);
-  EXPECT_NEAR(one.elastic_strain, 0.5 * two.elastic_strain, 1e-9 * two.kinetic);
+  EXPECT_NEAR(one.kinetic, 0.5 * two.kinetic, tolerance * two.kinetic);
+  EXPECT_NEAR(one.elastic_strain, 0.5 * two.elastic_strain, tolerance * two.kinetic);
   EXPECT_NEAR(one.mass_now, 0.5 * two.mass_now, 1e-12 * two.mass_now);
   EXPECT_NEAR(one.mass_in, 0.5 * two.mass_in, 1e-12 * two.mass_now);
-  EXPECT_NEAR(one.jet_mass_due, 0.5 * two.jet_mass_due, 1e-12 * two.mass_now);
+  EXPECT_NEAR(one.jet_mass_due, 0.5 * two.jet_mass_due, 1e-3 * tolerance * two.mass_now);
   EXPECT_LT(one.momentum_error(), 1e-12);
-  EXPECT_NEAR(one.energy_drift(), two.energy_drift(), 1e-9);
-  EXPECT_NEAR(one.dissipated_plastic, 0.5 * two.dissipated_plastic, 1e-9 * two.kinetic);
-  EXPECT_NEAR(one.dissipated_fracture, 0.5 * two.dissipated_fracture, 1e-9 * two.kinetic);
+  EXPECT_NEAR(one.energy_drift(), two.energy_drift(), tolerance);
+  EXPECT_NEAR(one.dissipated_plastic, 0.5 * two.dissipated_plastic, tolerance * two.kinetic);
+  EXPECT_NEAR(one.dissipated_fracture, 0.5 * two.dissipated_fracture, tolerance * two.kinetic);
   gap.balance = two;
   return gap;
 }
@@ -86,10 +90,6 @@ Case standard_case(PrecisionKind precision = PrecisionKind::double_precision) {
   c.materials[0].artificial_linear = c.materials[0].artificial_quadratic = 0.3;
   return c;
 }
-
-// Different orders of summation give differences of 1e-16; after an impact of some hundred steps
-// they are below 1e-9 of a spacing and of the speeds.
-constexpr double grown = 1e-9;
 
 TEST(HalfDomain, RodFallsOnAWall) {
   Case c = standard_case();
@@ -125,6 +125,36 @@ TEST(HalfDomain, StripIsPulledApart) {
   EXPECT_NE(gap.balance.dissipated_fracture, 0.0);
   EXPECT_LT(gap.place, grown * 1e-3);
   EXPECT_LT(gap.speed, grown * 1.0);
+}
+
+// The spacing of a block jumps at the plane too. Nearly incompressible solids also have corrected
+// pairs there.
+void expect_half_of_a_graded_block(int dimension, double poisson_ratio) {
+  Case c = standard_case();
+  c.dimension = dimension;
+  c.materials[0].poisson_ratio = poisson_ratio;
+  c.materials[0].failure_strain = 0.5;
+  const double depth = dimension == 3 ? 0.004 : 0.0;
+  c.bodies = {
+      body("block", Role::elastic, box({-0.008, -0.008, -depth}, {0.008, 0.0, depth}), 1e-3)};
+  c.bodies[0].grading = {1, 2e-3, box({-1e-3, -2e-3, -1e-3}, {1e-3, 0.0, 1e-3}), {}};
+  c.jets = {jet(4e-3, 1e-3, {0.0, 0.0, 0.0}, 2e-3)};
+  // The factors of pairs beside the jump are solved for to 1e-4 of what the sums lack.
+  constexpr double solved = 1e-4;
+  const Gap gap = run_both(c, dimension == 3 ? 80 : 150, solved);
+  EXPECT_GT(gap.balance.elastic_strain, 0.0);
+  EXPECT_LT(gap.place, solved * 1e-3);
+  EXPECT_LT(gap.speed, solved * 5.0);
+}
+
+TEST(HalfDomain, JetOnAGradedBlock) {
+  expect_half_of_a_graded_block(2, 0.3);
+}
+TEST(HalfDomain, JetOnGradedGel) {
+  expect_half_of_a_graded_block(2, 0.49);
+}
+TEST(HalfDomain, RoundJetOnGradedGel) {
+  expect_half_of_a_graded_block(3, 0.49);
 }
 
 // A block that reaches the plane is in contact with its image, as with another block.

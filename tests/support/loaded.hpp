@@ -89,7 +89,7 @@ class Loaded {
         for (int b = a + 1; b < D; ++b) shear(a, b) = static_cast<Real>(from.shear(a, b));
       particles.shear[k] = shear;
       particles.pressure_work[k] = Real(0);
-      particles.inlet_speed[k] = Real(0);
+      particles.inlet_column[k] = 0;
       particles.id[k] = static_cast<std::uint32_t>(k);
       particles.source[k] = static_cast<std::uint16_t>(from.source);
       particles.fractured[k] = from.fractured ? 1 : 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fluid/simd/fluid_kernels.hpp"
 
-#include "fluid/simd/fluid_pair_kernel.hpp"
+#include "fluid/simd/fluid_kernel_loop.hpp"
 #include "simd/kernel_table.hpp"
 
 namespace kerf {

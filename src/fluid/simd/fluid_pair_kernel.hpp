@@ -4,7 +4,11 @@
 // and kernels/wendland_c2.hpp. With d = r_j - r_i, in units of the fixed-point coordinates, the
 // sums of i lack until their end that unit and the factors of
 //   nabla W = K w^3 d,   K = 5 alpha / h^2,   W = alpha w^4 (5 - 4 w),   w = 1 - |d| / (2 h).
-// It is compiled once for each instruction set.
+// In a graded solid a neighbour has the mass m q^D and the volume V_0 q^D, where q = h_j / h_i, and
+// its pair the mean length h / c with c = 2 / (1 + q), the factor s_ij of the gradient in forces
+// and rates, and Z = rho c_s in the Riemann solution with its own mass: that of two particles of
+// the mass m q^D, the left one with the volume V_i q^D. It is compiled once for each instruction
+// set.
 #pragma once
 
 #include <limits>
@@ -21,7 +25,7 @@
 namespace kerf::simd::KERF_SIMD {
 
 // `Equation`: as in fluid/simd/fluid_pair_constants.hpp.
-template <int D, class Real, class Equation>
+template <int D, class Real, class Equation, bool graded = false>
 class FluidPairKernel {
   static constexpr bool shocks = !std::is_same_v<Equation, WeaklyCompressible>;
   using T = SimdNumbers<Real>;
@@ -36,6 +40,10 @@ class FluidPairKernel {
   static constexpr Real closest_squared =
       std::is_same_v<Real, float> ? Real(1) : std::numeric_limits<Real>::min();
   using Result = FluidSums<D, Real>;
+  // A batch of neighbours; those of graded solids have two numbers more.
+  static constexpr int correction_slot = PackedParticle::slots, length_slot = correction_slot + 1,
+                       slots = PackedParticle::slots + (graded ? 2 : 0);
+  static_assert(!(graded && shocks));
 
  public:
   FluidPairKernel(const FluidKernelTask<D, Real>& task, const FluidLaw<Real>& law,
@@ -55,9 +63,10 @@ class FluidPairKernel {
   struct Row {
     const Index* list;
     Index left, self;
+    Index entry;  // of the first of them in the whole list
   };
   // Loads the next of them; the last batch is padded with the particle itself, which adds nothing.
-  [[gnu::always_inline]] void load_batch(Row& row, T (&slot)[PackedParticle::slots]) const {
+  [[gnu::always_inline]] void load_batch(Row& row, T (&slot)[slots]) const {
     alignas(64) Index padded[width];
     const Index* indices = row.list;
     if (row.left < Index(width)) {
@@ -67,6 +76,11 @@ class FluidPairKernel {
     row.list += width;
     row.left -= std::min(row.left, Index(width));
     load_transposed<PackedParticle, 0, PackedParticle::slots>(task_.fluid, indices, slot);
+    if constexpr (graded) {
+      slot[correction_slot].copy_from(task_.correction + row.entry, stdx::element_aligned);
+      slot[length_slot].copy_from(task_.length_ratio + row.entry, stdx::element_aligned);
+      row.entry += width;
+    }
   }
   // What a batch of neighbours adds to the sums of vectors: d and v of the neighbours relative to
   // the particle, and their weights.
@@ -92,7 +106,9 @@ class FluidPairKernel {
   bool has_pairs(Index i) const {
     return task_.same_fluid[i] != 0 && task_.fluid[i].volume != Real(0);
   }
-  Row row_of(Index i) const { return {task_.neighbour + task_.begin[i], task_.same_fluid[i], i}; }
+  Row row_of(Index i) const {
+    return {task_.neighbour + task_.begin[i], task_.same_fluid[i], i, task_.begin[i]};
+  }
 
   // The next batch of neighbours is loaded before the current one is computed, because most of the
   // time is latency of memory.
@@ -106,13 +122,13 @@ class FluidPairKernel {
       NumberSums numbers;
       VectorSums vectors;
       Row row = row_of(i);
-      T slot[PackedParticle::slots];
+      T slot[slots];
       load_batch(row, slot);
       while (row.left > 0) {
-        T next[PackedParticle::slots];
+        T next[slots];
         load_batch(row, next);
         vectors.add(compute(slot, &constants_, numbers));
-        for (int n = 0; n < PackedParticle::slots; ++n) slot[n] = next[n];
+        for (int n = 0; n < slots; ++n) slot[n] = next[n];
       }
       vectors.add(compute(slot, &constants_, numbers));
       finish(i, numbers, vectors, *results);
@@ -158,7 +174,7 @@ class FluidPairKernel {
         sums.add_batches();
         batch = sums.batches;
       }
-      T slot[PackedParticle::slots];
+      T slot[slots];
       load_batch(row, slot);
       compute(slot, &constants_, numbers, *batch++);
     } while (row.left > 0);
@@ -175,15 +191,14 @@ class FluidPairKernel {
   }
 
   // Adds a batch to the sums of numbers, and returns what it adds to those of vectors.
-  [[gnu::always_inline]] static Batch compute(const T (&slot)[PackedParticle::slots],
-                                              const Constants* from, NumberSums& sums) {
+  [[gnu::always_inline]] static Batch compute(const T (&slot)[slots], const Constants* from,
+                                              NumberSums& sums) {
     Batch batch;
     compute(slot, from, sums, batch);
     return batch;
   }
-  [[gnu::always_inline]] static void compute(const T (&slot)[PackedParticle::slots],
-                                             const Constants* from, NumberSums& sums,
-                                             Batch& batch) {
+  [[gnu::always_inline]] static void compute(const T (&slot)[slots], const Constants* from,
+                                             NumberSums& sums, Batch& batch) {
     asm("" : "+r"(from));  // the compiler must not keep the constants in registers
     const Constants& constants = *from;
     Vector<D, T> d, v;
@@ -197,6 +212,10 @@ class FluidPairKernel {
       speed_squared += v[a] * v[a];
       batch.d[a] = d[a];
       batch.v[a] = v[a];
+    }
+    if constexpr (graded) {
+      compute_graded(slot, constants, {distance_squared, along}, sums, batch);
+      return;
     }
     const auto is_near = distance_squared < T(constants.reach_squared) && distance_squared > T(0);
     const T signed_volume = slot[PackedParticle::volume_slot];
@@ -221,6 +240,40 @@ class FluidPairKernel {
     batch.slope = slope;
   }
 
+  struct Approach {
+    T distance_squared, along;  // v . d, < 0 where the two approach
+  };
+  // Adds neighbours of a graded solid, which has no viscosity of water and no free surface.
+  [[gnu::always_inline]] static void compute_graded(const T (&slot)[slots],
+                                                    const Constants& constants,
+                                                    const Approach& pair, NumberSums& sums,
+                                                    Batch& batch) {
+    const T q = slot[length_slot], c = T(2) * reciprocal(T(1) + q);
+    const T volume_ratio = D == 3 ? q * q * q : q * q, kernel_ratio = D == 3 ? c * c * c : c * c;
+    const T per_diameter = T(constants.per_diameter) * c;
+    const auto is_near =
+        pair.distance_squared * per_diameter * per_diameter < T(1) && pair.distance_squared > T(0);
+    const T inverse = reciprocal_square_root(maximum(pair.distance_squared, T(closest_squared)));
+    const T distance = pair.distance_squared * inverse;
+    const T w = select(is_near, T(1) - distance * per_diameter, T(0));
+    const T slope = Kernel::slope_shape(w) * kernel_ratio * c * c;
+    sums.kernel_sum += Kernel::value_shape(w) * kernel_ratio * volume_ratio;
+
+    const T volume = magnitude(slot[PackedParticle::volume_slot]);
+    const T mass_speed = T(constants.mass_times_sound_speed) * volume_ratio;
+    const auto parts = riemann_parts(
+        VolumeSide<T>{T(constants.volume) * volume_ratio, T(constants.pressure)},
+        VolumeSide<T>{volume, slot[PackedParticle::pressure_slot]}, T(pair.along * inverse),
+        ParticlesOfOneFluid<T>{T(constants.triple_mass) * volume_ratio, mass_speed,
+                               reciprocal(mass_speed)});
+    const T weight = pair_weight(volume, slope) * slot[correction_slot] * reciprocal(parts.volume);
+    sums.compression_rate -= pair_strain_rate(weight, distance, T(parts.speed * volume_ratio));
+    batch.pressure = weight * parts.pressure_force;
+    batch.dissipation = weight * parts.approach * parts.dissipative_force;
+    batch.drag = T(0);
+    batch.slope = slope * volume_ratio;
+  }
+
   [[gnu::always_inline]] void finish(Index i, const NumberSums& numbers, const VectorSums& vectors,
                                      Result& result) const {
     T parts[Result::count];
@@ -241,43 +294,5 @@ class FluidPairKernel {
   const FluidKernelTask<D, Real>& task_;
   Constants constants_;
 };
-
-// Computes the sums of particles `first` .. `last` - 1, which are of one fluid.
-template <int D, class Real>
-struct SumsOfLaw {
-  const FluidKernelTask<D, Real>& task;
-  std::uint32_t first, last;
-  FluidSums<D, Real>* sums;
-
-  template <class Equation>
-  void operator()(const Equation& equation) const {
-    if constexpr (Equation::is_weakly_compressible)
-      run(WeaklyCompressible{});
-    else
-      run(equation);
-  }
-
- private:
-  template <class Equation>
-  void run(const Equation& equation) const {
-    FluidPairKernel<D, Real, Equation> kernel(task, task.laws[task.source[first]], equation);
-    kernel.run(first, last, sums);
-  }
-};
-
-template <int D, class Real>
-[[gnu::flatten]] void compute_fluid_sums(const FluidKernelTask<D, Real>& task, std::uint32_t first,
-                                         std::uint32_t last) {
-  FluidSums<D, Real>* sums = task.results;
-  while (first < last) {
-    std::uint32_t end = first + 1;
-    while (end < last && task.source[end] == task.source[first]) ++end;
-    const FluidLaw<Real>& law = task.laws[task.source[first]];
-    EquationOfStateSet<Real>::visit(law.equations, law.equation_of_state,
-                                    SumsOfLaw<D, Real>{task, first, end, sums});
-    sums += end - first;
-    first = end;
-  }
-}
 
 }  // namespace kerf::simd::KERF_SIMD

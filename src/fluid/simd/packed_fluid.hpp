@@ -75,6 +75,10 @@ struct FluidKernelTask {
   const FluidLaw<Real>* laws = nullptr;
   FluidSums<D, Real>* results = nullptr;  // out, of the first particle and those after it
   Real unit = 1;                          // m, of the fixed-point coordinates
+  // Where the spacing of a nearly incompressible solid jumps (fluid/simd/graded_pairs.hpp): 1 for
+  // particles whose neighbours may have another spacing, and per neighbour s_ij and h_j / h_i.
+  const std::uint8_t* graded = nullptr;  // null: there are no such particles
+  const Real *correction = nullptr, *length_ratio = nullptr;
 };
 
 // Computes the sums of particles `first` .. `last` - 1.

@@ -9,6 +9,7 @@
 
 #include "fluid/fluid_pressure.hpp"
 #include "fluid/simd/fluid_kernels.hpp"
+#include "fluid/simd/graded_pairs.hpp"
 #include "neighbours/neighbour_list.hpp"
 #include "parallel/fused_kernel.hpp"
 #include "simd/run_in_blocks.hpp"
@@ -37,9 +38,20 @@ class SameFluidPairs {
                                 const NeighbourView& list) {
     fluid_.resize(count);
     for_each_index(count, FusedKernel(FluidPressure<D, P>{view}, Pack{view, unit_, fluid_.data()}));
-    return {fluid_.data(), list.begin,   list.same_fluid, list.neighbour,
-            view.source,   laws_.data(), nullptr,         static_cast<Real>(unit_.unit)};
+    FluidKernelTask<D, Real> task;
+    task.fluid = fluid_.data();
+    task.begin = list.begin;
+    task.same_fluid = list.same_fluid;
+    task.neighbour = list.neighbour;
+    task.source = view.source;
+    task.laws = laws_.data();
+    task.unit = static_cast<Real>(unit_.unit);
+    graded_.give(task);
+    return task;
   }
+
+  // The pairs of graded solids; they must take each new list.
+  GradedPairs<D, P>& graded() { return graded_; }
 
   // Calls loop(i), the general pair loop, for all particles, a block of them at a time, after the
   // sums of the block over neighbours of the same fluid.
@@ -48,7 +60,7 @@ class SameFluidPairs {
     run_in_blocks<FluidSums<D, Real>>(task, kernel_, count, loop);
   }
 
-  std::size_t bytes() const { return fluid_.size() * sizeof(fluid_[0]); }
+  std::size_t bytes() const { return fluid_.size() * sizeof(fluid_[0]) + graded_.bytes(); }
 
  private:
   static FluidLaw<Real> law_of(const Medium<double>& medium, double kernel_gradient_normalisation) {
@@ -96,6 +108,7 @@ class SameFluidPairs {
   // Not Array: a packed particle has an alignment of its own.
   std::vector<PackedFluid<D, Real>> fluid_;
   std::vector<FluidLaw<Real>> laws_;
+  GradedPairs<D, P> graded_;
 };
 
 }  // namespace kerf

@@ -28,7 +28,8 @@ class BondsOfParticle {
     const IndexOffset* ends;  // index of the other end minus that of the particle
     T slot[End::slots];       // of the other ends
     BondGeometry<D, T> bond;
-    T per_length;  // 1 / R, 1/m
+    T per_length;   // 1 / R, 1/m
+    T mean_length;  // h, m, of both ends, where the body has levels
   };
 
  public:
@@ -77,6 +78,12 @@ class BondsOfParticle {
         Vector<D, T> velocity;
         for (int a = 0; a < D; ++a)
           velocity[a] = batch.slot[End::velocity_slot + a] - T(own_->velocity[a]);
+        if constexpr (!shared)
+          if (task_.has_levels) {
+            add_bond_viscosity(force, power, batch.bond, velocity, batch.per_length,
+                               viscosity_of(batch.mean_length));
+            return;
+          }
         add_bond_viscosity(force, power, batch.bond, velocity, batch.per_length, law_.viscosity);
       }
     });
@@ -119,8 +126,24 @@ class BondsOfParticle {
       square += bond.reference[a] * bond.reference[a];
     }
     batch.per_length = reciprocal_square_root(select(square > T(0), square, T(1)));
-    bond.weight = law_.scale.weight(square * batch.per_length);
+    bond.weight = task_.has_levels ? weight_of_levels(batch, square * batch.per_length)
+                                   : law_.scale.weight(square * batch.per_length);
     if (task_.correction != nullptr) bond.weight *= correction(batch.first);
+  }
+  // Returns the weight of bonds of the length R to any level of the body, by that within the
+  // medium: with q = h_j / h_i and c = 2 / (1 + q), h is h_i / c, and K = V_i V_j 5 alpha / h^2 has
+  // the factor q^D c^(D + 2).
+  [[gnu::always_inline]] T weight_of_levels(BondBatch& batch, const T& distance) const {
+    const T length = batch.slot[End::length_slot];
+    batch.mean_length = T(Real(0.5)) * (T(own_->length) + length);
+    const T q = length / T(own_->length), c = T(2) * reciprocal(T(1) + q), qc = q * c;
+    const T factor = (D == 3 ? qc * qc * qc : qc * qc) * c * c;
+    return factor *
+           BondScale<T>{T(law_.scale.largest), T(law_.scale.per_diameter) * c}.weight(distance);
+  }
+  [[gnu::always_inline]] BondViscosityLaw<T> viscosity_of(const T& length) const {
+    const auto& law = law_.viscosity;
+    return {T(law.density), length, T(law.linear), T(law.quadratic)};
   }
   [[gnu::always_inline]] static T load(const Real* from) { return T(from, stdx::element_aligned); }
   [[gnu::always_inline]] T correction(Index k) const {
@@ -163,7 +186,7 @@ template <int D, class Real, class Act>
                                                              std::uint32_t first,
                                                              std::uint32_t last, const Act& act) {
   for (std::uint32_t i = first; i < last; ++i) {
-    if (task.multi_material[i] || task.detached[i]) continue;
+    if (task.several_bodies[i] || task.detached[i]) continue;
     const BondsOfParticle<D, Real> bonds(task, i);
     if (task.begin[i] < task.shared_entries)
       act(bonds, std::true_type{}, i - first);

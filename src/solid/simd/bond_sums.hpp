@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SimdBondSums runs the SIMD kernels over bonds for all particles whose bonds are within one medium
+// SimdBondSums runs the SIMD kernels over bonds for all particles whose bonds are within one body
 // and to no mirror image. The general loops (solid/deformation_gradient.hpp, solid/bond_force.hpp)
 // compute the other particles, and on a GPU all.
 #pragma once
@@ -24,6 +24,7 @@ class SimdBondSums {
               bool can_break) {
     if constexpr (!simd_exists) return;
     can_break_ = can_break;
+    has_levels_ = !layout.body.empty();
     kernels_ = bond_kernels().template get<D, Real>();
     double longest = 0.0;  // m, of bonds
     for (const auto& medium : layout.media) {
@@ -82,6 +83,7 @@ class SimdBondSums {
 
     KERF_FUNCTION void operator()(Index i) const {
       for (int a = 0; a < D; ++a) solid.ends[i].reference[a] = unit.pack(solid.reference[i][a]);
+      solid.ends[i].length = solid.medium(i).smoothing_length;
     }
   };
 
@@ -104,7 +106,8 @@ class SimdBondSums {
       task.bond_intact = solid.bond_intact;
       task.words = solid.words;
       task.correction = solid.bond_correction;
-      task.multi_material = solid.multi_material;
+      task.several_bodies = solid.several_bodies;
+      task.has_levels = has_levels_;
       task.detached = solid.detached;
       task.has_broken_bonds = solid.has_broken_bonds;
       task.medium = solid.medium_index;
@@ -122,7 +125,7 @@ class SimdBondSums {
   Index shared_entries_ = 0;
   std::array<std::vector<Real>, D> bond_;  // of them, see SharedBonds
   std::vector<Real> weight_, per_length_;
-  bool can_break_ = false;
+  bool can_break_ = false, has_levels_ = false;
 };
 
 }  // namespace kerf

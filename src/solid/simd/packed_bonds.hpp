@@ -2,7 +2,7 @@
 // PackedBondEnd holds what the bonds of a particle need of their other ends, so that an end is one
 // load. The SIMD kernels over bonds read an array of them. They compute the sums of
 // solid/deformation_gradient.hpp and solid/bond_force.hpp for the particles whose bonds are all
-// within one medium.
+// within one body.
 #pragma once
 
 #include "core/matrix.hpp"
@@ -18,7 +18,8 @@ struct alignas(16) PackedBondEnd {
   static constexpr int displacement_slot = 0, remainder_slot = D, hourglass_slot = 2 * D,
                        velocity_slot = 2 * D + 1, traction_slot = 3 * D + 1,
                        reference_slot = (3 * D + 1 + D * D + 3) / 4 * 4;
-  static constexpr int slots = (reference_slot + D + 3) / 4 * 4;
+  static constexpr int length_slot = reference_slot + D;
+  static constexpr int slots = (length_slot + 1 + 3) / 4 * 4;
   // u = x - X in two parts: their differences are as exact as those in double precision, so that a
   // small strain far from the reference position is resolved.
   Vector<D, Real> displacement, remainder;
@@ -27,12 +28,13 @@ struct alignas(16) PackedBondEnd {
   Matrix<D, Real> traction;  // A of solid/deformation_gradient.hpp, Pa
   Real unused[reference_slot - traction_slot - D * D];
   Position reference[D];  // X
-  Real unused_too[slots - reference_slot - D];
+  Real length;            // h, m
 };
 
 inline constexpr std::uint32_t bonds_per_word = 32;
 
-// The weight and the viscosity of the bonds within one medium.
+// The weight and the viscosity of the bonds within one medium. Those to another level of its body
+// follow from these and from the ratio of the smoothing lengths.
 template <class Real>
 struct BondLaw {
   BondScale<Real> scale;
@@ -74,11 +76,12 @@ struct Bonds {
   std::uint32_t words = 0;                     // of each particle
   const Real* correction = nullptr;            // factor of each weight of other lists; null: 1
   // Particles that the general loops compute, those without bonds, and those with broken bonds.
-  const std::uint8_t *multi_material = nullptr, *detached = nullptr, *has_broken_bonds = nullptr;
+  const std::uint8_t *several_bodies = nullptr, *detached = nullptr, *has_broken_bonds = nullptr;
   const std::uint16_t* medium = nullptr;
   const BondLaw<Real>* laws = nullptr;  // per medium
   bool breakable = false, viscous = false;
-  Real unit = 1;  // m, of the fixed-point coordinates
+  bool has_levels = false;  // of resolution
+  Real unit = 1;            // m, of the fixed-point coordinates
 };
 template <int D, class Real, template <int, class> class Result>
 struct BondKernelTask : Bonds<D, Real> {

@@ -209,5 +209,24 @@ TEST(Derived, WavesReflectFromTheNearestReflectingEdge) {
   EXPECT_EQ(derive(description).reflection_time, 0.0);
 }
 
+// Sound of water behind a shock, by the slope of p = rho_0 c^2 eta / (1 - s eta)^2 over rho, in a
+// jet of 245 m/s on foam, which it compacts to a wall: eta = u / U, U = c + s u.
+TEST(Derived, StepsOfFastWaterAreThoseBehindItsShock) {
+  const Case description = read_case(KERF_SOURCE_DIR "/cases/machine/foam-30mpa.toml");
+  const DerivedNumbers numbers = derive(description);
+  const double c = 1481.0, s = 1.975, u = numbers.jet_speed;
+  const auto pressure = [&](double rho) {
+    const double eta = 1.0 - 998.2 / rho;
+    return 998.2 * c * c * eta / std::pow(1.0 - s * eta, 2);
+  };
+  const double rho = 998.2 / (1.0 - u / (c + s * u)), small = 1e-4 * rho;
+  const double sound = std::sqrt((pressure(rho + small) - pressure(rho - small)) / (2.0 * small));
+  EXPECT_GT(sound, 1.4 * c);
+  const auto water = static_cast<std::size_t>(description.jets[0].material);
+  const double damping = 1.2 * description.materials[water].artificial_linear * c;
+  const double step = 0.25 * 1.3 * description.jets[0].spacing / (sound + u + damping);
+  EXPECT_NEAR(numbers.time_step, step, 1e-4 * step);
+}
+
 }  // namespace
 }  // namespace kerf

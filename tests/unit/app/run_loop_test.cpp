@@ -119,6 +119,24 @@ TEST_F(Run, KilledRunResumesToTheSameResult) {
   EXPECT_EQ(read_file(folder_ / "full/series.csv"), read_file(folder_ / "frequent/series.csv"));
 }
 
+TEST_F(Run, EndsAWhileAfterTheCut) {
+  run(settings("full"));
+  const double cut = result("full").at("cut_through_time").get<double>();
+  description_.time.after_cut = 0.5e-3;
+  description_.output.checkpoint_interval = 2e-3;  // s, every few steps
+  run(settings("short"));
+  const double end = result("short").at("end_time").get<double>();
+  EXPECT_EQ(result("short").at("cut_through_time"), cut);
+  EXPECT_GE(end, cut + 0.5e-3);
+  EXPECT_LT(end, cut + 0.6e-3);  // steps are at most 30 us long
+  const auto kill = [](std::uint64_t now) {
+    if (now == 300) throw Killed();
+  };
+  EXPECT_THROW(run(settings("killed"), kill), Killed);
+  run(settings("killed", Existing::resume));
+  test::expect_same_results(folder_ / "short", folder_ / "killed");
+}
+
 TEST_F(Run, KilledLongAfterACheckpointResumesToTheSameResult) {
   run(settings("full"));
   // A signal writes a checkpoint at step 100; the kill is much later, after more output.

@@ -116,5 +116,28 @@ TEST(Riemann, WallMirrorsTheWater) {
   EXPECT_EQ(solve_riemann_at_wall(water, 5.0, 0.0).dissipation, 0.0);
 }
 
+// riemann_parts and solve_riemann are two forms of one solution where the sound speed is constant.
+TEST(Riemann, VolumesGiveTheSameAsImpedances) {
+  constexpr double mass = 1e-6, sound_speed = 40.0;  // kg, m/s
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int n = 0; n < 100; ++n) {
+    const double left_volume = 1e-9 * (1.0 + 0.3 * uniform(engine)),
+                 right_volume = 1e-9 * (1.0 + 0.3 * uniform(engine)),
+                 left_pressure = 1e4 * uniform(engine), right_pressure = 1e4 * uniform(engine),
+                 speed = sound_speed * uniform(engine);
+    const auto due = solve_riemann<double>(
+        {mass / left_volume * sound_speed, left_pressure, 0.0, sound_speed},
+        {mass / right_volume * sound_speed, right_pressure, speed, sound_speed});
+    const auto is =
+        riemann_parts<double>({left_volume, left_pressure}, {right_volume, right_pressure}, speed,
+                              {3.0 * mass, mass * sound_speed, 1.0 / (mass * sound_speed)});
+    EXPECT_NEAR(is.pressure_force / is.volume, due.mean_pressure, 1e-13 * 1e4);
+    EXPECT_NEAR(is.approach * is.dissipative_force / is.volume, due.dissipation,
+                1e-13 * std::abs(due.dissipation));
+    EXPECT_NEAR(left_volume * is.speed / is.volume, due.speed, 1e-13 * sound_speed);
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test::riemann_test

@@ -59,15 +59,15 @@ inline std::vector<Storage> storages_of(std::string_view section) {
   if (section == "load") return {model<Load>()};
   if (section == "shape") return {model<Shape>()};
   if (section == "machine") return {model<Machine>(), draft<JetDraft>()};
+  if (section == "workpiece") return {model<WorkpieceSetting>(), draft<WorkpieceDraft>()};
   if (section == "jet") return {model<Jet>(), draft<JetDraft>()};
   if (section == "back_flow_removal") return {model<BackFlowRemoval>()};
   if (section == "probe") return {model<Probe>()};
   if (section == "artificial_stress") return {model<ArtificialStress>()};
   if (section == "numerics") return {model<Numerics>()};
   if (section == "output") return {model<OutputControl>()};
-  return {
-      model<Case>(),
-      storage(false, std::make_shared<Draft>(Draft{Reading{Problems(""), {}}, {}, {}, {}, {}}))};
+  return {model<Case>(), storage(false, std::make_shared<Draft>(
+                                            Draft{Reading{Problems(""), {}}, {}, {}, {}, {}, {}}))};
 }
 
 // A table of a case file in which a key applies.

@@ -38,7 +38,7 @@ std::vector<NewParticle> numbered(std::uint32_t count) {
     start[k].id = k;
     start[k].position = {double(k), -double(k), 0.0};
     start[k].velocity = {0.5 * k, 0.0, 0.0};
-    start[k].inlet_speed = 3.0 * k;
+    start[k].inlet_column = 3 * k;
   }
   return start;
 }
@@ -52,7 +52,7 @@ TEST(Fields, NewParticlesHaveTheInitialValuesOfTheTable) {
   EXPECT_EQ((Vector<2, double>(particles.position[3])[1]), -2.0);
   EXPECT_EQ((Vector<2, double>(particles.build_position[3])[1]), -2.0);
   EXPECT_EQ((Vector<2, double>(particles.velocity[3])[0]), 1.0);
-  EXPECT_EQ(double(particles.inlet_speed[2]), 3.0);
+  EXPECT_EQ(std::uint32_t(particles.inlet_column[2]), 3u);
   EXPECT_EQ(std::uint32_t(particles.id[2]), 1u);
   EXPECT_EQ(double(particles.compression[1]), 0.03);
   EXPECT_EQ(double(particles.compression[3]), 0.0);
@@ -91,7 +91,7 @@ TEST(Reorder, SortedParticlesKeepTheirStateAndTheOrderOfEqualKeys) {
     EXPECT_EQ(x[0], id);
     EXPECT_EQ(x[1], -id);
     EXPECT_EQ(v[0], 0.5 * id);
-    EXPECT_EQ(double(particles.inlet_speed[i]), 3.0 * id);
+    EXPECT_EQ(std::uint32_t(particles.inlet_column[i]), 3.0 * id);
   }
 }
 

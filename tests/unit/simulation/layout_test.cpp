@@ -68,13 +68,13 @@ TEST(Populate, WaterIsAtRestInAClosedNozzleAndMovesInAnOpenOne) {
   c.jets[0].start = 1e-3;
   c.jets[0].traverse = {0.3, 0.0, 0.0};
   const Nozzle nozzle = run_settings(c).nozzles.at(0);
-  const std::vector<InletParticle> water{{{0.001, 0.022, 0.0}, 5.0}};
+  const std::vector<InletParticle> water{{{0.001, 0.022, 0.0}, 5.0, 3}};
   const NewParticle before = inlet_particles(water, nozzle, 7, 0.0).at(0);
   const NewParticle after = inlet_particles(water, nozzle, 7, 2e-3).at(0);
   EXPECT_EQ(before.velocity, Point{});
   EXPECT_NEAR(after.velocity[0], 0.3, 1e-15);
   EXPECT_NEAR(after.velocity[1], -5.0, 1e-14);
-  EXPECT_EQ(after.inlet_speed, 5.0);
+  EXPECT_EQ(after.inlet_column, 3u);
   EXPECT_EQ(after.source, 7);
   EXPECT_EQ(after.flags, flag::upstream);
   EXPECT_EQ(after.position, water[0].position);
@@ -102,8 +102,13 @@ TEST(Motion, NozzlesTraverseAndAreOpenForPartOfAStep) {
   c.back_flow_removal = BackFlowRemoval{-0.1};
   const RunSettings settings = run_settings(c);
   const auto motion = settings.motion.between<2>(0.5e-3, 2.5e-3, settings.nozzles).at(0);
-  EXPECT_NEAR(motion.flow_time, 1.5e-3, 1e-17);
-  EXPECT_NEAR(motion.flow_fraction, 0.75, 1e-13);
+  const auto flows = column_flows(settings.nozzles.at(0), settings.media.at(0), 0.5e-3, 2.5e-3);
+  ASSERT_EQ(flows.size(), 10u);
+  for (const ColumnFlow& flow : flows) {
+    EXPECT_NEAR(flow.distance, 1.5e-3 * 5.0, 1e-16);
+    EXPECT_NEAR(flow.speed, 0.75 * 5.0, 1e-12);
+    EXPECT_EQ(flow.compression, 0.0);
+  }
   EXPECT_NEAR(motion.displacement[0], 0.3 * 1.5e-3, 1e-16);
   EXPECT_NEAR(motion.exit[0], 0.3 * 1.5e-3, 1e-16);
   EXPECT_NEAR(motion.exit[1], 0.022, 1e-15);

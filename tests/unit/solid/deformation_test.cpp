@@ -94,6 +94,7 @@ TYPED_TEST(Deformation, BondsAreAllPairsWithinTheCutoff) {
   constexpr int D = TypeParam::D;
   auto layout = block<D>({.jitter = 0.4, .seed = 4});
   auto coarse = soft_solid(1.7e-3, D), other = soft_solid(1e-3, D);
+  coarse.level = 1;
   other.piece = 1;
   layout.media.push_back(coarse);
   layout.media.push_back(other);

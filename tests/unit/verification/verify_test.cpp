@@ -3,6 +3,7 @@
 #include "verification/verify.hpp"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -191,6 +192,27 @@ TEST(VerifyTable, JsonHasTheRow) {
   EXPECT_EQ(json["rows"][0]["verdict"], "pass");
   EXPECT_NEAR(json["rows"][0]["measured"].get<double>(), 300.0, 0.01);
   EXPECT_TRUE(json["rows"][0]["at_least"].is_null());
+}
+
+TEST(VerifyTable, ThePageSaysWhereARowHolds) {
+  const std::string plan = plan_text("runs = \"plain\"\nreference = 300\ntolerance = 0.01");
+  const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
+  const VerificationCase entry = read_verification_cases(texts, {}).at(0);
+  Findings findings = findings_of(plan);
+  const auto row_of = [&] { return to_markdown(entry, findings, ""); };
+  EXPECT_THAT(row_of(), testing::HasSubstr("| pass | written |"));
+  EXPECT_THAT(row_of(), testing::Not(testing::HasSubstr("Elsewhere")));
+  findings.elsewhere["flight"] = "mirrored";
+  findings.rows[0].holds_in.push_back("mirrored");
+  EXPECT_THAT(row_of(), testing::HasSubstr("| pass | written, elsewhere |"));
+  EXPECT_THAT(row_of(), testing::HasSubstr("Elsewhere: mirrored.\n"));
+  findings.rows[0].placement = "mirrored";
+  findings.rows[0].verdict = Verdict::fail;
+  findings.rows[0].holds_in = {};
+  EXPECT_THAT(row_of(), testing::HasSubstr("cm/s (elsewhere) |"));
+  EXPECT_THAT(row_of(), testing::HasSubstr("| FAIL | nowhere |"));
+  findings.rows[0].verdict = Verdict::reported;
+  EXPECT_THAT(row_of(), testing::HasSubstr("| reported | - |"));
 }
 
 std::string read_text(const std::string& path) {

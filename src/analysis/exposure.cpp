@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/exposure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/line_slope.hpp"
+#include "machine/simulated_piece.hpp"
+#include "model/case.hpp"
+
+namespace kerf {
+
+namespace {
+
+// The shares of the time after which the law is fitted: the exponents differ where no law holds.
+constexpr double fit_shares[] = {0.5, 0.25, 0.125};
+// Exponents that differ by more are of no law: the front may as well have come to rest.
+constexpr double same_exponent = 0.1;
+
+// The history of a cut since contact.
+struct DepthHistory {
+  std::vector<double> times;   // s
+  std::vector<double> depths;  // m, the deepest front until then
+  std::vector<double> widths;  // m, of the opening
+
+  // Returns the first row at or after a time, the last row at most.
+  std::size_t row_at(double time) const {
+    const auto row = std::lower_bound(times.begin(), times.end(), time) - times.begin();
+    return std::min(static_cast<std::size_t>(row), times.size() - 1);
+  }
+};
+
+DepthHistory history_since(const std::vector<CutState>& history, double contact) {
+  DepthHistory since;
+  double deepest = 0.0;
+  for (const CutState& state : history) {
+    if (state.time <= contact) continue;
+    deepest = std::max(deepest, state.front_depth);
+    since.times.push_back(state.time - contact);
+    since.depths.push_back(deepest);
+    since.widths.push_back(state.kerf_width);
+  }
+  return since;
+}
+
+// Returns the mean speed of the front over the last quarter of the time, m/s.
+double last_speed(const DepthHistory& history) {
+  const std::size_t n = history.row_at(0.75 * history.times.back());
+  const double time = history.times.back() - history.times[n];
+  return time > 0.0 ? (history.depths.back() - history.depths[n]) / time : 0.0;
+}
+
+// Returns the exponent n of the law h = a t^n that fits the depths after the share `from` of the
+// time best, by least squares of the logarithms; nothing from fewer than five times.
+std::optional<double> fit_exponent(const DepthHistory& history, double from) {
+  constexpr std::size_t fewest = 5;
+  struct Logarithms {
+    double time, depth;
+  };
+  std::vector<Logarithms> points;
+  for (std::size_t k = 0; k < history.times.size(); ++k)
+    if (history.times[k] >= from * history.times.back() && history.depths[k] > 0.0)
+      points.push_back({std::log(history.times[k]), std::log(history.depths[k])});
+  if (points.size() < fewest) return std::nullopt;
+  const double slope = line_slope(
+      points, [](const Logarithms& point) { return point.time; },
+      [](const Logarithms& point) { return point.depth; });
+  return std::max(0.0, slope);
+}
+
+struct DepthRange {
+  double low = Exposure::none, high = Exposure::none;
+};
+
+// Returns the depths after a time that the run does not reach. A front that slows down stays
+// between its last depth and a motion on at its last speed; the laws continue from the last depth.
+DepthRange carried(const DepthHistory& history, double time) {
+  const double last = history.depths.back(), end = history.times.back();
+  const double most = std::max(last, last + last_speed(history) * (time - end));
+  DepthRange range;
+  double least_exponent = 1.0, greatest_exponent = 0.0;
+  for (const double share : fit_shares) {
+    const auto exponent = fit_exponent(history, share);
+    if (!exponent) continue;
+    const double depth = std::clamp(last * std::pow(time / end, *exponent), last, most);
+    range.low = std::fmin(range.low, depth);
+    range.high = std::fmax(range.high, depth);
+    least_exponent = std::min(least_exponent, *exponent);
+    greatest_exponent = std::max(greatest_exponent, *exponent);
+  }
+  if (greatest_exponent - least_exponent > same_exponent) range.low = last;
+  return range;
+}
+
+DepthRange depths_after(const DepthHistory& history, double time) {
+  if (time > history.times.back()) return carried(history, time);
+  const double depth = history.depths[history.row_at(time)];
+  return {depth, depth};
+}
+
+// Returns the time for which a jet of the extent (m) stays within its hole at the speed (m/s): the
+// first time t with u t >= W(t), else with the last width.
+double longest_exposure(const DepthHistory& history, double extent, double speed) {
+  for (std::size_t k = 0; k < history.times.size(); ++k)
+    if (speed * history.times[k] >= std::max(extent, history.widths[k])) return history.times[k];
+  return std::max(extent, history.widths.back()) / speed;
+}
+
+double thickness_of(const Case& description) {
+  return description.workpiece->size[1] / std::cos(description.jets.back().angle);
+}
+
+// A cut in the run: how fast the nozzle may move.
+void add_feeds_of_cut(const DepthHistory& history, double extent, Exposure& exposure) {
+  const double width = history.widths[history.row_at(exposure.simulated)];
+  exposure.greatest_feed = extent / exposure.simulated;
+  exposure.possible_feed = std::max(extent, width) / exposure.simulated;
+}
+
+// No cut in the run: the feed at which the law reaches the thickness.
+void add_carried_feeds(const DepthHistory& history, double extent, Exposure& exposure) {
+  const auto exponent = fit_exponent(history, fit_shares[0]);
+  if (!exponent || !(*exponent > 0.0)) return;
+  const double passage =
+      history.times.back() * std::pow(exposure.thickness / history.depths.back(), 1.0 / *exponent);
+  exposure.exponent = *exponent;
+  exposure.greatest_feed = extent / passage;
+  exposure.possible_feed = std::max(extent, history.widths.back()) / passage;
+}
+
+}  // namespace
+
+double Exposure::decades() const {
+  return simulated > 0.0 && !std::isnan(exponent) ? std::max(0.0, std::log10(longest / simulated))
+                                                  : 0.0;
+}
+
+const MetricList<Exposure>& Exposure::metrics() {
+  using E = Exposure;
+  static const MetricList<E> list{
+      {"shortest", "s", "shortest exposure, w / u",
+       "Time for which the jet covers a point of its path: its extent over the traverse speed.",
+       &E::shortest},
+      {"longest", "s", "longest exposure, W / u",
+       "Time for which the jet stays within the hole that it has made by then: the width of the "
+       "opening over the traverse speed.",
+       &E::longest},
+      {"simulated", "s", "simulated time of the exposure",
+       "Time of the run since the jet met the workpiece, until the cut or the end.", &E::simulated},
+      {"decades", "1", "decades of time carried",
+       "Decimal logarithm of the longest exposure over the simulated time; 0 where the run covers "
+       "the exposure, and after a cut.",
+       &E::decades},
+      {"cuts", "1", "certainly cut through at the traverse speed",
+       "Whether the shortest exposure cuts the workpiece through.", &E::cuts},
+      {"may_cut", "1", "possibly cut through at the traverse speed",
+       "Whether the longest exposure cuts the workpiece through.", &E::may_cut},
+      {"depth", "m", "depth at the traverse speed", "Mean of the two following depths.", &E::depth},
+      {"depth_low", "m", "least depth at the traverse speed",
+       "Depth after the shortest exposure, at most the thickness.", &E::depth_low},
+      {"depth_high", "m", "greatest depth at the traverse speed",
+       "Depth after the longest exposure, at most the thickness.", &E::depth_high},
+      {"exponent", "1", "exponent of time, n",
+       "Exponent n of the depth over time, which carries the depth beyond the run.", &E::exponent},
+      {"greatest_feed", "m/s", "greatest traverse speed that cuts",
+       "Traverse speed at which the shortest exposure just cuts through.", &E::greatest_feed},
+      {"possible_feed", "m/s", "greatest traverse speed that may cut",
+       "Traverse speed at which the longest exposure just cuts through.", &E::possible_feed}};
+  return list;
+}
+
+std::optional<Exposure> exposure_of(const Case& description, const std::vector<CutState>& history,
+                                    const CutSummary& cut) {
+  if (!description.workpiece || !description.machine || std::isnan(cut.contact_time))
+    return std::nullopt;
+  const Machine& machine = *description.machine;
+  if (machine.motion != NozzleMotion::standing || machine.traverse_speed == 0.0)
+    return std::nullopt;
+  const DepthHistory since = history_since(history, cut.contact_time);
+  if (since.times.empty() || !(since.depths.back() > 0.0)) return std::nullopt;
+  Exposure exposure;
+  exposure.shortest = exposure_time(machine, description.jets.back(), description.dimension);
+  const double extent = exposure.shortest * machine.traverse_speed;
+  exposure.longest = longest_exposure(since, extent, machine.traverse_speed);
+  exposure.thickness = thickness_of(description);
+  exposure.simulated =
+      cut.cut_through ? cut.cut_through_time - cut.contact_time : since.times.back();
+  const auto after = [&](double time) {
+    return cut.cut_through && time >= exposure.simulated
+               ? DepthRange{exposure.thickness, exposure.thickness}
+               : depths_after(since, time);
+  };
+  const auto within = [&](double depth) { return std::min(depth, exposure.thickness); };
+  if (cut.cut_through)
+    add_feeds_of_cut(since, extent, exposure);
+  else if (exposure.longest > exposure.simulated)
+    add_carried_feeds(since, extent, exposure);
+  exposure.depth_low = within(after(exposure.shortest).low);
+  exposure.depth_high = within(after(exposure.longest).high);
+  exposure.depth = 0.5 * (exposure.depth_low + exposure.depth_high);
+  return exposure;
+}
+
+}  // namespace kerf

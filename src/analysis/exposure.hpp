@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cut of a moving nozzle from a run with the nozzle at rest. At the traverse speed u the jet
+// acts on a point of its path at least for w / u, w its extent along the path, and at most for W /
+// u, W the width of the opening that it has made by then: so long it stays within its own hole. The
+// depth of the cut is between the depths of the jet at rest after these two times. Where the run is
+// shorter, the depth follows the law h = a t^n, t since contact, fitted to the deepest front of the
+// run. The theory and the comparison with moving nozzles are in docs/theory/exposure.md.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "analysis/cut.hpp"
+#include "analysis/metric.hpp"
+
+namespace kerf {
+
+struct Case;
+
+struct Exposure {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double shortest = 0.0;   // s, w / u
+  double longest = 0.0;    // s, W / u
+  double simulated = 0.0;  // s, since contact, until the cut or the end of the run
+  double thickness = 0.0;  // m, of the workpiece along the jet
+  // m, of the cut at the traverse speed: after the shortest and the longest exposure, and the mean.
+  double depth_low = none, depth_high = none, depth = none;
+  double exponent = none;  // n; none where nothing is carried
+  // m/s, the traverse speeds up to which the cut is certain, and possible.
+  double greatest_feed = none, possible_feed = none;
+
+  bool cuts() const { return depth_low >= thickness; }
+  bool may_cut() const { return depth_high >= thickness; }
+  // Returns the decades of time over which the depth is carried; 0 = the run covers the exposure.
+  double decades() const;
+
+  static const MetricList<Exposure>& metrics();
+};
+
+// Returns the exposure of a case whose nozzle stands in the run but has a traverse speed; nothing
+// for others, and before contact.
+std::optional<Exposure> exposure_of(const Case& description, const std::vector<CutState>& history,
+                                    const CutSummary& cut);
+
+}  // namespace kerf

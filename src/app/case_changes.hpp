@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Changes of a case that make its run cheaper.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "model/case.hpp"
+
+namespace kerf {
+
+struct CaseChange {
+  std::vector<std::string> lines;  // keys with their tables, ready to be copied
+  toml::table changes;             // for input/overlay.hpp
+  bool to_plane = false;           // whether the case becomes a plane (2D) one first
+};
+
+// Each returns nothing where the change does not apply.
+std::optional<CaseChange> draft_quality(const Case& description, const toml::table& written);
+std::optional<CaseChange> double_spacing(const Case& description, const toml::table& written);
+std::optional<CaseChange> smaller_piece(const Case& description);
+std::optional<CaseChange> graded_spacing(const Case& description);
+std::optional<CaseChange> symmetry_planes(const Case& description);
+std::optional<CaseChange> plane_case(const Case& description);
+
+// Returns a case as a plane (2D) one: without its keys of depth, and with points of two entries.
+toml::table as_plane_case(const toml::table& written);
+
+}  // namespace kerf

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cost_advice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+
+#include "app/case_changes.hpp"
+#include "core/error.hpp"
+#include "input/overlay.hpp"
+#include "input/read.hpp"
+#include "output/readable.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double noticeable = 1.1;    // gain
+constexpr double least_across = 6.0;  // particles across a jet, as in a draft in 3D
+
+std::string as_text(const toml::table& table) {
+  std::ostringstream text;
+  text << table;
+  return text.str();
+}
+
+// Returns the case with the change; nothing if the reader refuses it, or it gains nothing.
+std::optional<Advice> advised(const CostedCase& costed, const CaseChange& change) {
+  Advice advice;
+  advice.lines = change.lines;
+  advice.before = run_cost(costed.numbers, costed.pace);
+  try {
+    const toml::table written = toml::parse(costed.text);
+    const std::string base = change.to_plane ? as_text(as_plane_case(written)) : costed.text;
+    advice.text = overlay(base, change.changes);
+    const Case changed = parse_case(advice.text, costed.file, quick_look);
+    Pace pace = costed.pace;
+    pace.particle_step *=
+        typical_pace(changed, 1).particle_step / typical_pace(costed.description, 1).particle_step;
+    advice.after = run_cost(derive(changed), pace);
+  } catch (const UserError&) {
+    return {};
+  } catch (const toml::parse_error&) {
+    return {};
+  }
+  const bool gains = advice.before.seconds > noticeable * advice.after.seconds ||
+                     advice.before.memory > noticeable * advice.after.memory;
+  if (!gains) return {};
+  return advice;
+}
+
+std::vector<CaseChange> possible_changes(const CostedCase& costed) {
+  const toml::table written = toml::parse(costed.text);
+  std::vector<CaseChange> changes;
+  for (const auto& change :
+       {draft_quality(costed.description, written), double_spacing(costed.description, written),
+        smaller_piece(costed.description), graded_spacing(costed.description),
+        symmetry_planes(costed.description), plane_case(costed.description)})
+    if (change) changes.push_back(*change);
+  return changes;
+}
+
+// Returns the key of a line, with its table.
+std::string key_of(const std::string& line) {
+  return line.substr(0, line.find('='));
+}
+
+// Applies one kind of change after the other, each to the case that the ones before have made.
+std::optional<Advice> all_together(const CostedCase& costed) {
+  CostedCase current = costed;
+  Advice all;
+  all.before = all.after = run_cost(costed.numbers, costed.pace);
+  const auto apply = [&](const std::optional<CaseChange>& change) {
+    if (!change || all.after.seconds < long_run / 6.0) return;
+    const auto step = advised(current, *change);
+    if (!step) return;
+    current.text = step->text;
+    current.description = parse_case(current.text, current.file, quick_look);
+    current.numbers = derive(current.description);
+    current.pace.particle_step = step->after.seconds / (step->after.particles * step->after.steps);
+    for (const std::string& line : step->lines) {
+      std::erase_if(all.lines,
+                    [&](const std::string& before) { return key_of(before) == key_of(line); });
+      all.lines.push_back(line);
+    }
+    all.text = step->text;
+    all.after = step->after;
+  };
+  apply(smaller_piece(current.description));
+  apply(draft_quality(current.description, toml::parse(current.text)));
+  apply(graded_spacing(current.description));
+  apply(plane_case(current.description));
+  while (current.numbers.jet_resolution >= 2.0 * least_across && all.after.seconds > long_run) {
+    const double seconds = all.after.seconds;
+    apply(double_spacing(current.description, toml::parse(current.text)));
+    if (all.after.seconds == seconds) break;
+  }
+  if (all.text.empty()) return {};
+  return all;
+}
+
+std::string times(double ratio, const char* more, const char* less) {
+  return ratio >= 1.0 ? fmt::format("{:.3g} times {}", ratio, more)
+                      : fmt::format("{:.3g} times {}", 1.0 / ratio, less);
+}
+
+}  // namespace
+
+std::string Advice::sentence() const {
+  return fmt::format("{}  # {}, {}: {}, {}", fmt::join(lines, "; "),
+                     times(before.particles / after.particles, "fewer particles", "more particles"),
+                     times(before.seconds / after.seconds, "faster", "slower"),
+                     duration(after.seconds), readable(after.memory, "B"));
+}
+
+std::vector<Advice> cost_advice(const CostedCase& costed) {
+  std::vector<Advice> list;
+  for (const CaseChange& change : possible_changes(costed))
+    if (auto advice = advised(costed, change)) list.push_back(std::move(*advice));
+  std::sort(list.begin(), list.end(),
+            [](const Advice& a, const Advice& b) { return a.after.seconds < b.after.seconds; });
+  if (auto all = all_together(costed); all && list.size() > 1) list.push_back(std::move(*all));
+  return list;
+}
+
+std::string advice_text(const CostedCase& costed, double memory) {
+  const RunCost cost = run_cost(costed.numbers, costed.pace);
+  const bool is_large = cost.memory > memory;
+  if (!is_large && cost.seconds <= long_run) return "";
+  std::string text = "\nWhat to change\n";
+  if (is_large)
+    text += fmt::format("  The run does not fit into the memory of this machine, {}.\n",
+                        readable(memory, "B"));
+  for (const Advice& advice : cost_advice(costed))
+    text += fmt::format("  - {}\n", advice.sentence());
+  text +=
+      "  - kerf run --device gpu  # on an NVIDIA GPU, with a Kerf that was built for it; what that "
+      "gains depends on the GPU (docs/gpu.md)\n";
+  return text;
+}
+
+}  // namespace kerf

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run_cost.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <optional>
+
+#include "core/error.hpp"
+#include "engine/device.hpp"
+#include "model/case.hpp"
+#include "parallel/threads.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double most_pilot_particles = 1e4;
+constexpr double most_graded_pilot = 4e3;   // particles of graded bodies, which take long to set up
+constexpr double longest_pilot = 1.5;       // s
+constexpr double least_across_pilot = 2.0;  // particles across a jet
+constexpr double thread_efficiency = 0.95;  // docs/performance.md, of each thread after the first
+
+double mean_particles(const DerivedNumbers& numbers) {
+  return 0.5 * static_cast<double>(numbers.particles_initial + numbers.particles_expected);
+}
+
+// Returns the time of one step of one particle on one core, s (docs/performance.md).
+double typical_particle_step(const Case& description) {
+  const bool plane = description.dimension == 2;
+  if (description.formulation == Formulation::standard) return plane ? 0.35e-6 : 0.7e-6;
+  return plane ? 1.9e-6 : 4.0e-6;
+}
+
+double on_threads(double seconds, int threads) {
+  return seconds / (1.0 + thread_efficiency * (threads - 1));
+}
+
+// Returns the factor of the spacing at which a run makes as many steps of particles as the pilot
+// may take: they are as the power -(D + 1) of the spacing.
+double coarsening(const Case& description, const DerivedNumbers& numbers) {
+  const double particles = mean_particles(numbers);
+  const double steps = longest_pilot / typical_particle_step(description);
+  const double by_work =
+      std::pow(particles * numbers.steps / steps, 1.0 / (description.dimension + 1));
+  const bool is_graded = std::any_of(description.bodies.begin(), description.bodies.end(),
+                                     [](const Body& body) { return body.grading.levels > 0; });
+  const double most = is_graded ? most_graded_pilot : most_pilot_particles;
+  const double by_size = std::pow(particles / most, 1.0 / description.dimension);
+  return std::max({1.0, by_work, by_size});
+}
+
+// Returns the time that processors have spent on this program, s. Unlike the time of day it does
+// not depend on other programs that run meanwhile.
+double processor_time() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+struct PilotRun {
+  double seconds = 0.0, particle_steps = 0.0, steps = 0.0, simulated = 0.0;
+};
+
+PilotRun make_pilot_run(const Case& description) {
+  PilotRun run;
+  const auto simulation = make_simulation(description);
+  if (!simulation->finished())
+    simulation->advance();  // the first step also builds the neighbour lists
+  const double start = processor_time();
+  const double first_time = simulation->time();
+  while (run.seconds < longest_pilot && !simulation->finished()) {
+    simulation->advance();
+    run.particle_steps += static_cast<double>(simulation->particles());
+    run.steps += 1.0;
+    run.seconds = processor_time() - start;
+  }
+  run.simulated = simulation->time() - first_time;
+  return run;
+}
+
+// Returns the pace of a pilot run on one core; nothing where this build has no engine for the case,
+// or the coarse run breaks down.
+std::optional<Pace> pace_of_pilot(const Case& description, const DerivedNumbers& numbers,
+                                  double stretch) {
+  try {
+    const Case pilot = pilot_case(description, numbers, stretch);
+    const DerivedNumbers coarse = derive(pilot);
+    if (static_cast<double>(coarse.particles_initial) > 4.0 * most_pilot_particles) return {};
+    set_threads(1);
+    const PilotRun run = make_pilot_run(pilot);
+    if (run.particle_steps == 0.0) return {};
+    return Pace{
+        run.seconds / run.particle_steps, run.steps * coarse.time_step / run.simulated,
+        fmt::format("by a pilot run of {} particles over {:.0f}% of the time",
+                    coarse.particles_initial, 100.0 * run.simulated / description.time.end)};
+  } catch (const UserError&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+Pace typical_pace(const Case& description, int threads) {
+  return {on_threads(typical_particle_step(description), threads), 1.0,
+          "by the typical speed of a core"};
+}
+
+Case pilot_case(const Case& description, const DerivedNumbers& numbers, double stretch) {
+  const double factor = stretch * coarsening(description, numbers);
+  Case pilot = description;
+  for (Body& body : pilot.bodies) body.spacing *= factor;
+  for (Jet& jet : pilot.jets) {
+    const double across = jet.width / jet.spacing;
+    jet.spacing *= std::clamp(across / least_across_pilot, 1.0, factor);
+  }
+  return pilot;
+}
+
+Pace measured_pace(const Case& description, const DerivedNumbers& numbers, int threads) {
+  // A lattice may happen to have particles on a symmetry plane; then another one is tried.
+  for (const double stretch : {1.0, 1.1, 1.21, 1.33})
+    if (const auto pace = pace_of_pilot(description, numbers, stretch)) {
+      Pace result = *pace;
+      result.particle_step = on_threads(pace->particle_step, threads);
+      set_threads(threads);
+      return result;
+    }
+  set_threads(threads);
+  return typical_pace(description, threads);
+}
+
+RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace) {
+  RunCost cost;
+  cost.particles = mean_particles(numbers);
+  cost.steps = pace.step_factor * numbers.steps;
+  cost.memory = numbers.memory;
+  cost.seconds = pace.particle_step * cost.particles * cost.steps;
+  return cost;
+}
+
+std::string duration(double seconds) {
+  constexpr double minute = 60.0, hour = 3600.0, day = 24.0 * hour, year = 365.25 * day;
+  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 100.0 * minute) return fmt::format("{:.0f} min", seconds / minute);
+  if (seconds < 2.0 * day) return fmt::format("{:.1f} h", seconds / hour);
+  if (seconds < year) return fmt::format("{:.0f} days", seconds / day);
+  return fmt::format("{:.2g} years", seconds / year);
+}
+
+}  // namespace kerf

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run will cost: particles, steps, memory and time, estimated before anything is laid out.
+//
+// The time is particles x steps x the pace, the time of one step of one particle. A pilot run
+// measures the pace: the case itself at a spacing at which its whole run takes a second or two. It
+// has the geometry and the physics of the run, so that it counts the costly debris and contacts of
+// later times, and the steps that squeezed particles shorten.
+#pragma once
+
+#include <string>
+
+#include "analysis/derived.hpp"
+
+namespace kerf {
+
+struct Case;
+
+struct Pace {
+  double particle_step = 0.0;  // s, on all threads of the run
+  double step_factor = 1.0;    // steps that are made over those of the estimate
+  std::string source;          // how it was found
+};
+
+struct RunCost {
+  double particles = 0.0;  // mean over the run
+  double steps = 0.0;
+  double memory = 0.0;   // bytes
+  double seconds = 0.0;  // of the run
+};
+
+// Returns the pace of a typical case of the same dimension and formulation on one core.
+Pace typical_pace(const Case& description, int threads);
+
+// Makes a pilot run, of 1.5 s and of 10^4 particles at most. Returns the typical pace where
+// this build cannot run the case, or all pilots fail.
+Pace measured_pace(const Case& description, const DerivedNumbers& numbers, int threads);
+
+// Returns the case of the pilot run: with its bodies and jets coarsened, `stretch` times as much as
+// is needed.
+Case pilot_case(const Case& description, const DerivedNumbers& numbers, double stretch = 1.0);
+
+RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace);
+
+// Returns a time in words, such as "12 min".
+std::string duration(double seconds);
+
+}  // namespace kerf

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads [workpiece]: a slab of which a part is simulated, as the first body of the case.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "input/draft.hpp"
+#include "input/sections.hpp"
+#include "input/toml_writer.hpp"
+#include "input/units.hpp"
+#include "machine/machine_jet.hpp"
+#include "machine/simulated_piece.hpp"
+#include "model/case.hpp"
+#include "model/face_names.hpp"
+
+namespace kerf {
+
+std::vector<Key> workpiece_keys() {
+  using namespace key_range;
+  using enum ValueKind;
+  // clang-format off
+  return {
+      {"material", name, "", "", any, {}, "", "Name of a material of this case or of the library", stored_in<&WorkpieceDraft::material>},
+      {"size", vector, "m", "", up_to(1e4), {}, "", "Length along x, thickness and, in 3D, length along z", stored_in<&WorkpieceSetting::size>},
+      {"minimum", vector, "m", "(8 jet widths, in 2D 24, from the water of the jet and its path, or a symmetry plane)", within(1e4), {}, "", "Lowest corner of the part that is simulated, over the whole thickness", stored_in<&WorkpieceSetting::part, &Box::minimum>},
+      {"maximum", vector, "m", "(likewise)", within(1e4), {}, "", "Highest corner of that part", stored_in<&WorkpieceSetting::part, &Box::maximum>},
+      {"spacing", quantity, "m", "(that of the jet)", positive, {}, "", "Distance of neighbouring particles at the jet", stored_in<&WorkpieceSetting::spacing>},
+      {"levels", integer, "", "(2, or 0 where that has fewer particles)", {0, 4}, {}, "", "How often the spacing doubles away from the jet; 0 = one spacing", stored_in<&WorkpieceSetting::levels>},
+      {"grading_width", quantity, "m", "(two widths of the jet)", positive, {}, "", "The spacing doubles beyond this distance from the water of the jet, again beyond twice it, and so on", stored_in<&WorkpieceSetting::grading_width>},
+  };
+  // clang-format on
+}
+
+namespace {
+
+constexpr double widths_after_cut = 20.0;  // of flight of the jet
+
+// Refuses a part that is not inside the workpiece.
+void check_part(Section& section, const WorkpieceSetting& workpiece) {
+  for (std::size_t a = 0; a < static_cast<std::size_t>(section.reading().dimension); ++a) {
+    const bool is_depth = a == 1;
+    const double high = is_depth ? 0.0 : 0.5 * workpiece.size[a];
+    const double low = high - workpiece.size[a], slack = 1e-9 * workpiece.size[a];
+    if (workpiece.part.minimum[a] >= low - slack && workpiece.part.maximum[a] <= high + slack &&
+        workpiece.part.minimum[a] < workpiece.part.maximum[a])
+      continue;
+    section.refuse(
+        section.has("minimum") ? "minimum" : "maximum",
+        fmt::format("entry {} of the corners is not within the workpiece", a + 1),
+        "Correct the corners; the upper face is at y = 0, the middle at the origin",
+        fmt::format("entries from {} to {}", write_quantity(low, "m"), write_quantity(high, "m")));
+    return;
+  }
+}
+
+toml::array corner(const Point& point, int dimension) {
+  toml::array array;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    array.push_back(write_quantity(point[a], "m"));
+  return array;
+}
+
+toml::table as_body(const Draft& draft, const Faces& absorbing) {
+  const WorkpieceSetting& workpiece = draft.workpiece.setting;
+  const int dimension = draft.reading.dimension;
+  toml::table body{{"name", workpiece_name},
+                   {"material", draft.workpiece.material},
+                   {"spacing", write_quantity(workpiece.spacing, "m")},
+                   {"shape", toml::table{{"type", "box"},
+                                         {"minimum", corner(workpiece.part.minimum, dimension)},
+                                         {"maximum", corner(workpiece.part.maximum, dimension)}}}};
+  if (workpiece.levels > 0)
+    body.insert("grading", toml::table{{"levels", workpiece.levels},
+                                       {"width", write_quantity(workpiece.grading_width, "m")}});
+  toml::array sides;
+  for (const std::string& name : names_of(absorbing)) sides.push_back(name);
+  if (!sides.empty()) body.insert("absorbing", std::move(sides));
+  return body;
+}
+
+// Decides whether the nozzle moves in the run.
+void resolve_motion(Draft& draft) {
+  Machine& machine = *draft.result.machine;
+  Jet& jet = draft.jets.back().jet;
+  if (machine.motion != NozzleMotion::automatic) return;
+  const bool stands =
+      machine.traverse_speed > 0.0 &&
+      may_stand(machine, jet, draft.workpiece.setting.size[1], draft.reading.dimension);
+  machine.motion = stands ? NozzleMotion::standing : NozzleMotion::travelling;
+  if (stands) jet.traverse = {};
+}
+
+// Sets what the user leaves open.
+void choose_part(Draft& draft, Section& top, const Section& section) {
+  WorkpieceSetting& workpiece = draft.workpiece.setting;
+  const Jet& jet = draft.jets.back().jet;
+  if (!section.has("spacing")) workpiece.spacing = jet.spacing;
+  // Symmetry planes could cut other bodies.
+  const bool may_mirror =
+      !draft.has_domain && !top.has("body") && !section.has("minimum") && !section.has("maximum");
+  PieceRequest request{jet, workpiece.size, draft.reading.dimension, workpiece.spacing, may_mirror,
+                       {}};
+  if (section.has("levels")) request.levels = workpiece.levels;
+  const SimulatedPiece chosen = simulated_piece(request);
+  if (!section.has("minimum")) workpiece.part.minimum = chosen.workpiece.part.minimum;
+  if (!section.has("maximum")) workpiece.part.maximum = chosen.workpiece.part.maximum;
+  if (!section.has("levels")) workpiece.levels = chosen.workpiece.levels;
+  if (!section.has("grading_width")) workpiece.grading_width = chosen.workpiece.grading_width;
+  if (draft.has_domain) return;
+  draft.result.domain = chosen.domain;
+  draft.result.symmetry = chosen.symmetry;
+  draft.has_domain = true;
+}
+
+}  // namespace
+
+void read_workpiece(Draft& draft, Section& top) {
+  const toml::table* written = top.table("workpiece");
+  if (!written) return;
+  Section section(draft.reading, *written, "workpiece", "workpiece");
+  section.read(draft.workpiece);
+  section.read(draft.workpiece.setting);
+  section.refuse_unknown();
+  if (!top.has("machine"))
+    top.refuse("workpiece", "there is no [machine] to cut it", "Add one, or write a [[body]]",
+               "a case with a [machine]");
+  if (draft.reading.problems.any()) return;
+  resolve_motion(draft);
+  choose_part(draft, top, section);
+  check_part(section, draft.workpiece.setting);
+  draft.result.workpiece = draft.workpiece.setting;
+  const Faces absorbing =
+      continued_faces(draft.workpiece.setting, draft.result.symmetry, draft.reading.dimension);
+  draft.workpiece.body = as_body(draft, absorbing);
+  const Machine& machine = *draft.result.machine;
+  const Jet& jet = draft.jets.back().jet;
+  if (machine.motion == NozzleMotion::standing)
+    draft.after_cut = widths_after_cut * jet.width / jet.speed;
+}
+
+void write_workpiece(TomlWriter& writer, const Case& description) {
+  writer.table("[workpiece]", "workpiece", *description.workpiece,
+               {{"material", material_text(description, description.bodies.front().material)}});
+}
+
+}  // namespace kerf

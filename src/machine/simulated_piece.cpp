@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machine/simulated_piece.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "geometry/jet_direction.hpp"
+#include "geometry/particle_estimate.hpp"
+#include "model/body.hpp"
+#include "model/machine.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr int graded_levels = 2;
+constexpr double graded_width = 2.0;  // jet widths
+
+// Returns the shift of the axis of the jet along x and z per depth.
+Point lean_of(const Jet& jet) {
+  const double slope = std::tan(jet.angle);
+  return {slope * std::cos(jet.azimuth), 0.0, slope * std::sin(jet.azimuth)};
+}
+
+// The part around the jet and its path; whole coarsest cells from the middle of the jet on.
+Box part_around(const PieceRequest& request) {
+  const Jet& jet = request.jet;
+  const Point extent = jet_extent(jet, request.dimension), lean = lean_of(jet);
+  const double speed = std::hypot(jet.traverse[0], jet.traverse[2]);
+  // Of the nozzle in the run, m.
+  const double way = std::max(traverse_widths * jet.width,
+                              speed * (jet.dwell + passage_time(jet, request.size[1])));
+  const double unit = request.spacing * (1 << request.levels.value_or(graded_levels));
+  Box part;
+  part.minimum[1] = -request.size[1];
+  for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
+    if (a == 2 && request.dimension == 2) continue;
+    const double half = 0.5 * extent[a] + window_reach(request.dimension) * jet.width;
+    const double path = speed > 0.0 ? way * jet.traverse[a] / speed : 0.0;
+    const double shift = lean[a] * request.size[1];
+    const auto whole = [&](double length) { return unit * std::ceil(length / unit - 1e-9); };
+    const double edge = 0.5 * request.size[a];
+    part.minimum[a] =
+        std::max(-edge, jet.position[a] - whole(half - std::min(0.0, path) - std::min(0.0, shift)));
+    part.maximum[a] =
+        std::min(edge, jet.position[a] + whole(half + std::max(0.0, path) + std::max(0.0, shift)));
+  }
+  return part;
+}
+
+// Returns the planes through the axis of the jet about which the part and the jet are symmetric,
+// and cuts the part there.
+Faces cut_at_planes(const PieceRequest& request, Box& part) {
+  Faces planes;
+  const Point lean = lean_of(request.jet);
+  for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
+    if (a == 2 && request.dimension == 2) continue;
+    const double at = request.jet.position[a];
+    const bool is_middle = std::abs(part.minimum[a] + part.maximum[a] - 2.0 * at) <
+                           1e-9 * (part.maximum[a] - part.minimum[a]);
+    if (!is_middle || std::abs(lean[a]) > 1e-12 || request.jet.traverse[a] != 0.0) continue;
+    planes.minimum[a] = true;
+    part.minimum[a] = at;
+  }
+  return planes;
+}
+
+Box domain_around(const PieceRequest& request, const Box& part, const Faces& planes) {
+  const double margin = domain_margin * request.jet.width;
+  Box domain = part;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(request.dimension); ++a) {
+    if (!planes.minimum[a]) domain.minimum[a] -= margin;
+    domain.maximum[a] += margin;
+  }
+  domain.maximum[1] += request.jet.standoff * std::cos(request.jet.angle);
+  domain.minimum[1] -= margin;
+  return domain;
+}
+
+double particles_of(const PieceRequest& request, const Box& part, int levels) {
+  Body body;
+  body.shape.kind = Shape::Kind::box;
+  body.shape.box = part;
+  body.spacing = request.spacing;
+  if (levels > 0) {
+    body.grading.levels = levels;
+    body.grading.width = graded_width * request.jet.width;
+    body.grading.lines = {line_of(request.jet)};
+  }
+  return estimate_particles(body, request.dimension).total();
+}
+
+// Whether whole coarsest cells lie beside each plane, as symmetry planes demand of graded bodies.
+bool holds_whole_cells(const Box& part, const Faces& planes, double cell) {
+  for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
+    const double cells = (part.maximum[a] - part.minimum[a]) / cell;
+    if (planes.minimum[a] && std::abs(cells - std::round(cells)) > 1e-6) return false;
+  }
+  return true;
+}
+
+// Sets the part, its planes and its levels to the choice with the fewest particles.
+void choose_layout(const PieceRequest& request, SimulatedPiece& piece) {
+  const Box whole = piece.workpiece.part;
+  double fewest = std::numeric_limits<double>::infinity();
+  for (const bool mirrored : {request.may_mirror, false})
+    for (const int levels :
+         request.levels ? std::vector{*request.levels} : std::vector{graded_levels, 0}) {
+      Box part = whole;
+      const Faces planes = mirrored ? cut_at_planes(request, part) : Faces{};
+      if (levels > 0 && !holds_whole_cells(part, planes, request.spacing * (1 << levels))) continue;
+      const double particles = particles_of(request, part, levels);
+      if (particles >= fewest) continue;
+      fewest = particles;
+      piece.workpiece.part = part;
+      piece.workpiece.levels = levels;
+      piece.symmetry = planes;
+    }
+}
+
+}  // namespace
+
+double passage_time(const Jet& jet, double thickness) {
+  return (jet.standoff + 4.0 * thickness / std::cos(jet.angle)) / (jet.speed * jet.duty);
+}
+
+Point jet_extent(const Jet& jet, int dimension) {
+  const double width = jet.width / std::cos(jet.angle);
+  if (dimension == 2) return {width, 0.0, 0.0};
+  const double length = jet.length > 0.0 ? jet.length : jet.width;
+  const double c = std::abs(std::cos(jet.azimuth)), s = std::abs(std::sin(jet.azimuth));
+  return {c * width + s * length, 0.0, s * width + c * length};
+}
+
+double exposure_time(const Machine& machine, const Jet& jet, int dimension) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (machine.traverse_speed == 0.0) return infinity;
+  const Point extent = jet_extent(jet, dimension);
+  double chord = infinity;  // of the extent, along the traverse
+  for (const std::size_t a : {std::size_t{0}, std::size_t{2}})
+    if (machine.traverse_direction[a] != 0.0)
+      chord = std::min(chord, extent[a] / std::abs(machine.traverse_direction[a]));
+  return chord / machine.traverse_speed;
+}
+
+bool may_stand(const Machine& machine, const Jet& jet, double thickness, int dimension) {
+  return exposure_time(machine, jet, dimension) > passage_time(jet, thickness);
+}
+
+SimulatedPiece simulated_piece(const PieceRequest& request) {
+  SimulatedPiece piece;
+  WorkpieceSetting& workpiece = piece.workpiece;
+  workpiece.size = request.size;
+  workpiece.spacing = request.spacing;
+  workpiece.grading_width = graded_width * request.jet.width;
+  workpiece.part = part_around(request);
+  choose_layout(request, piece);
+  piece.domain = domain_around(request, workpiece.part, piece.symmetry);
+  return piece;
+}
+
+Faces continued_faces(const WorkpieceSetting& workpiece, const Faces& symmetry, int dimension) {
+  Faces faces;
+  for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
+    if (a == 2 && dimension == 2) continue;
+    const double edge = 0.5 * workpiece.size[a], slack = 1e-9 * edge;
+    faces.minimum[a] = !symmetry.minimum[a] && workpiece.part.minimum[a] > -edge + slack;
+    faces.maximum[a] = !symmetry.maximum[a] && workpiece.part.maximum[a] < edge - slack;
+  }
+  return faces;
+}
+
+}  // namespace kerf

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of a workpiece that is simulated: a window around the jet, with symmetry planes or a
+// graded resolution, and whether the nozzle moves in the run. The rules and their reasons are in
+// docs/theory/exposure.md.
+#pragma once
+
+#include <optional>
+
+#include "model/jet.hpp"
+#include "model/workpiece_setting.hpp"
+
+namespace kerf {
+
+struct Machine;
+
+// The workpiece is simulated up to this distance from the water of the jet, in jet widths. Holes of
+// plane jets in soft materials are wider than those of round ones, which push matter to all sides.
+constexpr double window_reach(int dimension) {
+  return dimension == 2 ? 24.0 : 8.0;
+}
+// The path of a nozzle that moves in the run, in jet widths.
+inline constexpr double traverse_widths = 4.0;
+// Water beyond the simulated part by this distance, in jet widths, is removed.
+inline constexpr double domain_margin = 2.0;
+
+// Returns the time (s) of a run through the thickness (m) of a workpiece: the flight of the jet and
+// twice the time of a penetration at half its speed.
+double passage_time(const Jet& jet, double thickness);
+
+// Returns the extent (m) of the jet at the workpiece along x, y (0) and z.
+Point jet_extent(const Jet& jet, int dimension);
+
+// Returns the time (s) for which the jet of a machine acts on a point of its path: its extent along
+// the traverse over the traverse speed; infinity for a nozzle without a traverse.
+double exposure_time(const Machine& machine, const Jet& jet, int dimension);
+
+// Returns whether the nozzle may stand still in the run: it would move by less than the extent of
+// its jet while that could pass the workpiece.
+bool may_stand(const Machine& machine, const Jet& jet, double thickness, int dimension);
+
+struct SimulatedPiece {
+  WorkpieceSetting workpiece;  // with its part and its resolution
+  Faces symmetry;              // planes that bound the part
+  Box domain;                  // m
+};
+
+// What the choice is made for.
+struct PieceRequest {
+  Jet jet;     // its nozzle moves as it does in the run
+  Point size;  // m, of the workpiece
+  int dimension = 3;
+  double spacing = 0.0;       // m, of the workpiece at the jet
+  bool may_mirror = true;     // whether the part may end at symmetry planes
+  std::optional<int> levels;  // of resolution beside the finest, where they are not to be chosen
+};
+SimulatedPiece simulated_piece(const PieceRequest& request);
+
+// Returns the faces of the part beyond which the workpiece continues: they absorb waves.
+Faces continued_faces(const WorkpieceSetting& workpiece, const Faces& symmetry, int dimension);
+
+}  // namespace kerf

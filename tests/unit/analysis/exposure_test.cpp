@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cut of a moving nozzle from a run with the nozzle at rest, on made-up fronts of known laws.
+#include "analysis/exposure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "model/case.hpp"
+
+namespace kerf {
+namespace {
+
+constexpr double first_contact = 1e-6;    // s
+constexpr double slab_thickness = 10e-3;  // m
+
+// A round jet of 1 mm over a workpiece.
+Case feeding_case(double feed) {
+  Case description;
+  description.dimension = 3;
+  Machine machine;
+  machine.traverse_speed = feed;
+  machine.motion = NozzleMotion::standing;
+  description.machine = machine;
+  WorkpieceSetting workpiece;
+  workpiece.size = {0.1, slab_thickness, 0.1};
+  description.workpiece = workpiece;
+  Jet jet;
+  jet.width = 1e-3;
+  jet.speed = 200.0;
+  description.jets.push_back(jet);
+  return description;
+}
+
+std::vector<CutState> front_of(const std::function<double(double)>& depth, double end) {
+  std::vector<CutState> history;
+  for (int k = 0; k <= 500; ++k) {
+    CutState state;
+    state.time = first_contact + k * end / 500.0;
+    state.front_depth = depth(state.time - first_contact);
+    state.kerf_width = 3e-3;
+    history.push_back(state);
+  }
+  return history;
+}
+
+CutSummary summary_from(double cut_time = std::numeric_limits<double>::quiet_NaN()) {
+  CutSummary cut;
+  cut.contact_time = first_contact;
+  cut.cut_through = cut_time == cut_time;
+  cut.cut_through_time = cut_time;
+  return cut;
+}
+
+TEST(Exposure, PowerLawIsCarriedExactly) {
+  for (const double n : {0.18, 0.5, 1.0}) {
+    const auto depth = [n](double t) { return 1e-3 * std::pow(t / 1e-4, n); };
+    const auto exposure =
+        exposure_of(feeding_case(0.5), front_of(depth, 1e-4), summary_from()).value();
+    EXPECT_NEAR(exposure.shortest, 2e-3, 1e-15);  // 1 mm at 0.5 m/s
+    EXPECT_NEAR(exposure.longest, 6e-3, 1e-15);   // 3 mm
+    EXPECT_NEAR(exposure.decades(), std::log10(60.0), 1e-6);
+    EXPECT_NEAR(exposure.exponent, n, 1e-6);
+    const double low = std::min(slab_thickness, depth(2e-3));
+    const double high = std::min(slab_thickness, depth(6e-3));
+    EXPECT_NEAR(exposure.depth_low, low, 1e-6 * low) << n;
+    EXPECT_NEAR(exposure.depth_high, high, 1e-6 * high) << n;
+    // The depth is the thickness after the time t with depth(t) = thickness.
+    const double passage = 1e-4 * std::pow(10.0, 1.0 / n);
+    EXPECT_NEAR(exposure.greatest_feed, 1e-3 / passage, 1e-5 * 1e-3 / passage);
+    EXPECT_NEAR(exposure.possible_feed, 3e-3 / passage, 1e-5 * 3e-3 / passage);
+    EXPECT_EQ(exposure.cuts(), n == 1.0);
+  }
+}
+
+// A front that comes to rest follows no power law: the interval says so, and holds the truth.
+TEST(Exposure, IntervalHoldsAFrontThatSlowsDown) {
+  const auto depth = [](double t) { return 2e-3 * (1.0 - std::exp(-t / 5e-5)); };
+  const auto exposure =
+      exposure_of(feeding_case(2.0), front_of(depth, 1e-4), summary_from()).value();
+  EXPECT_LE(exposure.depth_low, depth(5e-4));
+  EXPECT_GE(exposure.depth_high, depth(1.5e-3));
+  EXPECT_GE(exposure.depth_low, depth(1e-4));
+  EXPECT_FALSE(exposure.may_cut());
+}
+
+TEST(Exposure, CutGivesTheGreatestFeed) {
+  const auto depth = [](double t) { return std::min(slab_thickness, 100.0 * t); };
+  const double cut_time = first_contact + 1e-4;
+  const auto at = [&](double feed) {
+    return exposure_of(feeding_case(feed), front_of(depth, 1.2e-4), summary_from(cut_time)).value();
+  };
+  EXPECT_TRUE(at(1.0).cuts());
+  EXPECT_NEAR(at(1.0).greatest_feed, 10.0, 1e-9);
+  EXPECT_NEAR(at(1.0).possible_feed, 30.0, 1e-9);
+  EXPECT_EQ(at(1.0).decades(), 0.0);
+  EXPECT_EQ(at(1.0).depth, slab_thickness);
+  EXPECT_FALSE(at(20.0).cuts());
+  EXPECT_TRUE(at(20.0).may_cut());
+  EXPECT_FALSE(at(40.0).may_cut());
+}
+
+// The jet of 1 mm leaves its hole, 3 mm wide, after 75 us at 40 m/s.
+TEST(Exposure, RunThatCoversTheExposureCarriesNothing) {
+  const auto depth = [](double t) { return 20.0 * t; };
+  const auto exposure =
+      exposure_of(feeding_case(40.0), front_of(depth, 1e-4), summary_from()).value();
+  EXPECT_EQ(exposure.decades(), 0.0);
+  EXPECT_NEAR(exposure.depth_low, 20.0 * 25e-6, 20.0 * 0.21e-6);  // rows are 0.2 us apart
+  EXPECT_NEAR(exposure.depth_high, 20.0 * 75e-6, 20.0 * 0.21e-6);
+  EXPECT_TRUE(std::isnan(exposure.exponent));
+}
+
+TEST(Exposure, OthersHaveNone) {
+  const auto history = front_of([](double t) { return t; }, 1e-4);
+  EXPECT_FALSE(exposure_of(feeding_case(0.0), history, summary_from()));
+  Case moving = feeding_case(1.0);
+  moving.machine->motion = NozzleMotion::travelling;
+  EXPECT_FALSE(exposure_of(moving, history, summary_from()));
+  CutSummary no_contact = summary_from();
+  no_contact.contact_time = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(exposure_of(feeding_case(1.0), history, no_contact));
+}
+
+}  // namespace
+}  // namespace kerf
