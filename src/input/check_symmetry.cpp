@@ -144,15 +144,19 @@ void check_jet(Draft& draft, const Plane& plane, std::size_t number) {
     inside = inside || depth >= reach;
   }
   if (!on_plane && !(beyond && inside)) return;
+  const bool is_turned_slot = jet.length > 0.0 && std::abs(std::sin(2.0 * jet.azimuth)) > 1e-9;
   const bool centred = std::abs(plane.depth(nozzle.exit())) < 1e-6 * jet.spacing &&
                        std::abs(nozzle.direction()[plane.axis]) < 1e-9 &&
-                       jet.traverse[plane.axis] == 0.0;
+                       jet.traverse[plane.axis] == 0.0 && !is_turned_slot;
   const std::string& path = draft.jets[number].path;
   if (!centred)
     draft.reading.problems.add(
         {path + ".position",
-         fmt::format("the symmetry plane \"{}\" cuts the jet beside its axis", plane.name),
-         "jets whose axis stays in the plane, or that do not touch it",
+         fmt::format(
+             "the symmetry plane \"{}\" cuts the jet beside its axis, or a slot at an angle",
+             plane.name),
+         "jets whose axis stays in the plane, slots along it or across, or jets that do not touch "
+         "it",
          "Move the jet or turn its angle"});
   else if (on_plane)
     draft.reading.problems.add(

@@ -50,13 +50,21 @@ Box part_around(const PieceRequest& request) {
   return part;
 }
 
+// Whether the water of a nozzle is symmetric about planes through its axis: it has no middle
+// column, and a slot is along an axis.
+bool is_symmetric(const Jet& jet, double extent) {
+  const bool is_turned = jet.length > 0.0 && std::abs(std::sin(2.0 * jet.azimuth)) > 1e-9;
+  return !is_turned && std::lround(extent / jet.spacing) % 2 == 0;
+}
+
 // Returns the planes through the axis of the jet about which the part and the jet are symmetric,
 // and cuts the part there.
 Faces cut_at_planes(const PieceRequest& request, Box& part) {
   Faces planes;
-  const Point lean = lean_of(request.jet);
+  const Point lean = lean_of(request.jet), extent = jet_extent(request.jet, request.dimension);
   for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
     if (a == 2 && request.dimension == 2) continue;
+    if (!is_symmetric(request.jet, extent[a])) continue;
     const double at = request.jet.position[a];
     const bool is_middle = std::abs(part.minimum[a] + part.maximum[a] - 2.0 * at) <
                            1e-9 * (part.maximum[a] - part.minimum[a]);

@@ -102,6 +102,18 @@ TEST(SimulatedPiece, PlanesAndLevelsGoTogetherInWholeCells) {
   EXPECT_EQ(simulated_piece(request).workpiece.levels, 0);
 }
 
+// Seven columns across have one in the middle; a slot at an angle to the axes is not its image.
+TEST(SimulatedPiece, JetsThatPlanesWouldCutHaveNone) {
+  Jet odd = round_jet();
+  odd.spacing = 1e-3 / 7.0;
+  EXPECT_FALSE(simulated_piece(request_for(odd, {1.0, 1e-3, 1.0})).symmetry.any());
+  Jet slot = round_jet();
+  slot.length = 4e-3;
+  EXPECT_TRUE(simulated_piece(request_for(slot, {1.0, 1e-3, 1.0})).symmetry.minimum[0]);
+  slot.azimuth = 0.5;
+  EXPECT_FALSE(simulated_piece(request_for(slot, {1.0, 1e-3, 1.0})).symmetry.any());
+}
+
 TEST(SimulatedPiece, MotionAndLeanRemovePlanes) {
   Jet moving = round_jet();
   moving.traverse = {50.0, 0.0, 0.0};

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// A case of a machine and a whole workpiece from the file to the answer at its feed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "faults/program.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace kerf {
+namespace {
+
+using test::Ending;
+using test::Program;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+// A jet of 5 m/s, 6.1 mm wide where it meets the tofu.
+constexpr const char* tofu_workpiece = R"(title = "Tofu of 20 mm"
+dimension = 2
+quality = "draft"
+
+[machine]
+pressure = "13 kPa"
+orifice_diameter = "10 mm"
+standoff = "10 mm"
+spacing = "2 mm"
+traverse_speed = "10 mm/s"
+
+[workpiece]
+material = "tofu"
+size = ["2000 mm", "20 mm"]
+)";
+
+class WorkpieceProgram : public testing::Test {
+ protected:
+  WorkpieceProgram() { write_file(folder_ / "my.toml", tofu_workpiece); }
+  Ending run() const {
+    return kerf({"run", (folder_ / "my.toml").string(), "--out", (folder_ / "out").string()});
+  }
+  Ending check() const { return kerf({"check", (folder_ / "my.toml").string()}); }
+  nlohmann::json result() const {
+    return nlohmann::json::parse(read_file(folder_ / "out/result.json"));
+  }
+  std::string file(const char* name) const { return read_file(folder_ / "out" / name); }
+
+ private:
+  Ending kerf(const std::vector<std::string>& arguments) const {
+    return Program(arguments, folder_ / "output.txt").wait();
+  }
+  test::TemporaryFolder folder_;
+};
+
+// Three columns across the jet exclude a symmetry plane, which an even number does not.
+TEST_F(WorkpieceProgram, CheckTellsWhatIsSimulatedAndWhy) {
+  const Ending ending = check();
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  EXPECT_THAT(ending.output, AllOf(HasSubstr("of the workpiece of 2 m x 20 mm are simulated"),
+                                   HasSubstr("The nozzle stands still in the run"),
+                                   Not(HasSubstr("symmetry plane in the axis"))));
+}
+
+TEST_F(WorkpieceProgram, TellsTheCutAtTheFeedOfAStandingNozzle) {
+  const Ending ending = run();
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  const auto all = result();
+  const auto& exposure = all.at("exposure");
+  const double width = all.at("machine").at("width_at_workpiece"), feed = 10e-3;
+  // w / u; the run is far shorter, and ends soon after the jet has passed.
+  EXPECT_NEAR(exposure.at("shortest"), width / feed, 1e-6 * width / feed);
+  EXPECT_GE(exposure.at("longest"), exposure.at("shortest"));
+  EXPECT_EQ(exposure.at("cuts"), true);
+  EXPECT_LE(exposure.at("simulated"), 0.1 * exposure.at("shortest").get<double>());
+  // The cut is certain up to w / t_c.
+  const double after = exposure.at("simulated");
+  EXPECT_NEAR(exposure.at("greatest_feed"), width / after, 1e-6 * width / after);
+  EXPECT_GE(exposure.at("possible_feed"), exposure.at("greatest_feed"));
+  const std::string verdict = all.at("verdict");
+  EXPECT_THAT(verdict, HasSubstr("A feed of 10 mm/s"));
+  EXPECT_THAT(ending.output, HasSubstr(verdict));
+  EXPECT_THAT(file("report.html"), HasSubstr("A feed of 10 mm/s"));
+}
+
+}  // namespace
+}  // namespace kerf
