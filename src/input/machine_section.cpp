@@ -12,6 +12,7 @@
 #include "machine/jet_breakup.hpp"
 #include "machine/machine_jet.hpp"
 #include "machine/simulated_piece.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -129,6 +130,9 @@ double finest_jet_spacing(const Draft& draft) {
 // traverse of four jet widths.
 double standard_end(const Draft& draft) {
   if (!draft.result.machine) return 0.0;
+  const WorkpieceSetting& workpiece = draft.workpiece.setting;
+  if (workpiece.frame == WorkpieceFrame::travelling)
+    return travelling_frame(workpiece, draft.jets.back().jet).end_time();
   const Jet& jet = draft.jets.back().jet;
   double low = jet.position[1], high = low;
   for (const BodyDraft& entry : draft.bodies) {

@@ -7,6 +7,7 @@
 
 #include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/body.hpp"
 #include "model/machine.hpp"
 
@@ -23,15 +24,26 @@ Point lean_of(const Jet& jet) {
   return {slope * std::cos(jet.azimuth), 0.0, slope * std::sin(jet.azimuth)};
 }
 
+bool travels(const PieceRequest& request) {
+  return request.frame == WorkpieceFrame::travelling;
+}
+
+// In the plane of a cut no distance across the path of the nozzle exists.
+int levels_of(const PieceRequest& request) {
+  return travels(request) && request.dimension == 2 ? 0 : graded_levels;
+}
+
 // The part around the jet and its path; whole coarsest cells from the middle of the jet on.
 Box part_around(const PieceRequest& request) {
   const Jet& jet = request.jet;
   const Point extent = jet_extent(jet, request.dimension), lean = lean_of(jet);
   const double speed = std::hypot(jet.traverse[0], jet.traverse[2]);
   // Of the nozzle in the run, m.
-  const double way = std::max(traverse_widths * jet.width,
-                              speed * (jet.dwell + passage_time(jet, request.size[1])));
-  const double unit = request.spacing * (1 << graded_levels);
+  const double way = travels(request)
+                         ? 0.0
+                         : std::max(traverse_widths * jet.width,
+                                    speed * (jet.dwell + passage_time(jet, request.size[1])));
+  const double unit = request.spacing * (1 << levels_of(request));
   Box part;
   part.minimum[1] = -request.size[1];
   for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
@@ -66,6 +78,22 @@ Faces cut_at_planes(const PieceRequest& request, Box& part) {
   return planes;
 }
 
+// Adds room for a shift ahead of the nozzle to a travelling window, which has whole coarsest cells.
+void make_travelling(const PieceRequest& request, WorkpieceSetting& workpiece) {
+  const TravellingFrame frame = travelling_frame(workpiece, request.jet);
+  const double cell = coarsest_cell(workpiece);
+  const bool forwards = frame.sign > 0.0;
+  double& front = (forwards ? workpiece.part.maximum : workpiece.part.minimum)[frame.axis];
+  const double rear = (forwards ? workpiece.part.minimum : workpiece.part.maximum)[frame.axis];
+  const double around = frame.sign * (front - rear);
+  const double length = around + cell * std::ceil(around / (shifts_per_window - 1.0) / cell);
+  const double room =
+      frame.sign * (forwards ? frame.path.maximum : frame.path.minimum)[frame.axis] -
+      frame.sign * rear;
+  front = rear + frame.sign * cell * std::floor(std::min(length, room) / cell + 1e-6);
+  workpiece.shift = usual_shift(workpiece, frame.axis);
+}
+
 Box domain_around(const PieceRequest& request, const Box& part, const Faces& planes) {
   const double margin = domain_margin * request.jet.width;
   Box domain = part;
@@ -86,7 +114,7 @@ double particles_of(const PieceRequest& request, const Box& part, bool graded) {
   if (graded) {
     body.grading.levels = graded_levels;
     body.grading.width = graded_width * request.jet.width;
-    body.grading.lines = {line_of(request.jet)};
+    body.grading.lines = {travels(request) ? sweep_of(request.jet) : line_of(request.jet)};
   }
   return estimate_particles(body, request.dimension).total();
 }
@@ -126,14 +154,21 @@ SimulatedPiece simulated_piece(const PieceRequest& request) {
   workpiece.size = request.size;
   workpiece.spacing = request.spacing;
   workpiece.grading_width = graded_width * request.jet.width;
+  workpiece.frame = request.frame;
   workpiece.part = part_around(request);
+  if (travels(request)) {
+    workpiece.levels = levels_of(request);
+    make_travelling(request, workpiece);
+  }
   Box cut = workpiece.part;
   const Faces planes = request.may_mirror ? cut_at_planes(request, cut) : Faces{};
-  const bool is_graded = !planes.any() || particles_of(request, workpiece.part, true) <
-                                              particles_of(request, cut, false);
+  const bool is_graded =
+      levels_of(request) > 0 && (!planes.any() || particles_of(request, workpiece.part, true) <
+                                                      particles_of(request, cut, false));
   if (is_graded) {
     workpiece.levels = graded_levels;
   } else {
+    workpiece.levels = 0;
     workpiece.part = cut;
     piece.symmetry = planes;
   }

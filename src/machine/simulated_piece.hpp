@@ -49,6 +49,7 @@ struct PieceRequest {
   int dimension = 3;
   double spacing = 0.0;    // m, of the workpiece at the jet
   bool may_mirror = true;  // whether the part may end at symmetry planes
+  WorkpieceFrame frame = WorkpieceFrame::fixed;
 };
 SimulatedPiece simulated_piece(const PieceRequest& request);
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// A frame that travels with the nozzle: its windows have the layout and the bonds of one long block;
+// nothing moves without a jet; results have the same bits for any number of threads and after a
+// restart across a shift; mass, momentum and energy that are fed in and left behind are booked.
+#include <oneapi/tbb/task_arena.h>
+
+#include <set>
+
+#include "model/material_laws.hpp"
+#include "parallel/threads.hpp"
+#include "simulation/populate.hpp"
+#include "simulation/run_settings.hpp"
+#include "solid/find_bonds.hpp"
+#include "support/runs.hpp"
+#include "support/travelling.hpp"
+
+namespace kerf::test {
+namespace {
+
+// A run up to a number of shifts.
+std::unique_ptr<Simulation> run_to_shift(const Case& description, std::uint64_t shifts) {
+  auto simulation = make_simulation(description);
+  while (simulation->shifts() < shifts && !simulation->finished()) simulation->advance();
+  EXPECT_EQ(simulation->shifts(), shifts);
+  return simulation;
+}
+
+Case without_water(TravellingText text) {
+  Case c = text.read();
+  c.jets[0].stop = 0.0;
+  return c;
+}
+
+using Place = std::array<double, 3>;
+using Bonds = std::map<Place, std::set<Place>>;
+
+template <int D>
+Bonds bonds_of(const std::vector<Place>& places, const Case& description) {
+  SolidLayout<D> layout;
+  layout.media = run_settings(description).media;
+  for (const Place& x : places) layout.reference.push_back(Vector<D, double>::from(x));
+  layout.medium_index.assign(places.size(), 0);
+  const BondLists lists = BondFinder<D>(layout).find();
+  Bonds bonds;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (Index k = lists.begin[i]; k < lists.begin[i + 1]; ++k)
+      bonds[places[i]].insert(places[lists.neighbour[k]]);
+  return bonds;
+}
+
+TEST(TravellingFrame, WindowsAreThoseOfALongBlock) {
+  TravellingText text;
+  const Case travelling = without_water(text), whole = long_block(text).read();
+  const auto frame = *travelling_frame(travelling);
+  const auto simulation = run_to_shift(travelling, 4);
+  const auto window = frame.window(4);
+  std::vector<Place> block, there;
+  for (const NewParticle& particle : initial_particles(whole, {})) {
+    block.push_back(particle.position);
+    const double x = particle.position[0];
+    if (x > window.minimum[0] && x < window.maximum[0]) there.push_back(particle.position);
+  }
+  const Frame layout = simulation->layout();
+  ASSERT_EQ(layout.position, there);  // in this order, bit for bit
+  EXPECT_EQ(there.size(), 40u * 12u);
+  const Bonds of_window = bonds_of<2>(there, travelling), of_block = bonds_of<2>(block, whole);
+  const std::set<Place> present(there.begin(), there.end());
+  for (const Place& x : there) {
+    std::set<Place> expected;
+    for (const Place& y : of_block.at(x))
+      if (present.count(y) != 0) expected.insert(y);
+    EXPECT_EQ(of_window.at(x), expected);
+  }
+  // The run has all of these bonds.
+  const Frame now = simulation->frame();
+  const Column* damage = find_column(now, "damage");
+  ASSERT_NE(damage, nullptr);
+  for (std::size_t i = 0; i < now.id.size(); ++i) {
+    if (now.category[i] == Category::solid) {
+      EXPECT_EQ(damage->values[i], 0.0f);
+    }
+  }
+}
+
+TEST(TravellingFrame, NothingMovesWithoutAJet) {
+  const auto simulation = run_to_shift(without_water({}), 5);
+  take_steps(*simulation, 200);
+  const Frame frame = simulation->frame(), layout = simulation->layout();
+  const auto place = by_id(layout);
+  std::size_t solid = 0;
+  for (std::size_t i = 0; i < frame.id.size(); ++i) {
+    if (frame.category[i] != Category::solid) continue;
+    ++solid;
+    EXPECT_EQ(frame.position[i], layout.position[place.at(frame.id[i])]);
+    EXPECT_EQ(frame.velocity[i], Place{});
+  }
+  EXPECT_EQ(solid, layout.id.size());
+  const Balance balance = simulation->balance();
+  EXPECT_EQ(balance.solid_energy(), 0.0);
+  EXPECT_EQ(balance.energy_left, 0.0);
+  EXPECT_NEAR(balance.mass_left, balance.mass_fed, 1e-12 * balance.mass_fed);
+  EXPECT_NEAR(balance.mass_error(), 0.0, 1e-12);
+}
+
+TEST(TravellingFrame, SameBitsForAnyNumberOfThreads) {
+  const Case c = TravellingText{}.read();
+  const auto run_on = [&](int threads) {
+    set_threads(threads);
+    return tbb::task_arena(threads).execute([&] { return run_to_shift(c, 3); });
+  };
+  const auto one = run_on(1);
+  EXPECT_GT(one->balance().dissipated_fracture, 0.0);
+  expect_same_run(*one, *run_on(3));
+  set_threads(0);
+}
+
+TEST(TravellingFrame, SameBitsAfterARestart) {
+  for (const char* law : {"", "plasticity = \"von_mises\"\nyield_stress = \"2 kPa\""}) {
+    TravellingText text;
+    text.material = law;
+    const Case c = text.read();
+    const auto straight = run_to_shift(c, 2);
+    take_steps(*straight, 50);
+    auto resumed = make_simulation(c);
+    resumed->restore(saved(*straight));
+    expect_same_state(saved(*straight), saved(*resumed));
+    // Restarts directly before and after a shift too.
+    while (straight->shifts() < 3) {
+      straight->advance();
+      resumed->advance();
+      if (straight->step() % 40 != 0 && straight->shifts() < 3) continue;
+      const Archive archive = saved(*resumed);
+      resumed = make_simulation(c);
+      resumed->restore(archive);
+    }
+    take_steps(*straight, 100);
+    take_steps(*resumed, 100);
+    expect_same_run(*straight, *resumed);
+  }
+}
+
+// The balance closes as well as that of a run in one long block.
+TEST(TravellingFrame, BalanceClosesOverShifts) {
+  TravellingText text;
+  const auto moving = run_to_shift(text.read(), 5);
+  const auto whole = make_simulation(long_block(text).read());
+  while (whole->time() < moving->time()) whole->advance();
+  const Balance a = moving->balance(), b = whole->balance();
+  EXPECT_GT(a.mass_left, 0.0);
+  EXPECT_NEAR(a.mass_error(), 0.0, 1e-12);
+  EXPECT_NEAR(a.momentum_error(), 0.0, 1e-4);
+  EXPECT_NEAR(a.energy_drift(), b.energy_drift(), 0.01);
+  // What was left behind is the energy of a slab far from the jet: little.
+  EXPECT_LT(std::abs(a.energy_left), 0.02 * a.energy_supplied());
+}
+
+}  // namespace
+}  // namespace kerf::test
