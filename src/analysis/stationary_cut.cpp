@@ -76,11 +76,12 @@ StationaryCut stationary_cut(const Case& description, const std::vector<CutState
   const double stretch = stretch_widths * jet.width;
   const auto first_after = [&](double place) {
     const auto found = std::find_if(history.begin(), history.end(), [&](const CutState& state) {
-      return travelled(state) >= place * (1.0 - 1e-9);
+      return travelled(state) >= place - 1e-9 * stretch;
     });
     return static_cast<std::size_t>(found - history.begin());
   };
-  if (cut.travelled < 2.0 * stretch) return cut;
+  constexpr double rounding = 1.0 - 1e-9;
+  if (cut.travelled < 2.0 * stretch * rounding) return cut;
   const std::size_t last = history.size() - 1, middle = first_after(cut.travelled - stretch),
                     first = first_after(cut.travelled - 2.0 * stretch);
   if (middle == last || first == middle) return cut;

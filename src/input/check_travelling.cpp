@@ -19,6 +19,10 @@ bool is_whole(double length, double cell) {
   return std::abs(length / cell - std::round(length / cell)) < slack;
 }
 
+std::string length_text(double length) {
+  return fmt::format("{:.6g} m", length);
+}
+
 void add(Draft& draft, std::string_view key, const std::string& what, const std::string& allowed,
          const std::string& remedy) {
   draft.reading.problems.add({std::string(key), what, allowed, remedy});
@@ -66,15 +70,15 @@ void check_window(Draft& draft, Section& section) {
   const TravellingFrame frame = travelling_frame(workpiece, draft.jets.back().jet);
   const double cell = coarsest_cell(workpiece);
   const double length = frame.first.maximum[frame.axis] - frame.first.minimum[frame.axis];
-  const std::string cells = "whole coarsest cells of " + write_quantity(cell, "m");
+  const std::string cells = "whole coarsest cells of " + length_text(cell);
   if (!is_whole(length, cell))
     section.refuse(section.has("maximum") ? "maximum" : "minimum",
-                   fmt::format("the window is {} long", write_quantity(length, "m")),
-                   "Correct the corners", cells);
+                   fmt::format("the window is {} long", length_text(length)), "Correct the corners",
+                   cells);
   if (!is_whole(workpiece.shift, cell) || workpiece.shift > length)
-    section.refuse("shift", "the window cannot move by " + write_quantity(workpiece.shift, "m"),
+    section.refuse("shift", "the window cannot move by " + length_text(workpiece.shift),
                    "Correct it or remove the key",
-                   cells + ", and no more than the window of " + write_quantity(length, "m"));
+                   cells + ", and no more than the window of " + length_text(length));
   const Faces& planes = draft.result.symmetry;
   if (planes.minimum[frame.axis] || planes.maximum[frame.axis])
     add(draft, "domain.symmetry", "the frame of the workpiece travels through this plane",
@@ -85,7 +89,7 @@ void check_window(Draft& draft, Section& section) {
                    "Enlarge the workpiece, move the position of the machine back, or set "
                    "workpiece.frame to \"fixed\"",
                    fmt::format("a window of {} and a shift of {} within the workpiece",
-                               write_quantity(length, "m"), write_quantity(workpiece.shift, "m")));
+                               length_text(length), length_text(workpiece.shift)));
 }
 
 void check_travelling_time(Draft& draft, Section& section) {
@@ -106,7 +110,7 @@ void check_travelling_time(Draft& draft, Section& section) {
   if (time.end > last * (1.0 + slack))
     section.refuse("end", "the window reaches the edge of the workpiece before",
                    "End earlier, enlarge the workpiece, or move the position of the machine back",
-                   fmt::format("at most {}", write_quantity(last, "s")));
+                   fmt::format("at most {:.6g} s", last));
 }
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 // Reads [workpiece]: a slab of which a part is simulated, as the first body of the case.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "input/draft.hpp"
@@ -97,6 +98,14 @@ void resolve_motion(Draft& draft) {
   if (stands) jet.traverse = {};
 }
 
+Box united(Box box, const Box& other) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    box.minimum[a] = std::min(box.minimum[a], other.minimum[a]);
+    box.maximum[a] = std::max(box.maximum[a], other.maximum[a]);
+  }
+  return box;
+}
+
 // Sets what the user leaves open.
 void choose_part(Draft& draft, Section& top, const Section& section) {
   WorkpieceSetting& workpiece = draft.workpiece.setting;
@@ -106,8 +115,9 @@ void choose_part(Draft& draft, Section& top, const Section& section) {
   const bool may_mirror = !draft.has_domain && !top.has("body") && !section.has("minimum") &&
                           !section.has("maximum") &&
                           !(section.has("levels") && workpiece.levels > 0);
-  const SimulatedPiece chosen = simulated_piece({jet, workpiece.size, draft.reading.dimension,
-                                                 workpiece.spacing, may_mirror, workpiece.frame});
+  const PieceRequest request{jet,        workpiece.size, draft.reading.dimension, workpiece.spacing,
+                             may_mirror, workpiece.frame};
+  const SimulatedPiece chosen = simulated_piece(request);
   if (!section.has("minimum")) workpiece.part.minimum = chosen.workpiece.part.minimum;
   if (!section.has("maximum")) workpiece.part.maximum = chosen.workpiece.part.maximum;
   if (!section.has("levels")) workpiece.levels = chosen.workpiece.levels;
@@ -115,7 +125,8 @@ void choose_part(Draft& draft, Section& top, const Section& section) {
   if (workpiece.frame == WorkpieceFrame::travelling && !section.has("shift"))
     workpiece.shift = usual_shift(workpiece, travelling_frame(workpiece, jet).axis);
   if (draft.has_domain) return;
-  draft.result.domain = chosen.domain;
+  draft.result.domain =
+      united(chosen.domain, domain_around(request, workpiece.part, chosen.symmetry));
   draft.result.symmetry = chosen.symmetry;
   draft.has_domain = true;
 }

@@ -94,18 +94,6 @@ void make_travelling(const PieceRequest& request, WorkpieceSetting& workpiece) {
   workpiece.shift = usual_shift(workpiece, frame.axis);
 }
 
-Box domain_around(const PieceRequest& request, const Box& part, const Faces& planes) {
-  const double margin = domain_margin * request.jet.width;
-  Box domain = part;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(request.dimension); ++a) {
-    if (!planes.minimum[a]) domain.minimum[a] -= margin;
-    domain.maximum[a] += margin;
-  }
-  domain.maximum[1] += request.jet.standoff * std::cos(request.jet.angle);
-  domain.minimum[1] -= margin;
-  return domain;
-}
-
 double particles_of(const PieceRequest& request, const Box& part, bool graded) {
   Body body;
   body.shape.kind = Shape::Kind::box;
@@ -146,6 +134,18 @@ double exposure_time(const Machine& machine, const Jet& jet, int dimension) {
 
 bool may_stand(const Machine& machine, const Jet& jet, double thickness, int dimension) {
   return exposure_time(machine, jet, dimension) > passage_time(jet, thickness);
+}
+
+Box domain_around(const PieceRequest& request, const Box& part, const Faces& planes) {
+  const double margin = domain_margin * request.jet.width;
+  Box domain = part;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(request.dimension); ++a) {
+    if (!planes.minimum[a]) domain.minimum[a] -= margin;
+    domain.maximum[a] += margin;
+  }
+  domain.maximum[1] += request.jet.standoff * std::cos(request.jet.angle);
+  domain.minimum[1] -= margin;
+  return domain;
 }
 
 SimulatedPiece simulated_piece(const PieceRequest& request) {

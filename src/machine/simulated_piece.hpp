@@ -53,6 +53,9 @@ struct PieceRequest {
 };
 SimulatedPiece simulated_piece(const PieceRequest& request);
 
+// Returns the domain around a part that ends at such planes, m.
+Box domain_around(const PieceRequest& request, const Box& part, const Faces& planes);
+
 // Returns the faces of the part beyond which the workpiece continues: they absorb waves.
 Faces continued_faces(const WorkpieceSetting& workpiece, const Faces& symmetry, int dimension);
 

@@ -58,9 +58,7 @@ class SolidPart {
   // Links the solid to its particles in their new order, for which there is a new list.
   void relink(Particles<D, P>& particles, const NeighbourView& list) {
     if (!solid_) return;
-    thrust::fill(particle_of_.begin(), particle_of_.end(), no_index);
-    for_each_index(particles.size(), LinkSolids<D, P>{particles.view(), link()});
-    mark_detached(particles, false);
+    find_particles(particles);
     fully_bonded_.resize(particles.size());
     thrust::fill(fully_bonded_.begin(), fully_bonded_.end(), std::uint8_t(0));
     for_each_index(solid_->size(), MarkFullyBonded<D, P>{particles.view(), link(), solid_->view(),
@@ -221,6 +219,11 @@ class SolidPart {
   SolidIndexView link() const {
     return {pointer(number_of_id_), static_cast<Index>(number_of_id_.size()),
             const_cast<Index*>(pointer(particle_of_))};
+  }
+  void find_particles(Particles<D, P>& particles) {
+    thrust::fill(particle_of_.begin(), particle_of_.end(), no_index);
+    for_each_index(particles.size(), LinkSolids<D, P>{particles.view(), link()});
+    mark_detached(particles, false);
   }
   void mark_detached(Particles<D, P>& particles, bool in_step) {
     const MarkDetached<D, P> mark{particles.view(), link(), solid_->view(), solid_->records(),

@@ -61,6 +61,7 @@ SolidLosses SolidPart<D, P>::exchange(const RunSettings& settings,
   build(settings, media, particles, std::move(members));
   solid_->restore(carry_over(*before, *solid_, earlier));
   move_boundaries(settings, media);
+  find_particles(particles);  // those that the cut at the rear detaches have further neighbours
   return held;
 }
 

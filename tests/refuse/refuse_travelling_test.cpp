@@ -28,15 +28,22 @@ TEST(RefuseTravelling, NamesKeyRangeAndRemedy) {
               {"machine.motion", "\"travelling\" or \"auto\"", "workpiece.frame"}),
       refusal(&Text::machine, "", {"machine.traverse_speed", "greater than 0 m/s", "feed"}),
       refusal(&Text::frame, frame + "shift = \"4.5 mm\"",
-              {"workpiece.shift", "whole coarsest cells of 1 mm", "no more than the window of 40"}),
-      refusal(&Text::frame, frame + "shift = \"41 mm\"", {"workpiece.shift", "41 mm"}),
-      refusal(&Text::frame, frame + "levels = 1", {"workpiece.levels", "0 where a 2D frame", "Remove"}),
+              {"workpiece.shift", "whole coarsest cells of 0.001 m",
+               "no more than the window of 0.04 m"}),
+      refusal(&Text::frame, frame + "shift = \"41 mm\"", {"workpiece.shift", "0.041 m"}),
+      refusal(&Text::frame, frame + "levels = 1",
+              {"workpiece.levels", "0 where a 2D frame", "Remove"}),
       refusal(&Text::frame, "frame = \"fixed\"\nshift = \"5 mm\"",
               {"workpiece.shift", "only where this holds: travelling"}),
-      refusal(&Text::time, "end = \"1 s\"", {"time.end", "at most 28.5 ms", "enlarge the workpiece"}),
+      refusal(&Text::time, "end = \"1 s\"",
+              {"time.end", "at most 0.0285 s", "enlarge the workpiece"}),
       refusal(&Text::time, "relax = \"1 ms\"", {"time.relax", "0 s where", "Remove"}),
-      refusal(&Text::rest, "[[jet]]\nname = \"other\"\n", {"jet", "none where workpiece.frame"}),
-      refusal(&Text::rest, "[[body]]\nname = \"table\"\n", {"body", "only its own solid is fed in"}),
+      refusal(&Text::rest,
+              "[[jet]]\nname = \"other\"\nspeed = \"5 m/s\"\nwidth = \"4 mm\"\nposition = [\"0 "
+              "m\", \"0 m\"]\nstandoff = \"5 mm\"\n",
+              {"jet", "none where workpiece.frame"}),
+      refusal(&Text::rest, "[[body]]\nname = \"table\"\n",
+              {"body", "only its own solid is fed in"}),
       refusal(&Text::rest, "[[load]]\nname = \"weight\"\n", {"load", "none where workpiece.frame"}),
       refusal(&Text::rest,
               "[domain]\nminimum = [\"-120 mm\", \"-20 mm\"]\nmaximum = [\"-70 mm\", \"10 mm\"]\n"
@@ -46,12 +53,14 @@ TEST(RefuseTravelling, NamesKeyRangeAndRemedy) {
   };
   table.back().text.low = -120.5e-3;
   table.back().text.frame = frame;
-  table.back().contains = {"workpiece.maximum", "the window is 40.5", "whole coarsest cells of 1 mm"};
+  table.back().contains = {"workpiece.maximum", "the window is 0.0405 m",
+                           "whole coarsest cells of 0.001 m"};
   for (const TravellingRefusal& bad : table) {
     const std::string message = message_of(bad.text.text());
     EXPECT_EQ(message.find("bad.toml:"), 0u) << message;
     for (const std::string& part : bad.contains)
-      EXPECT_NE(message.find(part), std::string::npos) << "wanted " << part << "\n  got " << message;
+      EXPECT_NE(message.find(part), std::string::npos)
+          << "wanted " << part << "\n  got " << message;
   }
 }
 

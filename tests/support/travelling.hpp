@@ -19,9 +19,11 @@ struct TravellingText {
   std::string machine = "traverse_speed = \"10 m/s\"";
   std::string frame = "frame = \"travelling\"\nshift = \"5 mm\"";
   double low = -120e-3, high = -80e-3;  // m, the window at the start, along x
+  double thickness = 12e-3;             // m
   std::string time = "end = \"3 ms\"";
-  std::string rest;      // of the case
-  std::string material;  // keys
+  std::string rest;       // of the case
+  std::string material =  // keys
+      "criterion = \"crack_band\"\nfailure_strain = 0.05\nfracture_energy = \"10 J/m2\"";
 
   std::string text() const {
     const bool flat = dimension == 2;
@@ -45,9 +47,6 @@ position = {}
 [materials.curd]
 base = "tofu"
 poisson_ratio = 0.4
-criterion = "crack_band"
-failure_strain = 0.05
-fracture_energy = "10 J/m2"
 artificial_linear = 0.2
 artificial_quadratic = 0.5
 {}
@@ -61,8 +60,8 @@ spacing = "1 mm"
 [time]
 {}
 {})",
-        dimension, corner(-100e-3, 0.0, 0.0), machine, material, corner(0.4, 12e-3, 0.1),
-        corner(low, -12e-3, -10e-3), corner(high, 0.0, 10e-3), frame, time, rest);
+        dimension, corner(-100e-3, 0.0, 0.0), machine, material, corner(0.4, thickness, 0.1),
+        corner(low, -thickness, -10e-3), corner(high, 0.0, 10e-3), frame, time, rest);
   }
   Case read() const { return parse_case(text(), "travelling.toml"); }
 };
