@@ -54,8 +54,8 @@ const MetricList<StationaryCut>& StationaryCut::metrics() {
       {"depth", "m", "depth of the stationary cut", "Mean depth of the cut in the last stretch.",
        &S::depth},
       {"lag", "m", "lag of the stationary cut",
-       "Mean distance along the path by which the front trails the nozzle where it has 90% of its "
-       "depth.",
+       "Mean distance along the path by which the front trails the nozzle, between 50% and 90% of "
+       "its depth.",
        &S::lag},
       {"width", "m", "width of the stationary cut",
        "Mean width at half the depth across the path; 0 in 2D.", &S::width},

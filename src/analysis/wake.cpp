@@ -3,10 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "analysis/kerf_shape.hpp"
 
 namespace kerf {
+
+namespace {
+
+// Returns the mean depth of the deeper half of the points.
+double deeper_half(const std::vector<ProfilePoint>& points) {
+  std::vector<double> depths;
+  for (const ProfilePoint& point : points) depths.push_back(point.depth);
+  std::sort(depths.begin(), depths.end(), std::greater<>());
+  const std::size_t count = (depths.size() + 1) / 2;
+  double sum = 0.0;
+  for (std::size_t n = 0; n < count; ++n) sum += depths[n];
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+// Returns where the points, in order, first reach a depth, m.
+double first_reach(const std::vector<ProfilePoint>& points, double depth) {
+  const auto found = std::find_if(points.begin(), points.end(), [depth](const ProfilePoint& point) {
+    return point.depth >= depth;
+  });
+  if (found == points.begin()) return found->position;
+  if (found == points.end()) return points.back().position;
+  const ProfilePoint &last = *(found - 1), &next = *found;
+  return last.position +
+         (depth - last.depth) / (next.depth - last.depth) * (next.position - last.position);
+}
+
+}  // namespace
 
 Wake measure_wake(const KerfView& view, const KerfAxes& axes) {
   Wake wake;
@@ -18,20 +46,16 @@ Wake measure_wake(const KerfView& view, const KerfAxes& axes) {
   // The profile from the nozzle backwards: how far each point is behind it, m, and its depth.
   std::vector<ProfilePoint> behind;
   for (const ProfilePoint& point : shape.profile)
-    if (const double lag = nozzle - sign * point.position; lag >= -axes.jet.width)
+    if (const double lag = nozzle - sign * point.position; lag >= 0.0 && lag <= nozzle)
       behind.push_back({lag, point.depth});
   std::sort(behind.begin(), behind.end(),
             [](const auto& a, const auto& b) { return a.position < b.position; });
-  for (const ProfilePoint& point : behind) wake.depth = std::max(wake.depth, point.depth);
+  wake.depth = deeper_half(behind);
   if (wake.depth == 0.0) return wake;
-  const double deep = front_share * wake.depth;
-  for (std::size_t n = 0; n < behind.size(); ++n) {
-    if (behind[n].depth < deep) continue;
-    wake.lag = behind[n].position;
-    if (n > 0 && behind[n].depth > behind[n - 1].depth)
-      wake.lag -= (behind[n].depth - deep) / (behind[n].depth - behind[n - 1].depth) *
-                  (behind[n].position - behind[n - 1].position);
-    break;
+  for (int level = 0; level < front_levels; ++level) {
+    const double share = (level + 0.5) / front_levels;
+    const double deep = front_low + share * (front_high - front_low);
+    wake.lag += first_reach(behind, deep * wake.depth) / front_levels;
   }
   if (map.grid.dimension == 3) wake.width = shape.middle.width;
   return wake;

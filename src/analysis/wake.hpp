@@ -6,13 +6,14 @@
 
 namespace kerf {
 
-// The front lags where it first has this share of the depth of the cut.
-inline constexpr double front_share = 0.9;
+// The lag is a mean over this many levels between these shares of the depth.
+inline constexpr int front_levels = 8;
+inline constexpr double front_low = 0.5, front_high = 0.9;
 
 // In the initial layout (docs/theory/travelling_frame.md); 0 before anything is cut.
 struct Wake {
-  double depth = 0.0;  // m, the greatest mean over a quarter of a jet width of the path
-  double lag = 0.0;    // m, of the front behind the nozzle, along its path
+  double depth = 0.0;  // m, mean over the deeper half of the path of the axis
+  double lag = 0.0;    // m, of the lower part of the front behind the nozzle, along its path
   double width = 0.0;  // m, across the path at half the depth; 0 in 2D
 };
 
