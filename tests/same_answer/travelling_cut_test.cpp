@@ -83,8 +83,6 @@ TEST(TravellingCut, IsThatOfALongBlock) {
   const Case travelling = text.read();
   const TravellingCut window = mean_cut(travelling, travelling, 3e-3);
   const TravellingCut block = mean_cut(long_block(text).read(), travelling, 3e-3);
-  fmt::print("depth {} {} front {} {} lag {} {}\n", window.depth, block.depth, window.front,
-             block.front, window.lag, block.lag);
   EXPECT_GT(block.depth, 2e-3);
   EXPECT_NEAR(window.depth, block.depth, 0.03 * block.depth);
   EXPECT_NEAR(window.front, block.front, 0.03 * block.front);
