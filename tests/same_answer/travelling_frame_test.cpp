@@ -7,6 +7,7 @@
 
 #include <set>
 
+#include "geometry/graded_fill.hpp"
 #include "model/material_laws.hpp"
 #include "parallel/threads.hpp"
 #include "simulation/populate.hpp"
@@ -83,9 +84,44 @@ TEST(TravellingFrame, WindowsAreThoseOfALongBlock) {
   }
 }
 
-TEST(TravellingFrame, NothingMovesWithoutAJet) {
-  const auto simulation = run_to_shift(without_water({}), 5);
-  take_steps(*simulation, 200);
+// The levels of a graded window depend on the distance across the path alone.
+TEST(TravellingFrame, GradedWindowsAreThoseOfALongBlock) {
+  const Case travelling = graded_window().read();
+  const auto frame = *travelling_frame(travelling);
+  Body block = travelling.bodies[0];
+  block.shape.box = frame.path;
+  const auto whole = fill_levels(block, 3);
+  std::set<int> levels;
+  for (const std::uint64_t shifts : {std::uint64_t{0}, std::uint64_t{3}, frame.most}) {
+    const Box window = frame.window(shifts);
+    std::vector<Place> there, laid_out;
+    std::vector<std::uint16_t> medium_there, medium_laid_out;
+    const auto media = media_of_levels(travelling)[0];
+    for (const GradedParticle& particle : whole) {
+      const double x = particle.position[0];
+      if (x < window.minimum[0] || x > window.maximum[0]) continue;
+      there.push_back(particle.position);
+      medium_there.push_back(media[static_cast<std::size_t>(particle.level)]);
+      levels.insert(particle.level);
+    }
+    for (const NewParticle& particle : window_particles(travelling, shifts)) {
+      laid_out.push_back(particle.position);
+      medium_laid_out.push_back(particle.source);
+    }
+    EXPECT_EQ(laid_out, there);
+    EXPECT_EQ(medium_laid_out, medium_there);
+  }
+  EXPECT_EQ(levels.size(), 2u);
+}
+
+class TravellingFrameIn : public testing::TestWithParam<int> {
+ protected:
+  static TravellingText text() { return GetParam() == 2 ? TravellingText{} : graded_window(); }
+};
+
+TEST_P(TravellingFrameIn, NothingMovesWithoutAJet) {
+  const auto simulation = run_to_shift(without_water(text()), GetParam() == 2 ? 5 : 2);
+  take_steps(*simulation, 100);
   const Frame frame = simulation->frame(), layout = simulation->layout();
   const auto place = by_id(layout);
   std::size_t solid = 0;
@@ -103,11 +139,12 @@ TEST(TravellingFrame, NothingMovesWithoutAJet) {
   EXPECT_NEAR(balance.mass_error(), 0.0, 1e-12);
 }
 
-TEST(TravellingFrame, SameBitsForAnyNumberOfThreads) {
-  const Case c = TravellingText{}.read();
+TEST_P(TravellingFrameIn, SameBitsForAnyNumberOfThreads) {
+  const Case c = text().read();
   const auto run_on = [&](int threads) {
     set_threads(threads);
-    return tbb::task_arena(threads).execute([&] { return run_to_shift(c, 3); });
+    return tbb::task_arena(threads).execute(
+        [&] { return run_to_shift(c, GetParam() == 2 ? 3 : 1); });
   };
   const auto one = run_on(1);
   EXPECT_GT(one->balance().dissipated_fracture, 0.0);
@@ -140,6 +177,22 @@ TEST(TravellingFrame, SameBitsAfterARestart) {
     take_steps(*resumed, 100);
     expect_same_run(*straight, *resumed);
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, TravellingFrameIn, testing::Values(2, 3));
+
+// Of a graded, nearly incompressible body too.
+TEST(TravellingFrame, SameBitsAfterARestartIn3D) {
+  const Case c = graded_window().read();
+  const auto straight = run_to_shift(c, 1);
+  auto resumed = make_simulation(c);
+  resumed->restore(saved(*straight));
+  expect_same_state(saved(*straight), saved(*resumed));
+  take_steps(*straight, 60);
+  take_steps(*resumed, 60);
+  expect_same_run(*straight, *resumed);
+  EXPECT_NEAR(straight->balance().mass_error(), 0.0, 1e-12);
+  EXPECT_LT(std::abs(straight->balance().energy_drift()), 0.02);
 }
 
 // The balance closes as well as that of a run in one long block.

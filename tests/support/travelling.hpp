@@ -20,6 +20,10 @@ struct TravellingText {
   std::string frame = "frame = \"travelling\"\nshift = \"5 mm\"";
   double low = -120e-3, high = -80e-3;  // m, the window at the start, along x
   double thickness = 12e-3;             // m
+  double half_width = 10e-3;            // m, in 3D
+  double spacing = 1e-3;                // m
+  double standoff = 3e-3;               // m, beyond the reach of the slab's particles
+  double poisson_ratio = 0.4;
   std::string time = "end = \"3 ms\"";
   std::string rest;       // of the case
   std::string material =  // keys
@@ -40,13 +44,13 @@ pressure = "0.2 MPa"
 orifice_diameter = "4 mm"
 orifice_type = "conical"
 cone_angle = "20 deg"
-standoff = "3 mm"
+standoff = "{} m"
 spacing = "0.8 mm"
 position = {}
 {}
 [materials.curd]
 base = "tofu"
-poisson_ratio = 0.4
+poisson_ratio = {}
 artificial_linear = 0.2
 artificial_quadratic = 0.5
 {}
@@ -55,16 +59,29 @@ material = "curd"
 size = {}
 minimum = {}
 maximum = {}
-spacing = "1 mm"
+spacing = "{} m"
 {}
 [time]
 {}
 {})",
-        dimension, corner(-100e-3, 0.0, 0.0), machine, material, corner(0.4, thickness, 0.1),
-        corner(low, -thickness, -10e-3), corner(high, 0.0, 10e-3), frame, time, rest);
+        dimension, standoff, corner(-100e-3, 0.0, 0.0), machine, poisson_ratio, material,
+        corner(0.4, thickness, 0.1), corner(low, -thickness, -half_width),
+        corner(high, 0.0, half_width), spacing, frame, time, rest);
   }
   Case read() const { return parse_case(text(), "travelling.toml"); }
 };
+
+// Returns a graded, nearly incompressible one in 3D.
+inline TravellingText graded_window() {
+  TravellingText text;
+  text.dimension = 3;
+  text.spacing = 2e-3;
+  text.half_width = 16e-3;
+  text.standoff = 6e-3;
+  text.poisson_ratio = 0.49;
+  text.frame = "frame = \"travelling\"\nshift = \"8 mm\"\nlevels = 1\ngrading_width = \"4 mm\"";
+  return text;
+}
 
 // Returns the same slab as one block that has the places of all windows.
 inline TravellingText long_block(TravellingText text) {
