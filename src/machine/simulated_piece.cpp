@@ -9,6 +9,7 @@
 #include "geometry/particle_estimate.hpp"
 #include "machine/travelling_frame.hpp"
 #include "model/body.hpp"
+#include "model/case.hpp"
 #include "model/machine.hpp"
 
 namespace kerf {
@@ -130,6 +131,14 @@ double exposure_time(const Machine& machine, const Jet& jet, int dimension) {
     if (machine.traverse_direction[a] != 0.0)
       chord = std::min(chord, extent[a] / std::abs(machine.traverse_direction[a]));
   return chord / machine.traverse_speed;
+}
+
+double longest_stay(const Case& description) {
+  const double end = description.time.end;
+  const auto frame = travelling_frame(description);
+  if (!frame) return end;
+  const double length = frame->first.maximum[frame->axis] - frame->first.minimum[frame->axis];
+  return std::min(end, length / frame->speed);
 }
 
 bool may_stand(const Machine& machine, const Jet& jet, double thickness, int dimension) {

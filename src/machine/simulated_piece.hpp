@@ -9,6 +9,7 @@
 
 namespace kerf {
 
+struct Case;
 struct Machine;
 
 // The workpiece is simulated up to this distance from the water of the jet, in jet widths. Holes of
@@ -35,6 +36,10 @@ double exposure_time(const Machine& machine, const Jet& jet, int dimension);
 // Returns whether the nozzle may stand still in the run: it would move by less than the extent of
 // its jet while that could pass the workpiece.
 bool may_stand(const Machine& machine, const Jet& jet, double thickness, int dimension);
+
+// Returns the longest time (s) for which water can be in a run: that of the run, or that in which a
+// window that travels with the nozzle passes a place.
+double longest_stay(const Case& description);
 
 struct SimulatedPiece {
   WorkpieceSetting workpiece;  // with its part and its resolution
