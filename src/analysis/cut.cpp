@@ -88,7 +88,17 @@ void judge_bodies(const Workpiece& workpiece, const Frame& frame,
 }  // namespace
 
 CutMonitor::CutMonitor(const Case& description, const Frame& initial)
-    : contact_depth_(description.jets.empty() ? 0.0 : description.jets.front().spacing) {
+    : contact_depth_(description.jets.empty() ? 0.0 : description.jets.front().spacing),
+      has_wake_(description.workpiece &&
+                description.workpiece->frame == WorkpieceFrame::travelling) {
+  take(description, initial);
+}
+
+void CutMonitor::follow(const Case& shifted, const Frame& layout) {
+  take(shifted, layout);
+}
+
+void CutMonitor::take(const Case& description, const Frame& initial) {
   const SymmetryImages images = symmetry_images(description);
   workpiece_ = std::make_shared<const Workpiece>(
       make_workpiece(description, WholeFrame(initial, images).get()));
@@ -96,7 +106,7 @@ CutMonitor::CutMonitor(const Case& description, const Frame& initial)
     axes_.emplace(*workpiece_->jet, description.jets.front().traverse, description.dimension);
 }
 
-CutState CutMonitor::observe(const Frame& part) {
+CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& water_impulse) {
   const Workpiece& workpiece = *workpiece_;
   CutState state;
   state.time = part.time;
@@ -112,6 +122,11 @@ CutState CutMonitor::observe(const Frame& part) {
     state.fractured_mass = fractured_mass(workpiece, frame, rows);
     state.fractured_fraction = state.fractured_mass / workpiece.total_mass;
     state.front_depth = front_depth(workpiece, frame);
+    if (has_wake_ && axes_) {
+      const auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
+      state.wake = measure_wake({workpiece, frame, rows, standing}, *axes_);
+      state.water_impulse = KerfAxes::dot(water_impulse, axes_->jet.along);
+    }
     if (workpiece.jet && state.front_depth > 0.0) {
       const double half = state.front_depth / 2.0;
       state.fractured_width = fractured_width(workpiece, frame, rows, half);

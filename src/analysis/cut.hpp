@@ -12,6 +12,7 @@
 #include "analysis/kerf_axes.hpp"
 #include "analysis/metric.hpp"
 #include "analysis/pieces.hpp"
+#include "analysis/wake.hpp"
 #include "simulation/frame.hpp"
 
 namespace kerf {
@@ -37,6 +38,8 @@ struct CutState {
   // Whether all bodies in the way of the jet are cut through, at this instant or before.
   bool cut_through = false;
   std::vector<BodyCut> bodies;  // in the order of Workpiece::bodies
+  Wake wake;                    // of a nozzle with which a frame travels
+  double water_impulse = 0.0;   // N s (2D: N s/m), of the water on the solids, along the jet
 
   static const MetricList<CutState>& metrics();
 };
@@ -71,7 +74,11 @@ class CutMonitor {
   // `initial` is the frame before the first step, also where a run is resumed. Frames are those of
   // the run, also with symmetry planes.
   CutMonitor(const Case& description, const Frame& initial);
-  CutState observe(const Frame& frame);  // in order of time
+  // Frames in order of time; `water_impulse`: of the water on the solids so far, N s (2D: N s/m).
+  CutState observe(const Frame& frame, const std::array<double, 3>& water_impulse = {});
+  // Takes the workpiece in the window of a travelling frame, as laid out. The case is that after
+  // its shifts (machine/travelling_frame.hpp).
+  void follow(const Case& shifted, const Frame& layout);
   CutSummary summary() const;
   // The history, from which a resumed run continues its measurements.
   const std::vector<CutState>& history() const { return history_; }
@@ -80,10 +87,12 @@ class CutMonitor {
 
  private:
   void add_verdicts(CutSummary& summary) const;
+  void take(const Case& description, const Frame& layout);
 
   std::shared_ptr<const Workpiece> workpiece_;  // as laid out
   std::optional<KerfAxes> axes_;                // of the first jet
   double contact_depth_ = 0.0;                  // m, one spacing of the first jet
+  bool has_wake_ = false;                       // whether a frame travels
   std::vector<CutState> history_;
   std::vector<Fragment> fragments_;  // of the last frame observed
 };

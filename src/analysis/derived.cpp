@@ -14,6 +14,7 @@
 #include "geometry/particle_estimate.hpp"
 #include "geometry/shapes.hpp"
 #include "machine/characteristic_speed.hpp"
+#include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 #include "model/material_laws.hpp"
 #include "neighbours/skin.hpp"
@@ -181,7 +182,7 @@ void derive_particles(DerivedNumbers& numbers, const Case& description) {
   double added = 0.0;
   for (const Jet& jet : description.jets)
     added += simulated_share(description, jet) *
-             entering_particles(jet, description.dimension, description.time.end);
+             entering_particles(jet, description.dimension, longest_stay(description));
   numbers.particles_expected = numbers.particles_initial + static_cast<std::size_t>(added);
 }
 

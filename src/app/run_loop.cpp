@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 #include "output/checkpoint.hpp"
 #include "output/result.hpp"
@@ -123,7 +124,9 @@ void RunLoop::resume(const Archive& state) {
   simulation_->restore(state);
   frame_.reset();
   saved_time_ = simulation_->time();
+  follow_window();
   cut_->restore(before_.cut_history, frame());
+  judge_motion();
   series_.cut_back(simulation_->step(), before_.rows);
   frames_.restore(before_.frame_times);
   pictures_.restore(before_.picture_times);
@@ -155,6 +158,8 @@ RunEnd RunLoop::steps() {
 // The history of the cut is part of checkpoints, so that a resumed run ends with the same step.
 bool RunLoop::is_over() const {
   if (simulation_->finished()) return true;
+  if (stationary_ && stationary_->reached && settings_.description.time.stop == RunStop::stationary)
+    return true;
   const double after_cut = settings_.description.time.after_cut;
   const auto& history = cut_->history();
   if (std::isinf(after_cut) || history.empty() || !history.back().cut_through) return false;
@@ -189,12 +194,29 @@ void RunLoop::write_row() {
   sample.step = simulation_->step();
   sample.particles = simulation_->particles();
   sample.last_step = simulation_->last_step();
-  sample.cut = cut_->observe(frame());
   sample.balance = simulation_->balance();
+  follow_window();
+  sample.cut = cut_->observe(frame(), sample.balance.impulse_water);
+  judge_motion();
   sample.probes = simulation_->probe_values();
   series_.append(sample);
   energy_drift_ = sample.balance.energy_drift();
   row_time_ = sample.time;
+}
+
+void RunLoop::follow_window() {
+  if (simulation_->shifts() == shifts_) return;
+  shifts_ = simulation_->shifts();
+  cut_->follow(at_shift(settings_.description, shifts_), simulation_->layout());
+}
+
+void RunLoop::judge_motion() {
+  if (!travelling_frame(settings_.description)) return;
+  const bool was_reached = stationary_ && stationary_->reached;
+  stationary_ = stationary_cut(settings_.description, cut_->history());
+  if (stationary_->reached && !was_reached)
+    tell(fmt::format("The cut is stationary at {:.6g} ms, after {:.6g} mm of travel.",
+                     1e3 * simulation_->time(), 1e3 * stationary_->travelled));
 }
 
 void RunLoop::write_last() {

@@ -14,6 +14,7 @@
 #include <spdlog/logger.h>
 
 #include "analysis/cut.hpp"
+#include "analysis/stationary_cut.hpp"
 #include "app/progress.hpp"
 #include "app/run_folder.hpp"
 #include "app/run_record.hpp"
@@ -65,7 +66,9 @@ class RunLoop {
   void begin();
   void resume(const Archive& state);
   RunEnd steps();
-  bool is_over() const;  // at the end time, or a while after the cut
+  bool is_over() const;  // at the end time, a while after the cut, or where that is stationary
+  void follow_window();  // measures in the window of a travelling frame
+  void judge_motion();   // of a cut under a nozzle with which a frame travels
   void write_due();
   void write_row();
   void write_frame(bool as_frame, bool as_picture);
@@ -96,7 +99,9 @@ class RunLoop {
 
   std::unique_ptr<Simulation> simulation_;
   std::optional<CutMonitor> cut_;
-  std::shared_ptr<const Frame> frame_;  // of the current step, made on first use
+  std::uint64_t shifts_ = 0;                 // of the frame in which the cut is measured
+  std::optional<StationaryCut> stationary_;  // at the last row, where a frame travels
+  std::shared_ptr<const Frame> frame_;       // of the current step, made on first use
   SeriesWriter series_;
   FrameWriter frames_;
   PictureWriter pictures_;

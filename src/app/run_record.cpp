@@ -14,25 +14,29 @@ namespace {
 
 struct HistoryColumn {
   const char* name;
-  double CutState::*member;
+  double& (*member)(CutState&);
 };
-constexpr std::array<HistoryColumn, 6> history_columns = {{
-    {"time", &CutState::time},
-    {"front_depth", &CutState::front_depth},
-    {"fractured_fraction", &CutState::fractured_fraction},
-    {"fractured_mass", &CutState::fractured_mass},
-    {"fractured_width", &CutState::fractured_width},
-    {"kerf_width", &CutState::kerf_width},
+constexpr std::array<HistoryColumn, 10> history_columns = {{
+    {"time", [](CutState& state) -> double& { return state.time; }},
+    {"front_depth", [](CutState& state) -> double& { return state.front_depth; }},
+    {"fractured_fraction", [](CutState& state) -> double& { return state.fractured_fraction; }},
+    {"fractured_mass", [](CutState& state) -> double& { return state.fractured_mass; }},
+    {"fractured_width", [](CutState& state) -> double& { return state.fractured_width; }},
+    {"kerf_width", [](CutState& state) -> double& { return state.kerf_width; }},
+    {"wake_depth", [](CutState& state) -> double& { return state.wake.depth; }},
+    {"wake_lag", [](CutState& state) -> double& { return state.wake.lag; }},
+    {"wake_width", [](CutState& state) -> double& { return state.wake.width; }},
+    {"water_impulse", [](CutState& state) -> double& { return state.water_impulse; }},
 }};
 
 std::string history_name(const char* name) {
   return std::string("cut/") + name;
 }
 
-void save_history(const std::vector<CutState>& history, Archive& archive) {
+void save_history(std::vector<CutState> history, Archive& archive) {
   for (const HistoryColumn& column : history_columns) {
     std::vector<double> values;
-    for (const CutState& state : history) values.push_back(state.*column.member);
+    for (CutState& state : history) values.push_back(column.member(state));
     archive.arrays[history_name(column.name)] = std::move(values);
   }
   std::vector<std::uint32_t> pieces, through;
@@ -73,7 +77,7 @@ std::vector<CutState> restore_history(const Archive& archive) {
   }
   for (const HistoryColumn& column : history_columns) {
     const auto& values = find<double>(archive, history_name(column.name));
-    for (std::size_t i = 0; i < history.size(); ++i) history[i].*column.member = values.at(i);
+    for (std::size_t i = 0; i < history.size(); ++i) column.member(history[i]) = values.at(i);
   }
   return history;
 }

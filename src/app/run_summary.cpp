@@ -6,6 +6,7 @@
 
 #include "analysis/derived.hpp"
 #include "app/run_loop.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 #include "output/result.hpp"
 
@@ -65,8 +66,8 @@ ProgressNumbers RunLoop::numbers() const {
 // Measures the kerf in the last frame.
 void RunLoop::measure(RunOutcome& outcome) {
   if (settings_.description.jets.empty()) return;
-  outcome.kerf =
-      measure_kerf(cut_->workpiece(), frame(), kerf_conditions(settings_.description, outcome.cut));
+  const Case shifted = at_shift(settings_.description, simulation_->shifts());
+  outcome.kerf = measure_kerf(cut_->workpiece(), frame(), kerf_conditions(shifted, outcome.cut));
 }
 
 void RunLoop::write_result() {
@@ -77,6 +78,7 @@ void RunLoop::write_result() {
   outcome.cut = cut_->summary();
   measure(outcome);
   outcome.exposure = exposure_of(settings_.description, cut_->history(), outcome.cut);
+  outcome.stationary = stationary_;
   outcome.still_cutting = still_cutting(cut_->history());
   outcome.balance = simulation_->balance();
   outcome.time = simulation_->time();

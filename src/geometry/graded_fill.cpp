@@ -33,7 +33,22 @@ double distance_from_shape(const Shape& shape, const Point& position, int dimens
   return least;
 }
 
+double dot(const Point& a, const Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// Returns the distance from the plane that a line sweeps.
+double distance_from_sweep(const Grading::Line& line, const Point& position) {
+  const Point &d = line.direction, &s = line.sweep;
+  const Point normal{d[1] * s[2] - d[2] * s[1], d[2] * s[0] - d[0] * s[2],
+                     d[0] * s[1] - d[1] * s[0]};
+  Point apart{};
+  for (std::size_t a = 0; a < 3; ++a) apart[a] = position[a] - line.origin[a];
+  return std::max(0.0, std::abs(dot(apart, normal)) / std::sqrt(dot(normal, normal)) - line.radius);
+}
+
 double distance_from_line(const Grading::Line& line, const Point& position) {
+  if (line.sweep != Point{}) return distance_from_sweep(line, position);
   double along = 0.0, square = 0.0;
   for (std::size_t a = 0; a < 3; ++a) along += (position[a] - line.origin[a]) * line.direction[a];
   for (std::size_t a = 0; a < 3; ++a) {
@@ -45,21 +60,33 @@ double distance_from_line(const Grading::Line& line, const Point& position) {
 
 class Tree {
  public:
-  Tree(const Body& body, int dimension)
+  Tree(const Body& body, int dimension, const Box& window)
       : grid_(body, dimension),
         dimension_(dimension),
         axes_(static_cast<std::size_t>(dimension)),
-        count_(grid_.count()) {}
+        last_(grid_.count()) {
+    const Box box = lattice_box(body, dimension);
+    for (std::size_t a = 0; a < axes_; ++a) {
+      const auto cells = static_cast<double>(last_[a]);
+      const auto cell = [&](double x) {
+        return std::lround(std::clamp((x - box.minimum[a]) / body.spacing, 0.0, cells));
+      };
+      first_[a] = cell(window.minimum[a]);
+      last_[a] = cell(window.maximum[a]);
+    }
+    if (dimension == 2) last_[2] = 1;
+  }
 
   std::vector<GradedParticle> fill() {
     Cell root;
     root.level = grid_.straight().grading.levels;
     const long width = root.width();
-    const std::array<long, 3> first = grid_.first();
-    const long layers = dimension_ == 3 ? count_[2] : 1;
-    for (long z = first[2]; z < layers; z += width)
-      for (long y = first[1]; y < count_[1]; y += width)
-        for (long x = first[0]; x < count_[0]; x += width) {
+    std::array<long, 3> first = grid_.first();
+    for (std::size_t a = 0; a < axes_; ++a)
+      while (first[a] + width <= first_[a]) first[a] += width;
+    for (long z = first[2]; z < last_[2]; z += width)
+      for (long y = first[1]; y < last_[1]; y += width)
+        for (long x = first[0]; x < last_[0]; x += width) {
           root.low = {x, y, z};
           add(root);
         }
@@ -136,15 +163,19 @@ class Tree {
   }
 
   std::size_t number(const std::array<long, 3>& x) const {
-    return static_cast<std::size_t>((x[2] * count_[1] + x[1]) * count_[0] + x[0]);
+    std::size_t cell = 0;
+    for (const std::size_t a : {std::size_t{2}, std::size_t{1}, std::size_t{0}})
+      cell = cell * static_cast<std::size_t>(last_[a] - first_[a]) +
+             static_cast<std::size_t>(x[a] - first_[a]);
+    return cell;
   }
   // Calls visit(x) for the finest cells of a cell and of `margin` around it, inside the lattice.
   template <class Visit>
   void visit_room(const Cell& cell, long margin, const Visit& visit) const {
     std::array<long, 3> low{}, high{};
     for (std::size_t a = 0; a < axes_; ++a) {
-      low[a] = std::max(0L, cell.low[a] - margin);
-      high[a] = std::min(count_[a] - 1, cell.low[a] + cell.width() - 1 + margin);
+      low[a] = std::max(first_[a], cell.low[a] - margin);
+      high[a] = std::min(last_[a] - 1, cell.low[a] + cell.width() - 1 + margin);
     }
     std::array<long, 3> x = low;
     for (x[2] = low[2]; x[2] <= high[2]; ++x[2])
@@ -153,8 +184,9 @@ class Tree {
   }
   void mark_levels() {
     constexpr std::uint8_t empty = 255;
-    const long layers = dimension_ == 3 ? count_[2] : 1;
-    level_at_.assign(static_cast<std::size_t>(count_[0] * count_[1] * layers), empty);
+    std::size_t cells = 1;
+    for (std::size_t a = 0; a < 3; ++a) cells *= static_cast<std::size_t>(last_[a] - first_[a]);
+    level_at_.assign(cells, empty);
     for (const Cell& cell : cells_)
       visit_room(cell, 0, [&](const std::array<long, 3>& x) {
         level_at_[number(x)] = static_cast<std::uint8_t>(cell.level);
@@ -172,9 +204,10 @@ class Tree {
   GradedCells grid_;
   int dimension_;
   std::size_t axes_;
-  std::array<long, 3> count_;
+  // Finest cells of the window: first_ .. last_ - 1.
+  std::array<long, 3> first_{}, last_;
   std::vector<Cell> cells_;
-  std::vector<std::uint8_t> level_at_;  // of each finest cell
+  std::vector<std::uint8_t> level_at_;  // of each of them
 };
 
 }  // namespace
@@ -187,8 +220,24 @@ double distance_from_finest(const Grading& grading, const Point& position, int d
   return least;
 }
 
+std::vector<GradedParticle> fill_levels(const Body& body, int dimension, const Box& window) {
+  if (body.grading.levels > 0) return Tree(body, dimension, window).fill();
+  std::vector<GradedParticle> particles;
+  LatticeVisit request;
+  request.window = window;
+  request.visit = [&](const Point& point) {
+    particles.push_back({point, 0});
+    return true;
+  };
+  visit_particles(body, dimension, request);
+  return particles;
+}
+
 std::vector<GradedParticle> fill_levels(const Body& body, int dimension) {
-  if (body.grading.levels > 0) return Tree(body, dimension).fill();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (body.grading.levels > 0)
+    return fill_levels(body, dimension,
+                       {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}});
   std::vector<GradedParticle> particles;
   for (const Point& point : fill(body, dimension)) particles.push_back({point, 0});
   return particles;

@@ -22,6 +22,9 @@ struct GradedParticle {
 // order of fill().
 std::vector<GradedParticle> fill_levels(const Body& body, int dimension);
 
+// Returns those in a window whose faces are faces of coarsest cells, in the same order.
+std::vector<GradedParticle> fill_levels(const Body& body, int dimension, const Box& window);
+
 // Returns the number of particles of each level, the finest first.
 std::vector<std::size_t> count_levels(const Body& body, int dimension);
 

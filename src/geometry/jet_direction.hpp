@@ -20,4 +20,12 @@ inline Grading::Line line_of(const Jet& jet) {
   return {jet.position, jet_direction(jet), 0.5 * jet.width};
 }
 
+// Returns the plane that the water of a jet sweeps whose nozzle travels.
+inline Grading::Line sweep_of(const Jet& jet) {
+  Grading::Line line = line_of(jet);
+  const double speed = std::hypot(jet.traverse[0], jet.traverse[1], jet.traverse[2]);
+  for (std::size_t a = 0; a < 3; ++a) line.sweep[a] = jet.traverse[a] / speed;
+  return line;
+}
+
 }  // namespace kerf

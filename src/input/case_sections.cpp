@@ -44,10 +44,12 @@ std::vector<Key> time_keys() {
   using enum ValueKind;
   // clang-format off
   return {
-      {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, or 4 jet widths of traverse)", up_to(1e6), {}, "", "End time of the run", stored_in<&TimeControl::end>},
+      {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, or 4 jet widths of traverse; where the frame of the [workpiece] travels, until its window is at the edge)", up_to(1e6), {}, "", "End time of the run", stored_in<&TimeControl::end>},
       {"courant", number, "", "0.25", up_to(1.0), {}, "", "Factor of the acoustic limit of the time step", stored_in<&TimeControl::courant>},
       {"maximum_step", quantity, "s", "none", positive, {}, "", "Largest time step", stored_in<&TimeControl::maximum_step>},
       {"after_cut", quantity, "s", "none", not_negative, {}, "", "The run ends this time after the workpiece is cut through, if that is before `end`; with a [workpiece] under a standing nozzle the default is a flight of 20 jet widths", stored_in<&TimeControl::after_cut>},
+      {"stop", word, "", "end", any, run_stop_words, "standard", "What ends the run: its end, or a [cut that is stationary](theory/travelling_frame.md) before it, where the frame of the [workpiece] travels", stored_in<&TimeControl::stop>},
+      {"stop_tolerance", number, "", "0.03", {0.0, 1.0, true}, {}, "stationary", "Largest change of a stationary cut from one stretch of the path to the next, relative", stored_in<&TimeControl::stop_tolerance>},
       {"relax", quantity, "s", "0 s", not_negative, {}, "standard", "Until this time solids are settled under their loads by dynamic relaxation: whenever their kinetic energy has passed a peak, they are stopped", stored_in<&TimeControl::relax>},
   };
   // clang-format on
@@ -126,6 +128,7 @@ void read_time(Draft& draft, Section& top) {
   section.read(time);
   if (!section.has("after_cut")) time.after_cut = draft.after_cut;
   section.refuse_unknown();
+  check_travelling_time(draft, section);
 }
 
 void read_domain(Draft& draft, Section& top) {

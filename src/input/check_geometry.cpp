@@ -12,6 +12,7 @@
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
 #include "input/units.hpp"
+#include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -141,7 +142,7 @@ void check_counts(Draft& draft) {
     count(indexed("body", i), lattice_nodes(result.bodies[i], result.dimension));
   for (std::size_t i = 0; i < result.jets.size(); ++i)
     count(draft.jets[i].path,
-          entering_particles(result.jets[i], result.dimension, result.time.end) +
+          entering_particles(result.jets[i], result.dimension, longest_stay(result)) +
               10.0 * nozzle_columns(result.jets[i], result.dimension));
 }
 

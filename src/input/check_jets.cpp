@@ -9,6 +9,7 @@
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
 #include "machine/characteristic_speed.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -85,7 +86,8 @@ void check_start(Draft& draft, const std::string& path, const std::vector<InletP
 // Refuses a nozzle that leaves the domain before the end of the run.
 void check_traverse(Draft& draft, const std::string& path, const Nozzle& nozzle) {
   const Case& result = draft.result;
-  if (inside(result.domain, nozzle.exit(result.time.end), result.dimension)) return;
+  const double end = result.time.end;
+  if (inside(at_time(result, end).domain, nozzle.exit(end), result.dimension)) return;
   draft.reading.problems.add({path + (path == "machine" ? ".traverse_speed" : ".traverse"),
                               "the nozzle leaves the domain before the end of the run",
                               "a nozzle that is in the domain until the end",

@@ -83,6 +83,11 @@ void read_machine(Draft& draft, Section& top);
 // Reads [workpiece], chooses the simulated part, and makes a body of it; sets the domain and the
 // motion of the nozzle. It must be called after [machine] and before bodies are read.
 void read_workpiece(Draft& draft, Section& top);
+// Refuse what a frame that travels with the nozzle cannot have: in the case, in the window that is
+// chosen, and in [time].
+void check_travel(Draft& draft, Section& top, Section& section);
+void check_window(Draft& draft, Section& section);
+void check_travelling_time(Draft& draft, Section& section);
 // Returns the number of water particles across a jet.
 int particles_across(Quality quality, int dimension);
 // Returns the default spacing of bodies, m; 0 without a jet.

@@ -57,7 +57,10 @@ void find_axes(Draft& draft) {
   for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
     Grading& grading = draft.result.bodies[i].grading;
     if (grading.levels == 0 || grading.around) continue;
-    for (const Jet& jet : draft.result.jets) grading.lines.push_back(line_of(jet));
+    const auto& workpiece = draft.result.workpiece;
+    const bool travels = workpiece && workpiece->frame == WorkpieceFrame::travelling;
+    for (const Jet& jet : draft.result.jets)
+      grading.lines.push_back(travels ? sweep_of(jet) : line_of(jet));
     if (grading.lines.empty())
       draft.reading.problems.add({draft.bodies[i].path + ".grading.around",
                                   "there is no jet around which the body could be finer", "a shape",

@@ -12,6 +12,7 @@
 #include "machine/jet_breakup.hpp"
 #include "machine/machine_jet.hpp"
 #include "machine/simulated_piece.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -130,6 +131,9 @@ double finest_jet_spacing(const Draft& draft) {
 // because its run ends soon after a cut, and a longer one carries the depth over fewer decades.
 double standard_end(const Draft& draft) {
   if (!draft.result.machine) return 0.0;
+  const WorkpieceSetting& workpiece = draft.workpiece.setting;
+  if (workpiece.frame == WorkpieceFrame::travelling)
+    return travelling_frame(workpiece, draft.jets.back().jet).end_time();
   const Jet& jet = draft.jets.back().jet;
   double low = jet.position[1], high = low;
   for (const BodyDraft& entry : draft.bodies) {

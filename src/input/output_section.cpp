@@ -2,12 +2,14 @@
 // Reads and writes [[probe]] and [output].
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "input/draft.hpp"
 #include "input/sections.hpp"
 #include "input/toml_writer.hpp"
 #include "input/units.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -31,10 +33,10 @@ std::vector<Key> output_keys() {
   using enum ValueKind;
   // clang-format off
   return {
-      {"frame_interval", quantity, "s", "(end / 20)", positive, {}, "", "Time between frames"},
+      {"frame_interval", quantity, "s", "(end / 20; where a frame travels with the nozzle no more than a shift of it)", positive, {}, "", "Time between frames"},
       {"frame_times", quantities, "s", "(every frame_interval)", not_negative, {}, "", "Times of the frames, instead of an interval", stored_in<&OutputControl::frame_times>},
       {"picture_times", quantities, "s", "(0 and quarters of the run)", not_negative, {}, "", "Times of the pictures", stored_in<&OutputControl::picture_times>},
-      {"series_interval", quantity, "s", "(end / 500)", positive, {}, "", "Time between rows of series.csv", stored_in<&OutputControl::series_interval>},
+      {"series_interval", quantity, "s", "(end / 500; where a frame travels with the nozzle no more than a quarter of a jet width)", positive, {}, "", "Time between rows of series.csv", stored_in<&OutputControl::series_interval>},
       {"checkpoint_interval", quantity, "s", "60 s", positive, {}, "", "Wall-clock time between checkpoints", stored_in<&OutputControl::checkpoint_interval>},
   };
   // clang-format on
@@ -72,12 +74,31 @@ std::vector<double> times_every(double interval, double end) {
   return times;
 }
 
-void read_frames(Section& section, OutputControl& output, double end) {
-  constexpr double standard_frames = 20.0;
+// The default times between frames and between rows, s. What is written until a cut becomes
+// stationary does not depend on how far the nozzle could go on.
+struct StandardIntervals {
+  double frames = 0.0, rows = 0.0;
+
+  static StandardIntervals of(const Draft& draft) {
+    constexpr double standard_frames = 20.0, standard_rows = 500.0, rows_per_width = 4.0;
+    const double end = draft.result.time.end;
+    StandardIntervals intervals{end / standard_frames, end / standard_rows};
+    if (const auto& workpiece = draft.result.workpiece;
+        workpiece && workpiece->frame == WorkpieceFrame::travelling) {
+      const Jet& jet = draft.jets.back().jet;
+      const double speed = travelling_frame(*workpiece, jet).speed;
+      intervals.frames = std::min(intervals.frames, workpiece->shift / speed);
+      intervals.rows = std::min(intervals.rows, jet.width / speed / rows_per_width);
+    }
+    return intervals;
+  }
+};
+
+void read_frames(Section& section, OutputControl& output, double end, double standard) {
   if (section.has("frame_interval") && section.has("frame_times"))
     section.refuse("frame_times", "an interval is given as well", "Remove one of the two",
                    "one of frame_interval and frame_times");
-  const double interval = section.number("frame_interval", end / standard_frames);
+  const double interval = section.number("frame_interval", standard);
   check_interval(section, "frame_interval", interval, end, most_outputs);
   if (!section.has("frame_times") && interval > 0.0 && end / interval <= most_outputs)
     output.frame_times = times_every(interval, end);
@@ -106,15 +127,15 @@ void read_probes(Draft& draft, Section& top) {
 }
 
 void read_output(Draft& draft, Section& top) {
-  constexpr double standard_rows = 500.0;
   const toml::table empty;
   const toml::table* written = top.table("output");
   Section section(draft.reading, written ? *written : empty, "output", written ? "output" : "");
   OutputControl& output = draft.result.output;
   const double end = draft.result.time.end;
-  read_frames(section, output, end);
+  const StandardIntervals standard = StandardIntervals::of(draft);
+  read_frames(section, output, end, standard.frames);
   output.picture_times = {0.0, 0.25 * end, 0.5 * end, 0.75 * end, end};
-  output.series_interval = end / standard_rows;
+  output.series_interval = standard.rows;
   section.read(output);
   check_times(section, "frame_times", output.frame_times, end);
   check_times(section, "picture_times", output.picture_times, end);

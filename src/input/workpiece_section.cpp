@@ -2,6 +2,7 @@
 // Reads [workpiece]: a slab of which a part is simulated, as the first body of the case.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "input/draft.hpp"
@@ -10,6 +11,7 @@
 #include "input/units.hpp"
 #include "machine/machine_jet.hpp"
 #include "machine/simulated_piece.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 #include "model/face_names.hpp"
 
@@ -22,10 +24,12 @@ std::vector<Key> workpiece_keys() {
   return {
       {"material", name, "", "", any, {}, "", "Name of a material of this case or of the library", stored_in<&WorkpieceDraft::material>},
       {"size", vector, "m", "", up_to(1e4), {}, "", "Length along x, thickness and, in 3D, length along z", stored_in<&WorkpieceSetting::size>},
-      {"minimum", vector, "m", "(8 jet widths, in 2D 24, from the water of the jet and its path, or a symmetry plane)", within(1e4), {}, "", "Lowest corner of the part that is simulated, over the whole thickness", stored_in<&WorkpieceSetting::part, &Box::minimum>},
+      {"minimum", vector, "m", "(8 jet widths, in 2D 24, from the water of the jet and its path, or a symmetry plane)", within(1e4), {}, "", "Lowest corner of the part that is simulated, over the whole thickness; of a window at the start", stored_in<&WorkpieceSetting::part, &Box::minimum>},
       {"maximum", vector, "m", "(likewise)", within(1e4), {}, "", "Highest corner of that part", stored_in<&WorkpieceSetting::part, &Box::maximum>},
+      {"frame", word, "", "fixed", any, workpiece_frame_words, "", "Whether one part is simulated, or a window that [travels with the nozzle](theory/travelling_frame.md): solid is fed in ahead of it and left behind", stored_in<&WorkpieceSetting::frame>},
+      {"shift", quantity, "m", "(an eighth of the window)", positive, {}, "travelling", "Distance by which the window moves at a time, in whole coarsest cells", stored_in<&WorkpieceSetting::shift>},
       {"spacing", quantity, "m", "(that of the jet)", positive, {}, "", "Distance of neighbouring particles at the jet", stored_in<&WorkpieceSetting::spacing>},
-      {"levels", integer, "", "(2, or 0 where that has fewer particles)", {0, 4}, {}, "", "How often the spacing doubles away from the jet; 0 = one spacing", stored_in<&WorkpieceSetting::levels>},
+      {"levels", integer, "", "(2, or 0 where that has fewer particles, and in a travelling 2D window)", {0, 4}, {}, "", "How often the spacing doubles away from the jet; 0 = one spacing", stored_in<&WorkpieceSetting::levels>},
       {"grading_width", quantity, "m", "(two widths of the jet)", positive, {}, "", "The spacing doubles beyond this distance from the water of the jet, again beyond twice it, and so on", stored_in<&WorkpieceSetting::grading_width>},
   };
   // clang-format on
@@ -83,11 +87,23 @@ void resolve_motion(Draft& draft) {
   Machine& machine = *draft.result.machine;
   Jet& jet = draft.jets.back().jet;
   if (machine.motion != NozzleMotion::automatic) return;
+  if (draft.workpiece.setting.frame == WorkpieceFrame::travelling) {
+    machine.motion = NozzleMotion::travelling;
+    return;
+  }
   const bool stands =
       machine.traverse_speed > 0.0 &&
       may_stand(machine, jet, draft.workpiece.setting.size[1], draft.reading.dimension);
   machine.motion = stands ? NozzleMotion::standing : NozzleMotion::travelling;
   if (stands) jet.traverse = {};
+}
+
+Box united(Box box, const Box& other) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    box.minimum[a] = std::min(box.minimum[a], other.minimum[a]);
+    box.maximum[a] = std::max(box.maximum[a], other.maximum[a]);
+  }
+  return box;
 }
 
 // Sets what the user leaves open.
@@ -98,16 +114,20 @@ void choose_part(Draft& draft, Section& top, const Section& section) {
   // Symmetry planes could cut other bodies.
   const bool may_mirror =
       !draft.has_domain && !top.has("body") && !section.has("minimum") && !section.has("maximum");
-  PieceRequest request{jet, workpiece.size, draft.reading.dimension, workpiece.spacing, may_mirror,
-                       {}};
+  PieceRequest request{
+      jet, workpiece.size, draft.reading.dimension, workpiece.spacing, may_mirror, workpiece.frame,
+      {}};
   if (section.has("levels")) request.levels = workpiece.levels;
   const SimulatedPiece chosen = simulated_piece(request);
   if (!section.has("minimum")) workpiece.part.minimum = chosen.workpiece.part.minimum;
   if (!section.has("maximum")) workpiece.part.maximum = chosen.workpiece.part.maximum;
   if (!section.has("levels")) workpiece.levels = chosen.workpiece.levels;
   if (!section.has("grading_width")) workpiece.grading_width = chosen.workpiece.grading_width;
+  if (workpiece.frame == WorkpieceFrame::travelling && !section.has("shift"))
+    workpiece.shift = usual_shift(workpiece, travelling_frame(workpiece, jet).axis);
   if (draft.has_domain) return;
-  draft.result.domain = chosen.domain;
+  draft.result.domain =
+      united(chosen.domain, domain_around(request, workpiece.part, chosen.symmetry));
   draft.result.symmetry = chosen.symmetry;
   draft.has_domain = true;
 }
@@ -126,8 +146,12 @@ void read_workpiece(Draft& draft, Section& top) {
                "a case with a [machine]");
   if (draft.reading.problems.any()) return;
   resolve_motion(draft);
+  const bool travels = draft.workpiece.setting.frame == WorkpieceFrame::travelling;
+  if (travels) check_travel(draft, top, section);
+  if (draft.reading.problems.any()) return;
   choose_part(draft, top, section);
   check_part(section, draft.workpiece.setting);
+  if (travels) check_window(draft, section);
   draft.result.workpiece = draft.workpiece.setting;
   const Faces absorbing =
       continued_faces(draft.workpiece.setting, draft.result.symmetry, draft.reading.dimension);

@@ -8,7 +8,9 @@
 
 #include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/body.hpp"
+#include "model/case.hpp"
 #include "model/machine.hpp"
 
 namespace kerf {
@@ -24,15 +26,26 @@ Point lean_of(const Jet& jet) {
   return {slope * std::cos(jet.azimuth), 0.0, slope * std::sin(jet.azimuth)};
 }
 
+bool travels(const PieceRequest& request) {
+  return request.frame == WorkpieceFrame::travelling;
+}
+
+// In the plane of a cut no distance across the path of the nozzle exists.
+int levels_of(const PieceRequest& request) {
+  return request.levels.value_or(travels(request) && request.dimension == 2 ? 0 : graded_levels);
+}
+
 // The part around the jet and its path; whole coarsest cells from the middle of the jet on.
 Box part_around(const PieceRequest& request) {
   const Jet& jet = request.jet;
   const Point extent = jet_extent(jet, request.dimension), lean = lean_of(jet);
   const double speed = std::hypot(jet.traverse[0], jet.traverse[2]);
   // Of the nozzle in the run, m.
-  const double way = std::max(traverse_widths * jet.width,
-                              speed * (jet.dwell + passage_time(jet, request.size[1])));
-  const double unit = request.spacing * (1 << request.levels.value_or(graded_levels));
+  const double way = travels(request)
+                         ? 0.0
+                         : std::max(traverse_widths * jet.width,
+                                    speed * (jet.dwell + passage_time(jet, request.size[1])));
+  const double unit = request.spacing * (1 << levels_of(request));
   Box part;
   part.minimum[1] = -request.size[1];
   for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
@@ -75,16 +88,20 @@ Faces cut_at_planes(const PieceRequest& request, Box& part) {
   return planes;
 }
 
-Box domain_around(const PieceRequest& request, const Box& part, const Faces& planes) {
-  const double margin = domain_margin * request.jet.width;
-  Box domain = part;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(request.dimension); ++a) {
-    if (!planes.minimum[a]) domain.minimum[a] -= margin;
-    domain.maximum[a] += margin;
-  }
-  domain.maximum[1] += request.jet.standoff * std::cos(request.jet.angle);
-  domain.minimum[1] -= margin;
-  return domain;
+// Adds room for a shift ahead of the nozzle to a travelling window, which has whole coarsest cells.
+void make_travelling(const PieceRequest& request, WorkpieceSetting& workpiece) {
+  const TravellingFrame frame = travelling_frame(workpiece, request.jet);
+  const double cell = coarsest_cell(workpiece);
+  const bool forwards = frame.sign > 0.0;
+  double& front = (forwards ? workpiece.part.maximum : workpiece.part.minimum)[frame.axis];
+  const double rear = (forwards ? workpiece.part.minimum : workpiece.part.maximum)[frame.axis];
+  const double around = frame.sign * (front - rear);
+  const double length = around + cell * std::ceil(around / (shifts_per_window - 1.0) / cell);
+  const double room =
+      frame.sign * (forwards ? frame.path.maximum : frame.path.minimum)[frame.axis] -
+      frame.sign * rear;
+  front = rear + frame.sign * cell * std::floor(std::min(length, room) / cell + 1e-6);
+  workpiece.shift = usual_shift(workpiece, frame.axis);
 }
 
 double particles_of(const PieceRequest& request, const Box& part, int levels) {
@@ -95,7 +112,7 @@ double particles_of(const PieceRequest& request, const Box& part, int levels) {
   if (levels > 0) {
     body.grading.levels = levels;
     body.grading.width = graded_width * request.jet.width;
-    body.grading.lines = {line_of(request.jet)};
+    body.grading.lines = {travels(request) ? sweep_of(request.jet) : line_of(request.jet)};
   }
   return estimate_particles(body, request.dimension).total();
 }
@@ -115,7 +132,7 @@ void choose_layout(const PieceRequest& request, SimulatedPiece& piece) {
   double fewest = std::numeric_limits<double>::infinity();
   for (const bool mirrored : {request.may_mirror, false})
     for (const int levels :
-         request.levels ? std::vector{*request.levels} : std::vector{graded_levels, 0}) {
+         request.levels ? std::vector{*request.levels} : std::vector{levels_of(request), 0}) {
       Box part = whole;
       const Faces planes = mirrored ? cut_at_planes(request, part) : Faces{};
       if (levels > 0 && !holds_whole_cells(part, planes, request.spacing * (1 << levels))) continue;
@@ -153,8 +170,28 @@ double exposure_time(const Machine& machine, const Jet& jet, int dimension) {
   return chord / machine.traverse_speed;
 }
 
+double longest_stay(const Case& description) {
+  const double end = description.time.end;
+  const auto frame = travelling_frame(description);
+  if (!frame) return end;
+  const double length = frame->first.maximum[frame->axis] - frame->first.minimum[frame->axis];
+  return std::min(end, length / frame->speed);
+}
+
 bool may_stand(const Machine& machine, const Jet& jet, double thickness, int dimension) {
   return exposure_time(machine, jet, dimension) > passage_time(jet, thickness);
+}
+
+Box domain_around(const PieceRequest& request, const Box& part, const Faces& planes) {
+  const double margin = domain_margin * request.jet.width;
+  Box domain = part;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(request.dimension); ++a) {
+    if (!planes.minimum[a]) domain.minimum[a] -= margin;
+    domain.maximum[a] += margin;
+  }
+  domain.maximum[1] += request.jet.standoff * std::cos(request.jet.angle);
+  domain.minimum[1] -= margin;
+  return domain;
 }
 
 SimulatedPiece simulated_piece(const PieceRequest& request) {
@@ -163,7 +200,12 @@ SimulatedPiece simulated_piece(const PieceRequest& request) {
   workpiece.size = request.size;
   workpiece.spacing = request.spacing;
   workpiece.grading_width = graded_width * request.jet.width;
+  workpiece.frame = request.frame;
   workpiece.part = part_around(request);
+  if (travels(request)) {
+    workpiece.levels = levels_of(request);
+    make_travelling(request, workpiece);
+  }
   choose_layout(request, piece);
   piece.domain = domain_around(request, workpiece.part, piece.symmetry);
   return piece;

@@ -11,6 +11,7 @@
 
 namespace kerf {
 
+struct Case;
 struct Machine;
 
 // The workpiece is simulated up to this distance from the water of the jet, in jet widths. Holes of
@@ -38,6 +39,10 @@ double exposure_time(const Machine& machine, const Jet& jet, int dimension);
 // its jet while that could pass the workpiece.
 bool may_stand(const Machine& machine, const Jet& jet, double thickness, int dimension);
 
+// Returns the longest time (s) for which water can be in a run: that of the run, or that in which a
+// window that travels with the nozzle passes a place.
+double longest_stay(const Case& description);
+
 struct SimulatedPiece {
   WorkpieceSetting workpiece;  // with its part and its resolution
   Faces symmetry;              // planes that bound the part
@@ -49,11 +54,15 @@ struct PieceRequest {
   Jet jet;     // its nozzle moves as it does in the run
   Point size;  // m, of the workpiece
   int dimension = 3;
-  double spacing = 0.0;       // m, of the workpiece at the jet
-  bool may_mirror = true;     // whether the part may end at symmetry planes
+  double spacing = 0.0;    // m, of the workpiece at the jet
+  bool may_mirror = true;  // whether the part may end at symmetry planes
+  WorkpieceFrame frame = WorkpieceFrame::fixed;
   std::optional<int> levels;  // of resolution beside the finest, where they are not to be chosen
 };
 SimulatedPiece simulated_piece(const PieceRequest& request);
+
+// Returns the domain around a part that ends at such planes, m.
+Box domain_around(const PieceRequest& request, const Box& part, const Faces& planes);
 
 // Returns the faces of the part beyond which the workpiece continues: they absorb waves.
 Faces continued_faces(const WorkpieceSetting& workpiece, const Faces& symmetry, int dimension);

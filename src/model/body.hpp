@@ -34,6 +34,7 @@ struct Grading {
   struct Line {
     Point origin{}, direction{};  // m, unit vector
     double radius = 0.0;          // m
+    Point sweep{};  // unit vector along which the axis sweeps a plane; 0 = the axis is at rest
     bool operator==(const Line&) const = default;
   };
   std::vector<Line> lines;

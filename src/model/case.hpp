@@ -62,13 +62,19 @@ struct Numerics {  // of the `standard` formulation
   bool operator==(const Numerics&) const = default;
 };
 
+// What ends a run besides its end time: a cut that no longer changes along the path of the nozzle.
+enum class RunStop { end, stationary };
+inline constexpr std::array<std::string_view, 2> run_stop_words{"end", "stationary"};
+
 struct TimeControl {
   double end = 0.0;           // s
   double courant = 0.25;      // 1, factor of the acoustic limit
   double maximum_step = 0.0;  // s; infinity = none
   // s, of the run after the cut-through; infinity = until the end.
   double after_cut = std::numeric_limits<double>::infinity();
-  double relax = 0.0;  // s, until which solids are settled by kinetic damping; 0 = never
+  RunStop stop = RunStop::end;
+  double stop_tolerance = 0.03;  // 1, change of a stationary cut
+  double relax = 0.0;            // s, until which solids are settled by kinetic damping; 0 = never
   bool operator==(const TimeControl&) const = default;
 };
 

@@ -47,6 +47,12 @@ class NeighbourList {
         validity_(grids_, skin),
         skin_(skin) {}
 
+  // Moves the domain: that is where its lowest corner is then, m. build() must follow.
+  void move_to(const Vector<D, double>& minimum) {
+    for (int level = 0; level < grids_.levels; ++level) grids_.grid[level].origin = minimum;
+    validity_ = ListValidity<D, P>(grids_, skin_);
+  }
+
   // Makes the lists begin with the same fluid and the same body.
   void sort_neighbours_by_class() { splits_ = true; }
 

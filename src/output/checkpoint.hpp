@@ -3,7 +3,8 @@
 // never stopped. The file is replaced atomically, ends with a checksum over all preceding bytes,
 // and contains its case. For the tools of HDF5 it is a plain HDF5 file. It holds
 // - the fields of the particles: the rows STATE of particles/fields.hpp (simulation/state_io.hpp),
-// - clock, counters, balance and nozzles: simulation/particle_run_checkpoint.hpp,
+// - clock, counters, balance, nozzles and the shifts of a frame that travels:
+//   simulation/particle_run_checkpoint.hpp,
 // - what a formulation adds: save() in standard/standard.hpp and standard/solid_part.hpp,
 // - the history of the cut and the clocks of the output: app/run_record.cpp.
 #pragma once

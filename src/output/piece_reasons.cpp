@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "machine/simulated_piece.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 #include "model/face_names.hpp"
 #include "output/readable.hpp"
@@ -59,6 +60,13 @@ std::string motion_sentence(const Case& description) {
   const Machine& machine = *description.machine;
   if (machine.traverse_speed == 0.0) return "";
   const std::string feed = readable(machine.traverse_speed, "m/s");
+  if (const auto frame = travelling_frame(description))
+    return fmt::format(
+        "The nozzle moves at {}; the window follows it by {} at a time, up to {} times: solid is "
+        "fed in ahead and left behind.{}",
+        feed, readable(frame->shift, "m"), frame->most,
+        description.time.stop == RunStop::stationary ? " The run ends once the cut is stationary."
+                                                     : "");
   if (machine.motion == NozzleMotion::travelling)
     return fmt::format("The nozzle moves at {} in the run.", feed);
   const Jet& jet = description.jets.back();

@@ -13,6 +13,7 @@
 #include "analysis/derived.hpp"
 #include "analysis/exposure.hpp"
 #include "analysis/kerf.hpp"
+#include "analysis/stationary_cut.hpp"
 #include "model/case.hpp"
 #include "output/metric_interval.hpp"
 #include "output/validity.hpp"
@@ -37,7 +38,8 @@ struct RunOutcome {
   CutSummary cut;
   std::optional<Kerf> kerf;          // of runs with a jet
   std::optional<Exposure> exposure;  // of a nozzle that stands in the run and moves in the case
-  bool still_cutting = false;        // the front was moving when the run ended
+  std::optional<StationaryCut> stationary;  // where a frame travels with the nozzle
+  bool still_cutting = false;               // the front was moving when the run ended
   Balance balance;
   double time = 0.0;  // s
   std::uint64_t steps = 0;

@@ -48,6 +48,7 @@ Json object_of(const MetricList<Record>& metrics, const Record& record) {
 bool has(const RunOutcome& outcome, When when) {
   if (when == When::with_jet) return outcome.kerf.has_value();
   if (when == When::with_exposure) return outcome.exposure.has_value();
+  if (when == When::with_travelling_frame) return outcome.stationary.has_value();
   return when == When::always || outcome.description.machine.has_value();
 }
 
@@ -176,6 +177,13 @@ void add_exposure(Table& table) {
       [](const RunOutcome& outcome) -> auto& { return *outcome.exposure; }, When::with_exposure);
 }
 
+void add_stationary(Table& table) {
+  add_under(
+      table, StationaryCut::metrics(), "stationary.", "",
+      [](const RunOutcome& outcome) -> auto& { return *outcome.stationary; },
+      When::with_travelling_frame);
+}
+
 void add_run(Table& table) {
   const auto whole = [](const RunOutcome& outcome) -> auto& {
     return outcome;
@@ -226,6 +234,7 @@ Table make_table() {
   add_kerf(table);
   add_machine(table);
   add_exposure(table);
+  add_stationary(table);
   add(
       table, DerivedNumbers::metrics(), When::always,
       [](const RunOutcome& outcome) -> auto& { return outcome.derived; });

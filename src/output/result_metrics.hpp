@@ -26,7 +26,14 @@ struct ResultMetric : MetricText {
     table     // an object of numbers with free names
   };
   // The cases that have the key; `with_such_machine`: those whose machine has that number.
-  enum class When { always, with_jet, with_machine, with_such_machine, with_exposure };
+  enum class When {
+    always,
+    with_jet,
+    with_machine,
+    with_such_machine,
+    with_exposure,
+    with_travelling_frame
+  };
 
   Form form = Form::value;
   When when = When::always;

@@ -122,6 +122,23 @@ std::string exposure_sentence(const RunOutcome& outcome) {
       readable(exposure.depth_low, "m"), readable(exposure.depth_high, "m"));
 }
 
+// Says whether the cut under a nozzle with which a frame travels is the same all along its path.
+std::string stationary_sentence(const RunOutcome& outcome) {
+  if (!outcome.stationary) return "";
+  const StationaryCut& cut = *outcome.stationary;
+  const std::string travelled = readable(cut.travelled, "m");
+  if (cut.reached)
+    return fmt::format(
+        " The cut is stationary after {} of travel: {} deep, and its front lags by {}.", travelled,
+        readable(cut.depth, "m"), readable(cut.lag, "m"));
+  if (std::isnan(cut.change))
+    return fmt::format(" The cut did not become stationary within {} of travel.", travelled);
+  return fmt::format(
+      " The cut did not become stationary within {} of travel: over the last {:g} jet widths it "
+      "changed by {:.1f}%.",
+      travelled, stretch_widths, 100.0 * cut.change);
+}
+
 }  // namespace
 
 bool still_cutting(const std::vector<CutState>& history) {
@@ -138,7 +155,7 @@ std::string verdict_of(const RunOutcome& outcome) {
     return fmt::format("The run reached {}; it has no jet, so there is nothing to cut.",
                        readable(outcome.time, "s"));
   return (outcome.cut.cut_through ? cut_sentence(outcome) : depth_sentence(outcome)) +
-         exposure_sentence(outcome);
+         exposure_sentence(outcome) + stationary_sentence(outcome);
 }
 
 }  // namespace kerf

@@ -9,6 +9,7 @@
 
 #include "geometry/jet_direction.hpp"
 #include "geometry/shapes.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 #include "output/files.hpp"
 #include "report/picture_panels.hpp"
@@ -188,7 +189,8 @@ Box picture_window(const Case& description) {
   return window;
 }
 
-std::string draw_picture(const Frame& frame, const Case& description, double scale) {
+std::string draw_picture(const Frame& frame, const Case& whole, double scale) {
+  const Case description = at_time(whole, frame.time);
   const Box window = picture_window(description);
   return description.dimension == 2 ? draw_flat(frame, description, window, scale)
                                     : draw_solid(frame, description, window, scale);

@@ -16,7 +16,7 @@
 namespace kerf {
 
 // Returns the part of the domain that the pictures of a case show: its bodies and jets with a
-// margin. It is the same for every frame.
+// margin. It is the same for every frame, unless a frame of the workpiece travels.
 Box picture_window(const Case& description);
 
 // Draws a frame and returns the bytes of a PNG file; `scale` is the size relative to full size.

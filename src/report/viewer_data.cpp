@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 #include "report/html.hpp"
 #include "report/palette.hpp"
@@ -79,6 +80,11 @@ Json mirrors_of(const Case& description) {
 void ViewerPacker::add_frames(const std::vector<FrameFile>& files) {
   for (std::size_t n = frames_.size(); n < files.size(); ++n) {
     const Frame frame = read_frame(files[n].path, description_.dimension);
+    const Box domain = at_time(description_, frame.time).domain;
+    for (std::size_t a = 0; a < 3; ++a) {
+      domain_.minimum[a] = std::min(domain_.minimum[a], domain.minimum[a]);
+      domain_.maximum[a] = std::max(domain_.maximum[a], domain.maximum[a]);
+    }
     for (const float spacing : frame.spacing)
       if (std::find(spacings_.begin(), spacings_.end(), spacing) == spacings_.end())
         spacings_.push_back(spacing);
@@ -123,8 +129,8 @@ Json ViewerPacker::head() const {
   Json head;
   head["title"] = description_.title;
   head["dimension"] = description_.dimension;
-  head["minimum"] = description_.domain.minimum;
-  head["maximum"] = description_.domain.maximum;
+  head["minimum"] = domain_.minimum;
+  head["maximum"] = domain_.maximum;
   head["mirrors"] = mirrors_of(description_);
   for (const auto& [label, category] :
        {std::pair{"water", Category::water}, std::pair{"solid", Category::solid},
@@ -165,7 +171,7 @@ ViewerPacker::Packed ViewerPacker::packed(std::size_t number) const {
   const FrameRecord& record = frames_.at(number);
   const Frame frame = read_frame(record.file.path, description_.dimension);
   const std::vector<std::size_t> rows = kept(frame);
-  const Box& box = description_.domain;
+  const Box& box = domain_;
   std::string bytes;
   for (std::size_t a = 0; a < static_cast<std::size_t>(description_.dimension); ++a)
     for (const std::size_t i : rows)

@@ -9,20 +9,20 @@
 #include <string>
 #include <vector>
 
+#include "model/case.hpp"
 #include "output/read_frame.hpp"
 #include "report/report_figures.hpp"
 #include "report/viewer_fields.hpp"
 
 namespace kerf {
 
-struct Case;
-
 // Packs the frames of one run. Each frame has bounds of its own, so that frames may be added while
 // the run proceeds.
 class ViewerPacker {
  public:
   // The case must outlive the packer.
-  explicit ViewerPacker(const Case& description) : description_(description) {}
+  explicit ViewerPacker(const Case& description)
+      : description_(description), domain_(description.domain) {}
 
   // Reads the frames that were added since the last call.
   void add_frames(const std::vector<FrameFile>& files);
@@ -64,6 +64,7 @@ class ViewerPacker {
   std::vector<std::size_t> fields() const;
 
   const Case& description_;
+  Box domain_;  // m, of all frames: it moves where a frame of the workpiece travels
   std::vector<FrameRecord> frames_;
   std::vector<ViewerField> fields_;  // of all frames
   std::vector<float> spacings_;      // m

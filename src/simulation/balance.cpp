@@ -13,22 +13,23 @@ double length(const std::array<double, 3>& v) {
 }
 
 double energy_due(const Balance& balance) {
-  return balance.energy_initial + balance.energy_in - balance.energy_out + balance.work_gravity +
-         balance.work_constraint + balance.work_load;
+  return balance.energy_initial + balance.energy_in - balance.energy_out - balance.energy_left +
+         balance.work_gravity + balance.work_constraint + balance.work_load;
 }
 
 }  // namespace
 
 double Balance::mass_error() const {
-  const double scale = mass_initial + mass_in;
-  return scale > 0.0 ? (mass_now - (mass_initial + mass_in - mass_out - mass_erased)) / scale : 0.0;
+  const double scale = mass_initial + mass_in + mass_fed;
+  return scale > 0.0 ? (mass_now - (scale - mass_out - mass_erased - mass_left)) / scale : 0.0;
 }
 
 double Balance::momentum_error() const {
   std::array<double, 3> gap{};
   for (std::size_t a = 0; a < 3; ++a)
-    gap[a] = momentum_now[a] - momentum_initial[a] - momentum_in[a] + momentum_out[a] -
-             impulse_gravity[a] - impulse_rigid[a] - impulse_constraint[a] - impulse_load[a];
+    gap[a] = momentum_now[a] - momentum_initial[a] - momentum_in[a] + momentum_out[a] +
+             momentum_left[a] - impulse_gravity[a] - impulse_rigid[a] - impulse_constraint[a] -
+             impulse_load[a];
   const double scale = std::max(
       {length(momentum_initial), length(momentum_now), length(momentum_in), length(impulse_gravity),
        length(impulse_rigid), length(impulse_constraint), length(impulse_load), momentum_scale});

@@ -17,6 +17,8 @@ struct Balance {
   double mass_in = 0.0;      // created at the nozzles
   double mass_out = 0.0;     // left the domain
   double mass_erased = 0.0;  // removed by the back-flow removal
+  double mass_fed = 0.0;     // of solid that entered ahead of a travelling frame
+  double mass_left = 0.0;    // of solid that such a frame left behind
   double mass_now = 0.0;     // sum over the particles
   double mass_fractured = 0.0;
   double jet_mass_due = 0.0;        // integral of rho V A since the start
@@ -27,7 +29,8 @@ struct Balance {
   std::array<double, 3> momentum_initial{};
   std::array<double, 3> momentum_now{};
   std::array<double, 3> momentum_in{};
-  std::array<double, 3> momentum_out{};  // with the outflow
+  std::array<double, 3> momentum_out{};   // with the outflow
+  std::array<double, 3> momentum_left{};  // with the solid that a travelling frame left behind
   std::array<double, 3> impulse_gravity{};
   std::array<double, 3> impulse_rigid{};       // of rigid bodies on the particles
   std::array<double, 3> impulse_constraint{};  // of nozzles, clamps, motion and symmetry planes
@@ -41,6 +44,7 @@ struct Balance {
   double energy_initial = 0.0;  // kinetic + stored at t = 0
   double energy_in = 0.0;
   double energy_out = 0.0;
+  double energy_left = 0.0;  // with the solid that a travelling frame left behind
   double work_gravity = 0.0;
   double work_constraint = 0.0;
   double work_load = 0.0;
@@ -66,7 +70,7 @@ struct Balance {
   double stored_water = 0.0;
   double stored_solid = 0.0;
 
-  double mass_error() const;       // relative to the initial mass and the inflow
+  double mass_error() const;       // relative to all mass that was ever there
   double momentum_error() const;   // relative to the largest momentum or impulse term
   double energy_drift() const;     // relative to the energy supplied
   double energy_total() const;     // now, stored + dissipated

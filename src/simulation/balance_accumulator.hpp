@@ -72,6 +72,15 @@ class BalanceAccumulator {
     balance_.energy_in += 0.5 * m * square;
   }
 
+  // Adds an exchange of solid in a travelling frame, from the balances before and after it.
+  void accumulate_exchange(const Balance& before, const Balance& after, double mass_fed) {
+    balance_.mass_fed += mass_fed;
+    balance_.mass_left += before.mass_now + mass_fed - after.mass_now;
+    for (std::size_t a = 0; a < 3; ++a)
+      balance_.momentum_left[a] += before.momentum_now[a] - after.momentum_now[a];
+    balance_.energy_left += before.energy_total() - after.energy_total();
+  }
+
   // Returns the balance with the current state; the rates must be those of the state.
   Balance state(Particles<D, P>& particles, const Vector<D, double>& gravity) {
     using State = StateSum<D, P, Traits>;
@@ -95,6 +104,7 @@ class BalanceAccumulator {
     return now;
   }
 
+  double mass_of(std::size_t source) const { return mass_on_host_[source]; }
   const Balance& totals() const { return balance_; }
   void restore(const Balance& balance) { balance_ = balance; }
 

@@ -26,6 +26,7 @@ class ParticleRun : public Simulation {
   bool finished() const override { return time_ >= settings_.end_time; }
   double time() const override { return time_; }
   std::uint64_t step() const override { return step_; }
+  std::uint64_t shifts() const override { return shifts_; }
   std::size_t particles() const override { return particles_.size(); }
   StepInfo last_step() const override { return last_step_; }
   Frame frame() const override;
@@ -62,6 +63,13 @@ class ParticleRun : public Simulation {
   // `other`: a limit besides those of the particles.
   double choose_step(StepRates rates, const StepLimit& other = {1e300, Limit::end_of_run, 0});
   void load_prescribed_motions(double now);
+  // Moves the domain to its place after some shifts of a travelling frame. The list must be
+  // rebuilt.
+  void move_domain(std::uint64_t shifts);
+  void remove_marked();
+  // Adds particles at the end, with the next ids.
+  void append(std::vector<NewParticle> newcomers);
+  std::uint32_t next_id() const { return next_id_; }
   // Adds the step to the balance, in one pass with before(i), which ends it, and after(i).
   template <class Before, class After>
   void accumulate_step(double dt, const Before& before, const After& after);
@@ -89,18 +97,16 @@ class ParticleRun : public Simulation {
  private:
   bool any_has(std::uint8_t flags) const;
   void note_order();  // when the particles have been put into another order
-  void remove_marked();
   void close_planes();
   void inject_inflow();
   std::size_t first_jet() const { return settings_.source_names.size() - nozzles_.size(); }
-  void append(std::vector<NewParticle> newcomers);
   [[noreturn]] void fail(const StepLimit& cause) const;
   void refresh() const;
 
   ExitPressure<D, P> exit_pressure_;
   Array<ColumnFlow> column_flows_;  // of all nozzles, one after the other
   mutable bool fresh_ = false;
-  std::uint64_t step_ = 0;
+  std::uint64_t step_ = 0, shifts_ = 0;  // shifts of a travelling frame
   std::uint32_t next_id_ = 0;
   bool list_is_due_ = true;
   double shortest_step_ = 0.0;  // s, below which the run has broken down

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a checkpoint holds of a run: the state of the particles (rows STATE of
-// particles/fields.hpp), clock, counters, balance, the emission of the nozzles and their pumps.
-// output/checkpoint.hpp lists what the other parts of the program add.
+// particles/fields.hpp), clock, counters, the shifts of a travelling frame, balance, the emission
+// of the nozzles and their pumps. output/checkpoint.hpp lists what the other parts of the program
+// add.
 #pragma once
 
 #include <cstring>
@@ -19,6 +20,7 @@ void ParticleRun<D, P, Traits>::save(Archive& archive) const {
   archive.arrays["clock"] = std::vector<double>{time_, last_step_.dt};
   archive.arrays["counters"] =
       std::vector<std::uint64_t>{step_, next_id_, list_is_due_ ? 1u : 0u, last_step_.limiting_id};
+  if (settings_.window) archive.arrays["shifts"] = std::vector<std::uint64_t>{shifts_};
   archive.texts["limit"] = last_step_.limit;
   std::vector<double> balance(sizeof(Balance) / sizeof(double));
   std::memcpy(balance.data(), &balance_.totals(), sizeof(Balance));
@@ -32,6 +34,7 @@ void ParticleRun<D, P, Traits>::save(Archive& archive) const {
 
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::restore(const Archive& archive) {
+  if (settings_.window) move_domain(find_array<std::uint64_t>(archive, "shifts").at(0));
   restore_fields(archive, particles_);
   const auto& clock = find_array<double>(archive, "clock");
   const auto& counters = find_array<std::uint64_t>(archive, "counters");

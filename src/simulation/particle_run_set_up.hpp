@@ -65,6 +65,19 @@ void ParticleRun<D, P, Traits>::append(std::vector<NewParticle> newcomers) {
   particles_.append(newcomers, media_);
 }
 
+template <int D, class P, class Traits>
+void ParticleRun<D, P, Traits>::move_domain(std::uint64_t shifts) {
+  shifts_ = shifts;
+  const TravellingFrame& frame = settings_.window->frame;
+  const int axis = D == 2 ? 0 : static_cast<int>(frame.axis);
+  auto corner = Position::from(settings_.domain_minimum);
+  corner[axis] += frame.offset(shifts);
+  minimum_[axis] = corner[axis];
+  maximum_[axis] = settings_.domain_maximum[frame.axis] + frame.offset(shifts);
+  list_.move_to(corner);
+  fresh_ = false;
+}
+
 // Particles do not leave the domain through a symmetry plane.
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::close_planes() {

@@ -2,12 +2,14 @@
 #include "simulation/populate.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "geometry/fill.hpp"
 #include "geometry/graded_fill.hpp"
 #include "geometry/shapes.hpp"
 #include "geometry/surface_layers.hpp"
 #include "kernels/wendland_c2.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 #include "model/expression.hpp"
 #include "simulation/inflow.hpp"
@@ -39,10 +41,25 @@ struct Layout {
   std::vector<std::optional<NearestFace>> faces;  // of rigid bodies with smooth walls
 };
 
-Layout lay_out(const Case& description, std::size_t number) {
+// Returns the particles of a window of the path of a travelling frame.
+std::vector<GradedParticle> fill_window(const Body& body, int dimension,
+                                        const TravellingFrame& frame, std::uint64_t shifts) {
+  Body block = body;
+  block.shape.box = frame.path;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box window{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+  window.minimum[frame.axis] = frame.window(shifts).minimum[frame.axis];
+  window.maximum[frame.axis] = frame.window(shifts).maximum[frame.axis];
+  return fill_levels(block, dimension, window);
+}
+
+Layout lay_out(const Case& description, std::size_t number, std::uint64_t shifts) {
   const Body& body = description.bodies[number];
   Layout layout;
-  for (const GradedParticle& particle : fill_levels(body, description.dimension)) {
+  const auto frame = travelling_frame(description);
+  for (const GradedParticle& particle :
+       frame ? fill_window(body, description.dimension, *frame, shifts)
+             : fill_levels(body, description.dimension)) {
     layout.points.push_back(particle.position);
     layout.levels.push_back(particle.level);
   }
@@ -57,12 +74,12 @@ Layout lay_out(const Case& description, std::size_t number) {
   return layout;
 }
 
-// `levels`: the media of its levels.
+// `levels`: the media of its levels; `shifts`: of a travelling frame.
 void add_body(const Case& description, std::size_t number, const std::vector<std::uint16_t>& levels,
-              std::vector<NewParticle>& particles) {
+              std::vector<NewParticle>& particles, std::uint64_t shifts = 0) {
   const Body& body = description.bodies[number];
   const int dimension = description.dimension;
-  const Layout layout = lay_out(description, number);
+  const Layout layout = lay_out(description, number, shifts);
   std::vector<Expression> velocity;
   for (const std::string& component : body.velocity)
     velocity.emplace_back(component, std::vector<std::string>{"x", "y", "z"});
@@ -97,6 +114,12 @@ std::vector<NewParticle> initial_particles(const Case& description,
                                                        description.bodies.size() + j, 0.0))
       particles.push_back(particle);
   }
+  return particles;
+}
+
+std::vector<NewParticle> window_particles(const Case& description, std::uint64_t shifts) {
+  std::vector<NewParticle> particles;
+  add_body(description, 0, media_of_levels(description).front(), particles, shifts);
   return particles;
 }
 

@@ -14,4 +14,7 @@ struct Case;
 std::vector<NewParticle> initial_particles(const Case& description,
                                            const std::vector<Nozzle>& nozzles);
 
+// Returns the particles of the workpiece in its window after some shifts of a travelling frame.
+std::vector<NewParticle> window_particles(const Case& description, std::uint64_t shifts);
+
 }  // namespace kerf

@@ -58,6 +58,18 @@ std::vector<AbsorbingSide> absorbing_sides(const Case& description) {
   return sides;
 }
 
+// The workpiece continues behind every window but the first.
+std::optional<MovingWindow> moving_window(const Case& description) {
+  const auto frame = travelling_frame(description);
+  if (!frame) return {};
+  Case within = description;
+  within.bodies.front().absorbing.minimum[frame->axis] = true;
+  within.bodies.front().absorbing.maximum[frame->axis] = true;
+  return MovingWindow{*frame, absorbing_sides(within), [description](std::uint64_t shifts) {
+                        return window_particles(description, shifts);
+                      }};
+}
+
 void set_numbers(RunSettings& settings, const Case& description) {
   settings.end_time = description.time.end;
   settings.courant = description.time.courant;
@@ -90,6 +102,7 @@ RunSettings run_settings(const Case& description) {
   settings.origins = medium_origins(description);
   settings.media = make_media(description, settings.nozzles);
   settings.absorbing = absorbing_sides(description);
+  settings.window = moving_window(description);
   settings.particles = initial_particles(description, settings.nozzles);
   settings.loads = run_loads(description, settings.particles, settings.origins);
   if (description.dimension == 2)

@@ -4,10 +4,13 @@
 // (model/case.hpp), most of which they do not need.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/nozzle.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/medium.hpp"
 #include "model/water_scheme.hpp"
 #include "particles/new_particle.hpp"
@@ -34,6 +37,14 @@ struct AbsorbingSide {
   int axis = 0;
   double sign = 1.0;   // of the outward normal
   double layer = 0.0;  // m, distance of the finest layers along the normal
+};
+
+// A window of the workpiece that travels with the nozzle.
+struct MovingWindow {
+  TravellingFrame frame;
+  std::vector<AbsorbingSide> absorbing;  // of every window but the first
+  // Returns the solid of the window after some shifts, as laid out.
+  std::function<std::vector<NewParticle>(std::uint64_t)> solid;
 };
 
 struct RunSettings {
@@ -65,6 +76,7 @@ struct RunSettings {
   std::vector<MediumOrigin> origins;  // per medium
   std::vector<Medium<double>> media;  // per medium
   std::vector<AbsorbingSide> absorbing;
+  std::optional<MovingWindow> window;
   std::vector<RunLoad> loads;
   std::vector<NewParticle> particles;  // of the start, in the order of their ids
 };

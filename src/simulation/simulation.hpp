@@ -38,6 +38,10 @@ class Simulation {
   virtual StepInfo last_step() const = 0;
   virtual Frame frame() const = 0;
   virtual Balance balance() const = 0;
+  // Of a frame that travels with the nozzle: how often it was shifted, and the solid in its window
+  // as laid out, with the ids that it has, also where particles have left.
+  virtual std::uint64_t shifts() const { return 0; }
+  virtual Frame layout() const { return frame(); }
   // The values of the probes of the case in their order: point -> pressure (Pa), velocity (m/s, 3);
   // plane -> force (N, 3).
   virtual std::vector<double> probe_values() const = 0;

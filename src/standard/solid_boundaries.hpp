@@ -30,6 +30,15 @@ class SolidBoundaries {
     set_time(0.0);
   }
 
+  // Moves the absorbing faces to the faces of another window; `position` and `source` of the solid.
+  void move(const RunSettings& settings, const std::vector<Medium<double>>& media,
+            const std::vector<Vector<D, double>>& position,
+            const std::vector<std::uint16_t>& source) {
+    std::vector<Index> number(position.size());
+    for (std::size_t s = 0; s < number.size(); ++s) number[s] = static_cast<Index>(s);
+    to_device(absorbing_sites<D>(settings, media, position, source, number), absorbing_);
+  }
+
   // Sets the factors of the loads at the time t, s.
   void set_time(double time) {
     if (loads_.empty()) return;

@@ -16,6 +16,7 @@
 #include "solid/total_lagrangian.hpp"
 #include "standard/solid_boundaries.hpp"
 #include "standard/solid_link.hpp"
+#include "standard/solid_members.hpp"
 #include "standard/solid_show.hpp"
 #include "time/subcycling.hpp"
 
@@ -35,42 +36,29 @@ class SolidPart {
 
   // `particles` are those of the start, in the order of their ids.
   SolidPart(const RunSettings& settings, const std::vector<Medium<double>>& media,
-            Particles<D, P>& particles)
-      : cycle_(settings.subcycles), courant_(settings.courant) {
-    SolidLayout<D> layout;
-    const auto& origins = settings.origins;
-    const auto is_level = [](const MediumOrigin& origin) { return origin.level > 0; };
-    if (std::any_of(origins.begin(), origins.end(), is_level))
-      for (const MediumOrigin& origin : origins) layout.body.push_back(origin.source);
-    layout.media = media;
-    layout.mirrors = particles.mirrors;
-    const auto position = to_host(particles.position);
-    const auto source = to_host(particles.source);
-    std::vector<Index> number(source.size(), no_index);
-    for (std::size_t id = 0; id < source.size(); ++id) {
-      if (media[source[id]].phase != Phase::solid) continue;
-      number[id] = static_cast<Index>(layout.reference.size());
-      layout.reference.push_back(position[id]);
-      layout.medium_index.push_back(source[id]);
-    }
-    to_device(number, number_of_id_);
-    particle_of_.resize(layout.reference.size());
-    if (layout.reference.empty()) return;
-    solid_ = std::make_unique<TotalLagrangian<D, P>>(layout);
-    outflow_.resize(layout.reference.size());
-    if (solid_->fields().any_joints)
-      wave_ = solid_->wave_time(courant_);  // a first step may be too long
-    mark_fitted(number, particles);
-    boundaries_.set_up(settings, media, position, source, number,
-                       to_host(solid_->fields().detached));
+            Particles<D, P>& particles);
+
+  // Makes the solid of these members, in its undeformed state.
+  void build(const RunSettings& settings, const std::vector<Medium<double>>& media,
+             Particles<D, P>& particles, SolidMembers<D> members);
+  // Exchanges the solid for that of these members; what both have keeps its state. The members that
+  // are no longer there must be removed before, and a new list must follow. Returns the losses that
+  // the state of the earlier solid holds.
+  SolidLosses exchange(const RunSettings& settings, const std::vector<Medium<double>>& media,
+                       Particles<D, P>& particles, SolidMembers<D> members);
+  // Moves the absorbing faces to those of the present window.
+  void move_boundaries(const RunSettings& settings, const std::vector<Medium<double>>& media) {
+    boundaries_.move(settings, media, members_.reference, members_.medium_index);
   }
+  // After an exchange and a new list: takes the deformation of the new solid. What it held of the
+  // losses `held` before and no longer holds remains lost.
+  void settle(Particles<D, P>& particles, const SolidLosses& held);
+  const SolidMembers<D>& members() const { return members_; }
 
   // Links the solid to its particles in their new order, for which there is a new list.
   void relink(Particles<D, P>& particles, const NeighbourView& list) {
     if (!solid_) return;
-    thrust::fill(particle_of_.begin(), particle_of_.end(), no_index);
-    for_each_index(particles.size(), LinkSolids<D, P>{particles.view(), link()});
-    mark_detached(particles, false);
+    find_particles(particles);
     fully_bonded_.resize(particles.size());
     thrust::fill(fully_bonded_.begin(), fully_bonded_.end(), std::uint8_t(0));
     for_each_index(solid_->size(), MarkFullyBonded<D, P>{particles.view(), link(), solid_->view(),
@@ -199,53 +187,11 @@ class SolidPart {
            (solid_ ? solid_->bytes() : 0);
   }
 
-  void save(Archive& archive) const {
-    archive.arrays["solid/losses"] =
-        std::vector<double>{losses_.viscous, losses_.released, losses_.plastic};
-    if (!solid_) return;
-    boundaries_.save(archive);
-    const SolidState<D, P> state = solid_->save();
-    archive.arrays["solid/wave"] =
-        std::vector<double>{wave_.time, double(wave_.particle), double(wave_.of_joint)};
-    archive.arrays["solid/cycle"] = cycle_.save();
-    archive.arrays["solid/viscous_power"] = std::vector<double>{viscous_power_};
-    archive.arrays["solid/acceleration"] = flat<Real>(state.acceleration);
-    archive.arrays["solid/mirror_acceleration"] = flat<Real>(state.mirror_acceleration);
-    archive.arrays["solid/bonds"] = state.bond_intact;
-    archive.arrays["solid/elastic_share"] = state.elastic_share;
-    archive.arrays["solid/flow"] = flat<Real>(state.flow);
-    archive.arrays["solid/softening"] = state.strain;
-    archive.arrays["solid/flaws"] = flat<Real>(state.flaws);
-  }
-  void restore(const Archive& archive) {
-    const auto& losses = find_array<double>(archive, "solid/losses");
-    losses_ = {losses.at(0), losses.at(1), losses.at(2)};
-    if (!solid_) return;
-    boundaries_.restore(archive);
-    const auto& wave = find_array<double>(archive, "solid/wave");
-    wave_ = {wave.at(0), static_cast<Index>(wave.at(1)), wave.at(2) != 0.0};
-    cycle_.restore(find_array<double>(archive, "solid/cycle"));
-    viscous_power_ = find_array<double>(archive, "solid/viscous_power").at(0);
-    const auto speeds = [&](const char* name) {
-      return unflat<Vector<D, Real>>(find_array<Real>(archive, name));
-    };
-    solid_->restore({find_array<std::uint32_t>(archive, "solid/bonds"),
-                     find_array<Real>(archive, "solid/elastic_share"), speeds("solid/acceleration"),
-                     speeds("solid/mirror_acceleration"),
-                     unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow")),
-                     find_array<Real>(archive, "solid/softening"),
-                     unflat<FlawState<Real>>(find_array<Real>(archive, "solid/flaws"))});
-  }
+  void save(Archive& archive) const;
+  void restore(const Archive& archive);
 
  private:
-  void mark_fitted(const std::vector<Index>& solid_index_of_id, Particles<D, P>& particles) {
-    if (solid_->fitted().empty()) return;
-    auto flags = to_host(particles.flags);
-    for (std::size_t id = 0; id < solid_index_of_id.size(); ++id)
-      if (solid_index_of_id[id] != no_index && solid_->fitted()[solid_index_of_id[id]] != 0)
-        flags[id] |= flag::fitted;
-    to_device(flags, particles.flags);
-  }
+  void mark_fitted(Particles<D, P>& particles);
   // Records the losses of the first substep and applies plastic flow, softening and damage for the
   // step of the solid.
   void finish_solid_step() {
@@ -274,6 +220,11 @@ class SolidPart {
     return {pointer(number_of_id_), static_cast<Index>(number_of_id_.size()),
             const_cast<Index*>(pointer(particle_of_))};
   }
+  void find_particles(Particles<D, P>& particles) {
+    thrust::fill(particle_of_.begin(), particle_of_.end(), no_index);
+    for_each_index(particles.size(), LinkSolids<D, P>{particles.view(), link()});
+    mark_detached(particles, false);
+  }
   void mark_detached(Particles<D, P>& particles, bool in_step) {
     const MarkDetached<D, P> mark{particles.view(), link(), solid_->view(), solid_->records(),
                                   in_step};
@@ -281,6 +232,7 @@ class SolidPart {
   }
 
   std::unique_ptr<TotalLagrangian<D, P>> solid_;
+  SolidMembers<D> members_;
   Array<Index> number_of_id_, particle_of_;
   Array<std::uint8_t> outflow_, fully_bonded_;
   OrderedSum<1> detached_sum_;
@@ -296,3 +248,5 @@ class SolidPart {
 };
 
 }  // namespace kerf
+
+#include "standard/solid_part_set_up.hpp"

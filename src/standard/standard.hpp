@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `standard` formulation: water by Riemann SPH, solids by total Lagrangian SPH over bonds, and
-// contact between them at their current positions. `advance` is the order of a step.
+// contact between them at their current positions. `advance` is the order of a step;
+// standard/follow_nozzle.hpp moves the window of a frame that travels.
 #pragma once
 
 #include "fluid/density_reinitialisation.hpp"
@@ -10,6 +11,7 @@
 #include "standard/pair_forces.hpp"
 #include "standard/solid_part.hpp"
 #include "standard/traits.hpp"
+#include "standard/window_layout.hpp"
 #include "time/kinetic_damping.hpp"
 #include "time/reflect_at_symmetry.hpp"
 #include "time/save_step_start.hpp"
@@ -37,6 +39,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   }
 
   void advance() override {
+    follow_nozzle();
     Run::renew_neighbours();
     const double dt = Run::choose_step(StepRates::pending, solid_limit());
     drift_half(dt);
@@ -63,6 +66,10 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     for (std::size_t a = 0; a < 3; ++a) balance.impulse_constraint[a] += damping_.impulse()[a];
     return balance;
   }
+  Frame layout() const override {
+    return Run::settings_.window ? make_layout(solid_.members(), Run::media_, settings_.origins)
+                                 : Run::frame();
+  }
   double bytes_per_particle() const override {
     const double n = std::max<double>(1.0, particles_.size());
     const std::size_t beside =
@@ -74,8 +81,10 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     Run::save(archive);
     solid_.save(archive);
     archive.arrays["damping"] = damping_.save();
+    if (settings_.window) archive.arrays["solid/ids"] = solid_.members().id;
   }
   void restore(const Archive& archive) override {
+    if (settings_.window) restore_window(archive);
     solid_.restore(archive);
     damping_.restore(find_array<double>(archive, "damping"));
     Run::restore(archive);
@@ -146,6 +155,11 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   }
 
  private:
+  // Shifts the window of a frame that travels with the nozzle as often as is due.
+  void follow_nozzle();
+  void shift_window(std::uint64_t shifts);
+  void restore_window(const Archive& archive);
+
   void after_reorder() override {
     solid_.relink(particles_, list_.view());
     rates_.take_list(particles_.view(), particles_.size(), list_.view(), list_.pairs());
@@ -183,3 +197,5 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 };
 
 }  // namespace kerf
+
+#include "standard/follow_nozzle.hpp"

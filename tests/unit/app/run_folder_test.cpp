@@ -121,7 +121,9 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
   record.rows = 4;
   record.limits = {{"acoustic (water)", 5}, {"end of run", 1}};
   record.stage_times = {{"rates", 0.1}};
-  record.cut_history = {{0.1, 0.2, 3, 0.4, 0.5, 0.6, 0.7, true, {{true, true}, {true, false}}}, {}};
+  record.cut_history = {
+      {0.1, 0.2, 3, 0.4, 0.5, 0.6, 0.7, true, {{true, true}, {true, false}}, {0.8, 0.9, 1.1}, 1.2},
+      {}};
   record.cut_history[1].bodies.resize(2);
   const RunRecord back = record_from(to_archive(record));
   EXPECT_EQ(back.case_name, record.case_name);
@@ -145,6 +147,10 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
   EXPECT_EQ(state.fractured_mass, 0.5);
   EXPECT_EQ(state.fractured_width, 0.6);
   EXPECT_EQ(state.kerf_width, 0.7);
+  EXPECT_EQ(state.wake.depth, 0.8);
+  EXPECT_EQ(state.wake.lag, 0.9);
+  EXPECT_EQ(state.wake.width, 1.1);
+  EXPECT_EQ(state.water_impulse, 1.2);
   EXPECT_TRUE(state.cut_through);
   EXPECT_FALSE(back.cut_history[1].cut_through);
   ASSERT_EQ(state.bodies.size(), 2u);
