@@ -94,9 +94,17 @@ void draw_heading(const Canvas& canvas, const Frame& frame, const Case& descript
   TextStyle title{23.0, palette::ink, Anchor::left, true};
   const std::string time = fmt::format("t = {:.4g} ms", frame.time * 1e3);
   const double room = right - left_space - canvas.text_width(time, title) - 30.0;
-  while (title.size > 14.0 && canvas.text_width(description.title, title) > room) title.size -= 1.0;
-  canvas.text(left_space, 40.0, description.title, title);
-  canvas.text(right, 40.0, time, {23.0, palette::ink, Anchor::right, true});
+  const auto fit = [&](double width) {
+    while (title.size > 14.0 && canvas.text_width(description.title, title) > width)
+      title.size -= 1.0;
+    return canvas.text_width(description.title, title) <= width;
+  };
+  // Above a narrow picture the title has a line of its own, which may begin at the margin.
+  const bool on_one_line = fit(room);
+  if (!on_one_line) title.size = 19.0;
+  const bool is_long = !on_one_line && !fit(right - left_space);
+  canvas.text(is_long ? 10.0 : left_space, on_one_line ? 40.0 : 20.0, description.title, title);
+  canvas.text(right, on_one_line ? 40.0 : 46.0, time, {23.0, palette::ink, Anchor::right, true});
 }
 
 int pixels(double length) {

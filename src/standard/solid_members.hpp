@@ -21,6 +21,10 @@ struct SolidMembers {
   std::vector<std::uint32_t> id;  // of the particle, also of one that has left
 
   Index size() const { return static_cast<Index>(id.size()); }
+  std::size_t bytes() const {
+    return reference.capacity() * sizeof(Vector<D, double>) +
+           medium_index.capacity() * sizeof(std::uint16_t) + id.capacity() * sizeof(std::uint32_t);
+  }
 
   void add(const Vector<D, double>& x, std::uint16_t medium, std::uint32_t particle_id) {
     reference.push_back(x);

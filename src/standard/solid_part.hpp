@@ -183,7 +183,7 @@ class SolidPart {
   std::uint64_t bond_entries() const { return solid_ ? solid_->entries() : 0; }
   std::size_t bytes() const {
     const std::size_t links = (number_of_id_.size() + particle_of_.size()) * sizeof(Index);
-    return links + outflow_.size() + fully_bonded_.size() + boundaries_.bytes() +
+    return links + members_.bytes() + outflow_.size() + fully_bonded_.size() + boundaries_.bytes() +
            (solid_ ? solid_->bytes() : 0);
   }
 

@@ -34,6 +34,7 @@ SolidPart<D, P>::SolidPart(const RunSettings& settings, const std::vector<Medium
   if (solid_->fields().any_joints)
     wave_ = solid_->wave_time(courant_);  // a first step may be too long
   auto number = members_.number_of_id();
+  if (!settings.window) members_ = {};  // only shifts of a window need them again
   number.resize(source.size(), no_index);
   boundaries_.set_up(settings, media, position, source, number, to_host(solid_->fields().detached));
 }
