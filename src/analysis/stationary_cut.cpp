@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/jet_direction.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -68,7 +69,7 @@ StationaryCut stationary_cut(const Case& description, const std::vector<CutState
   StationaryCut cut;
   if (history.empty()) return cut;
   const Jet& jet = description.jets.back();
-  const double speed = std::hypot(jet.traverse[0], jet.traverse[1], jet.traverse[2]);
+  const double speed = traverse_speed(jet);
   const auto travelled = [&](const CutState& state) {
     return speed * std::max(0.0, state.time - jet.start - jet.dwell);
   };

@@ -9,6 +9,10 @@
 
 namespace kerf {
 
+bool is_whole(double length, double cell) {
+  return std::abs(length / cell - std::round(length / cell)) < 1e-6;
+}
+
 GradedCells::GradedCells(const Body& body, int dimension)
     : straight_(along_lattice(body)),
       grading_(body.grading),

@@ -10,6 +10,9 @@
 
 namespace kerf {
 
+// Returns whether a length is a whole number of cells of this edge, to a millionth of a cell.
+bool is_whole(double length, double cell);
+
 // A cell: its lowest corner in cells of the finest lattice, and the position of its particle in the
 // axes of the lattice, m.
 struct GradedCell {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The direction of a jet in space.
+// The direction of a jet in space, and of its nozzle.
 #pragma once
 
 #include <cmath>
@@ -15,6 +15,17 @@ inline Point jet_direction(const Jet& jet) {
   return {level * std::cos(jet.azimuth), -std::cos(jet.angle), level * std::sin(jet.azimuth)};
 }
 
+// Returns whether the nozzle is a slot at an angle to the axes of the case, whose water is not its
+// own image in planes normal to them.
+inline bool is_turned_slot(const Jet& jet) {
+  return jet.length > 0.0 && std::abs(std::sin(2.0 * jet.azimuth)) > 1e-9;
+}
+
+// Returns the speed of the nozzle, m/s.
+inline double traverse_speed(const Jet& jet) {
+  return std::hypot(jet.traverse[0], jet.traverse[1], jet.traverse[2]);
+}
+
 // Returns the water of a jet, along its whole axis, as a line around which bodies are graded.
 inline Grading::Line line_of(const Jet& jet) {
   return {jet.position, jet_direction(jet), 0.5 * jet.width};
@@ -23,7 +34,7 @@ inline Grading::Line line_of(const Jet& jet) {
 // Returns the plane that the water of a jet sweeps whose nozzle travels.
 inline Grading::Line sweep_of(const Jet& jet) {
   Grading::Line line = line_of(jet);
-  const double speed = std::hypot(jet.traverse[0], jet.traverse[1], jet.traverse[2]);
+  const double speed = traverse_speed(jet);
   for (std::size_t a = 0; a < 3; ++a) line.sweep[a] = jet.traverse[a] / speed;
   return line;
 }

@@ -9,6 +9,7 @@
 
 #include "geometry/fill.hpp"
 #include "geometry/graded_cells.hpp"
+#include "geometry/jet_direction.hpp"
 #include "geometry/nozzle.hpp"
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
@@ -83,8 +84,8 @@ void check_grading(Draft& draft, const Plane& plane, std::size_t number) {
   const double width = cells.edge(corner);
   if (plane.at < box.minimum[plane.axis] - width || plane.at > box.maximum[plane.axis] + width)
     return;
-  const double from = (plane.at - cells.centre(corner)[plane.axis]) / width - 0.5;
-  if (std::abs(from - std::round(from)) < 1e-6 && body.lattice_angle == 0.0) return;
+  const double first = cells.centre(corner)[plane.axis] - 0.5 * width;
+  if (is_whole(plane.at - first, width) && body.lattice_angle == 0.0) return;
   draft.reading.problems.add(
       {indexed("body", number) + ".grading",
        fmt::format("the symmetry plane \"{}\" cuts cells of the coarsest spacing, {:.6g} m",
@@ -144,10 +145,9 @@ void check_jet(Draft& draft, const Plane& plane, std::size_t number) {
     inside = inside || depth >= reach;
   }
   if (!on_plane && !(beyond && inside)) return;
-  const bool is_turned_slot = jet.length > 0.0 && std::abs(std::sin(2.0 * jet.azimuth)) > 1e-9;
   const bool centred = std::abs(plane.depth(nozzle.exit())) < 1e-6 * jet.spacing &&
                        std::abs(nozzle.direction()[plane.axis]) < 1e-9 &&
-                       jet.traverse[plane.axis] == 0.0 && !is_turned_slot;
+                       jet.traverse[plane.axis] == 0.0 && !is_turned_slot(jet);
   const std::string& path = draft.jets[number].path;
   if (!centred)
     draft.reading.problems.add(

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geometry/graded_cells.hpp"
 #include "input/draft.hpp"
 #include "input/units.hpp"
 #include "machine/travelling_frame.hpp"
@@ -14,10 +15,6 @@ namespace kerf {
 namespace {
 
 constexpr double slack = 1e-6;  // of a cell
-
-bool is_whole(double length, double cell) {
-  return std::abs(length / cell - std::round(length / cell)) < slack;
-}
 
 std::string length_text(double length) {
   return fmt::format("{:.6g} m", length);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/graded_cells.hpp"
 #include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
 #include "machine/travelling_frame.hpp"
@@ -66,8 +67,7 @@ Box part_around(const PieceRequest& request) {
 // Whether the water of a nozzle is symmetric about planes through its axis: it has no middle
 // column, and a slot is along an axis.
 bool is_symmetric(const Jet& jet, double extent) {
-  const bool is_turned = jet.length > 0.0 && std::abs(std::sin(2.0 * jet.azimuth)) > 1e-9;
-  return !is_turned && std::lround(extent / jet.spacing) % 2 == 0;
+  return !is_turned_slot(jet) && std::lround(extent / jet.spacing) % 2 == 0;
 }
 
 // Returns the planes through the axis of the jet about which the part and the jet are symmetric,
@@ -119,20 +119,24 @@ double particles_of(const PieceRequest& request, const Box& part, int levels) {
 
 // Whether whole coarsest cells lie beside each plane, as symmetry planes demand of graded bodies.
 bool holds_whole_cells(const Box& part, const Faces& planes, double cell) {
-  for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
-    const double cells = (part.maximum[a] - part.minimum[a]) / cell;
-    if (planes.minimum[a] && std::abs(cells - std::round(cells)) > 1e-6) return false;
-  }
+  for (const std::size_t a : {std::size_t{0}, std::size_t{2}})
+    if (planes.minimum[a] && !is_whole(part.maximum[a] - part.minimum[a], cell)) return false;
   return true;
+}
+
+// Returns the levels to choose from.
+std::vector<int> possible_levels(const PieceRequest& request) {
+  const int usual = levels_of(request);
+  return request.levels || usual == 0 ? std::vector{usual} : std::vector{usual, 0};
 }
 
 // Sets the part, its planes and its levels to the choice with the fewest particles.
 void choose_layout(const PieceRequest& request, SimulatedPiece& piece) {
   const Box whole = piece.workpiece.part;
   double fewest = std::numeric_limits<double>::infinity();
-  for (const bool mirrored : {request.may_mirror, false})
-    for (const int levels :
-         request.levels ? std::vector{*request.levels} : std::vector{levels_of(request), 0}) {
+  for (const bool mirrored : {true, false}) {
+    if (mirrored && !request.may_mirror) continue;
+    for (const int levels : possible_levels(request)) {
       Box part = whole;
       const Faces planes = mirrored ? cut_at_planes(request, part) : Faces{};
       if (levels > 0 && !holds_whole_cells(part, planes, request.spacing * (1 << levels))) continue;
@@ -143,6 +147,7 @@ void choose_layout(const PieceRequest& request, SimulatedPiece& piece) {
       piece.workpiece.levels = levels;
       piece.symmetry = planes;
     }
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "geometry/jet_direction.hpp"
 #include "input/problems.hpp"
 #include "input/read.hpp"
 #include "input/units.hpp"
@@ -176,9 +177,8 @@ LimitEnd end_of(const Asked& asked, bool is_feed) {
   end.end = asked.description.time.end;
   if (!is_feed) return end;
   const Jet& jet = asked.description.jets.front();
-  const double speed = std::hypot(jet.traverse[0], jet.traverse[1], jet.traverse[2]);
   end.start = jet.start + std::max(jet.dwell, jet.standoff / jet.speed);
-  end.path = speed * (end.end - end.start);
+  end.path = traverse_speed(jet) * (end.end - end.start);
   if (end.path <= 0.0)
     refuse(asked,
            fmt::format("{} = {:g} s is before the jet travels over the workpiece, from {:g} s on",

@@ -63,30 +63,6 @@ TEST(Placements, TheWorstRowIsKept) {
   EXPECT_EQ(worst_of(written, elsewhere).rows[0].holds_in, std::vector<std::string>{"mirrored"});
 }
 
-// The case of the block in flight, with more of its plan.
-VerificationCase flight_case(const std::string& more) {
-  const std::string plan = R"(
-title = "flight"
-)" + more + R"(
-[[run]]
-name = "plain"
-[[check]]
-quantity = "speed"
-runs = "plain"
-signal = "body_mean"
-field = "velocity"
-axis = "x"
-reduce = "last"
-si_unit = "m/s"
-unit = "m/s"
-reference = 3
-tolerance = 1e-6
-source = "Newton"
-)";
-  const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
-  return read_verification_cases(texts, {}).at(0);
-}
-
 // What a case refuses is not drawn, is named with its reason, and leaves the rest; what no case
 // could do is named beside it.
 TEST(Placements, ACaseRefusesKindsOfMoves) {

@@ -181,27 +181,9 @@ INSTANTIATE_TEST_SUITE_P(Placements, PlacementTest,
 
 // A case without symmetry of its own gives the same number in every placement.
 TEST(Placements, ARunGivesTheSameNumbers) {
-  const std::string plan = R"(
-title = "flight"
-[[run]]
-name = "plain"
-[[check]]
-quantity = "speed"
-runs = "plain"
-signal = "body_mean"
-field = "velocity"
-axis = "x"
-reduce = "last"
-si_unit = "m/s"
-unit = "m/s"
-reference = 3
-tolerance = 1e-6
-source = "Newton"
-)";
-  const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
-  auto cases = read_verification_cases(texts, {});
-  cases[0].runs[0].placement = {0.5, true, 0.0, 1.0};
-  const auto rows = verify(cases[0], false, [](const std::string&, double) {}).rows;
+  VerificationCase flying = flight_case();
+  flying.runs[0].placement = {0.5, true, 0.0, 1.0};
+  const auto rows = verify(flying, false, [](const std::string&, double) {}).rows;
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].verdict, Verdict::pass) << rows[0].measured;
   EXPECT_EQ(rows[0].placement, "turned 28.65 deg, mirrored");
