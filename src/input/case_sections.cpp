@@ -44,7 +44,7 @@ std::vector<Key> time_keys() {
   using enum ValueKind;
   // clang-format off
   return {
-      {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, or 4 jet widths of traverse; where the frame of the [workpiece] travels, until its window is at the edge)", up_to(1e6), {}, "", "End time of the run", stored_in<&TimeControl::end>},
+      {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, twice that where a nozzle stands in place of a moving one, or 4 jet widths of traverse; where the frame of the [workpiece] travels, until its window is at the edge)", up_to(1e6), {}, "", "End time of the run", stored_in<&TimeControl::end>},
       {"courant", number, "", "0.25", up_to(1.0), {}, "", "Factor of the acoustic limit of the time step", stored_in<&TimeControl::courant>},
       {"maximum_step", quantity, "s", "none", positive, {}, "", "Largest time step", stored_in<&TimeControl::maximum_step>},
       {"after_cut", quantity, "s", "none", not_negative, {}, "", "The run ends this time after the workpiece is cut through, if that is before `end`; with a [workpiece] under a standing nozzle the default is a flight of 20 jet widths", stored_in<&TimeControl::after_cut>},
