@@ -50,7 +50,7 @@ bool has_left(const WorkpieceBody& body, const KerfView& view) {
 BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pieces,
               const KerfAxes& axes, double front) {
   BodyCut cut;
-  if (!body.can_break || !body.is_in_way) return cut;
+  if (!body.can_break || !body.is_in_way || body.below > 0.0) return cut;
   bool is_joined = false;
   for (const BodySides& sides : body.sides) {
     const Joint joint = joint_of(sides, view.workpiece, pieces.body_piece);

@@ -192,6 +192,13 @@ double particles_within(double spacings, int dimension) {
                         : 4.0 / 3.0 * std::numbers::pi * spacings * spacings * spacings;
 }
 
+// Returns how far the fastest jet moves in a step that is limited by its sound waves, in spacings.
+double jet_step(const DerivedNumbers& numbers, const Case& description) {
+  if (description.jets.empty()) return 0.0;
+  return description.time.courant * description.smoothing_ratio * numbers.jet_speed /
+         (numbers.water_sound_speed + numbers.jet_speed);
+}
+
 // Returns an estimate of the memory, bytes: fields and the data of pair loops; 4 bytes for every
 // neighbour within 2 h and the skin of the list, and an eighth as reserve. Solids with bonds have
 // no lists of neighbours and further fields; their lists of bonds are small in regular layouts,
@@ -201,7 +208,7 @@ double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const int dimension = description.dimension;
   const bool plane = dimension == 2, bonds = description.formulation == Formulation::standard;
   const double reach = 2.0 * description.smoothing_ratio,
-               skin = list_skin(dimension);  // spacings
+               skin = list_skin(dimension, jet_step(numbers, description));  // spacings
   const bool single = description.precision == PrecisionKind::mixed;
   const double wider = single ? 1.0 : 1.75;  // positions are in double precision in both
   const auto all = static_cast<double>(numbers.particles_expected);

@@ -70,6 +70,7 @@ std::vector<KerfLayer> measure_layers(KerfView view, const KerfAxes& axes, const
     const KerfMap map = make_kerf_map(view, axes, path);
     layer.top = depth_of_top(map, axes, path);
     layer.shape = measure_shape(map, axes, path, workpiece.axis_spacing);
+    layer.shape.thickness += workpiece.below(body.body);
     for (std::size_t slot = 0; slot < workpiece.body.size(); ++slot) {
       if (!view.holds(slot)) continue;
       layer.volume += workpiece.volume[slot];
@@ -129,6 +130,7 @@ Kerf measure_kerf(const Workpiece& workpiece, const Frame& part, const KerfCondi
     deny(kerf.shape);
     deny(kerf.opening);
   }
+  for (KerfShape* shape : {&kerf.shape, &kerf.opening}) shape->thickness += workpiece.below(-1);
   const KerfScene scene{view, map, axes, path, kerf.shape, pieces.fragments, conditions};
   std::apply(
       [&](auto&... values) { ((values = std::decay_t<decltype(values)>::measure(scene)), ...); },

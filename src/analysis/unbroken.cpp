@@ -144,6 +144,10 @@ UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
     least.standing = standing[n];
     least.unbroken = unbroken[n];
   }
+  if (const double below = workpiece.below(view.body); below > 0.0) {
+    least.is_open = least.is_torn_through = false;
+    for (double* length : {&least.laid_out, &least.standing, &least.unbroken}) *length += below;
+  }
   return least;
 }
 

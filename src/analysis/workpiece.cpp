@@ -7,6 +7,7 @@
 #include <set>
 
 #include "analysis/pieces.hpp"
+#include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -103,6 +104,9 @@ WorkpieceBody describe(const Case& description, std::uint16_t number) {
   described.body = number;
   described.can_break =
       description.materials.at(static_cast<std::size_t>(body.material)).can_break();
+  if (description.workpiece && body.name == workpiece_name)
+    described.below =
+        thickness_below(*description.workpiece) / std::cos(description.jets.back().angle);
   return described;
 }
 
@@ -128,6 +132,13 @@ void describe_bodies(Workpiece& workpiece, const Case& description, const Pieces
 }
 
 }  // namespace
+
+double Workpiece::below(int number) const {
+  double sum = 0.0;
+  for (const WorkpieceBody& one : bodies)
+    if (number < 0 || one.body == number) sum += one.below;
+  return sum;
+}
 
 Workpiece make_workpiece(const Case& description, const Frame& initial) {
   Workpiece workpiece;

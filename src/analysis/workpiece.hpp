@@ -26,6 +26,7 @@ struct WorkpieceBody {
   bool can_break = false;                  // its material has a limit; otherwise nothing cuts it
   bool is_in_way = false;                  // the jet meets it at the place where it aims
   double bottom = 0.0;                     // m, depth at which the axis leaves it
+  double below = 0.0;                      // m, along the jet, beyond the part that is simulated
   std::vector<std::uint32_t> exit_region;  // slots near that point
   std::vector<BodySides> sides;            // beside the jet, where the layout joins them
 };
@@ -59,6 +60,9 @@ struct Workpiece {
   double bottom = 0.0;             // m, depth at which the axis leaves
   std::vector<std::uint8_t> initially_in_piece;  // as Pieces::in_piece, of the first layout
 
+  // Returns the thickness of a body, by its index into Case::bodies, or of all (-1) beyond the part
+  // that is simulated, along the jet, m.
+  double below(int body) const;
   bool empty() const { return position.empty(); }
 };
 

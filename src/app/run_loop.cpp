@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "machine/simulated_piece.hpp"
 #include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 #include "output/checkpoint.hpp"
@@ -162,6 +163,8 @@ bool RunLoop::is_over() const {
     return true;
   const double after_cut = settings_.description.time.after_cut;
   const auto& history = cut_->history();
+  if (!history.empty() && history.back().front_depth >= last_front_depth(settings_.description))
+    return true;
   if (std::isinf(after_cut) || history.empty() || !history.back().cut_through) return false;
   const auto cut = std::find_if(history.begin(), history.end(),
                                 [](const CutState& state) { return state.cut_through; });

@@ -193,6 +193,12 @@ std::vector<InletParticle> Nozzle::emit(double time) {
   return water;
 }
 
+double Nozzle::fastest() const {
+  double fastest = 0.0;
+  for (const Column& column : columns_) fastest = std::max(fastest, column.speed);
+  return fastest;
+}
+
 double Nozzle::column_area() const {
   return particle_mass_ / (density_ * spacing_);
 }

@@ -42,6 +42,7 @@ class Nozzle {
   void cut_at(const Faces& planes, const Box& domain);
 
   const Point& direction() const { return direction_; }
+  double fastest() const;  // m/s, of all columns without pressure at the exit
   // Return the position of the nozzle's exit at a time, m, and its velocity, m/s.
   Point exit(double time = 0.0) const;
   Point velocity(double time) const;

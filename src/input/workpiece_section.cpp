@@ -24,7 +24,8 @@ std::vector<Key> workpiece_keys() {
   return {
       {"material", name, "", "", any, {}, "", "Name of a material of this case or of the library", stored_in<&WorkpieceDraft::material>},
       {"size", vector, "m", "", up_to(1e4), {}, "", "Length along x, thickness and, in 3D, length along z", stored_in<&WorkpieceSetting::size>},
-      {"minimum", vector, "m", "(8 jet widths, in 2D 24, from the water of the jet and its path, or a symmetry plane)", within(1e4), {}, "", "Lowest corner of the part that is simulated, over the whole thickness; of a window at the start", stored_in<&WorkpieceSetting::part, &Box::minimum>},
+      {"depth", quantity, "m", "(the thickness; in a 3D draft with a nozzle at rest at most 48 jet widths, of which 32)", positive, {}, "", "Depth of the workpiece that is simulated, from its upper face on; a jet that comes near its end is carried on to the thickness by the [law of its depth](theory/exposure.md)", stored_in<&WorkpieceSetting::depth>},
+      {"minimum", vector, "m", "(8 jet widths, in 2D 24, from the water of the jet and its path, or a symmetry plane)", within(1e4), {}, "", "Lowest corner of the part that is simulated, at its `depth`; of a window at the start", stored_in<&WorkpieceSetting::part, &Box::minimum>},
       {"maximum", vector, "m", "(likewise)", within(1e4), {}, "", "Highest corner of that part", stored_in<&WorkpieceSetting::part, &Box::maximum>},
       {"frame", word, "", "fixed", any, workpiece_frame_words, "", "Whether one part is simulated, or a window that [travels with the nozzle](theory/travelling_frame.md): solid is fed in ahead of it and left behind", stored_in<&WorkpieceSetting::frame>},
       {"shift", quantity, "m", "(an eighth of the window)", positive, {}, "travelling", "Distance by which the window moves at a time, in whole coarsest cells", stored_in<&WorkpieceSetting::shift>},
@@ -106,6 +107,29 @@ Box united(Box box, const Box& other) {
   return box;
 }
 
+// Sets the depth that is simulated; a corner of the part states it too.
+void choose_depth(Draft& draft, Section& section) {
+  WorkpieceSetting& workpiece = draft.workpiece.setting;
+  const double thickness = workpiece.size[1];
+  if (section.has("minimum")) {
+    const double depth = -workpiece.part.minimum[1];
+    if (section.has("depth") && std::abs(depth - workpiece.depth) > 1e-9 * thickness)
+      section.refuse("depth", "it is not that of the corner `minimum`", "Leave one of them out",
+                     write_quantity(depth, "m"));
+    workpiece.depth = depth;
+    return;
+  }
+  if (!section.has("depth")) {
+    const bool is_short = draft.quality == Quality::draft && draft.reading.dimension == 3 &&
+                          draft.result.machine->motion == NozzleMotion::standing;
+    workpiece.depth = is_short ? depth_of_draft(draft.jets.back().jet, thickness) : thickness;
+    return;
+  }
+  if (workpiece.depth > thickness * (1.0 + 1e-9))
+    section.refuse("depth", "it is more than the thickness of the workpiece", "Lower it",
+                   fmt::format("at most {}", write_quantity(thickness, "m")));
+}
+
 // Sets what the user leaves open.
 void choose_part(Draft& draft, Section& top, const Section& section) {
   WorkpieceSetting& workpiece = draft.workpiece.setting;
@@ -114,9 +138,14 @@ void choose_part(Draft& draft, Section& top, const Section& section) {
   // Symmetry planes could cut other bodies.
   const bool may_mirror =
       !draft.has_domain && !top.has("body") && !section.has("minimum") && !section.has("maximum");
-  PieceRequest request{
-      jet, workpiece.size, draft.reading.dimension, workpiece.spacing, may_mirror, workpiece.frame,
-      {}};
+  PieceRequest request{jet,
+                       workpiece.size,
+                       workpiece.depth,
+                       draft.reading.dimension,
+                       workpiece.spacing,
+                       may_mirror,
+                       workpiece.frame,
+                       {}};
   if (section.has("levels")) request.levels = workpiece.levels;
   const SimulatedPiece chosen = simulated_piece(request);
   if (!section.has("minimum")) workpiece.part.minimum = chosen.workpiece.part.minimum;
@@ -148,6 +177,8 @@ void read_workpiece(Draft& draft, Section& top) {
   resolve_motion(draft);
   const bool travels = draft.workpiece.setting.frame == WorkpieceFrame::travelling;
   if (travels) check_travel(draft, top, section);
+  if (draft.reading.problems.any()) return;
+  choose_depth(draft, section);
   if (draft.reading.problems.any()) return;
   choose_part(draft, top, section);
   check_part(section, draft.workpiece.setting);

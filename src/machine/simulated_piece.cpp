@@ -45,15 +45,15 @@ Box part_around(const PieceRequest& request) {
   const double way = travels(request)
                          ? 0.0
                          : std::max(traverse_widths * jet.width,
-                                    speed * (jet.dwell + passage_time(jet, request.size[1])));
+                                    speed * (jet.dwell + passage_time(jet, request.depth)));
   const double unit = request.spacing * (1 << levels_of(request));
   Box part;
-  part.minimum[1] = -request.size[1];
+  part.minimum[1] = -request.depth;
   for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
     if (a == 2 && request.dimension == 2) continue;
     const double half = 0.5 * extent[a] + window_reach(request.dimension) * jet.width;
     const double path = speed > 0.0 ? way * jet.traverse[a] / speed : 0.0;
-    const double shift = lean[a] * request.size[1];
+    const double shift = lean[a] * request.depth;
     const auto whole = [&](double length) { return unit * std::ceil(length / unit - 1e-9); };
     const double edge = 0.5 * request.size[a];
     part.minimum[a] =
@@ -152,6 +152,23 @@ void choose_layout(const PieceRequest& request, SimulatedPiece& piece) {
 
 }  // namespace
 
+double depth_of_draft(const Jet& jet, double thickness) {
+  const double width = jet.width * std::cos(jet.angle);  // of the depth along the jet
+  return thickness > whole_depth * width ? draft_depth * width : thickness;
+}
+
+double thickness_below(const WorkpieceSetting& workpiece) {
+  const double below = workpiece.part.minimum[1] + workpiece.size[1];
+  return below > 1e-9 * workpiece.size[1] ? below : 0.0;
+}
+
+double last_front_depth(const Case& description) {
+  if (!description.workpiece || !(thickness_below(*description.workpiece) > 0.0))
+    return std::numeric_limits<double>::infinity();
+  const Jet& jet = description.jets.back();
+  return -description.workpiece->part.minimum[1] / std::cos(jet.angle) - bottom_margin * jet.width;
+}
+
 double passage_time(const Jet& jet, double thickness) {
   return (jet.standoff + 4.0 * thickness / std::cos(jet.angle)) / (jet.speed * jet.duty);
 }
@@ -203,6 +220,7 @@ SimulatedPiece simulated_piece(const PieceRequest& request) {
   SimulatedPiece piece;
   WorkpieceSetting& workpiece = piece.workpiece;
   workpiece.size = request.size;
+  workpiece.depth = request.depth;
   workpiece.spacing = request.spacing;
   workpiece.grading_width = graded_width * request.jet.width;
   workpiece.frame = request.frame;
@@ -218,6 +236,7 @@ SimulatedPiece simulated_piece(const PieceRequest& request) {
 
 Faces continued_faces(const WorkpieceSetting& workpiece, const Faces& symmetry, int dimension) {
   Faces faces;
+  faces.minimum[1] = thickness_below(workpiece) > 0.0;
   for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
     if (a == 2 && dimension == 2) continue;
     const double edge = 0.5 * workpiece.size[a], slack = 1e-9 * edge;

@@ -24,6 +24,23 @@ inline constexpr double traverse_widths = 4.0;
 // Water beyond the simulated part by this distance, in jet widths, is removed.
 inline constexpr double domain_margin = 2.0;
 
+// A draft in 3D under a nozzle that stands simulates so much of a workpiece that is thicker than
+// `whole_depth`, both in jet widths: the law of the depth shows in it (docs/theory/exposure.md).
+inline constexpr double draft_depth = 32.0, whole_depth = 48.0;
+// The run of a part that ends within the workpiece ends where the front comes this near to its
+// lower face, in jet widths.
+inline constexpr double bottom_margin = 2.0;
+
+// Returns the depth (m) of a workpiece that a draft simulates under a nozzle that stands.
+double depth_of_draft(const Jet& jet, double thickness);
+
+// Returns the thickness (m, along y) of the workpiece below the part that is simulated.
+double thickness_below(const WorkpieceSetting& workpiece);
+
+// Returns the depth of the front, along the jet, at which the run of a case ends, m; infinite where
+// the part reaches down to the lower face of the workpiece.
+double last_front_depth(const Case& description);
+
 // Returns the time (s) of a run through the thickness (m) of a workpiece: the flight of the jet and
 // twice the time of a penetration at half its speed.
 double passage_time(const Jet& jet, double thickness);
@@ -51,8 +68,9 @@ struct SimulatedPiece {
 
 // What the choice is made for.
 struct PieceRequest {
-  Jet jet;     // its nozzle moves as it does in the run
-  Point size;  // m, of the workpiece
+  Jet jet;             // its nozzle moves as it does in the run
+  Point size;          // m, of the workpiece
+  double depth = 0.0;  // m, of the thickness that is simulated
   int dimension = 3;
   double spacing = 0.0;    // m, of the workpiece at the jet
   bool may_mirror = true;  // whether the part may end at symmetry planes

@@ -18,6 +18,7 @@ inline constexpr std::array<std::string_view, 2> workpiece_frame_words{"fixed", 
 // A slab whose upper face lies at y = 0, with its middle at the origin.
 struct WorkpieceSetting {
   Point size{};                // m, along x, y (the thickness) and z
+  double depth = 0.0;          // m, what is simulated of the thickness, from the upper face on
   Box part;                    // m, what is simulated of it, at the start
   int levels = 0;              // of resolution beside the finest; 0 = one spacing
   double grading_width = 0.0;  // m, distance from the jet at which the spacing doubles

@@ -36,6 +36,19 @@ std::string part_sentence(const Case& description) {
   return text + ".";
 }
 
+std::string depth_sentence(const Case& description) {
+  const WorkpieceSetting& workpiece = *description.workpiece;
+  const double below = thickness_below(workpiece);
+  return below > 0.0 ? fmt::format(
+                           "The upper {} of the thickness are simulated, and the run ends as the "
+                           "front comes within {} of their end; the law of its depth is carried on "
+                           "through the other {}.",
+                           readable(workpiece.depth, "m"),
+                           readable(bottom_margin * description.jets.back().width, "m"),
+                           readable(below, "m"))
+                     : std::string();
+}
+
 std::string symmetry_sentence(const Case& description) {
   const auto names = names_of(description.symmetry);
   return names.empty()
@@ -86,6 +99,7 @@ std::vector<std::string> piece_reasons(const Case& description) {
     if (!sentence.empty()) sentences.push_back(sentence);
   };
   add(part_sentence(description));
+  add(depth_sentence(description));
   add(symmetry_sentence(description));
   add(resolution_sentence(*description.workpiece));
   add(motion_sentence(description));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 #include "output/layer_metrics.hpp"
 #include "output/readable.hpp"
@@ -59,6 +60,11 @@ std::string depth_sentence(const RunOutcome& outcome) {
   if (outcome.cut.last.fractured_mass == 0.0 && outcome.balance.dissipated_fracture == 0.0)
     return fmt::format("The jet breaks nothing within {}; its front presses {} into the workpiece.",
                        end, front);
+  const double last = last_front_depth(outcome.description);
+  if (outcome.cut.last.front_depth >= last)
+    return fmt::format(
+        "The front of the jet has come to the end of the depth that is simulated, {}, after {}{}.",
+        readable(outcome.description.workpiece->depth, "m"), end, layers_clause(outcome));
   return fmt::format("The jet does not cut through within {}{}; its front is {} deep{}.", end,
                      layers_clause(outcome), front, unbroken_clause(outcome));
 }

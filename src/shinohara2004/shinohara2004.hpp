@@ -24,7 +24,9 @@ class Shinohara2004 final : public ParticleRun<D, P, Shinohara2004Traits> {
   }
 
   void advance() override {
-    Run::renew_neighbours();
+    Run::inject_inflow();
+    // With a margin of half the last step, so that the list is valid to the end of this step.
+    Run::renew_neighbours(1.5 * Run::last_step_.dt);
     evaluate_rates();
     const double dt = Run::choose_step(StepRates::known);
     keep_start();

@@ -57,7 +57,9 @@ class ParticleRun : public Simulation {
   // `lay_out` is called after the first list is built, before the first forces.
   template <class LayOut>
   void open(const LayOut& lay_out);
-  void renew_neighbours();
+  void inject_inflow();
+  // Renews the list unless it will be valid once all particles have moved on for `horizon` seconds.
+  void renew_neighbours(double horizon);
   void renew_list();  // and removes outflow
   void rebuild_list();
   // `other`: a limit besides those of the particles.
@@ -98,7 +100,6 @@ class ParticleRun : public Simulation {
   bool any_has(std::uint8_t flags) const;
   void note_order();  // when the particles have been put into another order
   void close_planes();
-  void inject_inflow();
   std::size_t first_jet() const { return settings_.source_names.size() - nozzles_.size(); }
   [[noreturn]] void fail(const StepLimit& cause) const;
   void refresh() const;

@@ -42,7 +42,14 @@ ParticleRun<D, P, Traits>::ParticleRun(RunSettings settings)
   to_device(media, particles_.media);
   balance_.set_masses(masses);
   shortest_step_ = 1e-6 * settings_.courant * shortest;
-  const double skin = list_skin(D) * finest;
+  double step = 0.0;  // m, of the fastest jet
+  for (std::size_t j = 0; j < nozzles_.size(); ++j) {
+    const Medium<double>& water = media_[first_jet() + j];
+    const double speed = nozzles_[j].fastest();
+    step = std::max(
+        step, settings_.courant * water.smoothing_length * speed / (water.sound_speed + speed));
+  }
+  const double skin = list_skin(D, step / finest) * finest;
   list_ = NeighbourList<D, P, typename Traits::Pairs>(
       minimum_, maximum_, LevelReach::of<D, typename Traits::Pairs>(media_), skin);
   append(std::exchange(settings_.particles, {}));

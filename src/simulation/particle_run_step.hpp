@@ -11,14 +11,12 @@
 namespace kerf {
 
 template <int D, class P, class Traits>
-void ParticleRun<D, P, Traits>::renew_neighbours() {
+void ParticleRun<D, P, Traits>::renew_neighbours(double horizon) {
   const auto timer = timers_.stage("neighbours");
-  inject_inflow();
   // Particles outside the domain move on until the list is rebuilt: spray leaves in every other
   // step.
   if (settings_.removes_back_flow) list_is_due_ |= any_has(flag::erased);
-  // With a margin of half the last step, so that the list is valid to the end of this step.
-  if (!list_is_due_) list_is_due_ = list_.is_outdated(particles_, 1.5 * last_step_.dt);
+  if (!list_is_due_) list_is_due_ = list_.is_outdated(particles_, horizon);
   if (list_is_due_) renew_list();
 }
 

@@ -40,8 +40,9 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 
   void advance() override {
     follow_nozzle();
-    Run::renew_neighbours();
+    Run::inject_inflow();
     const double dt = Run::choose_step(StepRates::pending, solid_limit());
+    Run::renew_neighbours(0.5 * dt);  // the pairs are summed in the middle of the step
     drift_half(dt);
     deform(dt);
     break_bonds();

@@ -36,7 +36,8 @@ size = ["2000 mm", "20 mm"]
 
 class WorkpieceProgram : public testing::Test {
  protected:
-  WorkpieceProgram() { write_file(folder_ / "my.toml", tofu_workpiece); }
+  WorkpieceProgram() { write(tofu_workpiece); }
+  void write(const std::string& text) const { write_file(folder_ / "my.toml", text); }
   Ending run() const {
     return kerf({"run", (folder_ / "my.toml").string(), "--out", (folder_ / "out").string()});
   }
@@ -81,6 +82,46 @@ TEST_F(WorkpieceProgram, TellsTheCutAtTheFeedOfAStandingNozzle) {
   EXPECT_THAT(verdict, HasSubstr("A feed of 10 mm/s"));
   EXPECT_THAT(ending.output, HasSubstr(verdict));
   EXPECT_THAT(file("report.html"), HasSubstr("A feed of 10 mm/s"));
+}
+
+// A jet of 16 m/s comes to the end of the part; it has not cut the workpiece. Its depth is carried
+// on.
+TEST_F(WorkpieceProgram, ThePartOfAThickWorkpieceIsNotCutThrough) {
+  std::string thick = tofu_workpiece;
+  const std::string thin = "\"20 mm\"]";
+  thick.replace(thick.find(thin), thin.size(), "\"60 mm\"]\ndepth = \"20 mm\"");
+  const std::string slow = "13 kPa";
+  thick.replace(thick.find(slow), slow.size(), "130 kPa");
+  write(thick);
+  EXPECT_THAT(check().output, AllOf(HasSubstr("The upper 20 mm of the thickness are simulated"),
+                                    HasSubstr("through the other 40 mm")));
+  const Ending ending = run();
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  const auto all = result();
+  EXPECT_EQ(all.at("cut_through"), false);
+  EXPECT_NEAR(all.at("kerf").at("thickness"), 60e-3, 2e-3);
+  EXPECT_EQ(all.at("kerf").at("through"), false);
+  EXPECT_GT(all.at("kerf").at("unbroken"), 40e-3);
+  EXPECT_LT(all.at("kerf").at("margin"), -0.6);
+  // It ended as the front came within two widths of the lower face of the part.
+  const double width = all.at("machine").at("width_at_workpiece");
+  EXPECT_GE(all.at("front_depth"), 20e-3 - 2.0 * width);
+  EXPECT_LT(all.at("front_depth"), 20e-3);
+  const auto& exposure = all.at("exposure");
+  EXPECT_GT(exposure.at("depth_high"), all.at("front_depth"));
+  EXPECT_GT(exposure.at("decades"), 0.0);
+  EXPECT_THAT(
+      all.at("verdict").get<std::string>(),
+      AllOf(HasSubstr("the end of the depth that is simulated, 20 mm"), HasSubstr("carried over")));
+}
+
+TEST_F(WorkpieceProgram, RefusesADepthBeyondTheWorkpiece) {
+  write(std::string(tofu_workpiece) + "depth = \"30 mm\"\n");
+  EXPECT_THAT(check().output, AllOf(HasSubstr("more than the thickness"), HasSubstr("0.02 m")));
+  write(std::string(tofu_workpiece) +
+        "depth = \"10 mm\"\nminimum = [\"-90 mm\", \"-15 mm\"]\nmaximum = [\"90 mm\", \"0 "
+        "mm\"]\n");
+  EXPECT_THAT(check().output, AllOf(HasSubstr("not that of the corner"), HasSubstr("0.015 m")));
 }
 
 }  // namespace

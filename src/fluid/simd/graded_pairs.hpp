@@ -70,16 +70,45 @@ class GradedPairs {
     std::uint8_t* graded;
     Real *correction, *length_ratio;
 
-    KERF_FUNCTION void operator()(Index i) const {
+    void operator()(Index i) const {
       graded[i] = sums_over_levels(particles, i) ? 1 : 0;
       if (graded[i] == 0) return;
+      thread_local FactorTable factors;
       const End own = ends[i];
+      factors.set(of_pair, own.solid);
       for (Index k = list.begin[i]; k < list.begin[i] + list.same_fluid[i]; ++k) {
         const End other = ends[list.neighbour[k]];
-        correction[k] = of_pair.between(own.solid, other.solid);
+        correction[k] = factors.of(other.solid);
         length_ratio[k] = other.length / own.length;
       }
+      factors.reset(of_pair, own.solid);
     }
+  };
+  // The factors of the bonds of one particle, by the number of the other end: one look each, where
+  // a search in the list of bonds would take seven.
+  class FactorTable {
+   public:
+    void set(const PairCorrection<D, P>& of_pair, Index own) {
+      for_each_bond(of_pair, own, [&](Index other, Index bond) {
+        if (factor_.size() <= other) factor_.resize(other + other / 2 + 1, Real(1));
+        factor_[other] = of_pair.factor[bond];
+      });
+    }
+    void reset(const PairCorrection<D, P>& of_pair, Index own) {
+      for_each_bond(of_pair, own, [&](Index other, Index) { factor_[other] = Real(1); });
+    }
+    Real of(Index other) const { return other < factor_.size() ? factor_[other] : Real(1); }
+
+   private:
+    template <class Visit>
+    static void for_each_bond(const PairCorrection<D, P>& of_pair, Index own, const Visit& visit) {
+      if (own == no_bond) return;
+      const auto& bonds = of_pair.bonds;
+      for (Index k = bonds.first(own); k < bonds.last(own); ++k)
+        if (const Index end = bonds.end(own, k); bonds.mirrors.code(end) == 0) visit(end, k);
+    }
+
+    std::vector<Real> factor_;  // 1 between calls
   };
 
  private:

@@ -37,6 +37,7 @@ PieceRequest request_for(const Jet& jet, const Point& size) {
   PieceRequest request;
   request.jet = jet;
   request.size = size;
+  request.depth = size[1];
   request.spacing = jet.spacing;
   return request;
 }
@@ -100,6 +101,29 @@ TEST(SimulatedPiece, PlanesAndLevelsGoTogetherInWholeCells) {
   EXPECT_TRUE(both.symmetry.minimum[0] && both.symmetry.minimum[2]);
   request.levels = 0;
   EXPECT_EQ(simulated_piece(request).workpiece.levels, 0);
+}
+
+// A draft simulates 32 jet widths of a workpiece that is thicker than 48; the workpiece goes on
+// below them, and the run ends two widths above their end.
+TEST(SimulatedPiece, DraftsOfThickWorkpiecesEndWithinThem) {
+  EXPECT_DOUBLE_EQ(depth_of_draft(round_jet(), 48e-3), 48e-3);
+  EXPECT_DOUBLE_EQ(depth_of_draft(round_jet(), 49e-3), 32e-3);
+  Case description;
+  description.jets = {round_jet()};
+  auto request = request_for(round_jet(), {1.0, 100e-3, 1.0});
+  const auto whole = simulated_piece(request);
+  EXPECT_EQ(thickness_below(whole.workpiece), 0.0);
+  description.workpiece = whole.workpiece;
+  EXPECT_TRUE(std::isinf(last_front_depth(description)));
+  request.depth = 32e-3;
+  const auto upper = simulated_piece(request);
+  EXPECT_NEAR(thickness_below(upper.workpiece), 68e-3, 1e-12);
+  EXPECT_TRUE(continued_faces(upper.workpiece, upper.symmetry, 3).minimum[1]);
+  EXPECT_LT(upper.domain.minimum[1], -33e-3);  // room for the water
+  description.workpiece = upper.workpiece;
+  EXPECT_NEAR(last_front_depth(description), 30e-3, 1e-12);
+  description.jets[0].angle = std::numbers::pi / 3.0;
+  EXPECT_NEAR(last_front_depth(description), 62e-3, 1e-12);
 }
 
 // Seven columns across have one in the middle; a slot at an angle to the axes is not its image.
