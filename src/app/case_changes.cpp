@@ -11,6 +11,7 @@
 #include "geometry/shapes.hpp"
 #include "input/units.hpp"
 #include "kernels/wendland_c2.hpp"
+#include "machine/simulated_piece.hpp"
 #include "model/face_names.hpp"
 
 namespace kerf {
@@ -168,6 +169,17 @@ std::optional<CaseChange> smaller_piece(const Case& description) {
       change_entry(change, "body", body.name, "absorbing", words(absorbing));
   }
   if (change.lines.empty()) return {};
+  return change;
+}
+
+std::optional<CaseChange> smaller_depth(const Case& description) {
+  if (!description.workpiece || description.machine->motion != NozzleMotion::standing) return {};
+  const WorkpieceSetting& workpiece = *description.workpiece;
+  const double depth = depth_of_draft(description.jets.back(), workpiece.size[1]);
+  if (!(depth < workpiece.depth)) return {};
+  CaseChange change;
+  change.changes.insert("workpiece", toml::table{{"depth", metres(depth)}});
+  change.lines.push_back(fmt::format("[workpiece] depth = \"{}\"", metres(depth)));
   return change;
 }
 

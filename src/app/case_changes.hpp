@@ -22,6 +22,7 @@ struct CaseChange {
 std::optional<CaseChange> draft_quality(const Case& description, const toml::table& written);
 std::optional<CaseChange> double_spacing(const Case& description, const toml::table& written);
 std::optional<CaseChange> smaller_piece(const Case& description);
+std::optional<CaseChange> smaller_depth(const Case& description);
 std::optional<CaseChange> graded_spacing(const Case& description);
 std::optional<CaseChange> symmetry_planes(const Case& description);
 std::optional<CaseChange> plane_case(const Case& description);

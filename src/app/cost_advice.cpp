@@ -56,8 +56,9 @@ std::vector<CaseChange> possible_changes(const CostedCase& costed) {
   std::vector<CaseChange> changes;
   for (const auto& change :
        {draft_quality(costed.description, written), double_spacing(costed.description, written),
-        smaller_piece(costed.description), graded_spacing(costed.description),
-        symmetry_planes(costed.description), plane_case(costed.description)})
+        smaller_piece(costed.description), smaller_depth(costed.description),
+        graded_spacing(costed.description), symmetry_planes(costed.description),
+        plane_case(costed.description)})
     if (change) changes.push_back(*change);
   return changes;
 }
@@ -89,6 +90,7 @@ std::optional<Advice> all_together(const CostedCase& costed) {
     all.after = step->after;
   };
   apply(smaller_piece(current.description));
+  apply(smaller_depth(current.description));
   apply(draft_quality(current.description, toml::parse(current.text)));
   apply(graded_spacing(current.description));
   apply(plane_case(current.description));

@@ -115,6 +115,25 @@ TEST_F(WorkpieceProgram, ThePartOfAThickWorkpieceIsNotCutThrough) {
       AllOf(HasSubstr("the end of the depth that is simulated, 20 mm"), HasSubstr("carried over")));
 }
 
+// Of a thick workpiece at normal quality the whole thickness is simulated; the advice is a depth.
+TEST_F(WorkpieceProgram, CheckAdvisesALesserDepth) {
+  write(R"(title = "Muscle of 19 mm"
+dimension = 3
+
+[machine]
+pressure = "380 MPa"
+orifice_diameter = "0.15 mm"
+standoff = "3 mm"
+traverse_speed = "10 m/min"
+
+[workpiece]
+material = "muscle"
+size = ["200 mm", "19 mm", "150 mm"]
+)");
+  EXPECT_THAT(check().output, AllOf(HasSubstr("[workpiece] depth = \"3.75"),
+                                    Not(HasSubstr("of the thickness are simulated"))));
+}
+
 TEST_F(WorkpieceProgram, RefusesADepthBeyondTheWorkpiece) {
   write(std::string(tofu_workpiece) + "depth = \"30 mm\"\n");
   EXPECT_THAT(check().output, AllOf(HasSubstr("more than the thickness"), HasSubstr("0.02 m")));
