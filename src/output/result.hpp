@@ -61,6 +61,8 @@ struct RunOutcome {
 
 // Returns whether solid broke and the front went deeper in the last tenth of the history.
 bool still_cutting(const std::vector<CutState>& history);
+// Says what that means.
+std::string still_cutting_sentence(const RunOutcome& outcome);
 
 // Returns one sentence: whether and when the jet cut through, its depth, or that nothing broke.
 std::string verdict_of(const RunOutcome& outcome);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "machine/simulated_piece.hpp"
 #include "model/calibration_need.hpp"
 #include "model/case.hpp"
 #include "output/result.hpp"
@@ -242,20 +241,6 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
   flags.push_back({"abrasive", State::note, {}, {}, "Abrasive is not modelled."});
 }
 
-ValidityFlag still_cutting_flag(const RunOutcome& outcome) {
-  const bool is_at_end_of_part =
-      outcome.cut.last.front_depth >= last_front_depth(outcome.description);
-  return {
-      "still_cutting",
-      State::warning,
-      {},
-      {},
-      is_at_end_of_part
-          ? "The run ended as the front came to the end of the depth that is simulated: a greater "
-            "depth of the [workpiece] tells more."
-          : "The run ended while the jet was still cutting: choose a later end."};
-}
-
 }  // namespace
 
 std::string_view word_of(ValidityFlag::State state) {
@@ -286,7 +271,8 @@ const MetricList<ValidityFlag>& ValidityFlag::metrics() {
 std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
   const DerivedNumbers& derived = outcome.derived;
   std::vector<ValidityFlag> flags;
-  if (outcome.still_cutting) flags.push_back(still_cutting_flag(outcome));
+  if (outcome.still_cutting)
+    flags.push_back({"still_cutting", State::warning, {}, {}, still_cutting_sentence(outcome)});
   add_of_jet(outcome, flags);
   if (derived.solid_to_water_spacing > rounding)
     flags.push_back({"solid_spacing", State::warning, derived.solid_to_water_spacing, 1.0,

@@ -156,6 +156,13 @@ bool still_cutting(const std::vector<CutState>& history) {
   return history.back().front_depth > before->front_depth;
 }
 
+std::string still_cutting_sentence(const RunOutcome& outcome) {
+  return outcome.cut.last.front_depth >= last_front_depth(outcome.description)
+             ? "The run ended as the front came to the end of the depth that is simulated: a "
+               "greater depth of the [workpiece] tells more."
+             : "The run ended while the jet was still cutting: choose a later end.";
+}
+
 std::string verdict_of(const RunOutcome& outcome) {
   if (outcome.description.jets.empty())
     return fmt::format("The run reached {}; it has no jet, so there is nothing to cut.",
