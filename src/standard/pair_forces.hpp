@@ -50,7 +50,12 @@ class StandardRates {
       entries.push_back(
           {static_cast<Real>(entry.inverse_kernel_sum), static_cast<Real>(entry.stiffness)});
     to_device(entries, contacts_);
-    for (const auto& medium : media) has_solids_ |= medium.phase == Phase::solid;
+    for (const auto& medium : media) {
+      if (medium.phase != Phase::solid) continue;
+      apart_from_images_ |= ~medium.joined_mirrors;
+      for (const auto& other : media)
+        has_bodies_apart_ |= other.phase != Phase::water && other.piece != medium.piece;
+    }
     if (separates_same_fluid())
       same_fluid_pairs_ = SameFluidPairs<D, P>(media, 1.0 / lattice.slope);
   }
@@ -79,7 +84,7 @@ class StandardRates {
   template <class Bonds>
   void evaluate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                 const Bonds& bonds, ConcentrationGradient<D, Real>* concentration_gradient) const {
-    if (has_solids_) sum_surface_overlaps(view, count, list, {contacts()});
+    if (may_touch(view)) sum_surface_overlaps(view, count, list, {contacts()});
     const LoopInput input{view, count, list};
     if (fluid_pair_.scheme == WaterScheme::riemann) {
       sum_pairs(input, bonds, FluidContinuity<D, P>{fluid_pair_}, RigidWalls{}, KernelSum{},
@@ -99,7 +104,7 @@ class StandardRates {
   template <class Bonds>
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                   const Bonds& bonds) const {
-    if (has_solids_) sum_surface_overlaps(view, count, list, {contacts()});
+    if (may_touch(view)) sum_surface_overlaps(view, count, list, {contacts()});
     sum_pairs({view, count, list}, bonds);
   }
   // Evaluates the accelerations by the pairs that `filter` selects and by the body force given.
@@ -107,7 +112,7 @@ class StandardRates {
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                   const Bonds& bonds, const Filter& filter,
                   const BodyForce<D, P>& body_force) const {
-    if (has_solids_) sum_surface_overlaps(view, count, list, {contacts()});
+    if (may_touch(view)) sum_surface_overlaps(view, count, list, {contacts()});
     update_pressures({view, count, list});
     run_loop({view, count, list}, bonds, filter, body_force);
   }
@@ -115,7 +120,7 @@ class StandardRates {
   // Records the initial overlap, at which bodies exert no force. Once, at the start of a run.
   void record_initial_overlap(const ParticleView<D, P>& view, Index count,
                               const NeighbourView& list) const {
-    if (has_solids_) sum_surface_overlaps(view, count, list, {contacts(), true});
+    if (may_touch(view)) sum_surface_overlaps(view, count, list, {contacts(), true});
   }
 
   std::size_t bytes() const {
@@ -131,6 +136,11 @@ class StandardRates {
     Index count;
     NeighbourView list;
   };
+
+  // Whether a solid may touch another body, or its image in a plane.
+  bool may_touch(const ParticleView<D, P>& view) const {
+    return has_bodies_apart_ || (view.mirrors.faces & apart_from_images_) != 0;
+  }
 
   static void update_pressures(const LoopInput& input) {
     for_each_index(input.count, FluidPressure<D, P>{input.view});
@@ -182,7 +192,8 @@ class StandardRates {
   Index media_ = 0;
   Array<ContactOfMedia<Real>> contacts_;
   mutable Array<Vector<D, Real>> density_gradient_;  // 1/m, scratch of delta-SPH alone
-  bool has_solids_ = false;
+  bool has_bodies_apart_ = false;     // a solid and another body that it is not joined to
+  MirrorCode apart_from_images_ = 0;  // planes whose images of a solid are not one piece with it
   mutable SameFluidPairs<D, P> same_fluid_pairs_;
 };
 
