@@ -223,6 +223,24 @@ double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   return all * particle + (all - bonded) * list + bonded * solid + jittered * bond_list;
 }
 
+// Returns when the run is likely to end, s. One that ends once its part is passed does so early
+// where the jet presses far harder than the solid resists: its front then has the speed of two
+// streams.
+double likely_end(const DerivedNumbers& numbers, const Case& description) {
+  constexpr double dwarfs = 10.0;  // stagnation pressure over the resistance
+  const double end = description.time.end;
+  if (!description.workpiece || description.machine->motion != NozzleMotion::standing ||
+      !(numbers.stagnation_pressure > dwarfs * numbers.resistance))
+    return end;
+  const Jet& jet = description.jets.back();
+  const double last = last_front_depth(description);
+  const double passed = std::isinf(last)
+                            ? description.workpiece->size[1] / std::cos(jet.angle) +
+                                  numbers.hydrodynamic_front_speed * description.time.after_cut
+                            : last;
+  return std::min(end, jet.standoff / jet.speed + passed / numbers.hydrodynamic_front_speed);
+}
+
 }  // namespace
 
 ParticleEstimate estimated_particles(const Case& description, const Body& body) {
@@ -246,7 +264,8 @@ DerivedNumbers derive(const Case& description) {
   derive_particles(numbers, description);
   numbers.time_step = estimated_step(description, numbers,
                                      {water_material(description), target_material(description)});
-  numbers.steps = std::ceil(description.time.end / numbers.time_step);
+  numbers.likely_end = likely_end(numbers, description);
+  numbers.steps = std::ceil(numbers.likely_end / numbers.time_step);
   numbers.memory = estimate_memory(numbers, description);
   numbers.regime = description.jets.empty() || !solid ? "no jet" : regime_of(numbers);
   return numbers;

@@ -45,9 +45,10 @@ struct DerivedNumbers {
   std::size_t particles_jittered = 0;  // and of these, off the lattice
   std::size_t particles_expected = 0;  // with everything the jets add until the end
   double time_step = 0.0;              // s, estimate from the acoustic limit
-  double steps = 0.0;
-  double memory = 0.0;  // bytes, estimate
-  std::string regime;   // "no jet", "elastic dimple", "crack-led", "erosion", "hydrodynamic"
+  double likely_end = 0.0;             // s, at most the end of the case
+  double steps = 0.0;                  // until then
+  double memory = 0.0;                 // bytes, estimate
+  std::string regime;  // "no jet", "elastic dimple", "crack-led", "erosion", "hydrodynamic"
 
   // Returns the metrics of these numbers that result.json contains.
   static const MetricList<DerivedNumbers>& metrics();

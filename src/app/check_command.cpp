@@ -110,13 +110,23 @@ void print_loads(const DerivedNumbers& numbers) {
   row("regime", numbers.regime);
 }
 
+std::string simulated_time(const Case& description, const DerivedNumbers& numbers) {
+  const std::string end = readable(description.time.end, "s");
+  return numbers.likely_end < description.time.end
+             ? fmt::format(
+                   "{} where the jet passes as through a liquid, on which the following "
+                   "numbers rest; else up to {}",
+                   readable(numbers.likely_end, "s"), end)
+             : end;
+}
+
 void print_cost(const Case& description, const DerivedNumbers& numbers, const Pace& pace) {
   const RunCost cost = run_cost(numbers, pace);
   fmt::print("\nCost\n");
   for (const auto& [name, particles] : particle_rows(description)) row(name, particles);
   row("initial particles", fmt::format("{}", numbers.particles_initial));
   row("particles including jet water", fmt::format("{}", numbers.particles_expected));
-  row("simulated time", readable(description.time.end, "s"));
+  row("simulated time", simulated_time(description, numbers));
   row("time step", readable(numbers.time_step / pace.step_factor, "s"));
   row("steps", fmt::format("{:.0f}", cost.steps));
   row("memory", readable(cost.memory, "B"));

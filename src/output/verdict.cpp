@@ -122,10 +122,13 @@ std::string exposure_sentence(const RunOutcome& outcome) {
       exposure.decades() > 0.0
           ? fmt::format(", carried over {:.1f} decades of time,", exposure.decades())
           : std::string();
-  return fmt::format(
-      " A feed of {} exposes each point for {} to {}{} and {}: the cut is {} to {} deep.", feed,
-      readable(exposure.shortest, "s"), readable(exposure.longest, "s"), carried, verdict,
-      readable(exposure.depth_low, "m"), readable(exposure.depth_high, "m"));
+  const std::string depth =
+      exposure.cuts() ? std::string()
+                      : fmt::format(": the cut is {} to {} deep", readable(exposure.depth_low, "m"),
+                                    readable(exposure.depth_high, "m"));
+  return fmt::format(" A feed of {} exposes each point for {} to {}{} and {}{}.", feed,
+                     readable(exposure.shortest, "s"), readable(exposure.longest, "s"), carried,
+                     verdict, depth);
 }
 
 // Says whether the cut under a nozzle with which a frame travels is the same all along its path.

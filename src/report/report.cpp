@@ -38,12 +38,19 @@ std::string heading(const Json& result) {
       result.at("version").get<std::string>());
 }
 
-// The sign has the same meaning as the colour.
+// Says whether the workpiece is cut through; where the nozzle stands in place of one that moves, at
+// the traverse speed. The sign has the same meaning as the colour.
 std::string verdict(const Json& result, bool has_jet) {
-  const bool through = result.at("cut_through").get<bool>();
-  const char* kind = !has_jet ? "none" : through ? "yes" : "no";
-  const char* sign = !has_jet ? "" : through ? "<b>✓</b>" : "<b>✗</b>";
-  return fmt::format("<p class=\"verdict {}\">{}<span>{}</span></p>\n", kind, sign,
+  struct Answer {
+    const char *kind, *sign;
+  };
+  static constexpr Answer no_jet{"none", ""}, yes{"yes", "<b>✓</b>"}, no{"no", "<b>✗</b>"},
+      perhaps{"none", "<b>?</b>"};
+  const auto is = [&](const Json& of, const char* key) { return of.at(key).get<bool>(); };
+  Answer answer = !has_jet ? no_jet : is(result, "cut_through") ? yes : no;
+  if (const auto exposure = result.find("exposure"); exposure != result.end())
+    answer = is(*exposure, "cuts") ? yes : is(*exposure, "may_cut") ? perhaps : no;
+  return fmt::format("<p class=\"verdict {}\">{}<span>{}</span></p>\n", answer.kind, answer.sign,
                      html::escape(result.at("verdict").get<std::string>()));
 }
 

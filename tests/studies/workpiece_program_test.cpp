@@ -81,7 +81,8 @@ TEST_F(WorkpieceProgram, TellsTheCutAtTheFeedOfAStandingNozzle) {
   const std::string verdict = all.at("verdict");
   EXPECT_THAT(verdict, HasSubstr("A feed of 10 mm/s"));
   EXPECT_THAT(ending.output, HasSubstr(verdict));
-  EXPECT_THAT(file("report.html"), HasSubstr("A feed of 10 mm/s"));
+  EXPECT_THAT(file("report.html"),
+              AllOf(HasSubstr("A feed of 10 mm/s"), HasSubstr("<p class=\"verdict yes\"><b>✓")));
 }
 
 // A jet of 16 m/s comes to the end of the part; it has not cut the workpiece. Its depth is carried
@@ -113,6 +114,11 @@ TEST_F(WorkpieceProgram, ThePartOfAThickWorkpieceIsNotCutThrough) {
   EXPECT_THAT(
       all.at("verdict").get<std::string>(),
       AllOf(HasSubstr("the end of the depth that is simulated, 20 mm"), HasSubstr("carried over")));
+  // The sign of the report is that at the feed.
+  const char* sign = exposure.at("cuts") == true      ? "<p class=\"verdict yes\"><b>✓"
+                     : exposure.at("may_cut") == true ? "<p class=\"verdict none\"><b>?"
+                                                      : "<p class=\"verdict no\"><b>✗";
+  EXPECT_THAT(file("report.html"), HasSubstr(sign));
 }
 
 // Of a thick workpiece at normal quality the whole thickness is simulated; the advice is a depth.

@@ -179,6 +179,39 @@ TEST(Derived, ParticlesAndSteps) {
   EXPECT_NEAR(static_cast<double>(space.particles_expected - space.particles_initial), water, 1.0);
 }
 
+// A run that ends once its part is passed: the flight from the simulated nozzle, then two streams
+// of water and foam. A solid that resists, or a run that goes on, ends at the end of the case.
+TEST(Derived, RunsThatEndEarlyHaveTheirLikelyEnd) {
+  const std::string text = R"(title = "foam"
+dimension = 3
+quality = "draft"
+[machine]
+pressure = "200 MPa"
+orifice_diameter = "0.15 mm"
+standoff = "3 mm"
+traverse_speed = "1 m/s"
+[workpiece]
+material = "polyurethane-foam"
+size = ["300 mm", "5 mm", "200 mm"]
+)";
+  const Case foam = parse_case(text, "foam.toml", quick_look);
+  const DerivedNumbers numbers = derive(foam);
+  const double ratio = foam.materials[1].density / foam.materials[0].density;
+  const double density = std::min(ratio, 1.0 / ratio);  // of the foam over that of the water
+  const double front = numbers.jet_speed / (1.0 + std::sqrt(density));
+  const double likely = foam.jets[0].standoff / numbers.jet_speed + 5e-3 / front +
+                        20.0 * foam.jets[0].width / numbers.jet_speed;
+  EXPECT_NEAR(numbers.likely_end, likely, 1e-3 * likely);
+  EXPECT_NEAR(numbers.steps, likely / numbers.time_step, 2.0);
+  const Case whole = parse_case(text + "[time]\nafter_cut = \"1 s\"\n", "foam.toml", quick_look);
+  EXPECT_EQ(derive(whole).likely_end, whole.time.end);
+  Case strong = foam;
+  for (Material& material : strong.materials)
+    if (material.kind != MaterialKind::water) material.youngs_modulus *= 1e6;
+  EXPECT_LT(numbers.likely_end, foam.time.end);
+  EXPECT_EQ(derive(strong).likely_end, strong.time.end);
+}
+
 TEST(Derived, WithoutAJet) {
   const DerivedNumbers rods = of("rod-impact");
   EXPECT_NEAR(rods.jet_speed, 0.5, 1e-12);
