@@ -39,7 +39,8 @@ void warn_of_misfits(const Case& description, std::vector<std::string>& warnings
   }
 }
 
-// The stress of a crack falls to zero at an opening of 2 Gc / (E e_0).
+// The stress of a crack falls to zero at an opening of 2 Gc / (E e_0); e_0 is that of the material,
+// or follows from the spacing.
 void warn_of_wide_opening(const Material& material, const Body& body, const FractureLimits& limits,
                           std::vector<std::string>& warnings) {
   const Box box = bounding_box(body.shape, 3);
@@ -47,11 +48,13 @@ void warn_of_wide_opening(const Material& material, const Body& body, const Frac
   for (std::size_t a = 0; a < 3; ++a) longest = std::max(longest, box.maximum[a] - box.minimum[a]);
   const double opening = softening_band_width * body.spacing * limits.end;
   if (opening <= longest) return;
+  const char* remedy =
+      material.failure_strain > 0.0 ? "higher failure_strain" : "smaller spacing of the body";
   warnings.push_back(
       fmt::format("a crack in \"{}\" is complete when it has opened by {:.3g} m, more than the "
-                  "body is long ({:.3g} m): tension alone parts it nowhere. A higher "
-                  "failure_strain or a lower fracture_energy of \"{}\" makes cracks",
-                  body.name, opening, longest, material.name));
+                  "body is long ({:.3g} m): tension alone parts it nowhere. A {} or a lower "
+                  "fracture_energy of \"{}\" makes cracks",
+                  body.name, opening, longest, remedy, material.name));
 }
 
 void warn_of_band(const Material& material, const Body& body, std::vector<std::string>& warnings) {
@@ -106,7 +109,8 @@ void warn_of_materials(const Case& description, std::vector<std::string>& warnin
   for (const Body& body : description.bodies) {
     if (body.role != Role::elastic) continue;
     const Material& material = description.materials[static_cast<std::size_t>(body.material)];
-    if (material.criterion == BondCriterion::crack_band) {
+    if (material.criterion == BondCriterion::crack_band ||
+        material.criterion == BondCriterion::brittle_band) {
       warn_of_band(material, body, warnings);
       continue;
     }

@@ -62,7 +62,8 @@ void print_material(const std::string& name) {
   fmt::print("  {:<21} {:<14} {}\n", "key", "value", "source");
   print_values(entry->values);
   if (entry->kind == MaterialKind::elastic)
-    fmt::print("  {:<21} {:<14}\n", "criterion", word_of(entry->criterion, bond_criterion_words));
+    fmt::print("  {:<21} {:<14}\n", "criterion",
+               word_of(entry->material().criterion, bond_criterion_words));
   print_defaults(*entry);
   if (entry->known.empty()) return;
   fmt::print("\n{}\n\n", known_heading);

@@ -35,13 +35,14 @@ double longest_edge_of_bodies(const Case& description) {
 
 // The stress of a crack that softens has fallen to zero at the opening 2 Gc / (E e_0), whatever the
 // spacing. Soft tissue that is stretched by tens of per cent may open further than a small sample
-// is long, for which `kerf check` has a warning; a solid that begins to fail at a small strain does
-// not.
+// is long, and so may the band of a material without a strength where the spacing is coarse; for
+// both `kerf check` has a warning. A solid that begins to fail at a small strain does not.
 void check_opening(Draft& draft, const Material& material, const FractureLimits& limits,
                    double spacing) {
   const double opening = softening_band_width * spacing * limits.end;
   const double longest = longest_edge_of_bodies(draft.result);
-  if (!limits.softens() || opening <= longest || material.failure_strain >= small_strain) return;
+  if (!limits.softens() || opening <= longest) return;
+  if (material.failure_strain == 0.0 || material.failure_strain >= small_strain) return;
   const double least = material.failure_strain * opening / longest;
   draft.reading.problems.add(
       {fmt::format("materials.{}.failure_strain", material.name),
@@ -55,7 +56,8 @@ void check_opening(Draft& draft, const Material& material, const FractureLimits&
 
 void check_smallness(Draft& draft, const Material& material, const FractureLimits& limits) {
   if (limits.start > 0.0 && limits.start < least_failure_strain) {
-    const bool by_energy = !limits.softens() && material.fracture_energy > 0.0;
+    const bool by_energy =
+        material.fracture_energy > 0.0 && (!limits.softens() || material.failure_strain == 0.0);
     const double part = limits.start / least_failure_strain;
     draft.reading.problems.add(
         {fmt::format("materials.{}.{}", material.name,

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "input/schema.hpp"
+#include "model/material_laws.hpp"
 
 namespace kerf {
 
@@ -59,7 +60,7 @@ std::set<std::string> LibraryMaterial::conditions() const {
   Material material;
   material.kind = kind;
   material.plasticity = plasticity;
-  material.criterion = criterion;
+  material.criterion = criterion.value_or(BondCriterion::principal_strain);
   return material_conditions(material, Formulation::standard);
 }
 
@@ -69,7 +70,8 @@ Material LibraryMaterial::material(Formulation formulation) const {
   result.kind = kind;
   if (formulation == Formulation::standard) {
     result.plasticity = plasticity;
-    result.criterion = criterion;
+    result.criterion = criterion.value_or(
+        default_criterion(find("fracture_energy") && !find("failure_strain"), plasticity));
   }
   result.source = "Kerf's library: " + title;
   std::set<std::string> conditions{formulation_name(formulation)};

@@ -52,7 +52,7 @@ struct LibraryMaterial {
   std::string name;
   MaterialKind kind = MaterialKind::elastic;
   PlasticLaw plasticity = PlasticLaw::none;
-  BondCriterion criterion = BondCriterion::principal_strain;
+  std::optional<BondCriterion> criterion;  // none: the default of a case file
   std::string title;
   std::vector<LibraryValue> values;
   std::vector<LibraryValue> known;  // values that no law uses

@@ -29,10 +29,10 @@ std::vector<Key> plain_keys() {
       {"youngs_modulus", quantity, "Pa", "", up_to(1e13), {}, "elastic", "Young's modulus E", stored_in<&Material::youngs_modulus>},
       {"poisson_ratio", number, "", "", {-1.0, 0.5, true, true}, {}, "elastic", "Poisson's ratio", stored_in<&Material::poisson_ratio>},
       {"failure_strain", number, "", "0", from_zero_to(10.0), {}, "elastic", "Strain at which the material fractures: the equivalent strain of a particle, or in the standard formulation the value of the criterion at a bond; 0 = never", stored_in<&Material::failure_strain>},
-      {"fracture_energy", quantity, "J/m2", "0 J/m2", from_zero_to(1e7), {}, "elastic", "Fracture energy per area of a crack, instead of a failure_strain, which then follows from the spacing; only in the standard formulation", stored_in<&Material::fracture_energy>},
+      {"fracture_energy", quantity, "J/m2", "0 J/m2", from_zero_to(1e7), {}, "elastic", "Fracture energy per area of a crack; alone it makes the material brittle, with a strength that follows from the spacing; only in the standard formulation", stored_in<&Material::fracture_energy>},
       {"elasticity", word, "", "neo_hookean", any, elastic_law_words, "elastic+standard", "Law of elasticity; a material with plasticity has Hencky's", stored_in<&Material::elasticity>},
       {"plasticity", word, "", "(that of the base, or none)", any, plastic_law_words, "elastic+standard", "Law of plasticity: of metals (von_mises, johnson_cook), or of rock (drucker_prager)", stored_in<&Material::plasticity>},
-      {"criterion", word, "", "(that of the base, or principal_strain)", any, bond_criterion_words, "elastic+standard", "Fracture criterion at a bond: a strain, or the energy stored in tension, is compared with the failure_strain, the largest principal stress with the tensile_strength; crack_band: softening from the failure_strain on that dissipates the fracture_energy; brittle_band: the same with the fracture_energy alone, for brittle cracks in any direction; grady_kipp: damage by cracks that grow from flaws", stored_in<&Material::criterion>},
+      {"criterion", word, "", "(that of the base; of a fracture_energy without a failure_strain or plasticity brittle_band; otherwise principal_strain)", any, bond_criterion_words, "elastic+standard", "Fracture criterion at a bond: a strain, or the energy stored in tension, is compared with the failure_strain, the largest principal stress with the tensile_strength; crack_band: softening from the failure_strain on that dissipates the fracture_energy; brittle_band: the same with the fracture_energy alone, for brittle cracks in any direction; grady_kipp: damage by cracks that grow from flaws", stored_in<&Material::criterion>},
       {"friction", number, "", "0", from_zero_to(10.0), {}, "elastic+standard", "Coefficient of dry friction on other bodies; the smaller of two applies", stored_in<&Material::friction>},
       {"viscosity", quantity, "Pa s", "0 Pa s", from_zero_to(1e6), {}, "water", "Dynamic viscosity", stored_in<&Material::viscosity>},
       {"equation_of_state", word, "", "(tait; shock_hugoniot if something moves faster than 150 m/s and neither a sound speed nor an exponent is given)", any, equation_of_state_words, "water+standard", "Equation of state: weakly compressible water, or water with the shock speeds of real water", stored_in<&Material::equation_of_state>},
@@ -122,6 +122,22 @@ void require_key(Section& section, const char* key, double value, const Material
   if (value == 0.0)
     section.refuse(key, fmt::format("the criterion \"{}\" needs it", word), "Add it",
                    "greater than 0");
+}
+
+// Whether the energy is the only limit: a strain of the base gives way to an energy of the case.
+bool has_energy_alone(const Section& section, const Material& material) {
+  const bool has_strain = material.failure_strain > 0.0 &&
+                          (section.has("failure_strain") || !section.has("fracture_energy"));
+  return material.fracture_energy > 0.0 && !has_strain;
+}
+
+// Where neither the case nor the base names a criterion, it follows from the limits.
+void choose_criterion(const Section& section, const LibraryMaterial* base, Formulation formulation,
+                      Material& material) {
+  const bool is_named = section.has("criterion") || (base && base->criterion);
+  if (is_named || formulation != Formulation::standard || material.kind != MaterialKind::elastic)
+    return;
+  material.criterion = default_criterion(has_energy_alone(section, material), material.plasticity);
 }
 
 // Of two limits that a base with another criterion has, one stays: the one that the case gives,
@@ -218,6 +234,7 @@ MaterialDraft read_material(Section& section, Formulation formulation, const std
   material.name = name;
   const BondCriterion of_base = material.criterion;
   section.read(material, keep);
+  choose_criterion(section, base, formulation, material);
   if (inherits) forget_criterion(of_base, material);
   section.read(draft);
   draft.equation_is_open = equation_is_open(section, formulation, material);

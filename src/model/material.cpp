@@ -25,6 +25,11 @@ PlasticParameters<double> plastic_parameters(const Material& material) {
   return parameters;
 }
 
+BondCriterion default_criterion(bool has_energy_alone, PlasticLaw plasticity) {
+  const bool is_brittle = has_energy_alone && plasticity == PlasticLaw::none;
+  return is_brittle ? BondCriterion::brittle_band : BondCriterion::principal_strain;
+}
+
 FractureLimits fracture_limits(const Material& material, double spacing) {
   const FractureInput input{
       ElasticModuli<double>::of(material.youngs_modulus, material.poisson_ratio),

@@ -20,6 +20,10 @@ struct MaterialLaws : ElasticLawSet<double>, BondCriterionSet<double>, EquationO
 
 // The plastic law of a material with its parameters.
 PlasticParameters<double> plastic_parameters(const Material& material);
+// The criterion of a solid for which none is named. A fracture energy alone has no strain, and its
+// cracks must not follow the lattice (docs/theory/softening.md, brittle limit); a solid that flows
+// cannot soften.
+BondCriterion default_criterion(bool has_energy_alone, PlasticLaw plasticity);
 // The strains at which a material begins to fail and has failed, at a spacing in m.
 FractureLimits fracture_limits(const Material& material, double spacing);
 

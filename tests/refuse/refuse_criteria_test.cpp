@@ -66,9 +66,13 @@ TEST(Refuse, LimitsThatAreTooSmall) {
                {"materials.curd.failure_strain = 1e-40: the material would break at a strain of "
                 "1e-40",
                 "Allowed: 0 (never), or 1e-06 or more", "its unit"});
+  expect_parts(
+      message_of(block_with("criterion = \"principal_strain\"\nfracture_energy = \"1e-12 J/m2\"")),
+      {"materials.curd.fracture_energy = \"1e-12 J/m2\": the material would break at",
+       "Allowed: 2.58e-10 J/m2 or more"});
   expect_parts(message_of(block_with("fracture_energy = \"1e-12 J/m2\"")),
                {"materials.curd.fracture_energy = \"1e-12 J/m2\": the material would break at",
-                "Allowed: 2.58e-10 J/m2 or more"});
+                "Allowed: 9.54e-10 J/m2 or more"});
   expect_parts(
       message_of(block_with("criterion = \"principal_stress\"\ntensile_strength = \"0.001 Pa\"")),
       {"materials.curd.tensile_strength = \"0.001 Pa\": the material would break at a strain of",

@@ -76,5 +76,18 @@ TEST(CheckWarnings, WarnOfCracksThatOpenWiderThanTheBody) {
   EXPECT_THAT(warnings_of(tissue("1")), Not(Contains(HasSubstr("is complete when"))));
 }
 
+// A fracture energy alone has a length scale. Its band opens by w d e_f = sqrt(2 Gc w d r / E),
+// with w = 2.65, r = 6 and E = 1 kPa: 25 mm for 20 J/m2 and a spacing of 1 mm, 8 mm for 2 J/m2.
+TEST(CheckWarnings, WarnOfABrittleBandThatOpensWiderThanTheBody) {
+  const auto gel = [](const std::string& energy) {
+    return "[materials.gel]\nkind = \"elastic\"\ndensity = \"1000 kg/m3\"\n"
+           "youngs_modulus = \"1 kPa\"\npoisson_ratio = 0.3\nfracture_energy = \"" +
+           energy + " J/m2\"\n" + block_of("gel") + "spacing = \"1 mm\"\n";
+  };
+  EXPECT_THAT(warnings_of(gel("20")),
+              Contains(HasSubstr("A smaller spacing of the body or a lower fracture_energy")));
+  EXPECT_THAT(warnings_of(gel("2")), Not(Contains(HasSubstr("fracture"))));
+}
+
 }  // namespace
 }  // namespace kerf
