@@ -14,6 +14,7 @@
 #include "app/study_display.hpp"
 #include "core/error.hpp"
 #include "output/files.hpp"
+#include "study/feed_by_exposure.hpp"
 #include "study/limit_answer.hpp"
 #include "study/limit_runs.hpp"
 #include "study/run_table.hpp"
@@ -117,7 +118,9 @@ class LimitSearch {
       write_answer(plan_, answer(), folder_);
     });
     try {
-      found_ = find_threshold(*plan_.study.threshold, {{}, 0, plan_.study.refinement}, laboratory);
+      found_ = plan_.by_exposure ? feed_by_exposure(plan_, laboratory)
+                                 : find_threshold(*plan_.study.threshold,
+                                                  {{}, 0, plan_.study.refinement}, laboratory);
     } catch (const StudyStopped& stopped) {
       finish();
       fmt::print("Stopped. Start the same command again to continue; no run is repeated.\n");

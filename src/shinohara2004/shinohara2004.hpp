@@ -26,7 +26,7 @@ class Shinohara2004 final : public ParticleRun<D, P, Shinohara2004Traits> {
   void advance() override {
     Run::inject_inflow();
     // With a margin of half the last step, so that the list is valid to the end of this step.
-    Run::renew_neighbours(1.5 * Run::last_step_.dt);
+    Run::renew_neighbours(1.5 * Run::last_step().dt);
     evaluate_rates();
     const double dt = Run::choose_step(StepRates::known);
     keep_start();

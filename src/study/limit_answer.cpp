@@ -46,7 +46,7 @@ std::size_t value_width(const LimitPlan& plan) {
 // Returns whether the condition is that the jet cuts, also all along its path.
 bool is_cut(const LimitPlan& plan) {
   const std::string& metric = goal_of(plan).condition.metric;
-  return metric == "cut_through" || metric == "kerf.through_share";
+  return metric == "cut_through" || metric == "kerf.through_share" || metric == certain_feed;
 }
 
 std::string verb(const LimitPlan& plan, bool holds) {
@@ -60,7 +60,7 @@ std::string question_of(const LimitPlan& plan) {
   const std::string subject =
       fmt::format("{} {}", goal.least ? "Least" : "Greatest", plan.quantity);
   if (!is_cut(plan)) return fmt::format("{} with {}", subject, goal.condition.text());
-  const std::string detail = goal.condition.metric == "cut_through"
+  const std::string detail = plan.by_exposure || goal.condition.metric == "cut_through"
                                  ? std::string()
                                  : fmt::format(" ({})", goal.condition.text());
   return fmt::format("{} that still cuts{}", subject, detail);
@@ -148,6 +148,24 @@ Json trial_json(const LimitPlan& plan, const RunRow& row) {
   return json;
 }
 
+// Describes the feeds of runs with the nozzle at rest.
+void describe_feeds(const LimitPlan& plan, const ThresholdAnswer& found, LimitWords& words) {
+  words.finding = fmt::format("certain up to {}, possible up to {}", shown(plan, found.stated.low),
+                              shown(plan, found.stated.high));
+  words.notes.push_back(fmt::format("The stated {} {}.", shown(plan, plan.stated),
+                                    plan.stated <= found.stated.low ? "cuts"
+                                    : plan.stated <= found.stated.high
+                                        ? "may cut: it is within the interval"
+                                        : "does not cut"));
+  words.notes.emplace_back(
+      "The nozzle stands in the run, which answers for all feeds: the cut is certain while the jet "
+      "covers a point, and possible while it stays within its own hole.");
+  if (found.layouts.size() > 1 || found.draft)
+    words.notes.push_back(fmt::format("The interval is that of {} layout{}{}.",
+                                      found.layouts.size(), found.layouts.size() == 1 ? "" : "s",
+                                      found.draft ? " and of a coarser spacing" : ""));
+}
+
 }  // namespace
 
 LimitCauses causes_of(const ThresholdAnswer& answer) {
@@ -182,6 +200,11 @@ int rounds_left(const Bracket& bracket, double tolerance, int side_by_side) {
 LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer) {
   LimitWords words;
   words.question = question_of(plan);
+  if (plan.by_exposure && answer.threshold && answer.threshold->problem.empty()) {
+    describe_feeds(plan, *answer.threshold, words);
+    words.notes.push_back(plan.held.front());
+    return words;
+  }
   if (!answer.threshold || !answer.threshold->problem.empty()) {
     const auto so_far = bracket_of(plan, answer.runs, {{}, 0, plan.study.refinement});
     if (answer.threshold && answer.threshold->holds_everywhere)

@@ -158,8 +158,10 @@ void hold_spacings(const Case& description, toml::table& base) {
     set_number(base, find_key_path(path, base), spacing);
   };
   if (description.machine) hold("machine.spacing", description.machine->spacing);
-  for (std::size_t i = 0; i < description.bodies.size(); ++i)
-    hold(fmt::format("body.{}.spacing", i), description.bodies[i].spacing);
+  const std::size_t first = description.workpiece ? 1 : 0;  // that of a [[body]]
+  if (description.workpiece) hold("workpiece.spacing", description.workpiece->spacing);
+  for (std::size_t i = first; i < description.bodies.size(); ++i)
+    hold(fmt::format("body.{}.spacing", i - first), description.bodies[i].spacing);
   if (description.machine) return;
   for (std::size_t i = 0; i < description.jets.size(); ++i)
     hold(fmt::format("jet.{}.spacing", i), description.jets[i].spacing);
@@ -172,10 +174,16 @@ void drop_output_times(toml::table& base) {
       output->erase(key);
 }
 
+// Whether the nozzle of a [workpiece] stands in the run in place of one that moves.
+bool stands(const Case& description) {
+  return description.workpiece && description.machine->motion == NozzleMotion::standing &&
+         description.machine->traverse_speed > 0.0;
+}
+
 LimitEnd end_of(const Asked& asked, bool is_feed) {
   LimitEnd end;
   end.end = asked.description.time.end;
-  if (!is_feed) return end;
+  if (!is_feed || stands(asked.description)) return end;
   const Jet& jet = asked.description.jets.front();
   end.start = jet.start + std::max(jet.dwell, jet.standoff / jet.speed);
   end.path = traverse_speed(jet) * (end.end - end.start);
@@ -217,6 +225,8 @@ ThresholdGoal goal_of(const Asked& asked, const LimitPlan& plan, Axis axis) {
   goal.least = is_least(asked, axis.name());
   if (!question.where.empty())
     goal.condition = read_where(question.where, asked.description.dimension);
+  else if (stands(asked.description))
+    goal.condition = {std::string(certain_feed), asked.description.machine->traverse_speed, true};
   else if (plan.end.path > 0.0)
     goal.condition = {"kerf.through_share", 0.95, true};
   goal.tolerance = question.tolerance;
@@ -260,7 +270,8 @@ LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion
   drop_output_times(study.base);
   const KeyPath end_path = find_key_path(std::string(end_key), study.base);
   set_number(study.base, end_path, plan.end.end);
-  if (is_feed) {
+  plan.by_exposure = is_feed && stands(asked.description);
+  if (is_feed && !plan.by_exposure) {
     Axis end;
     end.path = end_path;
     end.shown_unit = "ms";

@@ -51,11 +51,17 @@ struct LimitPlan {
   double stated = 0.0;   // SI, the value of the case
   bool is_own_range;     // the range was chosen by the factor below
   LimitEnd end;
+  // Whether the feed of a nozzle that stands in the run is asked: one run answers for all feeds.
+  bool by_exposure = false;
   std::vector<std::string> held;  // sentences on what is the same in all runs
 };
 
 // The factor by which the range extends beyond the stated value to both sides.
 inline constexpr double limit_range_factor = 32.0;
+// The metrics of the feeds up to which a nozzle that stands in the run cuts for certain, and may
+// cut (analysis/exposure.hpp).
+inline constexpr std::string_view certain_feed = "exposure.greatest_feed";
+inline constexpr std::string_view possible_feed = "exposure.possible_feed";
 // The key of a case that sets the end of a run.
 inline constexpr std::string_view end_key = "time.end";
 

@@ -42,16 +42,24 @@ class WorkpieceProgram : public testing::Test {
     return kerf({"run", (folder_ / "my.toml").string(), "--out", (folder_ / "out").string()});
   }
   Ending check() const { return kerf({"check", (folder_ / "my.toml").string()}); }
+  Ending limit(const std::string& of) const {
+    return kerf({"limit", (folder_ / "my.toml").string(), "--of", of, "--out",
+                 (folder_ / "limit").string(), "--tolerance", "0.4"});
+  }
+  nlohmann::json limit_answer() const {
+    return nlohmann::json::parse(read_file(folder_ / "limit/limit.json"));
+  }
   nlohmann::json result() const {
     return nlohmann::json::parse(read_file(folder_ / "out/result.json"));
   }
   std::string file(const char* name) const { return read_file(folder_ / "out" / name); }
 
+  test::TemporaryFolder folder_;
+
  private:
   Ending kerf(const std::vector<std::string>& arguments) const {
     return Program(arguments, folder_ / "output.txt").wait();
   }
-  test::TemporaryFolder folder_;
 };
 
 // Three columns across the jet exclude a symmetry plane, which an even number does not.
@@ -138,6 +146,34 @@ size = ["200 mm", "19 mm", "150 mm"]
 )");
   EXPECT_THAT(check().output, AllOf(HasSubstr("[workpiece] depth = \"3.75"),
                                     Not(HasSubstr("of the thickness are simulated"))));
+}
+
+// The nozzle stands in the run, so one run answers for all feeds; the least pressure is that at
+// which the stated feed cuts for certain.
+TEST_F(WorkpieceProgram, OneRunTellsTheGreatestFeed) {
+  const Ending ending = limit("feed");
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  ASSERT_EQ(run().exit_code, 0);
+  const auto exposure = result().at("exposure"), answer = limit_answer();
+  EXPECT_EQ(answer.at("trials").size(), 1u);
+  EXPECT_EQ(answer.at("low"), exposure.at("greatest_feed"));
+  EXPECT_EQ(answer.at("high"), exposure.at("possible_feed"));
+  EXPECT_THAT(ending.output,
+              AllOf(HasSubstr("Greatest feed that still cuts: certain up to"),
+                    HasSubstr("possible up to"), HasSubstr("The stated 10 mm/s cuts.")));
+}
+
+TEST_F(WorkpieceProgram, TheLeastPressureIsThatOfTheStatedFeed) {
+  const Ending ending = limit("pressure");
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  const auto answer = limit_answer();
+  ASSERT_EQ(answer.at("problem"), "") << ending.output;
+  for (const auto& trial : answer.at("trials")) {
+    const auto folder = folder_ / "limit" / trial.at("report").get<std::string>();
+    const auto one = nlohmann::json::parse(read_file(folder.parent_path() / "result.json"));
+    EXPECT_EQ(trial.at("holds"), one.at("exposure").at("greatest_feed") >= 10e-3);
+    EXPECT_EQ(trial.at("holds"), trial.at("value") >= answer.at("high"));
+  }
 }
 
 TEST_F(WorkpieceProgram, RefusesADepthBeyondTheWorkpiece) {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// This header declares the greatest feed of a nozzle that stands in the run: one run tells up to
+// which feed its cut is certain, and up to which it is possible (docs/theory/exposure.md).
+#pragma once
+
+#include "study/limit_plan.hpp"
+#include "study/searches.hpp"
+
+namespace kerf {
+
+// Runs the case in each layout that is asked, and at the coarser spacing of drafts. The bracket
+// goes from the least feed that is certain to the greatest that is possible; `problem` where a run
+// tells none.
+ThresholdAnswer feed_by_exposure(const LimitPlan& plan, Laboratory& laboratory);
+
+}  // namespace kerf
