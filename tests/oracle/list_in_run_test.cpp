@@ -47,13 +47,14 @@ spacing = "0.25 mm"
 name = "jet"
 material = "water"
 speed = "180 m/s"
-width = "1 mm"
+{} = "1 mm"
 position = {}
 standoff = "1 mm"
 spacing = "0.25 mm"
 )",
                      dimension, point("-6 mm", "-4 mm"), point("6 mm", "6 mm"),
-                     point("-2 mm", "-2 mm"), point("2 mm", "0 mm"), point("0 mm", "0 mm"));
+                     point("-2 mm", "-2 mm"), point("2 mm", "0 mm"), plane ? "width" : "diameter",
+                     point("0 mm", "0 mm"));
 }
 
 template <int D>
