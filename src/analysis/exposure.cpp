@@ -171,11 +171,8 @@ const MetricList<Exposure>& Exposure::metrics() {
 
 std::optional<Exposure> exposure_of(const Case& description, const std::vector<CutState>& history,
                                     const CutSummary& cut) {
-  if (!description.workpiece || !description.machine || std::isnan(cut.contact_time))
-    return std::nullopt;
+  if (!stands_for_traverse(description) || std::isnan(cut.contact_time)) return std::nullopt;
   const Machine& machine = *description.machine;
-  if (machine.motion != NozzleMotion::standing || machine.traverse_speed == 0.0)
-    return std::nullopt;
   const DepthHistory since = history_since(history, cut.contact_time);
   if (since.times.empty() || !(since.depths.back() > 0.0)) return std::nullopt;
   Exposure exposure;

@@ -204,6 +204,12 @@ bool may_stand(const Machine& machine, const Jet& jet, double thickness, int dim
   return exposure_time(machine, jet, dimension) > passage_time(jet, thickness);
 }
 
+bool stands_for_traverse(const Case& description) {
+  return description.workpiece && description.machine &&
+         description.machine->motion == NozzleMotion::standing &&
+         description.machine->traverse_speed > 0.0;
+}
+
 Box domain_around(const PieceRequest& request, const Box& part, const Faces& planes) {
   const double margin = domain_margin * request.jet.width;
   Box domain = part;

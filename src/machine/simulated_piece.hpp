@@ -56,6 +56,9 @@ double exposure_time(const Machine& machine, const Jet& jet, int dimension);
 // its jet while that could pass the workpiece.
 bool may_stand(const Machine& machine, const Jet& jet, double thickness, int dimension);
 
+// Whether the nozzle of a [workpiece] stands in the run in place of one that moves.
+bool stands_for_traverse(const Case& description);
+
 // Returns the longest time (s) for which water can be in a run: that of the run, or that in which a
 // window that travels with the nozzle passes a place.
 double longest_stay(const Case& description);

@@ -54,14 +54,18 @@ std::string unbroken_clause(const RunOutcome& outcome) {
              : "";
 }
 
+// Whether the front has come to the end of a part that ends within the workpiece.
+bool is_at_end_of_part(const RunOutcome& outcome) {
+  return outcome.cut.last.front_depth >= last_front_depth(outcome.description);
+}
+
 std::string depth_sentence(const RunOutcome& outcome) {
   const std::string end = readable(outcome.time, "s");
   const std::string front = readable(outcome.cut.last.front_depth, "m");
   if (outcome.cut.last.fractured_mass == 0.0 && outcome.balance.dissipated_fracture == 0.0)
     return fmt::format("The jet breaks nothing within {}; its front presses {} into the workpiece.",
                        end, front);
-  const double last = last_front_depth(outcome.description);
-  if (outcome.cut.last.front_depth >= last)
+  if (is_at_end_of_part(outcome))
     return fmt::format(
         "The front of the jet has come to the end of the depth that is simulated, {}, after {}{}.",
         readable(outcome.description.workpiece->depth, "m"), end, layers_clause(outcome));
@@ -160,7 +164,7 @@ bool still_cutting(const std::vector<CutState>& history) {
 }
 
 std::string still_cutting_sentence(const RunOutcome& outcome) {
-  return outcome.cut.last.front_depth >= last_front_depth(outcome.description)
+  return is_at_end_of_part(outcome)
              ? "The run ended as the front came to the end of the depth that is simulated: a "
                "greater depth of the [workpiece] tells more."
              : "The run ended while the jet was still cutting: choose a later end.";

@@ -11,6 +11,7 @@
 #include "input/problems.hpp"
 #include "input/read.hpp"
 #include "input/units.hpp"
+#include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 #include "output/files.hpp"
 #include "study/layout.hpp"
@@ -174,16 +175,10 @@ void drop_output_times(toml::table& base) {
       output->erase(key);
 }
 
-// Whether the nozzle of a [workpiece] stands in the run in place of one that moves.
-bool stands(const Case& description) {
-  return description.workpiece && description.machine->motion == NozzleMotion::standing &&
-         description.machine->traverse_speed > 0.0;
-}
-
 LimitEnd end_of(const Asked& asked, bool is_feed) {
   LimitEnd end;
   end.end = asked.description.time.end;
-  if (!is_feed || stands(asked.description)) return end;
+  if (!is_feed || stands_for_traverse(asked.description)) return end;
   const Jet& jet = asked.description.jets.front();
   end.start = jet.start + std::max(jet.dwell, jet.standoff / jet.speed);
   end.path = traverse_speed(jet) * (end.end - end.start);
@@ -225,7 +220,7 @@ ThresholdGoal goal_of(const Asked& asked, const LimitPlan& plan, Axis axis) {
   goal.least = is_least(asked, axis.name());
   if (!question.where.empty())
     goal.condition = read_where(question.where, asked.description.dimension);
-  else if (stands(asked.description))
+  else if (stands_for_traverse(asked.description))
     goal.condition = {std::string(certain_feed), asked.description.machine->traverse_speed, true};
   else if (plan.end.path > 0.0)
     goal.condition = {"kerf.through_share", 0.95, true};
@@ -270,7 +265,7 @@ LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion
   drop_output_times(study.base);
   const KeyPath end_path = find_key_path(std::string(end_key), study.base);
   set_number(study.base, end_path, plan.end.end);
-  plan.by_exposure = is_feed && stands(asked.description);
+  plan.by_exposure = is_feed && stands_for_traverse(asked.description);
   if (is_feed && !plan.by_exposure) {
     Axis end;
     end.path = end_path;
