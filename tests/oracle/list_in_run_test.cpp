@@ -93,7 +93,6 @@ class ListedRun final : private Standard<D, Mixed> {
       }
     }
   }
-  std::size_t particles() const { return Run::particles_.size(); }
 
   int builds = 0;  // of lists in steps
   long pairs = 0, came = 0,
