@@ -22,12 +22,11 @@ namespace kerf {
 inline constexpr double full_concentration = 0.95;
 
 // Returns the rate at which the neighbours of a water particle change their places, 1/s: its
-// `max_relative_velocity` without the part of a shock. A plane wave with the strain rate
+// `max_relative_velocity` without the part of waves. A plane wave with the strain rate
 // u' = - div v moves neighbours relative to one another at up to 2 u' h.
 template <int D, class P>
 KERF_FUNCTION typename P::Real rearrangement_rate(const ParticleView<D, P>& particles, Index i) {
   using Real = typename P::Real;
-  if (is_weakly_compressible(particles.medium(i))) return particles.max_relative_velocity[i];
   const Real compressing = particles.compression_rate[i] / (Real(1) + particles.compression[i]);
   const Real rate = particles.max_relative_velocity[i] - Real(2) * std::abs(compressing);
   return rate > Real(0) ? rate : Real(0);

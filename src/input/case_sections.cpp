@@ -45,7 +45,8 @@ std::vector<Key> time_keys() {
   // clang-format off
   return {
       {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, twice that where a nozzle stands in place of a moving one, or 4 jet widths of traverse; where the frame of the [workpiece] travels, until its window is at the edge)", up_to(1e6), {}, "", "End time of the run", stored_in<&TimeControl::end>},
-      {"courant", number, "", "0.25", up_to(1.0), {}, "", "Factor of the acoustic limit of the time step", stored_in<&TimeControl::courant>},
+      {"courant", number, "", "0.25", up_to(1.0), {}, "shinohara2004", "Factor of the acoustic limit of the time step", stored_in<&TimeControl::courant>},
+      {"courant", number, "", "0.45", up_to(1.0), {}, "standard", "Factor of the acoustic limit of the time step", stored_in<&TimeControl::courant>},
       {"maximum_step", quantity, "s", "none", positive, {}, "", "Largest time step", stored_in<&TimeControl::maximum_step>},
       {"after_cut", quantity, "s", "none", not_negative, {}, "", "The run ends this time after the workpiece is cut through, if that is before `end`; with a [workpiece] under a standing nozzle the default is a flight of 20 jet widths", stored_in<&TimeControl::after_cut>},
       {"stop", word, "", "end", any, run_stop_words, "standard", "What ends the run: its end, or a [cut that is stationary](theory/travelling_frame.md) before it, where the frame of the [workpiece] travels", stored_in<&TimeControl::stop>},

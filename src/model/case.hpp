@@ -68,7 +68,7 @@ inline constexpr std::array<std::string_view, 2> run_stop_words{"end", "stationa
 
 struct TimeControl {
   double end = 0.0;           // s
-  double courant = 0.25;      // 1, factor of the acoustic limit
+  double courant = 0.45;      // 1, factor of the acoustic limit
   double maximum_step = 0.0;  // s; infinity = none
   // s, of the run after the cut-through; infinity = until the end.
   double after_cut = std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@ namespace kerf {
 // hold for three steps of water that a solid turns; the pairs are summed in the middle of a step.
 constexpr double list_skin(int dimension, double step) {
   constexpr double steps = 2.55;  // with a margin for steps that become longer
-  const double shortest = dimension == 3 ? 0.22 : 0.35, longest = 0.4;
+  const double shortest = dimension == 3 ? 0.22 : 0.35, longest = 0.6;
   return std::clamp(steps * step, shortest, longest);
 }
 

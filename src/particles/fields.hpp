@@ -33,7 +33,8 @@ namespace kerf {
   STATE(RealVector, velocity, RealVector::from(start.velocity), always, hidden) /* m/s */          \
   STATE(Real, compression, medium.initial_compression, always, hidden) /* 1, rho/rho_0 - 1 */      \
   STATE(Real, compression_rate, 0, always, hidden)                   /* 1/s */                     \
-  STATE(RealVector, last_acceleration, RealVector(), always, hidden) /* m/s^2, of the last step */ \
+  STATE(RealVector, conservative_acceleration, RealVector(), always, hidden)                       \
+  /* m/s^2, of the last step, without damping_acceleration */                                      \
   STATE(RealVector, wall_normal, RealVector(), always, hidden)       /* 1, to a wall; 0 = none */  \
   STATE(RealVector, face_normal, RealVector::from(start.face_normal), rigid_walls, hidden)         \
   /* 1, of a rigid particle: of the face nearest to it; of fluid: of the rigid wall beside it */   \

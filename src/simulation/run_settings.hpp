@@ -49,7 +49,7 @@ struct MovingWindow {
 
 struct RunSettings {
   double end_time = 0.0;                 // s
-  double courant = 0.25;                 // 1, factor of the acoustic limit
+  double courant = 0.45;                 // 1, factor of the acoustic limit
   double maximum_step = 0.0;             // s; 0 or infinity = none
   double relax_time = 0.0;               // s, until which solids are settled
   Point gravity{};                       // m/s^2

@@ -178,16 +178,15 @@ class TotalLagrangian {
   double viscous_power() {
     return traits_.is_viscous ? power_sum_(size(), PowerTerm<D, P>{view()}).value[0] : 0.0;
   }
-
   // Returns the stored energy at the current deformation.
   SolidEnergy energy() {
-    const Terms<2> sum = sum_(size(), EnergyTerms<D, P>{view()});
-    return {sum.value[0], sum.value[1]};
+    misfit_.resize(size());
+    simd_.sum_misfits(view(), KeepMisfit<D, P>{view(), pointer(misfit_)});
+    return SolidEnergy::of(sum_(size(), EnergyTerms<D, P>{view(), pointer(misfit_)}));
   }
 
   // What particles held before the last break.
   BreakRecords<D, P> records() { return {pointer(break_records_), half_step_}; }
-
   Index size() const { return fields_.size(); }
   const SolidFields<D, P>& fields() const { return fields_; }
   SolidView<D, P> view() { return fields_.view(); }
@@ -293,6 +292,7 @@ class TotalLagrangian {
   OrderedSum<1> power_sum_;
   OrderedSum<3> break_sum_;
   Array<BondBreakRecord> break_records_;
+  Array<Real> misfit_;  // scratch of energy()
   double dt_ = 0.0, half_step_ = 0.0;
   SolidTraits traits_;
 };

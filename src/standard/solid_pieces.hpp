@@ -7,9 +7,7 @@
 // is still bonded is pulled together, and when the crack opens its own strain breaks it.
 #pragma once
 
-#include <boost/pending/disjoint_sets.hpp>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "core/mirror_planes.hpp"
@@ -23,14 +21,32 @@ struct SolidPieces {
   std::vector<std::uint8_t> planes;      // Frame::joined_planes
 };
 
-// Returns the lowest member of the set of each element.
-inline std::vector<Index> lowest_members(boost::disjoint_sets_with_storage<>& sets, Index count) {
-  std::vector<Index> lowest(count, count), label(count);
-  for (Index s = 0; s < count; ++s) {
-    Index& first = lowest[sets.find_set(s)];
-    if (first == count) first = s;
-    label[s] = first;
+inline constexpr Index unlabelled = ~Index(0);
+
+// Labels particle `first`, and all without a label that a chain of bonds joins it to, with `first`.
+// `joins(s, k)`: whether bond k of particle s counts.
+template <class View, class Joins>
+void label_piece(const View& view, Index first, const Joins& joins, std::vector<Index>& label) {
+  std::vector<Index> open{first};
+  label[first] = first;
+  while (!open.empty()) {
+    const Index s = open.back();
+    open.pop_back();
+    for (Index k = view.bonds.first(s); k < view.bonds.last(s); ++k) {
+      const Index other = view.bond_end(s, k).particle;
+      if (label[other] != unlabelled || !joins(s, k)) continue;
+      label[other] = first;
+      open.push_back(other);
+    }
   }
+}
+
+// Returns for every particle the lowest number in its piece.
+template <class View, class Joins>
+std::vector<Index> label_pieces(const View& view, Index count, const Joins& joins) {
+  std::vector<Index> label(count, unlabelled);
+  for (Index first = 0; first < count; ++first)
+    if (label[first] == unlabelled) label_piece(view, first, joins, label);
   return label;
 }
 
@@ -39,30 +55,29 @@ template <int D, class Solid>
 SolidPieces find_solid_pieces(const Solid& solid, const std::vector<std::uint16_t>& body) {
   const auto& view = solid.view();
   const Index count = solid.size();
-  boost::disjoint_sets_with_storage<> sets(count);
-  for (Index s = 0; s < count; ++s) sets.make_set(s);
   std::vector<std::uint8_t> planes(count, 0), bears(count, 0);
   for (Index s = 0; s < count; ++s) bears[s] = solid.tension_left(s) > 0 ? 1 : 0;
-  std::vector<std::pair<Index, Index>> between_bodies;
+  const auto holds = [&](Index s, Index k) {
+    return view.is_intact(s, k) && (bears[s] != 0 || bears[view.bond_end(s, k).particle] != 0);
+  };
+  bool bodies_are_joined = false;
   for (Index s = 0; s < count; ++s)
-    for (Index k = view.bonds.first(s); k < view.bonds.last(s); ++k) {
-      const auto end = view.bond_end(s, k);
-      const bool counted_from_there = end.mirror == 0 && end.particle > s;
-      if (counted_from_there || !view.is_intact(s, k)) continue;
-      if (bears[s] == 0 && bears[end.particle] == 0) continue;
-      planes[s] |= static_cast<std::uint8_t>(end.mirror >> MirrorPlanes<D>::shift);
-      if (body[s] == body[end.particle])
-        sets.union_set(s, end.particle);
-      else
-        between_bodies.emplace_back(s, end.particle);
+    for (Index k = view.bonds.last(s); k > view.bonds.first(s); --k) {
+      const MirrorCode mirror = view.bond_end(s, k - 1).mirror;
+      if (mirror == 0) break;  // bonds to images come last
+      if (holds(s, k - 1)) planes[s] |= static_cast<std::uint8_t>(mirror >> MirrorPlanes<D>::shift);
     }
   SolidPieces pieces;
-  pieces.body_piece = lowest_members(sets, count);
+  pieces.body_piece = label_pieces(view, count, [&](Index s, Index k) {
+    if (!holds(s, k)) return false;
+    const bool same = body[s] == body[view.bond_end(s, k).particle];
+    bodies_are_joined |= !same;
+    return same;
+  });
   pieces.planes.assign(count, 0);
   for (Index s = 0; s < count; ++s) pieces.planes[pieces.body_piece[s]] |= planes[s];
   for (Index s = 0; s < count; ++s) pieces.planes[s] = pieces.planes[pieces.body_piece[s]];
-  for (const auto& [a, b] : between_bodies) sets.union_set(a, b);
-  pieces.piece = lowest_members(sets, count);
+  pieces.piece = bodies_are_joined ? label_pieces(view, count, holds) : pieces.body_piece;
   return pieces;
 }
 

@@ -29,7 +29,8 @@ struct ReflectAtSymmetry {
     particles.mirror_acceleration[i] +=
         Real(1.0 / dt) * (velocity - particles.velocity[i]);  // for the balance of momentum
     particles.velocity[i] = velocity;
-    particles.last_acceleration[i] = mirrors.image(passed, particles.last_acceleration[i]);
+    particles.conservative_acceleration[i] =
+        mirrors.image(passed, particles.conservative_acceleration[i]);
     particles.position[i] = mirrors.image_position(passed, x);
   }
 };

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step of the `standard` formulation is position Verlet (drift, kick, drift). Velocities and
-// densities, on which forces depend besides, are extrapolated to the middle of the step by the
-// rates of the last step (as in the method of Adams and Bashforth, of second order), so that one
-// pair loop per step is enough:
-//   x' = x^n + dt/2 v^n,   v' = v^n + dt/2 a_last,   rho' = rho^n + dt/2 (d rho/dt)_last,
+// The step of the `standard` formulation is position Verlet (drift, kick, drift). The density of a
+// fluid is that of the middle of the step, half a step ahead of its velocity, as in a leapfrog; the
+// velocity at the end of the step, by which it changes, is extrapolated by the last forces without
+// the dissipative ones, so that one pair loop per step is enough:
+//   x' = x^n + dt/2 v^n,   v' = v^n + dt (a - a_dissipative)_last,
 // (v' of particles with a density; other solids, on which v acts by damping only, keep v^n),
-//   a, d rho/dt  at (x', v', rho'),
+//   a, d rho/dt  at (x', v', rho^n),
 //   v^(n+1) = v^n + dt a,   x^(n+1) = x' + dt/2 v^(n+1),   rho^(n+1) = rho^n + dt d rho/dt.
 // For forces that depend on positions only the scheme is symplectic: its energy error stays
-// bounded.
+// bounded. docs/theory/verlet.md has its stability.
 #pragma once
 
 #include "fluid/particle_concentration.hpp"
@@ -23,7 +23,8 @@ KERF_FUNCTION T limit_expansion(T compression) {
   return compression < T(-0.5) ? T(-0.5) : compression;
 }
 
-// Moves a particle to the middle of the step; SaveStepStart must have recorded the start.
+// Moves a particle to the middle of the step, and extrapolates the velocity of one with a density
+// to its end; SaveStepStart must have recorded the start.
 template <int D, class P>
 struct DriftHalf {
   using Real = typename P::Real;
@@ -38,11 +39,8 @@ struct DriftHalf {
       particles.position[i] =
           particles.start_position[i] + 0.5 * dt * Vector<D, double>::from(particles.velocity[i]);
       if (particles.has_density(i))
-        particles.velocity[i] += Real(0.5 * dt) * particles.last_acceleration[i];
+        particles.velocity[i] += Real(dt) * particles.conservative_acceleration[i];
     }
-    if (!particles.has_density(i) || particles.has(i, flag::upstream)) return;
-    particles.compression[i] = limit_expansion(particles.start_compression[i] +
-                                               Real(0.5 * dt) * particles.compression_rate[i]);
   }
 };
 
@@ -62,7 +60,8 @@ struct KickAndDrift {
       apply_prescribed_motion(particles, motions, i);
     } else {
       particles.velocity[i] = particles.start_velocity[i] + Real(dt) * particles.acceleration[i];
-      particles.last_acceleration[i] = particles.acceleration[i];
+      particles.conservative_acceleration[i] =
+          particles.acceleration[i] - particles.damping_acceleration[i];
       particles.position[i] += 0.5 * dt * Vector<D, double>::from(particles.velocity[i]);
     }
     const auto moved = Vector<D, Real>::from(particles.position[i] - particles.start_position[i]);

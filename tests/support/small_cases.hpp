@@ -47,6 +47,7 @@ inline Case empty_case(int dimension, PrecisionKind precision) {
   c.title = "test";
   c.formulation = Formulation::shinohara2004;
   c.smoothing_ratio = 1.5;
+  c.time.courant = 0.25;
   c.dimension = dimension;
   c.precision = precision;
   c.time.end = 1.0;

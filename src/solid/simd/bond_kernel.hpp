@@ -61,6 +61,26 @@ class BondsOfParticle {
     result.stretch = stretches ? stdx::hmax(stretch) : Real(0);
   }
 
+  template <bool shared>
+  [[gnu::always_inline]] void sum_misfit(const Matrix<D, Real>& gradient,
+                                         BondMisfitSum<D, Real>& result) const {
+    T sum(0);
+    for_each_batch<shared>([&](BondBatch& batch) KERF_SIMD_BODY {
+      load_transposed<End, 0, 2 * D>(own_, batch.ends, batch.slot);
+      if constexpr (!shared)
+        load_transposed<End, End::reference_slot, End::slots>(own_, batch.ends, batch.slot);
+      set_geometry<shared>(batch);
+      T square(0);
+      for (int a = 0; a < D; ++a) {
+        T gamma = -batch.bond.change[a];
+        for (int b = 0; b < D; ++b) gamma += T(gradient(a, b)) * batch.bond.reference[b];
+        square += gamma * gamma;
+      }
+      sum += batch.bond.weight * square;
+    });
+    result.misfit = stdx::reduce(sum);
+  }
+
   template <bool shared, bool viscous>
   [[gnu::always_inline]] void sum_force(BondForceSum<D, Real>& result) const {
     auto force = Vector<D, T>::zero();
@@ -217,6 +237,15 @@ template <int D, class Real>
                               else
                                 bonds.template sum_force<shared, false>(task.results[n]);
                             });
+}
+
+template <int D, class Real>
+[[gnu::flatten]] void sum_misfits(const BondKernelTask<D, Real, BondMisfitSum>& task,
+                                  std::uint32_t first, std::uint32_t last) {
+  for_each_particle_in_simd(
+      task, first, last, [&](const auto& bonds, auto shared, std::uint32_t n) {
+        bonds.template sum_misfit<shared>(task.gradient[first + n], task.results[n]);
+      });
 }
 
 }  // namespace kerf::simd::KERF_SIMD

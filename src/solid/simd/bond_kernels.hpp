@@ -12,6 +12,7 @@ template <int D, class Real>
 struct BondKernelsOf {
   BondKernel<D, Real, BondGradientSum> sum_gradients;
   BondKernel<D, Real, BondForceSum> sum_forces;
+  BondKernel<D, Real, BondMisfitSum> sum_misfits;
 };
 using BondKernels = KernelsByType<BondKernelsOf>;
 

@@ -50,6 +50,11 @@ class SimdBondSums {
   void sum_forces(const SolidView<D, P>& solid, const Loop& loop, bool viscous) const {
     run<BondForceSum>(solid, kernels_.sum_forces, loop, viscous);
   }
+  // Calls `loop`, a KeepMisfit, for all particles with their sums at the current deformation.
+  template <class Loop>
+  void sum_misfits(const SolidView<D, P>& solid, const Loop& loop) const {
+    run<BondMisfitSum>(solid, kernels_.sum_misfits, loop, false);
+  }
 
  private:
   // Sets the bonds of a shared list to those of its owner, rounded to fixed-point coordinates, so
@@ -106,6 +111,7 @@ class SimdBondSums {
       task.bond_intact = solid.bond_intact;
       task.words = solid.words;
       task.correction = solid.bond_correction;
+      task.gradient = solid.gradient;
       task.several_bodies = solid.several_bodies;
       task.has_levels = has_levels_;
       task.detached = solid.detached;

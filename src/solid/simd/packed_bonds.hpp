@@ -53,6 +53,12 @@ struct BondForceSum {
   Real power;             // W, dissipated
 };
 
+// sum_j w_ij |gamma_ij|^2, gamma_ij = H_i R - (u_j - u_i), of solid/stored_energy.hpp.
+template <int D, class Real>
+struct BondMisfitSum {
+  Real misfit;
+};
+
 // The bonds of shared lists (solid/share_lists.hpp) in the reference configuration, for each of
 // their entries.
 template <int D, class Real>
@@ -75,6 +81,7 @@ struct Bonds {
   const std::uint32_t* bond_intact = nullptr;  // bits
   std::uint32_t words = 0;                     // of each particle
   const Real* correction = nullptr;            // factor of each weight of other lists; null: 1
+  const Matrix<D, Real>* gradient = nullptr;   // H of each particle
   // Particles that the general loops compute, those without bonds, and those with broken bonds.
   const std::uint8_t *several_bodies = nullptr, *detached = nullptr, *has_broken_bonds = nullptr;
   const std::uint16_t* medium = nullptr;

@@ -257,7 +257,7 @@ TEST(Derived, StepsOfFastWaterAreThoseBehindItsShock) {
   EXPECT_GT(sound, 1.4 * c);
   const auto water = static_cast<std::size_t>(description.jets[0].material);
   const double damping = 1.2 * description.materials[water].artificial_linear * c;
-  const double step = 0.25 * 1.3 * description.jets[0].spacing / (sound + u + damping);
+  const double step = 0.45 * 1.3 * description.jets[0].spacing / (sound + u + damping);
   EXPECT_NEAR(numbers.time_step, step, 1e-4 * step);
 }
 

@@ -75,6 +75,7 @@ TEST(Read, StandardIsTheDefaultFormulation) {
   text.erase(text.find(line), line.size());
   const Case read = parse_case(text, "minimal.toml");
   EXPECT_EQ(read.formulation, Formulation::standard);
+  EXPECT_EQ(read.time.courant, 0.45);
   EXPECT_EQ(read.smoothing_ratio, 1.3);
 }
 

@@ -63,7 +63,7 @@ TEST(Fields, NewParticlesHaveTheInitialValuesOfTheTable) {
   EXPECT_EQ(double(particles.solid_initial_overlap[3]), 1.0);
   EXPECT_EQ(double(particles.rigid_initial_overlap[3]), 1.0);
   EXPECT_EQ(int(particles.fractured[3]), 0);
-  const Vector<2, double> rest = particles.last_acceleration[3];
+  const Vector<2, double> rest = particles.conservative_acceleration[3];
   EXPECT_EQ(norm(rest), 0.0);
 }
 
