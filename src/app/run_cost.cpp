@@ -38,6 +38,12 @@ double on_threads(double seconds, int threads) {
   return seconds / (1.0 + thread_efficiency * (threads - 1));
 }
 
+double most_particles(const Case& description) {
+  const bool is_graded = std::any_of(description.bodies.begin(), description.bodies.end(),
+                                     [](const Body& body) { return body.grading.levels > 0; });
+  return is_graded ? most_graded_pilot : most_pilot_particles;
+}
+
 // Returns the factor of the spacing at which a run makes as many steps of particles as the pilot
 // may take: they are as the power -(D + 1) of the spacing.
 double coarsening(const Case& description, const DerivedNumbers& numbers) {
@@ -45,10 +51,8 @@ double coarsening(const Case& description, const DerivedNumbers& numbers) {
   const double steps = longest_pilot / typical_particle_step(description);
   const double by_work =
       std::pow(particles * numbers.steps / steps, 1.0 / (description.dimension + 1));
-  const bool is_graded = std::any_of(description.bodies.begin(), description.bodies.end(),
-                                     [](const Body& body) { return body.grading.levels > 0; });
-  const double most = is_graded ? most_graded_pilot : most_pilot_particles;
-  const double by_size = std::pow(particles / most, 1.0 / description.dimension);
+  const double by_size =
+      std::pow(particles / most_particles(description), 1.0 / description.dimension);
   return std::max({1.0, by_work, by_size});
 }
 
@@ -106,13 +110,31 @@ Pace typical_pace(const Case& description, int threads) {
           "by the typical speed of a core"};
 }
 
-Case pilot_case(const Case& description, const DerivedNumbers& numbers, double stretch) {
-  const double factor = stretch * coarsening(description, numbers);
+namespace {
+
+Case with_coarser_particles(const Case& description, double factor) {
   Case pilot = description;
   for (Body& body : pilot.bodies) body.spacing *= factor;
   for (Jet& jet : pilot.jets) {
     const double across = jet.width / jet.spacing;
     jet.spacing *= std::clamp(across / least_across_pilot, 1.0, factor);
+  }
+  return pilot;
+}
+
+}  // namespace
+
+Case pilot_case(const Case& description, const DerivedNumbers& numbers, double stretch) {
+  double factor = stretch * coarsening(description, numbers);
+  Case pilot = with_coarser_particles(description, factor);
+  // The finest level of a graded body is as wide as before, so that coarser particles leave more of
+  // them than their size says.
+  for (int trial = 0; trial < 4; ++trial) {
+    const double excess =
+        static_cast<double>(derive(pilot).particles_initial) / (1.1 * most_particles(description));
+    if (excess <= 1.0) break;
+    factor *= std::pow(excess, 1.0 / description.dimension);
+    pilot = with_coarser_particles(description, factor);
   }
   return pilot;
 }
