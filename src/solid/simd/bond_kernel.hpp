@@ -46,10 +46,7 @@ class BondsOfParticle {
     auto sum = Matrix<D, T>::zero();
     T stretch(0);
     for_each_batch<shared>([&](BondBatch& batch) KERF_SIMD_BODY {
-      load_transposed<End, 0, 2 * D>(own_, batch.ends, batch.slot);
-      if constexpr (!shared)
-        load_transposed<End, End::reference_slot, End::slots>(own_, batch.ends, batch.slot);
-      set_geometry<shared>(batch);
+      load_geometry<shared>(batch);
       add_bond_gradient(sum, batch.bond);
       if constexpr (stretches) {
         const T growth = square_growth(batch.bond.reference, batch.bond.change);
@@ -66,10 +63,7 @@ class BondsOfParticle {
                                          BondMisfitSum<D, Real>& result) const {
     T sum(0);
     for_each_batch<shared>([&](BondBatch& batch) KERF_SIMD_BODY {
-      load_transposed<End, 0, 2 * D>(own_, batch.ends, batch.slot);
-      if constexpr (!shared)
-        load_transposed<End, End::reference_slot, End::slots>(own_, batch.ends, batch.slot);
-      set_geometry<shared>(batch);
+      load_geometry<shared>(batch);
       T square(0);
       for (int a = 0; a < D; ++a) {
         T gamma = -batch.bond.change[a];
@@ -117,6 +111,14 @@ class BondsOfParticle {
   }
 
  private:
+  // Loads what the geometry of the bonds needs of the other ends, and sets it.
+  template <bool shared>
+  [[gnu::always_inline]] void load_geometry(BondBatch& batch) const {
+    load_transposed<End, 0, 2 * D>(own_, batch.ends, batch.slot);
+    if constexpr (!shared)
+      load_transposed<End, End::reference_slot, End::slots>(own_, batch.ends, batch.slot);
+    set_geometry<shared>(batch);
+  }
   // Sets the geometry of the bonds. The padding of the last batch adds nothing: it has no weight in
   // shared lists, and in others it is the particle itself.
   template <bool shared>
