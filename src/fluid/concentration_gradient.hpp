@@ -5,8 +5,8 @@
 // neighbours was in a free surface at the end of the last step.
 #pragma once
 
+#include "fluid/known_sums.hpp"
 #include "fluid/rigid_wall.hpp"
-#include "fluid/same_fluid_sums.hpp"
 #include "pairs/pair.hpp"
 
 namespace kerf {
@@ -26,12 +26,12 @@ struct ConcentrationGradientSum {
     bool near_free_surface = false;
   };
   ConcentrationGradient<D, Real>* result;
-  SameFluidSums<D, Real> same_fluid{};
+  KnownSums<D, Real> known{};
 
   KERF_FUNCTION void start(const ParticleView<D, P>& particles, Index i, Sum& sum) const {
-    if (!same_fluid.are_known()) return;
-    sum.gradient = same_fluid[i].concentration_gradient();
-    sum.near_free_surface = particles.is_fluid(i) && same_fluid[i].near_free_surface > Real(0);
+    if (!known.are_known()) return;
+    sum.gradient = known[i].concentration_gradient();
+    sum.near_free_surface = particles.is_fluid(i) && known[i].near_free_surface > Real(0);
   }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {

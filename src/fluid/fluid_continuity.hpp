@@ -7,8 +7,8 @@
 #pragma once
 
 #include "fluid/fluid_pair.hpp"
+#include "fluid/known_sums.hpp"
 #include "fluid/pair_terms.hpp"
-#include "fluid/same_fluid_sums.hpp"
 
 namespace kerf {
 
@@ -22,12 +22,14 @@ struct FluidContinuity {
     Vector<D, Real> wall{};   // 1/m, - sum V nabla W over the wall, along its normal
   };
   FluidPair<D, P> fluid_pair;
-  SameFluidSums<D, Real> same_fluid{};
+  KnownSums<D, Real> known{};
   // h |sum V nabla W| is about 1/2 at a wall; much less between two that face each other.
   static constexpr double least_wall = 0.02;
 
   KERF_FUNCTION void start(const ParticleView<D, P>&, Index i, Sum& sum) const {
-    if (same_fluid.are_known()) sum.compression_rate = same_fluid[i].compression_rate();
+    if (!known.are_known()) return;
+    sum.compression_rate = known[i].compression_rate();
+    sum.wall = known[i].wall;
   }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {

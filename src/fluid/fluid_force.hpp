@@ -7,8 +7,8 @@
 #pragma once
 
 #include "fluid/fluid_pair.hpp"
+#include "fluid/known_sums.hpp"
 #include "fluid/pair_terms.hpp"
-#include "fluid/same_fluid_sums.hpp"
 
 namespace kerf {
 
@@ -20,12 +20,12 @@ struct FluidForce {
     Vector<D, Real> pressure_force{}, dissipative_force{}, wall_force{};  // N
   };
   FluidPair<D, P> fluid_pair;
-  SameFluidSums<D, Real> same_fluid{};
+  KnownSums<D, Real> known{};
 
   KERF_FUNCTION void start(const ParticleView<D, P>&, Index i, Sum& sum) const {
-    if (!same_fluid.are_known()) return;
-    sum.pressure_force = same_fluid[i].pressure_force();
-    sum.dissipative_force = same_fluid[i].dissipative_force();
+    if (!known.are_known()) return;
+    sum.pressure_force = known[i].pressure_force();
+    sum.dissipative_force = known[i].dissipative_force();
   }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {

@@ -87,8 +87,7 @@ struct FluidPair {
     // The speed is that towards the wall, not towards each of its particles, so that sliding along
     // the wall dissipates nothing.
     const Real into = (fluid_i ? Real(-1) : Real(1)) * dot(normal, pair.velocity);
-    star.dissipation =
-        solve_riemann_at_wall(side(particles, fluid, medium, into), Real(0), Real(0)).dissipation;
+    star.dissipation = wall_dissipation(side(particles, fluid, medium, into), into);
     return star;
   }
 

@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-#include "fluid/same_fluid_sums.hpp"
+#include "fluid/known_sums.hpp"
 #include "pairs/pair.hpp"
 
 namespace kerf {
@@ -40,12 +40,12 @@ struct ParticleConcentration {
     Real kernel_sum{};
     Real fastest_squared{};  // m^2/s^2
   };
-  SameFluidSums<D, Real> same_fluid{};
+  KnownSums<D, Real> known{};
 
   KERF_FUNCTION void start(const ParticleView<D, P>& particles, Index i, Sum& sum) const {
-    if (!same_fluid.are_known()) return;
-    sum.kernel_sum = same_fluid[i].kernel_sum();
-    if (particles.is_fluid(i)) sum.fastest_squared = same_fluid[i].fastest_squared;
+    if (!known.are_known()) return;
+    sum.kernel_sum = known[i].kernel_sum();
+    if (particles.is_fluid(i)) sum.fastest_squared = known[i].fastest_squared;
   }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {

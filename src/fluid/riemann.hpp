@@ -114,10 +114,16 @@ KERF_FORMULA T beyond_viscosity(T dissipation, T viscous) {
 template <class T>
 KERF_FORMULA RiemannStar<T> solve_riemann_at_wall(const RiemannSide<T>& fluid, T wall_speed,
                                                   T hydrostatic) {
-  const RiemannSide<T> mirror{fluid.impedance,
-                              fluid.pressure + (hydrostatic > T(0) ? hydrostatic : T(0)),
+  const RiemannSide<T> mirror{fluid.impedance, fluid.pressure + maximum(hydrostatic, T(0)),
                               T(2) * wall_speed - fluid.speed, fluid.sound_speed};
   return solve_riemann(fluid, mirror);
+}
+
+// Returns the dissipation of fluid that comes to a wall at the speed `into`, Pa.
+template <class T>
+KERF_FORMULA T wall_dissipation(const RiemannSide<T>& fluid, T into) {
+  const RiemannSide<T> coming{fluid.impedance, fluid.pressure, into, fluid.sound_speed};
+  return solve_riemann_at_wall(coming, T(0), T(0)).dissipation;
 }
 
 }  // namespace kerf

@@ -11,9 +11,9 @@
 
 namespace kerf {
 
-// Where each list begins and ends, and how many entries are of the same fluid and the same body.
+// Where each list begins and ends, and how many entries are of the classes that come first.
 struct ListRanges {
-  Index *begin, *end, *same_fluid, *same_body;
+  Index *begin, *end, *same_fluid, *unlike, *same_body;
 };
 
 template <int D, class P, class Scheme>
@@ -38,8 +38,9 @@ struct ListBlock {
       find(i, found, &memory);
       found.end_particle();
       ranges.end[i] = found.size();
-      ranges.same_fluid[i] = found.same_fluid();
-      ranges.same_body[i] = found.same_body();
+      ranges.same_fluid[i] = found.count(PairClass::same_fluid);
+      ranges.unlike[i] = found.count(PairClass::unlike);
+      ranges.same_body[i] = found.count(PairClass::same_body);
     }
     const Index at = used->fetch_add(found.size());
     if (at + found.size() > room) return;

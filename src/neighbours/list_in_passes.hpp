@@ -17,8 +17,9 @@ struct CountNeighbours {
     CountedSections found;
     find(i, found);
     ranges.same_fluid[i] = found.count[static_cast<int>(PairClass::same_fluid)];
+    ranges.unlike[i] = found.count[static_cast<int>(PairClass::unlike)];
     ranges.same_body[i] = found.count[static_cast<int>(PairClass::same_body)];
-    ranges.begin[i] = ranges.same_fluid[i] + ranges.same_body[i] +
+    ranges.begin[i] = ranges.same_fluid[i] + ranges.unlike[i] + ranges.same_body[i] +
                       found.count[static_cast<int>(PairClass::other)];
   }
 };
@@ -31,9 +32,11 @@ struct WriteNeighbours {
 
   KERF_FUNCTION void operator()(Index i) const {
     Index* const same_fluid = neighbour + ranges.begin[i];
-    Index* const same_body = same_fluid + ranges.same_fluid[i];
+    Index* const unlike = same_fluid + ranges.same_fluid[i];
+    Index* const same_body = unlike + ranges.unlike[i];
     PlacedSections found;
     found.next[static_cast<int>(PairClass::same_fluid)] = same_fluid;
+    found.next[static_cast<int>(PairClass::unlike)] = unlike;
     found.next[static_cast<int>(PairClass::same_body)] = same_body;
     found.next[static_cast<int>(PairClass::other)] = same_body + ranges.same_body[i];
     find(i, found);

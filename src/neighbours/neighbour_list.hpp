@@ -2,8 +2,9 @@
 // NeighbourList is a Verlet list with a skin: for each particle the others within the cutoff and
 // the skin, at the positions where the list was built. neighbours/list_validity.hpp decides how
 // long it is valid. Each particle has its neighbours in a fixed order, so that sums over them do
-// not depend on the number of threads: on request first those of the same fluid, then those of the
-// same body; then the others; then mirror images (core/mirror_planes.hpp).
+// not depend on the number of threads: on request class by class (neighbours/pair_range.hpp), first
+// those of the same fluid, then those unlike it, then those of the same body; then the others; then
+// mirror images (core/mirror_planes.hpp).
 #pragma once
 
 #include "core/error.hpp"
@@ -13,24 +14,26 @@
 namespace kerf {
 
 // The neighbours that a pair loop skips.
-enum class Skips : std::uint8_t { nothing, same_fluid, same_fluid_and_body };
+enum class Skips : std::uint8_t { nothing, of_fluids, of_fluids_and_body };
 
 struct NeighbourView {
   const Index *begin, *end;  // begin[i] .. end[i] of `neighbour` are particle i's
   const Index* neighbour;    // indices, with a mirror code in the highest bits
-  const Index* same_fluid;   // how many of them, the first, are of the same fluid
-  const Index* same_body;  // and how many after those of the same body (neighbours/pair_range.hpp)
+  // How many of them, one class after the other.
+  const Index *same_fluid, *unlike, *same_body;
   Skips skips;
   // 1 where a particle has intact bonds to all its neighbours of the same body, which then have no
-  // contact with it: a pair loop that skips the same fluid skips them too. Or null.
+  // contact with it: a pair loop that skips pairs of fluids skips them too. Or null.
   const std::uint8_t* fully_bonded;
 
   KERF_FUNCTION Index first(Index i) const {
     if (skips == Skips::nothing) return begin[i];
     const bool skips_body =
-        skips == Skips::same_fluid_and_body || (fully_bonded != nullptr && fully_bonded[i] != 0);
-    return begin[i] + same_fluid[i] + (skips_body ? same_body[i] : 0);
+        skips == Skips::of_fluids_and_body || (fully_bonded != nullptr && fully_bonded[i] != 0);
+    return first_of_body(i) + (skips_body ? same_body[i] : 0);
   }
+  // Where those of the same body begin.
+  KERF_FUNCTION Index first_of_body(Index i) const { return begin[i] + same_fluid[i] + unlike[i]; }
 };
 
 template <int D, class P, class Scheme>
@@ -53,7 +56,7 @@ class NeighbourList {
     validity_ = ListValidity<D, P>(grids_, skin_);
   }
 
-  // Makes the lists begin with the same fluid and the same body.
+  // Makes the lists go class by class.
   void sort_neighbours_by_class() { splits_ = true; }
 
   // Returns the cell numbers of the build positions, the sort key of the particles.
@@ -73,11 +76,11 @@ class NeighbourList {
     cell_begin_.resize(cells + 1);
     for_each_index(n + 1, BeginCells{pointer(key_), n, cells, pointer(cell_begin_)});
     begin_.resize(n + 1);
-    for (auto* array : {&end_, &same_fluid_, &same_body_}) array->resize(n);
+    for (auto* array : {&end_, &same_fluid_, &unlike_, &same_body_}) array->resize(n);
     const FindNeighbours<D, P, Scheme> find{particles.view(),          grids_, pointer(key_),
                                             pointer(cell_begin_),      skin_,  splits_,
                                             pack_for_search(particles)};
-    const ListRanges ranges{pointer(begin_), pointer(end_), pointer(same_fluid_),
+    const ListRanges ranges{pointer(begin_), pointer(end_), pointer(same_fluid_), pointer(unlike_),
                             pointer(same_body_)};
     if constexpr (simd_exists)
       list_in_blocks(find, ranges, n);
@@ -94,18 +97,13 @@ class NeighbourList {
   }
 
   NeighbourView view() const {
-    return {pointer(begin_),
-            pointer(end_),
-            pointer(neighbour_),
-            pointer(same_fluid_),
-            pointer(same_body_),
-            Skips::nothing,
-            nullptr};
+    return {pointer(begin_),  pointer(end_),       pointer(neighbour_), pointer(same_fluid_),
+            pointer(unlike_), pointer(same_body_), Skips::nothing,      nullptr};
   }
   Index pairs() const { return pairs_; }  // list entries, each pair twice
   std::size_t bytes() const {
     std::size_t entries = neighbour_.size() + begin_.size() + end_.size() + same_fluid_.size() +
-                          same_body_.size() + cell_begin_.size() + key_.size() +
+                          unlike_.size() + same_body_.size() + cell_begin_.size() + key_.size() +
                           packed_kind_.size();
     for (const auto& coordinates : packed_position_) entries += coordinates.size();
     return sizeof(Index) * entries + validity_.bytes();  // packed coordinates are as long
@@ -166,7 +164,7 @@ class NeighbourList {
   double skin_ = 0.0;
   Index pairs_ = 0;
   bool splits_ = false;
-  Array<Index> key_, cell_begin_, begin_, end_, same_fluid_, same_body_, neighbour_;
+  Array<Index> key_, cell_begin_, begin_, end_, same_fluid_, unlike_, same_body_, neighbour_;
   std::vector<std::int32_t> packed_position_[D];
   std::vector<std::uint32_t> packed_kind_;
 };

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-inline constexpr int pair_classes = 3;
+inline constexpr int pair_classes = 4;
 inline constexpr Index room_beside = 16;  // entries that may be written past the last one
 
 struct CountedSections {
@@ -40,11 +40,11 @@ struct PlacedSections {
 // of a neighbour list.
 class GrownSections {
  public:
-  void start_block() { size_ = 0; }
+  void start_block() { size_of(PairClass::same_fluid) = 0; }
   // Returns where the list of the particle begins, counted from the start of the block.
   Index start_particle() {
-    same_body_size_ = other_size_ = 0;
-    return begin_ = size_;
+    size_of(PairClass::unlike) = size_of(PairClass::same_body) = size_of(PairClass::other) = 0;
+    return begin_ = size();
   }
   Index* room(PairClass pair_class, Index most) {
     std::vector<Index>& list = list_of(pair_class);
@@ -55,36 +55,34 @@ class GrownSections {
   void took(PairClass pair_class, Index more) { size_of(pair_class) += more; }
   // Joins the sections of the particle.
   void end_particle() {
-    same_fluid_count_ = size_ - begin_;
+    same_fluid_ = size() - begin_;
+    append(PairClass::unlike);
     append(PairClass::same_body);
     append(PairClass::other);
   }
-  Index same_fluid() const { return same_fluid_count_; }
-  Index same_body() const { return same_body_size_; }
-  const Index* begin() const { return lists_.data(); }
-  Index size() const { return size_; }
+  // Returns how many neighbours of a class the particle has.
+  Index count(PairClass pair_class) const {
+    return pair_class == PairClass::same_fluid ? same_fluid_ : size_[number(pair_class)];
+  }
+  const Index* begin() const { return list_[number(PairClass::same_fluid)].data(); }
+  Index size() const { return size_[number(PairClass::same_fluid)]; }
 
  private:
-  std::vector<Index>& list_of(PairClass pair_class) {
-    return pair_class == PairClass::same_fluid  ? lists_
-           : pair_class == PairClass::same_body ? same_body_
-                                                : other_;
-  }
-  Index& size_of(PairClass pair_class) {
-    return pair_class == PairClass::same_fluid  ? size_
-           : pair_class == PairClass::same_body ? same_body_size_
-                                                : other_size_;
-  }
+  static int number(PairClass pair_class) { return static_cast<int>(pair_class); }
+  std::vector<Index>& list_of(PairClass pair_class) { return list_[number(pair_class)]; }
+  Index& size_of(PairClass pair_class) { return size_[number(pair_class)]; }
   void append(PairClass pair_class) {
     const Index count = size_of(pair_class);
     if (count == 0) return;
     Index* const to = room(PairClass::same_fluid, count);
     for (Index n = 0; n < count; ++n) to[n] = list_of(pair_class)[n];
-    size_ += count;
+    size_of(PairClass::same_fluid) += count;
   }
 
-  std::vector<Index> lists_, same_body_, other_;
-  Index size_ = 0, same_body_size_ = 0, other_size_ = 0, begin_ = 0, same_fluid_count_ = 0;
+  // By class; that of the same fluid holds the joined lists as well.
+  std::vector<Index> list_[pair_classes];
+  Index size_[pair_classes] = {};
+  Index begin_ = 0, same_fluid_ = 0;
 };
 
 }  // namespace kerf

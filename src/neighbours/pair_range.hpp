@@ -11,7 +11,8 @@ namespace kerf {
 // The class of a pair when the list was built. `same_fluid`: of one fluid, or of one nearly
 // incompressible solid, with the same parameters in all formulas; for particles beside a jump of
 // the spacing of such a solid also those of its other levels. `same_body`: of one other solid.
-enum class PairClass : std::uint8_t { other, same_body, same_fluid };
+// `unlike`: of a fluid and another fluid or a solid; two waters, rigid bodies and images are not.
+enum class PairClass : std::uint8_t { other, same_body, unlike, same_fluid };
 
 // Whether the SIMD kernel sums over neighbours of every spacing of the particle's own nearly
 // incompressible solid (fluid/simd/graded_pairs.hpp).
@@ -63,11 +64,15 @@ struct ContactPairs {
           same = same && (particles.fractured[i] || !particles.has(j, flag::fitted));
       }
       same = same && particles.fractured[i] == particles.fractured[j];
-      return same ? PairClass::same_fluid : PairClass::other;
+      if (same) return PairClass::same_fluid;
     }
-    const auto& b = particles.medium(j);
-    const bool same_body = b.phase == Phase::solid && particles.medium(i).piece == b.piece;
-    return same_body && !particles.is_fluid(j) ? PairClass::same_body : PairClass::other;
+    const auto &a = particles.medium(i), &b = particles.medium(j);
+    if (a.phase == Phase::rigid || b.phase == Phase::rigid) return PairClass::other;
+    if (particles.is_fluid(i) || particles.is_fluid(j))
+      return a.phase == Phase::water && b.phase == Phase::water ? PairClass::other
+                                                                : PairClass::unlike;
+    return !particles.has_density(i) && a.piece == b.piece ? PairClass::same_body
+                                                           : PairClass::other;
   }
   template <int D, class P>
   KERF_FUNCTION static std::uint32_t kind(const ParticleView<D, P>& particles, Index i) {

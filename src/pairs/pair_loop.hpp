@@ -5,7 +5,7 @@
 //   void finish(const View&, Index i, const Sum&) const   once per particle,
 //   void start(const View&, Index i, Sum&) const   where a part of the sum is known beforehand,
 //   static constexpr bool only_adds = true   where `finish` does nothing for a sum over no pairs,
-//   SameFluidSums same_fluid   where that part is over neighbours of the same fluid,
+//   KnownSums known   where that part comes from SIMD kernels (fluid/known_sums.hpp),
 //   static Vector force(const Sum&)   where it adds a force whose part from mirror images is to be
 //     recorded: the force so far, N, without that of rigid bodies, which is recorded apart;
 // each particle sums over its own neighbours in the order of the list.
@@ -51,8 +51,8 @@ struct FilteredPairLoop : Terms... {
 
   // Takes the known sums of a block of particles, which the loop visits next.
   template <class Known>
-  KERF_FUNCTION void take(const Known& known) {
-    (take_for<Terms>(known), ...);
+  KERF_FUNCTION void take(const Known& sums) {
+    (take_for<Terms>(sums), ...);
   }
 
   KERF_FLATTEN KERF_FUNCTION void operator()(Index i) const {
@@ -107,9 +107,9 @@ struct FilteredPairLoop : Terms... {
   }
 
   template <class Term, class Known>
-  KERF_FUNCTION void take_for(const Known& known) {
-    if constexpr (requires(Term & term) { term.same_fluid = known; })
-      static_cast<Term&>(*this).same_fluid = known;
+  KERF_FUNCTION void take_for(const Known& sums) {
+    if constexpr (requires(Term & term) { term.known = sums; })
+      static_cast<Term&>(*this).known = sums;
   }
 
   template <class Term>

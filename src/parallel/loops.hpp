@@ -20,6 +20,7 @@
 #include <thrust/sort.h>
 #include <thrust/transform_reduce.h>
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -60,6 +61,15 @@ void for_each_index(Index count, const Body& body) {
 #else
   thrust::for_each(loop_policy(), thrust::counting_iterator<Index>(0),
                    thrust::counting_iterator<Index>(count), body);
+#endif
+}
+
+// Sets a flag that loop bodies of other threads may set as well.
+KERF_FUNCTION void set_flag(std::uint8_t& flag) {
+#if defined(__CUDA_ARCH__)
+  flag = 1;
+#else
+  std::atomic_ref<std::uint8_t>(flag).store(1, std::memory_order_relaxed);
 #endif
 }
 

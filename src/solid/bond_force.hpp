@@ -29,25 +29,8 @@ struct BondViscosity {
                          Vector<D, Real>& force, Real& power) const {
     const auto& [i, j, bond] = chosen;
     add_bond_viscosity(force, power, bond, solid.velocity_bond(i, j),
-                       Real(1) / norm(bond.reference),
-                       between(solid.medium(i), solid.medium(j.particle)));
+                       Real(1) / norm(bond.reference), solid.viscosity_law(i, j.particle));
   }
-
-  // Between unlike media the impedances rho c and the densities have their harmonic means, as where
-  // a wave crosses an interface (fluid/riemann.hpp): the lighter end is damped at most twice as
-  // much as between its like, however heavy the other is.
-  KERF_FUNCTION static BondViscosityLaw<Real> between(const Medium<Real>& a,
-                                                      const Medium<Real>& b) {
-    const Real density = harmonic(a.density, b.density);
-    const Real impedance =
-        harmonic(a.density * a.bond_wave_speed(), b.density * b.bond_wave_speed());
-    return {density, Real(0.5) * (a.smoothing_length + b.smoothing_length),
-            std::sqrt(a.artificial_linear * b.artificial_linear) * (impedance / density),
-            std::sqrt(a.artificial_quadratic * b.artificial_quadratic)};
-  }
-
- private:
-  KERF_FUNCTION static Real harmonic(Real a, Real b) { return Real(2) * a * (b / (a + b)); }
 };
 
 template <int D, class P>

@@ -15,6 +15,13 @@ namespace kerf {
 template <class T>
 inline constexpr T too_low = T(-1e30);
 
+// Whether a particle has bonds to media with other limits: such a bond may meet the limit of one
+// end by the number of the other, which does not meet its own.
+template <int D, class P>
+KERF_FUNCTION bool has_other_limits(const SolidView<D, P>& solid, Index i) {
+  return (solid.unlike_media[i] & unlike_media::limits) != 0;
+}
+
 // The values of a particle that a fracture criterion needs (fracture/bond_criterion.hpp).
 template <int D, class P>
 struct CriterionParticle {
@@ -59,9 +66,10 @@ struct PrepareCriterion {
                            : prepared(i, medium);
     solid.criterion[i] = value;
     // A bond breaks by its own stretch, or if the mean of its ends meets the criterion (then at
-    // least one of the ends meets it), or by bond misfit failure beside broken bonds.
+    // least one of the ends meets it, if their limits are the same), or by bond misfit failure
+    // beside broken bonds.
     const BondStrain<Real> stretch{Real(0), solid.stretch[i], Real(0)};
-    solid.strained[i] = solid.multi_material[i] || solid.has_broken_bonds[i] ||
+    solid.strained[i] = has_other_limits(solid, i) || solid.has_broken_bonds[i] ||
                         !(value < compressive_failure<Real>) || criterion_passes(value, medium) ||
                         bond_breaks(stretch, medium);
   }
@@ -108,7 +116,7 @@ struct BondTest {
     strain.own = square_growth(bond, change) / square;
     if (!(strain.own > Real(0))) return false;  // only stretched bonds break
     const bool same = solid.medium_index[i] == solid.medium_index[j.particle];
-    strain.prepared = Real(0.5) * (criterion_of(i) + criterion_of(j.particle));
+    strain.prepared = mean_criterion(i, j.particle);
     if (criterion_passes(strain.prepared, a) || (!same && criterion_passes(strain.prepared, b)))
       strain.mean =
           dot(bond, (green + green_strain(solid.image(j, solid.gradient[j.particle]))) * bond) /
@@ -116,6 +124,12 @@ struct BondTest {
     return bond_breaks(strain, a) || (!same && bond_breaks(strain, b));
   }
 
+  KERF_FUNCTION Real mean_criterion(Index i, Index j) const {
+    const bool both_low =
+        !(solid.criterion[i] > too_low<Real>)&&!(solid.criterion[j] > too_low<Real>);
+    if (both_low && !has_other_limits(solid, i)) return too_low<Real>;
+    return Real(0.5) * (criterion_of(i) + criterion_of(j));
+  }
   KERF_FUNCTION Real criterion_of(Index i) const {
     const Real known = solid.criterion[i];
     return known > too_low<Real>

@@ -75,7 +75,7 @@ class JointLimit {
   // Returns the damping of a bond over its weight, Pa s: of its viscosity at the current speed, and
   // of the hourglass viscosity of both ends.
   KERF_FUNCTION double damping(Index i, const BondEnd& j, double distance) const {
-    const auto law = BondViscosity<D, P>::between(solid_.medium(i), solid_.medium(j.particle));
+    const auto law = solid_.viscosity_law(i, j.particle);
     const double length = double(law.length);
     const double theta = length * double(norm(solid_.velocity_bond(i, j))) / distance;
     const double own = solid_.any_flows ? double(solid_.hourglass_viscosity[i]) : 0.0;

@@ -2,6 +2,7 @@
 // take_media() sets the media of a solid for its loops, and finds what they may do.
 #pragma once
 
+#include "solid/bond_viscosity.hpp"
 #include "solid/find_bonds.hpp"
 #include "solid/solid_fields.hpp"
 
@@ -11,13 +12,6 @@ struct SolidTraits {
   bool is_viscous = false;  // there are forces between particles that move
   bool can_break = false;
 };
-
-// Whether the bonds between two media of one piece are other than those within each of them.
-inline bool are_unlike(const Medium<double>& a, const Medium<double>& b) {
-  return a.density != b.density || a.bulk_modulus != b.bulk_modulus ||
-         a.shear_modulus != b.shear_modulus || a.excess_bulk_modulus != b.excess_bulk_modulus ||
-         a.artificial_linear != b.artificial_linear;
-}
 
 template <int D, class P>
 SolidTraits take_media(const SolidLayout<D>& layout, SolidFields<D, P>& fields) {
@@ -35,11 +29,12 @@ SolidTraits take_media(const SolidLayout<D>& layout, SolidFields<D, P>& fields) 
   }
   std::vector<BondScale<Real>> scale;
   for (const auto& a : layout.media)
-    for (const auto& b : layout.media) {
-      scale.push_back(BondScale<Real>::template of<D>(a, b));
-      fields.any_joints |= scale.back().largest > Real(0) && are_unlike(a, b);
-    }
+    for (const auto& b : layout.media) scale.push_back(BondScale<Real>::template of<D>(a, b));
+  std::vector<BondViscosityLaw<Real>> viscosity;
+  for (const auto& a : media)
+    for (const auto& b : media) viscosity.push_back(bond_viscosity_between(a, b));
   to_device(media, fields.media);
+  to_device(viscosity, fields.viscosity);
   to_device(scale, fields.scale);
   return traits;
 }

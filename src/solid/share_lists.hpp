@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "solid/bond_table.hpp"
 #include "solid/find_bonds.hpp"
+#include "solid/unlike_media.hpp"
 
 namespace kerf {
 
@@ -30,6 +31,7 @@ struct StoredBonds {
   std::vector<std::uint8_t>
       multi_material;  // per particle: 1: has bonds to other media, or to images
   std::vector<std::uint8_t> several_bodies;  // 1: to other bodies, or to images
+  std::vector<std::uint8_t> unlike_media;    // bits of unlike_media.hpp
   Index shared = 0;                          // entries of shared lists
 
   // Reorders values, one per bond in the order of the search, into the order of storage. Returns an
@@ -63,6 +65,7 @@ class ListSharing {
     for (Index i = 0; i < n_; ++i) {
       stored.multi_material.push_back(leaves(i, [&](Index j) { return layout_.medium_index[j]; }));
       stored.several_bodies.push_back(leaves(i, [&](Index j) { return body(j); }));
+      stored.unlike_media.push_back(unlike_media_of(i));
     }
     find_equal_lists(stored.multi_material);
     stored.begin.resize(n_);
@@ -85,6 +88,19 @@ class ListSharing {
 
  private:
   static constexpr Index least_users = 8;
+
+  const Medium<double>& medium(Index i) const { return layout_.media[layout_.medium_index[i]]; }
+  std::uint8_t unlike_media_of(Index i) const {
+    std::uint8_t bits = 0;
+    for (Index k = lists_.begin[i]; k < lists_.begin[i + 1]; ++k) {
+      const Index j = layout_.mirrors.particle(lists_.neighbour[k]);
+      if (layout_.medium_index[i] == layout_.medium_index[j]) continue;
+      if (have_unlike_waves(medium(i), medium(j))) bits |= unlike_media::waves;
+      if (body(i) != body(j) || have_unlike_limits(medium(i), medium(j)))
+        bits |= unlike_media::limits;
+    }
+    return bits;
+  }
 
   Index length(Index i) const { return lists_.begin[i + 1] - lists_.begin[i]; }
   bool is_shared(Index i) const { return users_[model_[i]] >= least_users; }

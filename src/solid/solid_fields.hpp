@@ -13,8 +13,10 @@
 #include "parallel/loops.hpp"
 #include "solid/bond_ends.hpp"
 #include "solid/bond_table.hpp"
+#include "solid/bond_terms.hpp"
 #include "solid/bond_weight.hpp"
 #include "solid/simd/packed_bonds.hpp"
+#include "solid/unlike_media.hpp"
 
 namespace kerf {
 
@@ -25,6 +27,7 @@ namespace kerf {
   FIELD(std::uint8_t, changed)          /* 1: its correction is outdated */                    \
   FIELD(std::uint8_t, multi_material)   /* 1: has bonds to other media, or to images */        \
   FIELD(std::uint8_t, several_bodies)   /* 1: has bonds to other bodies, or to images */       \
+  FIELD(std::uint8_t, unlike_media)     /* bits of unlike_media.hpp: beside which it is */     \
   FIELD(std::uint8_t, held)             /* 1: by a clamp, hold_clamped.hpp */                  \
   FIELD(std::uint8_t, strained)         /* 1: one of its bonds may break */                    \
   FIELD(Real, stretch)                  /* largest lambda^2 - 1 of its bonds, if they break */ \
@@ -77,7 +80,6 @@ struct SolidView {
   bool any_flows;    // whether there is a medium that flows
   bool any_softens;  // or softens
   bool any_flaws;    // or has flaws
-  bool any_joints;   // whether a piece consists of unlike media
   const Medium<Real>* media;
   const std::uint16_t* medium_index;
   const Position* reference;  // X, m
@@ -86,7 +88,8 @@ struct SolidView {
   Index words;                 // of each particle
   // s of gradient_correction_levels.hpp, per bond; null: 1.
   const Real *bond_correction, *pair_correction;
-  const BondScale<Real>* scale;  // per pair of media
+  const BondScale<Real>* scale;             // per pair of media
+  const BondViscosityLaw<Real>* viscosity;  // the same
   Index media_count;
 #define KERF_FIELD(type, name) type* name;
   KERF_SOLID_FIELDS(KERF_FIELD)
@@ -150,6 +153,9 @@ struct SolidView {
         scale[medium_index[i] * media_count + medium_index[j.particle]].weight(norm(bond));
     return bond_correction == nullptr ? w : bond_correction[k] * w;
   }
+  KERF_FUNCTION const BondViscosityLaw<Real>& viscosity_law(Index i, Index j) const {
+    return viscosity[medium_index[i] * media_count + medium_index[j]];
+  }
   // X_j - X_i, m.
   template <class T = Real, class End>
   KERF_FUNCTION Vector<D, T> reference_bond(Index i, const End& j) const {
@@ -208,7 +214,7 @@ struct SolidFields {
   using State = typename View::State;
   using Flaws = typename View::Flaws;
 
-  bool any_flows = false, any_softens = false, any_flaws = false, any_joints = false;
+  bool any_flows = false, any_softens = false, any_flaws = false;
   Array<Medium<Real>> media;
   Array<std::uint16_t> medium_index;
   Array<Position> reference;
@@ -219,6 +225,7 @@ struct SolidFields {
   Index words = 0;
   Array<Real> bond_correction, pair_correction;
   Array<BondScale<Real>> scale;
+  Array<BondViscosityLaw<Real>> viscosity;
 #define KERF_FIELD(type, name) Array<type> name;
   KERF_SOLID_FIELDS(KERF_FIELD)
 #undef KERF_FIELD
@@ -253,8 +260,8 @@ struct SolidFields {
   std::size_t bytes() const {
     std::size_t sum = bytes_of(media) + bytes_of(medium_index) + bytes_of(reference) +
                       bytes_of(bond_begin) + bytes_of(bond_entry) + bytes_of(bond_count) +
-                      bytes_of(scale) + bytes_of(bond_intact) + bytes_of(bond_correction) +
-                      bytes_of(pair_correction);
+                      bytes_of(scale) + bytes_of(viscosity) + bytes_of(bond_intact) +
+                      bytes_of(bond_correction) + bytes_of(pair_correction);
 #define KERF_FIELD(type, name) sum += bytes_of(name);
     KERF_SOLID_FIELDS(KERF_FIELD)
 #undef KERF_FIELD
@@ -267,7 +274,6 @@ struct SolidFields {
     view.any_flows = any_flows;
     view.any_softens = any_softens;
     view.any_flaws = any_flaws;
-    view.any_joints = any_joints;
     view.media = pointer(media);
     view.medium_index = pointer(medium_index);
     view.reference = pointer(reference);
@@ -275,6 +281,7 @@ struct SolidFields {
     view.bond_intact = pointer(bond_intact);
     view.words = words;
     view.scale = pointer(scale);
+    view.viscosity = pointer(viscosity);
     view.media_count = static_cast<Index>(media.size());
     view.bond_correction = bond_correction.empty() ? nullptr : pointer(bond_correction);
     view.pair_correction = pair_correction.empty() ? nullptr : pointer(pair_correction);

@@ -14,7 +14,6 @@
 #include "solid/bond_force.hpp"
 #include "solid/break_bonds.hpp"
 #include "solid/deformation_gradient.hpp"
-#include "solid/gradient_correction.hpp"
 #include "solid/gradient_correction_levels.hpp"
 #include "solid/hold_clamped.hpp"
 #include "solid/limit_break_energy.hpp"
@@ -23,6 +22,7 @@
 #include "solid/simd/bond_sums.hpp"
 #include "solid/solid_state.hpp"
 #include "solid/stored_energy.hpp"
+#include "solid/update_corrections.hpp"
 #include "solid/update_damage.hpp"
 #include "solid/update_plasticity.hpp"
 #include "solid/update_softening.hpp"
@@ -57,6 +57,7 @@ class TotalLagrangian {
     fields_.make_room(*std::max_element(bonds.count.begin(), bonds.count.end()));
     to_device(bonds.multi_material, fields_.multi_material);
     to_device(bonds.several_bodies, fields_.several_bodies);
+    to_device(bonds.unlike_media, fields_.unlike_media);
     for_each_index(size(), HoldClamped<D, P>{view()});
     if (fields_.any_softens) for_each_index(size(), StartSoftening<D, P>{view()});
     if (fields_.any_flows) for_each_index(size(), StartPlasticity<D, P>{view()});
@@ -196,7 +197,8 @@ class TotalLagrangian {
   }
   std::uint64_t entries() const { return entries_; }  // bonds, broken or not, from both ends
   std::size_t bytes() const {
-    return fields_.bytes() + simd_.bytes() + break_records_.size() * sizeof(BondBreakRecord);
+    return fields_.bytes() + simd_.bytes() + correct_.bytes() +
+           break_records_.size() * sizeof(BondBreakRecord);
   }
   // Per particle: 1 where the factor of a pair may differ from 1; empty where all are 1.
   const std::vector<std::uint8_t>& fitted() const { return fitted_; }
@@ -271,18 +273,8 @@ class TotalLagrangian {
     update_corrections({});
   }
 
-  // A particle that becomes detached takes bonds from others, which may become detached in turn.
-  void update_corrections(const BreakRecords<D, P>& records) {
-    for_each_index(size(), Correct<D, P>{view()});
-    while (any_changed()) {
-      for_each_index(size(), BreakAllBonds<D, P>{view(), pointer(fields_.detached), records});
-      for_each_index(size(), Correct<D, P>{view()});
-    }
-  }
-
-  bool any_changed() {
-    return reduce_unordered(size(), IsSet{pointer(fields_.changed)}, false, Either{});
-  }
+  void update_corrections(const BreakRecords<D, P>& records) { correct_(view(), records); }
+  bool any_changed() { return correct_.any_changed(view()); }
 
   SolidFields<D, P> fields_;
   SimdBondSums<D, P> simd_;
@@ -293,6 +285,7 @@ class TotalLagrangian {
   OrderedSum<3> break_sum_;
   Array<BondBreakRecord> break_records_;
   Array<Real> misfit_;  // scratch of energy()
+  CorrectionUpdate<D, P> correct_;
   double dt_ = 0.0, half_step_ = 0.0;
   SolidTraits traits_;
 };

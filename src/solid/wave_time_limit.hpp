@@ -60,7 +60,7 @@ struct WaveTimeLimit {
     double uncompressed = double(medium.smoothing_length) / wave;
     if (solid.detached[i]) return {uncompressed, i};
     bool of_joint = false;
-    if (solid.any_joints && solid.multi_material[i]) {
+    if ((solid.unlike_media[i] & unlike_media::waves) != 0) {
       const double joint = JointLimit<D, P>(solid).stable_step(i) /
                            (courant > joint_courant ? courant : joint_courant);
       of_joint = joint < uncompressed;

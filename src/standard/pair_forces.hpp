@@ -15,7 +15,7 @@
 #include "fluid/lattice_sums.hpp"
 #include "fluid/particle_concentration.hpp"
 #include "fluid/rigid_wall.hpp"
-#include "fluid/simd/same_fluid_pairs.hpp"
+#include "fluid/simd/simd_pairs.hpp"
 #include "fluid/water_viscosity.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "materials/equation_of_state.hpp"
@@ -56,13 +56,13 @@ class StandardRates {
       for (const auto& other : media)
         has_bodies_apart_ |= other.phase != Phase::water && other.piece != medium.piece;
     }
-    if (separates_same_fluid())
-      same_fluid_pairs_ = SameFluidPairs<D, P>(media, 1.0 / lattice.slope);
+    if (separates_fluids())
+      simd_pairs_ = SimdPairs<D, P>(media, 1.0 / lattice.slope, gravity_.gravity);
   }
 
-  // Whether the pairs of the same fluid are summed by SIMD kernels of their own, for which they
-  // have to come first in the list.
-  bool separates_same_fluid() const {
+  // Whether the pairs of fluids are summed by SIMD kernels of their own, for which they have to
+  // come first in the list.
+  bool separates_fluids() const {
     return simd_exists && fluid_pair_.scheme == WaterScheme::riemann;
   }
 
@@ -75,8 +75,8 @@ class StandardRates {
   void take_list(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                  Index entries) {
     if constexpr (simd_exists)
-      if (separates_same_fluid())
-        same_fluid_pairs_.graded().take(view, count, list, entries, fluid_pair_.correction);
+      if (separates_fluids())
+        simd_pairs_.graded().take(view, count, list, entries, fluid_pair_.correction);
   }
 
   // Evaluates what a step needs in one pair loop: pressures, the accelerations by gravity and all
@@ -124,7 +124,7 @@ class StandardRates {
   }
 
   std::size_t bytes() const {
-    return same_fluid_pairs_.bytes() + density_gradient_.size() * sizeof(Vector<D, Real>);
+    return simd_pairs_.bytes() + density_gradient_.size() * sizeof(Vector<D, Real>);
   }
 
  private:
@@ -162,15 +162,14 @@ class StandardRates {
                 const BodyForce<D, P>& body_force, const More&... more) const {
     for_each_index(input.count, forces_loop(input, bonds, filter, body_force, more...));
   }
-  // Sums over every pair; those of the same fluid by SIMD kernels where there are such.
+  // Sums over every pair; those of fluids by SIMD kernels where there are such.
   template <class Bonds, class... More>
   void sum_pairs(LoopInput input, const Bonds& bonds, const More&... more) const {
     if constexpr (simd_exists) {
-      if (separates_same_fluid()) {
-        input.list.skips = Skips::same_fluid;
-        same_fluid_pairs_.run(same_fluid_pairs_.pack(input.view, input.count, input.list),
-                              input.count,
-                              forces_loop(input, bonds, EveryPair{}, gravity_, more...));
+      if (separates_fluids()) {
+        input.list.skips = Skips::of_fluids;
+        simd_pairs_.run(simd_pairs_.pack(input.view, input.count, input.list), input.count,
+                        forces_loop(input, bonds, EveryPair{}, gravity_, more...));
         return;
       }
     }
@@ -181,8 +180,8 @@ class StandardRates {
   void sum_surface_overlaps(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                             const SurfaceOverlap<D, P>& term) const {
     using Loop = PairLoop<D, P, ContactPairs, SurfaceOverlap<D, P>>;
-    NeighbourView others = list;  // pairs of the same fluid or body are not in contact
-    others.skips = Skips::same_fluid_and_body;
+    NeighbourView others = list;  // pairs of fluids or of one body are not in contact
+    others.skips = Skips::of_fluids_and_body;
     for_each_index(count, OfSolids<D, P, Loop>{view, Loop(view, others, {}, term)});
   }
   ContactTable<Real> contacts() const { return {pointer(contacts_), media_}; }
@@ -194,7 +193,7 @@ class StandardRates {
   mutable Array<Vector<D, Real>> density_gradient_;  // 1/m, scratch of delta-SPH alone
   bool has_bodies_apart_ = false;     // a solid and another body that it is not joined to
   MirrorCode apart_from_images_ = 0;  // planes whose images of a solid are not one piece with it
-  mutable SameFluidPairs<D, P> same_fluid_pairs_;
+  mutable SimdPairs<D, P> simd_pairs_;
 };
 
 }  // namespace kerf

@@ -186,7 +186,7 @@ struct MarkFullyBonded {
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
     if (i == no_index) return;
-    const Index first = list.begin[i] + list.same_fluid[i], last = first + list.same_body[i];
+    const Index first = list.first_of_body(i), last = first + list.same_body[i];
     bool bonded = !solid.has_broken_bonds[s];
     for (Index k = first; k < last && bonded; ++k) {
       const Index other = link.number(particles.id[list.neighbour[k]]);

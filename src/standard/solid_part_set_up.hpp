@@ -31,7 +31,8 @@ SolidPart<D, P>::SolidPart(const RunSettings& settings, const std::vector<Medium
   const auto source = to_host(particles.source);
   build(settings, media, particles, SolidMembers<D>::at_start(particles, media));
   if (!solid_) return;
-  if (solid_->fields().any_joints)
+  const HasUnlikeWaves at_joint{pointer(solid_->fields().unlike_media)};
+  if (reduce_unordered(solid_->size(), at_joint, false, Either{}))
     wave_ = solid_->wave_time(courant_);  // a first step may be too long
   auto number = members_.number_of_id();
   if (!settings.window) members_ = {};  // only shifts of a window need them again

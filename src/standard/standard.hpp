@@ -30,7 +30,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
         rates_(Run::gravity_, Run::media_, lattice_, settings.water_scheme),
         solid_(settings, Run::media_, Run::particles_) {
     rates_.set_pair_correction(solid_.pair_correction());
-    if (rates_.separates_same_fluid()) list_.sort_neighbours_by_class();
+    if (rates_.separates_fluids()) list_.sort_neighbours_by_class();
     Run::open([this] {
       rates_.record_initial_overlap(particles_.view(), particles_.size(), list_.view());
     });

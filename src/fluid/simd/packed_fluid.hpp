@@ -22,7 +22,8 @@ struct alignas(8 * sizeof(Real)) PackedFluid {
   Real volume;           // m^3 (2D: m^2), by its density; negative in a free surface; 0: no fluid
 };
 
-// The sums over the neighbours of a particle that are of its own fluid (fluid/pair_terms.hpp).
+// The sums of a particle over the neighbours that the SIMD kernels visit (fluid/pair_terms.hpp):
+// those of its own fluid, and those unlike it (fluid/simd/unlike_pair_kernel.hpp).
 template <int D, class Real>
 struct FluidSums {
   static constexpr int count = 3 * D + 2;
@@ -31,6 +32,7 @@ struct FluidSums {
   Real sum[count];
   Real fastest_squared;    // m^2/s^2, the largest |v_ij|^2
   Real near_free_surface;  // 0 or 1
+  Vector<D, Real> wall;    // 1/m, - sum V nabla W over solids beside a fluid particle
 
   // N, on i.
   KERF_FUNCTION Vector<D, Real> pressure_force() const { return vector(pressure_force_at); }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// PackedUnlike holds what the two particles of an unlike pair (PairClass) need of one another: a
+// fluid and another fluid or a solid. A neighbour is one cache line in single precision.
+#pragma once
+
+#include "fluid/simd/packed_fluid.hpp"
+
+namespace kerf {
+
+template <int D, class Real>
+struct alignas(16 * sizeof(Real)) PackedUnlike {
+  using Position = typename PackedNumber<Real>::Position;
+  static constexpr int velocity_slot = D, wall_normal_slot = 2 * D, pressure_slot = 3 * D,
+                       volume_slot = 3 * D + 1, density_slot = 3 * D + 2,
+                       sound_speed_slot = 3 * D + 3, rest_volume_slot = 3 * D + 4,
+                       smoothing_length_slot = 3 * D + 5, viscosity_slot = 3 * D + 6,
+                       slots = 3 * D + 7;
+  Position position[D];   // fixed-point coordinates
+  Real velocity[D];       // m/s
+  Real wall_normal[D];    // 1, of the wall beside a fluid, into the fluid; 0: none, or a solid
+  Real pressure;          // Pa
+  Real volume;            // m^3 (2D: m^2), by its density if it has one; negative in a free surface
+  Real density;           // kg/m^3
+  Real sound_speed;       // m/s; negative: weakly compressible, 0: it has no pressure by density
+  Real rest_volume;       // m^3 (2D: m^2); negative: fluid
+  Real smoothing_length;  // m; negative: water
+  Real viscosity;         // Pa s, of water, else 0
+};
+
+template <int D, class Real>
+struct UnlikeKernelTask {
+  const PackedUnlike<D, Real>* particles = nullptr;  // set where a particle has unlike neighbours
+  const std::uint32_t* begin = nullptr;              // of each list; first the same fluid, then
+  const std::uint32_t* same_fluid = nullptr;         // the unlike neighbours: so many
+  const std::uint32_t* unlike = nullptr;
+  const std::uint32_t* neighbour = nullptr;
+  FluidSums<D, Real>* results = nullptr;  // the kernel adds to those of the first and the next ones
+  Real unit = 1;                          // m, of the fixed-point coordinates
+  Real kernel_gradient_normalisation = 1;  // k, 1 (fluid/lattice_sums.hpp)
+  Vector<D, Real> gravity;                 // m/s^2
+};
+
+// Adds the sums of particles `first` .. `last` - 1.
+template <int D, class Real>
+using UnlikeKernel = void (*)(const UnlikeKernelTask<D, Real>&, std::uint32_t first,
+                              std::uint32_t last);
+
+}  // namespace kerf

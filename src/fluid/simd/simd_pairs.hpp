@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// SimdPairs computes the pairs of fluids by the SIMD pair kernels: those of particles of one fluid,
+// which are most of all pairs, and those of a fluid with another fluid or a solid. The general pair
+// loop starts from these sums and adds the other neighbours. On a GPU the general pair loop
+// computes all pairs.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "fluid/fluid_pressure.hpp"
+#include "fluid/simd/fluid_kernels.hpp"
+#include "fluid/simd/graded_pairs.hpp"
+#include "fluid/simd/unlike_kernels.hpp"
+#include "neighbours/neighbour_list.hpp"
+#include "parallel/fused_kernel.hpp"
+#include "simd/run_in_blocks.hpp"
+
+namespace kerf {
+
+// The tasks of both kernels over the same particles.
+template <int D, class Real>
+struct SimdPairsTask {
+  FluidKernelTask<D, Real> same_fluid;
+  UnlikeKernelTask<D, Real> unlike;
+  FluidKernel<D, Real> same_fluid_kernel = nullptr;
+  UnlikeKernel<D, Real> unlike_kernel = nullptr;
+  FluidSums<D, Real>* results = nullptr;  // out, as in each of both
+
+  static void run(const SimdPairsTask& task, Index first, Index last) {
+    auto same_fluid = task.same_fluid;
+    auto unlike = task.unlike;
+    same_fluid.results = unlike.results = task.results;
+    task.same_fluid_kernel(same_fluid, first, last);
+    task.unlike_kernel(unlike, first, last);
+  }
+};
+
+template <int D, class P>
+class SimdPairs {
+ public:
+  using Real = typename P::Real;
+
+  SimdPairs() = default;
+  // `kernel_gradient_normalisation`: k of fluid/fluid_pair.hpp; `gravity` in m/s^2.
+  SimdPairs(const std::vector<Medium<double>>& media, double kernel_gradient_normalisation,
+            const Vector<D, Real>& gravity) {
+    double finest = 1e300;
+    for (const auto& medium : media) {
+      laws_.push_back(law_of(medium, kernel_gradient_normalisation));
+      finest = std::min(finest, medium.spacing);
+    }
+    unit_ = FixedPointScale<Real>::of_spacing(finest);
+    task_.same_fluid_kernel = fluid_kernels().template get<D, Real>();
+    task_.unlike_kernel = unlike_kernels().template get<D, Real>();
+    task_.same_fluid.unit = task_.unlike.unit = static_cast<Real>(unit_.unit);
+    task_.unlike.kernel_gradient_normalisation = static_cast<Real>(kernel_gradient_normalisation);
+    task_.unlike.gravity = gravity;
+  }
+
+  // Computes the pressures and packs the particles.
+  SimdPairsTask<D, Real> pack(const ParticleView<D, P>& view, Index count,
+                              const NeighbourView& list) {
+    fluid_.resize(count);
+    unlike_.resize(count);
+    for_each_index(count, FusedKernel(FluidPressure<D, P>{view}, Pack{view, unit_, fluid_.data()},
+                                      PackUnlike{view, list.unlike, unit_, unlike_.data()}));
+    auto task = task_;
+    task.same_fluid.fluid = fluid_.data();
+    task.same_fluid.source = view.source;
+    task.same_fluid.laws = laws_.data();
+    task.unlike.particles = unlike_.data();
+    task.unlike.unlike = list.unlike;
+    const auto take_list = [&list](auto& of) {
+      of.begin = list.begin;
+      of.same_fluid = list.same_fluid;
+      of.neighbour = list.neighbour;
+    };
+    take_list(task.same_fluid);
+    take_list(task.unlike);
+    graded_.give(task.same_fluid);
+    return task;
+  }
+
+  // The pairs of graded solids; they must take each new list.
+  GradedPairs<D, P>& graded() { return graded_; }
+
+  // Calls loop(i), the general pair loop, for all particles, a block of them at a time, after the
+  // sums of the block by the kernels.
+  template <class Loop>
+  void run(const SimdPairsTask<D, Real>& task, Index count, const Loop& loop) const {
+    run_in_blocks<FluidSums<D, Real>>(task, &SimdPairsTask<D, Real>::run, count, loop);
+  }
+
+  std::size_t bytes() const {
+    return fluid_.size() * sizeof(fluid_[0]) + unlike_.size() * sizeof(unlike_[0]) +
+           graded_.bytes();
+  }
+
+ private:
+  static FluidLaw<Real> law_of(const Medium<double>& medium, double kernel_gradient_normalisation) {
+    const double h = medium.smoothing_length, alpha = WendlandC2<D>::scale(h);
+    FluidLaw<Real> law{};
+    law.mass = static_cast<Real>(medium.mass);
+    law.volume = static_cast<Real>(medium.volume);
+    law.sound_speed = static_cast<Real>(medium.sound_speed);
+    law.equations = EquationOfStateSet<Real>::from(medium);
+    law.equation_of_state = medium.equation_of_state;
+    law.viscosity = static_cast<Real>(medium.phase == Phase::water ? medium.viscosity : 0.0);
+    law.per_smoothing_length = static_cast<Real>(1.0 / h);
+    law.kernel_scale = static_cast<Real>(alpha);
+    law.kernel_slope = static_cast<Real>(5.0 * alpha / (h * h));
+    law.kernel_gradient_normalisation = static_cast<Real>(kernel_gradient_normalisation);
+    return law;
+  }
+
+ public:  // nvcc has no loop bodies that are private
+  struct Pack {
+    ParticleView<D, P> particles;
+    FixedPointScale<Real> unit;
+    PackedFluid<D, Real>* fluid;
+
+    KERF_FUNCTION void operator()(Index i) const {
+      PackedFluid<D, Real> packed{};
+      if (!particles.has_density(i)) {
+        fluid[i] = packed;  // no volume: no sums
+        return;
+      }
+      for (int a = 0; a < D; ++a) {
+        packed.position[a] = unit.pack(particles.position[i][a]);
+        packed.velocity[a] = particles.velocity[i][a];
+      }
+      packed.pressure = particles.pressure[i];
+      const Real volume = particles.medium(i).mass / particles.density(i);
+      packed.volume = particles.has(i, flag::surface) ? -volume : volume;
+      fluid[i] = packed;
+    }
+  };
+  struct PackUnlike {
+    ParticleView<D, P> particles;
+    const Index* neighbours;  // unlike ones
+    FixedPointScale<Real> unit;
+    PackedUnlike<D, Real>* packed;
+
+    KERF_FUNCTION void operator()(Index i) const {
+      if (neighbours[i] == 0) return;
+      const auto& medium = particles.medium(i);
+      const bool is_fluid = particles.is_fluid(i), is_water = medium.phase == Phase::water;
+      PackedUnlike<D, Real>& to = packed[i];
+      for (int a = 0; a < D; ++a) {
+        to.position[a] = unit.pack(particles.position[i][a]);
+        to.velocity[a] = particles.velocity[i][a];
+        to.wall_normal[a] = is_fluid ? particles.wall_normal[i][a] : Real(0);
+      }
+      const Real volume = volume_of(particles, i, medium);
+      to.pressure = particles.pressure[i];
+      to.volume = particles.has(i, flag::surface) ? -volume : volume;
+      to.density = particles.density(i);
+      to.sound_speed = signed_sound_speed(i, medium);
+      to.rest_volume = is_fluid ? -medium.volume : medium.volume;
+      to.smoothing_length = is_water ? -medium.smoothing_length : medium.smoothing_length;
+      to.viscosity = is_water ? medium.viscosity : Real(0);
+    }
+
+   private:
+    KERF_FUNCTION Real signed_sound_speed(Index i, const Medium<Real>& medium) const {
+      if (!particles.has_density(i)) return Real(0);
+      const Real speed = impedance_speed_at(medium, particles.compression[i]);
+      return is_weakly_compressible(medium) ? -speed : speed;
+    }
+  };
+
+ private:
+  SimdPairsTask<D, Real> task_;  // without the particles and the list
+  FixedPointScale<Real> unit_{};
+  // Not Array: a packed particle has an alignment of its own.
+  std::vector<PackedFluid<D, Real>> fluid_;
+  std::vector<PackedUnlike<D, Real>> unlike_;
+  std::vector<FluidLaw<Real>> laws_;
+  GradedPairs<D, P> graded_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// CorrectionUpdate computes the gradient corrections of particles whose bonds have changed. A
+// particle that becomes detached takes bonds from others, which may become detached in turn.
+#pragma once
+
+#include "solid/gradient_correction.hpp"
+
+namespace kerf {
+
+// Marks the other ends of the bonds of particles that have become detached, and these themselves.
+template <int D, class P>
+struct MarkBesideDetached {
+  SolidView<D, P> solid;
+  std::uint8_t* beside;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (!solid.changed[i] || !solid.detached[i]) return;
+    set_flag(beside[i]);
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
+      if (solid.is_intact(i, k)) set_flag(beside[solid.bond_end(i, k).particle]);
+  }
+};
+
+// Breaks all bonds of detached particles from both ends; `beside` is cleared.
+template <int D, class P>
+struct BreakBesideDetached {
+  BreakAllBonds<D, P> break_all;
+  std::uint8_t* beside;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (!beside[i]) return;
+    beside[i] = 0;
+    break_all(i);
+  }
+};
+
+template <int D, class P>
+class CorrectionUpdate {
+ public:
+  void operator()(const SolidView<D, P>& solid, const BreakRecords<D, P>& records) {
+    beside_.resize(solid.count, std::uint8_t(0));
+    for_each_index(solid.count, Correct<D, P>{solid});
+    while (any_changed(solid)) {
+      for_each_index(solid.count, MarkBesideDetached<D, P>{solid, pointer(beside_)});
+      for_each_index(solid.count,
+                     BreakBesideDetached<D, P>{{solid, solid.detached, records}, pointer(beside_)});
+      for_each_index(solid.count, Correct<D, P>{solid});
+    }
+  }
+  static bool any_changed(const SolidView<D, P>& solid) {
+    return reduce_unordered(solid.count, IsSet{solid.changed}, false, Either{});
+  }
+  std::size_t bytes() const { return beside_.size(); }
+
+ private:
+  Array<std::uint8_t> beside_;
+};
+
+}  // namespace kerf
