@@ -54,7 +54,6 @@ namespace kerf {
   FIELD(Real, hourglass_viscosity) /* eta, Pa s */                               \
   FIELD(Real, flow_work)           /* plastic work of the current step, J/m^3 */ \
   FIELD(double, flow_loss)         /* dissipated in the last step, J (2D: J/m) */
-
 // Those that only solids have of which some part has flaws.
 #define KERF_SOLID_FLAWS(FIELD)                                \
   FIELD(Flaws, flaws)        /* cracks that grow from flaws */ \
