@@ -68,6 +68,15 @@ struct MirrorPlanes {
     return true;
   }
 
+  // Whether x is within `reach` of a plane.
+  KERF_FUNCTION bool is_near_any(const Vector<D, double>& x, double reach) const {
+    for (int a = 0; a < D; ++a)
+      if (((faces & low_face(a)) != 0 && is_near(low_face(a), x, reach)) ||
+          ((faces & high_face(a)) != 0 && is_near(high_face(a), x, reach)))
+        return true;
+    return false;
+  }
+
   // Mirror images of vectors and tensors.
   template <class T>
   KERF_FUNCTION static Vector<D, T> image(MirrorCode code, Vector<D, T> v) {

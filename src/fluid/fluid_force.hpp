@@ -52,6 +52,9 @@ struct FluidForce {
   KERF_FUNCTION static Vector<D, Real> force(const Sum& sum) {
     return sum.pressure_force + sum.dissipative_force - sum.wall_force;
   }
+  KERF_FUNCTION Vector<D, Real> known_image_force(Index i) const {
+    return known.are_known() ? known[i].image_force : Vector<D, Real>::zero();
+  }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     const auto& medium = particles.medium(i);
     if (medium.phase == Phase::rigid) return;

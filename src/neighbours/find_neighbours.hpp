@@ -103,7 +103,7 @@ struct FindNeighbours {
       }
       scan_level(from, level, found);
     }
-    if (particles.mirrors.faces != 0) find_among_images(i, found);
+    if (particles.mirrors.faces != 0) find_among_images(i, memory != nullptr, found);
   }
 
  private:
@@ -120,16 +120,27 @@ struct FindNeighbours {
 
   // The image of j is as far from i as j is from the image of i.
   template <class Sections>
-  KERF_FUNCTION void find_among_images(Index i, Sections& found) const {
+  KERF_FUNCTION void find_among_images(Index i, bool may_search, Sections& found) const {
     const auto& mirrors = particles.mirrors;
     const auto& x = particles.build_position[i];
+    double longest = 0.0;
+    for (int level = 0; level < grids.levels; ++level)
+      longest = longest > limit_of(i, level) ? longest : limit_of(i, level);
+    if (!mirrors.is_near_any(x, longest)) return;
     for (int image = 1; image < MirrorPlanes<D>::images; ++image) {
       MirrorCode code;
       if (!mirrors.find_image(image, code)) continue;
       for (int level = 0; level < grids.levels; ++level) {
         const double limit = limit_of(i, level);
-        if (mirrors.is_near(code, x, limit))
-          scan_level({i, code, mirrors.image_position(code, x), limit}, level, found);
+        if (!mirrors.is_near(code, x, limit)) continue;
+        const Viewer from{i, code, mirrors.image_position(code, x), limit};
+        if constexpr (simd_exists) {
+          if (may_search && packed.search != nullptr) {
+            search_images(from, level, found);
+            continue;
+          }
+        }
+        scan_level(from, level, found);
       }
     }
   }
@@ -191,6 +202,43 @@ struct FindNeighbours {
     known.cell = of_cell && fits ? cell[from.i] : CellRows::no_cell;
   }
 
+  // The candidates of images come from the SIMD search and are tested one by one.
+  template <class Sections>
+  void search_images(const Viewer& from, int level, Sections& found) const {
+    const auto reach = Vector<D, double>::filled(from.limit);
+    SearchRows rows;
+    const auto test = [&] {
+      if (rows.count == 0) return;
+      Index candidates[SearchRows::most_candidates + room_beside];
+      SearchTask<D> task;
+      for (int a = 0; a < D; ++a) {
+        task.position[a] = packed.position[a];
+        task.own_position[a] = packed.unit.pack(from.x[a]);
+      }
+      task.kind = packed.kind;
+      task.own = task.own_kind = ~Index(0);  // it is of no kind
+      const double limit = (1.0 + 1e-6) * from.limit / packed.unit.unit;
+      task.limit_squared = static_cast<float>(limit * limit);
+      task.same_squared = 0.0f;
+      task.rows = &rows;
+      Index none[room_beside];
+      task.same = none;
+      task.others = candidates;
+      const auto counts = packed.search(task);
+      for (Index n = 0; n < counts.others; ++n)
+        scan(from, {candidates[n], candidates[n] + 1}, found);
+      rows.count = 0;
+      rows.candidates = 0;
+    };
+    for_each_row(from.x - reach, from.x + reach, level, [&](Index begin, Index end) {
+      while (begin < end) {
+        if (rows.is_full()) test();
+        begin += rows.take(begin, end);
+      }
+    });
+    test();
+  }
+
   // The neighbours of its own kind come from the SIMD search; other candidates are tested one by
   // one.
   template <class Sections>
@@ -232,10 +280,12 @@ struct FindNeighbours {
       if (j == i && from.code == 0) continue;
       const double reach = Scheme::reach(particles, i, j, from.code);
       if (reach == 0.0 || square >= (reach + skin) * (reach + skin)) continue;
-      const PairClass same_class =
-          splits && from.code == 0 ? Scheme::pair_class(particles, i, j) : PairClass::other;
-      if (Index* const next = found.room(same_class, 1)) *next = j | from.code;
-      found.took(same_class, 1);
+      PairClass pair_class = PairClass::other;
+      if (splits)
+        pair_class = from.code == 0 ? Scheme::pair_class(particles, i, j)
+                                    : Scheme::image_class(particles, i, j, from.code);
+      if (Index* const next = found.room(pair_class, 1)) *next = j | from.code;
+      found.took(pair_class, 1);
     }
   }
 };

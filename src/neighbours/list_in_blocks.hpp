@@ -11,9 +11,9 @@
 
 namespace kerf {
 
-// Where each list begins and ends, and how many entries are of the classes that come first.
+// Where each list begins and ends, and how many entries are of a class.
 struct ListRanges {
-  Index *begin, *end, *same_fluid, *unlike, *same_body;
+  Index *begin, *end, *same_fluid, *unlike, *same_body, *images;
 };
 
 template <int D, class P, class Scheme>
@@ -41,6 +41,7 @@ struct ListBlock {
       ranges.same_fluid[i] = found.count(PairClass::same_fluid);
       ranges.unlike[i] = found.count(PairClass::unlike);
       ranges.same_body[i] = found.count(PairClass::same_body);
+      ranges.images[i] = found.count(PairClass::image);
     }
     const Index at = used->fetch_add(found.size());
     if (at + found.size() > room) return;

@@ -19,8 +19,9 @@ struct CountNeighbours {
     ranges.same_fluid[i] = found.count[static_cast<int>(PairClass::same_fluid)];
     ranges.unlike[i] = found.count[static_cast<int>(PairClass::unlike)];
     ranges.same_body[i] = found.count[static_cast<int>(PairClass::same_body)];
+    ranges.images[i] = found.count[static_cast<int>(PairClass::image)];
     ranges.begin[i] = ranges.same_fluid[i] + ranges.unlike[i] + ranges.same_body[i] +
-                      found.count[static_cast<int>(PairClass::other)];
+                      found.count[static_cast<int>(PairClass::other)] + ranges.images[i];
   }
 };
 
@@ -39,6 +40,8 @@ struct WriteNeighbours {
     found.next[static_cast<int>(PairClass::unlike)] = unlike;
     found.next[static_cast<int>(PairClass::same_body)] = same_body;
     found.next[static_cast<int>(PairClass::other)] = same_body + ranges.same_body[i];
+    found.next[static_cast<int>(PairClass::image)] =
+        neighbour + ranges.begin[i + 1] - ranges.images[i];
     find(i, found);
     ranges.end[i] = ranges.begin[i + 1];
   }

@@ -4,7 +4,7 @@
 // long it is valid. Each particle has its neighbours in a fixed order, so that sums over them do
 // not depend on the number of threads: on request class by class (neighbours/pair_range.hpp), first
 // those of the same fluid, then those unlike it, then those of the same body; then the others; then
-// mirror images (core/mirror_planes.hpp).
+// mirror images (core/mirror_planes.hpp), at the end those of `PairClass::image`.
 #pragma once
 
 #include "core/error.hpp"
@@ -19,8 +19,8 @@ enum class Skips : std::uint8_t { nothing, of_fluids, of_fluids_and_body };
 struct NeighbourView {
   const Index *begin, *end;  // begin[i] .. end[i] of `neighbour` are particle i's
   const Index* neighbour;    // indices, with a mirror code in the highest bits
-  // How many of them, one class after the other.
-  const Index *same_fluid, *unlike, *same_body;
+  // How many of them, one class after the other; the images are the last ones.
+  const Index *same_fluid, *unlike, *same_body, *images;
   Skips skips;
   // 1 where a particle has intact bonds to all its neighbours of the same body, which then have no
   // contact with it: a pair loop that skips pairs of fluids skips them too. Or null.
@@ -31,6 +31,9 @@ struct NeighbourView {
     const bool skips_body =
         skips == Skips::of_fluids_and_body || (fully_bonded != nullptr && fully_bonded[i] != 0);
     return first_of_body(i) + (skips_body ? same_body[i] : 0);
+  }
+  KERF_FUNCTION Index last(Index i) const {
+    return skips == Skips::nothing ? end[i] : end[i] - images[i];
   }
   // Where those of the same body begin.
   KERF_FUNCTION Index first_of_body(Index i) const { return begin[i] + same_fluid[i] + unlike[i]; }
@@ -76,12 +79,12 @@ class NeighbourList {
     cell_begin_.resize(cells + 1);
     for_each_index(n + 1, BeginCells{pointer(key_), n, cells, pointer(cell_begin_)});
     begin_.resize(n + 1);
-    for (auto* array : {&end_, &same_fluid_, &unlike_, &same_body_}) array->resize(n);
+    for (auto* array : {&end_, &same_fluid_, &unlike_, &same_body_, &images_}) array->resize(n);
     const FindNeighbours<D, P, Scheme> find{particles.view(),          grids_, pointer(key_),
                                             pointer(cell_begin_),      skin_,  splits_,
                                             pack_for_search(particles)};
-    const ListRanges ranges{pointer(begin_), pointer(end_), pointer(same_fluid_), pointer(unlike_),
-                            pointer(same_body_)};
+    const ListRanges ranges{pointer(begin_),  pointer(end_),       pointer(same_fluid_),
+                            pointer(unlike_), pointer(same_body_), pointer(images_)};
     if constexpr (simd_exists)
       list_in_blocks(find, ranges, n);
     else
@@ -97,14 +100,15 @@ class NeighbourList {
   }
 
   NeighbourView view() const {
-    return {pointer(begin_),  pointer(end_),       pointer(neighbour_), pointer(same_fluid_),
-            pointer(unlike_), pointer(same_body_), Skips::nothing,      nullptr};
+    return {pointer(begin_),      pointer(end_),    pointer(neighbour_),
+            pointer(same_fluid_), pointer(unlike_), pointer(same_body_),
+            pointer(images_),     Skips::nothing,   nullptr};
   }
   Index pairs() const { return pairs_; }  // list entries, each pair twice
   std::size_t bytes() const {
     std::size_t entries = neighbour_.size() + begin_.size() + end_.size() + same_fluid_.size() +
-                          unlike_.size() + same_body_.size() + cell_begin_.size() + key_.size() +
-                          packed_kind_.size();
+                          unlike_.size() + same_body_.size() + images_.size() + cell_begin_.size() +
+                          key_.size() + packed_kind_.size();
     for (const auto& coordinates : packed_position_) entries += coordinates.size();
     return sizeof(Index) * entries + validity_.bytes();  // packed coordinates are as long
   }
@@ -164,7 +168,8 @@ class NeighbourList {
   double skin_ = 0.0;
   Index pairs_ = 0;
   bool splits_ = false;
-  Array<Index> key_, cell_begin_, begin_, end_, same_fluid_, unlike_, same_body_, neighbour_;
+  Array<Index> key_, cell_begin_, begin_, end_, same_fluid_, unlike_, same_body_, images_,
+      neighbour_;
   std::vector<std::int32_t> packed_position_[D];
   std::vector<std::uint32_t> packed_kind_;
 };

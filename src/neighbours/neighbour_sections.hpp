@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-inline constexpr int pair_classes = 4;
+inline constexpr int pair_classes = 5;
 inline constexpr Index room_beside = 16;  // entries that may be written past the last one
 
 struct CountedSections {
@@ -43,7 +43,7 @@ class GrownSections {
   void start_block() { size_of(PairClass::same_fluid) = 0; }
   // Returns where the list of the particle begins, counted from the start of the block.
   Index start_particle() {
-    size_of(PairClass::unlike) = size_of(PairClass::same_body) = size_of(PairClass::other) = 0;
+    for (const PairClass later : in_order_) size_of(later) = 0;
     return begin_ = size();
   }
   Index* room(PairClass pair_class, Index most) {
@@ -56,9 +56,7 @@ class GrownSections {
   // Joins the sections of the particle.
   void end_particle() {
     same_fluid_ = size() - begin_;
-    append(PairClass::unlike);
-    append(PairClass::same_body);
-    append(PairClass::other);
+    for (const PairClass later : in_order_) append(later);
   }
   // Returns how many neighbours of a class the particle has.
   Index count(PairClass pair_class) const {
@@ -79,6 +77,9 @@ class GrownSections {
     size_of(PairClass::same_fluid) += count;
   }
 
+  // Those after the same fluid.
+  static constexpr PairClass in_order_[] = {PairClass::unlike, PairClass::same_body,
+                                            PairClass::other, PairClass::image};
   // By class; that of the same fluid holds the joined lists as well.
   std::vector<Index> list_[pair_classes];
   Index size_[pair_classes] = {};

@@ -12,7 +12,9 @@ namespace kerf {
 // incompressible solid, with the same parameters in all formulas; for particles beside a jump of
 // the spacing of such a solid also those of its other levels. `same_body`: of one other solid.
 // `unlike`: of a fluid and another fluid or a solid; two waters, rigid bodies and images are not.
-enum class PairClass : std::uint8_t { other, same_body, unlike, same_fluid };
+// `image`: of a particle and a mirror image, one of them fluid, or both of one nearly
+// incompressible solid.
+enum class PairClass : std::uint8_t { other, same_body, unlike, same_fluid, image };
 
 // Whether the SIMD kernel sums over neighbours of every spacing of the particle's own nearly
 // incompressible solid (fluid/simd/graded_pairs.hpp).
@@ -73,6 +75,17 @@ struct ContactPairs {
                                                                 : PairClass::unlike;
     return !particles.has_density(i) && a.piece == b.piece ? PairClass::same_body
                                                            : PairClass::other;
+  }
+  // The class of a particle and the image of one within reach.
+  template <int D, class P>
+  KERF_FUNCTION static PairClass image_class(const ParticleView<D, P>& particles, Index i, Index j,
+                                             MirrorCode mirror) {
+    const auto &a = particles.medium(i), &b = particles.medium(j);
+    if (a.phase == Phase::rigid || b.phase == Phase::rigid) return PairClass::other;
+    if (particles.is_fluid(i) || particles.is_fluid(j)) return PairClass::image;
+    const bool one_volume =
+        a.excess_bulk_modulus > 0 && b.excess_bulk_modulus > 0 && a.is_one_piece_with(b, mirror);
+    return one_volume ? PairClass::image : PairClass::other;
   }
   template <int D, class P>
   KERF_FUNCTION static std::uint32_t kind(const ParticleView<D, P>& particles, Index i) {

@@ -7,7 +7,8 @@
 //   static constexpr bool only_adds = true   where `finish` does nothing for a sum over no pairs,
 //   KnownSums known   where that part comes from SIMD kernels (fluid/known_sums.hpp),
 //   static Vector force(const Sum&)   where it adds a force whose part from mirror images is to be
-//     recorded: the force so far, N, without that of rigid bodies, which is recorded apart;
+//     recorded: the force so far, N, without that of rigid bodies, which is recorded apart,
+//   Vector known_image_force(Index) const   the part of images in the known sums, N;
 // each particle sums over its own neighbours in the order of the list.
 #pragma once
 
@@ -56,7 +57,7 @@ struct FilteredPairLoop : Terms... {
   }
 
   KERF_FLATTEN KERF_FUNCTION void operator()(Index i) const {
-    if (list.first(i) == list.end[i])
+    if (list.first(i) == list.last(i))
       finish_alone(i);
     else
       sum_pairs(i);
@@ -67,7 +68,9 @@ struct FilteredPairLoop : Terms... {
   KERF_FUNCTION void finish_alone(Index i) const {
     (finish_alone<Terms>(i), ...);
     if constexpr (adds_forces)
-      if (particles.mirrors.faces != 0) particles.mirror_acceleration[i] = Vector<D, Real>::zero();
+      if (particles.mirrors.faces != 0)
+        particles.mirror_acceleration[i] =
+            (Real(1) / particles.medium(i).mass) * known_image_force(i);
   }
 
   KERF_FLATTEN KERF_NOINLINE KERF_FUNCTION void sum_pairs(Index i) const {
@@ -75,7 +78,7 @@ struct FilteredPairLoop : Terms... {
     const auto& medium_i = particles.medium(i);
     auto by_particles = Vector<D, Real>::zero();
     bool is_mirrored = false;
-    for (Index k = list.first(i); k < list.end[i]; ++k) {
+    for (Index k = list.first(i); k < list.last(i); ++k) {
       Pair<D, P> pair;
       pair.i = i;
       pair.j = particles.mirrors.particle(list.neighbour[k]);
@@ -102,8 +105,9 @@ struct FilteredPairLoop : Terms... {
     if constexpr (adds_forces)
       if (particles.mirrors.faces != 0)
         particles.mirror_acceleration[i] =
-            is_mirrored ? (Real(1) / medium_i.mass) * (force(sums) - by_particles)
-                        : Vector<D, Real>::zero();
+            (Real(1) / medium_i.mass) * (is_mirrored
+                                             ? known_image_force(i) + (force(sums) - by_particles)
+                                             : known_image_force(i));
   }
 
   template <class Term, class Known>
@@ -135,6 +139,17 @@ struct FilteredPairLoop : Terms... {
     auto sum = Vector<D, Real>::zero();
     (add_force<Terms>(sums, sum), ...);
     return sum;
+  }
+  // The part of the known sums that is due to mirror images, N.
+  KERF_FUNCTION Vector<D, Real> known_image_force(Index i) const {
+    auto sum = Vector<D, Real>::zero();
+    (add_known_image_force<Terms>(i, sum), ...);
+    return sum;
+  }
+  template <class Term>
+  KERF_FUNCTION void add_known_image_force(Index i, Vector<D, Real>& sum) const {
+    if constexpr (requires(const Term& term) { term.known_image_force(i); })
+      sum += static_cast<const Term&>(*this).known_image_force(i);
   }
   template <class Term>
   KERF_FUNCTION static void add_force(const typename Term::Sum& terms, Vector<D, Real>& sum) {

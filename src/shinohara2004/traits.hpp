@@ -36,6 +36,10 @@ struct JointPairs {
   KERF_FUNCTION static PairClass pair_class(const ParticleView<D, P>&, Index, Index) {
     return PairClass::other;
   }
+  template <int D, class P>
+  KERF_FUNCTION static PairClass image_class(const ParticleView<D, P>&, Index, Index, MirrorCode) {
+    return PairClass::other;
+  }
   // Returns the kind of a particle: two particles of one kind have the same reach and the class
   // same_fluid; 0 if that does not hold.
   template <int D, class P>

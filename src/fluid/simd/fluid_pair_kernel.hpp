@@ -289,7 +289,7 @@ class FluidPairKernel {
                                          result.sum);
     result.fastest_squared = stdx::hmax(numbers.fastest_squared);
     result.near_free_surface = numbers.surface_seen.any() ? Real(1) : Real(0);
-    result.wall = Vector<D, Real>::zero();
+    result.wall = result.image_force = Vector<D, Real>::zero();
   }
 
   const FluidKernelTask<D, Real>& task_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // GradedPairs holds what the SIMD pair kernel needs of the pairs of a nearly incompressible solid
 // whose spacing jumps: per entry of the neighbour list the factor s_ij
-// (solid/gradient_correction_levels.hpp) and the ratio of the smoothing lengths. A pair keeps both,
-// so they are found once for each list.
+// (solid/gradient_correction_levels.hpp), also for mirror images, and the ratio of the smoothing
+// lengths. A pair keeps both, so they are found once for each list.
 #pragma once
 
 #include <vector>
@@ -32,6 +32,9 @@ class GradedPairs {
     for_each_index(count, Fill{view, list, correction, ends_.data(), graded_.data(),
                                correction_.data(), length_ratio_.data()});
   }
+
+  // The factors of pairs with images; null: 1.
+  const Real* correction() const { return graded_.empty() ? nullptr : correction_.data(); }
 
   void give(FluidKernelTask<D, Real>& task) const {
     if (graded_.empty()) return;
@@ -71,10 +74,15 @@ class GradedPairs {
     Real *correction, *length_ratio;
 
     void operator()(Index i) const {
+      const End own = ends[i];
+      for (Index k = list.end[i] - list.images[i]; k < list.end[i]; ++k) {
+        const Index j = list.neighbour[k];
+        correction[k] = of_pair.between(own.solid, ends[particles.mirrors.particle(j)].solid,
+                                        particles.mirrors.code(j));
+      }
       graded[i] = sums_over_levels(particles, i) ? 1 : 0;
       if (graded[i] == 0) return;
       thread_local FactorTable factors;
-      const End own = ends[i];
       factors.set(of_pair, own.solid);
       for (Index k = list.begin[i]; k < list.begin[i] + list.same_fluid[i]; ++k) {
         const End other = ends[list.neighbour[k]];

@@ -30,9 +30,10 @@ struct FluidSums {
   static constexpr int pressure_force_at = 0, dissipative_force_at = D, compression_rate_at = 2 * D,
                        concentration_gradient_at = 2 * D + 1, kernel_sum_at = 3 * D + 1;
   Real sum[count];
-  Real fastest_squared;    // m^2/s^2, the largest |v_ij|^2
-  Real near_free_surface;  // 0 or 1
-  Vector<D, Real> wall;    // 1/m, - sum V nabla W over solids beside a fluid particle
+  Real fastest_squared;         // m^2/s^2, the largest |v_ij|^2
+  Real near_free_surface;       // 0 or 1
+  Vector<D, Real> wall;         // 1/m, - sum V nabla W over solids beside a fluid particle
+  Vector<D, Real> image_force;  // N, the part of both forces that mirror images exert
 
   // N, on i.
   KERF_FUNCTION Vector<D, Real> pressure_force() const { return vector(pressure_force_at); }

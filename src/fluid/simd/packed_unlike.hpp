@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // PackedUnlike holds what the two particles of an unlike pair (PairClass) need of one another: a
-// fluid and another fluid or a solid. A neighbour is one cache line in single precision.
+// fluid and another fluid or a solid; and those of a pair with a mirror image. A neighbour is one
+// cache line in single precision.
 #pragma once
 
+#include "core/mirror_planes.hpp"
 #include "fluid/simd/packed_fluid.hpp"
 
 namespace kerf {
@@ -29,15 +31,19 @@ struct alignas(16 * sizeof(Real)) PackedUnlike {
 
 template <int D, class Real>
 struct UnlikeKernelTask {
-  const PackedUnlike<D, Real>* particles = nullptr;  // set where a particle has unlike neighbours
-  const std::uint32_t* begin = nullptr;              // of each list; first the same fluid, then
-  const std::uint32_t* same_fluid = nullptr;         // the unlike neighbours: so many
-  const std::uint32_t* unlike = nullptr;
+  const PackedUnlike<D, Real>* particles = nullptr;  // set where a particle has such neighbours
+  // Of each list: the unlike neighbours follow those of the same fluid, the images come last.
+  const std::uint32_t *begin = nullptr, *end = nullptr, *same_fluid = nullptr, *unlike = nullptr,
+                      *images = nullptr;
   const std::uint32_t* neighbour = nullptr;
   FluidSums<D, Real>* results = nullptr;  // the kernel adds to those of the first and the next ones
   Real unit = 1;                          // m, of the fixed-point coordinates
   Real kernel_gradient_normalisation = 1;  // k, 1 (fluid/lattice_sums.hpp)
   Vector<D, Real> gravity;                 // m/s^2
+  const Real* correction = nullptr;        // s_ij of images in one solid, per entry; null: 1
+  MirrorPlanes<D> mirrors;
+  // Twice the coordinates of the planes at the lower and the upper faces.
+  typename PackedNumber<Real>::Position twice_plane[2][D] = {};
 };
 
 // Adds the sums of particles `first` .. `last` - 1.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SimdPairs computes the pairs of fluids by the SIMD pair kernels: those of particles of one fluid,
-// which are most of all pairs, and those of a fluid with another fluid or a solid. The general pair
-// loop starts from these sums and adds the other neighbours. On a GPU the general pair loop
-// computes all pairs.
+// which are most of all pairs, and those of a fluid with another fluid, a solid or a mirror image.
+// The general pair loop starts from these sums and adds the other neighbours. On a GPU the general
+// pair loop computes all pairs.
 #pragma once
 
 #include <algorithm>
@@ -63,14 +63,23 @@ class SimdPairs {
                               const NeighbourView& list) {
     fluid_.resize(count);
     unlike_.resize(count);
-    for_each_index(count, FusedKernel(FluidPressure<D, P>{view}, Pack{view, unit_, fluid_.data()},
-                                      PackUnlike{view, list.unlike, unit_, unlike_.data()}));
+    for_each_index(count,
+                   FusedKernel(FluidPressure<D, P>{view}, Pack{view, unit_, fluid_.data()},
+                               PackUnlike{view, list.unlike, list.images, unit_, unlike_.data()}));
     auto task = task_;
     task.same_fluid.fluid = fluid_.data();
     task.same_fluid.source = view.source;
     task.same_fluid.laws = laws_.data();
     task.unlike.particles = unlike_.data();
+    task.unlike.end = list.end;
     task.unlike.unlike = list.unlike;
+    task.unlike.images = list.images;
+    task.unlike.mirrors = view.mirrors;
+    task.unlike.correction = graded_.correction();
+    for (int a = 0; a < D && view.mirrors.faces != 0; ++a) {
+      task.unlike.twice_plane[0][a] = unit_.pack(2.0 * view.mirrors.low[a]);
+      task.unlike.twice_plane[1][a] = unit_.pack(2.0 * view.mirrors.high[a]);
+    }
     const auto take_list = [&list](auto& of) {
       of.begin = list.begin;
       of.same_fluid = list.same_fluid;
@@ -138,12 +147,12 @@ class SimdPairs {
   };
   struct PackUnlike {
     ParticleView<D, P> particles;
-    const Index* neighbours;  // unlike ones
+    const Index *neighbours, *images;  // how many unlike ones and images it has
     FixedPointScale<Real> unit;
     PackedUnlike<D, Real>* packed;
 
     KERF_FUNCTION void operator()(Index i) const {
-      if (neighbours[i] == 0) return;
+      if (neighbours[i] == 0 && images[i] == 0) return;
       const auto& medium = particles.medium(i);
       const bool is_fluid = particles.is_fluid(i), is_water = medium.phase == Phase::water;
       PackedUnlike<D, Real>& to = packed[i];

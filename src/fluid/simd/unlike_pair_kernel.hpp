@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// UnlikePairKernel sums the pair terms over the unlike neighbours of a particle (PairClass), a
-// register of neighbours at a time: between two fluids the Riemann solution of their line of
-// centres, between a fluid and a solid that at a wall. The formulas are those of
-// fluid/pair_terms.hpp and fluid/riemann.hpp, put together as in fluid/fluid_pair.hpp, which the
-// general pair loop uses. With d = r_j - r_i and v = v_j - v_i, speeds along d are relative to i.
-// It is compiled once for each instruction set.
+// UnlikePairKernel sums the pair terms over the unlike neighbours of a particle and over the mirror
+// images beside it (PairClass), a register of neighbours at a time: between two fluids, or two
+// particles of one nearly incompressible solid, the Riemann solution of their line of centres,
+// between a fluid and a solid that at a wall. The formulas are those of fluid/pair_terms.hpp and
+// fluid/riemann.hpp, put together as in fluid/fluid_pair.hpp, which the general pair loop uses.
+// With d = r_j - r_i and v = v_j - v_i, speeds along d are relative to i. The image of j acts on i
+// as j does on the image of i, mirrored. It is compiled once for each instruction set.
 #pragma once
 
 #include <limits>
@@ -12,8 +13,7 @@
 
 #include "core/select.hpp"
 #include "fluid/pair_terms.hpp"
-#include "fluid/riemann.hpp"
-#include "fluid/simd/packed_unlike.hpp"
+#include "fluid/simd/unlike_flux.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "simd/pad_with_self.hpp"
 #include "simd/transposed_load.hpp"
@@ -28,6 +28,10 @@ class UnlikePairKernel {
   static constexpr int width = static_cast<int>(T::size());
   using Kernel = WendlandC2<D>;
   using Packed = PackedUnlike<D, Real>;
+  using Between = UnlikeFlux<D, Real>;
+  using Own = typename Between::Own;
+  using Batch = typename Between::Batch;
+  using Flux = typename Between::Flux;
   using Position = stdx::rebind_simd_t<typename Packed::Position, T>;
   using Sums = FluidSums<D, Real>;
   static constexpr int room = (Packed::slots + 3) / 4 * 4;  // load_transposed() may fill more
@@ -36,60 +40,50 @@ class UnlikePairKernel {
   explicit UnlikePairKernel(const UnlikeKernelTask<D, Real>& task)
       : task_(task),
         closest_squared_(std::is_same_v<Real, float> ? task.unit * task.unit
-                                                     : std::numeric_limits<Real>::min()) {
-    for (int a = 0; a < D; ++a) gravity_[a] = T(task.gravity[a]);
-  }
+                                                     : std::numeric_limits<Real>::min()) {}
 
   [[gnu::always_inline]] void run(std::uint32_t i, Sums& sums) const {
-    if (task_.unlike[i] == 0) return;
-    const Own own(task_.particles[i]);
-    if (own.is_fluid)
-      run_for<true>(i, own, sums);
-    else
-      run_for<false>(i, own, sums);
+    if (task_.unlike[i] != 0) {
+      const Own own(task_.particles[i], task_.gravity);
+      run_over<false>(own, task_.neighbour + task_.begin[i] + task_.same_fluid[i], task_.unlike[i],
+                      sums);
+    }
+    if (task_.images[i] != 0) run_over_images(i, sums);
   }
 
  private:
-  // The particle itself.
-  struct Own {
-    const Packed& packed;
-    bool is_fluid, is_weak, is_water, has_density, has_wall;
-    Real volume, sound_speed, smoothing_length;
+  // Lists the images plane by plane; those in one plane are neighbours of one image of the
+  // particle.
+  void run_over_images(std::uint32_t i, Sums& sums) const {
+    constexpr std::uint32_t most = 256;
+    std::uint32_t neighbours[most];
+    const std::uint32_t* entry = task_.neighbour + task_.end[i] - task_.images[i];
+    const std::uint32_t* const end = task_.neighbour + task_.end[i];
+    while (entry < end) {
+      const MirrorCode code = task_.mirrors.code(*entry);
+      const Real* const correction =
+          task_.correction == nullptr ? nullptr : task_.correction + (entry - task_.neighbour);
+      std::uint32_t count = 0;
+      for (; entry < end && count < most && task_.mirrors.code(*entry) == code; ++entry)
+        neighbours[count++] = task_.mirrors.particle(*entry);
+      const Packed image = mirrored(task_.particles[i], code);
+      Own own(image, MirrorPlanes<D>::image(code, task_.gravity));
+      own.code = code;
+      run_over<true>(own, neighbours, count, sums, correction);
+    }
+  }
+  Packed mirrored(Packed packed, MirrorCode code) const {
+    for (int a = 0; a < D; ++a) {
+      if (!MirrorPlanes<D>::flips(code, a)) continue;
+      const auto twice = task_.twice_plane[(code & MirrorPlanes<D>::low_face(a)) != 0 ? 0 : 1][a];
+      using Scalar = stdx::simd<typename Packed::Position, stdx::simd_abi::scalar>;
+      packed.position[a] = wrapping_difference(Scalar(twice), Scalar(packed.position[a]))[0];
+      packed.velocity[a] = -packed.velocity[a];
+      packed.wall_normal[a] = -packed.wall_normal[a];
+    }
+    return packed;
+  }
 
-    explicit Own(const Packed& of)
-        : packed(of),
-          is_fluid(of.rest_volume < 0),
-          is_weak(of.sound_speed < 0),
-          is_water(of.smoothing_length < 0),
-          has_density(of.sound_speed != 0),
-          has_wall(false),
-          volume(std::abs(of.volume)),
-          sound_speed(std::abs(of.sound_speed)),
-          smoothing_length(std::abs(of.smoothing_length)) {
-      for (int a = 0; a < D; ++a) has_wall = has_wall || of.wall_normal[a] != 0;
-    }
-    RiemannSide<T> side() const {
-      return {T(packed.density * sound_speed), T(packed.pressure), T(0), T(sound_speed)};
-    }
-  };
-  // A batch of neighbours.
-  struct Batch {
-    Vector<D, T> d, v, wall_normal;
-    T along, speed_squared;  // v . d, v . v
-    T pressure, volume, density, sound_speed, rest_volume, smoothing_length, viscosity;
-    Mask is_fluid, is_weak, same_phase, in_surface;
-    // Of the pair: r and 1 / r, W, S; the last two vanish where it is out of reach.
-    Mask is_near;
-    T distance, inverse, value, slope;
-
-    RiemannSide<T> side(const T& speed) const {
-      return {density * sound_speed, pressure, speed, sound_speed};
-    }
-  };
-  // What acts between two: P*, U*, and P_d along d or, times a length, along the normal of a wall.
-  struct Flux {
-    T pressure, speed, dissipation, along_normal;
-  };
   struct PairSums {
     Vector<D, T> pressure_force = Vector<D, T>::zero(), dissipative_force = Vector<D, T>::zero(),
                  concentration_gradient = Vector<D, T>::zero(), wall = Vector<D, T>::zero();
@@ -97,27 +91,39 @@ class UnlikePairKernel {
     Mask near_free_surface = Mask(false);
   };
 
-  template <bool own_is_fluid>
-  [[gnu::always_inline]] void run_for(std::uint32_t i, const Own& own, Sums& sums) const {
+  template <bool images>
+  [[gnu::always_inline]] void run_over(const Own& own, const std::uint32_t* list,
+                                       std::uint32_t count, Sums& sums,
+                                       const Real* correction = nullptr) const {
+    if (own.is_fluid)
+      run_for<true, images>(own, list, static_cast<int>(count), sums, nullptr);
+    else
+      run_for<false, images>(own, list, static_cast<int>(count), sums, correction);
+  }
+  template <bool own_is_fluid, bool images>
+  [[gnu::always_inline]] void run_for(const Own& own, const std::uint32_t* list, int left,
+                                      Sums& sums, const Real* correction) const {
     PairSums pairs;
-    const std::uint32_t* list = task_.neighbour + task_.begin[i] + task_.same_fluid[i];
-    int left = static_cast<int>(task_.unlike[i]);
     for (; left > 0; left -= width, list += width) {
       Batch batch;
-      load(own, i, list, left, batch);
-      add<own_is_fluid>(own, batch, pairs);
+      load(own, list, left, batch);
+      if (correction != nullptr) {
+        batch.correction.copy_from(correction, stdx::element_aligned);
+        batch.correction = select(batch.is_fluid, T(1), batch.correction);
+        correction += width;
+      }
+      add<own_is_fluid, images>(own, batch, pairs);
     }
     finish(own, pairs, sums);
   }
 
-  // Loads the next neighbours; the last batch is padded with the particle itself, which adds
-  // nothing.
-  [[gnu::always_inline]] void load(const Own& own, std::uint32_t i, const std::uint32_t* list,
-                                   int left, Batch& batch) const {
+  // Loads the next neighbours; the last batch is padded with the first of them, out of reach.
+  [[gnu::always_inline]] void load(const Own& own, const std::uint32_t* list, int left,
+                                   Batch& batch) const {
     alignas(64) std::uint32_t padded[width];
     const std::uint32_t* indices = list;
     if (left < width) {
-      pad_with_self<width>(list, left, i, padded);
+      pad_with_self<width>(list, left, *list, padded);
       indices = padded;
     }
     T slot[room];
@@ -145,7 +151,8 @@ class UnlikePairKernel {
     batch.same_phase = (slot[Packed::smoothing_length_slot] < T(0)) == Mask(own.is_water);
     batch.smoothing_length = magnitude(slot[Packed::smoothing_length_slot]);
     batch.viscosity = slot[Packed::viscosity_slot];
-    weigh(own, distance_squared, batch);
+    const T lane([](auto number) { return Real(number); });
+    weigh(own, select(lane < T(Real(left)), distance_squared, T(0)), batch);
   }
 
   // The kernel has the mean smoothing length of one phase, else the larger one.
@@ -164,19 +171,21 @@ class UnlikePairKernel {
     batch.slope = Kernel::slope_shape(w, T(T(5) * scale * per_h * per_h));
   }
 
-  template <bool own_is_fluid>
+  template <bool own_is_fluid, bool images>
   [[gnu::always_inline]] void add(const Own& own, const Batch& batch, PairSums& sums) const {
     Vector<D, T> normal = batch.wall_normal;  // of the fluid of the two
     if constexpr (own_is_fluid)
       for (int a = 0; a < D; ++a) normal[a] = T(own.packed.wall_normal[a]);
-    const Flux flux =
-        own_is_fluid ? flux_on_fluid(own, normal, batch) : flux_on_solid(normal, batch);
-    const T weight = pair_weight(batch.volume, batch.slope);
+    const T viscosity = images ? Between::viscosity_with_image(own, batch)
+                               : T(batch.viscosity + T(own.packed.viscosity));
+    const Flux flux = own_is_fluid
+                          ? Between::template on_fluid<images>(own, normal, viscosity, batch)
+                          : Between::template on_solid<images>(own, normal, batch);
+    const T weight = pair_weight(batch.volume, batch.slope) * batch.correction;
     sums.pressure_force -= pair_force(weight, flux.pressure, batch.d);
     sums.dissipative_force -= pair_force(weight, flux.dissipation, batch.d);
     sums.dissipative_force += pair_force(weight, flux.along_normal, normal);
-    sums.dissipative_force +=
-        pair_drag(weight, T(batch.viscosity + T(own.packed.viscosity)), batch.v);
+    sums.dissipative_force += pair_drag(weight, viscosity, batch.v);
     sums.concentration_gradient += pair_weight(batch.rest_volume, batch.slope) * batch.d;
     sums.kernel_sum += batch.value * select(batch.same_phase, batch.rest_volume,
                                             minimum(batch.volume, batch.rest_volume));
@@ -184,72 +193,45 @@ class UnlikePairKernel {
     sums.fastest_squared =
         maximum(sums.fastest_squared, select(sees_fluid, batch.speed_squared, T(0)));
     sums.near_free_surface = sums.near_free_surface || (sees_fluid && batch.in_surface);
-    if constexpr (own_is_fluid) {
+    if constexpr (own_is_fluid || images)
       sums.compression_rate -= pair_strain_rate(weight, batch.distance, flux.speed);
-      sums.wall -= select(batch.is_fluid, T(0), weight) * batch.d;
-    }
+    if constexpr (own_is_fluid) sums.wall -= select(batch.is_fluid, T(0), weight) * batch.d;
   }
 
-  // On a fluid: by another fluid, or by a solid as a wall.
-  [[gnu::always_inline]] Flux flux_on_fluid(const Own& own, const Vector<D, T>& normal,
-                                            const Batch& batch) const {
-    const T speed = batch.along * batch.inverse;
-    const auto left = own.side(), right = batch.side(speed);
-    const T smoothing =
-        own.is_weak ? T(1) : select(batch.is_weak, T(1), shock_smoothing(left, right));
-    const auto interior = solve_riemann(left, right, smoothing);
-    const auto at_wall =
-        solve_riemann_at_wall(left, speed, T(T(own.packed.density) * dot(gravity_, batch.d)));
-    const T into = own.has_wall ? dot(normal, batch.v) : T(-speed);
-    const T damping = wall_dissipation(left, into);
-    const T above = maximum(T(-dot(normal, batch.d)), T(0));
-    return {select(batch.is_fluid, interior.mean_pressure, at_wall.mean_pressure),
-            select(batch.is_fluid, interior.speed, at_wall.speed),
-            select(batch.is_fluid, interior.dissipation, own.has_wall ? T(0) : damping),
-            select(batch.is_fluid, T(0), damping * above)};
-  }
-
-  // On a solid, which is the wall of the fluid.
-  [[gnu::always_inline]] Flux flux_on_solid(const Vector<D, T>& normal, const Batch& batch) const {
-    const T speed = batch.along * batch.inverse;
-    const auto fluid = batch.side(-speed);
-    const auto star =
-        solve_riemann_at_wall(fluid, T(0), T(-batch.density * dot(gravity_, batch.d)));
-    const Mask has_wall = dot(normal, normal) > T(0);
-    const T damping =
-        wall_dissipation(fluid, select(has_wall, T(-dot(normal, batch.v)), T(-speed)));
-    const T below = minimum(T(-dot(normal, batch.d)), T(0));
-    // The particle itself, which fills the batch, has no solution.
-    return {select(batch.is_near, star.mean_pressure, T(0)), T(0),
-            select(has_wall || !batch.is_near, T(0), damping),
-            select(batch.is_near, damping * below, T(0))};
-  }
   [[gnu::always_inline]] void finish(const Own& own, const PairSums& pairs, Sums& sums) const {
     T parts[Sums::count];
     Real factor[Sums::count], total[Sums::count];
     const Real gradient = Real(2) * task_.kernel_gradient_normalisation;
     for (int n = 0; n < Sums::count; ++n) factor[n] = Real(1);
     for (int a = 0; a < D; ++a) {
+      const Real sign = MirrorPlanes<D>::flips(own.code, a) ? Real(-1) : Real(1);
       parts[Sums::pressure_force_at + a] = pairs.pressure_force[a];
       parts[Sums::dissipative_force_at + a] = pairs.dissipative_force[a];
       parts[Sums::concentration_gradient_at + a] = pairs.concentration_gradient[a];
       factor[Sums::pressure_force_at + a] = factor[Sums::dissipative_force_at + a] =
-          gradient * own.volume;
+          sign * gradient * own.volume;
+      factor[Sums::concentration_gradient_at + a] = sign;
+      sums.wall[a] += sign * stdx::reduce(pairs.wall[a]);
     }
     parts[Sums::compression_rate_at] = pairs.compression_rate;
     parts[Sums::kernel_sum_at] = pairs.kernel_sum;
     factor[Sums::compression_rate_at] = gradient;
     factor[Sums::kernel_sum_at] = own.has_density ? Real(1) : Real(0);
     sum_each(parts, total);
-    for (int n = 0; n < Sums::count; ++n) sums.sum[n] += factor[n] * total[n];
+    for (int n = 0; n < Sums::count; ++n) {
+      total[n] *= factor[n];
+      sums.sum[n] += total[n];
+    }
+    if (own.code != 0)
+      for (int a = 0; a < D; ++a)
+        sums.image_force[a] +=
+            total[Sums::pressure_force_at + a] + total[Sums::dissipative_force_at + a];
     const Real fastest = stdx::hmax(pairs.fastest_squared);
     if (fastest > sums.fastest_squared) sums.fastest_squared = fastest;
     if (stdx::any_of(pairs.near_free_surface)) sums.near_free_surface = Real(1);
-    for (int a = 0; a < D; ++a) sums.wall[a] += stdx::reduce(pairs.wall[a]);
   }
 
   const UnlikeKernelTask<D, Real>& task_;
-  Vector<D, T> gravity_;
   // What takes the place of the squared distance where two coincide, so that one over it is finite.
   Real closest_squared_;
 };
