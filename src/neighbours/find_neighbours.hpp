@@ -133,16 +133,16 @@ struct FindNeighbours {
       for (int level = 0; level < grids.levels; ++level) {
         const double limit = limit_of(i, level);
         if (!mirrors.is_near(code, x, limit)) continue;
-        const Viewer from{i, code, mirrors.image_position(code, x), limit};
-        if constexpr (simd_exists) {
-          if (may_search && packed.search != nullptr) {
-            search_images(from, level, found);
-            continue;
-          }
-        }
-        scan_level(from, level, found);
+        find_images({i, code, mirrors.image_position(code, x), limit}, level, may_search, found);
       }
     }
+  }
+  template <class Sections>
+  KERF_FUNCTION void find_images(const Viewer& from, int level, bool may_search,
+                                 Sections& found) const {
+    if constexpr (simd_exists)
+      if (may_search && packed.search != nullptr) return search_images(from, level, found);
+    scan_level(from, level, found);
   }
   KERF_FUNCTION double limit_of(Index i, int level) const {
     return grids.limit[particles.medium(i).level][level];
