@@ -20,7 +20,6 @@
 #include <thrust/sort.h>
 #include <thrust/transform_reduce.h>
 
-#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -69,7 +68,7 @@ KERF_FUNCTION void set_flag(std::uint8_t& flag) {
 #if defined(__CUDA_ARCH__)
   flag = 1;
 #else
-  std::atomic_ref<std::uint8_t>(flag).store(1, std::memory_order_relaxed);
+  __atomic_store_n(&flag, std::uint8_t(1), __ATOMIC_RELAXED);
 #endif
 }
 

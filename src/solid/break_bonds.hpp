@@ -155,23 +155,13 @@ struct MarkBreaking {
   KERF_FUNCTION void operator()(Index i) const {
     const auto& solid = test.solid;
     if (!solid.strained[i]) return;
-    if (!(solid.criterion[i] < compressive_failure<Real>)) mark(i);
+    if (!(solid.criterion[i] < compressive_failure<Real>)) set_flag(solid.changed[i]);
     const auto green = green_strain(solid.gradient[i]);
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
       if (test.breaks(i, k, green)) {
-        mark(i);
-        mark(solid.bond_end(i, k).particle);
+        set_flag(solid.changed[i]);
+        set_flag(solid.changed[solid.bond_end(i, k).particle]);
       }
-  }
-
- private:
-  // Several threads may write at once, all the same value.
-  KERF_FUNCTION void mark(Index i) const {
-#if defined(__CUDA_ARCH__)
-    test.solid.changed[i] = 1;
-#else
-    __atomic_store_n(&test.solid.changed[i], std::uint8_t(1), __ATOMIC_RELAXED);
-#endif
   }
 };
 

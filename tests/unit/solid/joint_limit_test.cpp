@@ -3,7 +3,7 @@
 // that step.
 #include <gtest/gtest.h>
 
-#include "support/solid_blocks.hpp"
+#include "support/graded_blocks.hpp"
 
 namespace kerf::test {
 namespace {
@@ -117,6 +117,24 @@ TEST(JointLimit, DoesNotActBetweenLikeMedia) {
   nearly.evaluate();
   EXPECT_NEAR(nearly.solid.wave_time(courant).time, wave, 1e-12 * wave);
   EXPECT_FALSE(nearly.solid.wave_time(courant).of_joint);
+}
+
+// Levels of one body are like media, whatever other media the case has, such as its water.
+TEST(JointLimit, DoesNotActBetweenLevelsOfOneBody) {
+  auto layout = graded_block<2>({.cells = {8, 8, 1}, .spacing = 1e-3});
+  auto water = layout.media[0];
+  water.phase = Phase::water;
+  water.density *= 20.0;
+  layout.media.push_back(water);
+  SolidOnTrial<2, Double> graded(layout);
+  graded.evaluate();
+  const auto& fine = layout.media[0];
+  const double wave =
+      fine.smoothing_length / (fine.bond_wave_speed() * (1.0 + 1.2 * fine.artificial_linear));
+  for (const double factor : {courant, 0.8}) {
+    EXPECT_NEAR(graded.solid.wave_time(factor).time, wave, 1e-12 * wave);
+    EXPECT_FALSE(graded.solid.wave_time(factor).of_joint);
+  }
 }
 
 // The upper half moves sideways. Without viscosity position Verlet conserves an energy that differs
