@@ -19,8 +19,10 @@ class SymmetryPlanes : public testing::Test {
   // As in standard_rates_test.cpp: rounding of sums in another order, or of single precision.
   static constexpr double tolerance = std::is_same_v<P, Double> ? 1e-12 : 1e-4;
 
-  static LoadedStandard<D, P> evaluated(const ReferenceState& part, const MirrorPlanes<D>& planes) {
-    LoadedStandard<D, P> loaded(part, {0.0, 0.03});
+  // `splits`: SIMD kernels sum the pairs of fluids, else the general pair loop sums all.
+  static LoadedStandard<D, P> evaluated(const ReferenceState& part, const MirrorPlanes<D>& planes,
+                                        bool splits) {
+    LoadedStandard<D, P> loaded(part, {.minimum = 0.0, .maximum = 0.03, .splits = splits});
     loaded.particles.mirrors = planes;
     loaded.rebuild();
     evaluate_standard(part, loaded);
@@ -44,7 +46,33 @@ class SymmetryPlanes : public testing::Test {
           return whole.medium(i).piece == whole.medium(j).piece && mixture_bonded(i % n, j % n);
         },
         ReferenceStandard::Normals::known);
-    compare(part, evaluated(part, planes), oracle);
+    for (const bool splits : {false, true}) compare(part, evaluated(part, planes, splits), oracle);
+  }
+
+  // Water with shocks: the SIMD kernels against the general pair loop.
+  static void compare_loops(const std::string& faces, int per_side, unsigned seed) {
+    auto part = standard_mixture(D, seed, per_side);
+    const auto planes = planes_of<D>(faces, per_side * mixture_spacing);
+    for (auto& medium : part.media) {
+      if (medium.phase != Phase::water) continue;
+      medium.equation_of_state = EquationOfState::shock_hugoniot;
+      medium.shock_hugoniot.slope = 2.0;
+    }
+    const auto by_kernels = evaluated(part, planes, true), by_loop = evaluated(part, planes, false);
+    const auto here = by_kernels.places(), there = by_loop.places();
+    Gap total, continuity, by_images;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      if (part.medium(i).phase == Phase::rigid) continue;
+      const auto &a = by_kernels.particles, &b = by_loop.particles;
+      const std::size_t k = here[i], n = there[i];
+      total.add(of(a.acceleration[k]), of(b.acceleration[n]));
+      by_images.add(of(a.mirror_acceleration[k]), of(b.mirror_acceleration[n]));
+      continuity.add(a.compression_rate[k], b.compression_rate[n]);
+    }
+    for (const Gap& gap : {total, continuity, by_images}) {
+      EXPECT_GT(gap.scale, 0.0);
+      EXPECT_LE(gap.error, tolerance * gap.scale);
+    }
   }
 
   static void compare(const ReferenceState& part, const LoadedStandard<D, P>& loaded,
@@ -96,6 +124,10 @@ TYPED_TEST(SymmetryPlanes, TwoThatCross) {
 
 TYPED_TEST(SymmetryPlanes, ThreeThatCross) {
   if (TypeParam::D == 3) TestFixture::compare("x+ y- z-", 6, 5);
+}
+
+TYPED_TEST(SymmetryPlanes, WaterWithShocks) {
+  TestFixture::compare_loops("x- y+", TypeParam::D == 2 ? 14 : 7, 7);
 }
 
 // The planes are so far apart that no image of an image is within reach, also in contact.
