@@ -203,7 +203,8 @@ double jet_step(const DerivedNumbers& numbers, const Case& description) {
 // neighbour within 2 h and the skin of the list, and an eighth as reserve. Solids with bonds have
 // no lists of neighbours and further fields; their lists of bonds are small in regular layouts,
 // which share them, and take 4 bytes per bond in others. In cases with solids all particles have
-// fields for contact. A test compares the estimate with the heap.
+// fields for contact, and where water meets them, or beside symmetry planes, a record of 16 numbers
+// for the pairs of both. A test compares the estimate with the heap.
 double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const int dimension = description.dimension;
   const bool plane = dimension == 2, bonds = description.formulation == Formulation::standard;
@@ -214,8 +215,11 @@ double estimate_memory(const DerivedNumbers& numbers, const Case& description) {
   const auto all = static_cast<double>(numbers.particles_expected);
   const double bonded = bonds ? static_cast<double>(numbers.particles_elastic) : 0.0;
   const double contact = bonded > 0.0 ? (plane ? 48.0 : 64.0) : 0.0;
+  const bool unlike =
+      bonds && ((bonded > 0.0 && !description.jets.empty()) || description.symmetry.any());
+  const double record = unlike ? (single ? 64.0 : 128.0) : 0.0;
   const double particle =
-      wider * (contact + (bonds ? (plane ? 248.0 : 318.0) : (plane ? 278.0 : 396.0)));
+      record + wider * (contact + (bonds ? (plane ? 256.0 : 326.0) : (plane ? 286.0 : 404.0)));
   const double list = 4.5 * particles_within(reach + skin, dimension);
   const double solid = wider * (plane ? 195.0 : 280.0);
   const double jittered = bonds ? static_cast<double>(numbers.particles_jittered) : 0.0;

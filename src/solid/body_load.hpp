@@ -17,9 +17,10 @@ namespace kerf {
 template <int D>
 struct LoadShare {
   std::uint32_t load;
-  bool of_face;            // a traction or pressure
-  bool follows;            // whether the force turns with the surface
-  Vector<D, double> full;  // N (2D: N/m), at the factor 1 and without deformation
+  bool of_face;              // a traction or pressure
+  bool follows;              // whether the force turns with the surface
+  Vector<D, double> full;    // N (2D: N/m), at the factor 1 and without deformation
+  Vector<D, double> turned;  // the same, on the surface in the current step of the solid
 };
 
 // A particle with loads: its shares and the force on it.
@@ -49,6 +50,21 @@ KERF_FUNCTION Matrix<D, double> cofactor(const Matrix<D, T>& h) {
   return cofactors;
 }
 
+// Turns the loads that follow the surface with it, at the deformation of the current step of the
+// solid; its later substeps keep them.
+template <int D, class P>
+struct TurnLoads {
+  const Matrix<D, typename P::Real>* gradient;  // H, by particle of the solid
+  const LoadSite<D>* sites;
+  LoadShare<D>* shares;
+
+  KERF_FUNCTION void operator()(Index k) const {
+    const auto turn = cofactor(gradient[sites[k].particle]);
+    for (Index n = sites[k].first; n < sites[k].last; ++n)
+      if (shares[n].follows) shares[n].turned = turn * shares[n].full;
+  }
+};
+
 // Adds the acceleration by loads. `particle_of`: the index of each particle of the solid among all
 // particles, or `no_particle`.
 template <int D, class P>
@@ -57,9 +73,8 @@ struct ApplyLoads {
   ParticleView<D, P> particles;
   const Index* particle_of;
   Index no_particle;
-  const std::uint8_t* detached;     // by particle of the solid
-  const Matrix<D, Real>* gradient;  // H, likewise
-  const double* factor;             // q, by load
+  const std::uint8_t* detached;  // by particle of the solid
+  const double* factor;          // q, by load
   const LoadShare<D>* shares;
   LoadSite<D>* sites;
 
@@ -72,8 +87,7 @@ struct ApplyLoads {
     for (Index n = site.first; n < site.last; ++n) {
       const LoadShare<D>& share = shares[n];
       if (share.of_face && detached[site.particle]) continue;
-      const double q = factor[share.load];
-      force += q * (share.follows ? cofactor(gradient[site.particle]) * share.full : share.full);
+      force += factor[share.load] * share.turned;
     }
     const auto acceleration = Vector<D, Real>::from((1.0 / site.mass) * force);
     particles.acceleration[i] += acceleration;

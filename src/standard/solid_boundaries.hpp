@@ -22,7 +22,8 @@ class SolidBoundaries {
               const std::vector<std::uint16_t>& source, const std::vector<Index>& number,
               const std::vector<std::uint8_t>& detached) {
     to_device(absorbing_sites<D>(settings, media, position, source, number), absorbing_);
-    const LoadLayout<D> layout = load_sites<D>(settings, media, position, source, number, detached);
+    LoadLayout<D> layout = load_sites<D>(settings, media, position, source, number, detached);
+    for (LoadShare<D>& share : layout.shares) share.turned = share.full;
     to_device(layout.sites, loaded_);
     to_device(layout.shares, shares_);
     loads_ = settings.loads;
@@ -46,15 +47,20 @@ class SolidBoundaries {
     to_device(factors_, factor_);
   }
 
-  // Adds the accelerations by absorbing faces and loads at the current deformation.
+  // Turns the loads with the surface, at the deformation of a new step of the solid.
+  void turn(const SolidFields<D, P>& solid) {
+    for_each_index(size(loaded_),
+                   TurnLoads<D, P>{pointer(solid.gradient), pointer(loaded_), pointer(shares_)});
+  }
+
+  // Adds the accelerations by absorbing faces and loads.
   void accelerate(Particles<D, P>& particles, const SolidIndexView& link,
                   const SolidFields<D, P>& solid) {
     for_each_index(size(absorbing_), Absorb<D, P>{particles.view(), link.particle_of, no_index,
                                                   pointer(solid.detached), pointer(absorbing_)});
-    for_each_index(size(loaded_),
-                   ApplyLoads<D, P>{particles.view(), link.particle_of, no_index,
-                                    pointer(solid.detached), pointer(solid.gradient),
-                                    pointer(factor_), pointer(shares_), pointer(loaded_)});
+    for_each_index(size(loaded_), ApplyLoads<D, P>{particles.view(), link.particle_of, no_index,
+                                                   pointer(solid.detached), pointer(factor_),
+                                                   pointer(shares_), pointer(loaded_)});
   }
 
   // Adds the impulses and work of the step that has ended.
@@ -90,6 +96,10 @@ class SolidBoundaries {
     sums.insert(sums.end(), impulse_load_.begin(), impulse_load_.end());
     sums.insert(sums.end(), impulse_absorbed_.begin(), impulse_absorbed_.end());
     archive.arrays["solid/boundaries"] = sums;
+    std::vector<double> turned;
+    for (const LoadShare<D>& share : to_host(shares_))
+      for (int a = 0; a < D; ++a) turned.push_back(share.turned[a]);
+    archive.arrays["solid/loads"] = turned;
   }
   void restore(const Archive& archive) {
     const auto& sums = find_array<double>(archive, "solid/boundaries");
@@ -98,6 +108,12 @@ class SolidBoundaries {
       impulse_load_[a] = sums.at(1 + a);
       impulse_absorbed_[a] = sums.at(4 + a);
     }
+    const auto& turned = find_array<double>(archive, "solid/loads");
+    auto shares = to_host(shares_);
+    for (std::size_t n = 0; n < shares.size(); ++n)
+      for (int a = 0; a < D; ++a)
+        shares[n].turned[a] = turned.at(D * n + static_cast<std::size_t>(a));
+    to_device(shares, shares_);
   }
 
  private:

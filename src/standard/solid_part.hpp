@@ -79,6 +79,7 @@ class SolidPart {
     if (!is_first_substep()) return;
     cycle_.begin(dt, longest_step_);
     deform(particles, cycle_.length(), cycle_.prediction_time(dt));
+    boundaries_.turn(solid_->fields());
   }
   // Deforms the solid to the current positions of the particles.
   void deform_to_current(Particles<D, P>& particles) {

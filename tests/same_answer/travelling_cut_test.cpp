@@ -79,7 +79,7 @@ TEST(TravellingCut, IsThatOfALongBlock) {
   text.high = -70e-3;
   text.thickness = 24e-3;
   text.frame = "frame = \"travelling\"\nshift = \"10 mm\"";
-  text.time = "end = \"4.5 ms\"";
+  text.time = "end = \"6 ms\"";
   const Case travelling = text.read();
   const TravellingCut window = mean_cut(travelling, travelling, 3e-3);
   const TravellingCut block = mean_cut(long_block(text).read(), travelling, 3e-3);

@@ -62,10 +62,10 @@ class SimdPairs {
   SimdPairsTask<D, Real> pack(const ParticleView<D, P>& view, Index count,
                               const NeighbourView& list) {
     fluid_.resize(count);
-    unlike_.resize(count);
-    for_each_index(count,
-                   FusedKernel(FluidPressure<D, P>{view}, Pack{view, unit_, fluid_.data()},
-                               PackUnlike{view, list.unlike, list.images, unit_, unlike_.data()}));
+    make_room_for_unlike(list, count);
+    for_each_index(count, FusedKernel(FluidPressure<D, P>{view}, Pack{view, unit_, fluid_.data()},
+                                      PackUnlike{view, list.unlike, list.images, unit_,
+                                                 unlike_.empty() ? nullptr : unlike_.data()}));
     auto task = task_;
     task.same_fluid.fluid = fluid_.data();
     task.same_fluid.source = view.source;
@@ -107,6 +107,13 @@ class SimdPairs {
   }
 
  private:
+  // Nothing is held as long as no particle has such a neighbour, as in water alone.
+  void make_room_for_unlike(const NeighbourView& list, Index count) {
+    if (unlike_.size() >= count) return;
+    const bool any = !unlike_.empty() ||
+                     reduce_unordered(count, HasUnlike{list.unlike, list.images}, false, Either{});
+    if (any) unlike_.resize(count);
+  }
   static FluidLaw<Real> law_of(const Medium<double>& medium, double kernel_gradient_normalisation) {
     const double h = medium.smoothing_length, alpha = WendlandC2<D>::scale(h);
     FluidLaw<Real> law{};
@@ -124,6 +131,10 @@ class SimdPairs {
   }
 
  public:  // nvcc has no loop bodies that are private
+  struct HasUnlike {
+    const Index *neighbours, *images;
+    KERF_FUNCTION bool operator()(Index i) const { return neighbours[i] != 0 || images[i] != 0; }
+  };
   struct Pack {
     ParticleView<D, P> particles;
     FixedPointScale<Real> unit;
@@ -152,7 +163,7 @@ class SimdPairs {
     PackedUnlike<D, Real>* packed;
 
     KERF_FUNCTION void operator()(Index i) const {
-      if (neighbours[i] == 0 && images[i] == 0) return;
+      if (packed == nullptr || (neighbours[i] == 0 && images[i] == 0)) return;
       const auto& medium = particles.medium(i);
       const bool is_fluid = particles.is_fluid(i), is_water = medium.phase == Phase::water;
       PackedUnlike<D, Real>& to = packed[i];
