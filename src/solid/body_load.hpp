@@ -17,10 +17,10 @@ namespace kerf {
 template <int D>
 struct LoadShare {
   std::uint32_t load;
-  bool of_face;              // a traction or pressure
-  bool follows;              // whether the force turns with the surface
-  Vector<D, double> full;    // N (2D: N/m), at the factor 1 and without deformation
-  Vector<D, double> turned;  // the same, on the surface in the current step of the solid
+  bool of_face;                // a traction or pressure
+  bool follows;                // whether the force turns with the surface
+  Vector<D, double> full;      // N (2D: N/m), at the factor 1 and without deformation
+  Vector<D, double> turned{};  // the same, on the surface in the current step of the solid
 };
 
 // A particle with loads: its shares and the force on it.
