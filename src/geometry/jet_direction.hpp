@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "model/body.hpp"
 #include "model/jet.hpp"
@@ -37,6 +38,23 @@ inline Grading::Line sweep_of(const Jet& jet) {
   const double speed = traverse_speed(jet);
   for (std::size_t a = 0; a < 3; ++a) line.sweep[a] = jet.traverse[a] / speed;
   return line;
+}
+
+// Returns the water of a jet whose nozzle moves by `way`, m, in the run, as lines at most a width
+// of the jet apart; where these would be very many, the plane that it sweeps.
+inline std::vector<Grading::Line> lines_along(const Jet& jet, double way) {
+  constexpr int most = 64;
+  const double speed = traverse_speed(jet);
+  if (!(speed > 0.0) || !(way > 0.0)) return {line_of(jet)};
+  if (way > most * jet.width) return {sweep_of(jet)};
+  const int steps = static_cast<int>(std::ceil(way / jet.width));
+  std::vector<Grading::Line> lines;
+  for (int n = 0; n <= steps; ++n) {
+    lines.push_back(line_of(jet));
+    for (std::size_t a = 0; a < 3; ++a)
+      lines.back().origin[a] += way * n / steps * (jet.traverse[a] / speed);
+  }
+  return lines;
 }
 
 }  // namespace kerf

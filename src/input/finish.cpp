@@ -59,8 +59,12 @@ void find_axes(Draft& draft) {
     if (grading.levels == 0 || grading.around) continue;
     const auto& workpiece = draft.result.workpiece;
     const bool travels = workpiece && workpiece->frame == WorkpieceFrame::travelling;
-    for (const Jet& jet : draft.result.jets)
-      grading.lines.push_back(travels ? sweep_of(jet) : line_of(jet));
+    for (const Jet& jet : draft.result.jets) {
+      const double way =
+          traverse_speed(jet) * std::max(0.0, draft.result.time.end - jet.start - jet.dwell);
+      const auto lines = travels ? std::vector{sweep_of(jet)} : lines_along(jet, way);
+      grading.lines.insert(grading.lines.end(), lines.begin(), lines.end());
+    }
     if (grading.lines.empty())
       draft.reading.problems.add({draft.bodies[i].path + ".grading.around",
                                   "there is no jet around which the body could be finer", "a shape",

@@ -36,16 +36,21 @@ int levels_of(const PieceRequest& request) {
   return request.levels.value_or(travels(request) && request.dimension == 2 ? 0 : graded_levels);
 }
 
+// Returns how far the nozzle moves in the run, m; 0 where the frame travels with it.
+double way_of(const PieceRequest& request) {
+  const Jet& jet = request.jet;
+  const double speed = std::hypot(jet.traverse[0], jet.traverse[2]);
+  if (travels(request) || !(speed > 0.0)) return 0.0;
+  return std::max(traverse_widths * jet.width,
+                  speed * (jet.dwell + passage_time(jet, request.depth)));
+}
+
 // The part around the jet and its path; whole coarsest cells from the middle of the jet on.
 Box part_around(const PieceRequest& request) {
   const Jet& jet = request.jet;
   const Point extent = jet_extent(jet, request.dimension), lean = lean_of(jet);
   const double speed = std::hypot(jet.traverse[0], jet.traverse[2]);
-  // Of the nozzle in the run, m.
-  const double way = travels(request)
-                         ? 0.0
-                         : std::max(traverse_widths * jet.width,
-                                    speed * (jet.dwell + passage_time(jet, request.depth)));
+  const double way = way_of(request);
   const double unit = request.spacing * (1 << levels_of(request));
   Box part;
   part.minimum[1] = -request.depth;
@@ -112,7 +117,10 @@ double particles_of(const PieceRequest& request, const Box& part, int levels) {
   if (levels > 0) {
     body.grading.levels = levels;
     body.grading.width = graded_width * request.jet.width;
-    body.grading.lines = {travels(request) ? sweep_of(request.jet) : line_of(request.jet)};
+    if (travels(request))
+      body.grading.lines = {sweep_of(request.jet)};
+    else
+      body.grading.lines = lines_along(request.jet, way_of(request));
   }
   return estimate_particles(body, request.dimension).total();
 }

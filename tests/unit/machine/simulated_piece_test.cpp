@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/graded_fill.hpp"
 #include "input/read.hpp"
 #include "input/write_used.hpp"
 #include "model/case.hpp"
@@ -176,6 +177,44 @@ size = ["300 mm", "5 mm", "200 mm"]
 }
 
 // The case that ran is the same case when it is read again.
+// Where the nozzle moves in the run the spacing is that of the jet along its whole path, in either
+// direction.
+TEST(SimulatedPiece, IsFineAlongThePathOfTheNozzle) {
+  for (const double sign : {1.0, -1.0}) {
+    const Case moving = parse_case(fmt::format(R"(title = "moving"
+dimension = 3
+quality = "draft"
+[machine]
+pressure = "13 kPa"
+orifice_diameter = "10 mm"
+standoff = "10 mm"
+traverse_speed = "1 m/s"
+traverse_direction = [{}, 0, 0]
+[workpiece]
+material = "tofu"
+size = ["300 mm", "50 mm", "200 mm"]
+)",
+                                               sign),
+                                   "moving.toml");
+    const Jet& jet = moving.jets[0];
+    const Grading& grading = moving.bodies[0].grading;
+    const double way = moving.time.end * std::abs(jet.traverse[0]);
+    ASSERT_GT(way, 4.0 * jet.width);
+    ASSERT_GT(grading.levels, 0);
+    for (int n = 0; n <= 40; ++n) {
+      Point below = jet.position;
+      below[0] += sign * way * n / 40.0;
+      below[1] = -20e-3;
+      EXPECT_DOUBLE_EQ(distance_from_finest(grading, below, 3), 0.0) << sign << " " << n;
+      below[2] += 0.5 * jet.width + 0.5 * grading.width;
+      EXPECT_LT(distance_from_finest(grading, below, 3), 0.6 * grading.width) << sign << " " << n;
+    }
+    Point before = jet.position;
+    before[0] -= sign * (0.5 * jet.width + 1.01 * grading.width);
+    EXPECT_GT(distance_from_finest(grading, before, 3), grading.width);
+  }
+}
+
 TEST(SimulatedPiece, UsedCaseIsTheSameCase) {
   for (const char* feed : {"1 m/s", "200 m/s", "0 m/s"}) {
     const Case first = parse_case(piece_case(fmt::format("traverse_speed = \"{}\"", feed), ""),
