@@ -75,7 +75,7 @@ TEST(CheckLimits, RunRefusesWhatDoesNotFitIntoTheMemory) {
   EXPECT_EQ(refused.exit_code, exit_bad_input);
   EXPECT_LT(refused.memory, 200e6);
   EXPECT_THAT(refused.output,
-              AllOf(HasSubstr("the run needs about 249 GB"), HasSubstr("Allowed: at most"),
+              AllOf(HasSubstr("the run needs about 276.1 GB"), HasSubstr("Allowed: at most"),
                     HasSubstr("--ignore-memory"), HasSubstr("What to change"),
                     HasSubstr("[machine] spacing = \"0.022 mm\"")));
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
