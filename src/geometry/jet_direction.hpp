@@ -41,7 +41,7 @@ inline Grading::Line sweep_of(const Jet& jet) {
 }
 
 // Returns the water of a jet whose nozzle moves by `way`, m, in the run, as lines at most a width
-// of the jet apart; where these would be very many, the plane that it sweeps.
+// of the jet apart; where these would be very many, or `way` is infinite, the plane that it sweeps.
 inline std::vector<Grading::Line> lines_along(const Jet& jet, double way) {
   constexpr int most = 64;
   const double speed = traverse_speed(jet);

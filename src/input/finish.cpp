@@ -59,10 +59,10 @@ void find_axes(Draft& draft) {
     if (grading.levels == 0 || grading.around) continue;
     const auto& workpiece = draft.result.workpiece;
     const bool travels = workpiece && workpiece->frame == WorkpieceFrame::travelling;
+    const double end = travels ? std::numeric_limits<double>::infinity() : draft.result.time.end;
     for (const Jet& jet : draft.result.jets) {
-      const double way =
-          traverse_speed(jet) * std::max(0.0, draft.result.time.end - jet.start - jet.dwell);
-      const auto lines = travels ? std::vector{sweep_of(jet)} : lines_along(jet, way);
+      const auto lines =
+          lines_along(jet, traverse_speed(jet) * std::max(0.0, end - jet.start - jet.dwell));
       grading.lines.insert(grading.lines.end(), lines.begin(), lines.end());
     }
     if (grading.lines.empty())

@@ -117,10 +117,8 @@ double particles_of(const PieceRequest& request, const Box& part, int levels) {
   if (levels > 0) {
     body.grading.levels = levels;
     body.grading.width = graded_width * request.jet.width;
-    if (travels(request))
-      body.grading.lines = {sweep_of(request.jet)};
-    else
-      body.grading.lines = lines_along(request.jet, way_of(request));
+    const double way = travels(request) ? std::numeric_limits<double>::infinity() : way_of(request);
+    body.grading.lines = lines_along(request.jet, way);
   }
   return estimate_particles(body, request.dimension).total();
 }
