@@ -3,38 +3,13 @@
 // search where there is one, else one candidate after another.
 #pragma once
 
-#include "neighbours/level_grids.hpp"
+#include "neighbours/cell_order.hpp"
 #include "neighbours/neighbour_sections.hpp"
 #include "neighbours/simd/search_kernels.hpp"
 
 namespace kerf {
 
-template <int D, class P>
-struct CellNumber {
-  ParticleView<D, P> particles;
-  LevelGrids<D> grids;
-  Index* number;
-
-  KERF_FUNCTION void operator()(Index i) const {
-    number[i] = grids.number(particles.medium(i).level, particles.build_position[i]);
-  }
-};
-
-// Sets where each cell begins in the order of particles, from their sorted cell numbers: particle
-// i, or the end of the particles, begins the cells after its predecessor's up to its own.
-struct BeginCells {
-  const Index* number;
-  Index particles, cells;
-  Index* begin;  // of cells + 1
-
-  KERF_FUNCTION void operator()(Index i) const {
-    const Index first = i == 0 ? 0 : number[i - 1] + 1;
-    const Index last = i == particles ? cells : number[i];
-    for (Index cell = first; cell <= last; ++cell) begin[cell] = i;
-  }
-};
-
-// What the SIMD search (neighbours/simd/packed_search.hpp) needs of the particles.
+// What the SIMD search (neighbours/simd/packed_search.hpp) needs of the particles, place by place.
 template <int D>
 struct SearchView {
   Search<D> search = nullptr;
@@ -51,12 +26,14 @@ struct DifferenceTo {
 template <int D, class P, class Scheme>
 struct PackForSearch {
   ParticleView<D, P> particles;
+  CellOrder order;
   SearchView<D> packed;
 
-  KERF_FUNCTION void operator()(Index i) const {
+  KERF_FUNCTION void operator()(Index place) const {
+    const Index i = order.particle(place);
     for (int a = 0; a < D; ++a)
-      packed.position[a][i] = packed.unit.pack(particles.build_position[i][a]);
-    packed.kind[i] = Scheme::kind(particles, i);
+      packed.position[a][place] = packed.unit.pack(particles.build_position[i][a]);
+    packed.kind[place] = Scheme::kind(particles, i);
   }
 };
 
@@ -83,7 +60,7 @@ template <int D, class P, class Scheme>
 struct FindNeighbours {
   ParticleView<D, P> particles;
   LevelGrids<D> grids;
-  const Index *cell, *cell_begin;  // of each particle; where a cell begins
+  CellOrder order;
   double skin;
   bool splits;           // neighbours are listed class by class
   SearchView<D> packed;  // without a search: one by one
@@ -114,7 +91,7 @@ struct FindNeighbours {
     Vector<D, double> x;
     double limit;  // m, the largest cutoff to particles of a level
   };
-  struct Range {
+  struct Range {  // of places
     Index begin, end;
   };
 
@@ -154,7 +131,7 @@ struct FindNeighbours {
                                   const Vector<D, double>& maximum, int level,
                                   const Take& take) const {
     grids.grid[level].for_each_row(minimum, maximum,
-                                   ParticlesOfRow<Take>{cell_begin + grids.first[level], take});
+                                   ParticlesOfRow<Take>{order.begin + grids.first[level], take});
   }
 
   // Tests the candidates of a level one by one.
@@ -176,7 +153,7 @@ struct FindNeighbours {
   // Tests the candidates of a level by the SIMD search.
   template <class Sections>
   void search_level(const Viewer& from, int level, CellRows& known, Sections& found) const {
-    if (known.cell == cell[from.i]) {
+    if (known.cell == order.cell[from.i]) {
       search(from, known.rows, found);
       return;
     }
@@ -199,7 +176,7 @@ struct FindNeighbours {
       }
     });
     search(from, known.rows, found);
-    known.cell = of_cell && fits ? cell[from.i] : CellRows::no_cell;
+    known.cell = of_cell && fits ? order.cell[from.i] : CellRows::no_cell;
   }
 
   // The candidates of images come from the SIMD search and are tested one by one.
@@ -242,19 +219,20 @@ struct FindNeighbours {
   // The neighbours of its own kind come from the SIMD search; other candidates are tested one by
   // one.
   template <class Sections>
-  KERF_FUNCTION void search(const Viewer& from, const SearchRows& rows, Sections& found) const {
+  void search(const Viewer& from, const SearchRows& rows, Sections& found) const {
     if (rows.count == 0) return;
     const Index i = from.i;
     Index others[SearchRows::most_candidates + room_beside];
     SearchTask<D> task;
     for (int a = 0; a < D; ++a) {
       task.position[a] = packed.position[a];
-      task.own_position[a] = packed.position[a][i];
+      task.own_position[a] = packed.unit.pack(from.x[a]);
     }
     task.kind = packed.kind;
-    task.own = i;
+    task.own = order.particle_at == nullptr ? i : ~Index(0);
     // Particles of no kind have no neighbours of their own kind.
-    task.own_kind = packed.kind[i] != 0 ? packed.kind[i] : ~std::uint32_t(0);
+    const std::uint32_t kind = Scheme::kind(particles, i);
+    task.own_kind = kind != 0 ? kind : ~std::uint32_t(0);
     const double limit = from.limit / packed.unit.unit;
     const double reach = Scheme::reach(particles, i, i);
     const double same = (reach + skin) / packed.unit.unit;
@@ -265,15 +243,27 @@ struct FindNeighbours {
     task.same = found.room(same_class, rows.candidates);
     task.others = others;
     const auto counts = packed.search(task);
-    found.took(same_class, counts.same);
+    found.took(same_class, name_others(i, task.same, counts.same));
     for (Index n = 0; n < counts.others; ++n) scan(from, {others[n], others[n] + 1}, found);
+  }
+  // Replaces places by the particles there, without particle i. Returns how many are left.
+  Index name_others(Index i, Index* places, Index count) const {
+    if (order.particle_at == nullptr) return count;
+    Index left = 0;
+    for (Index n = 0; n < count; ++n) {
+      const Index j = order.particle_at[places[n]];
+      places[left] = j;
+      left += j != i ? 1 : 0;
+    }
+    return left;
   }
 
   // Tests the candidates of a range one by one, in their order.
   template <class Sections>
   KERF_FUNCTION void scan(const Viewer& from, Range range, Sections& found) const {
     const Index i = from.i;
-    for (Index j = range.begin; j < range.end; ++j) {
+    for (Index place = range.begin; place < range.end; ++place) {
+      const Index j = order.particle(place);
       const auto& x = particles.build_position[j];
       const double square = squared_distance<D, double>(DifferenceTo<D>{from.x, x});
       if (square >= from.limit * from.limit) continue;

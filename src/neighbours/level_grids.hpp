@@ -71,7 +71,8 @@ struct LevelGrids {
   Index count() const { return first[levels]; }
 };
 
-// Calls take(begin, end) for the particles of a row of cells, given where the cells begin.
+// Calls take(begin, end) for the particles of a row of cells, given where the cells begin in the
+// order of the cells (neighbours/cell_order.hpp).
 template <class Take>
 struct ParticlesOfRow {
   const Index* begin_of;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ListBlock finds the neighbour lists of a block of particles on one thread and copies them to the
-// end of the used memory. The memory of a list depends on which block was ready first, its entries
-// do not.
+// memory of the block: where they were before, or at the end of the used memory, which depends on
+// which block was ready first. The entries of a list do not.
 #pragma once
 
 #include <algorithm>
@@ -16,6 +16,30 @@ struct ListRanges {
   Index *begin, *end, *same_fluid, *unlike, *same_body, *images;
 };
 
+// The memory of the lists.
+struct ListMemory {
+  Index* neighbour;  // room for `room` entries
+  Index room;
+  std::atomic<Index>* used;  // out: number of entries, also where there is no room for all
+  Index* capacity;           // of each block, entries, with the spare ones
+};
+
+// Which lists are found: all, or those of blocks that have particles of a mark. All particles of
+// such a block get `listed`, since their lists are elsewhere then, or `no_room`, without a list.
+struct ListMarks {
+  static constexpr std::uint8_t listed = 1, no_room = 2;
+  std::uint8_t* of = nullptr;  // null: all lists are found
+  std::uint8_t wanted = listed;
+
+  bool any(Index first, Index last) const {
+    return of == nullptr || std::find(of + first, of + last, wanted) != of + last;
+  }
+  bool is_wanted(Index i) const { return of == nullptr || of[i] == wanted; }
+  void set(Index first, Index last, std::uint8_t mark) const {
+    if (of != nullptr) std::fill(of + first, of + last, mark);
+  }
+};
+
 template <int D, class P, class Scheme>
 struct ListBlock {
   static constexpr Index length = 64;  // particles
@@ -23,32 +47,63 @@ struct ListBlock {
   FindNeighbours<D, P, Scheme> find;
   Index count;
   ListRanges ranges;
-  Index* neighbour;  // room for `room` entries
-  Index room;
-  std::atomic<Index>* used;  // out: number of entries, also where there is no room for all
+  ListMemory memory;
+  ListMarks marks;
 
-  void operator()(Index block) const {
+  void operator()(Index number) const {
+    const Block block{number, number * length, std::min((number + 1) * length, count)};
+    if (!marks.any(block.first, block.last)) return;
     thread_local GrownSections found;
-    thread_local SearchMemory memory;
-    const Index first = block * length, last = std::min(first + length, count);
+    thread_local SearchMemory of_cells;
+    const Index before = ranges.begin[block.first];
     found.start_block();
-    memory.forget();
-    for (Index i = first; i < last; ++i) {
-      ranges.begin[i] = found.start_particle();
-      find(i, found, &memory);
-      found.end_particle();
-      ranges.end[i] = found.size();
-      ranges.same_fluid[i] = found.count(PairClass::same_fluid);
-      ranges.unlike[i] = found.count(PairClass::unlike);
-      ranges.same_body[i] = found.count(PairClass::same_body);
-      ranges.images[i] = found.count(PairClass::image);
+    of_cells.forget();
+    for (Index i = block.first; i < block.last; ++i) {
+      if (marks.is_wanted(i))
+        list(i, found, of_cells);
+      else
+        keep(i, found);
     }
-    const Index at = used->fetch_add(found.size());
-    if (at + found.size() > room) return;
-    std::copy_n(found.begin(), found.size(), neighbour + at);
-    for (Index i = first; i < last; ++i) {
-      ranges.begin[i] += at;
-      ranges.end[i] += at;
+    place(found, block, before);
+  }
+
+ private:
+  struct Block {
+    Index number, first, last;
+  };
+
+  void keep(Index i, GrownSections& found) const {
+    const Index begin = ranges.begin[i], end = ranges.end[i];
+    ranges.begin[i] = found.size();
+    found.append_list(memory.neighbour + begin, end - begin);
+    ranges.end[i] = found.size();
+  }
+  void list(Index i, GrownSections& found, SearchMemory& of_cells) const {
+    ranges.begin[i] = found.start_particle();
+    find(i, found, &of_cells);
+    found.end_particle();
+    ranges.end[i] = found.size();
+    ranges.same_fluid[i] = found.count(PairClass::same_fluid);
+    ranges.unlike[i] = found.count(PairClass::unlike);
+    ranges.same_body[i] = found.count(PairClass::same_body);
+    ranges.images[i] = found.count(PairClass::image);
+  }
+  // `before`: where the lists of the block were.
+  void place(const GrownSections& found, const Block& block, Index before) const {
+    Index& capacity = memory.capacity[block.number];
+    Index at = before;
+    const bool fits =
+        marks.of != nullptr && marks.wanted == ListMarks::listed && found.size() <= capacity;
+    if (!fits) {
+      capacity = found.size() + found.size() / 16;
+      at = memory.used->fetch_add(capacity);
+    }
+    const bool has_room = at + found.size() <= memory.room;
+    marks.set(block.first, block.last, has_room ? ListMarks::listed : ListMarks::no_room);
+    if (has_room) std::copy_n(found.begin(), found.size(), memory.neighbour + at);
+    for (Index i = block.first; i < block.last; ++i) {
+      ranges.begin[i] = has_room ? ranges.begin[i] + at : 0;
+      ranges.end[i] = has_room ? ranges.end[i] + at : 0;
     }
   }
 };

@@ -8,6 +8,7 @@
 //     distance by which a pair of patches that are not adjacent must approach to come within reach.
 #pragma once
 
+#include "neighbours/cell_order.hpp"
 #include "neighbours/motion_bounds.hpp"
 #include "neighbours/patch_grids.hpp"
 #include "neighbours/step_motion.hpp"
@@ -42,7 +43,8 @@ struct BoundMotion {
   ParticleView<D, P> particles;
   LevelGrids<D> cells;
   PatchGrids<D> patches;
-  const Index *cell_begin, *occupied;
+  CellOrder order;
+  const Index* occupied;
   double horizon;           // s
   MotionBounds<D>* bounds;  // out, of each patch
 
@@ -50,7 +52,7 @@ struct BoundMotion {
     const auto patch = patches.find(occupied[k]);
     auto sum = MotionBounds<D>::none();
     double farthest_squared = 0.0;
-    for_each_run(cells, cell_begin, patch, Include{*this, &sum, &farthest_squared});
+    for_each_run(cells, order.begin, patch, Include{*this, &sum, &farthest_squared});
     sum.farthest = std::sqrt(farthest_squared);
     for (int a = 0; a < D; ++a)
       if (is_near_plane(patch, a)) sum.include_mirrored(a);
@@ -65,7 +67,8 @@ struct BoundMotion {
 
     KERF_FUNCTION void operator()(Index begin, Index end) const {
       const auto& all = bound.particles;
-      for (Index i = begin; i < end; ++i) {
+      for (Index place = begin; place < end; ++place) {
+        const Index i = bound.order.particle(place);
         auto moved = all.position[i] - all.build_position[i];
         moved += bound.horizon * Vector<D, double>::from(all.velocity[i]);
         for (int a = 0; a < D; ++a) {
@@ -99,10 +102,10 @@ struct LargestRelativeDisplacement {
 
   KERF_FUNCTION double operator()(Index k) const {
     const auto patch = patches.find(occupied[k]);
-    double result = 0.0;
+    double farthest = 0.0;
     for (int level = 0; level < patches.levels; ++level)
-      result = std::fmax(result, from_level(occupied[k], patch, level));
-    return result;
+      include_level(occupied[k], patch, level, farthest);
+    return farthest;
   }
 
  private:
@@ -113,28 +116,52 @@ struct LargestRelativeDisplacement {
     double* farthest;
 
     KERF_FUNCTION void operator()(Index first, Index last) const {
-      for (Index other = first_of_level + first; other <= first_of_level + last; ++other)
-        if (other >= least) *farthest = std::fmax(*farthest, bounds[own].relative(bounds[other]));
+      for (Index other = first_of_level + first; other <= first_of_level + last; ++other) {
+        if (other < least || bounds[own].farthest + bounds[other].farthest <= *farthest) continue;
+        const double relative = bounds[own].relative(bounds[other]);
+        if (relative > *farthest) *farthest = relative;
+      }
     }
   };
-  KERF_FUNCTION double from_level(Index own, const typename PatchGrids<D>::Patch& patch,
-                                  int level) const {
+  KERF_FUNCTION void include_level(Index own, const typename PatchGrids<D>::Patch& patch, int level,
+                                   double& farthest) const {
     const double margin = patch_margin * cells.limit[patch.level][level];
     Vector<D, double> minimum, maximum;
     for (int a = 0; a < D; ++a) {
       minimum[a] = patches.low_side(patch, a) - margin;
       maximum[a] = patches.high_side(patch, a) + margin;
     }
-    double farthest = 0.0;
     const Index least = level == patch.level ? own : 0;  // each pair of one level once
     patches.grid[level].for_each_row(minimum, maximum,
                                      VisitRow{bounds, own, least, patches.first[level], &farthest});
-    return farthest;
   }
 };
 
 struct Larger {
-  KERF_FUNCTION double operator()(double a, double b) const { return std::fmax(a, b); }
+  KERF_FUNCTION double operator()(double a, double b) const { return a < b ? b : a; }
+};
+
+// Marks the particles of patches that have moved farther than a distance.
+template <int D>
+struct MarkMoved {
+  LevelGrids<D> cells;
+  PatchGrids<D> patches;
+  CellOrder order;
+  const Index* occupied;
+  const MotionBounds<D>* bounds;
+  double distance;      // m
+  std::uint8_t* moved;  // out, of each particle
+
+  struct Mark {
+    const MarkMoved& of;
+    KERF_FUNCTION void operator()(Index begin, Index end) const {
+      for (Index place = begin; place < end; ++place) of.moved[of.order.particle(place)] = 1;
+    }
+  };
+  KERF_FUNCTION void operator()(Index k) const {
+    if (bounds[occupied[k]].farthest <= distance) return;
+    for_each_run(cells, order.begin, patches.find(occupied[k]), Mark{*this});
+  }
 };
 
 template <int D, class P>
@@ -149,17 +176,17 @@ class ListValidity {
     slack_ = (patch_margin - 1.0) * nearest + skin;
   }
 
-  // Starts with a new list. `cell_begin`: where the particles of each cell begin.
-  void restart(const Array<Index>& cell_begin) {
+  // Starts with a new list, or with one that is new in part, of particles in this order.
+  void restart(const CellOrder& order) {
     occupied_.resize(patches_.count());
     const thrust::counting_iterator<Index> first(0);
-    const HasParticles<D> has_particles{cells_, patches_, pointer(cell_begin)};
+    const HasParticles<D> has_particles{cells_, patches_, order.begin};
     const auto end = thrust::copy_if(loop_policy(), first, first + patches_.count(),
                                      occupied_.begin(), has_particles);
     count_ = static_cast<Index>(end - occupied_.begin());
     bounds_.resize(patches_.count());
     thrust::fill(bounds_.begin(), bounds_.end(), MotionBounds<D>::none());
-    left_ = -1.0;  // in a resumed run the particles may have moved already
+    left_ = -1.0;  // particles may have moved already since they were listed
   }
 
   // Must be called for each step.
@@ -171,13 +198,20 @@ class ListValidity {
   // Returns whether the list will be valid after all particles have moved on for `horizon` seconds.
   // The particles are visited only where the noted steps leave that open, so that the answer does
   // not depend on the notes.
-  bool holds(Particles<D, P>& particles, const Array<Index>& cell_begin, double horizon) {
+  bool holds(Particles<D, P>& particles, const CellOrder& order, double horizon) {
     constexpr double rounding = 1.0 + 1e-5;
     if (2.0 * rounding * (travelled_ + horizon * fastest_) <= left_) return true;
-    const double left = left_at(particles, cell_begin, horizon);
+    const double left = left_at(particles, order, horizon);
     left_ = left - 2.0 * rounding * horizon * fastest_;  // without the prediction
     travelled_ = 0.0;
     return left >= 0.0;
+  }
+
+  // After holds() has found that the list will not: marks the particles of the patches that will
+  // have moved farther than a share of the skin.
+  void mark_moved(const CellOrder& order, double share, std::uint8_t* moved) const {
+    for_each_index(count_, MarkMoved<D>{cells_, patches_, order, pointer(occupied_),
+                                        pointer(bounds_), share * skin_, moved});
   }
 
   std::size_t bytes() const {
@@ -186,8 +220,8 @@ class ListValidity {
 
  private:
   // Returns the relative displacement that is left then, m.
-  double left_at(Particles<D, P>& particles, const Array<Index>& cell_begin, double horizon) {
-    const BoundMotion<D, P> bound{particles.view(),   cells_,  patches_,        pointer(cell_begin),
+  double left_at(Particles<D, P>& particles, const CellOrder& order, double horizon) {
+    const BoundMotion<D, P> bound{particles.view(),   cells_,  patches_,        order,
                                   pointer(occupied_), horizon, pointer(bounds_)};
     auto all = reduce_unordered(count_, bound, MotionBounds<D>::at_rest(), UniteBounds{});
     for (int a = 0; a < D; ++a)

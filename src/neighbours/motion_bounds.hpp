@@ -25,14 +25,14 @@ struct MotionBounds {
 
   KERF_FUNCTION void include(const MotionBounds& other) {
     for (int a = 0; a < D; ++a) {
-      least[a] = std::fmin(least[a], other.least[a]);
-      most[a] = std::fmax(most[a], other.most[a]);
+      least[a] = other.least[a] < least[a] ? other.least[a] : least[a];
+      most[a] = larger(most[a], other.most[a]);
     }
-    farthest = std::fmax(farthest, other.farthest);
+    farthest = larger(farthest, other.farthest);
   }
   // Includes the mirror images in a plane across an axis.
   KERF_FUNCTION void include_mirrored(int axis) {
-    const double largest = std::fmax(-least[axis], most[axis]);
+    const double largest = larger(-least[axis], most[axis]);
     least[axis] = -largest;
     most[axis] = largest;
   }
@@ -42,12 +42,16 @@ struct MotionBounds {
   KERF_FUNCTION double relative(const MotionBounds& other) const {
     double square = 0.0;
     for (int a = 0; a < D; ++a) {
-      const double widest = std::fmax(most[a] - other.least[a], other.most[a] - least[a]);
+      const double widest = larger(most[a] - other.least[a], other.most[a] - least[a]);
       if (!(widest > 0.0)) continue;
       square += widest * widest;
     }
-    return std::fmin(std::sqrt(square), farthest + other.farthest);
+    const double both = farthest + other.farthest;
+    return square < both * both ? std::sqrt(square) : both;
   }
+
+ private:
+  KERF_FUNCTION static double larger(double a, double b) { return a < b ? b : a; }
 };
 
 // For reductions in any order.

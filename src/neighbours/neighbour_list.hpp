@@ -1,43 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // NeighbourList is a Verlet list with a skin: for each particle the others within the cutoff and
-// the skin, at the positions where the list was built. neighbours/list_validity.hpp decides how
-// long it is valid. Each particle has its neighbours in a fixed order, so that sums over them do
-// not depend on the number of threads: on request class by class (neighbours/pair_range.hpp), first
-// those of the same fluid, then those unlike it, then those of the same body; then the others; then
-// mirror images (core/mirror_planes.hpp), at the end those of `PairClass::image`.
+// the skin, at their build positions. neighbours/list_validity.hpp decides how long it is valid,
+// neighbours/refresh_list.hpp how it is refreshed where particles have moved. Each particle has its
+// neighbours in a fixed order, so that sums over them do not depend on the number of threads: on
+// request class by class (neighbours/pair_range.hpp), first those of the same fluid, then those
+// unlike it, then those of the same body; then the others; then mirror images
+// (core/mirror_planes.hpp), at the end those of `PairClass::image`.
 #pragma once
 
 #include "core/error.hpp"
-#include "neighbours/list_in_passes.hpp"
+#include "neighbours/list_entries.hpp"
 #include "neighbours/list_validity.hpp"
+#include "neighbours/refresh_list.hpp"
 
 namespace kerf {
-
-// The neighbours that a pair loop skips.
-enum class Skips : std::uint8_t { nothing, of_fluids, of_fluids_and_body };
-
-struct NeighbourView {
-  const Index *begin, *end;  // begin[i] .. end[i] of `neighbour` are particle i's
-  const Index* neighbour;    // indices, with a mirror code in the highest bits
-  // How many of them, one class after the other; the images are the last ones.
-  const Index *same_fluid, *unlike, *same_body, *images;
-  Skips skips;
-  // 1 where a particle has intact bonds to all its neighbours of the same body, which then have no
-  // contact with it: a pair loop that skips pairs of fluids skips them too. Or null.
-  const std::uint8_t* fully_bonded;
-
-  KERF_FUNCTION Index first(Index i) const {
-    if (skips == Skips::nothing) return begin[i];
-    const bool skips_body =
-        skips == Skips::of_fluids_and_body || (fully_bonded != nullptr && fully_bonded[i] != 0);
-    return first_of_body(i) + (skips_body ? same_body[i] : 0);
-  }
-  KERF_FUNCTION Index last(Index i) const {
-    return skips == Skips::nothing ? end[i] : end[i] - images[i];
-  }
-  // Where those of the same body begin.
-  KERF_FUNCTION Index first_of_body(Index i) const { return begin[i] + same_fluid[i] + unlike[i]; }
-};
 
 template <int D, class P, class Scheme>
 class NeighbourList {
@@ -64,81 +40,86 @@ class NeighbourList {
 
   // Returns the cell numbers of the build positions, the sort key of the particles.
   const Array<Index>& cell_numbers(Particles<D, P>& particles) {
-    key_.resize(particles.size());
-    for_each_index(particles.size(), CellNumber<D, P>{particles.view(), grids_, pointer(key_)});
-    return key_;
+    return cells_.number(particles, grids_);
   }
 
-  // Particles must already be in the order of their cell numbers.
+  // Finds all lists, of particles in any order: best in that of their cell numbers.
   void build(Particles<D, P>& particles) {
     const Index n = particles.size();
     require(particles.mirrors.faces == 0 || n <= MirrorPlanes<D>::most_particles,
             "as many particles as have indices beside the codes of mirrors");
-    cell_numbers(particles);
-    const Index cells = grids_.count();
-    cell_begin_.resize(cells + 1);
-    for_each_index(n + 1, BeginCells{pointer(key_), n, cells, pointer(cell_begin_)});
-    begin_.resize(n + 1);
-    for (auto* array : {&end_, &same_fluid_, &unlike_, &same_body_, &images_}) array->resize(n);
-    const FindNeighbours<D, P, Scheme> find{particles.view(),          grids_, pointer(key_),
-                                            pointer(cell_begin_),      skin_,  splits_,
-                                            pack_for_search(particles)};
-    const ListRanges ranges{pointer(begin_),  pointer(end_),       pointer(same_fluid_),
-                            pointer(unlike_), pointer(same_body_), pointer(images_)};
-    if constexpr (simd_exists)
-      list_in_blocks(find, ranges, n);
-    else
-      list_in_passes(find, ranges, n);
-    validity_.restart(cell_begin_);
+    cells_.build(particles, grids_);
+    entries_.list(find(particles), n);
+    listed_as_ = particles.fractured;
+    validity_.restart(cells_.view());
   }
+
+  // Refreshes the list, which has no newcomers yet, the particles at the end, and is outdated if
+  // they have moved (is_outdated()). Returns false where the particles must be sorted and listed
+  // anew: too many have moved or come, or the list would not hold for `horizon` seconds.
+  bool refresh(Particles<D, P>& particles, double horizon, bool have_moved) {
+    constexpr double share = 0.3;  // of the skin; two that have moved less apart need no refresh
+    const Index n = particles.size(), listed = this->listed();
+    moved_.resize(n);
+    thrust::fill(moved_.begin(), moved_.begin() + listed, std::uint8_t(0));
+    thrust::fill(moved_.begin() + listed, moved_.end(), std::uint8_t(1));
+    if (have_moved) validity_.mark_moved(cells_.view(), share, pointer(moved_));
+    if (count_indices(n, IsMarked{pointer(moved_)}) > n / 2) return false;
+    refresh_marked(particles, true);
+    return cells_.late() <= n / 8 && validity_.holds(particles, cells_.view(), horizon);
+  }
+  // Refreshes it around the particles that have become fluid.
+  void refresh_fractured(Particles<D, P>& particles) {
+    moved_.resize(particles.size());
+    for_each_index(particles.size(),
+                   MarkFractured<D, P>{particles.view(), pointer(listed_as_), pointer(moved_)});
+    refresh_marked(particles, false);
+  }
+  // 1 for the particles whose list the last refresh has changed or moved.
+  const std::uint8_t* listed_anew() const { return pointer(listed_anew_); }
+  // How many particles are listed.
+  Index listed() const { return static_cast<Index>(listed_as_.size()); }
 
   // Must be called for each step.
   void note(const StepMotion& motion) { validity_.note(motion); }
   // Returns whether a pair that is not listed may come within reach in the next `horizon` seconds.
   bool is_outdated(Particles<D, P>& particles, double horizon) {
-    return !validity_.holds(particles, cell_begin_, horizon);
+    return !validity_.holds(particles, cells_.view(), horizon);
   }
 
-  NeighbourView view() const {
-    return {pointer(begin_),      pointer(end_),    pointer(neighbour_),
-            pointer(same_fluid_), pointer(unlike_), pointer(same_body_),
-            pointer(images_),     Skips::nothing,   nullptr};
-  }
-  Index pairs() const { return pairs_; }  // list entries, each pair twice
+  NeighbourView view() const { return entries_.view(); }
+  Index pairs() const { return entries_.pairs(); }  // list entries, each pair twice
+  // How many entries `neighbour` has; some of them are of no list.
+  Index used() const { return entries_.used(); }
   std::size_t bytes() const {
-    std::size_t entries = neighbour_.size() + begin_.size() + end_.size() + same_fluid_.size() +
-                          unlike_.size() + same_body_.size() + images_.size() + cell_begin_.size() +
-                          key_.size() + packed_kind_.size();
+    std::size_t entries = entries_.entries() + cells_.entries() + packed_kind_.size();
     for (const auto& coordinates : packed_position_) entries += coordinates.size();
-    return sizeof(Index) * entries + validity_.bytes();  // packed coordinates are as long
+    return sizeof(Index) * entries + moved_.size() + listed_anew_.size() + listed_as_.size() +
+           validity_.bytes();  // packed coordinates are as long as an index
   }
 
  private:
   using Find = FindNeighbours<D, P, Scheme>;
 
-  void list_in_blocks(const Find& find, const ListRanges& ranges, Index count) {
-    using Block = ListBlock<D, P, Scheme>;
-    std::atomic<Index> used = 0;
-    const auto list = [&] {
-      used = 0;
-      const auto room = static_cast<Index>(neighbour_.size());
-      for_each_index((count + Block::length - 1) / Block::length,
-                     Block{find, count, ranges, pointer(neighbour_), room, &used});
-      pairs_ = used;
-      return pairs_ <= room;
-    };
-    if (list()) return;
-    neighbour_.resize(pairs_ + pairs_ / 8);
-    list();
+  // Lists the particles of `moved_`, at their positions if it `moves` them, and those around them.
+  void refresh_marked(Particles<D, P>& particles, bool moves) {
+    const Index n = particles.size();
+    const auto view = particles.view();
+    listed_anew_.resize(n);
+    thrust::fill(listed_anew_.begin(), listed_anew_.end(), std::uint8_t(0));
+    for_each_index(n, MarkAround<D, P>{view, grids_, cells_.view(), pointer(moved_), moves,
+                                       pointer(listed_anew_)});
+    if (moves) {
+      for_each_index(n, MoveBuildPosition<D, P>{view, pointer(moved_)});
+      cells_.build(particles, grids_);
+    }
+    entries_.list_anew(find(particles), n, listed_anew_);
+    listed_as_ = particles.fractured;
+    validity_.restart(cells_.view());
   }
 
-  void list_in_passes(const Find& find, const ListRanges& ranges, Index count) {
-    for_each_index(count, CountNeighbours<D, P, Scheme>{find, ranges});
-    thrust::fill_n(begin_.begin() + count, 1, Index(0));
-    thrust::exclusive_scan(loop_policy(), begin_.begin(), begin_.end(), begin_.begin());
-    pairs_ = begin_[count];
-    if (neighbour_.size() < pairs_) neighbour_.resize(pairs_ + pairs_ / 8);
-    for_each_index(count, WriteNeighbours<D, P, Scheme>{find, ranges, pointer(neighbour_)});
+  Find find(Particles<D, P>& particles) {
+    return {particles.view(), grids_, cells_.view(), skin_, splits_, pack_for_search(particles)};
   }
 
   // Has no search where cells are so wide that wrapping fixed-point coordinates would be ambiguous.
@@ -159,17 +140,18 @@ class NeighbourList {
     packed.kind = packed_kind_.data();
     packed.unit = FixedPointScale<float>::of_spacing(finest / widest);
     packed.search = search_kernels().template get<D>();
-    for_each_index(particles.size(), PackForSearch<D, P, Scheme>{particles.view(), packed});
+    for_each_index(particles.size(),
+                   PackForSearch<D, P, Scheme>{particles.view(), cells_.view(), packed});
     return packed;
   }
 
   LevelGrids<D> grids_{};
   ListValidity<D, P> validity_;
+  ListEntries<D, P, Scheme> entries_;
+  CellTable<D, P> cells_;
   double skin_ = 0.0;
-  Index pairs_ = 0;
   bool splits_ = false;
-  Array<Index> key_, cell_begin_, begin_, end_, same_fluid_, unlike_, same_body_, images_,
-      neighbour_;
+  Array<std::uint8_t> listed_as_, moved_, listed_anew_;
   std::vector<std::int32_t> packed_position_[D];
   std::vector<std::uint32_t> packed_kind_;
 };

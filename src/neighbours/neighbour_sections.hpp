@@ -5,6 +5,7 @@
 //   void took(PairClass, Index count)    is called once so many have been written there.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "neighbours/pair_range.hpp"
@@ -53,6 +54,11 @@ class GrownSections {
     return list.data() + size_of(pair_class);
   }
   void took(PairClass pair_class, Index more) { size_of(pair_class) += more; }
+  // Appends the whole list of a particle.
+  void append_list(const Index* list, Index count) {
+    std::copy_n(list, count, room(PairClass::same_fluid, count));
+    took(PairClass::same_fluid, count);
+  }
   // Joins the sections of the particle.
   void end_particle() {
     same_fluid_ = size() - begin_;

@@ -56,8 +56,8 @@ struct PatchGrids {
   }
 };
 
-// Calls take(begin, end) for each run of particles of a patch. `cell_begin`: where each cell
-// begins.
+// Calls take(begin, end) for each run of places (neighbours/cell_order.hpp) of a patch.
+// `cell_begin`: where each cell begins.
 template <int D, class Take>
 KERF_FUNCTION void for_each_run(const LevelGrids<D>& cells, const Index* cell_begin,
                                 const typename PatchGrids<D>::Patch& patch, const Take& take) {

@@ -6,6 +6,7 @@
 
 #include <thrust/binary_search.h>
 #include <thrust/copy.h>
+#include <thrust/count.h>
 #include <thrust/device_vector.h>
 #include <thrust/execution_policy.h>
 #include <thrust/extrema.h>
@@ -78,6 +79,13 @@ template <class T, class Value, class Combine>
 T reduce_unordered(Index count, const Value& value, T initial, const Combine& combine) {
   return thrust::transform_reduce(loop_policy(), thrust::counting_iterator<Index>(0),
                                   thrust::counting_iterator<Index>(count), value, initial, combine);
+}
+
+// Returns for how many of 0 .. count - 1 the predicate is true.
+template <class Predicate>
+Index count_indices(Index count, const Predicate& predicate) {
+  return static_cast<Index>(thrust::count_if(loop_policy(), thrust::counting_iterator<Index>(0),
+                                             thrust::counting_iterator<Index>(count), predicate));
 }
 
 // Logical or.

@@ -52,15 +52,20 @@ class ParticleRun : public Simulation {
 
   // Called when the particles have been put into another order.
   virtual void after_reorder() {}
+  // Called when some lists of neighbours are new (NeighbourList::listed_anew), of particles in the
+  // same order.
+  virtual void after_refresh() {}
 
   // The start of a run and the stages of a step, in their order.
   // `lay_out` is called after the first list is built, before the first forces.
   template <class LayOut>
   void open(const LayOut& lay_out);
   void inject_inflow();
-  // Renews the list unless it will be valid once all particles have moved on for `horizon` seconds.
+  // Renews the list, where that is due, unless it will be valid once all particles have moved on
+  // for `horizon` seconds.
   void renew_neighbours(double horizon);
-  void renew_list();  // and removes outflow
+  void renew_list();         // and removes outflow
+  void refresh_fractured();  // renews the list around particles that have become fluid
   void rebuild_list();
   // `other`: a limit besides those of the particles.
   double choose_step(StepRates rates, const StepLimit& other = {1e300, Limit::end_of_run, 0});
@@ -98,7 +103,8 @@ class ParticleRun : public Simulation {
 
  private:
   bool any_has(std::uint8_t flags) const;
-  void note_order();  // when the particles have been put into another order
+  bool refresh_list(double horizon);  // false: it cannot be refreshed
+  void note_order();                  // when the particles have been put into another order
   void close_planes();
   std::size_t first_jet() const { return settings_.source_names.size() - nozzles_.size(); }
   [[noreturn]] void fail(const StepLimit& cause) const;

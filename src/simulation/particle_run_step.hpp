@@ -16,8 +16,29 @@ void ParticleRun<D, P, Traits>::renew_neighbours(double horizon) {
   // Particles outside the domain move on until the list is rebuilt: spray leaves in every other
   // step.
   if (settings_.removes_back_flow) list_is_due_ |= any_has(flag::erased);
-  if (!list_is_due_) list_is_due_ = list_.is_outdated(particles_, horizon);
+  if (!list_is_due_) list_is_due_ = !refresh_list(horizon);
   if (list_is_due_) renew_list();
+}
+
+template <int D, class P, class Traits>
+bool ParticleRun<D, P, Traits>::refresh_list(double horizon) {
+  const bool have_come = particles_.size() > list_.listed();
+  const bool have_moved = list_.is_outdated(particles_, horizon);
+  if (!have_come && !have_moved) return true;
+  const Index outside =
+      count_indices(particles_.size(), HasFlag<D, P>{particles_.view(), flag::outside});
+  if (outside > particles_.size() / 100) return false;  // they would be listed for nothing
+  if (!list_.refresh(particles_, horizon, have_moved)) return false;
+  if (have_come) exit_pressure_.find_columns(particles_, nozzles_, first_jet());
+  after_refresh();
+  return true;
+}
+
+template <int D, class P, class Traits>
+void ParticleRun<D, P, Traits>::refresh_fractured() {
+  const auto timer = timers_.stage("neighbours");
+  list_.refresh_fractured(particles_);
+  after_refresh();
 }
 
 template <int D, class P, class Traits>
@@ -47,7 +68,6 @@ void ParticleRun<D, P, Traits>::inject_inflow() {
                 for (const NewParticle& newcomer : newcomers)
                   balance_.accumulate_inflow(medium, newcomer.velocity);
                 append(newcomers);
-                list_is_due_ = true;
               });
 }
 

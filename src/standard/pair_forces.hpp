@@ -71,12 +71,13 @@ class StandardRates {
     fluid_pair_.correction = correction;
   }
 
-  // Must be called for each new list, of `entries` entries.
+  // Must be called for each new list, of `entries` entries; given `listed_anew`, only the lists of
+  // the particles marked there are new.
   void take_list(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
-                 Index entries) {
+                 Index entries, const std::uint8_t* listed_anew = nullptr) {
     if constexpr (simd_exists)
       if (separates_fluids())
-        simd_pairs_.graded().take(view, count, list, entries, fluid_pair_.correction);
+        simd_pairs_.graded().take(view, count, list, entries, fluid_pair_.correction, listed_anew);
   }
 
   // Evaluates what a step needs in one pair loop: pressures, the accelerations by gravity and all

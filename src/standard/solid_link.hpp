@@ -181,11 +181,12 @@ struct MarkFullyBonded {
   SolidIndexView link;
   SolidView<D, P> solid;
   NeighbourView list;
-  std::uint8_t* fully_bonded;  // of particles; out
+  const std::uint8_t* listed_anew;  // of particles; the others are as they were. Null: all are
+  std::uint8_t* fully_bonded;       // of particles; out
 
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
-    if (i == no_index) return;
+    if (i == no_index || (listed_anew != nullptr && listed_anew[i] == 0)) return;
     const Index first = list.first_of_body(i), last = first + list.same_body[i];
     bool bonded = !solid.has_broken_bonds[s];
     for (Index k = first; k < last && bonded; ++k) {

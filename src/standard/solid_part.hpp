@@ -59,10 +59,17 @@ class SolidPart {
   void relink(Particles<D, P>& particles, const NeighbourView& list) {
     if (!solid_) return;
     find_particles(particles);
-    fully_bonded_.resize(particles.size());
     thrust::fill(fully_bonded_.begin(), fully_bonded_.end(), std::uint8_t(0));
-    for_each_index(solid_->size(), MarkFullyBonded<D, P>{particles.view(), link(), solid_->view(),
-                                                         list, pointer(fully_bonded_)});
+    mark_fully_bonded(particles, list, nullptr);
+  }
+  // Finds out which particles are fully bonded, of those that are listed anew (null: all).
+  void mark_fully_bonded(Particles<D, P>& particles, const NeighbourView& list,
+                         const std::uint8_t* listed_anew) {
+    if (!solid_) return;
+    fully_bonded_.resize(particles.size(), std::uint8_t(0));
+    for_each_index(solid_->size(),
+                   MarkFullyBonded<D, P>{particles.view(), link(), solid_->view(), list,
+                                         listed_anew, pointer(fully_bonded_)});
   }
   // The list without the neighbours of fully bonded particles, for loops that skip the same body.
   NeighbourView without_fully_bonded(NeighbourView list) const {

@@ -50,7 +50,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     finalize_step(dt);
     if (time_ < settings_.relax_time) damping_.end_step(particles_);
     solid_.remove_outflow(particles_);
-    if (solid_.take_detached()) Run::renew_list();  // detached particles have further neighbours
+    if (solid_.take_detached()) Run::refresh_fractured();  // they have further neighbours
     Run::tick(dt);
   }
 
@@ -163,7 +163,12 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 
   void after_reorder() override {
     solid_.relink(particles_, list_.view());
-    rates_.take_list(particles_.view(), particles_.size(), list_.view(), list_.pairs());
+    rates_.take_list(particles_.view(), particles_.size(), list_.view(), list_.used());
+  }
+  void after_refresh() override {
+    solid_.mark_fully_bonded(particles_, list_.view(), list_.listed_anew());
+    rates_.take_list(particles_.view(), particles_.size(), list_.view(), list_.used(),
+                     list_.listed_anew());
   }
 
   void evaluate_current() const override {

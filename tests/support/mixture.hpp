@@ -107,4 +107,23 @@ inline ReferenceState random_mixture(const MixtureChoice& choice) {
   return state;
 }
 
+// The same spread over a cube of this width, m, so that it covers many cells; none is rigid.
+inline ReferenceState spread_mixture(int dimension, unsigned seed, double width) {
+  MixtureChoice choice;
+  choice.dimension = dimension;
+  choice.seed = seed;
+  choice.jitter = 0.45;
+  choice.per_side = dimension == 2 ? 40 : 14;
+  ReferenceState state = random_mixture(choice);
+  double extent = 0.0;
+  for (const auto& particle : state.particles)
+    extent = std::max(extent, particle.position.maxCoeff());
+  for (auto& particle : state.particles) {
+    particle.position *= 0.9 * width / extent;
+    for (int a = 0; a < dimension; ++a) particle.position[a] += 0.05 * width;
+    if (state.medium(&particle - state.particles.data()).phase == Phase::rigid) particle.source = 0;
+  }
+  return state;
+}
+
 }  // namespace kerf::test

@@ -18,9 +18,10 @@ class GradedPairs {
  public:
   using Real = typename P::Real;
 
-  // Takes the list of `entries` entries, of particles in their current order.
+  // Takes a new list, of `entries` entries, of particles in their current order; given
+  // `listed_anew`, of the particles marked there alone.
   void take(const ParticleView<D, P>& view, Index count, const NeighbourView& list, Index entries,
-            const PairCorrection<D, P>& correction) {
+            const PairCorrection<D, P>& correction, const std::uint8_t* listed_anew) {
     if (correction.factor == nullptr) return;
     constexpr std::size_t beyond = 16;  // entries that a load may read past the end
     graded_.resize(count);
@@ -29,7 +30,7 @@ class GradedPairs {
     if (correction_.size() < entries + beyond)
       for (auto* numbers : {&correction_, &length_ratio_})
         numbers->resize(entries + entries / 8 + beyond, Real(1));
-    for_each_index(count, Fill{view, list, correction, ends_.data(), graded_.data(),
+    for_each_index(count, Fill{view, list, correction, ends_.data(), listed_anew, graded_.data(),
                                correction_.data(), length_ratio_.data()});
   }
 
@@ -70,10 +71,12 @@ class GradedPairs {
     NeighbourView list;
     PairCorrection<D, P> of_pair;
     const End* ends;
+    const std::uint8_t* listed_anew;
     std::uint8_t* graded;
     Real *correction, *length_ratio;
 
     void operator()(Index i) const {
+      if (listed_anew != nullptr && listed_anew[i] == 0) return;
       const End own = ends[i];
       for (Index k = list.end[i] - list.images[i]; k < list.end[i]; ++k) {
         const Index j = list.neighbour[k];

@@ -18,25 +18,6 @@ constexpr double list_skin = 5e-4, width = 0.06;  // m
 using Motion =
     std::function<Vector3(const Vector3&, double)>;  // displacement at a position and time
 
-// The particles are spread over many patches; none of them is rigid.
-ReferenceState spread(int dimension, unsigned seed) {
-  MixtureChoice choice;
-  choice.dimension = dimension;
-  choice.seed = seed;
-  choice.jitter = 0.45;
-  choice.per_side = dimension == 2 ? 40 : 14;
-  ReferenceState state = random_mixture(choice);
-  double extent = 0.0;
-  for (const auto& particle : state.particles)
-    extent = std::max(extent, particle.position.maxCoeff());
-  for (auto& particle : state.particles) {
-    particle.position *= 0.9 * width / extent;
-    for (int a = 0; a < dimension; ++a) particle.position[a] += 0.05 * width;
-    if (state.medium(&particle - state.particles.data()).phase == Phase::rigid) particle.source = 0;
-  }
-  return state;
-}
-
 template <int D>
 struct Flight {
   ReferenceState state;
@@ -98,7 +79,7 @@ class ListValidity : public testing::Test {
   // Moves in small steps until the list is not valid; until then it must have every pair. Returns
   // the distance moved.
   static double last(const Motion& motion, double step, bool notes, const std::string& faces = "") {
-    Flight<D> flight(spread(D, 3), faces);
+    Flight<D> flight(spread_mixture(D, 3, width), faces);
     EXPECT_EQ(flight.missing(), 0);
     for (int n = 1; n < 2000; ++n) {
       flight.move(motion, n * step, notes);
@@ -156,7 +137,7 @@ TYPED_TEST(ListValidity, IncludesFastDistantParticles) {
     return x[0] > 0.6 * width ? Vector3(-t, 0.0, 0.0) : Vector3(0.0, 0.0, 0.0);
   };
   constexpr int dimension = TestFixture::D;
-  ReferenceState state = spread(dimension, 5);
+  ReferenceState state = spread_mixture(dimension, 5, width);
   std::erase_if(state.particles, [](const auto& particle) {
     return particle.position[0] > 0.3 * width && particle.position[0] < 0.7 * width;
   });

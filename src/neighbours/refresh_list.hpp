@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// A neighbour list is refreshed where particles have come, have moved or interact differently, and
+// kept elsewhere. A build position is where a particle was when it was last listed, a time of its
+// own for each particle: the list has every pair whose build positions are within the cutoff and
+// the skin.
+#pragma once
+
+#include <cmath>
+
+#include "neighbours/cell_order.hpp"
+
+namespace kerf {
+
+// Marks the particles that have become fluid since they were listed.
+template <int D, class P>
+struct MarkFractured {
+  ParticleView<D, P> particles;
+  const std::uint8_t* listed_as;
+  std::uint8_t* marks;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    marks[i] = particles.fractured[i] != listed_as[i] ? 1 : 0;
+  }
+};
+
+struct IsMarked {
+  const std::uint8_t* marks;
+  KERF_FUNCTION bool operator()(Index i) const { return marks[i] != 0; }
+};
+
+// Marks the particles whose list may change when a marked one is listed at its position, or at its
+// build position: those within the cutoff of the one or the other, and of its mirror images.
+template <int D, class P>
+struct MarkAround {
+  ParticleView<D, P> particles;
+  LevelGrids<D> grids;
+  CellOrder order;  // of the build positions
+  const std::uint8_t* moved;
+  bool moves;                 // the marked ones get new build positions
+  std::uint8_t* listed_anew;  // out
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (moved[i] == 0) return;
+    set_flag(listed_anew[i]);
+    const Places own{particles.build_position[i],
+                     moves ? particles.position[i] : particles.build_position[i]};
+    mark(i, own);
+    const auto& mirrors = particles.mirrors;
+    if (mirrors.faces == 0) return;
+    for (int image = 1; image < MirrorPlanes<D>::images; ++image) {
+      MirrorCode code;
+      if (mirrors.find_image(image, code))
+        mark(i, {mirrors.image_position(code, own.before), mirrors.image_position(code, own.now)});
+    }
+  }
+
+ private:
+  struct Places {
+    Vector<D, double> before, now;
+  };
+  struct MarkRow {
+    const MarkAround& around;
+    const Places& places;
+    double limit_squared;
+
+    KERF_FUNCTION void operator()(Index begin, Index end) const {
+      for (Index place = begin; place < end; ++place) {
+        const Index j = around.order.particle(place);
+        if (around.moved[j] != 0) continue;
+        const auto& x = around.particles.build_position[j];
+        const auto from_before = x - places.before, from_now = x - places.now;
+        if (dot(from_before, from_before) < limit_squared ||
+            dot(from_now, from_now) < limit_squared)
+          set_flag(around.listed_anew[j]);
+      }
+    }
+  };
+
+  KERF_FUNCTION void mark(Index i, const Places& places) const {
+    constexpr double rounding = 1.0 + 1e-6;
+    for (int level = 0; level < grids.levels; ++level) {
+      const double limit = rounding * grids.limit[particles.medium(i).level][level];
+      Vector<D, double> minimum, maximum;
+      for (int a = 0; a < D; ++a) {
+        minimum[a] = std::fmin(places.before[a], places.now[a]) - limit;
+        maximum[a] = std::fmax(places.before[a], places.now[a]) + limit;
+      }
+      const MarkRow mark_row{*this, places, limit * limit};
+      grids.grid[level].for_each_row(
+          minimum, maximum, ParticlesOfRow<MarkRow>{order.begin + grids.first[level], mark_row});
+    }
+  }
+};
+
+// Lists the marked particles at their positions from now on.
+template <int D, class P>
+struct MoveBuildPosition {
+  ParticleView<D, P> particles;
+  const std::uint8_t* moved;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (moved[i] != 0) particles.build_position[i] = particles.position[i];
+  }
+};
+
+}  // namespace kerf
