@@ -72,6 +72,7 @@ class ListEntries {
       if (used_ > neighbour_.size()) {
         compact(count, pointer(marks));
         list_in_blocks(find, count, {pointer(marks), ListMarks::no_room});
+        thrust::fill(marks.begin(), marks.end(), ListMarks::listed);
       }
       sum_up(count);
     } else {

@@ -126,13 +126,15 @@ std::string exposure_sentence(const RunOutcome& outcome) {
       exposure.decades() > 0.0
           ? fmt::format(", carried over {:.1f} decades of time,", exposure.decades())
           : std::string();
-  const std::string depth =
-      exposure.cuts() ? std::string()
+  const std::string interval =
+      exposure.cuts() ? fmt::format("; by the same law it would up to {} at least and {} at most",
+                                    readable(exposure.greatest_feed, "m/s"),
+                                    readable(exposure.possible_feed, "m/s"))
                       : fmt::format(": the cut is {} to {} deep", readable(exposure.depth_low, "m"),
                                     readable(exposure.depth_high, "m"));
   return fmt::format(" A feed of {} exposes each point for {} to {}{} and {}{}.", feed,
                      readable(exposure.shortest, "s"), readable(exposure.longest, "s"), carried,
-                     verdict, depth);
+                     verdict, interval);
 }
 
 // Says whether the cut under a nozzle with which a frame travels is the same all along its path.

@@ -101,6 +101,11 @@ class Refreshed {
     }
   }
 
+  // Where each list begins in memory.
+  std::vector<Index> places_of_lists() const {
+    const Index* const begin = loaded.list.view().begin;
+    return {begin, begin + size()};
+  }
   Index size() const { return loaded.particles.size(); }
 
   std::mt19937 engine;
@@ -166,9 +171,17 @@ TYPED_TEST(RefreshedLists, AreThoseOfANewListBesidePlanes) {
 TYPED_TEST(RefreshedLists, AreThoseOfANewListWithNewcomers) {
   Refreshed<TestFixture::D> run(5, "", true);
   for (int round = 0; round < 25; ++round) {
+    const auto before = run.places_of_lists();
     run.append(run.random_point(), 20);
     run.move_around(run.random_point(), 0.1 * domain, 1e-2 * skin_of_list);
     ASSERT_TRUE(run.loaded.list.refresh(run.loaded.particles, 0.0, false)) << round;
+    // What others keep of an entry of a list stays valid unless the list is marked.
+    const auto after = run.places_of_lists();
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (run.loaded.list.listed_anew()[i] == 0) {
+        ASSERT_EQ(after[i], before[i]) << round;
+      }
+    }
     run.expect_that_of_a_new_list();
   }
   run.expect_all_pairs();
