@@ -9,47 +9,62 @@
 namespace kerf::test {
 namespace {
 
-TEST(CompactLists, KeepsEveryEntry) {
-  constexpr Index length = 4, count = 4 * 50 + 3;  // the last block is shorter
-  const ListBlocks blocks{count, length};
-  std::mt19937 engine(1);
-  for (int trial = 0; trial < 20; ++trial) {
-    // The blocks in random order, with gaps; some without entries.
-    std::vector<Index> order(blocks.number()), begin(count), end(count), capacity(blocks.number());
+// Blocks of lists in random order, with gaps between them; some blocks have no entries.
+struct ScatteredLists {
+  static constexpr Index length = 4, count = 4 * 50 + 3;  // the last block is shorter
+
+  ListBlocks blocks{count, length};
+  std::vector<Index> begin, end, capacity, neighbour;
+  std::vector<std::vector<Index>> lists;
+
+  explicit ScatteredLists(unsigned seed)
+      : begin(count), end(count), capacity(blocks.number()), lists(count), engine_(seed) {
+    std::vector<Index> order(blocks.number());
     std::iota(order.begin(), order.end(), Index(0));
-    std::shuffle(order.begin(), order.end(), engine);
-    std::vector<Index> neighbour;
-    std::vector<std::vector<Index>> lists(count);
+    std::shuffle(order.begin(), order.end(), engine_);
     for (const Index block : order) {
-      neighbour.resize(neighbour.size() + engine() % 9, 0);  // unused
-      const std::size_t start = neighbour.size();
-      const bool is_empty = engine() % 5 == 0;
-      for (Index i = blocks.first(block); i < blocks.last(block); ++i) {
-        begin[i] = static_cast<Index>(neighbour.size());
-        for (unsigned n = is_empty ? 0 : engine() % 30; n > 0; --n) {
-          neighbour.push_back(engine() % 1000);
-          lists[i].push_back(neighbour.back());
-        }
-        end[i] = static_cast<Index>(neighbour.size());
-      }
-      neighbour.resize(neighbour.size() + engine() % 3, 0);  // spare
-      capacity[block] = static_cast<Index>(neighbour.size() - start);
-      if (is_empty)
-        for (Index i = blocks.first(block); i < blocks.last(block); ++i) begin[i] = end[i] = 0;
+      add_unused(9);
+      if (engine_() % 5 != 0) add(block);
     }
+  }
+
+  Index compact() {
     const ListRanges ranges{begin.data(), end.data(), nullptr, nullptr, nullptr, nullptr};
     std::atomic<Index> none = 0;
     const auto room = static_cast<Index>(neighbour.size());
-    const Index used =
-        compact_lists(blocks, ranges, {neighbour.data(), room, &none, capacity.data()});
+    return compact_lists(blocks, ranges, {neighbour.data(), room, &none, capacity.data()});
+  }
+
+ private:
+  void add_unused(unsigned most) { neighbour.resize(neighbour.size() + engine_() % most, 0); }
+  void add(Index block) {
+    const std::size_t start = neighbour.size();
+    for (Index i = blocks.first(block); i < blocks.last(block); ++i) {
+      begin[i] = static_cast<Index>(neighbour.size());
+      for (unsigned n = engine_() % 30; n > 0; --n) lists[i].push_back(engine_() % 1000);
+      neighbour.insert(neighbour.end(), lists[i].begin(), lists[i].end());
+      end[i] = static_cast<Index>(neighbour.size());
+    }
+    add_unused(3);  // spare
+    capacity[block] = static_cast<Index>(neighbour.size() - start);
+  }
+
+  std::mt19937 engine_;
+};
+
+TEST(CompactLists, KeepsEveryEntry) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    ScatteredLists all(seed);
+    const Index used = all.compact();
     std::size_t entries = 0;
     std::vector<int> taken(used);
-    for (Index i = 0; i < count; ++i) {
-      entries += lists[i].size();
-      ASSERT_LE(end[i], used);
-      EXPECT_EQ(std::vector<Index>(neighbour.begin() + begin[i], neighbour.begin() + end[i]),
-                lists[i]);
-      for (Index k = begin[i]; k < end[i]; ++k) EXPECT_EQ(taken[k]++, 0);
+    for (Index i = 0; i < ScatteredLists::count; ++i) {
+      const Index begin = all.begin[i], end = all.end[i];
+      ASSERT_LE(end, used);
+      EXPECT_EQ(std::vector<Index>(all.neighbour.begin() + begin, all.neighbour.begin() + end),
+                all.lists[i]);
+      for (Index k = begin; k < end; ++k) EXPECT_EQ(taken[k]++, 0);
+      entries += all.lists[i].size();
     }
     EXPECT_GE(used, entries);
     EXPECT_LE(used, entries + entries / 16);
