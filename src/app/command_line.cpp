@@ -41,7 +41,9 @@ int threads_of(const MachineOptions& options) {
 
 void refuse_name(const std::string& sentence, const std::string& name,
                  const std::vector<std::string>& known, const std::string& separator) {
-  const std::string guess = closest(name, known);
+  std::string guess = closest(name, known);
+  for (const std::string& each : known)
+    if (guess.empty() && !name.empty() && each.find(name) != std::string::npos) guess = each;
   throw UserError(fmt::format("{}. {}Allowed: {}.", sentence,
                               guess.empty() ? "" : fmt::format("Did you mean \"{}\"? ", guess),
                               fmt::join(known, separator)));

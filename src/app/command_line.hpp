@@ -30,7 +30,7 @@ void take_machine(const MachineOptions& options);
 int threads_of(const MachineOptions& options);
 
 // Throws the UserError "SENTENCE. Did you mean "..."? Allowed: ..."; the question is part of it if
-// a known name is similar.
+// a known name is similar or contains it.
 [[noreturn]] void refuse_name(const std::string& sentence, const std::string& name,
                               const std::vector<std::string>& known,
                               const std::string& separator = ", ");

@@ -47,6 +47,21 @@ class WatchfulPool : public httplib::ThreadPool {
 
 constexpr int idle_microseconds = 50'000;
 
+// Whether a header "Host" names this machine by itself. A page of another site can lead a name of
+// its own to 127.0.0.1 and would read the run by it (DNS rebinding).
+bool is_this_machine(std::string_view host) {
+  host = host.substr(0, host.find(':'));
+  return host == "127.0.0.1" || host == "localhost";
+}
+bool may_ask(const httplib::Request& request) {
+  const std::string origin = request.get_header_value("Origin");
+  constexpr std::string_view scheme = "http://";
+  if (!origin.empty() && (origin.rfind(scheme, 0) != 0 ||
+                          !is_this_machine(std::string_view(origin).substr(scheme.size()))))
+    return false;
+  return is_this_machine(request.get_header_value("Host"));
+}
+
 }  // namespace
 
 struct ViewServer::State {
@@ -90,6 +105,18 @@ struct ViewServer::State {
     server.new_task_queue = [this] { return new WatchfulPool(server, ends); };
   }
 
+  void refuse_others() {
+    constexpr int forbidden = 403, longest_wait = 2;  // s, for the next bytes of a request
+    server.set_read_timeout(longest_wait);
+    server.set_pre_routing_handler([](const httplib::Request& request,
+                                      httplib::Response& response) {
+      if (may_ask(request)) return httplib::Server::HandlerResponse::Unhandled;
+      response.status = forbidden;
+      response.set_content("kerf view answers to 127.0.0.1 and localhost only.\n", "text/plain");
+      return httplib::Server::HandlerResponse::Handled;
+    });
+  }
+
   void set_routes() {
     const auto answer = [this](const char* type, auto make) {
       return [this, type, make](const httplib::Request& request, httplib::Response& response) {
@@ -120,6 +147,7 @@ struct ViewServer::State {
 };
 
 ViewServer::ViewServer(const fs::path& folder) : state_(std::make_unique<State>(folder)) {
+  state_->refuse_others();
   state_->set_routes();
   state_->set_watch();
 }

@@ -124,8 +124,11 @@ void read_time(Draft& draft, Section& top) {
   Section section(draft.reading, written ? *written : empty, "time", written ? "time" : "");
   TimeControl& time = draft.result.time;
   time.end = standard_end(draft);
-  if (time.end == 0.0 && !section.has("end"))
-    section.refuse("end", "the key is missing", "Add it: the end time of the run");
+  // A machine whose description has problems has no end of its own.
+  const bool may_follow = top.has("machine") && draft.reading.problems.any();
+  if (time.end == 0.0 && !section.has("end") && !may_follow)
+    top.refuse("time.end", "the key is missing", "Add it: the end time of the run",
+               "a time with its unit, such as \"10 ms\"");
   section.read(time);
   if (!section.has("after_cut")) time.after_cut = draft.after_cut;
   section.refuse_unknown();

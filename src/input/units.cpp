@@ -2,6 +2,7 @@
 #include "input/units.hpp"
 
 #include <fmt/format.h>
+#include <strings.h>
 #include <udunits2.h>
 
 #include <charconv>
@@ -176,6 +177,22 @@ constexpr DimensionName dimension_names[] = {
     {"W/m", "a power per length", "2 kW/m"},
 };
 
+// Units that are written with other letters by mistake.
+constexpr const char* usual_units[] = {
+    "Pa",   "kPa",  "MPa",   "GPa",  "bar",   "psi",  "m",     "cm",    "mm",     "um",   "s",
+    "ms",   "us",   "min",   "h",    "Hz",    "kHz",  "MHz",   "K",     "J",      "kJ",   "g",
+    "kg",   "W",    "kW",    "deg",  "rad",   "m/s",  "mm/s",  "m/min", "mm/min", "cm/s", "km/h",
+    "m/s2", "Pa s", "mPa s", "J/m2", "kJ/m2", "J/m3", "kg/m3", "g/cm3", "J/kg/K", "mm2",  "mm3"};
+
+// Returns "; write "UNIT"", or nothing.
+std::string spelling_of(const std::string& unit, const std::string& si_unit) {
+  for (const char* usual : usual_units)
+    if (strcasecmp(unit.c_str(), usual) == 0 &&
+        UnitSystem::instance().factor(usual, si_unit).kind == Factor::Kind::good)
+      return fmt::format("; write \"{}\"", usual);
+  return {};
+}
+
 const DimensionName& named(const std::string& si_unit) {
   for (const auto& entry : dimension_names)
     if (si_unit == entry.unit) return entry;
@@ -194,13 +211,16 @@ Quantity read_quantity(std::string_view text, const std::string& si_unit) {
     return {0.0, "there is no finite number in front of the unit"};
   const std::string unit(trimmed(whole.substr(static_cast<std::size_t>(end - whole.data()))));
   if (unit.empty()) return {0.0, "a unit is missing"};
+  if (unit.front() == ',' && unit.size() > 1 && is_digit(unit[1]))
+    return {0.0, "a number has a decimal point, not a comma"};
   if (!is_unit_syntax(unit)) return {0.0, fmt::format("\"{}\" is not a unit", unit)};
   const Factor factor = UnitSystem::instance().factor(unit, si_unit);
   switch (factor.kind) {
     case Factor::Kind::unknown_unit:
-      return {0.0, fmt::format("the unit \"{}\" is unknown", unit)};
+      return {0.0, fmt::format("the unit \"{}\" is unknown{}", unit, spelling_of(unit, si_unit))};
     case Factor::Kind::wrong_dimension:
-      return {0.0, fmt::format("\"{}\" is not the unit of {}", unit, dimension_of(si_unit))};
+      return {0.0, fmt::format("\"{}\" is not the unit of {}{}", unit, dimension_of(si_unit),
+                               spelling_of(unit, si_unit))};
     case Factor::Kind::offset:
       return {0.0, fmt::format("the unit \"{}\" has a zero of its own", unit)};
     case Factor::Kind::good:

@@ -91,9 +91,10 @@ std::vector<FrameFile> frame_files(const fs::path& folder) {
   if (series.empty()) return files;
   try {
     const auto json = nlohmann::json::parse(read_file(series));
-    for (const auto& entry : json.at("files"))
-      files.push_back(
-          {folder / entry.at("name").get<std::string>(), entry.at("time").get<double>()});
+    for (const auto& entry : json.at("files")) {
+      const fs::path file = folder / entry.at("name").get<std::string>();
+      if (fs::exists(file)) files.push_back({file, entry.at("time").get<double>()});
+    }
   } catch (const nlohmann::json::exception& error) {
     damaged(series, error.what());
   }

@@ -15,8 +15,8 @@ struct FrameFile {
   double time = 0.0;  // s
 };
 
-// Returns the frames that a run has written into `folder` so far, in order of time; none when there
-// is no series. Throws UserError (exit_files) where the series is damaged.
+// Returns the frames that a run has written into `folder` so far and that are still there, in order
+// of time; none when there is no series. Throws UserError (exit_files) where the series is damaged.
 std::vector<FrameFile> frame_files(const std::filesystem::path& folder);
 
 // Reads a frame that output/vtkhdf.hpp wrote. Throws UserError (exit_files) where the file is

@@ -118,8 +118,8 @@ std::string section(const std::string& id, const std::string& fallback) {
 }
 
 std::string data_script(const std::string& id, std::string json) {
-  for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3)
-    json.replace(at, 2, "<\\/");
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; ++at)
+    json.replace(at, 1, "\\u003c");
   return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, json);
 }
 

@@ -38,7 +38,8 @@ std::string png_address(std::string_view png);
 // and in print.
 std::string section(const std::string& id, const std::string& fallback);
 
-// Returns JSON as a script element of that id; "</", which could end the element, is escaped.
+// Returns JSON as a script element of that id. "<" is escaped, so that no text in it can end the
+// element or begin a comment or a script, which the parser of HTML looks for.
 std::string data_script(const std::string& id, std::string json);
 
 // Returns a short line in the colour of a curve, for a legend.

@@ -232,6 +232,43 @@ TEST_F(Faults, TwoRunsDoNotShareAFolder) {
   EXPECT_EQ(first.wait().exit_code, 0);
 }
 
+// A limit of the size of files ends a run with a message, not by the signal SIGXFSZ.
+TEST_F(Faults, ALimitOfFileSizesIsNamed) {
+  const auto limited = [&](rlim_t bytes) {
+    rlimit limit{};
+    getrlimit(RLIMIT_FSIZE, &limit);
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  };
+  limited(20'000);
+  const Ending ending = run("limited");
+  limited(RLIM_INFINITY);
+  EXPECT_EQ(ending.signal, 0);
+  EXPECT_EQ(ending.exit_code, exit_files);
+  EXPECT_THAT(ending.output, AllOf(HasSubstr("cannot write"), HasSubstr("File too large")));
+}
+
+TEST_F(Faults, AFullStandardOutputIsNamed) {
+  for (const char* command : {"materials", "new plate", "check --keys"}) {
+    const std::string line = std::string(KERF_PROGRAM) + " " + command + " 2>" +
+                             path("message").string() + " >/dev/full";
+    const int status = std::system(line.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), exit_files) << command;
+    EXPECT_THAT(read_file(path("message")), HasSubstr("the standard output")) << command;
+  }
+}
+
+// The report leaves out what is lost.
+TEST_F(Faults, ALostFrameIsLeftOut) {
+  fs::copy(path("full"), path("lost"), fs::copy_options::recursive);
+  const auto frame = std::next(fs::directory_iterator(path("lost/frames")));
+  fs::remove(frame->path());
+  fs::remove(path("lost/report.html"));
+  const Ending ending = Program({"report", path("lost").string()}, output()).wait();
+  EXPECT_EQ(ending.exit_code, 0) << ending.output;
+  EXPECT_TRUE(fs::exists(path("lost/report.html")));
+}
+
 TEST_F(Faults, NoFaultLeavesPartsOfFiles) {
   for (const auto& entry : fs::recursive_directory_iterator(path("full")))
     EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".tmp")));

@@ -250,6 +250,26 @@ TEST(Refuse, TomlSyntax) {
   EXPECT_NE(message_of("title = \"x\"\ndimension = 2\ndimension = 3\n").find("bad.toml:3: "),
             std::string::npos);
   EXPECT_NE(message_of("").find("dimension: the key is missing"), std::string::npos);
+  EXPECT_NE(message_of("title = \"x\"\nquality = draft  # rough\n")
+                .find("bad.toml:2: this is not valid TOML"),
+            std::string::npos);
+  EXPECT_NE(message_of("title = \"x\"\nquality = draft  # rough\n")
+                .find("A text is in quotes: quality = \"draft\"."),
+            std::string::npos);
+  EXPECT_EQ(message_of("title = \"x\"\ndimension = 2..5\n").find("in quotes"), std::string::npos);
+}
+
+// The end of a case without a table [time] is missing by its whole name; where it would follow from
+// a machine that has a problem, only the problem is told.
+TEST(Refuse, MissingEnd) {
+  const std::string without_time = "title = \"x\"\ndimension = 2\n";
+  EXPECT_NE(message_of(without_time).find("time.end: the key is missing"), std::string::npos);
+  const std::string machine =
+      "[machine]\npressure = \"30 kpa\"\norifice_diameter = \"0.15 mm\"\nstandoff = \"3 mm\"\n"
+      "[workpiece]\nmaterial = \"tofu\"\nsize = [\"300 mm\", \"50 mm\"]\n";
+  const std::string message = message_of(without_time + machine);
+  EXPECT_NE(message.find("machine.pressure = \"30 kpa\""), std::string::npos) << message;
+  EXPECT_EQ(message.find("the key is missing"), std::string::npos) << message;
 }
 
 TEST(Refuse, ManyProblemsAtOnce) {

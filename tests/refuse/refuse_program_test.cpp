@@ -47,6 +47,18 @@ TEST(RefuseProgram, BadCasesEndWithOneAndAMessage) {
   std::filesystem::remove(file);
 }
 
+TEST(RefuseProgram, MisspelledArgumentsAreGuessed) {
+  const Outcome command = run("chek", true);
+  EXPECT_EQ(command.code, 2);
+  EXPECT_NE(command.output.find("Did you mean check instead of chek?"), std::string::npos);
+  const Outcome option = run("run --treads 2 my.toml", true);
+  EXPECT_EQ(option.code, 2);
+  EXPECT_NE(option.output.find("Did you mean --threads instead of --treads?"), std::string::npos);
+  const Outcome name = run("new foam", true);
+  EXPECT_EQ(name.code, 1);
+  EXPECT_NE(name.output.find("Did you mean \"foam-"), std::string::npos);
+}
+
 // A verification case that is named is not left out: the message has its reason and what it allows.
 TEST(RefuseProgram, MovesThatACaseDoesNotAllowAreNamedWithTheReason) {
   const Outcome moved =

@@ -65,6 +65,16 @@ TEST_F(View, ServesThePageOfARun) {
   EXPECT_EQ(client_->Get("/nothing")->status, 404);
 }
 
+// A page of another site may lead a name of its own to this machine.
+TEST_F(View, AnswersToThisMachineOnly) {
+  constexpr int forbidden = 403;
+  EXPECT_EQ(client_->Get("/run.json", {{"Host", "localhost:8080"}})->status, 200);
+  EXPECT_EQ(client_->Get("/run.json", {{"Host", "example.org"}})->status, forbidden);
+  EXPECT_EQ(client_->Get("/run.json", {{"Host", "127.0.0.1.example.org"}})->status, forbidden);
+  EXPECT_EQ(client_->Get("/run.json", {{"Origin", "http://example.org"}})->status, forbidden);
+  EXPECT_EQ(client_->Get("/run.json", {{"Origin", "http://localhost:99"}})->status, 200);
+}
+
 TEST_F(View, FramesAreThoseOnTheDisk) {
   const auto description = run();
   const auto files = frame_files(out_);

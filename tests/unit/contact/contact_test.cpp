@@ -77,8 +77,8 @@ class ContactOfBonds : public testing::Test {
     };
     const auto by_all = accelerate();
     std::vector<std::uint8_t> is_fully_bonded(number.size(), 0);
-    const MarkFullyBonded<dimension, Precision> mark{loaded.particles.view(), link, solid.view(),
-                                                     list, is_fully_bonded.data()};
+    const MarkFullyBonded<dimension, Precision> mark{
+        loaded.particles.view(), link, solid.view(), list, nullptr, is_fully_bonded.data()};
     for (Index s = 0; s < number.size(); ++s) mark(s);
     list.fully_bonded = is_fully_bonded.data();
     fully_bonded =

@@ -68,6 +68,22 @@ TEST(Units, WrittenQuantitiesAreReadBackBitForBit) {
   }
 }
 
+// A unit in other letters, and a decimal comma, are told as such.
+TEST(Units, MistakesAreNamed) {
+  struct Mistake {
+    const char *text, *unit, *problem;
+  };
+  for (const Mistake& mistake :
+       {Mistake{"30 kpa", "Pa", "the unit \"kpa\" is unknown; write \"kPa\""},
+        {"30 Mpa", "Pa", "the unit \"Mpa\" is unknown; write \"MPa\""},
+        {"3000 PSI", "Pa", "the unit \"PSI\" is unknown; write \"psi\""},
+        {"2 MM", "m", "the unit \"MM\" is unknown; write \"mm\""},
+        {"2 furlongs/moment", "m/s", "the unit \"furlongs/moment\" is unknown"},
+        {"0,05 MPa", "Pa", "a number has a decimal point, not a comma"},
+        {"2 kg", "m", "\"kg\" is not the unit of a length"}})
+    EXPECT_EQ(read_quantity(mistake.text, mistake.unit).problem, mistake.problem) << mistake.text;
+}
+
 TEST(Units, ManyThreadsAgree) {
   std::vector<std::thread> threads;
   std::vector<int> wrong(4, 0);

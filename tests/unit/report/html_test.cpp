@@ -32,6 +32,14 @@ TEST(Html, TextIsEscaped) {
   EXPECT_EQ(html::escape("<b> & \"c\""), "&lt;b&gt; &amp; &quot;c&quot;");
 }
 
+// Neither the end of the element nor what makes the parser look past it is in it.
+TEST(Html, DataOfAScriptHasNoMarkup) {
+  const std::string data = html::data_script("run", R"({"title":"</script><!--<script>"})");
+  EXPECT_EQ(data,
+            "<script type=\"application/json\" id=\"run\">{\"title\":\"\\u003c/script>"
+            "\\u003c!--\\u003cscript>\"}</script>\n");
+}
+
 TEST(Html, NumbersAreFormatted) {
   const std::string thin = "\u202f";
   EXPECT_EQ(html::quantity(0.0224, "s"), "22.4" + thin + "ms");
