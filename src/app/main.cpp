@@ -52,6 +52,7 @@ int run(CLI::App& program, int argc, char** argv) {
                "check'; a greater spacing, a smaller piece or symmetry planes need less.\n");
     return exit_run_failed;
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return exit_files;  // main() says so
     fmt::print(stderr, "kerf: internal error: {}. Please report this with the case.\n",
                error.what());
     return exit_internal;

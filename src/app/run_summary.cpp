@@ -77,10 +77,11 @@ void RunLoop::write_result() {
   outcome.derived = derive(settings_.description);
   outcome.cut = cut_->summary();
   measure(outcome);
-  outcome.exposure = exposure_of(settings_.description, cut_->history(), outcome.cut);
   outcome.stationary = stationary_;
   outcome.still_cutting = still_cutting(cut_->history());
   outcome.balance = simulation_->balance();
+  if (!breaks_nothing(outcome))
+    outcome.exposure = exposure_of(settings_.description, cut_->history(), outcome.cut);
   outcome.time = simulation_->time();
   outcome.steps = simulation_->step();
   outcome.particles = simulation_->particles();

@@ -36,8 +36,9 @@ struct RunOutcome {
   std::string case_name;
   DerivedNumbers derived;
   CutSummary cut;
-  std::optional<Kerf> kerf;          // of runs with a jet
-  std::optional<Exposure> exposure;  // of a nozzle that stands in the run and moves in the case
+  std::optional<Kerf> kerf;  // of runs with a jet
+  // Of a nozzle that stands in the run and moves in the case, if its jet breaks something.
+  std::optional<Exposure> exposure;
   std::optional<StationaryCut> stationary;  // where a frame travels with the nozzle
   bool still_cutting = false;               // the front was moving when the run ended
   Balance balance;
@@ -63,6 +64,8 @@ struct RunOutcome {
 bool still_cutting(const std::vector<CutState>& history);
 // Says what that means.
 std::string still_cutting_sentence(const RunOutcome& outcome);
+// Returns whether no bond has broken and nothing has come off.
+bool breaks_nothing(const RunOutcome& outcome);
 
 // Returns one sentence: whether and when the jet cut through, its depth, or that nothing broke.
 std::string verdict_of(const RunOutcome& outcome);

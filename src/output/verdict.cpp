@@ -62,7 +62,7 @@ bool is_at_end_of_part(const RunOutcome& outcome) {
 std::string depth_sentence(const RunOutcome& outcome) {
   const std::string end = readable(outcome.time, "s");
   const std::string front = readable(outcome.cut.last.front_depth, "m");
-  if (outcome.cut.last.fractured_mass == 0.0 && outcome.balance.dissipated_fracture == 0.0)
+  if (breaks_nothing(outcome))
     return fmt::format("The jet breaks nothing within {}; its front presses {} into the workpiece.",
                        end, front);
   if (is_at_end_of_part(outcome))
@@ -108,9 +108,18 @@ std::string cut_sentence(const RunOutcome& outcome) {
 
 // Says what the run means for a nozzle that stands in it and moves at the machine.
 std::string exposure_sentence(const RunOutcome& outcome) {
+  const Case& description = outcome.description;
+  if (!stands_for_traverse(description)) return "";
+  const Machine& machine = *description.machine;
+  const std::string feed = readable(machine.traverse_speed, "m/s");
+  if (breaks_nothing(outcome))
+    return fmt::format(
+        " A feed of {} exposes each point for {} or more; a dent in which nothing breaks is not "
+        "carried on to that.",
+        feed,
+        readable(exposure_time(machine, description.jets.back(), description.dimension), "s"));
   if (!outcome.exposure) return "";
   const Exposure& exposure = *outcome.exposure;
-  const std::string feed = readable(outcome.description.machine->traverse_speed, "m/s");
   const char* verdict = exposure.cuts()      ? "cuts through"
                         : exposure.may_cut() ? "may cut through"
                                              : "does not cut through";
@@ -155,6 +164,10 @@ std::string stationary_sentence(const RunOutcome& outcome) {
 }
 
 }  // namespace
+
+bool breaks_nothing(const RunOutcome& outcome) {
+  return outcome.cut.last.fractured_mass == 0.0 && outcome.balance.dissipated_fracture == 0.0;
+}
 
 bool still_cutting(const std::vector<CutState>& history) {
   if (history.empty() || history.back().cut_through || history.back().fractured_mass == 0.0)

@@ -12,6 +12,13 @@ namespace {
 
 struct TravellingCut {
   double depth = 0.0, lag = 0.0, width = 0.0, front = 0.0;  // m
+
+  void add(const TravellingCut& other, double weight) {
+    depth += weight * other.depth;
+    lag += weight * other.lag;
+    width += weight * other.width;
+    front += weight * other.front;
+  }
 };
 
 // Measures the cut over the last jet widths of the path, in the window `seen` of the slab.
@@ -52,7 +59,7 @@ TravellingCut mean_cut(const Case& description, const Case& measured, double fro
   const auto simulation = make_simulation(description);
   const Frame initial = simulation->frame();
   const bool travels = travelling_frame(description).has_value();
-  TravellingCut mean;
+  TravellingCut sum, mean;
   double count = 0.0, due = from;
   while (!simulation->finished()) {
     simulation->advance();
@@ -62,31 +69,35 @@ TravellingCut mean_cut(const Case& description, const Case& measured, double fro
     const Case seen = at_shift(measured, shifts);
     const Frame layout =
         travels ? simulation->layout() : cropped(initial, seen.bodies[0].shape.box);
-    const TravellingCut cut = measure_cut(seen, layout, simulation->frame());
-    mean.depth += cut.depth;
-    mean.lag += cut.lag;
-    mean.width += cut.width;
-    mean.front += cut.front;
+    sum.add(measure_cut(seen, layout, simulation->frame()), 1.0);
     count += 1.0;
   }
-  for (double* value : {&mean.depth, &mean.lag, &mean.width, &mean.front}) *value /= count;
+  mean.add(sum, 1.0 / count);
   return mean;
 }
 
+// The lag of one run scatters by 3%, its depth by 1.5% (standard deviations), since fracture
+// amplifies any difference; so both are means of runs whose standoffs differ by some 1e-7 m.
 TEST(TravellingCut, IsThatOfALongBlock) {
+  constexpr int runs = 5;
   TravellingText text;
   text.low = -150e-3;
   text.high = -70e-3;
   text.thickness = 24e-3;
   text.frame = "frame = \"travelling\"\nshift = \"10 mm\"";
   text.time = "end = \"6 ms\"";
-  const Case travelling = text.read();
-  const TravellingCut window = mean_cut(travelling, travelling, 3e-3);
-  const TravellingCut block = mean_cut(long_block(text).read(), travelling, 3e-3);
+  TravellingCut window, block;
+  for (int run = 0; run < runs; ++run) {
+    const Case travelling = text.read();
+    window.add(mean_cut(travelling, travelling, 3e-3), 1.0 / runs);
+    block.add(mean_cut(long_block(text).read(), travelling, 3e-3), 1.0 / runs);
+    text.standoff += 1e-7;
+  }
+  const double width = text.read().jets[0].width;
   EXPECT_GT(block.depth, 2e-3);
   EXPECT_NEAR(window.depth, block.depth, 0.03 * block.depth);
   EXPECT_NEAR(window.front, block.front, 0.03 * block.front);
-  EXPECT_NEAR(window.lag, block.lag, 0.03 * std::max(block.lag, travelling.jets[0].width));
+  EXPECT_NEAR(window.lag, block.lag, 0.03 * std::max(block.lag, width));
 }
 
 }  // namespace

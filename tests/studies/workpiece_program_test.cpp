@@ -171,9 +171,25 @@ TEST_F(WorkpieceProgram, TheLeastPressureIsThatOfTheStatedFeed) {
   for (const auto& trial : answer.at("trials")) {
     const auto folder = folder_ / "limit" / trial.at("report").get<std::string>();
     const auto one = nlohmann::json::parse(read_file(folder.parent_path() / "result.json"));
-    EXPECT_EQ(trial.at("holds"), one.at("exposure").at("greatest_feed") >= 10e-3);
+    const bool cuts = one.contains("exposure") && one["exposure"]["greatest_feed"] >= 10e-3;
+    EXPECT_EQ(trial.at("holds"), cuts);
     EXPECT_EQ(trial.at("holds"), trial.at("value") >= answer.at("high"));
   }
+}
+
+// A jet that only presses a dent cuts at no feed, however long the nozzle would stand.
+TEST_F(WorkpieceProgram, ADentIsNotCarriedToACut) {
+  std::string text = tofu_workpiece;
+  text.replace(text.find("13 kPa"), 6, "2 kPa");
+  write(text);
+  ASSERT_EQ(run().exit_code, 0);
+  EXPECT_FALSE(result().contains("exposure"));
+  EXPECT_THAT(result().at("verdict").get<std::string>(),
+              AllOf(HasSubstr("breaks nothing"), HasSubstr("a dent in which nothing breaks"),
+                    Not(HasSubstr("cuts through"))));
+  EXPECT_THAT(file("report.html"), HasSubstr("<p class=\"verdict no\"><b>✗"));
+  const Ending ending = limit("feed");
+  EXPECT_THAT(ending.output, HasSubstr("tells no feed"));
 }
 
 TEST_F(WorkpieceProgram, RefusesADepthBeyondTheWorkpiece) {
