@@ -121,14 +121,13 @@ void read_plain(Draft& draft, Section& top, const std::string& name, Structure& 
 void read_time(Draft& draft, Section& top) {
   const toml::table empty;
   const toml::table* written = top.table("time");
-  Section section(draft.reading, written ? *written : empty, "time", written ? "time" : "");
+  Section section(draft.reading, written ? *written : empty, "time", "time");
   TimeControl& time = draft.result.time;
   time.end = standard_end(draft);
   // A machine whose description has problems has no end of its own.
   const bool may_follow = top.has("machine") && draft.reading.problems.any();
   if (time.end == 0.0 && !section.has("end") && !may_follow)
-    top.refuse("time.end", "the key is missing", "Add it: the end time of the run",
-               "a time with its unit, such as \"10 ms\"");
+    section.refuse("end", "the key is missing", "Add it: the end time of the run");
   section.read(time);
   if (!section.has("after_cut")) time.after_cut = draft.after_cut;
   section.refuse_unknown();

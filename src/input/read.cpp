@@ -5,11 +5,10 @@
 
 #include <fstream>
 #include <iterator>
-#include <regex>
-#include <sstream>
 
 #include "core/error.hpp"
 #include "input/draft.hpp"
+#include "input/parse_toml.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -17,28 +16,6 @@ namespace kerf {
 namespace {
 
 constexpr std::uintmax_t largest_file = 64u << 20;  // bytes
-
-// Returns how to write a line `key = word` whose word lacks its quotes; nothing for other lines.
-std::string quoted_line(std::string_view text, int number) {
-  std::istringstream lines{std::string(text)};
-  std::string line;
-  for (int n = 0; n < number; ++n) std::getline(lines, line);
-  static const std::regex form(
-      R"(^\s*([A-Za-z0-9_.-]+)\s*=\s*([A-Za-z][A-Za-z0-9_ ./-]{0,60}?)\s*(#.*)?\r?$)");
-  std::smatch match;
-  if (line.size() > 200 || !std::regex_match(line, match, form)) return {};
-  return fmt::format(" A text is in quotes: {} = \"{}\".", match.str(1), match.str(2));
-}
-
-toml::table parse_toml(std::string_view text, std::string_view file_name) {
-  try {
-    return toml::parse(text, file_name);
-  } catch (const toml::parse_error& error) {
-    const int line = static_cast<int>(error.source().begin.line);
-    throw UserError(fmt::format("{}:{}: this is not valid TOML: {}. Correct the line.{}", file_name,
-                                line, error.description(), quoted_line(text, line)));
-  }
-}
 
 // Reads the dimension first, because the reading of all other keys depends on it.
 int read_dimension(Reading& reading, const toml::table& table) {

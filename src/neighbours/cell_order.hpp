@@ -64,8 +64,8 @@ class CellTable {
   void build(Particles<D, P>& particles, const LevelGrids<D>& grids) {
     const Index n = particles.size(), cells = grids.count();
     number(particles, grids);
-    is_sorted_ = late() == 0;
-    if (!is_sorted_) {
+    late_ = count_indices(n, ComesTooLate{pointer(cell_)});
+    if (late_ > 0) {
       key_ = cell_;
       particle_at_.resize(n);
       thrust::sequence(loop_policy(), particle_at_.begin(), particle_at_.end());
@@ -76,18 +76,16 @@ class CellTable {
   }
 
   // How many particles are in a cell before that of their predecessor: a measure of disorder.
-  Index late() const {
-    return count_indices(static_cast<Index>(cell_.size()), ComesTooLate{pointer(cell_)});
-  }
+  Index late() const { return late_; }
   CellOrder view() const {
-    return {is_sorted_ ? nullptr : pointer(particle_at_), pointer(cell_), pointer(begin_)};
+    return {late_ == 0 ? nullptr : pointer(particle_at_), pointer(cell_), pointer(begin_)};
   }
   std::size_t entries() const {
     return cell_.size() + begin_.size() + key_.size() + particle_at_.size();
   }
 
  private:
-  bool is_sorted_ = true;
+  Index late_ = 0;
   Array<Index> cell_, begin_, particle_at_;
   Array<Index> key_;  // scratch of the sort
 };

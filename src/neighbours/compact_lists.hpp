@@ -11,15 +11,6 @@
 
 namespace kerf {
 
-// The blocks of `length` of `count` particles.
-struct ListBlocks {
-  Index count, length;
-
-  Index number() const { return (count + length - 1) / length; }
-  Index first(Index block) const { return block * length; }
-  Index last(Index block) const { return std::min(count, (block + 1) * length); }
-};
-
 // Returns how many entries are used then.
 inline Index compact_lists(const ListBlocks& blocks, const ListRanges& ranges,
                            const ListMemory& memory) {

@@ -110,9 +110,9 @@ class ListEntries {
     return {pointer(neighbour_), static_cast<Index>(neighbour_.size()), &used, pointer(capacity_)};
   }
   void list_in_blocks(const Find& find, Index count, const ListMarks& marks) {
+    const ListBlocks blocks{count, Block::length};
     std::atomic<Index> used = used_;
-    for_each_index(ListBlocks{count, Block::length}.number(),
-                   Block{find, count, ranges(), memory(used), marks});
+    for_each_index(blocks.number(), Block{find, blocks, ranges(), memory(used), marks});
     used_ = used;
   }
   // Makes room for the blocks that had none.

@@ -24,6 +24,15 @@ struct ListMemory {
   Index* capacity;           // of each block, entries, with the spare ones
 };
 
+// The blocks of `length` of `count` particles.
+struct ListBlocks {
+  Index count, length;
+
+  Index number() const { return (count + length - 1) / length; }
+  Index first(Index block) const { return block * length; }
+  Index last(Index block) const { return std::min(count, (block + 1) * length); }
+};
+
 // Which lists are found: all, or those of blocks that have particles of a mark. All particles of
 // such a block get `listed`, since their lists are elsewhere then, or `no_room`, without a list.
 struct ListMarks {
@@ -45,13 +54,13 @@ struct ListBlock {
   static constexpr Index length = 64;  // particles
 
   FindNeighbours<D, P, Scheme> find;
-  Index count;
+  ListBlocks blocks;
   ListRanges ranges;
   ListMemory memory;
   ListMarks marks;
 
   void operator()(Index number) const {
-    const Block block{number, number * length, std::min((number + 1) * length, count)};
+    const Block block{number, blocks.first(number), blocks.last(number)};
     if (!marks.any(block.first, block.last)) return;
     thread_local GrownSections found;
     thread_local SearchMemory of_cells;

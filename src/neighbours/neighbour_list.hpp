@@ -64,7 +64,7 @@ class NeighbourList {
     thrust::fill(moved_.begin(), moved_.begin() + listed, std::uint8_t(0));
     thrust::fill(moved_.begin() + listed, moved_.end(), std::uint8_t(1));
     if (have_moved) validity_.mark_moved(cells_.view(), share, pointer(moved_));
-    if (count_indices(n, IsMarked{pointer(moved_)}) > n / 2) return false;
+    if (count_indices(n, IsSet{pointer(moved_)}) > n / 2) return false;
     refresh_marked(particles, true);
     return cells_.late() <= n / 8 && validity_.holds(particles, cells_.view(), horizon);
   }
@@ -112,10 +112,10 @@ class NeighbourList {
     if (moves) {
       for_each_index(n, MoveBuildPosition<D, P>{view, pointer(moved_)});
       cells_.build(particles, grids_);
+      validity_.restart(cells_.view());
     }
     entries_.list_anew(find(particles), n, listed_anew_);
     listed_as_ = particles.fractured;
-    validity_.restart(cells_.view());
   }
 
   Find find(Particles<D, P>& particles) {

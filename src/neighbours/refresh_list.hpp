@@ -23,11 +23,6 @@ struct MarkFractured {
   }
 };
 
-struct IsMarked {
-  const std::uint8_t* marks;
-  KERF_FUNCTION bool operator()(Index i) const { return marks[i] != 0; }
-};
-
 // Marks the particles whose list may change when a marked one is listed at its position, or at its
 // build position: those within the cutoff of the one or the other, and of its mirror images.
 template <int D, class P>
@@ -44,14 +39,11 @@ struct MarkAround {
     set_flag(listed_anew[i]);
     const Places own{particles.build_position[i],
                      moves ? particles.position[i] : particles.build_position[i]};
-    mark(i, own);
+    mark(i, 0, own);
     const auto& mirrors = particles.mirrors;
     if (mirrors.faces == 0) return;
-    for (int image = 1; image < MirrorPlanes<D>::images; ++image) {
-      MirrorCode code;
-      if (mirrors.find_image(image, code))
-        mark(i, {mirrors.image_position(code, own.before), mirrors.image_position(code, own.now)});
-    }
+    for (int image = 1; image < MirrorPlanes<D>::images; ++image)
+      if (MirrorCode code; mirrors.find_image(image, code)) mark(i, code, own);
   }
 
  private:
@@ -76,10 +68,16 @@ struct MarkAround {
     }
   };
 
-  KERF_FUNCTION void mark(Index i, const Places& places) const {
+  // `code`: the image by which the particle at `own` acts; 0: itself.
+  KERF_FUNCTION void mark(Index i, MirrorCode code, const Places& own) const {
     constexpr double rounding = 1.0 + 1e-6;
+    const auto& mirrors = particles.mirrors;
+    const Places places{mirrors.image_position(code, own.before),
+                        mirrors.image_position(code, own.now)};
     for (int level = 0; level < grids.levels; ++level) {
       const double limit = rounding * grids.limit[particles.medium(i).level][level];
+      if (!mirrors.is_near(code, own.before, limit) && !mirrors.is_near(code, own.now, limit))
+        continue;
       Vector<D, double> minimum, maximum;
       for (int a = 0; a < D; ++a) {
         minimum[a] = std::fmin(places.before[a], places.now[a]) - limit;

@@ -73,6 +73,12 @@ KERF_FUNCTION void set_flag(std::uint8_t& flag) {
 #endif
 }
 
+// Whether a flag is set.
+struct IsSet {
+  const std::uint8_t* flag;
+  KERF_FUNCTION bool operator()(Index i) const { return flag[i] != 0; }
+};
+
 // Combines value(0) .. value(count - 1) with an operator whose result does not depend on order
 // (minimum, maximum, or): exact for any number of threads.
 template <class T, class Value, class Combine>

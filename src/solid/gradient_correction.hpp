@@ -73,8 +73,4 @@ struct BreakAllBonds {
   }
 };
 
-struct IsSet {
-  const std::uint8_t* flag;
-  KERF_FUNCTION bool operator()(Index i) const { return flag[i] != 0; }
-};
 }  // namespace kerf

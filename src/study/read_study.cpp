@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "input/parse_toml.hpp"
 #include "input/read.hpp"
 #include "input/section.hpp"
 #include "model/case.hpp"
@@ -22,15 +23,6 @@ constexpr int most_runs = 100000;
 
 bool is_range(const toml::table& table) {
   return table.contains("from") || table.contains("to");
-}
-
-toml::table parse_toml(const std::string& text, const std::string& file_name) {
-  try {
-    return toml::parse(text, file_name);
-  } catch (const toml::parse_error& error) {
-    throw UserError(fmt::format("{}:{}: this is not valid TOML: {}. Correct the line.", file_name,
-                                static_cast<int>(error.source().begin.line), error.description()));
-  }
 }
 
 // Returns the text of the case that `base` names; nothing, with a problem noted, when there is

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input/parse_toml.hpp"
+
+#include <fmt/format.h>
+
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include "core/error.hpp"
+
+namespace kerf {
+namespace {
+
+// Returns how to write a line `key = word` whose word lacks its quotes; nothing for other lines.
+std::string quoted_line(std::string_view text, int number) {
+  std::istringstream lines{std::string(text)};
+  std::string line;
+  for (int n = 0; n < number; ++n) std::getline(lines, line);
+  static const std::regex form(
+      R"(^\s*([A-Za-z0-9_.-]+)\s*=\s*([A-Za-z][A-Za-z0-9_ ./-]{0,60}?)\s*(#.*)?\r?$)");
+  std::smatch match;
+  if (line.size() > 200 || !std::regex_match(line, match, form)) return {};
+  return fmt::format(" A text is in quotes: {} = \"{}\".", match.str(1), match.str(2));
+}
+
+}  // namespace
+
+toml::table parse_toml(std::string_view text, std::string_view file_name) {
+  try {
+    return toml::parse(text, file_name);
+  } catch (const toml::parse_error& error) {
+    const int line = static_cast<int>(error.source().begin.line);
+    throw UserError(fmt::format("{}:{}: this is not valid TOML: {}. Correct the line.{}", file_name,
+                                line, error.description(), quoted_line(text, line)));
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string_view>
+
+namespace kerf {
+
+// Returns the table of a TOML text. Throws a UserError that names file, line and fault where the
+// text is not valid.
+toml::table parse_toml(std::string_view text, std::string_view file_name);
+
+}  // namespace kerf
