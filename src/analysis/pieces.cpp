@@ -99,11 +99,13 @@ std::vector<Fragment> gather_fragments(const Workpiece& workpiece, const Frame& 
 // Numbers the pieces in the order of their first slots.
 std::vector<std::uint32_t> number_pieces(const std::vector<std::uint32_t>& label) {
   std::unordered_map<std::uint32_t, std::uint32_t> numbers;
-  std::vector<std::uint32_t> number_of;
-  for (const std::uint32_t piece : label) {
+  std::vector<std::uint32_t> number_of(label.size(), Workpiece::none);
+  for (std::size_t slot = 0; slot < label.size(); ++slot) {
+    if (label[slot] == Workpiece::none) continue;
+    const bool is_as_before = slot > 0 && label[slot] == label[slot - 1];  // as most are
     const auto next = static_cast<std::uint32_t>(numbers.size());
-    number_of.push_back(piece == Workpiece::none ? piece
-                                                 : numbers.try_emplace(piece, next).first->second);
+    number_of[slot] =
+        is_as_before ? number_of[slot - 1] : numbers.try_emplace(label[slot], next).first->second;
   }
   return number_of;
 }
@@ -111,16 +113,17 @@ std::vector<std::uint32_t> number_pieces(const std::vector<std::uint32_t>& label
 // Marks the slots in pieces within their body that are heavier than piece_mass_fraction of it.
 std::vector<std::uint8_t> in_part_of_body(const Workpiece& workpiece,
                                           const std::vector<std::uint32_t>& body_piece) {
-  std::unordered_map<std::uint32_t, double> mass;
-  std::unordered_map<std::uint16_t, double> whole;
+  const std::vector<std::uint32_t> number_of = number_pieces(body_piece);
+  std::vector<double> mass(body_piece.size(), 0.0), whole(1 + workpiece.bodies.size(), 0.0);
   for (std::size_t slot = 0; slot < body_piece.size(); ++slot) {
+    if (workpiece.body[slot] >= whole.size()) whole.resize(workpiece.body[slot] + 1u, 0.0);
     whole[workpiece.body[slot]] += workpiece.mass[slot];
-    if (body_piece[slot] != Workpiece::none) mass[body_piece[slot]] += workpiece.mass[slot];
+    if (number_of[slot] != Workpiece::none) mass[number_of[slot]] += workpiece.mass[slot];
   }
   std::vector<std::uint8_t> marks(body_piece.size(), 0);
   for (std::size_t slot = 0; slot < body_piece.size(); ++slot)
-    if (body_piece[slot] != Workpiece::none &&
-        mass[body_piece[slot]] > piece_mass_fraction * whole[workpiece.body[slot]])
+    if (number_of[slot] != Workpiece::none &&
+        mass[number_of[slot]] > piece_mass_fraction * whole[workpiece.body[slot]])
       marks[slot] = 1;
   return marks;
 }

@@ -20,9 +20,10 @@ bool contains_axis(const JetAxis& jet, std::size_t axis, double position) {
 
 template <class T>
 void repeat(std::vector<T>& values, std::size_t count) {
-  const std::size_t once = values.size();
-  values.reserve(count * once);
-  for (std::size_t n = once; n < count * once; ++n) values.push_back(values[n % once]);
+  const auto once = static_cast<std::ptrdiff_t>(values.size());
+  values.resize(count * values.size());
+  for (std::size_t n = 1; n < count; ++n)
+    std::copy_n(values.begin(), once, values.begin() + static_cast<std::ptrdiff_t>(n) * once);
 }
 
 std::array<double, 3> mirrored(std::array<double, 3> x, const SymmetryImages& images,
@@ -53,7 +54,8 @@ void mirror_pieces(std::vector<std::uint32_t>& label, const std::vector<std::uin
   std::unordered_map<std::uint32_t, std::uint32_t> first;  // row of each label
   std::vector<std::uint32_t> own(once), planes(once, 0);   // planes by `first`, as bits of images
   for (std::uint32_t row = 0; row < once; ++row) {
-    own[row] = first.try_emplace(label[row], row).first->second;
+    const bool is_as_before = row > 0 && label[row] == label[row - 1];  // as most are
+    own[row] = is_as_before ? own[row - 1] : first.try_emplace(label[row], row).first->second;
     for (std::size_t p = 0; p < images.planes.size() && !joined.empty(); ++p)
       if ((joined[row] & images.planes[p].joins) != 0) planes[own[row]] |= 1u << p;
   }

@@ -199,7 +199,8 @@ void RunLoop::write_row() {
   sample.last_step = simulation_->last_step();
   sample.balance = simulation_->balance();
   follow_window();
-  sample.cut = cut_->observe(frame(), sample.balance.impulse_water);
+  sample.cut =
+      cut_->observe(frame_ ? *frame_ : simulation_->frame_of_cut(), sample.balance.impulse_water);
   judge_motion();
   sample.probes = simulation_->probe_values();
   series_.append(sample);

@@ -59,6 +59,7 @@ struct Numerics {  // of the `standard` formulation
   bool shifting = true;      // of water's particles, away from its surfaces
   bool smooth_walls = true;  // rigid walls act along the normals of their faces
   int subcycles = 8;         // steps that go on with the same forces of bonds, at most
+  bool sleep = true;         // whether solid that nothing has reached is left out of the steps
   bool operator==(const Numerics&) const = default;
 };
 

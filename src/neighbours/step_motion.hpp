@@ -20,6 +20,7 @@ struct MotionSquares {
 
   template <int D, class P>
   KERF_FUNCTION void include(const ParticleView<D, P>& particles, Index i) {
+    if (particles.is_asleep(i)) return;
     const auto moved = particles.position[i] - particles.start_position[i];
     const auto velocity = Vector<D, double>::from(particles.velocity[i]);
     join({dot(moved, moved), dot(velocity, velocity)});

@@ -57,6 +57,7 @@ struct FilteredPairLoop : Terms... {
   }
 
   KERF_FLATTEN KERF_FUNCTION void operator()(Index i) const {
+    if (particles.is_asleep(i)) return;
     if (list.first(i) == list.last(i))
       finish_alone(i);
     else

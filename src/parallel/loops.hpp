@@ -64,12 +64,22 @@ void for_each_index(Index count, const Body& body) {
 #endif
 }
 
-// Sets a flag that loop bodies of other threads may set as well.
-KERF_FUNCTION void set_flag(std::uint8_t& flag) {
+// Store and load a flag that loop bodies of other threads may store as well.
+KERF_FUNCTION void store_flag(std::uint8_t& flag, std::uint8_t value) {
 #if defined(__CUDA_ARCH__)
-  flag = 1;
+  flag = value;
 #else
-  __atomic_store_n(&flag, std::uint8_t(1), __ATOMIC_RELAXED);
+  __atomic_store_n(&flag, value, __ATOMIC_RELAXED);
+#endif
+}
+KERF_FUNCTION void set_flag(std::uint8_t& flag) {
+  store_flag(flag, 1);
+}
+KERF_FUNCTION std::uint8_t load_flag(const std::uint8_t& flag) {
+#if defined(__CUDA_ARCH__)
+  return flag;
+#else
+  return __atomic_load_n(&flag, __ATOMIC_RELAXED);
 #endif
 }
 

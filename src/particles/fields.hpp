@@ -48,6 +48,9 @@ namespace kerf {
   STATE(std::uint16_t, source, start.source, always, hidden)         /* simulation/media_order.hpp */   \
   STATE(std::uint8_t, fractured, 0, always, hidden) /* 1 = bears compression only */               \
   STATE(std::uint8_t, flags, start.flags, always, hidden) /* particles/new_particle.hpp */         \
+  STATE(std::uint8_t, asleep, 0, sleep, hidden) /* 1 = solid at rest that is not computed */        \
+  STATE(std::uint8_t, moving, medium.phase == Phase::water, sleep, hidden) /* standard/sleep.hpp */ \
+  STATE(std::uint8_t, reached, medium.phase == Phase::water, sleep, hidden) /* the same */          \
   STATE(Stress, shear, Stress(), rate_stress,                                                      \
         shown<AsStored>("deviatoric_stress", "deviatoric stress", "Pa")) /* viscous in water */    \
   STATE(Real, solid_initial_overlap, 1, contact, hidden) /* 1, kernel sum over solids */           \
@@ -87,6 +90,7 @@ struct FieldGroups {
   bool mirrored = true;        // symmetry planes
   bool density_losses = true;  // energy that the density loses (standard)
   bool rigid_walls = true;     // smooth walls of rigid bodies (standard)
+  bool sleep = false;          // solid at rest may sleep (standard)
 };
 
 // Contact of a particle of a solid with other bodies (contact/surface_contact.hpp).
@@ -158,6 +162,9 @@ struct ParticleView : FieldTypes<D, P> {
   }
   KERF_FUNCTION bool has(Index i, std::uint8_t bits) const {
     return (flags[i] & bits) != 0;
+  }
+  KERF_FUNCTION bool is_asleep(Index i) const {
+    return asleep != nullptr && asleep[i] != 0;
   }
   // Whether a particle carries no shear: water, and solid that has broken.
   KERF_FUNCTION bool is_fluid(Index i) const {

@@ -86,7 +86,7 @@ struct StepChange {
 
   KERF_FUNCTION void add(Index i, Terms<slots>& sum) const {
     const auto& medium = particles.medium(i);
-    if (medium.phase == Phase::rigid) return;
+    if (medium.phase == Phase::rigid || particles.is_asleep(i)) return;
     particles.pressure_work[i] += static_cast<typename P::Real>(dt) * particles.pressure_power[i];
     const double m = mass_of[particles.source[i]];
     if (particles.continuity_loss != nullptr) add_density_losses(i, m, sum);

@@ -23,6 +23,10 @@ struct Column {
   std::string label{};  // label of the column; empty = its name
 };
 
+// What a frame holds: everything that is shown, or what the verdict on a cut needs
+// (analysis/cut.hpp).
+enum class FrameContent : std::uint8_t { everything, cut };
+
 struct Frame {
   int dimension = 2;
   double time = 0.0;  // s

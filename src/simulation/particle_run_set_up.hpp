@@ -28,6 +28,7 @@ ParticleRun<D, P, Traits>::ParticleRun(RunSettings settings)
   const bool has_smooth_walls = settings_.smooth_walls && has(Phase::rigid);
   particles_.groups =
       Traits::field_groups(has(Phase::solid), has_smooth_walls, particles_.mirrors.faces != 0);
+  particles_.groups.sleep &= settings_.sleep && settings_.loads.empty();
   std::vector<Medium<Real>> media;
   std::vector<double> masses;
   double finest = 1e300, shortest = 1e300;

@@ -88,6 +88,7 @@ void set_numbers(RunSettings& settings, const Case& description) {
   settings.shifting = description.numerics.shifting;
   settings.smooth_walls = description.numerics.smooth_walls;
   settings.subcycles = description.numerics.subcycles;
+  settings.sleep = description.numerics.sleep;
 }
 
 }  // namespace

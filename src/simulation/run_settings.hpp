@@ -68,6 +68,7 @@ struct RunSettings {
   bool shifting = true;
   bool smooth_walls = false;
   int subcycles = 8;  // steps with the same bond forces, at most
+  bool sleep = true;  // whether solid that nothing has reached is left out of the steps
 
   // The content. Vectors marked "per medium" have the order of media_order.hpp.
   std::vector<std::string> source_names;  // of bodies, then of jets, as in "body 'plate'"

@@ -37,6 +37,8 @@ class Simulation {
   virtual std::size_t particles() const = 0;
   virtual StepInfo last_step() const = 0;
   virtual Frame frame() const = 0;
+  // The frame without the columns that the verdict on a cut does not need (analysis/cut.hpp).
+  virtual Frame frame_of_cut() const { return frame(); }
   virtual Balance balance() const = 0;
   // Of a frame that travels with the nozzle: how often it was shifted, and the solid in its window
   // as laid out, with the ids that it has, also where particles have left.

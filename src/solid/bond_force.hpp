@@ -84,7 +84,9 @@ struct BondForce {
   KERF_FUNCTION void set(Index i) const {
     if (solid.has_mirrors()) solid.mirror_acceleration[i] = Vector<D, Real>::zero();
     Force sum{Vector<D, Real>::zero(), Real(0)};
-    if (known_sums.are_known() && !solid.several_bodies[i]) {
+    if (solid.asleep[i]) {
+      // Nothing acts on it.
+    } else if (known_sums.are_known() && !solid.several_bodies[i]) {
       if (!solid.detached[i]) sum = known_sums[i];
     } else {
       sum = sum_all(i);

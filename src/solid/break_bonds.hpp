@@ -61,6 +61,10 @@ struct PrepareCriterion {
       solid.criterion[i] = Real(0);
       return;
     }
+    if (solid.asleep[i]) {
+      solid.criterion[i] = too_low<Real>;
+      return;
+    }
     const Real value = has_failed(i) || fails_in_compression(medium, solid.gradient[i])
                            ? compressive_failure<Real>
                            : prepared(i, medium);

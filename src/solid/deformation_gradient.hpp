@@ -23,6 +23,7 @@ struct Deform {
   KERF_FUNCTION void take(const BlockResults<BondGradient>& sums) { known_sums = sums; }
 
   KERF_FUNCTION void operator()(Index i) const {
+    if (solid.asleep[i]) return;
     auto& traction = solid.ends[i].traction;
     if (solid.detached[i]) {  // it keeps its last gradient
       traction = Matrix<D, Real>::zero();

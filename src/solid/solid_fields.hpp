@@ -29,6 +29,7 @@ namespace kerf {
   FIELD(std::uint8_t, several_bodies)   /* 1: has bonds to other bodies, or to images */       \
   FIELD(std::uint8_t, unlike_media)     /* bits of unlike_media.hpp: beside which it is */     \
   FIELD(std::uint8_t, held)             /* 1: by a clamp, hold_clamped.hpp */                  \
+  FIELD(std::uint8_t, asleep)           /* 1: undeformed, at rest and not computed */          \
   FIELD(std::uint8_t, strained)         /* 1: one of its bonds may break */                    \
   FIELD(Real, stretch)                  /* largest lambda^2 - 1 of its bonds, if they break */ \
   FIELD(Packed, ends)                   /* displacement, velocity, traction and others */      \
@@ -163,8 +164,7 @@ struct SolidView {
     if (j.mirror == 0) return Vector<D, T>::from(y - x);
     return T(-1) * Vector<D, T>::from(bonds.mirrors.separation(j.mirror, x, y));
   }
-  // u_j - u_i, m: differences of both parts, so that a body far from its initial position loses no
-  // digits.
+  // u_j - u_i, m: differences of both parts, exact also far from the initial position.
   template <class T = Real, class End>
   KERF_FUNCTION Vector<D, T> displacement_bond(Index i, const End& j) const {
     using Change = Vector<D, T>;

@@ -112,7 +112,7 @@ struct KeepMisfit {
 
   KERF_FUNCTION void take(const BlockResults<Sum>& sums) { known_sums = sums; }
   KERF_FUNCTION void operator()(Index i) const {
-    if (solid.detached[i])
+    if (solid.detached[i] || solid.asleep[i])
       of[i] = Real(0);
     else if (known_sums.are_known() && !solid.several_bodies[i])
       of[i] = known_sums[i].misfit;
@@ -126,7 +126,7 @@ struct EnergyTerms {
   SolidView<D, P> solid;
   const typename P::Real* misfit_of;
   KERF_FUNCTION void add(Index i, Terms<2>& sum) const {
-    if (solid.detached[i]) return;
+    if (solid.detached[i] || solid.asleep[i]) return;
     sum.value[0] += elastic_energy_of(solid, i, Matrix<D, double>::from(solid.gradient[i]),
                                       EnergyState<D, P>::now(solid, i));
     sum.value[1] += hourglass_energy_of(solid, i, double(misfit_of[i]));

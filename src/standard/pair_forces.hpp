@@ -24,14 +24,18 @@
 
 namespace kerf {
 
-// A loop over the particles of solids alone.
+// A loop over the particles of solids alone. Those that sleep are in no contact.
 template <int D, class P, class Loop>
 struct OfSolids {
   ParticleView<D, P> particles;
   Loop loop;
 
   KERF_FUNCTION void operator()(Index i) const {
-    if (particles.medium(i).phase == Phase::solid) loop(i);
+    if (particles.is_asleep(i))
+      particles.solid_contact[i] = particles.rigid_contact[i] =
+          ContactState<D, typename P::Real>::none();
+    else if (particles.medium(i).phase == Phase::solid)
+      loop(i);
   }
 };
 

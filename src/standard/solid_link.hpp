@@ -47,6 +47,8 @@ struct MotionOfParticles {
   KERF_FUNCTION void take(const SolidView<D, P>& solid, Index s) const {
     const Index i = link.particle_of[s];
     if (i == no_index) return;
+    solid.asleep[s] = particles.is_asleep(i);
+    if (solid.asleep[s]) return;
     auto position = particles.position[i];
     if (prediction_time > 0.0)
       position += prediction_time * Vector<D, double>::from(particles.velocity[i]);
@@ -63,7 +65,7 @@ struct AddSolidAcceleration {
 
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
-    if (i == no_index) return;
+    if (i == no_index || particles.is_asleep(i)) return;
     particles.acceleration[i] += solid.acceleration[s];
     if (solid.has_mirrors()) particles.mirror_acceleration[i] += solid.mirror_acceleration[s];
   }
@@ -79,7 +81,7 @@ struct ShowPressure {
 
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
-    if (i == no_index || solid.detached[s]) return;
+    if (i == no_index || solid.detached[s] || solid.asleep[s]) return;
     particles.pressure[i] -= trace(cauchy_now(solid, s)) / Real(3);
   }
 };

@@ -14,6 +14,7 @@
 #include "simulation/state_io.hpp"
 #include "solid/pair_correction.hpp"
 #include "solid/total_lagrangian.hpp"
+#include "standard/sleep.hpp"
 #include "standard/solid_boundaries.hpp"
 #include "standard/solid_link.hpp"
 #include "standard/solid_members.hpp"
@@ -75,6 +76,19 @@ class SolidPart {
   NeighbourView without_fully_bonded(NeighbourView list) const {
     list.fully_bonded = solid_ ? pointer(fully_bonded_) : nullptr;
     return list;
+  }
+
+  // Lets solid at rest fall asleep, at the end of a step (standard/sleep.hpp).
+  void fall_asleep(Particles<D, P>& particles, const NeighbourView& list) {
+    if (!solid_) return;
+    for_each_index(solid_->size(),
+                   FallAsleep<D, P>{particles.view(), list, link(), solid_->view()});
+  }
+  // Applies an action that spreads from particles to the other ends of their bonds.
+  template <template <int, class> class Action>
+  void spread_to_bond_ends(const Action<D, P>& action) {
+    if (!solid_) return;
+    for_each_index(solid_->size(), SpreadToBondEnds<D, P, Action>{action, link(), solid_->view()});
   }
 
   // Whether the current step is the first substep of a step of the solid (time/subcycling.hpp).
@@ -184,8 +198,8 @@ class SolidPart {
     balance.elastic_strain = energy.elastic;
     balance.hourglass = energy.hourglass;
   }
-  void add_columns(Frame& frame) const {
-    if (solid_) show_solid(solid_->fields(), number_of_id_, frame);
+  void add_columns(FrameContent content, Frame& frame) const {
+    if (solid_) show_solid(solid_->fields(), number_of_id_, content, frame);
   }
 
   std::uint64_t bond_entries() const { return solid_ ? solid_->entries() : 0; }

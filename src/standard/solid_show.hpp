@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "simulation/snapshot.hpp"
 #include "solid/stress_response.hpp"
@@ -30,6 +31,8 @@ class SolidOnHost {
         strain_(to_host(fields.current_strain)),
         detached_(to_host(fields.detached)),
         held_(to_host(fields.held)),
+        several_bodies_(to_host(fields.several_bodies)),
+        has_broken_bonds_(to_host(fields.has_broken_bonds)),
         flow_(to_host(fields.current_flow)),
         flaws_(to_host(fields.flaws)) {
     // Detached particles do not flow: they keep the state at which they came detached.
@@ -47,6 +50,7 @@ class SolidOnHost {
     view_.media = media_.data();
     view_.medium_index = medium_index_.data();
     view_.held = held_.data();
+    view_.several_bodies = several_bodies_.data();
     view_.gradient = gradient_.data();
     view_.elastic_share = share_.data();
     view_.current_flow = flow_.data();
@@ -72,6 +76,7 @@ class SolidOnHost {
   float plastic_strain(Index s) const { return static_cast<float>(flow_[s].plastic_strain); }
   float temperature_rise(Index s) const { return static_cast<float>(flow_[s].temperature_rise); }
   float damage(Index s) const {
+    if (!has_broken_bonds_[s] && !detached_[s]) return 0.0f;
     const Index all = count_[s];
     const Index broken = all - view_.intact_bonds(s);
     return all > 0 ? static_cast<float>(broken) / static_cast<float>(all) : 1.0f;
@@ -86,7 +91,7 @@ class SolidOnHost {
   std::vector<std::uint32_t> intact_;
   std::vector<Matrix<D, Real>> gradient_;
   std::vector<Real> share_, strain_;
-  std::vector<std::uint8_t> detached_, held_;
+  std::vector<std::uint8_t> detached_, held_, several_bodies_, has_broken_bonds_;
   std::vector<PlasticState<D, Real>> flow_;
   std::vector<FlawState<Real>> flaws_;
   SolidView<D, P> view_{};
@@ -142,18 +147,8 @@ void show_pieces(const SolidOnHost<D, P>& solid, const std::vector<Index>& solid
   }
 }
 
-// Adds the columns of the solid to a frame: the pieces, the deviatoric stress, then those of the
-// table. Other particles have zeros. `solid_index_of_id`: solid number of a particle's id, or
-// no_index.
 template <int D, class P>
-void show_solid(const SolidFields<D, P>& fields, const Array<Index>& solid_index_of_id,
-                Frame& frame) {
-  const SolidOnHost<D, P> solid(fields);
-  const std::vector<Index> number = to_host(solid_index_of_id);
-  std::vector<Index> solid_of(frame.id.size(), no_index);
-  for (std::size_t i = 0; i < frame.id.size(); ++i)
-    if (frame.id[i] < number.size()) solid_of[i] = number[frame.id[i]];
-  show_pieces(solid, solid_of, frame);
+Column deviatoric_stress(const SolidOnHost<D, P>& solid, const std::vector<Index>& solid_of) {
   Column stress{"deviatoric_stress", "Pa", 6, {}, "deviatoric stress"};
   for (const Index s : solid_of) {
     auto sigma = SymmetricTensor<D, typename P::Real>::zero();
@@ -162,9 +157,25 @@ void show_solid(const SolidFields<D, P>& fields, const Array<Index>& solid_index
     for (int a = 0; a < 3; ++a) sigma(a, a) -= mean;
     append_row(sigma, stress.values);
   }
-  frame.columns.push_back(std::move(stress));
+  return stress;
+}
+
+// Adds the columns of the solid to a frame: the pieces, the deviatoric stress, then those of the
+// table; for a cut the pieces and the damage alone. Other particles have zeros.
+// `solid_index_of_id`: solid number of a particle's id, or no_index.
+template <int D, class P>
+void show_solid(const SolidFields<D, P>& fields, const Array<Index>& solid_index_of_id,
+                FrameContent content, Frame& frame) {
+  const bool is_whole = content == FrameContent::everything;
+  const SolidOnHost<D, P> solid(fields);
+  const std::vector<Index> number = to_host(solid_index_of_id);
+  std::vector<Index> solid_of(frame.id.size(), no_index);
+  for (std::size_t i = 0; i < frame.id.size(); ++i)
+    if (frame.id[i] < number.size()) solid_of[i] = number[frame.id[i]];
+  show_pieces(solid, solid_of, frame);
+  if (is_whole) frame.columns.push_back(deviatoric_stress(solid, solid_of));
   for (const auto& shown : shown_solid_fields<D, P>()) {
-    if (!shown.exists(solid)) continue;
+    if (!shown.exists(solid) || (!is_whole && std::string_view(shown.name) != "damage")) continue;
     Column column{shown.name, shown.unit, 1, {}, shown.label};
     for (const Index s : solid_of)
       column.values.push_back(s == no_index ? 0.0f : shown.value(solid, s));

@@ -4,6 +4,9 @@
 // standard/follow_nozzle.hpp moves the window of a frame that travels.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "fluid/density_reinitialisation.hpp"
 #include "fluid/shifting.hpp"
 #include "parallel/fused_kernel.hpp"
@@ -29,6 +32,8 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
         lattice_(lattice_sums<D, ContactPairs::Kernel<D>>(settings.smoothing_ratio)),
         rates_(Run::gravity_, Run::media_, lattice_, settings.water_scheme),
         solid_(settings, Run::media_, Run::particles_) {
+    for (const Nozzle& nozzle : Run::nozzles_)
+      waking_speed_ = std::max(waking_speed_, std::ldexp(nozzle.fastest(), -24));
     rates_.set_pair_correction(solid_.pair_correction());
     if (rates_.separates_fluids()) list_.sort_neighbours_by_class();
     Run::open([this] {
@@ -51,12 +56,18 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     if (time_ < settings_.relax_time) damping_.end_step(particles_);
     solid_.remove_outflow(particles_);
     if (solid_.take_detached()) Run::refresh_fractured();  // they have further neighbours
+    wake_and_sleep();
     Run::tick(dt);
   }
 
   Frame frame() const override {
     Frame frame = Run::frame();
-    solid_.add_columns(frame);
+    solid_.add_columns(FrameContent::everything, frame);
+    return frame;
+  }
+  Frame frame_of_cut() const override {
+    Frame frame = Run::frame();
+    solid_.add_columns(FrameContent::cut, frame);
     return frame;
   }
   Balance balance() const override {
@@ -102,8 +113,9 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     solid_.set_time(time_ + 0.5 * dt);
     for_each_index(
         particles_.size(),
-        FusedKernel(SaveStepStart<D, P>{particles_.view()},
-                    DriftHalf<D, P>{particles_.view(), pointer(prescribed_motions_), dt}));
+        OfAwake(particles_.view(),
+                FusedKernel(SaveStepStart<D, P>{particles_.view()},
+                            DriftHalf<D, P>{particles_.view(), pointer(prescribed_motions_), dt})));
   }
 
   void deform(double dt) {
@@ -147,12 +159,27 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
         settings_.shifting ? pointer(concentration_gradient_) : nullptr;
     Run::accumulate_step(
         dt,
-        FusedKernel(KickAndDrift<D, P>{view, pointer(prescribed_motions_), dt},
-                    ReflectAtSymmetry<D, P>{view, dt}, UpdateSurfaceFlags<D, P>{view},
-                    FinalizeDensity<D, P>{view, dt}, ContinuityLoss<D, P>{view, dt},
-                    DensityReinitialisation<D, P>{view, dt, lattice_.kernel_sum}),
-        FusedKernel(ShiftParticles<D, P>{view, concentration_gradient, dt}, Run::mark_outflow()));
+        OfAwake(view, FusedKernel(KickAndDrift<D, P>{view, pointer(prescribed_motions_), dt},
+                                  ReflectAtSymmetry<D, P>{view, dt}, UpdateSurfaceFlags<D, P>{view},
+                                  FinalizeDensity<D, P>{view, dt}, ContinuityLoss<D, P>{view, dt},
+                                  DensityReinitialisation<D, P>{view, dt, lattice_.kernel_sum})),
+        OfAwake(view, FusedKernel(ShiftParticles<D, P>{view, concentration_gradient, dt},
+                                  Run::mark_outflow())));
     solid_.end_step(particles_, dt);
+  }
+
+  // Wakes what interacts with newly moving particles, and lets solid at rest fall asleep.
+  void wake_and_sleep() {
+    if (!particles_.groups.sleep) return;
+    const auto timer = timers_.stage("integrate");
+    constexpr std::uint64_t interval = 64;  // steps
+    const Index n = particles_.size();
+    const auto view = particles_.view();
+    if (reduce_unordered(n, MarkNewlyMoving<D, P>{view, waking_speed_}, false, Either{})) {
+      spread(MarkReached<D, P>{view});
+      wake_beside_newly_reached();
+    }
+    if (Run::step() % interval == 0) solid_.fall_asleep(particles_, list_.view());
   }
 
  private:
@@ -164,14 +191,35 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   void after_reorder() override {
     solid_.relink(particles_, list_.view());
     rates_.take_list(particles_.view(), particles_.size(), list_.view(), list_.used());
+    wake_listed_anew(nullptr);
   }
   void after_refresh() override {
     solid_.mark_fully_bonded(particles_, list_.view(), list_.listed_anew());
     rates_.take_list(particles_.view(), particles_.size(), list_.view(), list_.used(),
                      list_.listed_anew());
+    wake_listed_anew(list_.listed_anew());
+  }
+  void wake_listed_anew(const std::uint8_t* listed_anew) {
+    if (!particles_.groups.sleep) return;
+    const Index n = particles_.size();
+    const auto view = particles_.view();
+    const ReachListedAnew<D, P> reach{view, list_.view(), listed_anew};
+    if (reduce_unordered(n, reach, false, Either{})) wake_beside_newly_reached();
+    for_each_index(n, WakeListedAnew<D, P>{view, list_.view(), listed_anew});
+  }
+  void wake_beside_newly_reached() {
+    spread(WakeParticle<D, P>{particles_.view()});
+    for_each_index(particles_.size(), KeepActivity<D, P>{particles_.view()});
+  }
+  // Applies an action that spreads from particles to those with which they interact.
+  template <template <int, class> class Action>
+  void spread(const Action<D, P>& action) {
+    for_each_index(particles_.size(), SpreadToNeighbours<D, P, Action>{action, list_.view()});
+    solid_.spread_to_bond_ends(action);
   }
 
   void evaluate_current() const override {
+    clear_forces_asleep();
     rates_.accelerate(particles_.view(), particles_.size(),
                       solid_.without_fully_bonded(list_.view()), solid_.bonds());
     solid_.deform_to_current(particles_);
@@ -181,10 +229,16 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   }
 
   void accelerate_across(const AcrossPlane<D>& across) const override {
+    clear_forces_asleep();
     rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(), across,
                       BodyForce<D, P>{});
     solid_.deform_to_current(particles_);
     solid_.accelerate(particles_, across);
+  }
+
+  void clear_forces_asleep() const {
+    if (particles_.groups.sleep)
+      for_each_index(particles_.size(), ClearForcesAsleep<D, P>{particles_.view()});
   }
 
   StepLimit solid_limit() {
@@ -195,6 +249,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     if (solid_.is_first_substep()) pair_interactions_ += static_cast<double>(solid_.bond_entries());
   }
 
+  double waking_speed_ = 0.0;  // m/s (standard/sleep.hpp)
   LatticeSums lattice_;
   StandardRates<D, P> rates_;
   mutable SolidPart<D, P> solid_;

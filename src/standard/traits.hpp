@@ -18,7 +18,8 @@ struct StandardTraits {
             .contact = has_solids,
             .mirrored = mirrored,
             .density_losses = true,
-            .rigid_walls = smooth_walls};
+            .rigid_walls = smooth_walls,
+            .sleep = has_solids};
   }
 
   template <int D, class P>

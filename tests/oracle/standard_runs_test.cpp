@@ -3,6 +3,7 @@
 // in runs without dissipation.
 #include <cmath>
 
+#include "analysis/cut.hpp"
 #include "support/runs.hpp"
 #include "support/small_cases.hpp"
 
@@ -253,6 +254,32 @@ TEST(StandardEnergy, IsConservedInACollisionOfNearlyIncompressibleSolids) {
 }
 TEST(StandardEnergy, IsConservedInACollisionWithoutDamping3D) {
   collide(3, PrecisionKind::mixed, 0.3);
+}
+
+// The frame from which the verdict on a cut follows has all that this needs of the whole frame.
+TEST(StandardFrames, AFrameOfTheCutGivesTheVerdictOfAWholeFrame) {
+  for (const int dimension : {2, 3}) {
+    const Case c = standard_jet_on_block(dimension, PrecisionKind::mixed);
+    const auto run = make_simulation(c);
+    CutMonitor by_whole(c, run->frame()), by_part(c, run->frame());
+    take_steps(*run, 400);
+    const Frame whole = run->frame(), part = run->frame_of_cut();
+    EXPECT_TRUE(same_column(whole.position, part.position));
+    EXPECT_TRUE(same_column(whole.piece, part.piece));
+    EXPECT_TRUE(same_column(whole.body_piece, part.body_piece));
+    ASSERT_NE(find_column(part, "damage"), nullptr);
+    EXPECT_TRUE(
+        same_column(find_column(whole, "damage")->values, find_column(part, "damage")->values));
+    EXPECT_LT(part.columns.size(), whole.columns.size());
+    const CutState a = by_whole.observe(whole), b = by_part.observe(part);
+    EXPECT_GT(a.fractured_mass, 0.0);
+    EXPECT_EQ(a.fractured_mass, b.fractured_mass);
+    EXPECT_EQ(a.front_depth, b.front_depth);
+    EXPECT_EQ(a.fractured_width, b.fractured_width);
+    EXPECT_EQ(a.kerf_width, b.kerf_width);
+    EXPECT_EQ(a.pieces, b.pieces);
+    EXPECT_EQ(a.cut_through, b.cut_through);
+  }
 }
 
 }  // namespace

@@ -104,7 +104,8 @@ class FluidPairKernel {
     NegativeSeen<T> surface_seen;
   };
   bool has_pairs(Index i) const {
-    return task_.same_fluid[i] != 0 && task_.fluid[i].volume != Real(0);
+    return task_.same_fluid[i] != 0 && task_.fluid[i].volume != Real(0) &&
+           (task_.asleep == nullptr || task_.asleep[i] == 0);
   }
   Row row_of(Index i) const {
     return {task_.neighbour + task_.begin[i], task_.same_fluid[i], i, task_.begin[i]};

@@ -76,6 +76,7 @@ struct FluidKernelTask {
   const std::uint32_t* neighbour = nullptr;
   const std::uint16_t* source = nullptr;  // the number of the law of each particle
   const FluidLaw<Real>* laws = nullptr;
+  const std::uint8_t* asleep = nullptr;   // 1 for particles without sums; null: there are none
   FluidSums<D, Real>* results = nullptr;  // out, of the first particle and those after it
   Real unit = 1;                          // m, of the fixed-point coordinates
   // Where the spacing of a nearly incompressible solid jumps (fluid/simd/graded_pairs.hpp): 1 for

@@ -36,6 +36,7 @@ struct UnlikeKernelTask {
   const std::uint32_t *begin = nullptr, *end = nullptr, *same_fluid = nullptr, *unlike = nullptr,
                       *images = nullptr;
   const std::uint32_t* neighbour = nullptr;
+  const std::uint8_t* asleep = nullptr;   // 1 for particles without sums; null: there are none
   FluidSums<D, Real>* results = nullptr;  // the kernel adds to those of the first and the next ones
   Real unit = 1;                          // m, of the fixed-point coordinates
   Real kernel_gradient_normalisation = 1;  // k, 1 (fluid/lattice_sums.hpp)

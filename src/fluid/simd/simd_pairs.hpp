@@ -70,6 +70,7 @@ class SimdPairs {
     task.same_fluid.fluid = fluid_.data();
     task.same_fluid.source = view.source;
     task.same_fluid.laws = laws_.data();
+    task.same_fluid.asleep = task.unlike.asleep = view.asleep;
     task.unlike.particles = unlike_.data();
     task.unlike.end = list.end;
     task.unlike.unlike = list.unlike;

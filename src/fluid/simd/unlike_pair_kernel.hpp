@@ -43,6 +43,7 @@ class UnlikePairKernel {
                                                      : std::numeric_limits<Real>::min()) {}
 
   [[gnu::always_inline]] void run(std::uint32_t i, Sums& sums) const {
+    if (task_.asleep != nullptr && task_.asleep[i] != 0) return;
     if (task_.unlike[i] != 0) {
       const Own own(task_.particles[i], task_.gravity);
       run_over<false>(own, task_.neighbour + task_.begin[i] + task_.same_fluid[i], task_.unlike[i],

@@ -208,7 +208,7 @@ template <int D, class Real, class Act>
                                                              std::uint32_t first,
                                                              std::uint32_t last, const Act& act) {
   for (std::uint32_t i = first; i < last; ++i) {
-    if (task.several_bodies[i] || task.detached[i]) continue;
+    if (task.several_bodies[i] || task.detached[i] || task.asleep[i]) continue;
     const BondsOfParticle<D, Real> bonds(task, i);
     if (task.begin[i] < task.shared_entries)
       act(bonds, std::true_type{}, i - first);

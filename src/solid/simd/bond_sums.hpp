@@ -115,6 +115,7 @@ class SimdBondSums {
       task.several_bodies = solid.several_bodies;
       task.has_levels = has_levels_;
       task.detached = solid.detached;
+      task.asleep = solid.asleep;
       task.has_broken_bonds = solid.has_broken_bonds;
       task.medium = solid.medium_index;
       task.laws = laws_.data();

@@ -82,8 +82,10 @@ struct Bonds {
   std::uint32_t words = 0;                     // of each particle
   const Real* correction = nullptr;            // factor of each weight of other lists; null: 1
   const Matrix<D, Real>* gradient = nullptr;   // H of each particle
-  // Particles that the general loops compute, those without bonds, and those with broken bonds.
-  const std::uint8_t *several_bodies = nullptr, *detached = nullptr, *has_broken_bonds = nullptr;
+  // Particles that the general loops compute, those without bonds, those that are not computed, and
+  // those with broken bonds.
+  const std::uint8_t *several_bodies = nullptr, *detached = nullptr, *asleep = nullptr,
+                     *has_broken_bonds = nullptr;
   const std::uint16_t* medium = nullptr;
   const BondLaw<Real>* laws = nullptr;  // per medium
   bool breakable = false, viscous = false;
