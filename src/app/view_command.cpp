@@ -28,7 +28,7 @@ struct ViewOptions {
 void view(const ViewOptions& options) {
   ViewServer server(options.folder);
   const int port = server.bind(options.port);
-  fmt::print("http://127.0.0.1:{}/  (Ctrl-C stops the server)\n", port);
+  fmt::print("http://127.0.0.1:{}{}  (Ctrl-C stops the server)\n", port, server.path());
   std::fflush(stdout);
   running = &server;
   std::signal(SIGINT, stop_serving);

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <random>
 
 #include "app/run_folder.hpp"
 #include "core/error.hpp"
@@ -35,15 +36,24 @@ double cut_time_of(const SeriesTable& series) {
 class WatchfulPool : public httplib::ThreadPool {
  public:
   WatchfulPool(httplib::Server& server, const std::atomic<bool>& ends)
-      : ThreadPool(CPPHTTPLIB_THREAD_POOL_COUNT), server_(server), ends_(ends) {}
+      : ThreadPool(threads), server_(server), ends_(ends) {}
   void on_idle() override {
     if (ends_) server_.stop();
   }
 
  private:
+  static constexpr std::size_t threads = 64;  // a client that sends slowly keeps one of them
   httplib::Server& server_;
   const std::atomic<bool>& ends_;
 };
+
+// Returns 128 random bits, in hexadecimal.
+std::string random_token() {
+  std::random_device random;
+  std::string token;
+  for (int word = 0; word < 4; ++word) token += fmt::format("{:08x}", random());
+  return token;
+}
 
 constexpr int idle_microseconds = 50'000;
 
@@ -129,10 +139,10 @@ struct ViewServer::State {
         }
       };
     };
-    server.Get("/", answer("text/html; charset=utf-8", [this](const auto&) { return page(); }));
-    server.Get("/run.json",
+    server.Get(path, answer("text/html; charset=utf-8", [this](const auto&) { return page(); }));
+    server.Get(path + "run.json",
                answer("application/json", [this](const auto&) { return run().dump(); }));
-    server.Get(R"(/frame/(\d{1,9}))",
+    server.Get(path + R"(frame/(\d{1,9}))",
                answer("application/octet-stream", [this](const httplib::Request& request) {
                  return packer.pack(std::stoul(request.matches[1].str()));
                }));
@@ -141,6 +151,8 @@ struct ViewServer::State {
   fs::path folder;
   Case description;
   ViewerPacker packer;
+  // Other users of this machine can reach the port but do not know it.
+  const std::string path = fmt::format("/{}/", random_token());
   std::mutex mutex;  // one request at a time reads the folder
   std::atomic<bool> ends = false;
   httplib::Server server;
@@ -152,6 +164,10 @@ ViewServer::ViewServer(const fs::path& folder) : state_(std::make_unique<State>(
   state_->set_watch();
 }
 ViewServer::~ViewServer() = default;
+
+const std::string& ViewServer::path() const {
+  return state_->path;
+}
 
 int ViewServer::bind(int port) {
   constexpr const char* loopback = "127.0.0.1";

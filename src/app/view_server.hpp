@@ -18,6 +18,8 @@ class ViewServer {
   // Binds a port of the loopback interface, any free one for 0, and returns it. Throws UserError
   // when it is in use.
   int bind(int port);
+  // Returns the path of the page, which begins with a random token, "/0f...3a/".
+  const std::string& path() const;
   // Serves until stop() is called by another thread or a signal, also before serve().
   void serve();
   void stop();

@@ -96,9 +96,10 @@ void read_role(Draft& draft, Section& section, BodyDraft& entry) {
 void check_offset(Section& section, const Body& body) {
   for (const double shift : body.offset) {
     if (std::abs(shift) <= body.spacing || body.spacing <= 0.0) continue;
-    section.refuse("offset", "the shift is larger than a spacing",
-                   "Subtract multiples of the spacing: they have no effect",
-                   fmt::format("entries of at most {}", write_quantity(body.spacing, "m")));
+    section.refuse(
+        "offset", "the shift is larger than a spacing",
+        "Subtract multiples of the spacing: they have no effect",
+        fmt::format("entries of at most {}", show_quantity(body.spacing, "m", Bound::most)));
     return;
   }
 }
@@ -173,9 +174,16 @@ void read_grading(Draft& draft, Section& section, Body& body) {
   const double coarsest = body.spacing * std::pow(2.0, grading.levels);
   // A smaller width could put a cell next to one that is four times as wide.
   if (grading.width < coarsest)
-    keys.refuse("width", "the width is less than the coarsest spacing",
-                "Choose a larger width or fewer levels",
-                fmt::format("at least {}", write_quantity(coarsest, "m")));
+    keys.refuse(
+        "width",
+        section.has("spacing")
+            ? "the width is less than the coarsest spacing"
+            : fmt::format("the width is less than the coarsest spacing; the finest one, {}, "
+                          "is that of the jet, which grows with the standoff",
+                          show_quantity(body.spacing, "m")),
+        section.has("spacing") ? "Choose a larger width or fewer levels"
+                               : "Check the standoff, or choose a larger width or a spacing",
+        fmt::format("at least {}", show_quantity(coarsest, "m", Bound::least)));
   if (body.lattice != Lattice::square || body.offset != Point{})
     section.refuse("grading", "the lattice of the body is hexagonal or shifted",
                    "Remove the key lattice or offset, or the grading",

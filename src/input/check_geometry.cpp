@@ -164,7 +164,7 @@ void check_bodies(Draft& draft) {
       draft.reading.problems.add(
           {path, fmt::format("no particle of the body \"{}\" fits into it", body.name),
            fmt::format("a shape that contains a lattice point at {}",
-                       write_quantity(body.spacing, "m")),
+                       show_quantity(body.spacing, "m")),
            "Choose a smaller spacing or correct the shape"});
   }
   draft.reading.problems.throw_if_any();

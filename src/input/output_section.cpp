@@ -52,16 +52,16 @@ void check_interval(Section& section, const char* name, double interval, double 
   if (interval > 0.0 && end / interval > most)
     section.refuse(name, fmt::format("this makes {:.3g} entries", end / interval),
                    "Choose a longer interval",
-                   fmt::format("at least {}", write_quantity(end / most, "s")));
+                   fmt::format("at least {}", show_quantity(end / most, "s", Bound::least)));
 }
 
 void check_times(Section& section, std::string_view name, const std::vector<double>& times,
                  double end) {
   if (times.empty() || times.back() <= end) return;
   section.refuse(name,
-                 fmt::format("{} is after the end of the run", write_quantity(times.back(), "s")),
+                 fmt::format("{} is after the end of the run", show_quantity(times.back(), "s")),
                  "Remove the time or let the run last longer",
-                 fmt::format("times from 0 s to {}", write_quantity(end, "s")));
+                 fmt::format("times from 0 s to {}", show_quantity(end, "s", Bound::most)));
 }
 
 // Returns the times 0, interval, 2 interval, ... and the end, each the double nearest to its

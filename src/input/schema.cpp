@@ -65,15 +65,16 @@ std::vector<SchemaSection> all_sections() {
   };
 }
 
-std::string with_unit(double value, const Key& key) {
-  return key.unit.empty() ? shortest(value) : write_quantity(value, std::string(key.unit));
+std::string with_unit(double value, const Key& key, Bound bound) {
+  return key.unit.empty() ? shortest(value) : show_quantity(value, std::string(key.unit), bound);
 }
 
 std::string range_text(const Key& key) {
   const Range& range = key.range;
   const bool below = std::isfinite(range.minimum), above = std::isfinite(range.maximum);
   if (!below && !above) return {};
-  const std::string low = with_unit(range.minimum, key), high = with_unit(range.maximum, key);
+  const std::string low = with_unit(range.minimum, key, Bound::least),
+                    high = with_unit(range.maximum, key, Bound::most);
   if (!above) return fmt::format(" {} {}", range.open_minimum ? "greater than" : "at least", low);
   if (!range.open_minimum && !range.open_maximum) return fmt::format(" from {} to {}", low, high);
   return fmt::format(" {} {} and {} {}", range.open_minimum ? "greater than" : "at least", low,
@@ -205,7 +206,7 @@ bool in_range(const Key& key, double value) {
 
 std::string default_text(const Key& key) {
   return key.standard.is_text() ? std::string(key.standard.text)
-                                : with_unit(key.standard.number, key);
+                                : with_unit(key.standard.number, key, Bound::none);
 }
 
 double standard_number(const Key& key) {

@@ -239,6 +239,22 @@ std::string write_quantity(double value, const std::string& si_unit) {
   return shortest(value) + " " + si_unit;
 }
 
+std::string show_quantity(double value, const std::string& si_unit, Bound bound) {
+  constexpr double degree = 3.141592653589793 / 180.0;
+  const bool is_angle = si_unit == "rad";
+  double shown = is_angle ? value / degree : value;
+  const double size = std::abs(shown);
+  if (bound != Bound::none && std::isfinite(size) && size > 0.0) {
+    const double unit = std::pow(10.0, std::floor(std::log10(size)) - 5.0);
+    const double nearest = std::round(shown / unit), rounding = 1e-14 * std::abs(nearest);
+    const double units = std::abs(shown / unit - nearest) <= rounding ? nearest
+                         : bound == Bound::least                      ? std::ceil(shown / unit)
+                                                                      : std::floor(shown / unit);
+    shown = units * unit;
+  }
+  return shortest(std::stod(fmt::format("{:.6g}", shown))) + " " + (is_angle ? "deg" : si_unit);
+}
+
 std::string dimension_of(const std::string& si_unit) {
   return named(si_unit).name;
 }

@@ -49,11 +49,11 @@ void check_part(Section& section, const WorkpieceSetting& workpiece) {
     if (workpiece.part.minimum[a] >= low - slack && workpiece.part.maximum[a] <= high + slack &&
         workpiece.part.minimum[a] < workpiece.part.maximum[a])
       continue;
-    section.refuse(
-        section.has("minimum") ? "minimum" : "maximum",
-        fmt::format("entry {} of the corners is not within the workpiece", a + 1),
-        "Correct the corners; the upper face is at y = 0, the middle at the origin",
-        fmt::format("entries from {} to {}", write_quantity(low, "m"), write_quantity(high, "m")));
+    section.refuse(section.has("minimum") ? "minimum" : "maximum",
+                   fmt::format("entry {} of the corners is not within the workpiece", a + 1),
+                   "Correct the corners; the upper face is at y = 0, the middle at the origin",
+                   fmt::format("entries from {} to {}", show_quantity(low, "m", Bound::least),
+                               show_quantity(high, "m", Bound::most)));
     return;
   }
 }
@@ -127,7 +127,7 @@ void choose_depth(Draft& draft, Section& section) {
   }
   if (workpiece.depth > thickness * (1.0 + 1e-9))
     section.refuse("depth", "it is more than the thickness of the workpiece", "Lower it",
-                   fmt::format("at most {}", write_quantity(thickness, "m")));
+                   fmt::format("at most {}", show_quantity(thickness, "m", Bound::most)));
 }
 
 // Sets what the user leaves open.

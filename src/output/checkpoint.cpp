@@ -20,7 +20,7 @@ using hdf5::Handle;
 
 // The version of the format; it increases whenever the meaning or the layout of the content
 // changes.
-constexpr int format_version = 5;
+constexpr int format_version = 6;
 constexpr const char* remedy = "Start the run again with --force.";
 
 [[noreturn]] void refuse_damaged(const std::filesystem::path& path) {

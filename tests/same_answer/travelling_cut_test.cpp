@@ -79,7 +79,7 @@ TravellingCut mean_cut(const Case& description, const Case& measured, double fro
 // The lag of one run scatters by 3%, its depth by 1.5% (standard deviations), since fracture
 // amplifies any difference; so both are means of runs whose standoffs differ by some 1e-7 m.
 TEST(TravellingCut, IsThatOfALongBlock) {
-  constexpr int runs = 5;
+  constexpr int runs = 12;
   TravellingText text;
   text.low = -150e-3;
   text.high = -70e-3;

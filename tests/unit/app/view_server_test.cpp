@@ -6,8 +6,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <httplib.h>
+#include <sys/socket.h>
+#include <unistd.h>
 #include <zlib.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -30,18 +33,23 @@ class View : public testing::Test {
   void SetUp() override {
     test::run_fake(description_, out_);
     server_ = std::make_unique<ViewServer>(out_);
-    client_ = std::make_unique<httplib::Client>("127.0.0.1", server_->bind(0));
+    port_ = server_->bind(0);
+    client_ = std::make_unique<httplib::Client>("127.0.0.1", port_);
     thread_ = std::thread([this] { server_->serve(); });
   }
   void TearDown() override {
     server_->stop();
     thread_.join();
   }
-  nlohmann::json run() { return nlohmann::json::parse(client_->Get("/run.json")->body); }
+  nlohmann::json run() { return nlohmann::json::parse(get("run.json")->body); }
+  httplib::Result get(const std::string& address, const httplib::Headers& headers = {}) {
+    return client_->Get(server_->path() + address, headers);
+  }
 
   test::TemporaryFolder folder_;
   std::filesystem::path out_ = folder_ / "out";
   Case description_ = test::fake_case();
+  int port_ = 0;
   std::unique_ptr<ViewServer> server_;
   std::unique_ptr<httplib::Client> client_;
   std::thread thread_;
@@ -58,21 +66,47 @@ std::string inflated(const std::string& packed) {
 }
 
 TEST_F(View, ServesThePageOfARun) {
-  const auto page = client_->Get("/");
+  const auto page = get("");
   ASSERT_TRUE(page);
   EXPECT_EQ(page->status, 200);
   EXPECT_THAT(page->body, testing::HasSubstr("class=\"verdict"));
-  EXPECT_EQ(client_->Get("/nothing")->status, 404);
+  EXPECT_EQ(get("nothing")->status, 404);
 }
 
 // A page of another site may lead a name of its own to this machine.
 TEST_F(View, AnswersToThisMachineOnly) {
   constexpr int forbidden = 403;
-  EXPECT_EQ(client_->Get("/run.json", {{"Host", "localhost:8080"}})->status, 200);
-  EXPECT_EQ(client_->Get("/run.json", {{"Host", "example.org"}})->status, forbidden);
-  EXPECT_EQ(client_->Get("/run.json", {{"Host", "127.0.0.1.example.org"}})->status, forbidden);
-  EXPECT_EQ(client_->Get("/run.json", {{"Origin", "http://example.org"}})->status, forbidden);
-  EXPECT_EQ(client_->Get("/run.json", {{"Origin", "http://localhost:99"}})->status, 200);
+  EXPECT_EQ(get("run.json", {{"Host", "localhost:8080"}})->status, 200);
+  EXPECT_EQ(get("run.json", {{"Host", "example.org"}})->status, forbidden);
+  EXPECT_EQ(get("run.json", {{"Host", "127.0.0.1.example.org"}})->status, forbidden);
+  EXPECT_EQ(get("run.json", {{"Origin", "http://example.org"}})->status, forbidden);
+  EXPECT_EQ(get("run.json", {{"Origin", "http://localhost:99"}})->status, 200);
+}
+
+// Who does not know the address that was printed reads nothing.
+TEST_F(View, NeedsTheTokenOfItsAddress) {
+  EXPECT_EQ(server_->path().size(), 34u);
+  for (const char* address : {"/", "/run.json", "/frame/0", "/0123456789abcdef/run.json"})
+    EXPECT_EQ(client_->Get(address)->status, 404) << address;
+  EXPECT_NE(ViewServer(out_).path(), server_->path());
+}
+
+// Clients that send nothing do not keep the others waiting.
+TEST_F(View, AnswersBesideSlowClients) {
+  std::vector<int> slow;
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port_));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  for (int n = 0; n < 20; ++n) {
+    slow.push_back(socket(AF_INET, SOCK_STREAM, 0));
+    ASSERT_EQ(connect(slow.back(), reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0);
+    ASSERT_EQ(send(slow.back(), "GET /", 5, 0), 5);
+  }
+  const auto before = std::chrono::steady_clock::now();
+  EXPECT_EQ(get("run.json")->status, 200);
+  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(1));
+  for (const int open : slow) close(open);
 }
 
 TEST_F(View, FramesAreThoseOnTheDisk) {
@@ -87,8 +121,7 @@ TEST_F(View, FramesAreThoseOnTheDisk) {
     const std::size_t count = frame.position.size();
     ASSERT_EQ(entry.at("count").get<std::size_t>(), count);
     EXPECT_EQ(entry.at("time").get<double>(), frame.time);
-    const std::string bytes =
-        inflated(client_->Get("/" + entry.at("url").get<std::string>())->body);
+    const std::string bytes = inflated(get(entry.at("url").get<std::string>())->body);
     const auto dimension = static_cast<std::size_t>(description_.dimension);
     ASSERT_EQ(bytes.size(), count * (2 * dimension + 2 + fields));
     for (std::size_t a = 0; a < dimension; ++a) {
@@ -110,7 +143,7 @@ TEST_F(View, FollowsARunInProgress) {
   EXPECT_EQ(run().at("live"), false);
   std::filesystem::remove(out_ / "result.json");
   EXPECT_EQ(run().at("live"), true);
-  EXPECT_THAT(client_->Get("/")->body, testing::HasSubstr("The run is in progress"));
+  EXPECT_THAT(get("")->body, testing::HasSubstr("The run is in progress"));
   EXPECT_GT(run().at("curves").at("time").size(), 2u);
 }
 

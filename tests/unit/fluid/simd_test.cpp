@@ -176,11 +176,15 @@ struct SimdCloud {
     neighbour.resize(neighbour.size() + 64);
     correction.resize(correction.size() + 64, Real(1));
     length.resize(length.size() + 64, Real(1));
-    FluidKernelTask<D, Real> task{
-        fluid.data(),      begin.data(),
-        same_fluid.data(), neighbour.data(),
-        source.data(),     &law,
-        results.data(),    static_cast<Real>(FixedPointScale<Real>::of_spacing(spacing).unit)};
+    FluidKernelTask<D, Real> task;
+    task.fluid = fluid.data();
+    task.begin = begin.data();
+    task.same_fluid = same_fluid.data();
+    task.neighbour = neighbour.data();
+    task.source = source.data();
+    task.laws = &law;
+    task.results = results.data();
+    task.unit = static_cast<Real>(FixedPointScale<Real>::of_spacing(spacing).unit);
     task.graded = graded.data();
     task.correction = correction.data();
     task.length_ratio = length.data();

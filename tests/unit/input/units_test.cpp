@@ -69,6 +69,28 @@ TEST(Units, WrittenQuantitiesAreReadBackBitForBit) {
 }
 
 // A unit in other letters, and a decimal comma, are told as such.
+// What a message says is allowed is accepted when it is typed.
+TEST(Units, ShownBoundsAreAllowed) {
+  EXPECT_EQ(show_quantity(0.02651650429449553, "m"), "0.0265165 m");
+  EXPECT_EQ(show_quantity(0.02651650429449553, "m", Bound::least), "0.0265166 m");
+  EXPECT_EQ(show_quantity(1e6, "m", Bound::most), "1000000 m");
+  EXPECT_EQ(show_quantity(3.141592653589793, "rad", Bound::most), "180 deg");
+  EXPECT_EQ(show_quantity(-0.7853981633974483, "rad", Bound::least), "-45 deg");
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> exponent(-9.0, 9.0);
+  for (int n = 0; n < 2000; ++n) {
+    const double value = (n % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, exponent(random));
+    for (const char* unit : {"m", "Pa"}) {
+      const double least = read_quantity(show_quantity(value, unit, Bound::least), unit).value;
+      const double most = read_quantity(show_quantity(value, unit, Bound::most), unit).value;
+      EXPECT_GE(least, value);
+      EXPECT_LE(most, value);
+      EXPECT_NEAR(least, value, 1e-5 * std::abs(value));
+      EXPECT_NEAR(most, value, 1e-5 * std::abs(value));
+    }
+  }
+}
+
 TEST(Units, MistakesAreNamed) {
   struct Mistake {
     const char *text, *unit, *problem;
