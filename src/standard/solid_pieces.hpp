@@ -84,17 +84,12 @@ SolidPieces find_solid_pieces(const Solid& solid, const std::vector<std::uint16_
   const auto holds = [&](Index s, Index k) {
     return view.is_intact(s, k) && (bears[s] != 0 || bears[view.bond_end(s, k).particle] != 0);
   };
-  bool bodies_are_joined = false;
-  for (Index s = 0; s < count; ++s) {
+  for (Index s = 0; s < count; ++s)
     for (Index k = view.bonds.last(s); k > view.bonds.first(s); --k) {
       const MirrorCode mirror = view.bond_end(s, k - 1).mirror;
       if (mirror == 0) break;  // bonds to images come last
       if (holds(s, k - 1)) planes[s] |= static_cast<std::uint8_t>(mirror >> MirrorPlanes<D>::shift);
     }
-    if (!view.several_bodies[s]) continue;
-    for (Index k = view.bonds.first(s); k < view.bonds.last(s) && !bodies_are_joined; ++k)
-      bodies_are_joined = body[s] != body[view.bond_end(s, k).particle] && holds(s, k);
-  }
   SolidPieces pieces;
   pieces.body_piece = label_pieces(view, count, [&](Index s, Index k) {
     return body[s] == body[view.bond_end(s, k).particle] && holds(s, k);
@@ -102,7 +97,9 @@ SolidPieces find_solid_pieces(const Solid& solid, const std::vector<std::uint16_
   pieces.planes.assign(count, 0);
   for (Index s = 0; s < count; ++s) pieces.planes[pieces.body_piece[s]] |= planes[s];
   for (Index s = 0; s < count; ++s) pieces.planes[s] = pieces.planes[pieces.body_piece[s]];
-  pieces.piece = bodies_are_joined ? label_pieces(view, count, holds) : pieces.body_piece;
+  const bool is_one_body = std::all_of(body.begin(), body.end(),
+                                       [&](std::uint16_t other) { return other == body.front(); });
+  pieces.piece = is_one_body ? pieces.body_piece : label_pieces(view, count, holds);
   return pieces;
 }
 

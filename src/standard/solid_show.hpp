@@ -31,7 +31,6 @@ class SolidOnHost {
         strain_(to_host(fields.current_strain)),
         detached_(to_host(fields.detached)),
         held_(to_host(fields.held)),
-        several_bodies_(to_host(fields.several_bodies)),
         has_broken_bonds_(to_host(fields.has_broken_bonds)),
         flow_(to_host(fields.current_flow)),
         flaws_(to_host(fields.flaws)) {
@@ -50,7 +49,6 @@ class SolidOnHost {
     view_.media = media_.data();
     view_.medium_index = medium_index_.data();
     view_.held = held_.data();
-    view_.several_bodies = several_bodies_.data();
     view_.gradient = gradient_.data();
     view_.elastic_share = share_.data();
     view_.current_flow = flow_.data();
@@ -91,7 +89,7 @@ class SolidOnHost {
   std::vector<std::uint32_t> intact_;
   std::vector<Matrix<D, Real>> gradient_;
   std::vector<Real> share_, strain_;
-  std::vector<std::uint8_t> detached_, held_, several_bodies_, has_broken_bonds_;
+  std::vector<std::uint8_t> detached_, held_, has_broken_bonds_;
   std::vector<PlasticState<D, Real>> flow_;
   std::vector<FlawState<Real>> flaws_;
   SolidView<D, P> view_{};

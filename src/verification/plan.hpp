@@ -42,6 +42,9 @@ struct Check {
   // The coarsest of `runs` that is judged, with all finer ones; if empty, the finest run that was
   // made is judged alone.
   std::string judged_from;
+  // Whether the mean of the runs is judged in place of each: of runs that differ by less than any
+  // measurement, where fracture amplifies such differences.
+  bool of_mean = false;
   bool plot = false;          // draw the signal over time for the page
   std::string source;         // of the reference
   Parameters parameters{""};  // signal, reduction and theirs

@@ -102,6 +102,7 @@ Check read_check(const toml::table& table, const std::string& owner) {
   check.at_least = optional_value(keys, "at_least");
   check.at_most = optional_value(keys, "at_most");
   check.judged_from = read_judged_from(check);
+  check.of_mean = keys.text("mean", "false") == "true";
   check.plot = keys.text("plot", "false") == "true";
   check.source = keys.text("source");
   if (check.reference.has_value() != check.tolerance.has_value())

@@ -134,6 +134,19 @@ Row measured_row(const VerificationCase& verification, const Check& check,
   return row;
 }
 
+// Returns the row of the mean of the runs, which have the rows given.
+Row mean_of(const std::vector<Row>& rows) {
+  Row mean = rows.front();
+  mean.run = fmt::format("mean of {} runs", rows.size());
+  mean.measured = mean.seconds = 0.0;
+  for (const Row& row : rows) {
+    mean.measured += row.measured / static_cast<double>(rows.size());
+    mean.seconds += row.seconds;
+    if (mean.problem.empty()) mean.problem = row.problem;
+  }
+  return mean;
+}
+
 }  // namespace
 
 Findings verify(const VerificationCase& verification, bool all, const VerifyProgress& progress,
@@ -142,9 +155,12 @@ Findings verify(const VerificationCase& verification, bool all, const VerifyProg
   Findings findings;
   for (const Check& check : verification.checks) {
     const auto due = verification.due_runs(check, all);
-    for (const std::string& run : due) {
-      Row row = measured_row(verification, check, recordings, run);
-      judge(check, check.judges(run, due), row);
+    std::vector<Row> rows;
+    for (const std::string& run : due)
+      rows.push_back(measured_row(verification, check, recordings, run));
+    if (check.of_mean && !rows.empty()) rows = {mean_of(rows)};
+    for (Row& row : rows) {
+      judge(check, check.of_mean || check.judges(row.run, due), row);
       if (row.verdict == Verdict::pass) row.holds_in = {row.placement};
       findings.rows.push_back(row);
     }

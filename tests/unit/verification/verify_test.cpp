@@ -245,7 +245,8 @@ TEST(ValidationPage, ListsTheCasesOfTheProgramAndNoOthers) {
 std::vector<std::string> short_rows(const VerificationCase& entry, const Check& check) {
   std::vector<std::string> rows;
   for (const std::string& run : check.runs)
-    if (!entry.run(run).is_long) rows.push_back("| " + check.quantity + " | " + run + " |");
+    if (!entry.run(run).is_long)
+      rows.push_back(fmt::format("| {} | {}", check.quantity, check.of_mean ? "mean of" : run));
   return rows;
 }
 
