@@ -114,7 +114,7 @@ std::vector<std::uint32_t> number_pieces(const std::vector<std::uint32_t>& label
 std::vector<std::uint8_t> in_part_of_body(const Workpiece& workpiece,
                                           const std::vector<std::uint32_t>& body_piece) {
   const std::vector<std::uint32_t> number_of = number_pieces(body_piece);
-  std::vector<double> mass(body_piece.size(), 0.0), whole(1 + workpiece.bodies.size(), 0.0);
+  std::vector<double> mass(body_piece.size(), 0.0), whole;
   for (std::size_t slot = 0; slot < body_piece.size(); ++slot) {
     if (workpiece.body[slot] >= whole.size()) whole.resize(workpiece.body[slot] + 1u, 0.0);
     whole[workpiece.body[slot]] += workpiece.mass[slot];

@@ -68,7 +68,6 @@ TEST(Units, WrittenQuantitiesAreReadBackBitForBit) {
   }
 }
 
-// A unit in other letters, and a decimal comma, are told as such.
 // What a message says is allowed is accepted when it is typed.
 TEST(Units, ShownBoundsAreAllowed) {
   EXPECT_EQ(show_quantity(0.02651650429449553, "m"), "0.0265165 m");
@@ -91,6 +90,7 @@ TEST(Units, ShownBoundsAreAllowed) {
   }
 }
 
+// A unit in other letters, and a decimal comma, are told as such.
 TEST(Units, MistakesAreNamed) {
   struct Mistake {
     const char *text, *unit, *problem;

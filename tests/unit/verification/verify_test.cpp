@@ -243,10 +243,12 @@ TEST(ValidationPage, ListsTheCasesOfTheProgramAndNoOthers) {
 
 // Returns the beginnings of the rows of a check without long runs.
 std::vector<std::string> short_rows(const VerificationCase& entry, const Check& check) {
-  std::vector<std::string> rows;
+  std::vector<std::string> runs;
   for (const std::string& run : check.runs)
-    if (!entry.run(run).is_long)
-      rows.push_back(fmt::format("| {} | {}", check.quantity, check.of_mean ? "mean of" : run));
+    if (!entry.run(run).is_long) runs.push_back(run);
+  if (check.of_mean && !runs.empty()) runs = {fmt::format("mean of {} runs", runs.size())};
+  std::vector<std::string> rows;
+  for (const std::string& run : runs) rows.push_back("| " + check.quantity + " | " + run + " |");
   return rows;
 }
 
