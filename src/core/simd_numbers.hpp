@@ -94,4 +94,23 @@ KERF_SIMD_FUNCTION std::experimental::simd<R, A> reciprocal_square_root(
   return R(1) / std::experimental::sqrt(a);
 }
 
+template <class Numbers>
+struct RootAndInverse {
+  Numbers root, inverse;  // sqrt(a), 1 / sqrt(a)
+};
+// Exact to the last digit or two. Where the processor has no estimate, the inverse is sqrt(a) times
+// 1 / a, which are computed side by side, instead of a division that waits for the root.
+template <class R, class A>
+KERF_SIMD_FUNCTION RootAndInverse<std::experimental::simd<R, A>> root_and_inverse(
+    const std::experimental::simd<R, A>& a) {
+#if defined(__AVX512F__)
+  if constexpr (std::is_same_v<R, float> && std::experimental::simd<R, A>::size() == 16) {
+    const auto inverse = reciprocal_square_root(a);
+    return {a * inverse, inverse};
+  }
+#endif
+  const auto root = std::experimental::sqrt(a);
+  return {root, root * (R(1) / a)};
+}
+
 }  // namespace kerf

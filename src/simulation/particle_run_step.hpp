@@ -91,8 +91,9 @@ double ParticleRun<D, P, Traits>::choose_step(StepRates rates, const StepLimit& 
   const double remaining = settings_.end_time - time_;
   const double longest =
       settings_.maximum_step > 0.0 ? std::min(settings_.maximum_step, remaining) : remaining;
-  const ParticleStepLimit<D, P> limit{particles_.view(), settings_.courant, runaway_speed_, longest,
-                                      rates};
+  const ParticleStepLimit<D, P> limit{
+      particles_.view(), settings_.courant, largest_compression(settings_.courant),
+      runaway_speed_,    longest,           rates};
   StepLimit chosen{longest, longest < remaining ? Limit::maximum_step : Limit::end_of_run, 0};
   if (other.dt < longest) chosen = other;
   const StepLimit least = reduce_unordered(particles_.size(), limit, chosen, SmallerStep{});

@@ -2,13 +2,15 @@
 // The time step is at most the least of these limits over all particles:
 //   acoustic  C h / (c + |v| + 1.2 A c), with the artificial viscosity A (Monaghan 1989, 1992),
 //   force     0.25 sqrt(h / |a|),
-//   viscous   0.125 h^2 rho / mu.
+//   viscous   0.125 h^2 rho / mu,
+//   density   e / (d ln rho / dt) of a fluid that is compressed; largest_compression is e.
 // The limit of the waves in solids is solid/wave_time_limit.hpp; ParticleRun::choose_step
 // (simulation/particle_run_step.hpp) takes the least and records which limit it was. A particle
 // whose state is not a number, or that moves ten times faster than the fastest wave of the run,
 // stops the run.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "materials/equation_of_state.hpp"
@@ -22,6 +24,7 @@ enum class Limit : int {
   joint,
   acceleration,
   viscosity,
+  compression,
   maximum_step,
   end_of_run,
   not_a_number,  // from here on: faults
@@ -42,6 +45,8 @@ inline const char* limit_name(Limit limit) {
       return "acceleration";
     case Limit::viscosity:
       return "viscosity";
+    case Limit::compression:
+      return "compression";
     case Limit::maximum_step:
       return "maximum step";
     case Limit::end_of_run:
@@ -75,11 +80,20 @@ struct SmallerStep {
 // pending, the limits of the state itself, such as the acoustic one, have to do.
 enum class StepRates : std::uint8_t { known, pending };
 
+// Returns by what share of itself a density may rise in a step, 1. The sound speed of Tait's
+// equation of state rises with its cube, (rho / rho_0)^((gamma - 1) / 2) with gamma = 7, and waves
+// grow from a Courant number of 0.6 on (docs/theory/verlet.md), which it does not reach within the
+// step. Jets much faster than the waves of a light solid crush it to a fraction of its volume in a
+// few steps.
+inline double largest_compression(double courant) {
+  return std::max(0.05, std::cbrt(0.6 / courant) - 1.0);
+}
+
 template <int D, class P>
 struct ParticleStepLimit {
   using Real = typename P::Real;
   ParticleView<D, P> particles;
-  double courant;
+  double courant, largest_compression;
   double runaway_speed;  // m/s
   double unlimited;      // s, a step longer than any
   StepRates rates;
@@ -106,6 +120,11 @@ struct ParticleStepLimit {
       shorten(result, 0.25 * std::sqrt(h / acceleration), Limit::acceleration);
     if (medium.viscosity > Real(0))
       shorten(result, 0.125 * h * h * particles.density(i) / medium.viscosity, Limit::viscosity);
+    if (particles.has_density(i) && particles.compression_rate[i] > Real(0))
+      shorten(
+          result,
+          largest_compression * (1.0 + particles.compression[i]) / particles.compression_rate[i],
+          Limit::compression);
     return result;
   }
 

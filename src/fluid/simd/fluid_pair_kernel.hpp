@@ -223,8 +223,8 @@ class FluidPairKernel {
     sums.fastest_squared = maximum(sums.fastest_squared, select(is_near, speed_squared, T(0)));
     sums.surface_seen.add(is_near, signed_volume);
 
-    const T inverse = reciprocal_square_root(maximum(distance_squared, T(closest_squared)));
-    const T distance = distance_squared * inverse;
+    const auto [distance, inverse] =
+        root_and_inverse(maximum(distance_squared, T(closest_squared)));
     const T w = select(is_near, T(1) - distance * T(constants.per_diameter), T(0));
     const T slope = Kernel::slope_shape(w);
     sums.kernel_sum += Kernel::value_shape(w);
@@ -254,8 +254,8 @@ class FluidPairKernel {
     const T per_diameter = T(constants.per_diameter) * c;
     const auto is_near =
         pair.distance_squared * per_diameter * per_diameter < T(1) && pair.distance_squared > T(0);
-    const T inverse = reciprocal_square_root(maximum(pair.distance_squared, T(closest_squared)));
-    const T distance = pair.distance_squared * inverse;
+    const auto [distance, inverse] =
+        root_and_inverse(maximum(pair.distance_squared, T(closest_squared)));
     const T w = select(is_near, T(1) - distance * per_diameter, T(0));
     const T slope = Kernel::slope_shape(w) * kernel_ratio * c * c;
     sums.kernel_sum += Kernel::value_shape(w) * kernel_ratio * volume_ratio;

@@ -164,8 +164,9 @@ class UnlikePairKernel {
     const T per_diameter = per_h * T(Real(1 / Kernel::support));
     batch.is_near =
         distance_squared * per_diameter * per_diameter < T(1) && distance_squared > T(0);
-    batch.inverse = reciprocal_square_root(maximum(distance_squared, T(closest_squared_)));
-    batch.distance = distance_squared * batch.inverse;
+    const auto apart = root_and_inverse(maximum(distance_squared, T(closest_squared_)));
+    batch.distance = apart.root;
+    batch.inverse = apart.inverse;
     const T w = select(batch.is_near, T(1) - batch.distance * per_diameter, T(0));
     const T scale = T(Real(Kernel::sigma)) * per_h * per_h * (D == 2 ? T(1) : per_h);
     batch.value = scale * Kernel::value_shape(w);

@@ -58,6 +58,26 @@ TEST(TimeStep, Viscosity) {
   expect_step(c, "viscosity", 0.125 * 1.5e-3 * 1.5e-3 * 1000.0 / 500.0);
 }
 
+// A density may rise by (0.6 / C)^(1/3) - 1 in a step: water that runs together at a rate of 4e5
+// 1/s.
+TEST(TimeStep, Compression) {
+  Case c = empty_case(2, PrecisionKind::double_precision);
+  c.formulation = Formulation::standard;
+  c.time.courant = 0.45;
+  c.bodies = {body("square", Role::water, box({0.0, 0.0, 0.0}, {0.004, 0.004, 0.0}), 1e-3)};
+  c.bodies[0].velocity = {"-2e5 * (x - 0.002)", "-2e5 * (y - 0.002)", "0"};
+  const auto simulation = make_simulation(c);
+  const Archive start = saved(*simulation);
+  const auto& rates = std::get<std::vector<double>>(start.arrays.at("particles/compression_rate"));
+  const double fastest = *std::max_element(rates.begin(), rates.end());
+  EXPECT_GT(fastest, 1e5);
+  EXPECT_LT(fastest, 4.2e5);
+  simulation->advance();
+  EXPECT_EQ(simulation->last_step().limit, "compression");
+  const double rise = std::cbrt(0.6 / 0.45) - 1.0;
+  EXPECT_NEAR(simulation->last_step().dt, rise / fastest, 1e-12 / fastest);
+}
+
 TEST(TimeStep, MaximumStep) {
   Case c = square(Role::water);
   c.time.maximum_step = 1e-6;
