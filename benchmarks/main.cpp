@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "commit.hpp"
+#include "build_commit.hpp"
 #include "core/processor.hpp"
 #include "core/version.hpp"
 #include "measure.hpp"

@@ -11,14 +11,13 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/exit_codes.hpp"
+#include "app/version_text.hpp"
 #include "core/error.hpp"
-#include "core/version.hpp"
 #include "input/problems.hpp"
 
 namespace kerf {
 namespace {
-
-constexpr int exit_usage = 2, exit_internal = 70;
 
 // Names what was probably meant by arguments that the program does not know.
 void suggest(const CLI::App& program) {
@@ -66,7 +65,7 @@ int run(CLI::App& program, int argc, char** argv) {
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit of file sizes fails with an error
   CLI::App program("Kerf simulates water-jet cutting.", "kerf");
-  program.set_version_flag("--version", std::string("kerf ") + kerf::program_version);
+  program.set_version_flag("--version", kerf::version_text);
   program.require_subcommand(1);
   kerf::add_new_command(program);
   kerf::add_check_command(program);
@@ -78,6 +77,8 @@ int main(int argc, char** argv) {
   kerf::add_verify_command(program);
   kerf::add_study_command(program);
   kerf::add_limit_command(program);
+  kerf::add_completion_command(program);
+  kerf::add_manual_command(program);
   const int code = kerf::run(program, argc, argv);
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   fmt::print(stderr,

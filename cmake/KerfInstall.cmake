@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+# What `cmake --install` copies and CPack packs: the program, its manual page and completions, which
+# the program prints itself, cases, materials and docs.
+include(GNUInstallDirs)
+
+set(kerf_printed ${CMAKE_BINARY_DIR}/generated/printed)
+# kerf_print(file arguments...) writes what `kerf arguments` prints into a file.
+function(kerf_print file)
+  add_custom_command(OUTPUT ${kerf_printed}/${file}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${kerf_printed}
+    COMMAND kerf ${ARGN} > ${kerf_printed}/${file}
+    DEPENDS kerf
+    COMMENT "Printing ${file}"
+    VERBATIM)
+endfunction()
+kerf_print(kerf.1 manual)
+kerf_print(kerf.bash completion bash)
+kerf_print(_kerf completion zsh)
+kerf_print(kerf.fish completion fish)
+add_custom_target(kerf_printed_files ALL DEPENDS ${kerf_printed}/kerf.1 ${kerf_printed}/kerf.bash
+  ${kerf_printed}/_kerf ${kerf_printed}/kerf.fish)
+
+install(TARGETS kerf RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(FILES ${kerf_printed}/kerf.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${kerf_printed}/kerf.bash RENAME kerf
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${kerf_printed}/_kerf DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${kerf_printed}/kerf.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(DIRECTORY cases materials DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(CPACK_PACKAGE_VENDOR "The Kerf project")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
+set(CPACK_RESOURCE_FILE_README ${CMAKE_SOURCE_DIR}/README.md)
+set(CPACK_GENERATOR TGZ)
+set(CPACK_STRIP_FILES ON)
+include(CPack)
