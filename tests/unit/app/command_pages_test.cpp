@@ -27,6 +27,7 @@ struct SmallProgram {
   CLI::App program{"Cuts.", "kerf"};
   std::string mode = "fast", file;
   int count = 0;
+  bool dry_run = false;
 
   SmallProgram() {
     CLI::App* command = program.add_subcommand("cut", "Cut a case, it's \"quick\"");
@@ -35,7 +36,7 @@ struct SmallProgram {
         ->check(CLI::IsMember({"fast", "slow"}))
         ->capture_default_str();
     command->add_option("--count", count, ".hidden or a\\b");
-    command->add_flag("--dry-run", "only say so");
+    command->add_flag("--dry-run", dry_run, "only say so");
     add_materials_command(program);
   }
   std::vector<CommandWords> words() const { return command_words(program); }
@@ -51,7 +52,7 @@ std::string printed_by(const std::string& command) {
   for (int c = 0; (c = std::fgetc(pipe)) != EOF;) text += static_cast<char>(c);
   return pclose(pipe) == 0 ? text : text + "(failed)";
 }
-bool is_installed(const std::string& shell) {
+bool is_there(const std::string& shell) {
   return printed_by("command -v " + shell + " > /dev/null && printf yes") == "yes";
 }
 
@@ -120,7 +121,7 @@ TEST_F(Completion, ZshAndFishReadTheirScripts) {
   const auto words = SmallProgram().words();
   write(folder_ / "_kerf", zsh_completion(words));
   write(folder_ / "kerf.fish", fish_completion(words));
-  if (!is_installed("zsh") || !is_installed("fish")) GTEST_SKIP() << "zsh or fish is not installed";
+  if (!is_there("zsh") || !is_there("fish")) GTEST_SKIP() << "zsh or fish is not installed";
   EXPECT_EQ(printed_by("zsh -n " + (folder_ / "_kerf").string() + " 2>&1"), "");
   const std::string source = "source " + (folder_ / "kerf.fish").string() + "; complete -C ";
   EXPECT_EQ(printed_by("fish -c \"" + source + "'kerf cut --mode s'\" 2>&1"), "slow\n");
