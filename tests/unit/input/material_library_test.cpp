@@ -66,7 +66,10 @@ TEST(MaterialLibrary, HasTheRequiredMaterials) {
                            "leather",
                            "polyethylene-foam",
                            "softwood",
-                           "polyacrylamide"})
+                           "polyacrylamide",
+                           "agar",
+                           "bread",
+                           "cardboard"})
     EXPECT_NE(find_library_material(name), nullptr) << name;
   EXPECT_EQ(find_library_material("unobtainium"), nullptr);
 }
