@@ -133,7 +133,7 @@ TEST(Refuse, References) {
        "material = \"toffu\"",
        "toffu",
        "body[1].material = \"toffu\": there is no such material.",
-       {"Allowed: aluminium-6061, apple, concrete", "tofu, trabecular-bone, water, gel",
+       {"Allowed: agar, aluminium-6061, apple", "tofu, trabecular-bone, water, gel",
         "Did you mean \"tofu\"?"}},
       {"unknown base",
        "poisson_ratio = 0.4",
