@@ -43,6 +43,9 @@ TEST(Html, DataOfAScriptHasNoMarkup) {
 TEST(Html, NumbersAreFormatted) {
   const std::string thin = "\u202f";
   EXPECT_EQ(html::quantity(0.0224, "s"), "22.4" + thin + "ms");
+  EXPECT_EQ(html::quantity(59.0, "s"), "59" + thin + "s");
+  EXPECT_EQ(html::quantity(2604.8, "s"), "43" + thin + "min 25" + thin + "s");
+  EXPECT_EQ(html::quantity(3900.0, "s"), "1" + thin + "h 05" + thin + "min");
   EXPECT_EQ(html::quantity(12500.0, "Pa"), "12.5" + thin + "kPa");
   EXPECT_EQ(html::quantity(0.0, "m"), "0" + thin + "m");
   EXPECT_EQ(html::quantity(0.005, "kg"), "0.005" + thin + "kg");
