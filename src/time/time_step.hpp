@@ -3,7 +3,8 @@
 //   acoustic  C h / (c + |v| + 1.2 A c), with the artificial viscosity A (Monaghan 1989, 1992),
 //   force     0.25 sqrt(h / |a|),
 //   viscous   0.125 h^2 rho / mu,
-//   density   e / (d ln rho / dt) of a fluid that is compressed; largest_compression is e.
+//   density   e / |d ln rho / dt| of a fluid, of an open one only where it is compressed;
+//             largest_compression is e.
 // The limit of the waves in solids is solid/wave_time_limit.hpp; ParticleRun::choose_step
 // (simulation/particle_run_step.hpp) takes the least and records which limit it was. A particle
 // whose state is not a number, or that moves ten times faster than the fastest wave of the run,
@@ -120,11 +121,7 @@ struct ParticleStepLimit {
       shorten(result, 0.25 * std::sqrt(h / acceleration), Limit::acceleration);
     if (medium.viscosity > Real(0))
       shorten(result, 0.125 * h * h * particles.density(i) / medium.viscosity, Limit::viscosity);
-    if (particles.has_density(i) && particles.compression_rate[i] > Real(0))
-      shorten(
-          result,
-          largest_compression * (1.0 + particles.compression[i]) / particles.compression_rate[i],
-          Limit::compression);
+    if (particles.has_density(i)) limit_compression(i, result);
     return result;
   }
 
@@ -135,6 +132,14 @@ struct ParticleStepLimit {
     const bool solid = medium.phase == Phase::solid && !particles.fractured[i];
     return sound_speed_at(medium, particles.compression[i]) *
            (solid ? medium.longitudinal_speed / medium.sound_speed : Real(1));
+  }
+
+  // Matter that has not opened may swing: what expands now is compressed in the next step.
+  KERF_FUNCTION void limit_compression(Index i, StepLimit& result) const {
+    const double compression = particles.compression[i], rate = particles.compression_rate[i];
+    const double fastest = compression < 0.0 ? rate : std::abs(rate);
+    if (fastest > 0.0)
+      shorten(result, largest_compression * (1.0 + compression) / fastest, Limit::compression);
   }
 
   // A broken state is reported rather than the rates that it breaks around it: the lesser step
