@@ -23,7 +23,8 @@ import tomllib
 
 def copy_tree(root: pathlib.Path, tree: pathlib.Path) -> None:
     """Copies what a build needs. Files that did not change keep their time, so that ninja rests."""
-    for name in ("CMakeLists.txt", "cmake", "src", "cases", "materials", "validation", "web"):
+    for name in ("CMakeLists.txt", "LICENSE", "README.md", "cmake", "src", "cases", "materials",
+                 "validation", "web"):
         source = root / name
         files = [source] if source.is_file() else [f for f in source.rglob("*") if f.is_file()]
         for file in files:
