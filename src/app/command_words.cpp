@@ -43,10 +43,8 @@ CommandWords words_of(const CLI::App& command) {
 // The names that the argument of a command may have.
 std::vector<std::string> known_names(const std::string& command) {
   std::vector<std::string> names;
-  if (command == "new") {
-    for (const EmbeddedText& entry : case_templates()) names.emplace_back(entry.name);
-    for (const EmbeddedText& entry : study_templates()) names.emplace_back(entry.name);
-  }
+  if (command == "new")
+    for (const EmbeddedText& entry : all_templates()) names.emplace_back(entry.name);
   if (command == "materials")
     for (const LibraryMaterial& entry : material_library()) names.emplace_back(entry.name);
   return names;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // This header declares one function for each command of the program, which adds its options to the
-// command line and runs it when it is chosen. Each is in <name>_command.cpp (`manual`: beside
-// `completion`) and throws UserError.
+// command line and runs it when it is chosen. Each is in <name>_command.cpp and throws UserError.
 #pragma once
 
 #include <CLI/CLI.hpp>

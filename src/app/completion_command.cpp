@@ -6,7 +6,6 @@
 
 #include "app/commands.hpp"
 #include "app/completion.hpp"
-#include "app/manual_page.hpp"
 
 namespace kerf {
 namespace {
@@ -31,12 +30,6 @@ void add_completion_command(CLI::App& program) {
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   command->callback([&program, shell] { print_completion(program, *shell); });
-}
-
-void add_manual_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
-      "manual", "Print the manual page; \"kerf manual | man -l -\" shows it");
-  command->callback([&program] { fmt::print("{}", manual_page(command_words(program))); });
 }
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/embedded_text.hpp"
 
@@ -14,6 +15,12 @@ std::span<const EmbeddedText> case_templates();
 std::span<const EmbeddedText> case_meshes();
 // Returns the files of cases/studies/ in alphabetical order.
 std::span<const EmbeddedText> study_templates();
+// Returns what `kerf new` knows: cases, then studies.
+inline std::vector<EmbeddedText> all_templates() {
+  std::vector<EmbeddedText> texts(case_templates().begin(), case_templates().end());
+  texts.insert(texts.end(), study_templates().begin(), study_templates().end());
+  return texts;
+}
 // Returns the files of validation/, named "FOLDER/FILE", in alphabetical order.
 std::span<const EmbeddedText> validation_texts();
 

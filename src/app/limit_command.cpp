@@ -14,6 +14,7 @@
 #include "app/study_display.hpp"
 #include "core/error.hpp"
 #include "output/files.hpp"
+#include "output/readable.hpp"
 #include "study/feed_by_exposure.hpp"
 #include "study/limit_answer.hpp"
 #include "study/limit_runs.hpp"

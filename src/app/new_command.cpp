@@ -49,9 +49,7 @@ void write_meshes(std::string_view text) {
 
 void print_template(const std::string& name) {
   std::vector<std::string> names;
-  std::vector<EmbeddedText> texts(case_templates().begin(), case_templates().end());
-  texts.insert(texts.end(), study_templates().begin(), study_templates().end());
-  for (const EmbeddedText& entry : texts) {
+  for (const EmbeddedText& entry : all_templates()) {
     if (entry.name == name) {
       write_meshes(entry.text);
       fmt::print("{}", entry.text);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/progress.hpp"
+#include "output/readable.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -50,14 +51,6 @@ void Bar::clear() {
   fmt::print("\r\033[K");
   std::fflush(stdout);
   is_shown_ = false;
-}
-
-std::string duration_text(double seconds) {
-  if (!std::isfinite(seconds)) return "?";
-  const long whole = std::lround(seconds);
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
 std::string progress_line(const ProgressNumbers& numbers, double seconds_left) {

@@ -37,8 +37,6 @@ struct ProgressNumbers {
 
 // Returns "42.0% | t 12.6 ms | step 5120 | dt 2.5 us (acoustic (water)) | front 21.3 mm | ...".
 std::string progress_line(const ProgressNumbers& numbers, double seconds_left);
-// Returns "1 h 05 min", "3 min 20 s" or "12 s"; "?" for a time that is not finite.
-std::string duration_text(double seconds);
 
 enum class ProgressStyle { none, lines, bar };
 // Returns the bar where standard output is a terminal.

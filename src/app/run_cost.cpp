@@ -18,11 +18,10 @@ namespace kerf {
 namespace {
 
 constexpr double most_pilot_particles = 1e4;
-constexpr double most_graded_pilot =
-    1.2e3;                                  // particles of graded bodies, which take long to set up
-constexpr double longest_pilot = 2.8;       // s
-constexpr double least_across_pilot = 2.0;  // particles across a jet
-constexpr double thread_efficiency = 0.95;  // docs/performance.md, of each thread after the first
+constexpr double most_graded_pilot = 1.2e3;  // of graded bodies, which take long to set up
+constexpr double longest_pilot = 2.8;        // s
+constexpr double least_across_pilot = 2.0;   // particles across a jet
+constexpr double thread_efficiency = 0.95;   // docs/performance.md, of each thread after the first
 
 double mean_particles(const DerivedNumbers& numbers) {
   return 0.5 * static_cast<double>(numbers.particles_initial + numbers.particles_expected);

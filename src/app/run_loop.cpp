@@ -14,6 +14,7 @@
 #include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 #include "output/checkpoint.hpp"
+#include "output/readable.hpp"
 #include "output/result.hpp"
 #include "report/report.hpp"
 

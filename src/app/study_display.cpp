@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/study_display.hpp"
+#include "output/readable.hpp"
 
 #include <fmt/format.h>
 

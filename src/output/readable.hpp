@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// This function writes quantities in sentences and in a terminal, with a suitable prefix.
+// These functions write quantities in sentences and in a terminal: with a suitable prefix, and
+// times as those of a clock.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,6 +22,15 @@ inline std::string readable(double value, const std::string& unit) {
     if (std::abs(value) >= prefix.factor)
       return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.name, unit);
   return fmt::format("{:.4g} {}", value, unit);
+}
+
+// Returns "1 h 05 min", "3 min 20 s" or "12 s"; "?" for a time that is not finite.
+inline std::string duration_text(double seconds) {
+  if (!std::isfinite(seconds)) return "?";
+  const long whole = std::lround(seconds);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
 }  // namespace kerf

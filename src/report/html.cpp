@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "output/readable.hpp"
 #include "report/plot.hpp"
 #include "report/style.hpp"
 #include "report/viewer_files.hpp"
@@ -71,23 +73,15 @@ std::string number(double value, int digits) {
   return fmt::format("{:.3g} · 10<sup>{}</sup>", value / std::pow(10.0, power), power);
 }
 
-namespace {
-
-constexpr double minute = 60.0, hour = 3600.0;  // s
-
-// Returns a time of a minute or more, s, in minutes and seconds or hours and minutes.
-std::string clock_time(double seconds, const std::string& space) {
-  const auto whole = static_cast<long>(std::lround(seconds));
-  if (seconds < hour) return fmt::format("{}{}min {:02}{}s", whole / 60, space, whole % 60, space);
-  return fmt::format("{}{}h {:02}{}min", whole / 3600, space, whole % 3600 / 60, space);
-}
-
-}  // namespace
-
 std::string quantity(double value, const std::string& unit, int digits) {
   if (!std::isfinite(value)) return "—";
   const std::string space = "\u202f";  // narrow space without a line break
-  if (unit == "s" && value >= minute && value < 1e9) return clock_time(value, space);
+  if (unit == "s" && value >= 60.0 && value < 1e9) {
+    std::string text = duration_text(value);
+    for (const char* name : {"h", "min", "s"})
+      boost::replace_all(text, std::string(" ") + name, space + name);
+    return text;
+  }
   // Kilograms have a prefix already; rounding errors are shown as a power of ten.
   const bool plain = unit.starts_with("kg") || begins_with_power(unit) || std::abs(value) < 1e-9 ||
                      std::abs(value) >= 1e15;

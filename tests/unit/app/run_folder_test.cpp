@@ -8,6 +8,7 @@
 #include "app/run_record.hpp"
 #include "app/schedule.hpp"
 #include "core/error.hpp"
+#include "output/readable.hpp"
 #include "support/results.hpp"
 #include "support/temporary_folder.hpp"
 
