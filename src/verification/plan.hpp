@@ -34,8 +34,9 @@ struct PlannedRun {
 struct Check {
   std::string quantity;
   std::vector<std::string> runs;  // from coarse to fine
-  std::string relative_to;  // name of a run: the value is its ratio to that run's; empty = itself
-  std::string unit;         // of the numbers below, as UDUNITS writes it; "1" = none
+  // Runs: the value is the ratio to that of them, or to the mean of theirs; empty: it is its own.
+  std::vector<std::string> relative_to;
+  std::string unit;                 // of the numbers below, as UDUNITS writes it; "1" = none
   std::optional<double> reference;  // in `unit`; absent: bounds, or reported only
   std::optional<double> tolerance;  // relative
   std::optional<double> at_least, at_most;
@@ -43,7 +44,7 @@ struct Check {
   // made is judged alone.
   std::string judged_from;
   // Whether the mean of the runs is judged in place of each: of runs that differ by less than any
-  // measurement, where fracture amplifies such differences.
+  // measurement, as in their layouts, where fracture amplifies such differences.
   bool of_mean = false;
   bool plot = false;          // draw the signal over time for the page
   std::string source;         // of the reference

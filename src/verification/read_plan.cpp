@@ -86,16 +86,23 @@ std::string read_judged_from(const Check& check) {
   return run;
 }
 
+// A name, or several.
+std::vector<std::string> read_names(const toml::table& table, const Parameters& keys,
+                                    const std::string& key) {
+  const toml::array* written = table[key].as_array();
+  if (written == nullptr) return {keys.text(key)};
+  std::vector<std::string> names;
+  for (const toml::node& name : *written) names.push_back(as_text(name));
+  return names;
+}
+
 Check read_check(const toml::table& table, const std::string& owner) {
   Check check;
   check.parameters = parameters_of(table, owner + "/reference.toml, a check");
   const Parameters& keys = check.parameters;
   check.quantity = keys.text("quantity");
-  if (const toml::array* runs = table["runs"].as_array())
-    for (const toml::node& run : *runs) check.runs.push_back(as_text(run));
-  else
-    check.runs.push_back(keys.text("runs"));
-  check.relative_to = keys.text("relative_to", "");
+  check.runs = read_names(table, keys, "runs");
+  if (table.contains("relative_to")) check.relative_to = read_names(table, keys, "relative_to");
   check.unit = keys.text("unit", "1");
   check.reference = optional_value(keys, "reference");
   check.tolerance = optional_value(keys, "tolerance");
@@ -136,7 +143,8 @@ VerificationCase read_verification(const std::string& name, const Sources& sourc
     result.checks.push_back(read_check(*node.as_table(), name));
   result.refuses = read_refusals(table, name);
   for (const Check& check : result.checks)
-    for (const std::string& run : check.runs) (void)result.run(run);
+    for (const auto* runs : {&check.runs, &check.relative_to})
+      for (const std::string& run : *runs) (void)result.run(run);
   return result;
 }
 
@@ -180,7 +188,7 @@ std::vector<std::string> VerificationCase::due_runs(const Check& check, bool all
     return !planned.is_left_out && (all || !planned.is_long);
   };
   std::vector<std::string> due;
-  if (!check.relative_to.empty() && !is_due(check.relative_to)) return due;
+  if (!std::all_of(check.relative_to.begin(), check.relative_to.end(), is_due)) return due;
   std::copy_if(check.runs.begin(), check.runs.end(), std::back_inserter(due), is_due);
   return due;
 }

@@ -53,8 +53,11 @@ void judge(const Check& check, bool is_judged, Row& row) {
 std::vector<const Check*> checks_of(const VerificationCase& verification, const std::string& run) {
   std::vector<const Check*> checks;
   for (const Check& check : verification.checks)
-    if (std::count(check.runs.begin(), check.runs.end(), run) > 0 || check.relative_to == run)
-      checks.push_back(&check);
+    for (const auto* runs : {&check.runs, &check.relative_to})
+      if (std::count(runs->begin(), runs->end(), run) > 0) {
+        checks.push_back(&check);
+        break;
+      }
   return checks;
 }
 
@@ -64,7 +67,7 @@ Recordings record_all(const VerificationCase& verification, bool all,
   for (const Check& check : verification.checks) {
     const auto due = verification.due_runs(check, all);
     needed.insert(due.begin(), due.end());
-    if (!due.empty() && !check.relative_to.empty()) needed.insert(check.relative_to);
+    if (!due.empty()) needed.insert(check.relative_to.begin(), check.relative_to.end());
   }
   Recordings recordings;
   for (const PlannedRun& run : verification.runs) {
@@ -124,8 +127,13 @@ Row measured_row(const VerificationCase& verification, const Check& check,
   row.placement = verification.run(run).placement.text();
   row.unit = check.unit;
   row.source = check.source;
-  const double unit = factor_of(check.unit, check.parameters);
-  row.measured = measured(run) / (check.relative_to.empty() ? unit : measured(check.relative_to));
+  double divisor = factor_of(check.unit, check.parameters);
+  if (!check.relative_to.empty()) {
+    divisor = 0.0;
+    for (const std::string& other : check.relative_to)
+      divisor += measured(other) / static_cast<double>(check.relative_to.size());
+  }
+  row.measured = measured(run) / divisor;
   row.problem = recordings.at(run).problem;
   row.seconds = recordings.at(run).seconds;
   const bool is_complete = row.problem.empty() && !recordings.at(run).was_kept;
@@ -134,16 +142,22 @@ Row measured_row(const VerificationCase& verification, const Check& check,
   return row;
 }
 
-// Returns the row of the mean of the runs, which have the rows given.
+// Returns the row of the mean of the runs, which have the rows given, with their scatter.
 Row mean_of(const std::vector<Row>& rows) {
+  const auto runs = static_cast<double>(rows.size());
   Row mean = rows.front();
-  mean.run = fmt::format("mean of {} runs", rows.size());
   mean.measured = mean.seconds = 0.0;
   for (const Row& row : rows) {
-    mean.measured += row.measured / static_cast<double>(rows.size());
+    mean.measured += row.measured / runs;
     mean.seconds += row.seconds;
     if (mean.problem.empty()) mean.problem = row.problem;
   }
+  double squares = 0.0;
+  for (const Row& row : rows) squares += std::pow(row.measured - mean.measured, 2);
+  mean.run = fmt::format("mean of {} runs", rows.size());
+  if (rows.size() > 1)
+    mean.run += fmt::format(", standard deviation {:.2g}{}", std::sqrt(squares / (runs - 1.0)),
+                            mean.unit == "1" ? "" : " " + mean.unit);
   return mean;
 }
 
