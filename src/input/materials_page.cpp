@@ -18,7 +18,7 @@ This page lists the materials that every case may name, with the source of each 
 obey. A case names one of these materials, or starts from it with `base` ([keys.md](keys.md)). A value that a material
 leaves out has its default in a case file. Values of real materials scatter: the note says under which conditions a value
 holds, and where it was derived from others. A value without a source is not in the library, and neither is a material
-without one. So these are missing: fat (no strength), potato (no strength), cheese and EPDM (no fracture energy or
+without one. So these are missing: potato (no strength), cheese and EPDM (no fracture energy or
 density), and corrugated board, whose sheets are thinner than the spacing of any run.
 
 Nearly incompressible ones (gels, rubber, tissues) have the Poisson's ratio that their source measured or

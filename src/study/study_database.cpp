@@ -114,6 +114,22 @@ RunRow row_of(SQLite::Statement& query) {
                   exit_files);
 }
 
+// Returns what `read` reads; a file that is not as this program writes it ends the command.
+template <class Read>
+auto read_from(const SQLite::Database& database, const Read& read) -> decltype(read()) {
+  try {
+    return read();
+  } catch (const SQLite::Exception& error) {
+    fail(database.getFilename(), error.what());
+  } catch (const Json::exception& error) {
+    throw UserError(
+        fmt::format("{} is damaged: a run in it has values that are no JSON of this program ({}). "
+                    "Restore the file from a copy, or choose another folder with --out.",
+                    database.getFilename(), error.what()),
+        exit_files);
+  }
+}
+
 int version_of(SQLite::Database& database) {
   return database.execAndGet("PRAGMA user_version").getInt();
 }
@@ -187,17 +203,22 @@ void StudyDatabase::add(const ResolvedCase& resolved, const Trial& trial) {
 }
 
 std::optional<RunRow> StudyDatabase::find(const std::string& id) const {
-  SQLite::Statement query(*database_, fmt::format("SELECT {} FROM runs WHERE id = ?", columns));
-  query.bind(1, id);
-  if (!query.executeStep()) return std::nullopt;
-  return row_of(query);
+  return read_from(*database_, [&]() -> std::optional<RunRow> {
+    SQLite::Statement query(*database_, fmt::format("SELECT {} FROM runs WHERE id = ?", columns));
+    query.bind(1, id);
+    if (!query.executeStep()) return std::nullopt;
+    return row_of(query);
+  });
 }
 
 std::vector<RunRow> StudyDatabase::runs() const {
-  SQLite::Statement query(*database_, fmt::format("SELECT {} FROM runs ORDER BY number", columns));
-  std::vector<RunRow> rows;
-  while (query.executeStep()) rows.push_back(row_of(query));
-  return rows;
+  return read_from(*database_, [&] {
+    SQLite::Statement query(*database_,
+                            fmt::format("SELECT {} FROM runs ORDER BY number", columns));
+    std::vector<RunRow> rows;
+    while (query.executeStep()) rows.push_back(row_of(query));
+    return rows;
+  });
 }
 
 void StudyDatabase::mark_started(const std::string& id) {
@@ -230,9 +251,11 @@ void StudyDatabase::remember(const std::string& name, const std::string& text) {
 }
 
 std::string StudyDatabase::recall(const std::string& name) const {
-  SQLite::Statement query(*database_, "SELECT text FROM notes WHERE name = ?");
-  query.bind(1, name);
-  return query.executeStep() ? query.getColumn(0).getString() : "";
+  return read_from(*database_, [&] {
+    SQLite::Statement query(*database_, "SELECT text FROM notes WHERE name = ?");
+    query.bind(1, name);
+    return query.executeStep() ? query.getColumn(0).getString() : std::string();
+  });
 }
 
 void StudyDatabase::forget(const std::string& name) {

@@ -69,7 +69,8 @@ TEST(MaterialLibrary, HasTheRequiredMaterials) {
                            "polyacrylamide",
                            "agar",
                            "bread",
-                           "cardboard"})
+                           "cardboard",
+                           "fat"})
     EXPECT_NE(find_library_material(name), nullptr) << name;
   EXPECT_EQ(find_library_material("unobtainium"), nullptr);
 }
