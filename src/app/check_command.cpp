@@ -7,13 +7,14 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/derived.hpp"
+#include "app/check_json.hpp"
 #include "app/check_warnings.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
-#include "app/cost_advice.hpp"
 #include "app/run_cost.hpp"
 #include "engine/device.hpp"
 #include "geometry/closed_surface.hpp"
@@ -36,7 +37,7 @@ namespace {
 struct CheckOptions {
   std::string file;
   bool keys = false, metrics = false, schema = false;  // references to be printed instead
-  bool no_timing = false;
+  bool no_timing = false, json = false;
   MachineOptions machine;
 };
 
@@ -83,8 +84,7 @@ void print_machine(const Case& description) {
         fmt::format("{}, water for {:.3g} of each", readable(jet.pulse_frequency, "Hz"), jet.duty));
 }
 
-void print_piece(const Case& description) {
-  const auto sentences = piece_reasons(description);
+void print_piece(const std::vector<std::string>& sentences) {
   if (sentences.empty()) return;
   fmt::print("\nWhat is simulated\n");
   for (const std::string& sentence : sentences) fmt::print("  {}\n", sentence);
@@ -154,30 +154,55 @@ void print_meshes(const Case& description) {
   }
 }
 
-void check(const CheckOptions& options) {
+// Everything but the pace, which takes seconds.
+CheckedCase checked_case(const CheckOptions& options) {
   take_machine(options.machine);
   const std::string text = case_text(options.file);
-  const Case description = parse_case(text, options.file, quick_look);
+  Case description = parse_case(text, options.file, quick_look);
   const DerivedNumbers numbers = derive(description);
-  fmt::print("{}: the case is valid.\n", options.file);
-  fmt::print("{} ({}D; bodies: {}, jets: {})\n", description.title, description.dimension,
-             description.bodies.size(), description.jets.size());
-  print_machine(description);
-  print_piece(description);
-  print_speeds(numbers);
-  print_loads(numbers);
-  print_meshes(description);
-  const int threads = threads_of(options.machine);
-  const Pace pace = options.no_timing ? typical_pace(description, threads)
-                                      : measured_pace(description, numbers, threads);
-  print_cost(description, numbers, pace);
-  fmt::print("{}",
-             advice_text({text, options.file, description, numbers, pace}, available_memory()));
   auto warnings = check_warnings(description, numbers);
   for (const auto& warning : resolution_warnings(description))
     warnings.push_back(fmt::format("{}: {}", options.file, warning));
-  if (!warnings.empty()) fmt::print("\nWarnings\n");
-  for (const auto& warning : warnings) fmt::print("  - {}\n", warning);
+  auto piece = piece_reasons(description);
+  return {{text, options.file, std::move(description), numbers, {}},
+          std::move(piece),
+          std::move(warnings),
+          available_memory()};
+}
+
+Pace pace_of(const CheckOptions& options, const CostedCase& costed) {
+  const int threads = threads_of(options.machine);
+  return options.no_timing ? typical_pace(costed.description, threads)
+                           : measured_pace(costed.description, costed.numbers, threads);
+}
+
+void print_numbers(const CheckedCase& checked) {
+  const auto& [text, file, description, numbers, pace] = checked.costed;
+  fmt::print("{}: the case is valid.\n", file);
+  fmt::print("{} ({}D; bodies: {}, jets: {})\n", description.title, description.dimension,
+             description.bodies.size(), description.jets.size());
+  print_machine(description);
+  print_piece(checked.piece);
+  print_speeds(numbers);
+  print_loads(numbers);
+  print_meshes(description);
+}
+
+void print_cost_and_warnings(const CheckedCase& checked) {
+  print_cost(checked.costed.description, checked.costed.numbers, checked.costed.pace);
+  fmt::print("{}", advice_text(checked.costed, checked.memory));
+  if (!checked.warnings.empty()) fmt::print("\nWarnings\n");
+  for (const auto& warning : checked.warnings) fmt::print("  - {}\n", warning);
+}
+
+void check(const CheckOptions& options) {
+  CheckedCase checked = checked_case(options);
+  if (!options.json) print_numbers(checked);
+  checked.costed.pace = pace_of(options, checked.costed);
+  if (options.json)
+    fmt::print("{}", check_json(checked));
+  else
+    print_cost_and_warnings(checked);
 }
 
 }  // namespace
@@ -189,6 +214,7 @@ void add_check_command(CLI::App& program) {
   auto options = std::make_shared<CheckOptions>();
   auto* file = command->add_option("case", options->file, "Case file (TOML)");
   command->add_flag("--no-timing", options->no_timing, "Estimate the run time without a pilot run");
+  command->add_flag("--json", options->json, "Print JSON, in SI units, for programs");
   add_machine_options(*command, options->machine);
   auto* keys =
       command->add_flag("--keys", options->keys, "Print the reference of all keys instead");

@@ -127,12 +127,15 @@ std::vector<Advice> cost_advice(const CostedCase& costed) {
   return list;
 }
 
+bool is_cheap(const RunCost& cost, double memory) {
+  return cost.memory <= memory && cost.seconds <= long_run;
+}
+
 std::string advice_text(const CostedCase& costed, double memory) {
   const RunCost cost = run_cost(costed.numbers, costed.pace);
-  const bool is_large = cost.memory > memory;
-  if (!is_large && cost.seconds <= long_run) return "";
+  if (is_cheap(cost, memory)) return "";
   std::string text = "\nWhat to change\n";
-  if (is_large)
+  if (cost.memory > memory)
     text += fmt::format("  The run does not fit into the memory of this machine, {}.\n",
                         readable(memory, "B"));
   for (const Advice& advice : cost_advice(costed))

@@ -34,6 +34,9 @@ struct Advice {
 
 inline constexpr double long_run = 3600.0;  // s
 
+// Whether a run takes no more than an hour and the `memory` of the machine, bytes: no advice.
+bool is_cheap(const RunCost& cost, double memory);
+
 // Returns the changes that gain anything, and all of them that go together as the last one.
 std::vector<Advice> cost_advice(const CostedCase& costed);
 

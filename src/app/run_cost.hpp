@@ -31,7 +31,7 @@ struct RunCost {
 // Returns the pace of a typical case of the same dimension and formulation on one core.
 Pace typical_pace(const Case& description, int threads);
 
-// Makes a pilot run, of 1.5 s and of 10^4 particles at most. Returns the typical pace where
+// Makes a pilot run, of a few seconds and of 10^4 particles at most. Returns the typical pace where
 // this build cannot run the case, or all pilots fail.
 Pace measured_pace(const Case& description, const DerivedNumbers& numbers, int threads);
 

@@ -7,6 +7,7 @@
 #include "output/balance_metrics.hpp"
 #include "output/layer_metrics.hpp"
 #include "output/machine_metrics.hpp"
+#include "output/metric_json.hpp"
 #include "output/result.hpp"
 
 namespace kerf {
@@ -16,34 +17,6 @@ using Json = nlohmann::ordered_json;
 using When = ResultMetric::When;
 using Form = ResultMetric::Form;
 using Table = std::vector<ResultMetric>;
-
-Json json_of(const MetricValue& value) {
-  return std::visit(
-      [](const auto& raw) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(raw)>, std::monostate>)
-          return Json(nullptr);
-        else
-          return Json(raw);
-      },
-      value);
-}
-
-// Writes a value at a path of keys that are joined by dots.
-void put(Json& object, std::string_view path, Json value) {
-  Json* target = &object;
-  for (std::size_t dot; (dot = path.find('.')) != std::string_view::npos;
-       path.remove_prefix(dot + 1))
-    target = &(*target)[std::string(path.substr(0, dot))];
-  (*target)[std::string(path)] = std::move(value);
-}
-
-template <class Record>
-Json object_of(const MetricList<Record>& metrics, const Record& record) {
-  Json object = Json::object();
-  for (const Metric<Record>& metric : metrics)
-    put(object, metric.name, json_of(metric.value(record)));
-  return object;
-}
 
 bool has(const RunOutcome& outcome, When when) {
   if (when == When::with_jet) return outcome.kerf.has_value();

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/check_json.hpp"
+
+#include "output/metric_json.hpp"
+
+namespace kerf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json cost_json(const RunCost& cost) {
+  return {{"particles", cost.particles},
+          {"steps", cost.steps},
+          {"memory", cost.memory},
+          {"run_time", cost.seconds}};
+}
+
+Json whole_cost(const CostedCase& costed) {
+  const DerivedNumbers& numbers = costed.numbers;
+  Json json = {{"initial_particles", numbers.particles_initial},
+               {"final_particles", numbers.particles_expected},
+               {"simulated_time", numbers.likely_end},
+               {"time_step", numbers.time_step / costed.pace.step_factor}};
+  json.update(cost_json(run_cost(numbers, costed.pace)));
+  json["run_time_source"] = costed.pace.source;
+  return json;
+}
+
+Json advice_json(const CheckedCase& checked) {
+  Json list = Json::array();
+  if (is_cheap(run_cost(checked.costed.numbers, checked.costed.pace), checked.memory)) return list;
+  for (const Advice& advice : cost_advice(checked.costed))
+    list.push_back({{"keys", advice.lines}, {"cost", cost_json(advice.after)}});
+  return list;
+}
+
+}  // namespace
+
+std::string check_json(const CheckedCase& checked) {
+  const CostedCase& costed = checked.costed;
+  const Json json = {{"case", costed.file},
+                     {"title", costed.description.title},
+                     {"dimension", costed.description.dimension},
+                     {"simulated", checked.piece},
+                     {"numbers", object_of(DerivedNumbers::metrics(), costed.numbers)},
+                     {"cost", whole_cost(costed)},
+                     {"advice", advice_json(checked)},
+                     {"warnings", checked.warnings}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace kerf
