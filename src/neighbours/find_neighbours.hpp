@@ -5,6 +5,7 @@
 
 #include "neighbours/cell_order.hpp"
 #include "neighbours/neighbour_sections.hpp"
+#include "neighbours/search_memory.hpp"
 #include "neighbours/simd/search_kernels.hpp"
 
 namespace kerf {
@@ -37,23 +38,6 @@ struct PackForSearch {
   }
 };
 
-// The rows of cells around the particles of one cell, which are looked up once for all of them.
-struct CellRows {
-  static constexpr Index no_cell = ~Index(0);
-
-  Index cell = no_cell;  // set where one search takes all their rows
-  SearchRows rows;
-};
-
-// What one thread keeps from particle to particle.
-struct SearchMemory {
-  CellRows of_level[most_levels];
-
-  void forget() {
-    for (CellRows& rows : of_level) rows.cell = CellRows::no_cell;
-  }
-};
-
 // Tests the candidates of particle i and puts its neighbours into sections
 // (neighbours/neighbour_sections.hpp).
 template <int D, class P, class Scheme>
@@ -74,7 +58,7 @@ struct FindNeighbours {
       const Viewer from{i, 0, x, limit_of(i, level)};
       if constexpr (simd_exists) {
         if (memory != nullptr && packed.search != nullptr) {
-          search_level(from, level, memory->of_level[level], found);
+          search_level(from, level, *memory, found);
           continue;
         }
       }
@@ -152,9 +136,10 @@ struct FindNeighbours {
 
   // Tests the candidates of a level by the SIMD search.
   template <class Sections>
-  void search_level(const Viewer& from, int level, CellRows& known, Sections& found) const {
+  void search_level(const Viewer& from, int level, SearchMemory& memory, Sections& found) const {
+    CellRows& known = memory.of_level[level];
     if (known.cell == order.cell[from.i]) {
-      search(from, known.rows, found);
+      search(from, known.rows, memory.kinds, found);
       return;
     }
     const auto reach = Vector<D, double>::filled(from.limit);
@@ -167,7 +152,7 @@ struct FindNeighbours {
     for_each_row(minimum - reach, maximum + reach, level, [&](Index begin, Index end) {
       while (begin < end) {
         if (known.rows.is_full()) {
-          search(from, known.rows, found);
+          search(from, known.rows, memory.kinds, found);
           known.rows.count = 0;
           known.rows.candidates = 0;
           fits = false;
@@ -175,7 +160,7 @@ struct FindNeighbours {
         begin += known.rows.take(begin, end);
       }
     });
-    search(from, known.rows, found);
+    search(from, known.rows, memory.kinds, found);
     known.cell = of_cell && fits ? order.cell[from.i] : CellRows::no_cell;
   }
 
@@ -219,7 +204,8 @@ struct FindNeighbours {
   // The neighbours of its own kind come from the SIMD search; other candidates are tested one by
   // one.
   template <class Sections>
-  void search(const Viewer& from, const SearchRows& rows, Sections& found) const {
+  void search(const Viewer& from, const SearchRows& rows, KindsOfPairs& kinds,
+              Sections& found) const {
     if (rows.count == 0) return;
     const Index i = from.i;
     Index others[SearchRows::most_candidates + room_beside];
@@ -244,7 +230,25 @@ struct FindNeighbours {
     task.others = others;
     const auto counts = packed.search(task);
     found.took(same_class, name_others(i, task.same, counts.same));
-    for (Index n = 0; n < counts.others; ++n) scan(from, {others[n], others[n] + 1}, found);
+    for (Index n = 0; n < counts.others; ++n) test_other(from, kind, others[n], kinds, found);
+  }
+  // Tests the candidate at a place, which is of another kind than i.
+  template <class Sections>
+  void test_other(const Viewer& from, std::uint32_t own_kind, Index place, KindsOfPairs& kinds,
+                  Sections& found) const {
+    const std::uint32_t other_kind = packed.kind[place];
+    if (own_kind == 0 || other_kind == 0) return scan(from, {place, place + 1}, found);
+    const Index i = from.i, j = order.particle(place);
+    const std::uint32_t own = 2 * own_kind + (Scheme::has_own_classes(particles, i) ? 1 : 0);
+    const auto& pair = kinds.of(own, other_kind, [&](KindsOfPairs::Entry& entry) {
+      const double reach = Scheme::reach(particles, i, j);
+      entry.square = reach == 0.0 ? 0.0 : (reach + skin) * (reach + skin);
+      entry.pair_class = splits ? Scheme::pair_class(particles, i, j) : PairClass::other;
+    });
+    const auto& x = particles.build_position[j];
+    if (!(squared_distance<D, double>(DifferenceTo<D>{from.x, x}) < pair.square)) return;
+    *found.room(pair.pair_class, 1) = j;
+    found.took(pair.pair_class, 1);
   }
   // Replaces places by the particles there, without particle i. Returns how many are left.
   Index name_others(Index i, Index* places, Index count) const {

@@ -92,7 +92,8 @@ class NeighbourList {
   // How many entries `neighbour` has; some of them are of no list.
   Index used() const { return entries_.used(); }
   std::size_t bytes() const {
-    std::size_t entries = entries_.entries() + cells_.entries() + packed_kind_.size();
+    std::size_t entries =
+        entries_.entries() + cells_.entries() + unmoved_.entries() + packed_kind_.size();
     for (const auto& coordinates : packed_position_) entries += coordinates.size();
     return sizeof(Index) * entries + moved_.size() + listed_anew_.size() + listed_as_.size() +
            validity_.bytes();  // packed coordinates are as long as an index
@@ -107,8 +108,9 @@ class NeighbourList {
     const auto view = particles.view();
     listed_anew_.resize(n);
     thrust::fill(listed_anew_.begin(), listed_anew_.end(), std::uint8_t(0));
-    for_each_index(n, MarkAround<D, P>{view, grids_, cells_.view(), pointer(moved_), moves,
-                                       pointer(listed_anew_)});
+    unmoved_.find(cells_.view(), listed(), pointer(moved_));
+    for_each_index(n, MarkAround<D, P>{view, grids_, cells_.view(), unmoved_.view(),
+                                       pointer(moved_), moves, pointer(listed_anew_)});
     if (moves) {
       for_each_index(n, MoveBuildPosition<D, P>{view, pointer(moved_)});
       cells_.build(particles, grids_);
@@ -149,6 +151,7 @@ class NeighbourList {
   ListValidity<D, P> validity_;
   ListEntries<D, P, Scheme> entries_;
   CellTable<D, P> cells_;
+  UnmovedParticles unmoved_;
   double skin_ = 0.0;
   bool splits_ = false;
   Array<std::uint8_t> listed_as_, moved_, listed_anew_;

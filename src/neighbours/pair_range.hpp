@@ -94,6 +94,12 @@ struct ContactPairs {
     if (particles.has(i, flag::fitted) && !is_weakly_compressible(medium)) return 0u;
     return 2u * particles.source[i] + (particles.fractured[i] ? 2u : 1u);
   }
+  // Whether the pairs of i may have other classes than those of other particles of its kind. The
+  // kinds of both, neither of them 0, and this together determine the reach and the class.
+  template <int D, class P>
+  KERF_FUNCTION static bool has_own_classes(const ParticleView<D, P>& particles, Index i) {
+    return particles.has(i, flag::fitted);
+  }
   // Returns the distance from which on the two do not interact, m: within a solid that of contact.
   template <class Kernel, class View, class Pair>
   KERF_FUNCTION static auto cutoff(const View& particles, const Pair& pair) {

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "neighbours/cell_order.hpp"
+#include "neighbours/unmoved_particles.hpp"
 
 namespace kerf {
 
@@ -29,7 +29,8 @@ template <int D, class P>
 struct MarkAround {
   ParticleView<D, P> particles;
   LevelGrids<D> grids;
-  CellOrder order;  // of the build positions
+  CellOrder order;      // of the build positions
+  UnmovedView unmoved;  // in this order
   const std::uint8_t* moved;
   bool moves;                 // the marked ones get new build positions
   std::uint8_t* listed_anew;  // out
@@ -56,9 +57,10 @@ struct MarkAround {
     double limit_squared;
 
     KERF_FUNCTION void operator()(Index begin, Index end) const {
-      for (Index place = begin; place < end; ++place) {
-        const Index j = around.order.particle(place);
-        if (around.moved[j] != 0) continue;
+      const UnmovedView& unmoved = around.unmoved;
+      for (Index k = unmoved.before[begin]; k < unmoved.before[end]; ++k) {
+        const Index j = unmoved.particle[k];
+        if (load_flag(around.listed_anew[j]) != 0) continue;
         const auto& x = around.particles.build_position[j];
         const auto from_before = x - places.before, from_now = x - places.now;
         if (dot(from_before, from_before) < limit_squared ||

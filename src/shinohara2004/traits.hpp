@@ -46,6 +46,10 @@ struct JointPairs {
   KERF_FUNCTION static std::uint32_t kind(const ParticleView<D, P>& particles, Index i) {
     return particles.medium(i).phase == Phase::rigid ? 0u : particles.source[i] + 1u;
   }
+  template <int D, class P>
+  KERF_FUNCTION static bool has_own_classes(const ParticleView<D, P>&, Index) {
+    return false;
+  }
   // Returns the distance from which on the two do not interact, m.
   template <class Kernel, class View, class Pair>
   KERF_FUNCTION static auto cutoff(const View&, const Pair& pair) {

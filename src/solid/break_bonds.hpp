@@ -53,9 +53,13 @@ template <int D, class P>
 struct PrepareCriterion {
   using Real = typename P::Real;
   SolidView<D, P> solid;
+  Real* gradient_norm;  // out, |H| of each particle
 
   KERF_FUNCTION void operator()(Index i) const {
     const auto& medium = solid.medium(i);
+    Real square(0);
+    for (const Real component : solid.gradient[i].component) square += component * component;
+    gradient_norm[i] = std::sqrt(square);
     solid.strained[i] = 0;
     if (solid.detached[i]) {
       solid.criterion[i] = Real(0);
@@ -94,6 +98,29 @@ template <int D, class P>
 struct BondTest {
   using Real = typename P::Real;
   SolidView<D, P> solid;
+  const Real* gradient_norm;  // |H| of each particle
+
+  // The bonds of a particle are stretched by lambda^2 - 1 <= `stretch`.
+  struct LargestStretch {
+    Real stretch, displacement;  // |u_j - u_i| <= |R| + |x_j - x_i| over |R|
+  };
+  KERF_FUNCTION LargestStretch largest_stretch(Index i) const {
+    const Real rounding = Real(1e-5);
+    const Real known = solid.stretch[i] > Real(0) ? solid.stretch[i] : Real(0);
+    const Real stretch = known + rounding * (Real(1) + known);
+    return {stretch, Real(1) + std::sqrt(Real(1) + stretch)};
+  }
+  // Whether bounds show that no bond of i to j breaks, without its own lengths:
+  // |gamma_ij| <= (|H_i| + |H_j|) |R| / 2 + |u_j - u_i|.
+  KERF_FUNCTION bool stays_intact(Index i, Index j, const LargestStretch& largest) const {
+    if (solid.medium_index[i] != solid.medium_index[j]) return false;
+    const auto& medium = solid.medium(i);
+    const BondStrain<Real> strain{Real(0), largest.stretch, mean_criterion(i, j)};
+    if (criterion_passes(strain.prepared, medium) || bond_breaks(strain, medium)) return false;
+    if (!solid.has_broken_bonds[i] && !solid.has_broken_bonds[j]) return true;
+    const Real misfit = Real(0.5) * (gradient_norm[i] + gradient_norm[j]) + largest.displacement;
+    return !fails_by_misfit(misfit * misfit, Real(1), medium);
+  }
 
   KERF_FUNCTION bool breaks(Index i, Index k, const SymmetricTensor<D, Real>& green) const {
     if (!solid.is_intact(i, k)) return false;
@@ -161,11 +188,13 @@ struct MarkBreaking {
     if (!solid.strained[i]) return;
     if (!(solid.criterion[i] < compressive_failure<Real>)) set_flag(solid.changed[i]);
     const auto green = green_strain(solid.gradient[i]);
-    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k)
-      if (test.breaks(i, k, green)) {
-        set_flag(solid.changed[i]);
-        set_flag(solid.changed[solid.bond_end(i, k).particle]);
-      }
+    const auto largest = test.largest_stretch(i);
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
+      const Index j = solid.bond_end(i, k).particle;
+      if (test.stays_intact(i, j, largest) || !test.breaks(i, k, green)) continue;
+      set_flag(solid.changed[i]);
+      set_flag(solid.changed[j]);
+    }
   }
 };
 

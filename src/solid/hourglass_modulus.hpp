@@ -44,15 +44,23 @@ struct SetHourglassModulus {
   KERF_FUNCTION void operator()(Index i) const { solid.ends[i].hourglass = hourglass_of(solid, i); }
 };
 
-// Lowers mu to the value of the state at the end of a step, which is that at the start of the next.
-// Returns the energy that the hourglass control loses, J (2D: J/m).
+// Whether mu of the state at the end of a step, which is that at the start of the next, is lower.
 template <int D, class P>
-KERF_FUNCTION double lower_hourglass(const SolidView<D, P>& solid, Index i) {
+KERF_FUNCTION bool is_hourglass_falling(const SolidView<D, P>& solid, Index i) {
+  return hourglass_of(solid, i) < solid.ends[i].hourglass;
+}
+// Lowers mu to that value. Returns the energy that the hourglass control loses at a `misfit`, J
+// (2D: J/m).
+template <int D, class P>
+KERF_FUNCTION double lower_hourglass(const SolidView<D, P>& solid, Index i, double misfit) {
   const auto modulus = hourglass_of(solid, i);
-  if (!(modulus < solid.ends[i].hourglass)) return 0.0;
-  const double lost = 0.5 * double(solid.ends[i].hourglass - modulus) * misfit(solid, i);
+  const double lost = 0.5 * double(solid.ends[i].hourglass - modulus) * misfit;
   solid.ends[i].hourglass = modulus;
   return lost;
+}
+template <int D, class P>
+KERF_FUNCTION double lower_hourglass(const SolidView<D, P>& solid, Index i) {
+  return is_hourglass_falling(solid, i) ? lower_hourglass(solid, i, misfit(solid, i)) : 0.0;
 }
 
 }  // namespace kerf

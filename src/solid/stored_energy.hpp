@@ -108,10 +108,12 @@ struct KeepMisfit {
   using Sum = BondMisfitSum<D, Real>;
   SolidView<D, P> solid;
   Real* of;
+  const std::uint8_t* left_out = nullptr;  // 1 for particles without a misfit; null: of none
   BlockResults<Sum> known_sums{};
 
   KERF_FUNCTION void take(const BlockResults<Sum>& sums) { known_sums = sums; }
   KERF_FUNCTION void operator()(Index i) const {
+    if (left_out != nullptr && left_out[i]) return;
     if (solid.detached[i] || solid.asleep[i])
       of[i] = Real(0);
     else if (known_sums.are_known() && !solid.several_bodies[i])

@@ -97,7 +97,11 @@ class TotalLagrangian {
   // Ends a step of media that soften. Returns the energy dissipated by their hourglass control, J.
   double keep_softening() {
     if (!fields_.any_softens) return 0.0;
-    for_each_index(size(), UpdateSoftening<D, P>{view()});
+    scratch_.resize(size());
+    unchanged_.resize(size());
+    for_each_index(size(), UpdateSoftening<D, P>{view(), pointer(unchanged_)});
+    simd_.sum_misfits(view(), {view(), pointer(scratch_), pointer(unchanged_)});
+    for_each_index(size(), SoftenHourglass<D, P>{view(), pointer(unchanged_), pointer(scratch_)});
     return power_sum_(size(), SofteningLossTerm<D, P>{view()}).value[0];
   }
   // Returns the energy dissipated by softening since the start, J.
@@ -148,10 +152,12 @@ class TotalLagrangian {
   FractureResult fracture(double half_step = 0.0) {
     if (!traits_.can_break) return {};
     half_step_ = half_step;
-    for_each_index(size(), PrepareCriterion<D, P>{view()});
-    for_each_index(size(), MarkBreaking<D, P>{{view()}});
+    scratch_.resize(size());
+    for_each_index(size(), PrepareCriterion<D, P>{view(), pointer(scratch_)});
+    const BondTest<D, P> test{view(), pointer(scratch_)};
+    for_each_index(size(), MarkBreaking<D, P>{test});
     if (!any_changed()) return {};
-    return apply_breaks(BreakMarked<D, P>{{view()}, records()});
+    return apply_breaks(BreakMarked<D, P>{test, records()});
   }
 
   // Breaks bonds before the run: a notch. See CutBonds.
@@ -181,9 +187,9 @@ class TotalLagrangian {
   }
   // Returns the stored energy at the current deformation.
   SolidEnergy energy() {
-    misfit_.resize(size());
-    simd_.sum_misfits(view(), KeepMisfit<D, P>{view(), pointer(misfit_)});
-    return SolidEnergy::of(sum_(size(), EnergyTerms<D, P>{view(), pointer(misfit_)}));
+    scratch_.resize(size());
+    simd_.sum_misfits(view(), KeepMisfit<D, P>{view(), pointer(scratch_)});
+    return SolidEnergy::of(sum_(size(), EnergyTerms<D, P>{view(), pointer(scratch_)}));
   }
 
   // What particles held before the last break.
@@ -284,7 +290,8 @@ class TotalLagrangian {
   OrderedSum<1> power_sum_;
   OrderedSum<3> break_sum_;
   Array<BondBreakRecord> break_records_;
-  Array<Real> misfit_;  // scratch of energy()
+  Array<Real> scratch_;  // as `unchanged_`, of one call
+  Array<std::uint8_t> unchanged_;
   CorrectionUpdate<D, P> correct_;
   double dt_ = 0.0, half_step_ = 0.0;
   SolidTraits traits_;

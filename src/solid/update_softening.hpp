@@ -17,17 +17,31 @@ struct StartSoftening {
   }
 };
 
-// Lowers the hourglass control to that of the remaining share; the excess of its energy is
-// dissipated.
+// Takes the largest strain, and finds the particles that lose stiffness by it.
 template <int D, class P>
 struct UpdateSoftening {
   SolidView<D, P> solid;
+  std::uint8_t* unchanged;  // out, of each particle: 0 where its hourglass control must be lowered
 
   KERF_FUNCTION void operator()(Index i) const {
     solid.softening_loss[i] = 0.0;
+    unchanged[i] = 1;
     if (!solid.softens(i) || solid.detached[i]) return;
     solid.strain_start[i] = solid.current_strain[i];
-    solid.softening_loss[i] = lower_hourglass(solid, i);
+    if (is_hourglass_falling(solid, i)) unchanged[i] = 0;
+  }
+};
+
+// Lowers the hourglass control to that of the remaining share; the excess of its energy is
+// dissipated.
+template <int D, class P>
+struct SoftenHourglass {
+  SolidView<D, P> solid;
+  const std::uint8_t* unchanged;
+  const typename P::Real* misfit_of;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (!unchanged[i]) solid.softening_loss[i] = lower_hourglass(solid, i, double(misfit_of[i]));
   }
 };
 

@@ -5,6 +5,7 @@
 // lengths. A pair keeps both, so they are found once for each list.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "fluid/simd/packed_fluid.hpp"
@@ -78,48 +79,57 @@ class GradedPairs {
     void operator()(Index i) const {
       if (listed_anew != nullptr && listed_anew[i] == 0) return;
       const End own = ends[i];
-      for (Index k = list.end[i] - list.images[i]; k < list.end[i]; ++k) {
-        const Index j = list.neighbour[k];
-        correction[k] = of_pair.between(own.solid, ends[particles.mirrors.particle(j)].solid,
-                                        particles.mirrors.code(j));
-      }
+      const auto& mirrors = particles.mirrors;
       graded[i] = sums_over_levels(particles, i) ? 1 : 0;
-      if (graded[i] == 0) return;
       thread_local FactorTable factors;
       factors.set(of_pair, own.solid);
-      for (Index k = list.begin[i]; k < list.begin[i] + list.same_fluid[i]; ++k) {
+      for (Index k = list.end[i] - list.images[i]; k < list.end[i]; ++k) {
+        const Index j = list.neighbour[k];
+        correction[k] = factors.of(ends[mirrors.particle(j)].solid, mirrors.code(j));
+      }
+      for (Index k = list.begin[i]; graded[i] != 0 && k < list.begin[i] + list.same_fluid[i]; ++k) {
         const End other = ends[list.neighbour[k]];
-        correction[k] = factors.of(other.solid);
+        correction[k] = factors.of(other.solid, 0);
         length_ratio[k] = other.length / own.length;
       }
       factors.reset(of_pair, own.solid);
     }
   };
-  // The factors of the bonds of one particle, by the number of the other end: one look each, where
-  // a search in the list of bonds would take seven.
+  // The factors of the bonds of one particle, by the number of the other end and the code of its
+  // image: one look each, where a search in the list of bonds would take seven.
   class FactorTable {
    public:
     void set(const PairCorrection<D, P>& of_pair, Index own) {
-      for_each_bond(of_pair, own, [&](Index other, Index bond) {
-        if (factor_.size() <= other) factor_.resize(other + other / 2 + 1, Real(1));
-        factor_[other] = of_pair.factor[bond];
+      for_each_bond(of_pair, own, [&](Index other, MirrorCode code, Index bond) {
+        auto& factors = factors_[number(code)];
+        if (factors.size() <= other) factors.resize(other + other / 2 + 1, Real(1));
+        factors[other] = of_pair.factor[bond];
       });
     }
     void reset(const PairCorrection<D, P>& of_pair, Index own) {
-      for_each_bond(of_pair, own, [&](Index other, Index) { factor_[other] = Real(1); });
+      for_each_bond(of_pair, own, [&](Index other, MirrorCode code, Index) {
+        factors_[number(code)][other] = Real(1);
+      });
     }
-    Real of(Index other) const { return other < factor_.size() ? factor_[other] : Real(1); }
+    Real of(Index other, MirrorCode code) const {
+      const auto& factors = factors_[number(code)];
+      return other < factors.size() ? factors[other] : Real(1);
+    }
 
    private:
     template <class Visit>
     static void for_each_bond(const PairCorrection<D, P>& of_pair, Index own, const Visit& visit) {
       if (own == no_bond) return;
       const auto& bonds = of_pair.bonds;
-      for (Index k = bonds.first(own); k < bonds.last(own); ++k)
-        if (const Index end = bonds.end(own, k); bonds.mirrors.code(end) == 0) visit(end, k);
+      for (Index k = bonds.first(own); k < bonds.last(own); ++k) {
+        const Index end = bonds.end(own, k);
+        visit(bonds.mirrors.particle(end), bonds.mirrors.code(end), k);
+      }
     }
+    static Index number(MirrorCode code) { return code >> MirrorPlanes<D>::shift; }
 
-    std::vector<Real> factor_;  // 1 between calls
+    // By the code; 1 between calls.
+    std::array<std::vector<Real>, std::size_t(1) << (2 * D)> factors_;
   };
 
  private:

@@ -12,6 +12,7 @@
 #include "solid/share_lists.hpp"
 #include "solid/simd/bond_kernels.hpp"
 #include "solid/solid_fields.hpp"
+#include "solid/stored_energy.hpp"
 
 namespace kerf {
 
@@ -50,10 +51,10 @@ class SimdBondSums {
   void sum_forces(const SolidView<D, P>& solid, const Loop& loop, bool viscous) const {
     run<BondForceSum>(solid, kernels_.sum_forces, loop, viscous);
   }
-  // Calls `loop`, a KeepMisfit, for all particles with their sums at the current deformation.
-  template <class Loop>
-  void sum_misfits(const SolidView<D, P>& solid, const Loop& loop) const {
-    run<BondMisfitSum>(solid, kernels_.sum_misfits, loop, false);
+  // Calls `loop`, a KeepMisfit, for all particles with their sums at the current deformation, which
+  // those that it leaves out lack.
+  void sum_misfits(const SolidView<D, P>& solid, const KeepMisfit<D, P>& loop) const {
+    run<BondMisfitSum>(solid, kernels_.sum_misfits, loop, false, loop.left_out);
   }
 
  private:
@@ -95,7 +96,7 @@ class SimdBondSums {
  private:
   template <template <int, class> class Result, class Loop>
   void run(const SolidView<D, P>& solid, BondKernel<D, Real, Result> kernel, const Loop& loop,
-           bool viscous) const {
+           bool viscous, const std::uint8_t* left_out = nullptr) const {
     if constexpr (!simd_exists) {
       for_each_index(solid.count, loop);
     } else {
@@ -115,7 +116,7 @@ class SimdBondSums {
       task.several_bodies = solid.several_bodies;
       task.has_levels = has_levels_;
       task.detached = solid.detached;
-      task.asleep = solid.asleep;
+      task.asleep = left_out != nullptr ? left_out : solid.asleep;
       task.has_broken_bonds = solid.has_broken_bonds;
       task.medium = solid.medium_index;
       task.laws = laws_.data();
