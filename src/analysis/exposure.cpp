@@ -17,27 +17,63 @@ constexpr double fit_shares[] = {0.5, 0.25, 0.125};
 // Exponents that differ by more are of no law: the front may as well have come to rest.
 constexpr double same_exponent = 0.1;
 
-// The history of a cut since contact.
+// The history of a cut over the exposure: the time since contact less that which water takes from
+// the surface to the front.
 struct DepthHistory {
-  std::vector<double> times;   // s
-  std::vector<double> depths;  // m, the deepest front until then
-  std::vector<double> widths;  // m, of the opening
+  std::vector<double> times;     // s, of exposure
+  std::vector<double> depths;    // m, the deepest front after it
+  std::vector<double> contacts;  // s, the time since contact
+  std::vector<double> widths;    // m, of the opening at that time
 
   // Returns the first row at or after a time, the last row at most.
   std::size_t row_at(double time) const {
     const auto row = std::lower_bound(times.begin(), times.end(), time) - times.begin();
     return std::min(static_cast<std::size_t>(row), times.size() - 1);
   }
+  // The same by the time since contact.
+  std::size_t row_after_contact(double time) const {
+    const auto row = std::lower_bound(contacts.begin(), contacts.end(), time) - contacts.begin();
+    return std::min(static_cast<std::size_t>(row), contacts.size() - 1);
+  }
 };
 
-DepthHistory history_since(const std::vector<CutState>& history, double contact) {
+// How the water gets to the front.
+struct Entry {
+  double speed;        // m/s, of the jet
+  double least_share;  // of the exposure in the time since contact, of a front without strength
+
+  // Returns the exposure after a time since contact, s, that has made a cut of a depth, m. A crack
+  // may run ahead of the water, faster than any front that water drives.
+  double exposure(double since_contact, double depth) const {
+    return std::max(since_contact - depth / speed, least_share * since_contact);
+  }
+};
+
+// The front in a solid without strength has the speed V / (1 + sqrt(rho_solid / rho_water)).
+Entry entry_of(const Case& description) {
+  const Jet& jet = description.jets.back();
+  const auto piece = std::find_if(description.bodies.begin(), description.bodies.end(),
+                                  [](const Body& body) { return body.name == workpiece_name; });
+  if (piece == description.bodies.end()) return {jet.speed, 0.0};
+  const auto density = [&](int material) {
+    return description.materials[static_cast<std::size_t>(material)].density;
+  };
+  const double root = std::sqrt(density(piece->material) / density(jet.material));
+  return {jet.speed, root / (1.0 + root)};
+}
+
+DepthHistory history_since(const std::vector<CutState>& history, double contact,
+                           const Entry& entry) {
   DepthHistory since;
-  double deepest = 0.0;
+  double deepest = 0.0, exposure = 0.0;
   for (const CutState& state : history) {
     if (state.time <= contact) continue;
     deepest = std::max(deepest, state.front_depth);
-    since.times.push_back(state.time - contact);
+    exposure = std::max(exposure, entry.exposure(state.time - contact, deepest));
+    if (exposure == 0.0) continue;
+    since.times.push_back(exposure);
     since.depths.push_back(deepest);
+    since.contacts.push_back(state.time - contact);
     since.widths.push_back(state.kerf_width);
   }
   return since;
@@ -102,8 +138,16 @@ DepthRange depths_after(const DepthHistory& history, double time) {
 // first time t with u t >= W(t), else with the last width.
 double longest_exposure(const DepthHistory& history, double extent, double speed) {
   for (std::size_t k = 0; k < history.times.size(); ++k)
-    if (speed * history.times[k] >= std::max(extent, history.widths[k])) return history.times[k];
+    if (speed * history.contacts[k] >= std::max(extent, history.widths[k]))
+      return history.contacts[k];
   return std::max(extent, history.widths.back()) / speed;
+}
+
+// Returns the exposure that cuts through, from the time since contact that this took.
+double exposure_of_cut(const DepthHistory& history, const Entry& entry, double thickness,
+                       double since_contact) {
+  const double depth = history.depths[history.row_after_contact(since_contact)];
+  return entry.exposure(since_contact, std::min(thickness, depth));
 }
 
 double thickness_of(const Case& description) {
@@ -112,7 +156,7 @@ double thickness_of(const Case& description) {
 
 // A cut in the run: how fast the nozzle may move.
 void add_feeds_of_cut(const DepthHistory& history, double extent, Exposure& exposure) {
-  const double width = history.widths[history.row_at(exposure.simulated)];
+  const double width = history.widths[history.row_after_contact(exposure.simulated)];
   exposure.greatest_feed = extent / exposure.simulated;
   exposure.possible_feed = std::max(extent, width) / exposure.simulated;
 }
@@ -145,8 +189,10 @@ const MetricList<Exposure>& Exposure::metrics() {
        "Time for which the jet stays within the hole that it has made by then: the width of the "
        "opening over the traverse speed.",
        &E::longest},
-      {"simulated", "s", "simulated time of the exposure",
-       "Time of the run since the jet met the workpiece, until the cut or the end.", &E::simulated},
+      {"simulated", "s", "simulated exposure",
+       "Time of the run since the jet met the workpiece, until the cut or the end, less the time "
+       "that water takes from the surface to the front.",
+       &E::simulated},
       {"decades", "1", "decades of time carried",
        "Decimal logarithm of the longest exposure over the simulated time; 0 where the run covers "
        "the exposure, and after a cut.",
@@ -155,7 +201,8 @@ const MetricList<Exposure>& Exposure::metrics() {
        "Whether the shortest exposure cuts the workpiece through.", &E::cuts},
       {"may_cut", "1", "possibly cut through at the traverse speed",
        "Whether the longest exposure cuts the workpiece through.", &E::may_cut},
-      {"depth", "m", "depth at the traverse speed", "Mean of the two following depths.", &E::depth},
+      {"depth", "m", "depth at the traverse speed", "Geometric mean of the two following depths.",
+       &E::depth},
       {"depth_low", "m", "least depth at the traverse speed",
        "Depth after the shortest exposure, at most the thickness.", &E::depth_low},
       {"depth_high", "m", "greatest depth at the traverse speed",
@@ -173,15 +220,17 @@ std::optional<Exposure> exposure_of(const Case& description, const std::vector<C
                                     const CutSummary& cut) {
   if (!stands_for_traverse(description) || std::isnan(cut.contact_time)) return std::nullopt;
   const Machine& machine = *description.machine;
-  const DepthHistory since = history_since(history, cut.contact_time);
+  const Entry entry = entry_of(description);
+  const DepthHistory since = history_since(history, cut.contact_time, entry);
   if (since.times.empty() || !(since.depths.back() > 0.0)) return std::nullopt;
   Exposure exposure;
   exposure.shortest = exposure_time(machine, description.jets.back(), description.dimension);
   const double extent = exposure.shortest * machine.traverse_speed;
   exposure.longest = longest_exposure(since, extent, machine.traverse_speed);
   exposure.thickness = thickness_of(description);
-  exposure.simulated =
-      cut.cut_through ? cut.cut_through_time - cut.contact_time : since.times.back();
+  exposure.simulated = cut.cut_through ? exposure_of_cut(since, entry, exposure.thickness,
+                                                         cut.cut_through_time - cut.contact_time)
+                                       : since.times.back();
   const auto after = [&](double time) {
     return cut.cut_through && time >= exposure.simulated
                ? DepthRange{exposure.thickness, exposure.thickness}
@@ -194,7 +243,7 @@ std::optional<Exposure> exposure_of(const Case& description, const std::vector<C
     add_carried_feeds(since, extent, exposure);
   exposure.depth_low = within(after(exposure.shortest).low);
   exposure.depth_high = within(after(exposure.longest).high);
-  exposure.depth = 0.5 * (exposure.depth_low + exposure.depth_high);
+  exposure.depth = std::sqrt(exposure.depth_low * exposure.depth_high);
   return exposure;
 }
 

@@ -2,9 +2,10 @@
 // The cut of a moving nozzle from a run with the nozzle at rest. At the traverse speed u the jet
 // acts on a point of its path at least for w / u, w its extent along the path, and at most for W /
 // u, W the width of the opening that it has made by then: so long it stays within its own hole. The
-// depth of the cut is between the depths of the jet at rest after these two times. Where the run is
-// shorter, the depth follows the law h = a t^n, t since contact, fitted to the deepest front of the
-// run. The theory and the comparison with moving nozzles are in docs/theory/exposure.md.
+// depth of the cut is between the depths that a jet at rest reaches by the water of these two
+// times, which goes on cutting until the last of it is at the front. Where the run is shorter, the
+// depth follows the law h = a t^n, t the exposure, fitted to the deepest front of the run. The
+// theory and the comparison with moving nozzles are in docs/theory/exposure.md.
 #pragma once
 
 #include <limits>
@@ -22,9 +23,10 @@ struct Exposure {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   double shortest = 0.0;   // s, w / u
   double longest = 0.0;    // s, W / u
-  double simulated = 0.0;  // s, since contact, until the cut or the end of the run
+  double simulated = 0.0;  // s, the exposure until the cut or the end of the run
   double thickness = 0.0;  // m, of the workpiece along the jet
-  // m, of the cut at the traverse speed: after the shortest and the longest exposure, and the mean.
+  // m, of the cut at the traverse speed: after the shortest and the longest exposure, and their
+  // geometric mean.
   double depth_low = none, depth_high = none, depth = none;
   double exponent = none;  // n; none where nothing is carried
   // m/s, the traverse speeds up to which the cut is certain, and possible.

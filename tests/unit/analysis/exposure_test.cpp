@@ -33,12 +33,18 @@ Case feeding_case(double feed) {
   return description;
 }
 
+// Returns the time since contact at which an exposure has reached the front at a depth, s.
+double since_contact(double exposure, double depth) {
+  return exposure + depth / feeding_case(1.0).jets[0].speed;
+}
+
+// A front whose depth follows from the exposure up to `end`.
 std::vector<CutState> front_of(const std::function<double(double)>& depth, double end) {
   std::vector<CutState> history;
   for (int k = 0; k <= 500; ++k) {
     CutState state;
-    state.time = first_contact + k * end / 500.0;
-    state.front_depth = depth(state.time - first_contact);
+    state.front_depth = depth(k * end / 500.0);
+    state.time = first_contact + since_contact(k * end / 500.0, state.front_depth);
     state.kerf_width = 3e-3;
     history.push_back(state);
   }
@@ -87,7 +93,7 @@ TEST(Exposure, IntervalHoldsAFrontThatSlowsDown) {
 
 TEST(Exposure, CutGivesTheGreatestFeed) {
   const auto depth = [](double t) { return std::min(slab_thickness, 100.0 * t); };
-  const double cut_time = first_contact + 1e-4;
+  const double cut_time = first_contact + since_contact(1e-4, slab_thickness);
   const auto at = [&](double feed) {
     return exposure_of(feeding_case(feed), front_of(depth, 1.2e-4), summary_from(cut_time)).value();
   };
@@ -108,8 +114,43 @@ TEST(Exposure, RunThatCoversTheExposureCarriesNothing) {
       exposure_of(feeding_case(40.0), front_of(depth, 1e-4), summary_from()).value();
   EXPECT_EQ(exposure.decades(), 0.0);
   EXPECT_NEAR(exposure.depth_low, 20.0 * 25e-6, 20.0 * 0.21e-6);  // rows are 0.2 us apart
-  EXPECT_NEAR(exposure.depth_high, 20.0 * 75e-6, 20.0 * 0.21e-6);
+  EXPECT_NEAR(exposure.depth_high, 20.0 * 75e-6, 20.0 * 0.43e-6);
   EXPECT_TRUE(std::isnan(exposure.exponent));
+}
+
+// A slug of length L that passes through a solid without strength cuts L sqrt(rho_w / rho_s) deep:
+// the jet of 200 m/s makes a front of 100 m/s, and its water of 25 us is 5 mm long.
+TEST(Exposure, WaterOnItsWayGoesOnCutting) {
+  std::vector<CutState> history;
+  for (int k = 0; k <= 500; ++k) {
+    CutState state;
+    state.time = first_contact + k * 0.2e-6;
+    state.front_depth = 100.0 * (state.time - first_contact);
+    state.kerf_width = 1e-3;
+    history.push_back(state);
+  }
+  const auto exposure = exposure_of(feeding_case(40.0), history, summary_from()).value();
+  EXPECT_NEAR(exposure.depth_low, 5e-3, 0.01 * 5e-3);
+  EXPECT_NEAR(exposure.simulated, 50e-6, 0.01 * 50e-6);
+}
+
+// A crack that runs ahead tells nothing of the water: a front that water drives has at most half of
+// its speed in a solid of its density.
+TEST(Exposure, CrackAheadOfTheWaterIsNoEarlyCut) {
+  Case description = feeding_case(1.0);
+  description.materials.resize(2);
+  description.materials[0].density = description.materials[1].density = 1000.0;
+  description.jets[0].material = 0;
+  Body body;
+  body.name = workpiece_name;
+  body.material = 1;
+  description.bodies.push_back(body);
+  const double cut_time = first_contact + 20e-6;  // the water is 4 mm deep at most
+  std::vector<CutState> history = front_of([](double) { return 0.9 * slab_thickness; }, 1e-4);
+  for (int k = 0; k < 500; ++k) history[k].time = first_contact + (k + 1) * 0.1e-6;
+  const auto exposure = exposure_of(description, history, summary_from(cut_time)).value();
+  EXPECT_NEAR(exposure.simulated, 10e-6, 1e-9);
+  EXPECT_NEAR(exposure.greatest_feed, 1e-3 / 10e-6, 1e-3 * 1e-3 / 10e-6);
 }
 
 TEST(Exposure, OthersHaveNone) {
