@@ -57,9 +57,9 @@ struct MarkAround {
     double limit_squared;
 
     KERF_FUNCTION void operator()(Index begin, Index end) const {
-      const UnmovedView& unmoved = around.unmoved;
-      for (Index k = unmoved.before[begin]; k < unmoved.before[end]; ++k) {
-        const Index j = unmoved.particle[k];
+      const UnmovedView& others = around.unmoved;
+      for (Index k = others.before[begin]; k < others.before[end]; ++k) {
+        const Index j = others.particle[k];
         if (load_flag(around.listed_anew[j]) != 0) continue;
         const auto& x = around.particles.build_position[j];
         const auto from_before = x - places.before, from_now = x - places.now;
