@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/hydrodynamic_front.hpp"
 #include "analysis/regime.hpp"
 #include "analysis/step_estimate.hpp"
 #include "geometry/nozzle.hpp"
@@ -129,7 +130,7 @@ void derive_contact(DerivedNumbers& numbers, const Material& solid, const Materi
   numbers.cauchy_number =
       water->density * numbers.jet_speed * numbers.jet_speed / solid.youngs_modulus;
   numbers.hydrodynamic_front_speed =
-      numbers.jet_speed / (1.0 + std::sqrt(solid.density / water->density));
+      hydrodynamic_front_speed(numbers.jet_speed, solid.density, water->density);
 }
 
 void derive_spacings(DerivedNumbers& numbers, const Case& description) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/hydrodynamic_front.hpp"
 #include "analysis/line_slope.hpp"
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
@@ -24,42 +25,35 @@ struct DepthHistory {
   std::vector<double> depths;    // m, the deepest front after it
   std::vector<double> contacts;  // s, the time since contact
   std::vector<double> widths;    // m, of the opening at that time
-
-  // Returns the first row at or after a time, the last row at most.
-  std::size_t row_at(double time) const {
-    const auto row = std::lower_bound(times.begin(), times.end(), time) - times.begin();
-    return std::min(static_cast<std::size_t>(row), times.size() - 1);
-  }
-  // The same by the time since contact.
-  std::size_t row_after_contact(double time) const {
-    const auto row = std::lower_bound(contacts.begin(), contacts.end(), time) - contacts.begin();
-    return std::min(static_cast<std::size_t>(row), contacts.size() - 1);
-  }
 };
+
+// Returns the first row at or after a time, of rising ones, the last row at most.
+std::size_t row_at(const std::vector<double>& times, double time) {
+  const auto row = std::lower_bound(times.begin(), times.end(), time) - times.begin();
+  return std::min(static_cast<std::size_t>(row), times.size() - 1);
+}
 
 // How the water gets to the front.
 struct Entry {
-  double speed;        // m/s, of the jet
-  double least_share;  // of the exposure in the time since contact, of a front without strength
+  double speed;          // m/s, of the jet
+  double fastest_front;  // m/s, that water drives; a crack may run ahead of it
 
-  // Returns the exposure after a time since contact, s, that has made a cut of a depth, m. A crack
-  // may run ahead of the water, faster than any front that water drives.
+  // Returns the exposure after a time since contact, s, that has made a cut of a depth, m.
   double exposure(double since_contact, double depth) const {
-    return std::max(since_contact - depth / speed, least_share * since_contact);
+    return since_contact - std::min(depth, fastest_front * since_contact) / speed;
   }
 };
 
-// The front in a solid without strength has the speed V / (1 + sqrt(rho_solid / rho_water)).
 Entry entry_of(const Case& description) {
   const Jet& jet = description.jets.back();
   const auto piece = std::find_if(description.bodies.begin(), description.bodies.end(),
                                   [](const Body& body) { return body.name == workpiece_name; });
-  if (piece == description.bodies.end()) return {jet.speed, 0.0};
+  if (piece == description.bodies.end()) return {jet.speed, jet.speed};
   const auto density = [&](int material) {
     return description.materials[static_cast<std::size_t>(material)].density;
   };
-  const double root = std::sqrt(density(piece->material) / density(jet.material));
-  return {jet.speed, root / (1.0 + root)};
+  return {jet.speed,
+          hydrodynamic_front_speed(jet.speed, density(piece->material), density(jet.material))};
 }
 
 DepthHistory history_since(const std::vector<CutState>& history, double contact,
@@ -81,7 +75,7 @@ DepthHistory history_since(const std::vector<CutState>& history, double contact,
 
 // Returns the mean speed of the front over the last quarter of the time, m/s.
 double last_speed(const DepthHistory& history) {
-  const std::size_t n = history.row_at(0.75 * history.times.back());
+  const std::size_t n = row_at(history.times, 0.75 * history.times.back());
   const double time = history.times.back() - history.times[n];
   return time > 0.0 ? (history.depths.back() - history.depths[n]) / time : 0.0;
 }
@@ -130,7 +124,7 @@ DepthRange carried(const DepthHistory& history, double time) {
 
 DepthRange depths_after(const DepthHistory& history, double time) {
   if (time > history.times.back()) return carried(history, time);
-  const double depth = history.depths[history.row_at(time)];
+  const double depth = history.depths[row_at(history.times, time)];
   return {depth, depth};
 }
 
@@ -146,7 +140,7 @@ double longest_exposure(const DepthHistory& history, double extent, double speed
 // Returns the exposure that cuts through, from the time since contact that this took.
 double exposure_of_cut(const DepthHistory& history, const Entry& entry, double thickness,
                        double since_contact) {
-  const double depth = history.depths[history.row_after_contact(since_contact)];
+  const double depth = history.depths[row_at(history.contacts, since_contact)];
   return entry.exposure(since_contact, std::min(thickness, depth));
 }
 
@@ -156,7 +150,7 @@ double thickness_of(const Case& description) {
 
 // A cut in the run: how fast the nozzle may move.
 void add_feeds_of_cut(const DepthHistory& history, double extent, Exposure& exposure) {
-  const double width = history.widths[history.row_after_contact(exposure.simulated)];
+  const double width = history.widths[row_at(history.contacts, exposure.simulated)];
   exposure.greatest_feed = extent / exposure.simulated;
   exposure.possible_feed = std::max(extent, width) / exposure.simulated;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -52,12 +53,11 @@ void judge(const Check& check, bool is_judged, Row& row) {
 // Returns the checks that need a run.
 std::vector<const Check*> checks_of(const VerificationCase& verification, const std::string& run) {
   std::vector<const Check*> checks;
+  const auto is_in = [&](const std::vector<std::string>& runs) {
+    return std::count(runs.begin(), runs.end(), run) > 0;
+  };
   for (const Check& check : verification.checks)
-    for (const auto* runs : {&check.runs, &check.relative_to})
-      if (std::count(runs->begin(), runs->end(), run) > 0) {
-        checks.push_back(&check);
-        break;
-      }
+    if (is_in(check.runs) || is_in(check.relative_to)) checks.push_back(&check);
   return checks;
 }
 
@@ -144,19 +144,19 @@ Row measured_row(const VerificationCase& verification, const Check& check,
 
 // Returns the row of the mean of the runs, which have the rows given, with their scatter.
 Row mean_of(const std::vector<Row>& rows) {
-  const auto runs = static_cast<double>(rows.size());
   Row mean = rows.front();
-  mean.measured = mean.seconds = 0.0;
+  mean.seconds = 0.0;
+  std::vector<double> measured;
   for (const Row& row : rows) {
-    mean.measured += row.measured / runs;
+    measured.push_back(row.measured);
     mean.seconds += row.seconds;
     if (mean.problem.empty()) mean.problem = row.problem;
   }
-  double squares = 0.0;
-  for (const Row& row : rows) squares += std::pow(row.measured - mean.measured, 2);
+  mean.measured = boost::math::statistics::mean(measured);
   mean.run = fmt::format("mean of {} runs", rows.size());
   if (rows.size() > 1)
-    mean.run += fmt::format(", standard deviation {:.2g}{}", std::sqrt(squares / (runs - 1.0)),
+    mean.run += fmt::format(", standard deviation {:.2g}{}",
+                            std::sqrt(boost::math::statistics::sample_variance(measured)),
                             mean.unit == "1" ? "" : " " + mean.unit);
   return mean;
 }
