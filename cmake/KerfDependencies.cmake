@@ -32,7 +32,7 @@ target_link_libraries(udunits2 INTERFACE ${UDUNITS2_LIBRARY})
 add_library(kerf_thrust INTERFACE)
 find_path(THRUST_INCLUDE thrust/version.h REQUIRED)
 target_include_directories(kerf_thrust SYSTEM INTERFACE ${THRUST_INCLUDE})
-# Debian's TBB is not instrumented for ThreadSanitizer: parallel/tsan_threads.hpp.
+# Debian's TBB is not instrumented for ThreadSanitizer: src/parallel/threads.cpp.
 if(KERF_SANITIZE MATCHES thread)
   target_compile_definitions(kerf_thrust INTERFACE
     THRUST_DEVICE_SYSTEM=THRUST_DEVICE_SYSTEM_CPP KERF_TSAN_THREADS=1)

@@ -53,6 +53,9 @@ dimension = 3
 formulation = "{}"
 [time]
 end = "1 s"
+[domain]
+minimum = ["-15 mm", "-1 m", "-15 mm"]
+maximum = ["45 mm", "45 mm", "45 mm"]
 [materials.bench_water]
 base = "water"
 sound_speed = "20 m/s"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Particle loops: a thin layer on Thrust, whose device is TBB threads in the program and an NVIDIA
-// GPU in the engine for GPUs (src/engine/gpu/). Loop bodies are named functors (nvcc refuses
-// extended lambdas inside generic code, and a named functor gives each profile a label).
+// GPU in the engine for GPUs (src/engine/gpu/), and on TBB itself for plain loops. Loop bodies are
+// named functors (nvcc refuses extended lambdas inside generic code, and a named functor gives each
+// profile a label).
 #pragma once
 
 #include <thrust/binary_search.h>
 #include <thrust/copy.h>
-#include <thrust/count.h>
 #include <thrust/device_vector.h>
 #include <thrust/execution_policy.h>
 #include <thrust/extrema.h>
@@ -21,18 +21,15 @@
 #include <thrust/sort.h>
 #include <thrust/transform_reduce.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "core/host_device.hpp"
 #include "parallel/loop_policy.hpp"
-#if defined(KERF_TSAN_THREADS)
-#include "parallel/tsan_threads.hpp"
-#endif
+#include "parallel/threads.hpp"
 
 namespace kerf {
-
-using Index = std::uint32_t;
 
 // Whether this is compiled for a GPU, or for the emulation of one (KERF_GPU in CMakeLists.txt).
 #if defined(KERF_ON_GPU)
@@ -41,8 +38,14 @@ inline constexpr bool on_gpu = true;
 inline constexpr bool on_gpu = false;
 #endif
 
+// Memory of the device that runs the loops. Where that is the processor, a thrust::device_vector
+// would instantiate the scheduler of TBB for each type, as for_each_index says below.
 template <class T>
+#if THRUST_DEVICE_SYSTEM == THRUST_DEVICE_SYSTEM_CUDA
 using Array = thrust::device_vector<T>;
+#else
+using Array = std::vector<T>;
+#endif
 
 template <class T>
 T* pointer(Array<T>& array) {
@@ -53,16 +56,69 @@ const T* pointer(const Array<T>& array) {
   return thrust::raw_pointer_cast(array.data());
 }
 
+#if THRUST_DEVICE_SYSTEM == THRUST_DEVICE_SYSTEM_CUDA
+
 // Calls body(i) for i = 0 .. count - 1, in any order.
 template <class Body>
 void for_each_index(Index count, const Body& body) {
-#if defined(KERF_TSAN_THREADS)
-  for_each_index_under_tsan(count, body);
-#else
   thrust::for_each(loop_policy(), thrust::counting_iterator<Index>(0),
                    thrust::counting_iterator<Index>(count), body);
-#endif
 }
+
+// Combines value(0) .. value(count - 1) and `initial` with an operator whose result depends neither
+// on the order nor on how often `initial` is combined (minimum, maximum, or).
+template <class T, class Value, class Combine>
+T reduce_unordered(Index count, const Value& value, T initial, const Combine& combine) {
+  return thrust::transform_reduce(loop_policy(), thrust::counting_iterator<Index>(0),
+                                  thrust::counting_iterator<Index>(count), value, initial, combine);
+}
+
+#else
+
+// The algorithms of Thrust are templates that instantiate the scheduler of TBB for each body, which
+// took half of all compile time. Here a body is a pointer for all but one small function.
+template <class Body>
+void for_each_index(Index count, const Body& body) {
+  for_each_block(
+      count,
+      [](const void* any, Index begin, Index end) {
+        const Body& of_block = *static_cast<const Body*>(any);
+        for (Index i = begin; i < end; ++i) of_block(i);
+      },
+      &body);
+}
+
+// The values of one of at most `most` pieces of a loop, combined.
+template <class T, class Value, class Combine>
+struct ReducePiece {
+  static constexpr Index most = 64;
+  const Value& value;
+  const Combine& combine;
+  Index count, length;
+  std::array<T, most>& partial;
+
+  void operator()(Index piece) const {
+    const Index begin = piece * length;
+    const Index end = count - begin < length ? count : begin + length;
+    T result = partial[piece];
+    for (Index i = begin; i < end; ++i) result = combine(result, static_cast<T>(value(i)));
+    partial[piece] = result;
+  }
+};
+
+template <class T, class Value, class Combine>
+T reduce_unordered(Index count, const Value& value, T initial, const Combine& combine) {
+  using Piece = ReducePiece<T, Value, Combine>;
+  std::array<T, Piece::most> partial;
+  partial.fill(initial);
+  const Index length = count / Piece::most + 1;
+  const Index pieces = (count + length - 1) / length;
+  for_each_index(pieces, Piece{value, combine, count, length, partial});
+  for (Index piece = 0; piece < pieces; ++piece) initial = combine(initial, partial[piece]);
+  return initial;
+}
+
+#endif
 
 // Store and load a flag that loop bodies of other threads may store as well.
 KERF_FUNCTION void store_flag(std::uint8_t& flag, std::uint8_t value) {
@@ -89,19 +145,21 @@ struct IsSet {
   KERF_FUNCTION bool operator()(Index i) const { return flag[i] != 0; }
 };
 
-// Combines value(0) .. value(count - 1) with an operator whose result does not depend on order
-// (minimum, maximum, or): exact for any number of threads.
-template <class T, class Value, class Combine>
-T reduce_unordered(Index count, const Value& value, T initial, const Combine& combine) {
-  return thrust::transform_reduce(loop_policy(), thrust::counting_iterator<Index>(0),
-                                  thrust::counting_iterator<Index>(count), value, initial, combine);
-}
+struct AddCounts {
+  KERF_FUNCTION Index operator()(Index a, Index b) const { return a + b; }
+};
+
+// 1 where the predicate is true, else 0.
+template <class Predicate>
+struct CountsAsOne {
+  Predicate predicate;
+  KERF_FUNCTION Index operator()(Index i) const { return predicate(i) ? 1 : 0; }
+};
 
 // Returns for how many of 0 .. count - 1 the predicate is true.
 template <class Predicate>
 Index count_indices(Index count, const Predicate& predicate) {
-  return static_cast<Index>(thrust::count_if(loop_policy(), thrust::counting_iterator<Index>(0),
-                                             thrust::counting_iterator<Index>(count), predicate));
+  return reduce_unordered(count, CountsAsOne<Predicate>{predicate}, Index(0), AddCounts{});
 }
 
 // Logical or.
