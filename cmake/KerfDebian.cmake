@@ -4,24 +4,35 @@
 if(NOT CPACK_GENERATOR STREQUAL "DEB")
   return()
 endif()
-set(share ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/usr/share)
-set(doc ${share}/doc/kerf)
-file(RENAME ${doc}/CHANGELOG.md ${doc}/changelog)
 string(TIMESTAMP day "%a, %d %b %Y %H:%M:%S +0000" UTC)  # SOURCE_DATE_EPOCH where that is set
-file(WRITE ${doc}/changelog.Debian "kerf (${CPACK_PACKAGE_VERSION}-1) unstable; urgency=medium
+find_program(GZIP gzip REQUIRED)
+file(GLOB components ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*)
+foreach(component IN LISTS components)
+  set(share ${component}/usr/share)
+  set(package kerf)
+  if(component MATCHES "/python$")
+    set(package python3-kerf)
+  endif()
+  set(doc ${share}/doc/${package})
+  if(EXISTS ${doc}/CHANGELOG.md)
+    file(RENAME ${doc}/CHANGELOG.md ${doc}/changelog)
+    execute_process(COMMAND ${GZIP} -9n ${doc}/changelog ${share}/man/man1/kerf.1 COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+  file(WRITE ${doc}/changelog.Debian "kerf (${CPACK_PACKAGE_VERSION}-1) unstable; urgency=medium
 
-  * The changes are in changelog.gz.
+  * The changes are in changelog.gz of the package kerf.
 
  -- ${CPACK_DEBIAN_PACKAGE_MAINTAINER}  ${day}
 ")
-find_program(GZIP gzip REQUIRED)
-execute_process(COMMAND ${GZIP} -9n ${doc}/changelog ${doc}/changelog.Debian ${share}/man/man1/kerf.1
-  COMMAND_ERROR_IS_FATAL ANY)
-file(REMOVE ${doc}/LICENSE)
-file(WRITE ${doc}/copyright "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
+  execute_process(COMMAND ${GZIP} -9n ${doc}/changelog.Debian COMMAND_ERROR_IS_FATAL ANY)
+  # The package is not uploaded to Debian, where its first version would close a bug.
+  file(WRITE ${share}/lintian/overrides/${package} "${package}: initial-upload-closes-no-bugs\n")
+  file(REMOVE ${doc}/LICENSE)
+  file(WRITE ${doc}/copyright "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 
 Files: *
 Copyright: 2026 The Kerf project
 License: Apache-2.0
  On Debian systems the licence is in /usr/share/common-licenses/Apache-2.0.
 ")
+endforeach()

@@ -2,6 +2,7 @@
 # What `cmake --install` copies and CPack packs: the program, its manual page and completions, which
 # the program prints itself, cases, materials and docs.
 include(GNUInstallDirs)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 
 set(kerf_printed ${CMAKE_BINARY_DIR}/generated/printed)
 # kerf_print(file arguments...) writes what `kerf arguments` prints into a file.
@@ -30,6 +31,12 @@ install(DIRECTORY cases materials DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
+if(KERF_HAS_PYTHON)  # a component of its own, which `scripts/wheel` and the package python3-kerf take
+  set(KERF_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "Where the Python package is installed")
+  install(TARGETS _kerf LIBRARY DESTINATION ${KERF_PYTHON_FOLDER}/kerf COMPONENT python)
+  install(FILES ${kerf_python_files} DESTINATION ${KERF_PYTHON_FOLDER}/kerf COMPONENT python)
+endif()
+
 set(CPACK_PACKAGE_VENDOR "The Kerf project")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
@@ -38,12 +45,26 @@ set(CPACK_GENERATOR TGZ)
 set(CPACK_STRIP_FILES ON)
 # `cpack -G DEB` needs the one who packs: -D CPACK_DEBIAN_PACKAGE_MAINTAINER="NAME <ADDRESS>".
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL program)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME kerf)
+if(KERF_HAS_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-kerf)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_python}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS kerf)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-vtk9")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "This is the module for Python: it runs cases of Kerf step by step, shows their
+particles as NumPy arrays, and reads results.")
+endif()
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, paraview")
-set(CPACK_PACKAGE_DESCRIPTION "Kerf computes by smoothed particle hydrodynamics how a water jet splits,
- how a solid deforms and fractures under it, whether it is cut through, and
- which setting is the best that still cuts.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg, paraview")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Kerf computes by smoothed particle hydrodynamics how a water jet splits,
+how a solid deforms and fractures under it, whether it is cut through, and
+which setting is the best that still cuts.")
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/KerfDebian.cmake)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ

@@ -23,10 +23,5 @@ target_link_libraries(kerf_study PUBLIC kerf_report tomlplusplus::tomlplusplus
   PRIVATE SQLiteCpp Boost::headers Boost::filesystem PkgConfig::nlopt Threads::Threads)
 target_link_libraries(kerf_app PUBLIC kerf_study kerf_verification CLI11::CLI11 spdlog::spdlog
   PRIVATE httplib)
-set(in_gpu_engine model geometry machine input)  # these are also part of the loadable engine for GPUs
-foreach(layer IN LISTS in_gpu_engine)
-  set_target_properties(kerf_${layer} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-endforeach()
-kerf_precompile_headers(headers parallel simd simulation engine analysis output report verification study app)
-kerf_precompile_headers(independent_headers ${in_gpu_engine})
-set_target_properties(kerf_independent_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
+kerf_precompile_headers(headers model geometry machine input parallel simd simulation engine analysis output report
+  verification study app)

@@ -16,17 +16,6 @@ Json cost_json(const RunCost& cost) {
           {"run_time", cost.seconds}};
 }
 
-Json whole_cost(const CostedCase& costed) {
-  const DerivedNumbers& numbers = costed.numbers;
-  Json json = {{"initial_particles", numbers.particles_initial},
-               {"final_particles", numbers.particles_expected},
-               {"simulated_time", numbers.likely_end},
-               {"time_step", numbers.time_step / costed.pace.step_factor}};
-  json.update(cost_json(run_cost(numbers, costed.pace)));
-  json["run_time_source"] = costed.pace.source;
-  return json;
-}
-
 Json advice_json(const CheckedCase& checked) {
   Json list = Json::array();
   if (is_cheap(run_cost(checked.costed.numbers, checked.costed.pace), checked.memory)) return list;
@@ -37,6 +26,16 @@ Json advice_json(const CheckedCase& checked) {
 
 }  // namespace
 
+Json cost_object(const DerivedNumbers& numbers, const Pace& pace) {
+  Json json = {{"initial_particles", numbers.particles_initial},
+               {"final_particles", numbers.particles_expected},
+               {"simulated_time", numbers.likely_end},
+               {"time_step", numbers.time_step / pace.step_factor}};
+  json.update(cost_json(run_cost(numbers, pace)));
+  json["run_time_source"] = pace.source;
+  return json;
+}
+
 std::string check_json(const CheckedCase& checked) {
   const CostedCase& costed = checked.costed;
   const Json json = {{"case", costed.file},
@@ -44,7 +43,7 @@ std::string check_json(const CheckedCase& checked) {
                      {"dimension", costed.description.dimension},
                      {"simulated", checked.piece},
                      {"numbers", object_of(DerivedNumbers::metrics(), costed.numbers)},
-                     {"cost", whole_cost(costed)},
+                     {"cost", cost_object(costed.numbers, costed.pace)},
                      {"advice", advice_json(checked)},
                      {"warnings", checked.warnings}};
   return json.dump(2) + "\n";

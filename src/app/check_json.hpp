@@ -2,6 +2,7 @@
 // What `kerf check` finds, for programs.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct CheckedCase {
   std::vector<std::string> warnings;  // a sentence each
   double memory = 0.0;                // bytes, of this machine
 };
+
+// Returns particles, steps, memory and time of a run, in SI units.
+nlohmann::ordered_json cost_object(const DerivedNumbers& numbers, const Pace& pace);
 
 // Returns it as JSON, in SI units: the case, the sentences, the derived numbers by their names in
 // result.json, the cost, and what to change where that is too much.

@@ -11,7 +11,6 @@
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "machine/simulated_piece.hpp"
-#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 #include "output/checkpoint.hpp"
 #include "output/readable.hpp"
@@ -59,11 +58,29 @@ RunLoop::RunLoop(RunLoopSettings settings, SimulationMaker maker)
       pictures_(folder_.path(), settings_.case_name, settings_.description),
       frames_due_(settings_.description.output.frame_times),
       pictures_due_(settings_.description.output.picture_times),
-      rows_due_(settings_.description.output.series_interval) {}
+      rows_due_(settings_.description.output.series_interval) {
+  if (settings_.catches_signals) signals_.emplace();
+}
 
 RunEnd RunLoop::run() {
+  if (!start()) return {};
+  advance([this] { return caught() != 0; });
+  RunEnd end;
+  guarded([&] {
+    if (!is_over()) end = stop(caught());
+  });
+  if (end.signal == 0) finish();
+  return end;
+}
+
+int RunLoop::caught() const {
+  return signals_ ? signals_->caught() : 0;
+}
+
+// Adds to the message of an error how to continue.
+void RunLoop::guarded(const std::function<void()>& work) {
   try {
-    return start_and_run();
+    work();
   } catch (const UserError& error) {
     std::string message = error.what();
     try {
@@ -80,24 +97,24 @@ RunEnd RunLoop::run() {
   }
 }
 
-RunEnd RunLoop::start_and_run() {
-  if (!folder_.has_checkpoint()) {
-    write_file(folder_.used_case(), settings_.case_text);
-    keep_meshes(settings_.description, folder_.path());
+bool RunLoop::start() {
+  bool has_steps = true;
+  guarded([&] {
+    if (!folder_.has_checkpoint()) {
+      write_file(folder_.used_case(), settings_.case_text);
+      keep_meshes(settings_.description, folder_.path());
+      start_log();
+      return begin();
+    }
     start_log();
-    begin();
-    return steps();
-  }
-  start_log();
-  const Checkpoint checkpoint = read_checkpoint(folder_.checkpoint(), settings_.case_text);
-  before_ = record_from(checkpoint.run);
-  if (!already_finished()) {
-    resume(checkpoint.simulation);
-    return steps();
-  }
-  progress_.say(
-      fmt::format("This run has finished already; its report is {}", folder_.report().string()));
-  return {};
+    const Checkpoint checkpoint = read_checkpoint(folder_.checkpoint(), settings_.case_text);
+    before_ = record_from(checkpoint.run);
+    if (!already_finished()) return resume(checkpoint.simulation);
+    has_steps = false;
+    progress_.say(
+        fmt::format("This run has finished already; its report is {}", folder_.report().string()));
+  });
+  return has_steps;
 }
 
 void RunLoop::start_log() {
@@ -142,19 +159,20 @@ void RunLoop::resume(const Archive& state) {
                    1e3 * simulation_->time(), simulation_->step()));
 }
 
-RunEnd RunLoop::steps() {
+void RunLoop::advance(const std::function<bool()>& enough) {
+  guarded([&] {
+    while (!is_over() && !enough()) take_step();
+  });
+}
+
+void RunLoop::take_step() {
+  simulation_->advance();
+  frame_.reset();
+  ++limits_[simulation_->last_step().limit];
+  write_due();
   const double interval = settings_.description.output.checkpoint_interval;
-  while (!is_over()) {
-    if (signals_.caught() != 0) return stop(signals_.caught());
-    simulation_->advance();
-    frame_.reset();
-    ++limits_[simulation_->last_step().limit];
-    write_due();
-    if (std::chrono::duration<double>(Clock::now() - saved_).count() >= interval) save_if_sound();
-    progress_.update(numbers());
-  }
-  finish();
-  return {};
+  if (std::chrono::duration<double>(Clock::now() - saved_).count() >= interval) save_if_sound();
+  progress_.update(numbers());
 }
 
 // The history of the cut is part of checkpoints, so that a resumed run ends with the same step.
@@ -172,76 +190,22 @@ bool RunLoop::is_over() const {
   return simulation_->time() >= cut->time + after_cut;
 }
 
-// At the end all output up to the end is due, in spite of the rounding of the sum of all steps.
-void RunLoop::write_due() {
-  const double now = simulation_->finished()
-                         ? std::max(simulation_->time(), settings_.description.time.end)
-                         : simulation_->time();
-  if (rows_due_.due(now)) write_row();
-  const bool is_frame_due = frames_due_.due(now), is_picture_due = pictures_due_.due(now);
-  if (is_frame_due || is_picture_due) write_frame(is_frame_due, is_picture_due);
-}
-
-void RunLoop::write_frame(bool as_frame, bool as_picture) {
-  writing_.submit([this, as_frame, as_picture, frame = shared_frame()] {
-    if (as_frame) {
-      frames_.write(*frame);
-      log_->info("frame {} at {:.6g} ms", frames_.times().size() - 1, 1e3 * frame->time);
-    }
-    if (as_picture) pictures_.write(*frame);
+void RunLoop::finish() {
+  guarded([this] {
+    write_last();
+    write_file(folder_.result(), result().dump(2) + "\n");
+    write_report(folder_.path(), settings_.description);
+    save_checkpoint(true);
+    writing_.wait();
+    log_->info("finished after {}", duration_text(wall_time()));
   });
 }
 
-void RunLoop::write_row() {
-  SeriesSample sample;
-  sample.time = simulation_->time();
-  sample.step = simulation_->step();
-  sample.particles = simulation_->particles();
-  sample.last_step = simulation_->last_step();
-  sample.balance = simulation_->balance();
-  follow_window();
-  sample.cut =
-      cut_->observe(frame_ ? *frame_ : simulation_->frame_of_cut(), sample.balance.impulse_water);
-  judge_motion();
-  sample.probes = simulation_->probe_values();
-  series_.append(sample);
-  energy_drift_ = sample.balance.energy_drift();
-  row_time_ = sample.time;
-}
-
-void RunLoop::follow_window() {
-  if (simulation_->shifts() == shifts_) return;
-  shifts_ = simulation_->shifts();
-  cut_->follow(at_shift(settings_.description, shifts_), simulation_->layout());
-}
-
-void RunLoop::judge_motion() {
-  if (!travelling_frame(settings_.description)) return;
-  const bool was_reached = stationary_ && stationary_->reached;
-  stationary_ = stationary_cut(settings_.description, cut_->history());
-  if (stationary_->reached && !was_reached)
-    tell(fmt::format("The cut is stationary at {:.6g} ms, after {:.6g} mm of travel.",
-                     1e3 * simulation_->time(), 1e3 * stationary_->travelled));
-}
-
-void RunLoop::write_last() {
-  const double time = simulation_->time();
-  const auto missing = [time](const std::vector<double>& times) {
-    return times.empty() || times.back() != time;
-  };
-  if (row_time_ != time) write_row();
-  writing_.wait();
-  write_frame(missing(frames_.times()), missing(pictures_.times()));
-  writing_.wait();
-}
-
-void RunLoop::finish() {
-  write_last();
-  write_result();
-  write_report(folder_.path(), settings_.description);
-  save_checkpoint(true);
-  writing_.wait();
-  log_->info("finished after {}", duration_text(wall_time()));
+void RunLoop::save() {
+  guarded([this] {
+    save_if_sound();
+    writing_.wait();
+  });
 }
 
 RunEnd RunLoop::stop(int signal) {

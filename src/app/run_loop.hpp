@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -37,9 +38,10 @@ struct RunLoopSettings {
   std::filesystem::path folder;
   Existing existing = Existing::refuse;
   bool quiet = false;
-  int threads = 0;             // for the results
-  std::string device;          // for the results
-  std::string resume_command;  // the command that continues the run
+  bool catches_signals = true;  // Ctrl-C, SIGTERM and SIGHUP stop the run in good order
+  int threads = 0;              // for the results
+  std::string device;           // for the results
+  std::string resume_command;   // the command that continues the run
 };
 
 using SimulationMaker = std::function<std::unique_ptr<Simulation>(const Case&)>;
@@ -57,30 +59,40 @@ class RunLoop {
   // remain valid.
   RunEnd run();
 
+  // The parts of run(), for programs that look at the simulation between steps. They throw as it
+  // does.
+  bool start();  // or continues; false: the run in the folder has finished already
+  void advance(const std::function<bool()>& enough);  // asked before each step
+  bool is_over() const;  // at the end time, a while after the cut, or where that is stationary
+  void save();           // a checkpoint, unless the run has broken down
+  void finish();         // writes the last frame, the result and the report
+
+  const RunLoopSettings& settings() const { return settings_; }
+  const Simulation& simulation() const { return *simulation_; }
+  const Frame& frame() { return *shared_frame(); }
+  nlohmann::ordered_json result();  // as result.json would be now
+
  private:
   using Clock = std::chrono::steady_clock;
 
-  RunEnd start_and_run();
+  void guarded(const std::function<void()>& work);
+  int caught() const;  // the signal that asks to stop; 0 = none
   void start_log();
   bool already_finished() const;
   void begin();
   void resume(const Archive& state);
-  RunEnd steps();
-  bool is_over() const;  // at the end time, a while after the cut, or where that is stationary
+  void take_step();
   void follow_window();  // measures in the window of a travelling frame
   void judge_motion();   // of a cut under a nozzle with which a frame travels
   void write_due();
   void write_row();
   void write_frame(bool as_frame, bool as_picture);
   void write_last();
-  void finish();
   RunEnd stop(int signal);
   void save_if_sound();
   void save_checkpoint(bool finished);
   void measure(RunOutcome& outcome);
-  void write_result();
 
-  const Frame& frame() { return *shared_frame(); }
   const std::shared_ptr<const Frame>& shared_frame();
   RunRecord record(bool finished) const;
   ProgressNumbers numbers() const;
@@ -92,7 +104,7 @@ class RunLoop {
   SimulationMaker maker_;
   RunFolder folder_;
   std::shared_ptr<spdlog::logger> log_;
-  StopSignals signals_;
+  std::optional<StopSignals> signals_;
   Progress progress_;
   Clock::time_point started_ = Clock::now();
   Clock::time_point saved_ = Clock::now();

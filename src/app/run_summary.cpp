@@ -70,7 +70,7 @@ void RunLoop::measure(RunOutcome& outcome) {
   outcome.kerf = measure_kerf(cut_->workpiece(), frame(), kerf_conditions(shifted, outcome.cut));
 }
 
-void RunLoop::write_result() {
+nlohmann::ordered_json RunLoop::result() {
   RunOutcome outcome;
   outcome.description = settings_.description;
   outcome.case_name = settings_.case_name;
@@ -94,7 +94,7 @@ void RunLoop::write_result() {
   outcome.frames = frames_.times().size();
   for (std::size_t i = 0; i < pictures_.times().size(); ++i)
     outcome.pictures.push_back({pictures_.file(i), pictures_.times()[i]});
-  write_file(folder_.result(), result_of(outcome).dump(2) + "\n");
+  return result_of(outcome);
 }
 
 }  // namespace kerf

@@ -27,13 +27,13 @@ const GpuEngine* engine = nullptr;  // of the device in use; null = of this prog
                   exit_bad_input);
 }
 
-// Returns the path of the library, or the first path at which it is expected: beside the program in
-// a build folder, or in lib as installed. The environment variable KERF_GPU_ENGINE names another
-// one.
+// Returns the path of the library, or the first path at which it is expected: beside the program
+// (or Python module) in a build folder, or in lib as installed. The environment variable
+// KERF_GPU_ENGINE names another one.
 fs::path library_file() {
   if (const char* named = std::getenv("KERF_GPU_ENGINE"); named != nullptr && *named != '\0')
     return named;
-  const fs::path folder = boost::dll::program_location().parent_path().string();
+  const fs::path folder = boost::dll::this_line_location().parent_path().string();
   const fs::path installed = folder.parent_path() / "lib" / file_name;
   return !fs::exists(folder / file_name) && fs::exists(installed) ? installed : folder / file_name;
 }

@@ -31,6 +31,7 @@ class ParticleRun : public Simulation {
   StepInfo last_step() const override { return last_step_; }
   Frame frame() const override;
   Balance balance() const override;
+  std::vector<FieldSpan> fields() const override;
   std::vector<double> probe_values() const override;
   double pair_interactions() const override { return pair_interactions_; }
   double neighbours_per_particle() const override;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "simulation/particle_run.hpp"
+#include "simulation/particle_spans.hpp"
 #include "simulation/snapshot.hpp"
 
 namespace kerf {
@@ -22,6 +23,12 @@ Frame ParticleRun<D, P, Traits>::frame() const {
   frame.time = time_;
   frame.step = step_;
   return frame;
+}
+
+template <int D, class P, class Traits>
+std::vector<FieldSpan> ParticleRun<D, P, Traits>::fields() const {
+  refresh();
+  return field_spans(particles_);
 }
 
 template <int D, class P, class Traits>

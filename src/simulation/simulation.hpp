@@ -9,6 +9,7 @@
 #include "core/timers.hpp"
 #include "simulation/archive.hpp"
 #include "simulation/balance.hpp"
+#include "simulation/field_span.hpp"
 #include "simulation/frame.hpp"
 
 namespace kerf {
@@ -40,6 +41,9 @@ class Simulation {
   // The frame without the columns that the verdict on a cut does not need (analysis/cut.hpp).
   virtual Frame frame_of_cut() const { return frame(); }
   virtual Balance balance() const = 0;
+  // The fields of the particles where they are, in the order of the particles, which changes from
+  // step to step; empty where the host cannot read them. Valid until the next step.
+  virtual std::vector<FieldSpan> fields() const { return {}; }
   // Of a frame that travels with the nozzle: how often it was shifted, and the solid in its window
   // as laid out, with the ids that it has, also where particles have left.
   virtual std::uint64_t shifts() const { return 0; }

@@ -105,7 +105,7 @@ TEST_F(View, AnswersBesideSlowClients) {
   }
   const auto before = std::chrono::steady_clock::now();
   EXPECT_EQ(get("run.json")->status, 200);
-  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(1));
+  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(3));
   for (const int open : slow) close(open);
 }
 

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+# The Python package `kerf`: the module of src/python/ and the files of python/kerf/, together in
+# python/ of the build folder. KERF_PYTHON is AUTO where it may be left out.
+# -DPython_EXECUTABLE=... builds it for another interpreter than that of the system.
+find_program(Python_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
+set(PYBIND11_FINDPYTHON ON)
+if(KERF_PYTHON STREQUAL AUTO)
+  find_package(Python QUIET COMPONENTS Interpreter Development.Module NumPy)
+  find_package(pybind11 QUIET)
+elseif(KERF_PYTHON)
+  find_package(Python REQUIRED COMPONENTS Interpreter Development.Module NumPy)
+  find_package(pybind11 REQUIRED)
+endif()
+# The sanitizers would have to be loaded before the interpreter.
+if(pybind11_FOUND AND Python_NumPy_FOUND AND NOT KERF_SANITIZE)
+  set(KERF_HAS_PYTHON ON)
+  set(kerf_python_package ${CMAKE_BINARY_DIR}/python/kerf)
+  file(GLOB kerf_python_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/python/*.cpp)
+  pybind11_add_module(_kerf MODULE NO_EXTRAS ${kerf_python_sources})
+  kerf_layer_folder(python folder)
+  target_include_directories(_kerf PRIVATE ${folder})
+  target_link_libraries(_kerf PRIVATE kerf_app tomlplusplus::tomlplusplus)
+  target_link_options(_kerf PRIVATE -Wl,--exclude-libs,ALL)
+  set_target_properties(_kerf PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${kerf_python_package})
+  file(GLOB kerf_python_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/python/kerf/*)
+  list(FILTER kerf_python_files INCLUDE REGEX "[.](py|pyi|typed)$")
+  file(MAKE_DIRECTORY ${kerf_python_package})
+  foreach(file IN LISTS kerf_python_files)
+    get_filename_component(name ${file} NAME)
+    file(CREATE_LINK ${file} ${kerf_python_package}/${name} SYMBOLIC)
+  endforeach()
+endif()

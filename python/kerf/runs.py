@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs, step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Any
+
+from kerf import _kerf
+from kerf.results import Result
+
+
+@dataclass
+class _Call:
+    """A function that is called during a run."""
+
+    function: Callable[[Run], object]
+    interval: float  # s; 0 = after each step
+    due: float  # s, the next time
+
+
+class Run(_kerf.Run):
+    """A run of a case; it writes the files that `kerf run` writes, with the same bits.
+
+    Parameters
+    ----------
+    case : Case
+        The case.
+    out : path
+        The folder of the results; default out/ and the name of the case.
+    threads : int
+        Threads of all runs of this process; 0 = every core.
+    device : "cpu" or "gpu"
+        Where the particles are computed.
+    resume : bool
+        Continue from the last checkpoint in the folder.
+    force : bool
+        Replace the run in the folder.
+    progress : bool
+        Show a progress bar with the remaining time.
+
+    Raises
+    ------
+    FileError
+        If the folder holds a run already, or cannot be written.
+    CaseError
+        If the case cannot be laid out.
+
+    Used as a context manager it writes a checkpoint at the end of the block, unless it has
+    finished, and lets go of the folder, which no other run can use before.
+    """
+
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self._calls: list[_Call] = []
+
+    def every(self, interval: float, function: Callable[[Run], object]) -> None:
+        """Call `function(run)` during `step`, `until` and `finish`.
+
+        Parameters
+        ----------
+        interval
+            s; at the first step at or after each multiple of it, as output is written. 0 calls it
+            after each step. Calls do not change what is computed.
+        function
+            A return value is ignored; an exception stops the run, which can then go on.
+        """
+        if interval < 0.0:
+            raise ValueError(f"interval = {interval} s. Allowed: 0 and above.")
+        self._calls.append(_Call(function, interval, self.time))
+
+    def step(self, count: int = 1) -> None:
+        """Take a number of time steps, at most up to the end of the run."""
+        if not self._calls:
+            self._step(count)
+            return
+        for _ in range(count):
+            self._step(1)
+            self._notify()
+
+    def until(self, time: float) -> None:
+        """Take steps until the time, s, is reached or passed; a step is never shortened for it."""
+        while self.time < time and not self.is_over:
+            next_call = min((call.due for call in self._calls), default=time)
+            if next_call <= self.time:
+                self._step(1)
+            else:
+                self._until(min(time, next_call))
+            self._notify()
+
+    def finish(self) -> Result:
+        """Run to the end, write the result and the report, and return the results."""
+        if self._calls and not self.is_over:
+            self.until(float("inf"))
+        self._finish()
+        return Result(self.folder)
+
+    def _notify(self) -> None:
+        for call in self._calls:
+            if call.due > self.time:
+                continue
+            while call.interval > 0.0 and call.due <= self.time:
+                call.due += call.interval
+            call.function(self)
+
+    def __enter__(self) -> Run:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if not self.is_over and not isinstance(error, _kerf.RunError):
+            self.save()
+        self.close()
+
+    def __repr__(self) -> str:
+        if not hasattr(self, "_calls"):  # the run could not start
+            return "<kerf.Run, not started>"
+        if self.is_over:
+            return f"<kerf.Run in {self.folder}, over>"
+        return (
+            f"<kerf.Run in {self.folder}, {1e3 * self.time:.6g} ms, step {self.steps}, "
+            f"{self.particles} particles>"
+        )
+
+    def _repr_png_(self) -> bytes | None:
+        try:
+            return self.picture(0.5)
+        except _kerf.KerfError:
+            return Result(self.folder)._repr_png_()
