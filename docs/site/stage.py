@@ -88,6 +88,14 @@ def help_of_commands(program):
         yield f"\n## kerf {name}\n\n```text\n{said(name)}\n```\n"
 
 
+def write_formulas(folder):
+    """Rewrites blocks of code in the language math, which forges show as formulas, for MyST."""
+    for page in folder.rglob("*.md"):
+        text = page.read_text()
+        page.write_text(re.sub(r"^```math\n(.*?)^```$", lambda found: f"$$\n{found.group(1)}$$", text,
+                               flags=re.MULTILINE | re.DOTALL))
+
+
 def add_to(page, parts):
     page.write_text(page.read_text() + "".join(parts))
 
@@ -95,6 +103,7 @@ def add_to(page, parts):
 def stage(into, options):
     shutil.rmtree(into, ignore_errors=True)
     shutil.copytree(ROOT / "docs", into / "docs", ignore=shutil.ignore_patterns("site"))
+    write_formulas(into / "docs")
     for name in LINKED:
         copy(ROOT / name, into / name)
     for name in MATHJAX_PARTS:
