@@ -33,6 +33,18 @@ def copy(source, target):
         shutil.copy2(source, target)
 
 
+def copy_mathjax(into, may_be_missing):
+    if MATHJAX.exists():
+        for name in MATHJAX_PARTS:
+            copy(MATHJAX / name, into / name)
+    elif may_be_missing:
+        print("MathJax is not installed: formulas will be shown as TeX")
+        into.mkdir(parents=True)
+        (into / MATHJAX_PARTS[0]).touch()
+    else:
+        sys.exit("MathJax is not installed (scripts/setup site)")
+
+
 def pages_under(heading):
     """Returns the pages that docs/index.md lists under a heading, as entries of a toctree."""
     text = (ROOT / "docs/index.md").read_text()
@@ -106,8 +118,7 @@ def stage(into, options):
     write_formulas(into / "docs")
     for name in LINKED:
         copy(ROOT / name, into / name)
-    for name in MATHJAX_PARTS:
-        copy(MATHJAX / name, into / "static/mathjax" / name)
+    copy_mathjax(into / "static/mathjax", options.no_gallery)
     copy(SITE / "static", into / "static")
     copy(SITE / "conf.py", into / "conf.py")
     pages = []
