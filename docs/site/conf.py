@@ -12,6 +12,8 @@ author = "the authors of Kerf"
 version = re.search(r"VERSION (\d+\.\d+\.\d+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 release = version
 language = "en"
+# Quotation marks and hyphens of case files and options stay as they are.
+smartquotes = False
 
 extensions = ["myst_parser", "sphinx.ext.mathjax", "sphinx_copybutton"]
 try:
@@ -38,7 +40,7 @@ mathjax2_config = {
     "messageStyle": "none",
     "displayAlign": "left",
     "displayIndent": "1em",
-    "SVG": {"scale": 95, "linebreaks": {"automatic": True}},
+    "SVG": {"scale": 85, "linebreaks": {"automatic": True}},
 }
 
 # A block of code without a language is plain text.

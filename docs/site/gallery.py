@@ -2,7 +2,7 @@
 """Writes the sections of the gallery: every case with its text and, where there is a run, a moving picture.
 
 A run is taken from out/NAME, where `kerf run` puts it by default. Of the cases in MADE, each of which takes
-seconds to two minutes on two free cores, missing runs are made first.
+seconds to two minutes on two free cores, missing runs are made first. A run that is not finished is left alone.
 """
 import html
 import json
@@ -47,9 +47,9 @@ class Runs:
         """Returns the folder of the finished run of a case, with its movie, or None."""
         folder = self.root / "out" / case.name
         result = folder / "result.json"
-        if not result.exists() and self.make and self.program and case.name in MADE:
+        if not folder.exists() and self.make and self.program and case.name in MADE:
             print(f"gallery: running {case.name}", flush=True)
-            self.call("run", str(case.path), "--out", str(folder), "--quiet", "--force")
+            self.call("run", str(case.path), "--out", str(folder), "--quiet")
         if not result.exists():
             return None
         movie = folder / "movie.mp4"
@@ -81,9 +81,8 @@ def pictures_of(case, folder, into):
     return "\n".join(parts)
 
 
-def section(case, runs, into):
+def section(case, folder, into):
     yield f"\n### {case.title}\n\n`{case.name}`: {case.sentence}.\n"
-    folder = runs and runs.folder_of(case)
     if folder:
         yield f"\n```{{raw}} html\n{pictures_of(case, folder, into)}\n```\n"
     for name, text in case.facts:
@@ -95,8 +94,10 @@ def section(case, runs, into):
 
 
 def sections(root, runs, into):
-    """Yields the Markdown of all cases."""
-    for folder, heading in GROUPS:
+    """Yields the Markdown of all cases, in each group those with a run first."""
+    for group, heading in GROUPS:
         yield f"\n## {heading}\n"
-        for path in sorted((root / "cases" / folder).glob("*.toml")):
-            yield from section(Case(path), runs, into)
+        cases = [Case(path) for path in sorted((root / "cases" / group).glob("*.toml"))]
+        found = [(case, runs and runs.folder_of(case)) for case in cases]
+        for case, folder in sorted(found, key=lambda pair: not pair[1]):
+            yield from section(case, folder, into)

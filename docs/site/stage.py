@@ -69,12 +69,17 @@ def expanded(entry, layers):
     return [entry]
 
 
+def page_of(entry):
+    """Returns the page of an entry, which may have the form "title <page>"."""
+    return re.sub(r".*<(.*)>", r"\1", entry)
+
+
 def fill_toctrees(into, pages, layers):
     """Writes the toctrees of the pages; what no toctree names goes where docs/site/index.md says."""
     named = {page.stem for page in pages}
     for page in pages:
         for entry in entries_of(page.read_text()):
-            named.update(expanded(entry, layers))
+            named.update(map(page_of, expanded(entry, layers)))
     written = {str(path.relative_to(into).with_suffix("")) for path in into.rglob("*.md")}
     rest = sorted(written - named)
 
@@ -82,7 +87,8 @@ def fill_toctrees(into, pages, layers):
         kept = []
         for line in found.group(1).splitlines():
             entries = rest if line == "pages that no list names" else expanded(line, layers)
-            kept += [entry for entry in entries if entry in written or not entry or entry[0] == ":"]
+            kept += [entry for entry in entries
+                     if page_of(entry) in written or not entry or entry.startswith(":")]
         return "```{toctree}\n" + "\n".join(kept) + "\n```"
 
     for page in pages:
