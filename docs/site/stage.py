@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 
+import furo
 import gallery
 import headers
 
@@ -22,6 +23,7 @@ LINKED = ["cases", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE", "web/README.md"
 MATHJAX = pathlib.Path("/usr/share/javascript/mathjax")
 MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_SVG.js", "extensions", "jax/element", "jax/input/TeX",
                  "jax/output/SVG", "localization/en"]
+NORMALIZE = pathlib.Path("/usr/share/javascript/normalize.css/normalize.css")
 TOCTREE = re.compile(r"^```\{toctree\}\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -31,6 +33,22 @@ def copy(source, target):
         shutil.copytree(source, target, dirs_exist_ok=True)
     else:
         shutil.copy2(source, target)
+
+
+def complete_theme(into):
+    """Replaces files of the Furo of Debian that work from a web server only: its script imports another as a
+    module, so that both become one here, and its style sheet imports normalize.css by an address of Debian."""
+    theme = pathlib.Path(furo.__file__).parent / "theme/furo/static"
+    main, count = re.subn(r"^import Gumshoe .*$", "", (theme / "scripts/furo.js").read_text(),
+                          flags=re.MULTILINE)
+    if count:
+        (into / "scripts").mkdir()
+        (into / "scripts/furo.js").write_text((theme / "scripts/gumshoe-patched.js").read_text() + main)
+    style = (theme / "styles/furo.css").read_text()
+    imported = "url(/javascript/normalize.css/"
+    if imported in style:
+        copy(NORMALIZE, into / "styles" / NORMALIZE.name)
+        (into / "styles/furo.css").write_text(style.replace(imported, "url("))
 
 
 def copy_mathjax(into, may_be_missing):
@@ -126,6 +144,7 @@ def stage(into, options):
         copy(ROOT / name, into / name)
     copy_mathjax(into / "static/mathjax", options.no_gallery)
     copy(SITE / "static", into / "static")
+    complete_theme(into / "static")
     copy(SITE / "conf.py", into / "conf.py")
     pages = []
     for source in sorted(SITE.glob("*.md")):
