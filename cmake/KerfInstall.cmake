@@ -28,7 +28,7 @@ install(FILES ${kerf_printed}/kerf.bash RENAME kerf
 install(FILES ${kerf_printed}/_kerf DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(FILES ${kerf_printed}/kerf.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(DIRECTORY cases materials DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf)
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN site EXCLUDE)
 install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(KERF_HAS_PYTHON)  # a component of its own, which `scripts/wheel` and the package python3-kerf take

@@ -46,6 +46,18 @@ DOCUMENTS = [
      "packages", False),
 ]
 
+# (pages of a site, whether they are correct)
+SITES = [
+    ({"a.html": '<a href="b/c.html#there">', "b/c.html": '<h2 id="there"><a href="../a.html">'}, True),
+    ({"a.html": '<a href="https://example.org/x#y"><img src="a.png">', "a.png": ""}, True),
+    ({"a.html": '<a href="missing.html">'}, False),
+    ({"a.html": '<a href="#missing">'}, False),
+    ({"a.html": '<a href="b.html#missing">', "b.html": '<h2 id="there">'}, False),
+    ({"a.html": '<img src="missing.png">'}, False),
+    ({"a.html": '<script src="https://example.org/x.js"></script>'}, False),
+    ({"a.txt": "no page"}, False),
+]
+
 ONE_NAME = "namespace kerf {\nstruct A { int a; };\n}\n"
 OTHER_TYPE = "namespace kerf {\n\nenum class A { one, two };\n}\n"
 FORWARD = "namespace kerf {\nstruct A;\nenum class E : int;\n}\n"
@@ -106,6 +118,14 @@ def check_documents():
             yield agrees(command, in_order, f"document {number}")
 
 
+def check_sites():
+    for number, (files, in_order) in enumerate(SITES):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                write(folder, name, text)
+            yield agrees([SCRIPTS / "check_site.py", folder], in_order, f"site {number}")
+
+
 def check_names():
     for number, (files, places) in enumerate(NAMES):
         with tempfile.TemporaryDirectory() as folder:
@@ -119,4 +139,5 @@ if __name__ == "__main__":
     if not shutil.which("ctags"):
         print("Universal Ctags is not installed: skipped")
         sys.exit(77)
-    sys.exit(0 if all([*check_budgets(), *check_documents(), *check_names()]) else 1)
+    sys.exit(0 if all([*check_budgets(), *check_documents(), *check_names(),
+                          *check_sites()]) else 1)
