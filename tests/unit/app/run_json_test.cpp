@@ -52,8 +52,9 @@ TEST_F(RunJson, HasNullForWhatTheRunDoesNotHave) {
 }
 
 TEST_F(RunJson, HasTheVerdictOnEachBody) {
-  result_["kerf"]["layers"] = {{{"name", "skin"}, {"verdict", "parted"}, {"cut_through_time", 0.002}},
-                               {{"name", "bone"}, {"verdict", "whole"}}};
+  result_["kerf"]["layers"] = {
+      {{"name", "skin"}, {"verdict", "parted"}, {"cut_through_time", 0.002}},
+      {{"name", "bone"}, {"verdict", "whole"}}};
   const Json bodies = summary().at("bodies");
   ASSERT_EQ(bodies.size(), 2u);
   EXPECT_EQ(bodies[0].at("name"), "skin");
