@@ -94,16 +94,11 @@ void pack(const Handle& properties, const std::array<hsize_t, 2>& extent, int ra
 
 void write_texts(const Handle& parent, const std::string& name,
                  const std::vector<std::string>& texts) {
-  std::size_t length = 1;
-  for (const std::string& text : texts) length = std::max(length, text.size() + 1);
-  std::string bytes;
-  for (std::string text : texts) {
-    text.resize(length, '\0');
-    bytes += text;
-  }
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "make a type");
-  check(H5Tset_size(type.get(), length), "set a size");
-  write(parent, name, {bytes.data(), type.get(), texts.size(), 1});
+  check(H5Tset_size(type.get(), H5T_VARIABLE), "set a size");
+  write(parent, name, {pointers.data(), type.get(), pointers.size(), 1});
 }
 
 Handle write(const Handle& parent, const std::string& name, const Block& block, Packing packing) {

@@ -99,7 +99,7 @@ enum class Packing { none, deflate };
 // Writes an array. A name may be a path, "inner/name"; the groups on the path are made.
 Handle write(const Handle& parent, const std::string& name, const Block& block,
              Packing packing = Packing::none);
-// Writes texts as an array of fixed length.
+// Writes texts of variable length, which VTK reads.
 void write_texts(const Handle& parent, const std::string& name,
                  const std::vector<std::string>& texts);
 

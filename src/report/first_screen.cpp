@@ -36,7 +36,10 @@ std::vector<BodyFate> fates_of(const Json& result, const Case& description) {
     }
   if (!fates.empty()) return fates;
   const bool through = result.at("cut_through").get<bool>();
-  const bool is_whole = !(value_of(result.at("fractured_fraction")) > 0.0);
+  // Bonds may break without a particle that is fractured: then a part of the thickness is broken.
+  const Json* unbroken = find_value(result, "kerf.unbroken");
+  const bool is_whole = !(value_of(result.at("fractured_fraction")) > 0.0) &&
+                        !(unbroken != nullptr && value_of(*unbroken) > 0.0);
   for (const Body& body : description.bodies)
     if (body.role == Role::elastic)
       fates.push_back({body.name,
