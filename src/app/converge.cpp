@@ -100,7 +100,8 @@ int converge(const Case& description, const ConvergeSettings& settings) {
     outcomes = runs.run(trials);
   } catch (const StudyStopped& stopped) {
     display.clear();
-    fmt::print("Stopped. The run itself is complete; continue with: {}\n", settings.resume_command);
+    fmt::print(settings.quiet ? stderr : stdout,
+               "Stopped. The run itself is complete; continue with: {}\n", settings.resume_command);
     return stopped.signal;
   }
   display.clear();
@@ -110,7 +111,7 @@ int converge(const Case& description, const ConvergeSettings& settings) {
   const auto intervals =
       find_intervals(run, trials, outcomes, convergence_ratio(description), description.dimension);
   keep(intervals, description, settings.folder);
-  print_intervals(intervals, description);
+  if (!settings.quiet) print_intervals(intervals, description);
   return 0;
 }
 

@@ -17,6 +17,7 @@ struct ConvergeSettings {
   std::filesystem::path folder;  // of the run; the further runs are in its folder converge/
   int layouts = 3;
   std::string resume_command;
+  bool quiet = false;  // prints nothing on standard output
   ExecutorOptions executor;
 };
 
@@ -24,8 +25,8 @@ struct ConvergeSettings {
 void check_convergence(const Case& description, const ConvergeSettings& settings);
 
 // Makes the further runs, adds the list `intervals` to result.json, writes the report again and
-// prints the intervals. Returns the signal that stopped it; 0 = none. A new call makes only the
-// runs that are missing.
+// prints the intervals unless quiet. Returns the signal that stopped it; 0 = none. A new call makes
+// only the runs that are missing.
 int converge(const Case& description, const ConvergeSettings& settings);
 
 }  // namespace kerf

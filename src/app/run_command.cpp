@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/converge.hpp"
 #include "app/cost_advice.hpp"
+#include "app/run_json.hpp"
 #include "app/run_loop.hpp"
 #include "core/error.hpp"
 #include "input/read.hpp"
@@ -26,6 +27,7 @@ struct RunOptions {
   bool resume = false;
   bool force = false;
   bool quiet = false;
+  bool json_summary = false;
   bool converge = false;
   int layouts = 3;
   bool ignore_memory = false;
@@ -78,15 +80,19 @@ RunLoopSettings settings_of(const RunOptions& options) {
   settings.existing = options.resume  ? Existing::resume
                       : options.force ? Existing::replace
                                       : Existing::refuse;
-  settings.quiet = options.quiet;
+  settings.quiet = options.quiet || options.json_summary;
   settings.threads = threads_of(options.machine);
   settings.device = device_name();
   settings.resume_command = resume_command(options, settings.folder);
   return settings;
 }
 
+nlohmann::ordered_json result_in(const fs::path& folder) {
+  return nlohmann::ordered_json::parse(read_file(folder / "result.json"));
+}
+
 void print_output_paths(const RunLoopSettings& settings, bool will_converge) {
-  const auto result = nlohmann::json::parse(read_file(settings.folder / "result.json"));
+  const auto result = result_in(settings.folder);
   fmt::print("{}\n", result.at("verdict").get<std::string>());
   if (settings.quiet) return;
   const std::string folder = settings.folder.string();
@@ -107,7 +113,8 @@ ConvergeSettings converge_settings_of(const RunOptions& options, const RunLoopSe
   settings.resume_command = run.resume_command;
   settings.executor.cores = run.threads;
   settings.executor.device = options.machine.device;
-  settings.executor.quiet = options.quiet;
+  settings.quiet = options.json_summary;
+  settings.executor.quiet = options.quiet || options.json_summary;
   return settings;
 }
 
@@ -122,8 +129,9 @@ void run(const RunOptions& options) {
   const ConvergeSettings further = converge_settings_of(options, settings);
   if (options.converge) check_convergence(settings.description, further);
   leave_if_stopped(RunLoop(settings, make_simulation).run().signal);
-  print_output_paths(settings, options.converge);
+  if (!options.json_summary) print_output_paths(settings, options.converge);
   if (options.converge) leave_if_stopped(converge(settings.description, further));
+  if (options.json_summary) fmt::print("{}", run_json(result_in(settings.folder), settings.folder));
 }
 
 }  // namespace
@@ -138,6 +146,8 @@ void add_run_command(CLI::App& program) {
       command->add_flag("--resume", options->resume, "continue from the last checkpoint");
   command->add_flag("--force", options->force, "replace the run in the folder")->excludes(resume);
   command->add_flag("--quiet", options->quiet, "show the result only");
+  command->add_flag("--json-summary", options->json_summary,
+                    "show the result only, as one JSON object in SI units, for programs");
   CLI::Option* converges = command->add_flag(
       "--converge", options->converge,
       "also run the case at two coarser spacings and in other layouts, and give each headline "

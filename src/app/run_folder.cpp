@@ -28,12 +28,12 @@ bool is_leftover(const fs::path& path) {
 }
 
 bool is_result(const fs::path& path) {
-  static const std::vector<std::string> names = {"result.json", "series.csv", "report.html",
-                                                 "checkpoint.h5", "log.txt"};
+  static const std::vector<std::string> names = {"result.json",  "series.csv",    "report.html",
+                                                 "compare.html", "checkpoint.h5", "log.txt"};
   const std::string name = path.filename().string();
   return std::find(names.begin(), names.end(), name) != names.end() || is_leftover(path) ||
          is_kept_mesh_name(name) || name.ends_with(".vtkhdf.series") ||
-         path.extension() == ".vtkhdf" ||
+         name.ends_with(".paraview.py") || path.extension() == ".vtkhdf" ||
          (path.extension() == ".png" && path.parent_path().filename() == "pictures");
 }
 

@@ -54,7 +54,7 @@ RunLoop::RunLoop(RunLoopSettings settings, SimulationMaker maker)
       folder_(settings_.folder, settings_.case_text, settings_.existing),
       progress_(progress_style(settings_.quiet)),
       series_(folder_.series(), settings_.description),
-      frames_(folder_.path(), settings_.case_name),
+      frames_(folder_.path(), settings_.case_name, legend_of(settings_.description)),
       pictures_(folder_.path(), settings_.case_name, settings_.description),
       frames_due_(settings_.description.output.frame_times),
       pictures_due_(settings_.description.output.picture_times),

@@ -78,13 +78,37 @@ std::vector<std::string> arrays_in(const Handle& group) {
   return names;
 }
 
-Handle write(const Handle& parent, const std::string& name, const Block& block) {
+namespace {
+
+// Bytes of like rank are put together and deflated, a chunk of rows at a time.
+void pack(const Handle& properties, const std::array<hsize_t, 2>& extent, int rank) {
+  constexpr hsize_t most_rows = 1 << 16;
+  constexpr unsigned level = 4;
+  const std::array<hsize_t, 2> chunk{std::min(extent[0], most_rows), extent[1]};
+  check(H5Pset_chunk(properties.get(), rank, chunk.data()), "set a chunk");
+  check(H5Pset_shuffle(properties.get()), "set a filter");
+  check(H5Pset_deflate(properties.get(), level), "set a filter");
+}
+
+}  // namespace
+
+void write_texts(const Handle& parent, const std::string& name,
+                 const std::vector<std::string>& texts) {
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "make a type");
+  check(H5Tset_size(type.get(), H5T_VARIABLE), "set a size");
+  write(parent, name, {pointers.data(), type.get(), pointers.size(), 1});
+}
+
+Handle write(const Handle& parent, const std::string& name, const Block& block, Packing packing) {
   const std::array<hsize_t, 2> extent{block.rows, block.components};
   const int rank = block.components == 1 ? 1 : 2;
   const Handle space(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose, "make a space");
   const Handle properties = property_list(H5P_DATASET_CREATE);
   // Times are not stored, so that equal data make equal bytes.
   check(H5Pset_obj_track_times(properties.get(), false), "set a property");
+  if (packing == Packing::deflate && block.rows > 0) pack(properties, extent, rank);
   const Handle link = property_list(H5P_LINK_CREATE);
   check(H5Pset_create_intermediate_group(link.get(), 1), "set a property");
   Handle dataset(H5Dcreate2(parent.get(), name.c_str(), block.type, space.get(), link.get(),

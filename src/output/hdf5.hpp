@@ -94,8 +94,14 @@ Block block(const std::vector<T>& values) {
   return {values.data(), type_of<T>(), values.size(), 1};
 }
 
+enum class Packing { none, deflate };
+
 // Writes an array. A name may be a path, "inner/name"; the groups on the path are made.
-Handle write(const Handle& parent, const std::string& name, const Block& block);
+Handle write(const Handle& parent, const std::string& name, const Block& block,
+             Packing packing = Packing::none);
+// Writes texts of variable length, which VTK reads.
+void write_texts(const Handle& parent, const std::string& name,
+                 const std::vector<std::string>& texts);
 
 // Writes fixed-length ASCII, as the VTKHDF format requires.
 void write_text_attribute(const Handle& object, const std::string& name, const std::string& text);

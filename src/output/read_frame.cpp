@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "output/files.hpp"
 #include "output/hdf5.hpp"
+#include "output/vtkhdf.hpp"
 
 namespace kerf {
 namespace {
@@ -56,6 +57,7 @@ void read_fields(const hdf5::Handle& group, Frame& frame) {
     read_column(group, name, values);
     known.insert(name);
   });
+  known.insert(derived_arrays.begin(), derived_arrays.end());
   for (const std::string& name : names) {
     if (known.count(name) != 0 || count == 0) continue;
     const hdf5::Handle dataset = hdf5::open_dataset(group, name);

@@ -96,7 +96,10 @@ std::string piece_part(const Case& description) {
   return text.empty() ? text : "<p>" + text + "</p>\n";
 }
 
-std::string figure(const Json& result, const Case& description) {
+}  // namespace
+
+std::string kerf_figure(const Json& result, const Case& description) {
+  if (!result.contains("kerf") || description.jets.empty()) return "";
   const Json& kerf = result.at("kerf");
   const bool parted = is_parted(result);
   const double lean = lean_of(description.jets.front(), description.dimension);
@@ -116,12 +119,10 @@ std::string figure(const Json& result, const Case& description) {
       drawing, parted ? " " : "", parted ? parted_sentence(kerf) : "", legend);
 }
 
-}  // namespace
-
 std::string kerf_part(const Json& result, const Case& description) {
   if (!result.contains("kerf") || description.jets.empty()) return {};
   const Json& kerf = result.at("kerf");
-  std::string text = "<h2>Kerf</h2>\n" + figure(result, description) + piece_part(description);
+  std::string text = "<h2>Kerf</h2>\n" + piece_part(description);
   text += "<div class=\"tables\">\n" + shape_table(result, "Taken away, as laid out", "kerf") +
           shape_table(result, "Open at the end, dents and bulges too", "opening") +
           removal_table(result) + workpiece_table(kerf, description);

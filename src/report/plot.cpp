@@ -44,7 +44,7 @@ struct Scale {
 
 // Chooses the prefix of the unit; `range` holds the values in SI units.
 Scale scale_of(const PlotAxis& axis, Range range, double first, double last) {
-  const bool is_plain = axis.unit == "1" || range.is_empty();
+  const bool is_plain = axis.unit == "1" || axis.unit == "%" || range.is_empty();
   const Prefix prefix =
       is_plain ? Prefix{} : prefix_for(std::max(std::abs(range.low), std::abs(range.high)));
   if (!range.is_empty()) range = {range.low * prefix.factor, range.high * prefix.factor};

@@ -37,7 +37,7 @@ struct Band {
 
 struct PlotAxis {
   std::string name;
-  std::string unit;  // SI, which gets a prefix; "1" = numbers are shown as they are
+  std::string unit;  // SI, which gets a prefix; "1" and "%" get none, and "1" is omitted
 };
 
 struct Plot {

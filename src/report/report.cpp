@@ -38,22 +38,6 @@ std::string heading(const Json& result) {
       result.at("version").get<std::string>());
 }
 
-// Says whether the workpiece is cut through; where the nozzle stands in place of one that moves, at
-// the traverse speed. The sign has the same meaning as the colour.
-std::string verdict(const Json& result, bool has_jet) {
-  struct Answer {
-    const char *kind, *sign;
-  };
-  static constexpr Answer no_jet{"none", ""}, yes{"yes", "<b>✓</b>"}, no{"no", "<b>✗</b>"},
-      perhaps{"none", "<b>?</b>"};
-  const auto is = [&](const Json& of, const char* key) { return of.at(key).get<bool>(); };
-  Answer answer = !has_jet ? no_jet : is(result, "cut_through") ? yes : no;
-  if (const auto exposure = result.find("exposure"); exposure != result.end())
-    answer = is(*exposure, "cuts") ? yes : is(*exposure, "may_cut") ? perhaps : no;
-  return fmt::format("<p class=\"verdict {}\">{}<span>{}</span></p>\n", answer.kind, answer.sign,
-                     html::escape(result.at("verdict").get<std::string>()));
-}
-
 double value_of(const Json& result, const char* key) {
   return kerf::value_of(result.at(key));
 }
@@ -109,6 +93,13 @@ std::string validity(const Json& result) {
   return text + "</ul>\n";
 }
 
+// Returns a link to the page of the study where the folder is that of one of its runs.
+std::string study_link(const fs::path& folder) {
+  const fs::path study = fs::absolute(folder).lexically_normal().parent_path().parent_path();
+  if (!fs::exists(study / "study.db")) return "";
+  return "<p class=\"meta\"><a href=\"../../study.html\">All runs of the study</a></p>\n";
+}
+
 constexpr const char* no_viewer =
     "<p class=\"remark\">This Kerf was built without the viewer: pictures instead of the moving "
     "scene; see docs/development.md, \"Build\", and <code>kerf report OUT --movie</code>.</p>\n";
@@ -118,11 +109,8 @@ std::string pictures(const Json& result, const fs::path& folder, std::size_t bud
   const Json& list = result.at("pictures");
   if (list.empty()) return "";
   std::size_t largest = 1;
-  const auto file_of = [&](const Json& picture) {
-    return folder / picture.at("file").get<std::string>();
-  };
   for (const Json& picture : list) {
-    const fs::path file = file_of(picture);
+    const fs::path file = file_of(folder, picture);
     if (fs::exists(file)) largest = std::max<std::size_t>(largest, fs::file_size(file) * 4 / 3);
   }
   const std::size_t last = list.size() - 1, most = std::max<std::size_t>(2, budget / largest);
@@ -130,11 +118,7 @@ std::string pictures(const Json& result, const fs::path& folder, std::size_t bud
   // A picture of a 3D case has two panels and takes the full width.
   const bool wide = result.at("dimension").get<int>() == 3;
   std::string text = fmt::format("<div class=\"pictures{}\">\n", wide ? " wide" : "");
-  const auto add = [&](const Json& picture) {
-    text += fmt::format("<figure><img alt=\"The particles at {:.4g} ms\" src=\"{}\"></figure>\n",
-                        1e3 * picture.at("time").get<double>(),
-                        html::png_address(read_file(file_of(picture))));
-  };
+  const auto add = [&](const Json& picture) { text += picture_figure(folder, picture); };
   for (std::size_t n = 0; n < last; n += stride) add(list[n]);
   add(list[last]);
   text += "</div>\n";
@@ -154,15 +138,6 @@ std::string used_case(const fs::path& folder) {
       "<script>addEventListener(\"beforeprint\", () => "
       "document.querySelectorAll(\"details\").forEach((part) => part.open = true));</script>\n",
       html::escape(read_file(folder / "case.used.toml")));
-}
-
-Json read_result(const fs::path& path) {
-  if (!fs::exists(path))
-    throw UserError(fmt::format("there is no {}: the run has not ended yet. Continue it with 'kerf "
-                                "run CASE --out {} --resume'.",
-                                path.string(), path.parent_path().string()),
-                    exit_files);
-  return Json::parse(read_file(path));
 }
 
 // The parts of a page; the moving scene stands between `above` and `below`.
@@ -190,8 +165,10 @@ Parts parts_of(const fs::path& folder, const Case& description) {
   std::vector<double> time = series.numbers("time");
   thin_figures(figures, time, most_points);
   Parts parts;
-  parts.above = heading(result) + verdict(result, has_jet) + key_figures(result, has_jet) +
-                intervals_table(result) + validity(result) + "<h2>The run</h2>\n";
+  parts.above = heading(result) + study_link(folder) + verdict_part(result, has_jet) +
+                first_screen(result, description, last_picture(result, folder)) +
+                key_figures(result, has_jet) + intervals_table(result) + validity(result) +
+                "<h2>The run</h2>\n";
   parts.below = pictures(result, folder, most_picture_bytes) + kerf_part(result, description) +
                 "<h2>Curves</h2>\n" +
                 html::section("kerf-curves", report_plots(figures, time, cut_time)) +

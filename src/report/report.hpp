@@ -18,6 +18,16 @@ inline constexpr std::size_t report_limit = 15'000'000;
 // report.html there. Throws UserError (exit_files) when one of them is missing or damaged.
 void write_report(const std::filesystem::path& folder, const Case& description);
 
+// A run of a comparison.
+struct ComparedRun {
+  std::filesystem::path folder;
+  const Case& description;
+};
+// Writes compare.html into the folder of the first run: both runs side by side, with their
+// verdicts, pictures and numbers, and the lines in which the cases differ. Throws as write_report()
+// does.
+void write_comparison(const ComparedRun& first, const ComparedRun& second);
+
 // Returns the page. `run` holds the frames as report/viewer_data.hpp packs them, null where the
 // program was built without the viewer. Throws as write_report() does.
 std::string report_page(const std::filesystem::path& folder, const Case& description,

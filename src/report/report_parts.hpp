@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <limits>
 #include <string>
 
@@ -33,7 +34,27 @@ inline bool is_parted(const nlohmann::ordered_json& result) {
          !(value_of(result.at("kerf").at("through_share")) > 0.0);
 }
 
-// Returns the part on the kerf and the machine, a drawing and tables; empty for a run without a
+// Returns the content of a result.json. Throws UserError (exit_files) where the run has not ended.
+nlohmann::ordered_json read_result(const std::filesystem::path& path);
+// Says whether the workpiece is cut through; where the nozzle stands in place of one that moves, at
+// the traverse speed.
+std::string verdict_part(const nlohmann::ordered_json& result, bool has_jet);
+// Returns the path of a picture that result.json lists, and its element.
+std::filesystem::path file_of(const std::filesystem::path& folder,
+                              const nlohmann::ordered_json& picture);
+std::string picture_figure(const std::filesystem::path& folder,
+                           const nlohmann::ordered_json& picture);
+// Returns the picture of the end of the run; empty where there is none.
+std::string last_picture(const nlohmann::ordered_json& result, const std::filesystem::path& folder);
+
+// Returns what an operator reads first: the picture of the cut, beside it the verdict on each body
+// and up to which feed the cut goes through; empty for a run without a jet. `picture` is the
+// picture of the end of the run, which stands for the drawing of a kerf where there is none.
+std::string first_screen(const nlohmann::ordered_json& result, const Case& description,
+                         const std::string& picture);
+// Returns the drawing of the kerf; empty where nothing was cut.
+std::string kerf_figure(const nlohmann::ordered_json& result, const Case& description);
+// Returns the tables of the kerf and the machine; empty for a run without a
 // jet.
 std::string kerf_part(const nlohmann::ordered_json& result, const Case& description);
 // Returns the table of the intervals of the headline numbers, from the list `intervals` of

@@ -93,7 +93,7 @@ std::string legend_of(const ReportFigure& figure, double cut_time) {
 
 void add_cut(Figures& figures) {
   figures.add("Depth of the water front", {"front depth", "m"}, {{"front_depth", "front depth"}});
-  figures.add("Fractured solid", {"fractured mass in %", "1"},
+  figures.add("Fractured solid", {"fractured mass", "%"},
               {{"fractured_fraction", "share of the solid's mass", 100.0}});
 }
 
@@ -113,7 +113,7 @@ void add_energy(Figures& figures) {
       {"dissipated_reinitialisation", "lost to density reinitialisation"},
       {"dissipated_damping", "lost to relaxation"}};
   figures.add("Energy by kind", {"energy", figures.unit("J")}, kinds);
-  figures.add("Errors of the balances", {"error in %", "1"},
+  figures.add("Errors of the balances", {"error", "%"},
               {{"energy_drift", "energy", 100.0},
                {"momentum_error", "momentum", 100.0},
                {"mass_error", "mass", 100.0}});

@@ -88,9 +88,12 @@ std::string report_tables(const Json& result, const Case& description) {
   std::string text = "<h2>Numbers</h2>\n<div class=\"tables\">\n" + case_table(result);
   if (!description.jets.empty()) text += cut_table(result);
   text +=
-      limits_table(result) + stages_table(result) + balance_table(result, description.dimension);
+      "</div>\n<details class=\"balance\"><summary>Balance of mass, momentum and energy, time step "
+      "and computing time</summary>\n<div class=\"tables\">\n" +
+      balance_table(result, description.dimension) + limits_table(result) + stages_table(result) +
+      "</div></details>\n";
   return text + fmt::format(
-                    "</div>\n<footer>Kerf {}, compiled by {}. All numbers are in "
+                    "<footer>Kerf {}, compiled by {}. All numbers are in "
                     "<code>result.json</code>, their course in <code>series.csv</code>; open "
                     "<code>{}.vtkhdf.series</code> with ParaView to see every particle.</footer>\n",
                     html::escape(result.at("version").get<std::string>()),

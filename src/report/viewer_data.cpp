@@ -91,17 +91,22 @@ void ViewerPacker::add_frames(const std::vector<FrameFile>& files) {
     include_fields(frame);
     FrameRecord record{files[n], frame.position.size(), {}};
     for (const ViewerField& field : fields_) {
-      std::vector<float> values = field_values(field.key, frame);
-      const auto [low, high] = bounds_of(values);
-      record.ranges.push_back({low, high});
+      record.ranges.push_back(range_in(frame, field));
     }
     frames_.push_back(std::move(record));
   }
 }
 
+ViewerPacker::Range ViewerPacker::range_in(const Frame& frame, const ViewerField& field) const {
+  if (!field.names.empty()) return {0.0, static_cast<double>(field.names.size() - 1)};
+  std::vector<float> values = field_values(field.key, frame, description_);
+  const auto [low, high] = bounds_of(values);
+  return {low, high};
+}
+
 // A frame without particles has no columns: fields may come with a later one.
 void ViewerPacker::include_fields(const Frame& frame) {
-  for (const ViewerField& field : viewer_fields(frame)) {
+  for (const ViewerField& field : viewer_fields(frame, description_)) {
     const auto same = [&](const ViewerField& known) { return known.key == field.key; };
     if (std::any_of(fields_.begin(), fields_.end(), same)) continue;
     fields_.push_back(field);
@@ -142,12 +147,14 @@ Json ViewerPacker::head() const {
     head["spacings"].push_back(spacing *
                                static_cast<float>(std::pow(share_, -1.0 / description_.dimension)));
   head["fields"] = Json::array();
-  for (const std::size_t f : fields())
+  for (const std::size_t f : fields()) {
     head["fields"].push_back({{"key", fields_[f].key},
                               {"label", fields_[f].label},
                               {"unit", fields_[f].unit},
                               {"minimum", range_of(f).minimum},
                               {"maximum", range_of(f).maximum}});
+    if (!fields_[f].names.empty()) head["fields"].back()["names"] = fields_[f].names;
+  }
   return head;
 }
 
@@ -183,7 +190,7 @@ ViewerPacker::Packed ViewerPacker::packed(std::size_t number) const {
                                spacings_.begin());
   for (const std::size_t f : fields()) {
     const Range& range = record.ranges[f];
-    const std::vector<float> values = field_values(fields_[f].key, frame);
+    const std::vector<float> values = field_values(fields_[f].key, frame, description_);
     for (const std::size_t i : rows)
       bytes += static_cast<char>(
           quantized(static_cast<double>(values[i]), {range.minimum, range.maximum}, 255.0));

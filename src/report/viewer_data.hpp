@@ -58,6 +58,7 @@ class ViewerPacker {
     std::size_t count = 0;
     std::vector<Range> ranges;  // of the fields
   };
+  Range range_in(const Frame& frame, const ViewerField& field) const;
   Range range_of(std::size_t field) const;  // in all frames
   void include_fields(const Frame& frame);
   // The numbers of the fields that are not zero everywhere.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/viewer_groups.hpp"
+
 namespace kerf {
 namespace {
 
@@ -30,6 +32,7 @@ std::vector<float> equivalent_stress(const Column& column) {
 
 // "plastic strain" of a column "plastic_strain" that has no label.
 std::string label_of(const Column& column) {
+  if (column.name == "damage") return "crack (share of broken bonds)";
   std::string label = column.label.empty() ? column.name : column.label;
   if (column.label.empty()) std::replace(label.begin(), label.end(), '_', ' ');
   return label;
@@ -37,16 +40,21 @@ std::string label_of(const Column& column) {
 
 }  // namespace
 
-std::vector<ViewerField> viewer_fields(const Frame& frame) {
-  std::vector<ViewerField> fields{{"speed", "speed", "m/s"},
-                                  {"pressure", "pressure", "Pa"},
-                                  {"equivalent_stress", "equivalent stress (von Mises)", "Pa"}};
+std::vector<ViewerField> viewer_fields(const Frame& frame, const Case& description) {
+  std::vector<ViewerField> fields;
+  for (ViewerGroups& groups : viewer_groups(frame, description))
+    fields.push_back({groups.key, groups.label, "1", std::move(groups.names)});
+  fields.push_back({"speed", "speed", "m/s"});
+  fields.push_back({"pressure", "pressure", "Pa"});
+  fields.push_back({"equivalent_stress", "equivalent stress (von Mises)", "Pa"});
   for (const Column& column : frame.columns)
     if (column.components == 1) fields.push_back({column.name, label_of(column), column.unit});
   return fields;
 }
 
-std::vector<float> field_values(const std::string& key, const Frame& frame) {
+std::vector<float> field_values(const std::string& key, const Frame& frame,
+                                const Case& description) {
+  if (auto groups = group_values(key, frame, description)) return std::move(*groups);
   if (key == "speed") return speeds(frame);
   if (key == "pressure") return frame.pressure;
   const Column* column = find_column(frame, key == "equivalent_stress" ? "deviatoric_stress" : key);

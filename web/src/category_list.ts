@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which materials are shown, and how; at the same time the legend of their colours.
+// Which states of the matter are shown, and how; at the same time the legend of their colours.
 
 import { element } from "./dom.ts";
 import type { Showing } from "./points.ts";
@@ -22,7 +22,7 @@ export class CategoryList {
     private readonly changed: () => void,
   ) {
     this.root.setAttribute("role", "group");
-    this.root.setAttribute("aria-label", "Materials");
+    this.root.setAttribute("aria-label", "State of the matter");
     this.setCategories(categories);
   }
 

@@ -42,12 +42,24 @@ export function colourOf(value: number, range: Range): Rgb {
   return sample(oneSided, span > 0 ? (value - range.minimum) / span : 0);
 }
 
+// Groups that a field numbers: Okabe and Ito, 2008, and a few more; the eighth is a grey.
+const groupCodes = "0072b2 d55e00 009e73 cc79a7 7a6a00 56b4e9 e69f00 8a929c 8f63c8 b3262a";
+const groups = stops(groupCodes);
+
+export function groupColour(number: number): Rgb {
+  return groups[number % groups.length];
+}
+
+export function cssColour(colour: Rgb): string {
+  return `rgb(${colour.join(",")})`;
+}
+
 /** RGBA for every byte. `coded` says what the bytes mean, `shown` what the colours mean. */
-export function colourTable(coded: Range, shown: Range): Uint8Array<ArrayBuffer> {
+export function colourTable(coded: Range, shown: Range & { names?: string[] }): Uint8Array<ArrayBuffer> {
   const table = new Uint8Array(256 * 4);
   for (let byte = 0; byte < 256; ++byte) {
     const value = coded.minimum + (byte / 255) * (coded.maximum - coded.minimum);
-    table.set([...colourOf(value, shown), 255], 4 * byte);
+    table.set([...(shown.names ? groupColour(Math.round(value)) : colourOf(value, shown)), 255], 4 * byte);
   }
   return table;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the colours of a field mean.
 
-import { colourOf } from "./colour_maps.ts";
+import { colourOf, cssColour, groupColour } from "./colour_maps.ts";
 import { element } from "./dom.ts";
 import { formatNumber, join, plainUnit, prefixFor, roundTicks } from "./quantities.ts";
 import type { Field } from "./run.ts";
@@ -33,12 +33,22 @@ export function paintBar(canvas: HTMLCanvasElement, field: Field) {
   for (let x = 0; x < canvas.width; ++x) {
     const share = x / (canvas.width - 1);
     const colour = colourOf(field.minimum + share * (field.maximum - field.minimum), field);
-    context.fillStyle = `rgb(${colour.join(",")})`;
+    context.fillStyle = cssColour(colour);
     context.fillRect(x, 0, 1, canvas.height);
   }
 }
 
+function legendOfGroups(names: string[]): HTMLElement {
+  const rows = names.map((name, at) => {
+    const dot = element("i", { className: "kerf-group-dot" });
+    dot.style.background = cssColour(groupColour(at));
+    return element("li", {}, dot, name);
+  });
+  return element("ul", { className: "kerf-groups" }, ...rows);
+}
+
 export function legendOf(field: Field): HTMLElement {
+  if (field.names) return legendOfGroups(field.names);
   const words = legendText(field);
   const bar = element("canvas", { width: 256, height: 1 });
   paintBar(bar, field);

@@ -19,7 +19,7 @@ import {
 import { colourTable, parseColour } from "./colour_maps.ts";
 import { imagesOf } from "./extent.ts";
 import type { Particles } from "./frames.ts";
-import type { Run } from "./run.ts";
+import { codedRange, type Field, type Run } from "./run.ts";
 import { fragmentShader, vertexShader } from "./shaders.ts";
 
 export type Showing = "full" | "faint" | "hidden";
@@ -104,11 +104,10 @@ export class ParticleCloud {
   }
 
   /** Colours by field number `field` of the run, or by category where it is -1. */
-  setField(run: Run, field: number, frame: number) {
+  setField(run: Run, field: number, frame: number, shown: Field = run.fields[field]) {
     this.shared.byValue.value = field >= 0;
     if (field >= 0) {
-      const shown = run.fields[field];
-      const coded = run.frames[frame]?.ranges?.[field] ?? shown;
+      const coded = codedRange(run, field, frame);
       (this.valueTable.image.data as Uint8Array).set(colourTable(coded, shown));
       this.valueTable.needsUpdate = true;
     }

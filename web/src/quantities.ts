@@ -27,6 +27,7 @@ function takesPrefix(unit: string): boolean {
 
 export function prefixFor(size: number, unit: string): Prefix {
   if (!takesPrefix(unit) || !Number.isFinite(size) || size === 0) return none;
+  if (unit === "s" && size >= 1) return none; // longer times are minutes and hours
   // 999.96 would be written as 1000, which is better said as 1 k.
   const rounded = Number(Math.abs(size).toPrecision(3));
   const [value, symbol] = prefixes.find(([least]) => rounded >= least) ?? prefixes[prefixes.length - 1];
@@ -51,8 +52,23 @@ function superscript(power: number): string {
 
 /** "12.3 ms"; a unit of "1" or "" is left out. */
 export function formatQuantity(value: number, unit: string, digits = 3): string {
+  if (unit === "s" && value >= 60) return duration(value);
   const prefix = prefixFor(value, unit);
   return join(formatNumber(value * prefix.factor, digits), prefix.symbol + plainUnit(unit));
+}
+
+// "1 h 05 min", "3 min 20 s"
+function duration(seconds: number): string {
+  const whole = Math.round(seconds);
+  const two = (part: number) => String(part).padStart(2, "0");
+  if (whole < 3600) return `${join(String(Math.floor(whole / 60)), "min")} ${join(two(whole % 60), "s")}`;
+  return `${join(String(Math.floor(whole / 3600)), "h")} ${join(two(Math.floor((whole % 3600) / 60)), "min")}`;
+}
+
+/** The unit in which a column writes times of up to `size` seconds. */
+export function timeUnit(size: number): { seconds: number; unit: string } | undefined {
+  if (size >= 3600) return { seconds: 3600, unit: "h" };
+  return size >= 60 ? { seconds: 60, unit: "min" } : undefined;
 }
 
 export function plainUnit(unit: string): string {

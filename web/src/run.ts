@@ -16,6 +16,7 @@ export interface Field extends Range {
   key: string;
   label: string;
   unit: string;
+  names?: string[]; // of the groups that the values number, from 0
 }
 
 export interface Frame {
@@ -110,7 +111,10 @@ function mirror(value: unknown, place: string): Mirror {
 
 function field(value: unknown, place: string): Field {
   const part = object(value, place);
+  const names = part.names === undefined ? undefined : list(part.names, `${place}.names`).map((one, at) => text(one, `${place}.names[${at}]`));
+  if (names && (names.length === 0 || names.length > 256)) refuse(`${place}.names`, "1 to 256 texts");
   return {
+    ...(names && { names }),
     key: text(part.key, `${place}.key`),
     label: text(part.label, `${place}.label`),
     unit: text(part.unit, `${place}.unit`),
@@ -143,6 +147,11 @@ export function readJson(source: string): Json {
     if (error instanceof RunError) throw error;
     throw new RunError(`the data of the run is no JSON (${(error as Error).message})`);
   }
+}
+
+/** What the bytes of a field mean in a frame. */
+export function codedRange(run: Run, field: number, frame: number): Range {
+  return run.frames[frame]?.ranges?.[field] ?? run.fields[field];
 }
 
 /** Throws RunError, which says what is wrong where. The curves have a reader of their own. */

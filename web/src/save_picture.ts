@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture as a file, with what is needed to read it: title, time, colours, scale.
 
+import { cssColour, groupColour } from "./colour_maps.ts";
 import { legendText, paintBar } from "./legend.ts";
 import type { Scale } from "./overlays.ts";
 import type { Category, Field } from "./run.ts";
@@ -30,7 +31,16 @@ function drawField(context: CanvasRenderingContext2D, field: Field, x: number, y
   context.textAlign = "left";
 }
 
-function drawCategories(context: CanvasRenderingContext2D, categories: Category[], x: number, y: number, em: number) {
+interface Named {
+  label: string;
+  colour: string;
+}
+
+function groupsOf(names: string[]): Named[] {
+  return names.map((label, at) => ({ label, colour: cssColour(groupColour(at)) }));
+}
+
+function drawCategories(context: CanvasRenderingContext2D, categories: Named[], x: number, y: number, em: number) {
   for (const { label, colour } of categories) {
     context.fillStyle = colour;
     context.beginPath();
@@ -73,7 +83,8 @@ export function composePicture(source: HTMLCanvasElement, caption: Caption): HTM
   context.textAlign = "left";
   const baseline = top + source.height + 1.7 * em;
   if (caption.scale) drawScale(context, caption.scale, picture.width - space, baseline, em, ratio);
-  if (caption.field) drawField(context, caption.field, space, baseline, em);
+  if (caption.field?.names) drawCategories(context, groupsOf(caption.field.names), space, baseline, em);
+  else if (caption.field) drawField(context, caption.field, space, baseline, em);
   else drawCategories(context, caption.categories, space, baseline, em);
   return picture;
 }

@@ -12,8 +12,9 @@ import type { Particles } from "./frames.ts";
 import { axesSign, scaleBar, scaleFor } from "./overlays.ts";
 import type { Overlay } from "./overlays.ts";
 import { Player } from "./player.ts";
+import { particleAt, pointerLabel, wordsFor } from "./pointer_value.ts";
 import { timeFormat } from "./quantities.ts";
-import type { Run } from "./run.ts";
+import { codedRange, type Run } from "./run.ts";
 import { composePicture, download } from "./save_picture.ts";
 import { mirrorNote, viewButtons } from "./side.ts";
 import { Stage } from "./stage.ts";
@@ -49,7 +50,7 @@ export class Viewer {
     this.categories = new CategoryList(run.categories, run.dimension === 3, () => this.recolour());
     this.clipControls = new ClipControls(this.clip, withImages(run, run.mirrors), () => this.recut());
     this.frame = stageFrame(canvas);
-    this.frame.append(this.overlay.root);
+    this.frame.append(this.overlay.root, pointerLabel(canvas, (x, y) => this.wordsAt(x, y)));
     const looks = { look: (direction?: Direction) => this.look(direction), save: () => this.save() };
     const side = element("div", { className: "kerf-side" }, this.colours.root, this.categories.root);
     if (run.dimension === 3) side.append(this.clipControls.root);
@@ -95,7 +96,7 @@ export class Viewer {
   private setTables() {
     this.stage.cloud.setRun(this.run);
     this.stage.cloud.setCategories(this.run, this.categories.showing);
-    this.stage.cloud.setClip(this.run.dimension === 3 ? this.clip.coefficients(withImages(this.run, this.run.mirrors)) : [0, 0, 0, 1]);
+    this.stage.cloud.setClip(this.clipNow());
   }
 
   private resize() {
@@ -118,7 +119,7 @@ export class Viewer {
   private put(index: number, particles: Particles) {
     const first = !this.shown;
     this.shown = { index, particles };
-    this.stage.cloud.setField(this.run, this.colours.index, index);
+    this.applyField();
     this.stage.cloud.setParticles(particles);
     if (first) this.shapeStage(particles);
     this.stage.draw();
@@ -137,12 +138,33 @@ export class Viewer {
   private recolour() {
     this.root.classList.toggle("kerf-by-field", this.colours.index >= 0);
     this.stage.cloud.setCategories(this.run, this.categories.showing);
-    if (this.shown) this.stage.cloud.setField(this.run, this.colours.index, this.shown.index);
+    this.applyField();
     this.stage.invalidate();
   }
 
+  private applyField() {
+    if (!this.shown) return;
+    const { index, particles } = this.shown;
+    this.colours.adapt(this.run, index, particles);
+    this.stage.cloud.setField(this.run, this.colours.index, index, this.colours.field);
+  }
+
+  private clipNow(): [number, number, number, number] {
+    return this.run.dimension === 3 ? this.clip.coefficients(withImages(this.run, this.run.mirrors)) : [0, 0, 0, 1];
+  }
+
+  private wordsAt(x: number, y: number): string {
+    if (!this.shown) return "";
+    const { run, stage } = this;
+    const { index, particles } = this.shown;
+    const scene = { run, particles, camera: stage.view.camera, showing: this.categories.showing, clip: this.clipNow() };
+    const particle = particleAt(scene, x, y, stage.canvas.clientWidth, stage.canvas.clientHeight);
+    const field = this.colours.index;
+    return particle < 0 ? "" : wordsFor(particle, run, particles, run.fields[field], field < 0 ? undefined : codedRange(run, field, index));
+  }
+
   private recut() {
-    this.stage.cloud.setClip(this.clip.coefficients(withImages(this.run, this.run.mirrors)));
+    this.stage.cloud.setClip(this.clipNow());
     this.stage.invalidate();
   }
 

@@ -32,7 +32,7 @@ const cases = {
     await page.waitForSelector('#kerf-stage[data-frame="11"]');
     await page.locator("#kerf-frame").fill("4");
     await page.waitForSelector("#kerf-stage > .kerf-message");
-    assert.match(await line(page, "#kerf-stage"), /Frame 5: 9 bytes, where 2 particles in 2D with 3 fields take 18/);
+    assert.match(await line(page, "#kerf-stage"), /Frame 5: 10 bytes, where 2 particles in 2D with 4 fields take 20/);
     await page.locator("#kerf-frame").fill("5");
     await page.waitForFunction(() => /Frame 6: .*zlib/.test(document.querySelector("#kerf-stage > .kerf-message")?.textContent));
     await page.locator("#kerf-frame").fill("6");

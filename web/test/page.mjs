@@ -10,6 +10,7 @@ import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 
+import { isAccessible } from "./accessible.mjs";
 import { openBrowser, openPage } from "./browser.mjs";
 import { checkNumbers } from "./numbers.mjs";
 
@@ -17,7 +18,7 @@ const hash = (bytes) => createHash("sha256").update(bytes).digest("hex");
 
 /** The particles alone. */
 function snapshot(page) {
-  const style = ".kerf-scale, .kerf-axes, .kerf-hint { visibility: hidden }";
+  const style = ".kerf-scale, .kerf-axes, .kerf-hint, .kerf-value { visibility: hidden }";
   return page.locator("#kerf-stage canvas").screenshot({ style });
 }
 
@@ -93,6 +94,40 @@ async function colours(page) {
     legend = nextLegend;
   }
   await page.locator("#kerf-colour").selectOption(keys[0]);
+}
+
+async function namesGroups(page) {
+  await page.locator("#kerf-colour").selectOption("body");
+  assert.ok(await page.locator("#kerf-range").isHidden(), "names have a range");
+  const names = await page.locator("#kerf-legend li").allTextContents();
+  assert.ok(names.length > 1, "the bodies have no names");
+  const colours = await page.locator("#kerf-legend li i").evaluateAll((all) => all.map((one) => one.style.background));
+  assert.equal(new Set(colours).size, names.length, "bodies share a colour");
+}
+
+async function narrowsColours(page) {
+  await page.locator("#kerf-colour").selectOption("speed");
+  const [whole, words] = [await picture(page), await text(page, "#kerf-legend")];
+  await page.locator("#kerf-range").selectOption("0.05");
+  assert.notEqual(await text(page, "#kerf-legend"), words, "percentiles do not change the legend");
+  assert.notEqual(await picture(page), whole, "percentiles do not change the picture");
+  await page.locator("#kerf-range").selectOption("0");
+  assert.equal(await picture(page), whole, "the range of the run does not come back");
+}
+
+// Looks along a line, as a single place may be empty.
+async function tellsValues(page) {
+  await page.locator("#kerf-colour").selectOption("speed");
+  const box = await page.locator("#kerf-stage").boundingBox();
+  const told = new Set();
+  for (let part = 0.2; part < 0.8; part += 0.05) {
+    await page.mouse.move(box.x + part * box.width, box.y + 0.6 * box.height);
+    await page.waitForTimeout(40);
+    if (await page.locator("#kerf-value").isVisible()) told.add(await text(page, "#kerf-value"));
+  }
+  await page.mouse.move(1, 1);
+  assert.ok([...told].some((words) => /, speed [\d.]+\u202fm\/s$/.test(words)), `under the pointer: ${[...told]}`);
+  await page.locator("#kerf-colour").selectOption("category");
 }
 
 async function hides(page) {
@@ -185,7 +220,7 @@ export async function usePage(path, { result, screenshot } = {}) {
   const browser = await openBrowser();
   try {
     const { page, faults } = await openPage(browser, resolve(path));
-    for (const part of [draws, plays, colours, hides, moves, cuts, saves, zoomsCurves, prints]) {
+    for (const part of [draws, plays, colours, namesGroups, narrowsColours, tellsValues, hides, moves, cuts, saves, zoomsCurves, prints, isAccessible]) {
       await part(page);
       assert.deepEqual(faults, [], `after "${part.name}"`);
     }

@@ -21,6 +21,7 @@ const fields = [
   { key: "speed", label: "speed", unit: "m/s", minimum: 0, maximum: 52.3 },
   { key: "pressure", label: "pressure", unit: "Pa", minimum: -0.4e6, maximum: 1.25e6 },
   { key: "damage", label: "damage", unit: "1", minimum: 0, maximum: 1 },
+  { key: "body", label: "body", unit: "1", minimum: 0, maximum: 2, names: ["block", "table", "jet"] },
 ];
 
 // The same numbers at every run, as the tests compare pictures.
@@ -58,6 +59,7 @@ function layout(dimension) {
   };
 }
 
+const bodyOf = (category) => (category === water ? 2 : category === plate ? 1 : 0);
 const across = ([x, , z]) => Math.hypot(x, z);
 
 function particlesAt(time, { flat, block, table, jet, minimum, maximum }) {
@@ -65,7 +67,7 @@ function particlesAt(time, { flat, block, table, jet, minimum, maximum }) {
   const front = -Math.min(0.009, Math.max(0, time - 0.2e-3) * 4.5);
   const kerf = 0.0022;
   const made = [];
-  const add = (place, category, size, values) => made.push({ place, category, size, values });
+  const add = (place, category, size, values) => made.push({ place, category, size, values: [...values, bodyOf(category)] });
   for (const place of table) add(place, plate, 2, [0, 0, 0]);
   for (const place of block) {
     const distance = across(place) + 0.0006 * (chance() - 0.5);

@@ -10,6 +10,7 @@ import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
+import { isAccessible } from "./accessible.mjs";
 import { openBrowser, openPage } from "./browser.mjs";
 import { studies, writeStudy } from "./study_sample.mjs";
 
@@ -40,6 +41,12 @@ async function tableIsRight(page, { study }) {
     const value = study.runs[0].setting[key.key] / key.shown_factor;
     if (Number.isFinite(shown)) assert.ok(Math.abs(shown - value) <= 1e-3 * Math.abs(value), `${key.key}: ${shown} is not ${value}`);
   }
+}
+
+async function readsWords(page) {
+  const labels = await page.locator("#kerf-x option, #kerf-y option, #kerf-metric option, .kerf-controls label > span").allTextContents();
+  const keys = labels.filter((label) => /[._]/.test(label));
+  assert.deepEqual(keys, [], "menus have keys instead of words");
 }
 
 async function sorts(page, { study }) {
@@ -129,7 +136,7 @@ export async function useStudy(path, screenshot) {
     const data = dataOf(path);
     const { page, faults } = await openPage(browser, resolve(path));
     if (screenshot) await page.screenshot({ path: screenshot, fullPage: true });
-    for (const part of [tableIsRight, linksLead, choosesMetric, choosesAxes, tellsOfPoints, printsAndSaves, fitsNarrow, sorts]) {
+    for (const part of [tableIsRight, linksLead, choosesMetric, choosesAxes, tellsOfPoints, printsAndSaves, fitsNarrow, sorts, readsWords, isAccessible]) {
       await part(page, data, resolve(path));
       const unwanted = faults.filter((fault) => !fault.startsWith(`request: file://${resolve(path)}#`)); // loaded again
       assert.deepEqual(unwanted, [], `after "${part.name}"`);

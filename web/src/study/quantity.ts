@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys and metrics by the names and in the units that people read.
 
-import { formatNumber, join, prefixFor } from "../quantities.ts";
+import { formatNumber, join, prefixFor, timeUnit } from "../quantities.ts";
 import { numberOf, type Key, type Setting, type StudyData } from "./study_data.ts";
 
 export interface Quantity {
@@ -19,11 +19,14 @@ function lastWords(key: string): string {
   return key.slice(key.lastIndexOf(".") + 1).replaceAll("_", " ");
 }
 
-// The last word of a path, where it tells the key from the others and is a word.
+// The last word of a path, and the owner where that is needed to tell the key from others: "width of jet lower".
 function keyLabel(key: string, keys: Key[]): string {
   const words = lastWords(key);
   const isAlone = keys.filter((other) => lastWords(other.key) === words).length === 1;
-  return isAlone && /^[a-z]/i.test(words) ? words : key;
+  if (isAlone && /^[a-z]/i.test(words)) return words;
+  const owners = key.split(".").slice(0, -1).map((part) => part.replaceAll("_", " "));
+  if (owners.length === 0) return key;
+  return /^[a-z]/i.test(words) ? `${words} of ${owners.join(" ")}` : `${owners.join(" ")}, ${words}`;
 }
 
 export class Quantities {
@@ -51,12 +54,14 @@ export class Quantities {
       };
     const unit = units[name] ?? "";
     const sizes = study.runs.map((run) => Math.abs(numberOf(run, name) ?? 0));
-    const prefix = prefixFor(Math.max(0, ...sizes), unit);
+    const largest = Math.max(0, ...sizes);
+    const time = unit === "s" ? timeUnit(largest) : undefined;
+    const prefix = prefixFor(largest, unit);
     return {
       name,
       label: labels[name] ?? name,
-      unit: prefix.symbol + (written[unit] ?? unit),
-      factor: 1 / prefix.factor,
+      unit: time?.unit ?? prefix.symbol + (written[unit] ?? unit),
+      factor: time?.seconds ?? 1 / prefix.factor,
       isLogarithmic: false,
       isKey: false,
     };

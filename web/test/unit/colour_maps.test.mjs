@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { colourOf, colourTable, isSigned, parseColour } from "../../.unit/colour_maps.js";
+import { colourOf, colourTable, groupColour, isSigned, parseColour } from "../../.unit/colour_maps.js";
 
 // Relative luminance, as for the contrast of text (WCAG 2).
 function luminance(colour) {
@@ -59,3 +59,12 @@ test("values beyond the range take the colours of its ends; an empty range is no
 });
 
 test("colours are read", () => assert.deepEqual(parseColour("#5cc48a"), [0x5c, 0xc4, 0x8a]));
+
+test("groups have colours of their own", () => {
+  const names = ["block", "plate", "jet"];
+  const shown = { minimum: 0, maximum: 2, names };
+  const table = colourTable({ minimum: 0, maximum: 2 }, shown);
+  const at = (byte) => [...table.slice(4 * byte, 4 * byte + 3)];
+  assert.deepEqual([at(0), at(128), at(255)], names.map((_, number) => groupColour(number)));
+  assert.equal(new Set(names.map((_, number) => String(groupColour(number)))).size, 3);
+});

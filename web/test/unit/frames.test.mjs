@@ -55,9 +55,9 @@ test("what is not zlib is refused", async () => {
 
 test("the sample's frames hold what was packed", async () => {
   const sample = sampleRun(2);
-  const particles = [{ place: [0.025, -0.014, 0], category: 2, size: 1, values: [52.3, 0, 0.5] }];
+  const particles = [{ place: [0.025, -0.014, 0], category: 2, size: 1, values: [52.3, 0, 0.5, 2] }];
   const data = pack(particles, sample).toString("base64");
   const read = await loadFrame({ time: 0, count: 1, data }, sample);
   assert.deepEqual(read.places.map((along) => along[0]), [65535, 0]);
-  assert.deepEqual(read.values.map((values) => values[0]), [255, Math.round((255 * 0.4) / 1.65), 128]);
+  assert.deepEqual(read.values.map((values) => values[0]), [255, Math.round((255 * 0.4) / 1.65), 128, 255]);
 });

@@ -17,6 +17,9 @@ test("prefixes are chosen by size", () => {
     [999.96, "N", `1${thin}kN`],
     [4200, "J/m", `4.2${thin}kJ/m`],
     [0.5, "N s", `500${thin}mN s`],
+    [59, "s", `59${thin}s`],
+    [200, "s", `3${thin}min 20${thin}s`],
+    [3900, "s", `1${thin}h 05${thin}min`],
   ];
   for (const [value, unit, words] of cases) assert.equal(formatQuantity(value, unit), words);
 });

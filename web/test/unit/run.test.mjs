@@ -40,7 +40,7 @@ test("what is wrong is named", () => {
     [(run) => (run.fields[0].maximum = -1), /fields\[0\]\.maximum should be no less/],
     [(run) => (run.frames[5].count = 1.5), /frames\[5\]\.count should be a whole number/],
     [(run) => delete run.frames[3].data, /frames\[3\]\.data or \.url should be a text/],
-    [(run) => (run.frames[3].ranges = []), /frames\[3\]\.ranges should be one for each of 3 fields/],
+    [(run) => (run.frames[3].ranges = []), /frames\[3\]\.ranges should be one for each of 4 fields/],
   ];
   for (const [change, words] of cases) assert.throws(() => readRun(changed(change)), words);
 });

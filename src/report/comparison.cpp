@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// This file writes compare.html, two runs side by side.
+#include <fmt/format.h>
+
+#include <array>
+#include <set>
+#include <sstream>
+
+#include "model/case.hpp"
+#include "output/files.hpp"
+#include "report/html.hpp"
+#include "report/metric_rows.hpp"
+#include "report/report.hpp"
+#include "report/report_parts.hpp"
+
+namespace kerf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* compared_metrics[] = {"cut_through_time",
+                                            "front_speed",
+                                            "front_depth",
+                                            "kerf.depth",
+                                            "kerf.margin",
+                                            "kerf.top.width",
+                                            "kerf.middle.width",
+                                            "kerf.bottom.width",
+                                            "kerf.taper",
+                                            "kerf_width",
+                                            "fractured_fraction",
+                                            "pieces",
+                                            "exposure.greatest_feed",
+                                            "exposure.possible_feed",
+                                            "energy_drift",
+                                            "end_time",
+                                            "particles",
+                                            "wall_time"};
+
+struct Side {
+  Json result;
+  const ComparedRun* run;
+  bool has_jet() const { return !run->description.jets.empty(); }
+};
+
+std::string column(const Side& side) {
+  const std::string drawing = kerf_figure(side.result, side.run->description);
+  return fmt::format("<div>\n<h2>{}</h2>\n<p class=\"meta\">{}</p>\n{}{}</div>\n",
+                     html::escape(side.result.at("title").get<std::string>()),
+                     html::escape(side.run->folder.string()),
+                     verdict_part(side.result, side.has_jet()),
+                     drawing.empty() ? last_picture(side.result, side.run->folder) : drawing);
+}
+
+std::string metrics_table(const std::array<Side, 2>& sides) {
+  std::string rows;
+  for (const char* name : compared_metrics) {
+    const ResultMetric* metric = find_result_metric(name);
+    if (metric == nullptr) continue;
+    const bool is_known = find_value(sides[0].result, name) || find_value(sides[1].result, name);
+    if (!is_known) continue;
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n",
+                        label_html(metric->label), value_html(sides[0].result, *metric),
+                        value_html(sides[1].result, *metric));
+  }
+  return "<h2>Numbers</h2>\n<table><thead><tr><th scope=\"col\">number</th><th "
+         "scope=\"col\">first</th><th scope=\"col\">second</th></tr></thead><tbody>\n" +
+         rows + "</tbody></table>\n";
+}
+
+std::vector<std::string> lines_of(const ComparedRun& run) {
+  std::istringstream text(read_file(run.folder / "case.used.toml"));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+// Returns the lines of one case that the other does not have.
+std::string own_lines(const ComparedRun& run, const ComparedRun& other) {
+  const std::vector<std::string> theirs = lines_of(other);
+  const std::set<std::string> known(theirs.begin(), theirs.end());
+  std::string text;
+  for (const std::string& line : lines_of(run))
+    if (known.count(line) == 0) text += html::escape(line) + "\n";
+  return "<div><pre>" + (text.empty() ? std::string("nothing of its own\n") : text) +
+         "</pre></div>\n";
+}
+
+}  // namespace
+
+void write_comparison(const ComparedRun& first, const ComparedRun& second) {
+  const std::array<Side, 2> sides{{{read_result(first.folder / "result.json"), &first},
+                                   {read_result(second.folder / "result.json"), &second}}};
+  const std::string body =
+      "<header>\n<h1>Two runs side by side</h1>\n</header>\n<div class=\"compared\">\n" +
+      column(sides[0]) + column(sides[1]) + "</div>\n" + metrics_table(sides) +
+      "<h2>Where the cases differ</h2>\n<div class=\"compared\">\n" + own_lines(first, second) +
+      own_lines(second, first) + "</div>\n";
+  write_file(first.folder / "compare.html", html::page("Two runs side by side", body));
+}
+
+}  // namespace kerf

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// This file writes the first screen of a report: the picture of the cut, the verdict on each body
+// and the feed up to which the cut goes through.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "model/case.hpp"
+#include "report/html.hpp"
+#include "report/metric_rows.hpp"
+#include "report/report_parts.hpp"
+
+namespace kerf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct BodyFate {
+  std::string name, fate;
+  double time = std::nan("");  // s, of the cut
+};
+
+// result.json lists the layers where the workpiece has several bodies; else the verdict is on all.
+std::vector<BodyFate> fates_of(const Json& result, const Case& description) {
+  std::vector<BodyFate> fates;
+  if (result.contains("kerf"))
+    for (const Json& layer : result.at("kerf").at("layers")) {
+      const auto time = layer.find("cut_through_time");
+      // Results of earlier versions have no verdict on a layer.
+      const char* seen = layer.at("through").get<bool>() ? "cut through" : "cut in part";
+      fates.push_back({layer.at("name").get<std::string>(), layer.value("verdict", seen),
+                       time == layer.end() ? std::nan("") : value_of(*time)});
+    }
+  if (!fates.empty()) return fates;
+  const bool through = result.at("cut_through").get<bool>();
+  // Bonds may break without a particle that is fractured: then a part of the thickness is broken.
+  const Json* unbroken = find_value(result, "kerf.unbroken");
+  const bool is_whole = !(value_of(result.at("fractured_fraction")) > 0.0) &&
+                        !(unbroken != nullptr && value_of(*unbroken) > 0.0);
+  for (const Body& body : description.bodies)
+    if (body.role == Role::elastic)
+      fates.push_back({body.name,
+                       through    ? (is_parted(result) ? "parted" : "cut through")
+                       : is_whole ? "whole"
+                                  : "cut in part",
+                       through ? value_of(result.at("cut_through_time")) : std::nan("")});
+  return fates;
+}
+
+// The sign has the same meaning as the colour.
+std::string body_list(const std::vector<BodyFate>& fates) {
+  std::string text = "<h2>Verdict on each body</h2>\n<ul class=\"bodies\">\n";
+  for (const BodyFate& body : fates) {
+    const bool cut = body.fate == "cut through" || body.fate == "parted";
+    const bool aside = body.fate == "not under the jet";
+    text += fmt::format(
+        "<li class=\"{}\"><b>{}</b><span><strong>{}</strong> {}{}</span></li>\n",
+        cut     ? "yes"
+        : aside ? "none"
+                : "no",
+        cut     ? "✓"
+        : aside ? "·"
+                : "✗",
+        html::escape(body.name), html::escape(body.fate),
+        cut && std::isfinite(body.time) ? " after " + html::quantity(body.time, "s", 3) : "");
+  }
+  return text + "</ul>\n";
+}
+
+// "50 mm/s (3000 mm/min)", as machines are set.
+std::string feed_html(double feed) {
+  return fmt::format("{} ({}\u202fmm/min)", html::quantity(feed, "m/s", 3),
+                     html::number(6e4 * feed, 3));
+}
+
+std::string feed_answer(const Json& result) {
+  const auto exposure = result.find("exposure");
+  if (exposure == result.end()) return "";
+  const double certain = value_of(exposure->at("greatest_feed"));
+  const double possible = value_of(exposure->at("possible_feed"));
+  std::string answer;
+  if (certain > 0.0)
+    answer = "The cut is certain up to <strong>" + feed_html(certain) + "</strong>";
+  if (possible > 0.0)
+    answer += fmt::format("{} possible up to <strong>{}</strong>",
+                          answer.empty() ? "No feed is certain to cut; the cut is" : " and",
+                          feed_html(possible));
+  if (answer.empty()) answer = "This run shows no feed at which the jet cuts through";
+  return "<h2>How fast may I traverse?</h2>\n<p class=\"feed\">" + answer + ".</p>\n";
+}
+
+}  // namespace
+
+std::string first_screen(const Json& result, const Case& description, const std::string& picture) {
+  if (description.jets.empty()) return "";
+  const std::string drawing = kerf_figure(result, description);
+  return "<div class=\"first\">\n" + (drawing.empty() ? picture : drawing) + "<div>\n" +
+         feed_answer(result) + body_list(fates_of(result, description)) + "</div>\n</div>\n";
+}
+
+}  // namespace kerf

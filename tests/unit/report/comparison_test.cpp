@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The comparison of two runs has both and what differs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "output/files.hpp"
+#include "report/report.hpp"
+#include "support/fake_run.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace kerf {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Comparison, HasBothRunsAndTheLinesThatDiffer) {
+  const test::TemporaryFolder folder;
+  Case slow = test::fake_case(), fast = test::fake_case();
+  slow.title = "Slow <jet>";
+  fast.title = "Fast jet";
+  fast.smoothing_ratio = 1.25;
+  test::run_fake(slow, folder / "slow");
+  test::run_fake(fast, folder / "fast");
+  auto result = nlohmann::ordered_json::parse(read_file(folder / "fast/result.json"));
+  result["front_depth"] = 0.0123;
+  write_file(folder / "fast/result.json", result.dump());
+  write_comparison({folder / "slow", slow}, {folder / "fast", fast});
+  const std::string page = read_file(folder / "slow/compare.html");
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("<h2>Slow &lt;jet&gt;</h2>"), HasSubstr("<h2>Fast jet</h2>"),
+                    HasSubstr("12.3\u202fmm</td></tr>"), HasSubstr("smoothing_ratio = 1.25")));
+  // Lines that both cases have are left out.
+  EXPECT_THAT(page, Not(HasSubstr("\ndimension = ")));
+}
+
+}  // namespace
+}  // namespace kerf
