@@ -37,17 +37,20 @@ Json advice_json(const CheckedCase& checked) {
 
 }  // namespace
 
-std::string check_json(const CheckedCase& checked) {
+Json check_object(const CheckedCase& checked) {
   const CostedCase& costed = checked.costed;
-  const Json json = {{"case", costed.file},
-                     {"title", costed.description.title},
-                     {"dimension", costed.description.dimension},
-                     {"simulated", checked.piece},
-                     {"numbers", object_of(DerivedNumbers::metrics(), costed.numbers)},
-                     {"cost", whole_cost(costed)},
-                     {"advice", advice_json(checked)},
-                     {"warnings", checked.warnings}};
-  return json.dump(2) + "\n";
+  return {{"case", costed.file},
+          {"title", costed.description.title},
+          {"dimension", costed.description.dimension},
+          {"simulated", checked.piece},
+          {"numbers", object_of(DerivedNumbers::metrics(), costed.numbers)},
+          {"cost", whole_cost(costed)},
+          {"advice", advice_json(checked)},
+          {"warnings", checked.warnings}};
+}
+
+std::string check_json(const CheckedCase& checked) {
+  return check_object(checked).dump(2) + "\n";
 }
 
 }  // namespace kerf
