@@ -50,8 +50,8 @@ class CasePicture {
   void add_area(const std::string& path, Colour colour, std::string_view name);
 
   const Case& case_;
+  double high_ = 0.0;  // m, of what is shown; plane_of() sets it
   SectionPlane plane_;
-  double high_ = 0.0;  // m, of what is shown
   Drawing drawing_;
 };
 

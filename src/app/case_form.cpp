@@ -17,10 +17,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Returns a sentence of the reference without its marks of Markdown.
+// Returns a sentence of the reference without its marks of Markdown, and without sentences that
+// only lead to another page.
 std::string plain_text(std::string_view markdown) {
-  static const std::regex link(R"(\[([^\]]*)\]\([^)]*\))"), mark("`");
-  return std::regex_replace(std::regex_replace(std::string(markdown), link, "$1"), mark, "");
+  static const std::regex lead(R"( *See \[[^\]]*\]\([^)]*\)\.)"), link(R"(\[([^\]]*)\]\([^)]*\))"),
+      mark("`");
+  std::string text(markdown);
+  for (const auto& [pattern, by] : {std::pair{&lead, ""}, {&link, "$1"}, {&mark, ""}})
+    text = std::regex_replace(text, *pattern, by);
+  return text;
 }
 
 // Returns the kind of material that a key names: "" = every kind; "none" = no material.

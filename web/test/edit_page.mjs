@@ -24,11 +24,12 @@ standoff = "6 mm"
 position = ["0 mm", "6 mm"]
 
 [time]
-end = "0.5 ms"            # a tiny run
+end = "0.1 ms"            # a tiny run
 
 [[body]]
 name = "gel"
-material = "agar-gel"
+material = "agar"
+spacing = "0.25 mm"
 shape = { type = "box", minimum = ["-10 mm", "0 mm"], maximum = ["10 mm", "6 mm"] }
 `;
 
@@ -138,7 +139,7 @@ try {
   const page = await browser.newPage({ viewport: { width: 1400, height: 900 } });
   const faults = [];
   page.on("pageerror", (error) => faults.push(error.message));
-  page.setDefaultTimeout(20000);
+  page.setDefaultTimeout(60000); // a loaded machine
   await page.goto(await address);
   await changesThePressure(page);
   await refusesAWrongUnit(page);

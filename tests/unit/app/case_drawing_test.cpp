@@ -75,8 +75,18 @@ TEST(CaseDrawingSections, ACylinderFromTheSideIsARectangle) {
 }
 
 TEST(CaseDrawings, ShowBodiesJetAndProbes) {
-  const auto drawings = draw_case(test::fake_case());
+  const Case description = test::fake_case();
+  const auto drawings = draw_case(description);
   ASSERT_EQ(drawings.size(), 1u);
+  // The domain is drawn to scale, with a margin of 4% of the width on all sides.
+  static const std::regex size(R"x(viewBox="0 0 ([\d.]+) ([\d.]+)")x");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(drawings[0].svg, found, size));
+  const Box& domain = description.domain;
+  const double wide = 1.08 * (domain.maximum[0] - domain.minimum[0]),
+               high = domain.maximum[1] - domain.minimum[1] + 0.08 * wide;
+  constexpr double line_of_scale = 30.0;
+  EXPECT_NEAR((std::stod(found[2]) - line_of_scale) / std::stod(found[1]), high / wide, 0.003);
   for (const char* words : {"<title>block (tofu)</title>", "<title>plate</title>",
                             "<title>jet</title>", "jet: nozzle", "<title>wall</title>"})
     EXPECT_THAT(drawings[0].svg, testing::HasSubstr(words));

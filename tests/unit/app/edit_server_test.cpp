@@ -155,7 +155,7 @@ TEST_F(Edit, NamesTheKeyOfAWrongUnit) {
   ASSERT_EQ(wrong.at("problems").size(), 1u);
   const auto& problem = wrong.at("problems").at(0);
   EXPECT_EQ(problem.at("path"), "jet[1].speed");
-  EXPECT_EQ(problem.at("line"), 18);
+  EXPECT_EQ(problem.at("line"), 19);
   EXPECT_THAT(problem.at("allowed").get<std::string>(), testing::HasSubstr("m/s"));
   EXPECT_TRUE(wrong.at("check").is_null());
   EXPECT_EQ(value_at(wrong, "jet[1].speed"), "5 mm");

@@ -11,6 +11,7 @@
 #include "input/problems.hpp"
 #include "input/read.hpp"
 #include "input/schema.hpp"
+#include "model/case.hpp"
 
 namespace kerf {
 namespace {
@@ -111,7 +112,8 @@ TEST(EditToml, EveryValueOfTheShippedCasesCanBeReplaced) {
   std::size_t values = 0;
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(KERF_SOURCE_DIR "/cases")) {
-    if (entry.path().extension() != ".toml") continue;
+    const bool is_study = entry.path().parent_path().filename() == "studies";
+    if (entry.path().extension() != ".toml" || is_study) continue;
     const std::string text = case_text(entry.path());
     for (const auto& [name, value] : parse_toml(text, ""))
       if (value.is_table())
@@ -136,7 +138,7 @@ TEST(EnteredValue, BecomesTheLiteralOfItsKey) {
   EXPECT_EQ(literal_of(key_named("machine", "pressure"), "  "), "");
   EXPECT_EQ(literal_of(key_named("machine", "duty"), "0.5"), "0.5");
   EXPECT_EQ(literal_of(key_named("machine", "duty"), "half"), "\"half\"");
-  EXPECT_EQ(literal_of(key_named("machine", "duty"), "1\ny = 2"), "\"1\\ny = 2\"");
+  EXPECT_EQ(literal_of(key_named("machine", "duty"), "1\ny = 2"), "\"1\\u000Ay = 2\"");
   EXPECT_EQ(literal_of(key_named("machine", "position"), "1 mm,2 mm"), "[\"1 mm\", \"2 mm\"]");
   EXPECT_EQ(literal_of(key_named("machine", "traverse_direction"), "1, 0"), "[1, 0]");
   EXPECT_EQ(literal_of(key_named("numerics", "sleep"), "false"), "false");

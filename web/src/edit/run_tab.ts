@@ -85,12 +85,8 @@ export class RunTab {
     this.output.hidden = run.state !== "failed";
     this.output.textContent = run.output ?? "";
     // The page of a run follows it to its end, and is then the report.
-    const page = run.view ? `${run.view}#${runs ? "live" : run.state}` : "";
-    if (page !== "" && page !== this.shown) {
-      this.shown = page;
-      this.frame.src = page;
-      if (!runs) this.frame.contentWindow?.location.reload();
-    }
+    const page = run.view ? `${run.view}?${run.state}` : "";
+    if (page !== "" && page !== this.shown) this.frame.src = this.shown = page;
     this.frame.hidden = page === "";
     if (runs) setTimeout(() => void this.look(), interval);
   }
