@@ -18,7 +18,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double width = 640.0;                       // pixels
+constexpr double width = 420.0;                       // pixels
 constexpr double most_oblong = 4.0, most_high = 1.1;  // width over height, and height over width
 constexpr double margin = 0.04;                       // share of the drawing around the domain
 constexpr std::size_t most_bodies = 200;              // drawn
@@ -47,7 +47,7 @@ class CasePicture {
   void add_traverse(const Jet& jet, const Point& exit);
   void add_probes();
   void add_scale();
-  void add_area(const std::string& path, Colour colour, std::string_view name);
+  void add_area(const SectionPart& part, Colour colour, std::string_view name);
 
   const Case& case_;
   double high_ = 0.0;  // m, of what is shown; plane_of() sets it
@@ -88,11 +88,10 @@ CasePicture::CasePicture(const Case& description, std::size_t across)
       drawing_(width, std::ceil(height()) + 30.0,
                fmt::format("Geometry of the case: {} and y", across == 0 ? "x" : "z")) {}
 
-void CasePicture::add_area(const std::string& path, Colour colour, std::string_view name) {
-  drawing_.add(
-      fmt::format("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" {}><title>{}</title>"
-                  "</path>",
-                  path, hex(colour), stroke(palette::ink, 0.5), html::escape(name)));
+void CasePicture::add_area(const SectionPart& part, Colour colour, std::string_view name) {
+  drawing_.add(fmt::format(
+      "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" {}><title>{}</title></path>", part.path,
+      hex(colour), part.is_sampled ? "" : stroke(palette::ink, 0.5), html::escape(name)));
 }
 
 void CasePicture::add_domain() {
@@ -113,8 +112,8 @@ void CasePicture::add_body(const Body& body) {
   std::string name = body.name;
   if (body.material >= 0)
     name += fmt::format(" ({})", case_.materials[static_cast<std::size_t>(body.material)].name);
-  const auto paths = section_of(body.shape, plane_);
-  for (const std::string& path : paths) add_area(path, colour_of_body(body), name);
+  const auto parts = section_of(body.shape, plane_);
+  for (const SectionPart& part : parts) add_area(part, colour_of_body(body), name);
   const Box box = bounding_box(body.shape, case_.dimension);
   const double left = std::max(plane_.x(box.minimum), 0.0),
                right = std::min(plane_.x(box.maximum), width), top = plane_.y(box.maximum),
@@ -122,7 +121,7 @@ void CasePicture::add_body(const Body& body) {
   constexpr double letter = 8.0, line = 18.0;  // pixels
   const bool has_room =
       right - left > letter * static_cast<double>(name.size()) && bottom - top > line;
-  if (paths.empty() || !has_room) return;
+  if (parts.empty() || !has_room) return;
   drawing_.text(0.5 * (left + right), std::max(top, 0.0) + line, html::escape(name), Anchor::middle,
                 "stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"");
 }
@@ -146,8 +145,9 @@ void CasePicture::add_jet(const Jet& jet) {
                           plane_.y(exit) + l * s + w * half_width * c);
     return path + "z";
   };
-  add_area(strip(0.0, way, half), palette::water, jet.name);
-  add_area(strip(-4.0 * half - 6.0, 0.0, 1.6 * half + 3.0), palette::faint, jet.name + ": nozzle");
+  add_area({strip(0.0, way, half)}, palette::water, jet.name);
+  add_area({strip(-4.0 * half - 6.0, 0.0, 1.6 * half + 3.0)}, palette::faint,
+           jet.name + ": nozzle");
   drawing_.line(plane_.x(exit), plane_.y(exit), plane_.x(exit) + (way + 30.0) * c,
                 plane_.y(exit) + (way + 30.0) * s, stroke(palette::ink, 1.0, "8 3 2 3"));
   add_traverse(jet, exit);
@@ -183,7 +183,7 @@ void CasePicture::add_scale() {
                 stroke(palette::ink, 1.5));
   drawing_.text(right + 8.0, y + 9.0, readable(step, "m"), Anchor::left);
   if (case_.symmetry.any())
-    drawing_.text(width - 8.0, y + 9.0, "dots and dashes: symmetry planes", Anchor::right,
+    drawing_.text(width - 8.0, y + 9.0, "dots and dashes: symmetry", Anchor::right,
                   fmt::format("fill-opacity=\"0.7\""));
 }
 

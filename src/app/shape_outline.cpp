@@ -50,7 +50,7 @@ class ShapeSection {
   }
 
   std::string sampled() const {
-    constexpr double step = 2.0;  // pixels
+    constexpr double step = 1.0;  // pixels
     const Box box = bounding_box(shape_, plane_.dimension);
     const double left = std::max(0.0, plane_.x(box.minimum)),
                  right = std::min(plane_.x(box.maximum), most),
@@ -115,18 +115,18 @@ class ShapeSection {
 
 }  // namespace
 
-std::vector<std::string> section_of(const Shape& shape, const SectionPlane& plane) {
-  std::vector<std::string> paths;
+std::vector<SectionPart> section_of(const Shape& shape, const SectionPlane& plane) {
+  std::vector<SectionPart> parts;
   if (shape.kind == Shape::Kind::join) {
     for (const Shape& part : shape.parts)
-      for (std::string& path : section_of(part, plane)) paths.push_back(std::move(path));
-    return paths;
+      for (SectionPart& each : section_of(part, plane)) parts.push_back(std::move(each));
+    return parts;
   }
   const ShapeSection section(shape, plane);
-  std::string path = section.exact().value_or("?");
-  if (path == "?") path = section.sampled();
-  if (!path.empty()) paths.push_back(std::move(path));
-  return paths;
+  const std::optional<std::string> exact = section.exact();
+  SectionPart part{exact ? *exact : section.sampled(), !exact.has_value()};
+  if (!part.path.empty()) parts.push_back(std::move(part));
+  return parts;
 }
 
 }  // namespace kerf

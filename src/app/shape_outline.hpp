@@ -23,9 +23,14 @@ struct SectionPlane {
   Point at(double horizontal, double vertical) const;         // pixels
 };
 
-// Returns the parts of the section, each as the commands of a path to be filled by the rule
-// "evenodd"; none where the plane misses the shape. Boxes, round shapes and polygons are exact, all
-// others are sampled at every other pixel.
-std::vector<std::string> section_of(const Shape& shape, const SectionPlane& plane);
+// A part of a section: the commands of a path that is filled by the rule "evenodd".
+struct SectionPart {
+  std::string path;
+  bool is_sampled = false;  // by strips, whose outline is not that of the part
+};
+
+// Returns the parts of the section; none where the plane misses the shape. Boxes, round shapes and
+// polygons are exact, all others are sampled at every pixel.
+std::vector<SectionPart> section_of(const Shape& shape, const SectionPlane& plane);
 
 }  // namespace kerf

@@ -39,8 +39,8 @@ double sampled_area(const std::string& path) {
 TEST(CaseDrawingSections, ABoxIsItsRectangle) {
   Shape box;
   box.box = {{-1.0, -0.5, -0.25}, {1.0, 0.5, 0.25}};
-  EXPECT_EQ(section_of(box, drawn_plane(3, 0)).at(0), "M100.00 150.00H300.00V250.00H100.00z");
-  EXPECT_EQ(section_of(box, drawn_plane(3, 2)).at(0), "M175.00 150.00H225.00V250.00H175.00z");
+  EXPECT_EQ(section_of(box, drawn_plane(3, 0)).at(0).path, "M100.00 150.00H300.00V250.00H100.00z");
+  EXPECT_EQ(section_of(box, drawn_plane(3, 2)).at(0).path, "M175.00 150.00H225.00V250.00H175.00z");
   box.box.minimum[2] = 0.1;
   EXPECT_TRUE(section_of(box, drawn_plane(3, 0)).empty());  // the plane z = 0 misses it
 }
@@ -50,7 +50,7 @@ TEST(CaseDrawingSections, ASphereIsCutAtItsDistance) {
   sphere.kind = Shape::Kind::sphere;
   sphere.radius = 1.0;
   sphere.centre = {0.0, 0.0, 0.6};  // the circle has a radius of 0.8
-  EXPECT_THAT(section_of(sphere, drawn_plane(3, 0)).at(0), testing::HasSubstr("a80.00 80.00"));
+  EXPECT_THAT(section_of(sphere, drawn_plane(3, 0)).at(0).path, testing::HasSubstr("a80.00 80.00"));
 }
 
 TEST(CaseDrawingSections, ADifferenceIsSampled) {
@@ -62,7 +62,8 @@ TEST(CaseDrawingSections, ADifferenceIsSampled) {
   difference.parts = {whole, hole};
   const double area = 4.0 - std::numbers::pi * 0.25;
   // The boundaries are 11 m long, the sampling is at every 2 cm.
-  EXPECT_NEAR(sampled_area(section_of(difference, drawn_plane(2, 0)).at(0)), area, 0.02 * area);
+  EXPECT_NEAR(sampled_area(section_of(difference, drawn_plane(2, 0)).at(0).path), area,
+              0.02 * area);
 }
 
 TEST(CaseDrawingSections, ACylinderFromTheSideIsARectangle) {
@@ -71,7 +72,7 @@ TEST(CaseDrawingSections, ACylinderFromTheSideIsARectangle) {
   cylinder.radius = 0.5;
   cylinder.axis = {0.0, 0.0, 1.0};
   cylinder.length = 1.0;
-  EXPECT_NEAR(sampled_area(section_of(cylinder, drawn_plane(3, 2)).at(0)), 1.0, 0.04);
+  EXPECT_NEAR(sampled_area(section_of(cylinder, drawn_plane(3, 2)).at(0).path), 1.0, 0.04);
 }
 
 TEST(CaseDrawings, ShowBodiesJetAndProbes) {

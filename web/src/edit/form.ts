@@ -19,9 +19,9 @@ class Part {
   private readonly others = element("details", { className: "kerf-others" });
   private readonly heading = element("span");
   private readonly state = element("span", { className: "kerf-soft" });
+  private wasWritten = false;
 
-  constructor(table: Table, sentence: string) {
-    this.root.open = table.section in mainKeys && (table.written || table.path === "");
+  constructor(sentence: string) {
     this.root.append(element("summary", {}, this.heading, " ", this.state));
     this.root.append(element("p", { className: "kerf-help" }, sentence), this.main, this.others);
     this.others.append(element("summary", {}, "More keys"));
@@ -30,6 +30,8 @@ class Part {
   show(table: Table, fields: Field[], isMain: (field: Field) => boolean) {
     this.heading.textContent = table.heading;
     this.state.textContent = table.written ? "" : "not in the case";
+    if (table.written && !this.wasWritten && table.section in mainKeys) this.root.open = true;
+    this.wasWritten = table.written;
     for (const field of fields) {
       const wanted = isMain(field) ? this.main : this.others;
       if (field.root.parentElement !== wanted) wanted.append(field.root);
@@ -82,7 +84,7 @@ export class Form {
   private showTable(table: Table, materials: Material[], problems: Map<string, Problem>) {
     const section = this.schema.sections.find((one) => one.name === table.section)!;
     let part = this.parts.get(table.path);
-    if (!part) this.parts.set(table.path, (part = new Part(table, section.sentence)));
+    if (!part) this.parts.set(table.path, (part = new Part(section.sentence)));
     const values = new Map(table.keys.map((key) => [key.path, key.value]));
     const fields = table.keys.map(({ row, path }) => this.field(table, section.keys[row]!, path));
     for (const field of fields) {
