@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# KerfWeb.cmake runs this script at build time. It writes script.js and style.css (of reports), study_script.js and
-# study_style.css into FOLDER, built by NPM from a copy of SOURCE, or empty files where that is not possible.
+# KerfWeb.cmake runs this script at build time. It writes script.js and style.css (of reports), study_script.js,
+# study_style.css, edit_script.js and edit_style.css into FOLDER, built by NPM from a copy of SOURCE, or empty files where that is not possible.
 function(leave_empty why)
   message("Reports are built without their viewer: ${why}. They will have static pictures.")
-  foreach(name script.js style.css study_script.js study_style.css)
+  foreach(name script.js style.css study_script.js study_style.css edit_script.js edit_style.css)
     file(WRITE ${FOLDER}/${name} "")
   endforeach()
 endfunction()
@@ -29,3 +29,5 @@ file(COPY_FILE ${work}/dist/viewer.js ${FOLDER}/script.js)
 file(COPY_FILE ${work}/dist/viewer.css ${FOLDER}/style.css)
 file(COPY_FILE ${work}/dist/study.js ${FOLDER}/study_script.js)
 file(COPY_FILE ${work}/dist/study.css ${FOLDER}/study_style.css)
+file(COPY_FILE ${work}/dist/edit.js ${FOLDER}/edit_script.js)
+file(COPY_FILE ${work}/dist/edit.css ${FOLDER}/edit_style.css)

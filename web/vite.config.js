@@ -3,13 +3,15 @@ import { readFileSync } from "node:fs";
 
 import { defineConfig } from "vite";
 
-// One script for the page of a run, one for that of a study: "vite build --mode study".
+// One script for the page of a run, one for that of a study ("vite build --mode study"), one for that
+// of the editor of cases ("--mode edit").
 const pages = {
   viewer: { entry: "src/main.ts", libraries: ["three", "uplot"] },
   study: {
     entry: "src/study/main.ts",
     libraries: ["d3-array", "d3-contour", "d3-delaunay", "delaunator", "robust-predicates"],
   },
+  edit: { entry: "src/edit/main.ts", libraries: [] },
 };
 
 // The licences ask that their text goes wherever the code goes, which is every page.
@@ -18,6 +20,7 @@ function licences(libraries) {
     const licence = readFileSync(new URL(`node_modules/${name}/LICENSE`, import.meta.url), "utf8");
     return `${name}\n${licence.trim()}`;
   });
+  if (libraries.length === 0) return "/*! Kerf, Apache-2.0. */";
   return `/*! Kerf, Apache-2.0. With these libraries:\n\n${text.join("\n\n")}\n*/`;
 }
 
@@ -41,7 +44,7 @@ const safeToInline = (libraries) => ({
 });
 
 export default defineConfig(({ mode }) => {
-  const name = mode === "study" ? "study" : "viewer";
+  const name = mode in pages ? mode : "viewer";
   const { entry, libraries } = pages[name];
   return {
     publicDir: false,

@@ -13,6 +13,7 @@
 #include "analysis/derived.hpp"
 #include "app/check_json.hpp"
 #include "app/check_warnings.hpp"
+#include "app/checked_case.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/run_cost.hpp"
@@ -24,11 +25,9 @@
 #include "input/schema.hpp"
 #include "machine/machine_jet.hpp"
 #include "model/case.hpp"
-#include "output/piece_reasons.hpp"
 #include "output/readable.hpp"
 #include "output/result_reference.hpp"
 #include "report/html.hpp"
-#include "study/local_executor.hpp"
 
 namespace kerf {
 
@@ -154,22 +153,6 @@ void print_meshes(const Case& description) {
   }
 }
 
-// Everything but the pace, which takes seconds.
-CheckedCase checked_case(const CheckOptions& options) {
-  take_machine(options.machine);
-  const std::string text = case_text(options.file);
-  Case description = parse_case(text, options.file, quick_look);
-  const DerivedNumbers numbers = derive(description);
-  auto warnings = check_warnings(description, numbers);
-  for (const auto& warning : resolution_warnings(description))
-    warnings.push_back(fmt::format("{}: {}", options.file, warning));
-  auto piece = piece_reasons(description);
-  return {{text, options.file, std::move(description), numbers, {}},
-          std::move(piece),
-          std::move(warnings),
-          available_memory()};
-}
-
 Pace pace_of(const CheckOptions& options, const CostedCase& costed) {
   const int threads = threads_of(options.machine);
   return options.no_timing ? typical_pace(costed.description, threads)
@@ -196,7 +179,8 @@ void print_cost_and_warnings(const CheckedCase& checked) {
 }
 
 void check(const CheckOptions& options) {
-  CheckedCase checked = checked_case(options);
+  take_machine(options.machine);
+  CheckedCase checked = checked_case(case_text(options.file), options.file);
   if (!options.json) print_numbers(checked);
   checked.costed.pace = pace_of(options, checked.costed);
   if (options.json)

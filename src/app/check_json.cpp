@@ -36,17 +36,20 @@ Json cost_object(const DerivedNumbers& numbers, const Pace& pace) {
   return json;
 }
 
-std::string check_json(const CheckedCase& checked) {
+Json check_object(const CheckedCase& checked) {
   const CostedCase& costed = checked.costed;
-  const Json json = {{"case", costed.file},
-                     {"title", costed.description.title},
-                     {"dimension", costed.description.dimension},
-                     {"simulated", checked.piece},
-                     {"numbers", object_of(DerivedNumbers::metrics(), costed.numbers)},
-                     {"cost", cost_object(costed.numbers, costed.pace)},
-                     {"advice", advice_json(checked)},
-                     {"warnings", checked.warnings}};
-  return json.dump(2) + "\n";
+  return {{"case", costed.file},
+          {"title", costed.description.title},
+          {"dimension", costed.description.dimension},
+          {"simulated", checked.piece},
+          {"numbers", object_of(DerivedNumbers::metrics(), costed.numbers)},
+          {"cost", cost_object(costed.numbers, costed.pace)},
+          {"advice", advice_json(checked)},
+          {"warnings", checked.warnings}};
+}
+
+std::string check_json(const CheckedCase& checked) {
+  return check_object(checked).dump(2) + "\n";
 }
 
 }  // namespace kerf

@@ -9,10 +9,6 @@ namespace kerf {
 
 namespace {
 
-// Returns the path of the program for the runs. A child process gets the running program, even if
-// its file was replaced.
-constexpr const char* this_program = "/proc/self/exe";
-
 LocalBudget budget_of(const ExecutorOptions& options) {
   constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
   LocalBudget budget = budget_of_machine();

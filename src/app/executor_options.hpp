@@ -13,6 +13,10 @@
 
 namespace kerf {
 
+// The path of the program for the runs. A child process gets the running program, even if its file
+// was replaced.
+inline constexpr const char* this_program = "/proc/self/exe";
+
 struct ExecutorOptions {
   int jobs = 0;         // 0 = by the cores
   int cores = 0;        // 0 = all

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // This file implements kerf view, which shows a run in a browser with all its frames, also while it
-// proceeds.
+// proceeds, or edits a case there.
 #include <fmt/format.h>
 
 #include <csignal>
@@ -8,33 +8,45 @@
 #include <string>
 
 #include "app/commands.hpp"
+#include "app/edit_server.hpp"
+#include "app/executor_options.hpp"
 #include "app/view_server.hpp"
 
 namespace kerf {
 
 namespace {
 
-ViewServer* running = nullptr;
+LocalServer* serving = nullptr;
 
 void stop_serving(int) {
-  if (running != nullptr) running->stop();
+  if (serving != nullptr) serving->stop();
 }
 
 struct ViewOptions {
-  std::string folder;
+  std::string path;
   int port = 0;
+  bool edits = false;
 };
 
-void view(const ViewOptions& options) {
-  ViewServer server(options.folder);
-  const int port = server.bind(options.port);
+void serve(LocalServer& server, int wanted_port) {
+  const int port = server.bind(wanted_port);
   fmt::print("http://127.0.0.1:{}{}  (Ctrl-C stops the server)\n", port, server.path());
   std::fflush(stdout);
-  running = &server;
+  serving = &server;
   std::signal(SIGINT, stop_serving);
   std::signal(SIGTERM, stop_serving);
   server.serve();
-  running = nullptr;
+  serving = nullptr;
+}
+
+void view(const ViewOptions& options) {
+  if (options.edits) {
+    EditServer server({options.path, "", this_program});
+    return serve(server, options.port);
+  }
+  if (options.path.empty()) throw CLI::RequiredError("PATH");
+  ViewServer server(options.path);
+  serve(server, options.port);
 }
 
 }  // namespace
@@ -42,8 +54,13 @@ void view(const ViewOptions& options) {
 void add_view_command(CLI::App& program) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command = program.add_subcommand(
-      "view", "Show a run in a browser on this machine, also a run in progress");
-  command->add_option("OUT", options->folder, "the folder of the run's results")->required();
+      "view", "Show a run in a browser on this machine, also a run in progress, or edit a case");
+  command->add_option("PATH", options->path,
+                      "the folder of the run's results; with --edit the case file");
+  command->add_flag(
+      "--edit", options->edits,
+      "edit a case in the browser, check it, run it and show the run; without a file, "
+      "begin with a template");
   command->add_option("--port", options->port, "port on 127.0.0.1; 0 = any free port")
       ->check(CLI::Range(0, 65535));
   command->callback([options] { view(*options); });

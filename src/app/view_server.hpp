@@ -4,29 +4,19 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
-#include <string>
+
+#include "app/local_server.hpp"
+#include "app/run_view.hpp"
 
 namespace kerf {
 
-class ViewServer {
+class ViewServer : public LocalServer {
  public:
   // Throws UserError (exit_files) when the folder holds no run.
   explicit ViewServer(const std::filesystem::path& folder);
-  ~ViewServer();
-
-  // Binds a port of the loopback interface, any free one for 0, and returns it. Throws UserError
-  // when it is in use.
-  int bind(int port);
-  // Returns the path of the page, which begins with a random token, "/0f...3a/".
-  const std::string& path() const;
-  // Serves until stop() is called by another thread or a signal, also before serve().
-  void serve();
-  void stop();
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  RunView view_;
 };
 
 }  // namespace kerf

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/error.hpp"
+#include "input/problems.hpp"
 
 namespace kerf {
 namespace {
@@ -31,8 +31,10 @@ toml::table parse_toml(std::string_view text, std::string_view file_name) {
     return toml::parse(text, file_name);
   } catch (const toml::parse_error& error) {
     const int line = static_cast<int>(error.source().begin.line);
-    throw UserError(fmt::format("{}:{}: this is not valid TOML: {}. Correct the line.{}", file_name,
-                                line, error.description(), quoted_line(text, line)));
+    const std::string what = fmt::format("this is not valid TOML: {}", error.description());
+    const std::string remedy = fmt::format("Correct the line.{}", quoted_line(text, line));
+    throw CaseError(fmt::format("{}:{}: {}. {}", file_name, line, what, remedy),
+                    {FoundProblem{{"", what, "", remedy}, line}});
   }
 }
 

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-// Returns the table of a TOML text. Throws a UserError that names file, line and fault where the
+// Returns the table of a TOML text. Throws a CaseError that names file, line and fault where the
 // text is not valid.
 toml::table parse_toml(std::string_view text, std::string_view file_name);
 

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/error.hpp"
-
 namespace kerf {
 
 namespace {
@@ -50,26 +48,31 @@ int Problems::line_of(std::string key) const {
 }
 
 void Problems::add(Problem problem) {
-  const auto found = mentions_.find(problem.key);
-  const bool written = found != mentions_.end() && !found->second.value.empty();
-  std::string message =
-      fmt::format("{}:{}: {}{}{}: {}.", file_name_, line_of(problem.key), problem.key,
-                  written ? " = " : "", written ? found->second.value : "", problem.what);
+  const auto mention = mentions_.find(problem.key);
+  const int line = line_of(problem.key);
+  found_.push_back({std::move(problem), line,
+                    mention == mentions_.end() ? std::string() : mention->second.value});
+}
+
+std::string Problems::message_of(const FoundProblem& problem) const {
+  const bool written = !problem.value.empty();
+  std::string message = fmt::format("{}:{}: {}{}{}: {}.", file_name_, problem.line, problem.key,
+                                    written ? " = " : "", problem.value, problem.what);
   if (!problem.allowed.empty()) message += fmt::format(" Allowed: {}.", problem.allowed);
   if (!problem.remedy.empty()) message += fmt::format(" {}.", problem.remedy);
   // A quoted key of a TOML file may have any characters; a message is one line.
   for (char& c : message)
     if (static_cast<unsigned char>(c) < ' ') c = '?';
-  messages_.push_back(std::move(message));
+  return message;
 }
 
 void Problems::throw_if_any() const {
-  if (messages_.empty()) return;
-  const std::size_t shown = std::min(messages_.size(), most_shown);
-  std::string text = messages_.front();
-  for (std::size_t i = 1; i < shown; ++i) text += "\n" + messages_[i];
-  if (messages_.size() > shown) text += fmt::format("\n... and {} more", messages_.size() - shown);
-  throw UserError(text, exit_bad_input);
+  if (found_.empty()) return;
+  const std::size_t shown = std::min(found_.size(), most_shown);
+  std::string text = message_of(found_.front());
+  for (std::size_t i = 1; i < shown; ++i) text += fmt::format("\n{}", message_of(found_[i]));
+  if (found_.size() > shown) text += fmt::format("\n... and {} more", found_.size() - shown);
+  throw CaseError(text, found_);
 }
 
 std::string closest(std::string_view word, const std::vector<std::string>& candidates) {

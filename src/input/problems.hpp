@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace kerf {
 
 struct Problem {
@@ -16,6 +18,23 @@ struct Problem {
   std::string what;     // what is wrong
   std::string allowed;  // the allowed values
   std::string remedy;   // what to do; may be empty
+};
+
+// A problem with its place in the file.
+struct FoundProblem : Problem {
+  int line = 0;
+  std::string value{};  // as the file has it; empty where the key is not written
+};
+
+// The refusal of a case, with all its problems.
+class CaseError : public UserError {
+ public:
+  CaseError(const std::string& message, std::vector<FoundProblem> problems)
+      : UserError(message, exit_bad_input), problems_(std::move(problems)) {}
+  const std::vector<FoundProblem>& problems() const { return problems_; }
+
+ private:
+  std::vector<FoundProblem> problems_;
 };
 
 class Problems {
@@ -26,9 +45,9 @@ class Problems {
   void mention(const std::string& key, int line, std::string value);
   // Adds a problem. A key that is not written has the line of the innermost table that contains it.
   void add(Problem problem);
-  bool any() const { return !messages_.empty(); }
-  std::size_t count() const { return messages_.size(); }
-  // Throws a UserError with all messages, if there are any.
+  bool any() const { return !found_.empty(); }
+  std::size_t count() const { return found_.size(); }
+  // Throws a CaseError with all of them, if there are any; its message has up to ten.
   void throw_if_any() const;
 
  private:
@@ -37,10 +56,11 @@ class Problems {
     std::string value;
   };
   int line_of(std::string key) const;
+  std::string message_of(const FoundProblem& problem) const;
 
   std::string file_name_;
   std::map<std::string, Mention> mentions_;
-  std::vector<std::string> messages_;
+  std::vector<FoundProblem> found_;
 };
 
 // Returns the candidate closest to `word` by edit distance, or an empty text if none is close.

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// This header declares what kerf check finds about a case.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cost_advice.hpp"
+
+namespace kerf {
+
+// A case that was checked, with what is printed of it.
+struct CheckedCase {
+  CostedCase costed;
+  std::vector<std::string> piece;     // what is simulated and why, a sentence each
+  std::vector<std::string> warnings;  // a sentence each
+  double memory = 0.0;                // bytes, of this machine
+};
+
+// Returns everything but the pace, which takes seconds. Throws the CaseError of a case that is not
+// valid.
+CheckedCase checked_case(const std::string& text, const std::string& file);
+
+}  // namespace kerf
