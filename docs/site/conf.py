@@ -3,7 +3,6 @@
 import os
 import pathlib
 import re
-import sys
 
 ROOT = pathlib.Path(os.environ["KERF_ROOT"])
 
@@ -17,10 +16,11 @@ smartquotes = False
 
 extensions = ["myst_parser", "sphinx.ext.mathjax", "sphinx_copybutton"]
 try:
-    sys.path.insert(0, str(ROOT / "python"))
     import kerf  # noqa: F401  The package is documented where it can be imported.
 
     extensions += ["sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+    autodoc_typehints = "description"
+    napoleon_numpy_docstring = True
 except ImportError:
     pass
 

@@ -144,7 +144,8 @@ std::string vtkhdf_bytes(const Frame& frame, const FrameLegend& legend) {
 
 // The first frame tells where particles were; a resumed run reads it back.
 void FrameWriter::know_start(const Frame& frame) {
-  if (!legend_.start.empty()) return;
+  if (knows_start_) return;
+  knows_start_ = true;
   const auto learn = [&](const Frame& first) {
     for (std::size_t i = 0; i < first.id.size(); ++i)
       if (first.category[i] != Category::water) legend_.start[first.id[i]] = first.position[i];

@@ -57,6 +57,7 @@ class FrameWriter {
   std::filesystem::path folder_;
   std::string name_;
   FrameLegend legend_;
+  bool knows_start_ = false;
   std::vector<double> times_;
 };
 

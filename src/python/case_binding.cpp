@@ -86,11 +86,13 @@ void bind_case(py::module_& module) {
             for (const Jet& jet : self.description.jets) names.push_back(jet.name);
             return names;
           },
-          "The names of the bodies and then of the jets: entry `source` of a particle is its index "
-          "here.")
-      .def_property_readonly("derived", &derived_of,
-                             "Numbers that follow from the case, in SI units: wave speeds, loads, "
-                             "dimensionless groups (docs/metrics.md).")
+          "The names of the bodies and then of the jets; `source` of a particle is an index of "
+          "this "
+          "list.")
+      .def_property_readonly(
+          "derived", &derived_of,
+          "Numbers that follow from the case, in SI units, such as wave speeds, loads and "
+          "dimensionless groups (docs/metrics.md).")
       .def("cost", &cost_of, py::arg("threads") = 1,
            "Return an estimate of what a run costs, as `kerf check --json --no-timing`:\n"
            "particles, time step and simulated time (s), steps, memory (bytes), run time (s).");
