@@ -86,11 +86,14 @@ Json model_points(const StudyPlan& plan, const StudyAnswers& answers) {
 void add_metrics(Json& data, const StudyPlan& plan, const std::vector<RunRow>& runs) {
   data["units"] = {{"spacing", "m"}};
   data["labels"] = Json::object();
+  const auto add = [&](const std::string& name) {
+    data["units"][name] = metric_unit(name, plan.dimension);
+    data["labels"][name] = metric_label(name);
+  };
+  // Those of the tables also where no run has a value.
+  for (const std::string& name : shown_metrics(plan)) add(name);
   for (const RunRow& row : runs)
-    for (const auto& [name, value] : row.metrics) {
-      data["units"][name] = metric_unit(name, plan.dimension);
-      data["labels"][name] = metric_label(name);
-    }
+    for (const auto& [name, value] : row.metrics) add(name);
 }
 
 std::string heading(const StudyPlan& plan) {

@@ -55,10 +55,10 @@ class Run : public testing::Test {
 
 TEST_F(Run, WritesEveryDocumentedFile) {
   EXPECT_EQ(run(settings("a")).signal, 0);
-  EXPECT_EQ(
-      test::names_in(folder_ / "a"),
-      (std::set<std::string>{"case.used.toml", "log.txt", "series.csv", "frames", "pictures",
-                             "fake.vtkhdf.series", "result.json", "report.html", "checkpoint.h5"}));
+  EXPECT_EQ(test::names_in(folder_ / "a"),
+            (std::set<std::string>{"case.used.toml", "log.txt", "series.csv", "frames", "pictures",
+                                   "fake.vtkhdf.series", "fake.paraview.py", "result.json",
+                                   "report.html", "checkpoint.h5"}));
   EXPECT_EQ(read_file(folder_ / "a/case.used.toml"), write_used(description_));
   const json numbers = result("a");
   EXPECT_EQ(numbers.at("end_time"), 0.01);
