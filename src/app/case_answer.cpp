@@ -22,18 +22,6 @@ Json problem_json(const FoundProblem& problem) {
           {"what", problem.what}, {"allowed", problem.allowed}, {"remedy", problem.remedy}};
 }
 
-void add_jet_facts(Json& facts, const CheckedCase& checked) {
-  const DerivedNumbers& numbers = checked.costed.numbers;
-  const auto add = [&](const char* name, const std::string& value) {
-    facts.push_back({{"name", name}, {"value", value}});
-  };
-  if (numbers.jet_speed > 0.0)
-    add("Fastest jet or body", fmt::format("{:.4g} m/s", numbers.jet_speed));
-  if (numbers.stagnation_pressure > 0.0)
-    add("Stagnation pressure", readable(numbers.stagnation_pressure, "Pa"));
-  add("Regime", numbers.regime);
-}
-
 // Returns the numbers that decide whether to start the run, in words.
 Json facts_of(const CheckedCase& checked) {
   const DerivedNumbers& numbers = checked.costed.numbers;
@@ -50,7 +38,11 @@ Json facts_of(const CheckedCase& checked) {
   add("Steps", html::count(cost.steps));
   add("Memory", fmt::format("{} of {} that are free", readable(cost.memory, "B"),
                             readable(checked.memory, "B")));
-  add_jet_facts(facts, checked);
+  if (numbers.jet_speed > 0.0)
+    add("Fastest jet or body", fmt::format("{:.4g} m/s", numbers.jet_speed));
+  if (numbers.stagnation_pressure > 0.0)
+    add("Stagnation pressure", readable(numbers.stagnation_pressure, "Pa"));
+  add("Regime", numbers.regime);
   return facts;
 }
 

@@ -11,7 +11,6 @@
 #include "app/run_loop.hpp"
 #include "core/error.hpp"
 #include "input/read.hpp"
-#include "input/write_used.hpp"
 #include "output/readable.hpp"
 #include "study/local_executor.hpp"
 
@@ -70,13 +69,10 @@ void refuse_beyond_memory(const RunOptions& options, const Case& description) {
 }
 
 RunLoopSettings settings_of(const RunOptions& options) {
-  RunLoopSettings settings;
-  settings.description = read_case(options.case_file);
-  refuse_beyond_memory(options, settings.description);
-  settings.case_name = fs::path(options.case_file).stem().string();
-  settings.case_text = write_used(settings.description);
-  settings.folder =
-      options.folder.empty() ? fs::path("out") / settings.case_name : fs::path(options.folder);
+  Case description = read_case(options.case_file);
+  refuse_beyond_memory(options, description);
+  RunLoopSettings settings =
+      settings_of_case(std::move(description), options.case_file, options.folder);
   settings.existing = options.resume  ? Existing::resume
                       : options.force ? Existing::replace
                                       : Existing::refuse;

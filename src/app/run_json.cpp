@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/run_json.hpp"
 
+#include "report/metric_rows.hpp"
+
 namespace kerf {
 
 namespace {
@@ -23,13 +25,10 @@ constexpr const char* key_metrics[] = {"cut_through_time",
                                        "end_time",
                                        "wall_time"};
 
-// Returns the value at a path such as "kerf.depth"; null where there is none.
-Json value_at(const Json& result, const std::string& path) {
-  std::string pointer = "/" + path;
-  for (char& letter : pointer)
-    if (letter == '.') letter = '/';
-  const Json::json_pointer place(pointer);
-  return result.contains(place) ? result.at(place) : Json();
+// Returns the value of a metric; null where there is none.
+Json value_at(const Json& result, const std::string& name) {
+  const Json* value = find_value(result, name);
+  return value != nullptr ? *value : Json();
 }
 
 Json bodies_of(const Json& result) {

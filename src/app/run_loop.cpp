@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "input/write_used.hpp"
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 #include "output/checkpoint.hpp"
@@ -47,6 +48,16 @@ const char* signal_name(int signal) {
 }
 
 }  // namespace
+
+RunLoopSettings settings_of_case(Case description, const std::string& file,
+                                 const std::filesystem::path& folder) {
+  RunLoopSettings settings;
+  settings.case_name = std::filesystem::path(file).stem().string();
+  settings.case_text = write_used(description);
+  settings.folder = folder.empty() ? std::filesystem::path("out") / settings.case_name : folder;
+  settings.description = std::move(description);
+  return settings;
+}
 
 RunLoop::RunLoop(RunLoopSettings settings, SimulationMaker maker)
     : settings_(std::move(settings)),

@@ -44,6 +44,11 @@ struct RunLoopSettings {
   std::string resume_command;   // the command that continues the run
 };
 
+// Returns the settings that follow from a case and the name of its file. An empty folder is
+// out/<case>.
+RunLoopSettings settings_of_case(Case description, const std::string& file,
+                                 const std::filesystem::path& folder);
+
 using SimulationMaker = std::function<std::unique_ptr<Simulation>(const Case&)>;
 
 // How a run ended.

@@ -3,6 +3,7 @@
 // types.
 #pragma once
 
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <nlohmann/json.hpp>
@@ -30,5 +31,9 @@ void bind_run(pybind11::module_& module);
 std::string toml_of(const pybind11::dict& table);
 // Returns JSON as dict, list, numbers and texts of Python.
 pybind11::object to_python(const nlohmann::ordered_json& value);
+
+// Returns a read-only array over numbers that `owner` keeps; one component has no axis of its own.
+pybind11::array read_only_array(const pybind11::dtype& type, const void* data, std::size_t rows,
+                                std::size_t components, const pybind11::object& owner);
 
 }  // namespace kerf::python

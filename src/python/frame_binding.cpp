@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames in Python: the columns of the particles as NumPy arrays that share the frame's memory.
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -12,15 +11,10 @@ namespace py = pybind11;
 namespace kerf::python {
 namespace {
 
-// An array over numbers that `owner` keeps; read-only.
 template <class Number>
 py::array array_over(const Number* data, std::size_t rows, std::size_t components,
                      const py::object& owner) {
-  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows)};
-  if (components > 1) shape.push_back(static_cast<py::ssize_t>(components));
-  py::array array(py::dtype::of<Number>(), shape, {}, data, owner);
-  array.attr("setflags")(py::arg("write") = false);
-  return array;
+  return read_only_array(py::dtype::of<Number>(), data, rows, components, owner);
 }
 template <class Number>
 py::array array_of(const std::vector<Number>& values, const py::object& owner) {
@@ -75,6 +69,15 @@ py::list frames(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+py::array read_only_array(const py::dtype& type, const void* data, std::size_t rows,
+                          std::size_t components, const py::object& owner) {
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows)};
+  if (components > 1) shape.push_back(static_cast<py::ssize_t>(components));
+  py::array array(type, shape, {}, data, owner);
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
+}
 
 void bind_frame(py::module_& module) {
   py::class_<Frame>(module, "Frame",

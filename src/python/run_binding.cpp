@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs in Python: the run loop of `kerf run`, step by step, so that files and bits are the same.
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -12,7 +11,6 @@
 #include "app/run_loop.hpp"
 #include "core/error.hpp"
 #include "engine/device.hpp"
-#include "input/write_used.hpp"
 #include "output/balance_metrics.hpp"
 #include "output/metric_json.hpp"
 #include "python/bindings.hpp"
@@ -37,12 +35,7 @@ RunLoopSettings settings_of(const CaseText& text, const RunOptions& options) {
   else if (options.device != word_of(Device::cpu))
     throw UserError("device = \"" + options.device + "\". Allowed: \"cpu\", \"gpu\".");
   take_machine(machine);
-  RunLoopSettings settings;
-  settings.description = text.description;
-  settings.case_name = std::filesystem::path(text.file).stem().string();
-  settings.case_text = write_used(text.description);
-  settings.folder =
-      options.folder.empty() ? std::filesystem::path("out") / settings.case_name : options.folder;
+  RunLoopSettings settings = settings_of_case(text.description, text.file, options.folder);
   settings.existing = options.resume  ? Existing::resume
                       : options.force ? Existing::replace
                                       : Existing::refuse;
@@ -138,13 +131,10 @@ class Run {
   py::array view(const std::string& name) const {
     for (const FieldSpan& span : simulation().fields()) {
       if (span.name != name) continue;
-      std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(span.entries)};
-      if (span.components > 1) shape.push_back(static_cast<py::ssize_t>(span.components));
       const py::capsule token(new std::shared_ptr<int>(token_),
                               [](void* p) { delete static_cast<std::shared_ptr<int>*>(p); });
-      py::array array(dtype_of(span.number), shape, {}, span.data, token);
-      array.attr("setflags")(py::arg("write") = false);
-      return array;
+      return read_only_array(dtype_of(span.number), span.data, span.entries, span.components,
+                             token);
     }
     throw py::key_error("no field \"" + name + "\"; see Run.fields");
   }
