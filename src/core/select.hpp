@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "core/host_device.hpp"
 
@@ -35,7 +36,32 @@ KERF_FUNCTION T reciprocal(T a) {
 }
 template <class T>
 KERF_FUNCTION T reciprocal_square_root(T a) {
+#if defined(__CUDA_ARCH__)
+  return rsqrt(a);
+#else
   return T(1) / std::sqrt(a);
+#endif
+}
+// Returns a - b. The difference of integers wraps around, as that of fixed-point coordinates must
+// (simd/packed_position.hpp).
+template <class T>
+KERF_FUNCTION T wrapping_difference(T a, T b) {
+  if constexpr (std::is_integral_v<T>) {
+    using Unsigned = std::make_unsigned_t<T>;
+    return static_cast<T>(static_cast<Unsigned>(a) - static_cast<Unsigned>(b));
+  } else {
+    return a - b;
+  }
+}
+
+template <class Numbers>
+struct RootAndInverse {
+  Numbers root, inverse;  // sqrt(a), 1 / sqrt(a)
+};
+template <class T>
+KERF_FUNCTION RootAndInverse<T> root_and_inverse(T a) {
+  const T inverse = reciprocal_square_root(a);
+  return {a * inverse, inverse};
 }
 
 }  // namespace kerf

@@ -13,6 +13,8 @@
 #include <immintrin.h>
 #endif
 
+#include "core/select.hpp"
+
 namespace kerf {
 
 namespace simd {
@@ -94,10 +96,6 @@ KERF_SIMD_FUNCTION std::experimental::simd<R, A> reciprocal_square_root(
   return R(1) / std::experimental::sqrt(a);
 }
 
-template <class Numbers>
-struct RootAndInverse {
-  Numbers root, inverse;  // sqrt(a), 1 / sqrt(a)
-};
 // Exact to the last digit or two. Where the processor has no estimate, the inverse is sqrt(a) times
 // 1 / a, which are computed side by side, instead of a division that waits for the root.
 template <class R, class A>

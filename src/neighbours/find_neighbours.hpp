@@ -6,37 +6,9 @@
 #include "neighbours/cell_order.hpp"
 #include "neighbours/neighbour_sections.hpp"
 #include "neighbours/search_memory.hpp"
-#include "neighbours/simd/search_kernels.hpp"
+#include "neighbours/search_view.hpp"
 
 namespace kerf {
-
-// What the SIMD search (neighbours/simd/packed_search.hpp) needs of the particles, place by place.
-template <int D>
-struct SearchView {
-  Search<D> search = nullptr;
-  std::int32_t* position[D] = {};
-  std::uint32_t* kind = nullptr;
-  FixedPointScale<float> unit;
-};
-// Component a of the difference of two positions.
-template <int D>
-struct DifferenceTo {
-  const Vector<D, double>&x, &y;
-  KERF_FUNCTION double operator()(int a) const { return x[a] - y[a]; }
-};
-template <int D, class P, class Scheme>
-struct PackForSearch {
-  ParticleView<D, P> particles;
-  CellOrder order;
-  SearchView<D> packed;
-
-  KERF_FUNCTION void operator()(Index place) const {
-    const Index i = order.particle(place);
-    for (int a = 0; a < D; ++a)
-      packed.position[a][place] = packed.unit.pack(particles.build_position[i][a]);
-    packed.kind[place] = Scheme::kind(particles, i);
-  }
-};
 
 // Tests the candidates of particle i and puts its neighbours into sections
 // (neighbours/neighbour_sections.hpp).
@@ -48,6 +20,8 @@ struct FindNeighbours {
   double skin;
   bool splits;           // neighbours are listed class by class
   SearchView<D> packed;  // without a search: one by one
+
+  using Viewer = ListViewer<D>;
 
   // `memory`: null, or that of earlier calls with the same particles.
   template <class Sections>
@@ -61,24 +35,37 @@ struct FindNeighbours {
           search_level(from, level, *memory, found);
           continue;
         }
+      } else if (packed.kind != nullptr) {
+        scan_packed_level(from, level, found);
+        continue;
       }
       scan_level(from, level, found);
     }
     if (particles.mirrors.faces != 0) find_among_images(i, memory != nullptr, found);
   }
 
- private:
-  // Particle i at its position x, or its mirror image at x.
-  struct Viewer {
-    Index i;
-    MirrorCode code;
-    Vector<D, double> x;
-    double limit;  // m, the largest cutoff to particles of a level
-  };
-  struct Range {  // of places
-    Index begin, end;
-  };
+  // Tests the candidates of a range one by one, in their order.
+  template <class Sections>
+  KERF_FUNCTION void scan(const Viewer& from, PlaceRange range, Sections& found) const {
+    const Index i = from.i;
+    for (Index place = range.begin; place < range.end; ++place) {
+      const Index j = order.particle(place);
+      const auto& x = particles.build_position[j];
+      const double square = squared_distance<D, double>(DifferenceTo<D>{from.x, x});
+      if (square >= from.limit * from.limit) continue;
+      if (j == i && from.code == 0) continue;
+      const double reach = Scheme::reach(particles, i, j, from.code);
+      if (reach == 0.0 || square >= (reach + skin) * (reach + skin)) continue;
+      PairClass pair_class = PairClass::other;
+      if (splits)
+        pair_class = from.code == 0 ? Scheme::pair_class(particles, i, j)
+                                    : Scheme::image_class(particles, i, j, from.code);
+      if (Index* const next = found.room(pair_class, 1)) *next = j | from.code;
+      found.took(pair_class, 1);
+    }
+  }
 
+ private:
   // The image of j is as far from i as j is from the image of i.
   template <class Sections>
   KERF_FUNCTION void find_among_images(Index i, bool may_search, Sections& found) const {
@@ -132,6 +119,26 @@ struct FindNeighbours {
   KERF_FUNCTION void scan_level(const Viewer& from, int level, Sections& found) const {
     const auto reach = Vector<D, double>::filled(from.limit);
     for_each_row(from.x - reach, from.x + reach, level, ScanRow<Sections>{*this, from, found});
+  }
+
+  template <class Sections>
+  KERF_FUNCTION void scan_packed_level(const Viewer& from, int level, Sections& found) const {
+    const auto reach = Vector<D, double>::filled(from.limit);
+    const double limit = (1.0 + 1e-6) * from.limit / packed.unit.unit,
+                 same = (Scheme::reach(particles, from.i, from.i) + skin) / packed.unit.unit;
+    // Particles of no kind have no neighbours of their own kind.
+    const std::uint32_t kind = Scheme::kind(particles, from.i);
+    ScanPackedRow<FindNeighbours, D, Sections> scan_row{
+        *this,
+        from,
+        {},
+        kind != 0 ? kind : ~std::uint32_t(0),
+        static_cast<float>(limit * limit),
+        static_cast<float>(same * same),
+        splits ? Scheme::pair_class(particles, from.i, from.i) : PairClass::other,
+        found};
+    for (int a = 0; a < D; ++a) scan_row.position[a] = packed.unit.pack(from.x[a]);
+    for_each_row(from.x - reach, from.x + reach, level, scan_row);
   }
 
   // Tests the candidates of a level by the SIMD search.
@@ -260,27 +267,6 @@ struct FindNeighbours {
       left += j != i ? 1 : 0;
     }
     return left;
-  }
-
-  // Tests the candidates of a range one by one, in their order.
-  template <class Sections>
-  KERF_FUNCTION void scan(const Viewer& from, Range range, Sections& found) const {
-    const Index i = from.i;
-    for (Index place = range.begin; place < range.end; ++place) {
-      const Index j = order.particle(place);
-      const auto& x = particles.build_position[j];
-      const double square = squared_distance<D, double>(DifferenceTo<D>{from.x, x});
-      if (square >= from.limit * from.limit) continue;
-      if (j == i && from.code == 0) continue;
-      const double reach = Scheme::reach(particles, i, j, from.code);
-      if (reach == 0.0 || square >= (reach + skin) * (reach + skin)) continue;
-      PairClass pair_class = PairClass::other;
-      if (splits)
-        pair_class = from.code == 0 ? Scheme::pair_class(particles, i, j)
-                                    : Scheme::image_class(particles, i, j, from.code);
-      if (Index* const next = found.room(pair_class, 1)) *next = j | from.code;
-      found.took(pair_class, 1);
-    }
   }
 };
 

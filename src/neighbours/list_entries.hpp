@@ -9,7 +9,7 @@
 namespace kerf {
 
 // The neighbours that a pair loop skips.
-enum class Skips : std::uint8_t { nothing, of_fluids, of_fluids_and_body };
+enum class Skips : std::uint8_t { nothing, same_fluid, of_fluids, of_fluids_and_body };
 
 struct NeighbourView {
   const Index *begin, *end;  // begin[i] .. end[i] of `neighbour` are particle i's
@@ -23,12 +23,13 @@ struct NeighbourView {
 
   KERF_FUNCTION Index first(Index i) const {
     if (skips == Skips::nothing) return begin[i];
+    if (skips == Skips::same_fluid && unlike[i] != 0) return begin[i] + same_fluid[i];
     const bool skips_body =
         skips == Skips::of_fluids_and_body || (fully_bonded != nullptr && fully_bonded[i] != 0);
     return first_of_body(i) + (skips_body ? same_body[i] : 0);
   }
   KERF_FUNCTION Index last(Index i) const {
-    return skips == Skips::nothing ? end[i] : end[i] - images[i];
+    return skips == Skips::nothing || skips == Skips::same_fluid ? end[i] : end[i] - images[i];
   }
   // Where those of the same body begin.
   KERF_FUNCTION Index first_of_body(Index i) const { return begin[i] + same_fluid[i] + unlike[i]; }
@@ -128,7 +129,7 @@ class ListEntries {
 
   void list_in_passes(const Find& find, Index count) {
     for_each_index(count, CountNeighbours<D, P, Scheme>{find, ranges()});
-    thrust::fill_n(begin_.begin() + count, 1, Index(0));
+    thrust::fill_n(loop_policy(), begin_.begin() + count, 1, Index(0));
     thrust::exclusive_scan(loop_policy(), begin_.begin(), begin_.end(), begin_.begin());
     used_ = begin_[count];
     if (neighbour_.size() < used_) neighbour_.resize(used_ + used_ / 8);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // These loops build the neighbour lists on a GPU in two passes, one that counts the neighbours and
-// one that writes them, since the threads of a GPU have no lists of their own that could grow.
+// one that writes them, since the threads of a GPU have no lists of their own that could grow. Each
+// list begins at a multiple of `list_alignment` entries, which a thread loads at once.
 #pragma once
 
 #include "neighbours/find_neighbours.hpp"
@@ -8,10 +9,12 @@
 
 namespace kerf {
 
+inline constexpr Index list_alignment = 4;
+
 template <int D, class P, class Scheme>
 struct CountNeighbours {
   FindNeighbours<D, P, Scheme> find;
-  ListRanges ranges;  // `begin` gets the count
+  ListRanges ranges;  // `end` gets the count, and `begin` the room that the list takes
 
   KERF_FUNCTION void operator()(Index i) const {
     CountedSections found;
@@ -20,8 +23,10 @@ struct CountNeighbours {
     ranges.unlike[i] = found.count[static_cast<int>(PairClass::unlike)];
     ranges.same_body[i] = found.count[static_cast<int>(PairClass::same_body)];
     ranges.images[i] = found.count[static_cast<int>(PairClass::image)];
-    ranges.begin[i] = ranges.same_fluid[i] + ranges.unlike[i] + ranges.same_body[i] +
-                      found.count[static_cast<int>(PairClass::other)] + ranges.images[i];
+    const Index count = ranges.same_fluid[i] + ranges.unlike[i] + ranges.same_body[i] +
+                        found.count[static_cast<int>(PairClass::other)] + ranges.images[i];
+    ranges.end[i] = count;
+    ranges.begin[i] = (count + list_alignment - 1) / list_alignment * list_alignment;
   }
 };
 
@@ -32,6 +37,7 @@ struct WriteNeighbours {
   Index* neighbour;
 
   KERF_FUNCTION void operator()(Index i) const {
+    ranges.end[i] += ranges.begin[i];
     Index* const same_fluid = neighbour + ranges.begin[i];
     Index* const unlike = same_fluid + ranges.same_fluid[i];
     Index* const same_body = unlike + ranges.unlike[i];
@@ -40,10 +46,8 @@ struct WriteNeighbours {
     found.next[static_cast<int>(PairClass::unlike)] = unlike;
     found.next[static_cast<int>(PairClass::same_body)] = same_body;
     found.next[static_cast<int>(PairClass::other)] = same_body + ranges.same_body[i];
-    found.next[static_cast<int>(PairClass::image)] =
-        neighbour + ranges.begin[i + 1] - ranges.images[i];
+    found.next[static_cast<int>(PairClass::image)] = neighbour + ranges.end[i] - ranges.images[i];
     find(i, found);
-    ranges.end[i] = ranges.begin[i + 1];
   }
 };
 

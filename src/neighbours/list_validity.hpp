@@ -12,6 +12,7 @@
 #include "neighbours/motion_bounds.hpp"
 #include "neighbours/patch_grids.hpp"
 #include "neighbours/step_motion.hpp"
+#include "parallel/lane.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -20,21 +21,26 @@ namespace kerf {
 // and the skin. It is a little less than the width of a patch, so that rounding adds no patch.
 inline constexpr double patch_margin = 1.5 * (1.0 - 1e-6);
 
+// Marks the patches that have particles.
 template <int D>
-struct HasParticles {
+struct MarkOccupied {
   LevelGrids<D> cells;
   PatchGrids<D> patches;
   const Index* cell_begin;
+  std::uint8_t* marks;  // out
 
   struct Count {
     Index* particles;
     KERF_FUNCTION void operator()(Index begin, Index end) const { *particles += end - begin; }
   };
-  KERF_FUNCTION bool operator()(Index number) const {
+  KERF_FUNCTION void operator()(Index number) const {
     Index particles = 0;
     for_each_run(cells, cell_begin, patches.find(number), Count{&particles});
-    return particles > 0;
+    marks[number] = particles > 0 ? 1 : 0;
   }
+};
+struct IsMark {
+  KERF_FUNCTION bool operator()(std::uint8_t mark) const { return mark != 0; }
 };
 
 // Computes bounds of the displacements of the particles of a patch until the end of the `horizon`.
@@ -48,12 +54,18 @@ struct BoundMotion {
   double horizon;           // s
   MotionBounds<D>* bounds;  // out, of each patch
 
-  KERF_FUNCTION MotionBounds<D> operator()(Index k) const {
-    const auto patch = patches.find(occupied[k]);
+  // The bounds of a share of its particles, `farthest` squared.
+  KERF_FUNCTION MotionBounds<D> part(Index k, const Lane& lane) const {
     auto sum = MotionBounds<D>::none();
-    double farthest_squared = 0.0;
-    for_each_run(cells, order.begin, patch, Include{*this, &sum, &farthest_squared});
-    sum.farthest = std::sqrt(farthest_squared);
+    for_each_run(cells, order.begin, patches.find(occupied[k]), Include{*this, lane, &sum});
+    return sum;
+  }
+  KERF_FUNCTION void join(MotionBounds<D>& sum, const MotionBounds<D>& other) const {
+    sum.include(other);
+  }
+  KERF_FUNCTION MotionBounds<D> finish(Index k, MotionBounds<D> sum) const {
+    const auto patch = patches.find(occupied[k]);
+    sum.farthest = std::sqrt(sum.farthest);
     for (int a = 0; a < D; ++a)
       if (is_near_plane(patch, a)) sum.include_mirrored(a);
     return bounds[occupied[k]] = sum;
@@ -62,12 +74,12 @@ struct BoundMotion {
  private:
   struct Include {
     const BoundMotion& bound;
+    Lane lane;
     MotionBounds<D>* sum;
-    double* farthest_squared;
 
     KERF_FUNCTION void operator()(Index begin, Index end) const {
       const auto& all = bound.particles;
-      for (Index place = begin; place < end; ++place) {
+      for (Index place = begin + lane.number; place < end; place += lane.count) {
         const Index i = bound.order.particle(place);
         auto moved = all.position[i] - all.build_position[i];
         moved += bound.horizon * Vector<D, double>::from(all.velocity[i]);
@@ -76,7 +88,7 @@ struct BoundMotion {
           sum->most[a] = moved[a] > sum->most[a] ? moved[a] : sum->most[a];
         }
         const double square = dot(moved, moved);
-        if (!(square <= *farthest_squared)) *farthest_squared = square;
+        if (!(square <= sum->farthest)) sum->farthest = square;
       }
     }
   };
@@ -100,22 +112,35 @@ struct LargestRelativeDisplacement {
   const Index* occupied;
   const MotionBounds<D>* bounds;
 
-  KERF_FUNCTION double operator()(Index k) const {
+  // That of a share of the rows of patches.
+  KERF_FUNCTION double part(Index k, const Lane& lane) const {
     const auto patch = patches.find(occupied[k]);
     double farthest = 0.0;
+    Index row = 0;
     for (int level = 0; level < patches.levels; ++level)
-      include_level(occupied[k], patch, level, farthest);
+      include_level(occupied[k], patch, level, {lane, &row, &farthest});
     return farthest;
   }
+  KERF_FUNCTION void join(double& farthest, double other) const {
+    farthest = farthest < other ? other : farthest;
+  }
+  KERF_FUNCTION double finish(Index, double farthest) const { return farthest; }
 
  private:
+  struct Visited {
+    Lane lane;
+    Index* row;  // the number of the next one
+    double* farthest;
+  };
   // Visits the patches of a row, numbered within their level.
   struct VisitRow {
     const MotionBounds<D>* bounds;
     Index own, least, first_of_level;  // patches; those before `least` are skipped
-    double* farthest;
+    Visited visited;
 
     KERF_FUNCTION void operator()(Index first, Index last) const {
+      if ((*visited.row)++ % visited.lane.count != visited.lane.number) return;
+      double* const farthest = visited.farthest;
       for (Index other = first_of_level + first; other <= first_of_level + last; ++other) {
         if (other < least || bounds[own].farthest + bounds[other].farthest <= *farthest) continue;
         const double relative = bounds[own].relative(bounds[other]);
@@ -124,7 +149,7 @@ struct LargestRelativeDisplacement {
     }
   };
   KERF_FUNCTION void include_level(Index own, const typename PatchGrids<D>::Patch& patch, int level,
-                                   double& farthest) const {
+                                   const Visited& visited) const {
     const double margin = patch_margin * cells.limit[patch.level][level];
     Vector<D, double> minimum, maximum;
     for (int a = 0; a < D; ++a) {
@@ -133,7 +158,7 @@ struct LargestRelativeDisplacement {
     }
     const Index least = level == patch.level ? own : 0;  // each pair of one level once
     patches.grid[level].for_each_row(minimum, maximum,
-                                     VisitRow{bounds, own, least, patches.first[level], &farthest});
+                                     VisitRow{bounds, own, least, patches.first[level], visited});
   }
 };
 
@@ -179,10 +204,12 @@ class ListValidity {
   // Starts with a new list, or with one that is new in part, of particles in this order.
   void restart(const CellOrder& order) {
     occupied_.resize(patches_.count());
+    marks_.resize(patches_.count());
+    for_each_index(patches_.count(),
+                   MarkOccupied<D>{cells_, patches_, order.begin, pointer(marks_)});
     const thrust::counting_iterator<Index> first(0);
-    const HasParticles<D> has_particles{cells_, patches_, order.begin};
-    const auto end = thrust::copy_if(loop_policy(), first, first + patches_.count(),
-                                     occupied_.begin(), has_particles);
+    const auto end = thrust::copy_if(loop_policy(), first, first + patches_.count(), marks_.begin(),
+                                     occupied_.begin(), IsMark{});
     count_ = static_cast<Index>(end - occupied_.begin());
     bounds_.resize(patches_.count());
     thrust::fill(bounds_.begin(), bounds_.end(), MotionBounds<D>::none());
@@ -215,7 +242,8 @@ class ListValidity {
   }
 
   std::size_t bytes() const {
-    return occupied_.size() * sizeof(Index) + bounds_.size() * sizeof(MotionBounds<D>);
+    return marks_.size() + occupied_.size() * sizeof(Index) +
+           bounds_.size() * sizeof(MotionBounds<D>);
   }
 
  private:
@@ -223,13 +251,13 @@ class ListValidity {
   double left_at(Particles<D, P>& particles, const CellOrder& order, double horizon) {
     const BoundMotion<D, P> bound{particles.view(),   cells_,  patches_,        order,
                                   pointer(occupied_), horizon, pointer(bounds_)};
-    auto all = reduce_unordered(count_, bound, MotionBounds<D>::at_rest(), UniteBounds{});
+    auto all = reduce_in_groups(count_, bound, MotionBounds<D>::at_rest(), UniteBounds{});
     for (int a = 0; a < D; ++a)
       if (MirrorPlanes<D>::flips(particles.mirrors.faces, a)) all.include_mirrored(a);
     const LargestRelativeDisplacement<D> farthest{cells_, patches_, pointer(occupied_),
                                                   pointer(bounds_)};
     return std::min(slack_ - all.relative(all),
-                    skin_ - reduce_unordered(count_, farthest, 0.0, Larger{}));
+                    skin_ - reduce_in_groups(count_, farthest, 0.0, Larger{}));
   }
 
   LevelGrids<D> cells_{};
@@ -240,6 +268,7 @@ class ListValidity {
   double travelled_ = 0.0;  // m, bound of every displacement
   double fastest_ = 1e300;  // m/s
   Index count_ = 0;         // number of patches with particles
+  Array<std::uint8_t> marks_;
   Array<Index> occupied_;
   Array<MotionBounds<D>> bounds_;
 };

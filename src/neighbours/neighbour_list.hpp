@@ -56,8 +56,10 @@ class NeighbourList {
 
   // Refreshes the list, which has no newcomers yet, the particles at the end, and is outdated if
   // they have moved (is_outdated()). Returns false where the particles must be sorted and listed
-  // anew: too many have moved or come, or the list would not hold for `horizon` seconds.
+  // anew: too many have moved or come, or the list would not hold for `horizon` seconds; and on a
+  // GPU, where that takes no longer.
   bool refresh(Particles<D, P>& particles, double horizon, bool have_moved) {
+    if (on_gpu) return false;
     constexpr double share = 0.3;  // of the skin; two that have moved less apart need no refresh
     const Index n = particles.size(), listed = this->listed();
     moved_.resize(n);
@@ -127,7 +129,6 @@ class NeighbourList {
   // Has no search where cells are so wide that wrapping fixed-point coordinates would be ambiguous.
   SearchView<D> pack_for_search(Particles<D, P>& particles) {
     SearchView<D> packed;
-    if constexpr (!simd_exists) return packed;
     constexpr double widest = 8.0;  // finest cutoffs that a cell and its cutoff may span
     const double finest = grids_.limit[0][0];
     for (int level = 0; level < grids_.levels; ++level)
@@ -136,12 +137,12 @@ class NeighbourList {
     const std::size_t room = particles.size() + beyond;
     for (int a = 0; a < D; ++a) {
       packed_position_[a].resize(room);
-      packed.position[a] = packed_position_[a].data();
+      packed.position[a] = pointer(packed_position_[a]);
     }
     packed_kind_.resize(room);
-    packed.kind = packed_kind_.data();
+    packed.kind = pointer(packed_kind_);
     packed.unit = FixedPointScale<float>::of_spacing(finest / widest);
-    packed.search = search_kernels().template get<D>();
+    if constexpr (simd_exists) packed.search = search_kernels().template get<D>();
     for_each_index(particles.size(),
                    PackForSearch<D, P, Scheme>{particles.view(), cells_.view(), packed});
     return packed;
@@ -155,8 +156,8 @@ class NeighbourList {
   double skin_ = 0.0;
   bool splits_ = false;
   Array<std::uint8_t> listed_as_, moved_, listed_anew_;
-  std::vector<std::int32_t> packed_position_[D];
-  std::vector<std::uint32_t> packed_kind_;
+  Array<std::int32_t> packed_position_[D];
+  Array<std::uint32_t> packed_kind_;
 };
 
 }  // namespace kerf

@@ -17,10 +17,10 @@ namespace kerf {
 enum class PairClass : std::uint8_t { other, same_body, unlike, same_fluid, image };
 
 // Whether the SIMD kernel sums over neighbours of every spacing of the particle's own nearly
-// incompressible solid (fluid/simd/graded_pairs.hpp).
+// incompressible solid (fluid/simd/graded_pairs.hpp). On a GPU the general pair loop does.
 template <int D, class P>
 KERF_FUNCTION bool sums_over_levels(const ParticleView<D, P>& particles, Index i) {
-  return particles.has(i, flag::fitted) && !particles.fractured[i] &&
+  return !on_gpu && particles.has(i, flag::fitted) && !particles.fractured[i] &&
          is_weakly_compressible(particles.medium(i));
 }
 

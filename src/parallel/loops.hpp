@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Particle loops: a thin layer on Thrust, whose device is TBB threads in the program and an NVIDIA
-// GPU in the engine for GPUs (src/engine/gpu/), and on TBB itself for plain loops. Loop bodies are
-// named functors (nvcc refuses extended lambdas inside generic code, and a named functor gives each
-// profile a label).
+// GPU in the engine for GPUs (src/engine/gpu/), and for plain loops and reductions on TBB itself
+// and on kernels of parallel/gpu_loops.hpp. Loop bodies are named functors (nvcc refuses extended
+// lambdas inside generic code, and a named functor gives each profile a label).
 #pragma once
 
 #include <thrust/binary_search.h>
@@ -19,13 +19,13 @@
 #include <thrust/scan.h>
 #include <thrust/sequence.h>
 #include <thrust/sort.h>
-#include <thrust/transform_reduce.h>
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "core/host_device.hpp"
+#include "parallel/gpu_loops.hpp"
 #include "parallel/loop_policy.hpp"
 #include "parallel/threads.hpp"
 
@@ -56,21 +56,28 @@ const T* pointer(const Array<T>& array) {
   return thrust::raw_pointer_cast(array.data());
 }
 
-#if THRUST_DEVICE_SYSTEM == THRUST_DEVICE_SYSTEM_CUDA
+#if defined(__CUDACC__)
 
 // Calls body(i) for i = 0 .. count - 1, in any order.
 template <class Body>
 void for_each_index(Index count, const Body& body) {
-  thrust::for_each(loop_policy(), thrust::counting_iterator<Index>(0),
-                   thrust::counting_iterator<Index>(count), body);
+  gpu::for_each_index(count, body);
 }
 
 // Combines value(0) .. value(count - 1) and `initial` with an operator whose result depends neither
 // on the order nor on how often `initial` is combined (minimum, maximum, or).
 template <class T, class Value, class Combine>
 T reduce_unordered(Index count, const Value& value, T initial, const Combine& combine) {
-  return thrust::transform_reduce(loop_policy(), thrust::counting_iterator<Index>(0),
-                                  thrust::counting_iterator<Index>(count), value, initial, combine);
+  if (count == 0) return initial;
+  return gpu::fold<T>(count, gpu::Combination<T, Value, Combine>{value, combine, initial});
+}
+
+// As reduce_unordered, of bodies so long that several threads share each: the value of k is
+//   body.finish(k, join of body.part(k, lane) over the lanes).
+template <class T, class Body, class Combine>
+T reduce_in_groups(Index count, const Body& body, T initial, const Combine& combine) {
+  if (count == 0) return initial;
+  return gpu::fold_in_groups<T>(count, body, initial, combine);
 }
 
 #else
@@ -118,7 +125,65 @@ T reduce_unordered(Index count, const Value& value, T initial, const Combine& co
   return initial;
 }
 
+template <class Body>
+struct InLanes {
+  static constexpr std::uint32_t count = on_gpu ? 3 : 1;  // some, where a GPU is emulated
+  const Body& body;
+  auto operator()(Index k) const {
+    auto result = body.part(k, Lane{0, count});
+    for (std::uint32_t lane = 1; lane < count; ++lane)
+      body.join(result, body.part(k, Lane{lane, count}));
+    return body.finish(k, result);
+  }
+};
+template <class T, class Body, class Combine>
+T reduce_in_groups(Index count, const Body& body, T initial, const Combine& combine) {
+  return reduce_unordered(count, InLanes<Body>{body}, initial, combine);
+}
+
 #endif
+
+// A temporary array of indices. On a GPU its memory is kept, since allocation waits for all loops;
+// `use` tells apart what is used at once.
+template <int use>
+class TemporaryIndices {
+ public:
+  Array<Index>& operator*() { return indices_; }
+  Array<Index>* operator->() { return &indices_; }
+
+ private:
+#if defined(__CUDACC__)
+  Array<Index>& indices_ = gpu::kept_array<Index, use>();
+#else
+  Array<Index> indices_;
+#endif
+};
+
+#if defined(__CUDACC__)
+template <class T>
+struct GatherBody {
+  const Index* order;
+  const T* from;
+  T* to;
+  KERF_FUNCTION void operator()(Index k) const { to[k] = from[order[k]]; }
+};
+#endif
+// Replaces the array by array[order[0]], array[order[1]], ...
+template <class T>
+void gather_in_place(const Array<Index>& order, Array<T>& array) {
+#if defined(__CUDACC__)
+  const auto count = static_cast<Index>(order.size());
+  if (count == 0) return array.clear();
+  T* const gathered = gpu::raw_memory<T>(count);
+  for_each_index(count, GatherBody<T>{pointer(order), pointer(array), gathered});
+  array.resize(count);
+  gpu::copy_on_device(gathered, count, pointer(array));
+#else
+  Array<T> gathered(order.size());
+  thrust::gather(loop_policy(), order.begin(), order.end(), array.begin(), gathered.begin());
+  array.swap(gathered);
+#endif
+}
 
 // Store and load a flag that loop bodies of other threads may store as well.
 KERF_FUNCTION void store_flag(std::uint8_t& flag, std::uint8_t value) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sums in a fixed order. Floating-point addition is not associative, so that a parallel reduction
 // would depend on the number of threads. Blocks of fixed length are summed in parallel, their sums
-// one after the other.
+// one after the other; on a GPU both in trees of a fixed shape (parallel/gpu_loops.hpp).
 #pragma once
 
 #include "parallel/loops.hpp"
@@ -25,7 +25,7 @@ struct Terms {
 
 template <class Sum, class Value>
 struct SumBlock {
-  static constexpr Index length = on_gpu ? 32 : 512;  // of one thread
+  static constexpr Index length = 512;
   Index count;
   Value value;
   Sum* partial;
@@ -42,22 +42,6 @@ struct SumBlock {
   }
 };
 
-template <class Sum>
-struct JoinBlock {
-  static constexpr Index length = 32;
-  Index count;
-  const Sum* partial;
-  Sum* joined;
-
-  KERF_FUNCTION void operator()(Index block) const {
-    const Index begin = block * length;
-    const Index end = begin + length < count ? begin + length : count;
-    Sum sum = partial[begin];
-    for (Index i = begin + 1; i < end; ++i) sum.join(partial[i]);
-    joined[block] = sum;
-  }
-};
-
 // The object keeps its scratch space, so that a sum in a step does not allocate. `Sum` has a static
 // zero() and join(other), where `other` is the sum of later particles.
 template <class Sum>
@@ -67,40 +51,21 @@ class OrderedFold {
   template <class Value>
   Sum operator()(Index count, const Value& value) {
     if (count == 0) return Sum::zero();
+#if defined(__CUDACC__)
+    return gpu::fold<Sum>(count, gpu::Addition<Sum, Value>{value});
+#else
     using Block = SumBlock<Sum, Value>;
-    Index blocks = blocks_of(count, Block::length);
-    make_room(blocks);
+    const Index blocks = (count + Block::length - 1) / Block::length;
+    if (partial_.size() < blocks) partial_.resize(blocks);
     for_each_index(blocks, Block{count, value, pointer(partial_)});
-    if constexpr (on_gpu) blocks = join_on_device(blocks);
-    thrust::copy(partial_.begin(), partial_.begin() + blocks, host_.begin());
     Sum total = Sum::zero();
-    for (Index block = 0; block < blocks; ++block) total.join(host_[block]);
+    for (Index block = 0; block < blocks; ++block) total.join(partial_[block]);
     return total;
+#endif
   }
 
  private:
-  static Index blocks_of(Index count, Index length) { return (count + length - 1) / length; }
-
-  void make_room(Index blocks) {
-    if (partial_.size() >= blocks) return;
-    partial_.resize(blocks);
-    host_.resize(blocks);
-    if (on_gpu) joined_.resize(blocks);
-  }
-
-  // Joins the sums on the device, so that one sum is copied to the host.
-  Index join_on_device(Index blocks) {
-    while (blocks > 1) {
-      const JoinBlock<Sum> join{blocks, pointer(partial_), pointer(joined_)};
-      blocks = blocks_of(blocks, JoinBlock<Sum>::length);
-      for_each_index(blocks, join);
-      partial_.swap(joined_);
-    }
-    return blocks;
-  }
-
-  Array<Sum> partial_, joined_;
-  std::vector<Sum> host_;
+  Array<Sum> partial_;
 };
 
 template <int N>

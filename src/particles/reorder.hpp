@@ -2,8 +2,6 @@
 // This file reorders and removes particles: every state field is gathered by one list of indices.
 #pragma once
 
-#include <type_traits>
-
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -11,11 +9,7 @@ namespace kerf {
 // Particle k of the result is particle order[k]. Scratch fields are only resized.
 template <int D, class P>
 void gather_particles(Particles<D, P>& particles, const Array<Index>& order) {
-  particles.for_each_state([&](const char*, auto& field) {
-    std::remove_reference_t<decltype(field)> sorted(order.size());
-    thrust::gather(loop_policy(), order.begin(), order.end(), field.begin(), sorted.begin());
-    field.swap(sorted);
-  });
+  particles.for_each_state([&](const char*, auto& field) { gather_in_place(order, field); });
   particles.resize(static_cast<Index>(order.size()));
 }
 
@@ -40,11 +34,14 @@ void remove_outflow(Particles<D, P>& particles) {
 
 // Sorts the particles by their keys; those of equal keys keep their order.
 template <int D, class P>
-void sort_particles(Particles<D, P>& particles, Array<Index> key) {
-  Array<Index> order(particles.size());
-  thrust::sequence(loop_policy(), order.begin(), order.end());
-  thrust::stable_sort_by_key(loop_policy(), key.begin(), key.end(), order.begin());
-  gather_particles(particles, order);
+void sort_particles(Particles<D, P>& particles, const Array<Index>& key) {
+  TemporaryIndices<0> sorted;
+  TemporaryIndices<1> order;
+  *sorted = key;
+  order->resize(particles.size());
+  thrust::sequence(loop_policy(), order->begin(), order->end());
+  thrust::stable_sort_by_key(loop_policy(), sorted->begin(), sorted->end(), order->begin());
+  gather_particles(particles, *order);
 }
 
 }  // namespace kerf

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-// SIMD kernels run on processors only. On a GPU the general pair loop computes all pairs.
+// SIMD kernels run on processors only. On a GPU packed loops take their place (docs/gpu.md).
 inline constexpr bool simd_exists = !on_gpu;
 
 enum class InstructionSet { baseline, avx2, avx512 };

@@ -31,7 +31,7 @@ class BalanceAccumulator {
     using Change = StepChange<D, P>;
     const Change change{particles.view(), pointer(mass_of_), gravity, dt};
     const auto sum =
-        add_up(particles.size(), StepWithBodies<D, P, Before, After>{before, change, after});
+        change_sum_(particles.size(), StepWithBodies<D, P, Before, After>{before, change, after});
     for (int a = 0; a < D; ++a) {
       const auto axis = static_cast<std::size_t>(a);
       balance_.impulse_rigid[axis] += sum.value[Change::plate + a];
@@ -109,18 +109,6 @@ class BalanceAccumulator {
   void restore(const Balance& balance) { balance_ = balance; }
 
  private:
-  // On a GPU a block of the sum is the work of one thread: before and after are loops of their own.
-  template <class Body>
-  typename Body::Sum add_up(Index count, const Body& body) {
-    if constexpr (!on_gpu) return change_sum_(count, body);
-    for_each_index(count, body.before);
-    auto sum = change_sum_(count, body.change);
-    for_each_index(count, body.after);
-    sum.motion = reduce_unordered(count, MotionOf<D, P>{body.change.particles}, MotionSquares{},
-                                  FartherMotion{});
-    return sum;
-  }
-
   Balance balance_;
   Array<double> mass_of_;
   std::vector<double> mass_on_host_;

@@ -64,11 +64,9 @@ class StandardRates {
       simd_pairs_ = SimdPairs<D, P>(media, 1.0 / lattice.slope, gravity_.gravity);
   }
 
-  // Whether the pairs of fluids are summed by SIMD kernels of their own, for which they have to
-  // come first in the list.
-  bool separates_fluids() const {
-    return simd_exists && fluid_pair_.scheme == WaterScheme::riemann;
-  }
+  // Whether the pairs of fluids are summed by kernels of their own, for which they have to come
+  // first in the list.
+  bool separates_fluids() const { return fluid_pair_.scheme == WaterScheme::riemann; }
 
   // Sets the gradient correction of bodies whose spacing jumps.
   void set_pair_correction(const PairCorrection<D, P>& correction) {
@@ -167,16 +165,14 @@ class StandardRates {
                 const BodyForce<D, P>& body_force, const More&... more) const {
     for_each_index(input.count, forces_loop(input, bonds, filter, body_force, more...));
   }
-  // Sums over every pair; those of fluids by SIMD kernels where there are such.
+  // Sums over every pair; those of fluids by kernels of their own where they can.
   template <class Bonds, class... More>
   void sum_pairs(LoopInput input, const Bonds& bonds, const More&... more) const {
-    if constexpr (simd_exists) {
-      if (separates_fluids()) {
-        input.list.skips = Skips::of_fluids;
-        simd_pairs_.run(simd_pairs_.pack(input.view, input.count, input.list), input.count,
-                        forces_loop(input, bonds, EveryPair{}, gravity_, more...));
-        return;
-      }
+    if (separates_fluids()) {
+      input.list.skips = simd_exists ? Skips::of_fluids : Skips::same_fluid;
+      simd_pairs_.run(simd_pairs_.pack(input.view, input.count, input.list), input.count,
+                      forces_loop(input, bonds, EveryPair{}, gravity_, more...));
+      return;
     }
     update_pressures(input);
     run_loop(input, bonds, EveryPair{}, gravity_, more...);

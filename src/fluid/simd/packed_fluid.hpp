@@ -25,7 +25,7 @@ struct alignas(8 * sizeof(Real)) PackedFluid {
 // The sums of a particle over the neighbours that the SIMD kernels visit (fluid/pair_terms.hpp):
 // those of its own fluid, and those unlike it (fluid/simd/unlike_pair_kernel.hpp).
 template <int D, class Real>
-struct FluidSums {
+struct alignas(16) FluidSums {
   static constexpr int count = 3 * D + 2;
   static constexpr int pressure_force_at = 0, dissipative_force_at = D, compression_rate_at = 2 * D,
                        concentration_gradient_at = 2 * D + 1, kernel_sum_at = 3 * D + 1;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SimdPairs computes the pairs of fluids by the SIMD pair kernels: those of particles of one fluid,
 // which are most of all pairs, and those of a fluid with another fluid, a solid or a mirror image.
-// The general pair loop starts from these sums and adds the other neighbours. On a GPU the general
-// pair loop computes all pairs.
+// The general pair loop starts from these sums and adds the other neighbours. On a GPU
+// fluid/packed_fluid_loop.hpp takes the place of the first kernel, and the general pair loop adds
+// all other pairs.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 #include "fluid/fluid_pressure.hpp"
+#include "fluid/packed_fluid_loop.hpp"
 #include "fluid/simd/fluid_kernels.hpp"
 #include "fluid/simd/graded_pairs.hpp"
 #include "fluid/simd/unlike_kernels.hpp"
@@ -46,13 +48,20 @@ class SimdPairs {
   SimdPairs(const std::vector<Medium<double>>& media, double kernel_gradient_normalisation,
             const Vector<D, Real>& gravity) {
     double finest = 1e300;
+    std::vector<FluidLaw<Real>> laws;
     for (const auto& medium : media) {
-      laws_.push_back(law_of(medium, kernel_gradient_normalisation));
+      laws.push_back(law_of(medium, kernel_gradient_normalisation));
       finest = std::min(finest, medium.spacing);
+      (is_weakly_compressible(laws.back().equations, medium.equation_of_state) ? any_weak_
+                                                                               : any_shocks_) =
+          true;
     }
+    to_device(laws, laws_);
     unit_ = FixedPointScale<Real>::of_spacing(finest);
-    task_.same_fluid_kernel = fluid_kernels().template get<D, Real>();
-    task_.unlike_kernel = unlike_kernels().template get<D, Real>();
+    if constexpr (simd_exists) {
+      task_.same_fluid_kernel = fluid_kernels().template get<D, Real>();
+      task_.unlike_kernel = unlike_kernels().template get<D, Real>();
+    }
     task_.same_fluid.unit = task_.unlike.unit = static_cast<Real>(unit_.unit);
     task_.unlike.kernel_gradient_normalisation = static_cast<Real>(kernel_gradient_normalisation);
     task_.unlike.gravity = gravity;
@@ -62,16 +71,16 @@ class SimdPairs {
   SimdPairsTask<D, Real> pack(const ParticleView<D, P>& view, Index count,
                               const NeighbourView& list) {
     fluid_.resize(count);
-    make_room_for_unlike(list, count);
-    for_each_index(count, FusedKernel(FluidPressure<D, P>{view}, Pack{view, unit_, fluid_.data()},
+    if constexpr (simd_exists) make_room_for_unlike(list, count);
+    for_each_index(count, FusedKernel(FluidPressure<D, P>{view}, Pack{view, unit_, pointer(fluid_)},
                                       PackUnlike{view, list.unlike, list.images, unit_,
-                                                 unlike_.empty() ? nullptr : unlike_.data()}));
+                                                 unlike_.empty() ? nullptr : pointer(unlike_)}));
     auto task = task_;
-    task.same_fluid.fluid = fluid_.data();
+    task.same_fluid.fluid = pointer(fluid_);
     task.same_fluid.source = view.source;
-    task.same_fluid.laws = laws_.data();
+    task.same_fluid.laws = pointer(laws_);
     task.same_fluid.asleep = task.unlike.asleep = view.asleep;
-    task.unlike.particles = unlike_.data();
+    task.unlike.particles = pointer(unlike_);
     task.unlike.end = list.end;
     task.unlike.unlike = list.unlike;
     task.unlike.images = list.images;
@@ -98,13 +107,26 @@ class SimdPairs {
   // Calls loop(i), the general pair loop, for all particles, a block of them at a time, after the
   // sums of the block by the kernels.
   template <class Loop>
-  void run(const SimdPairsTask<D, Real>& task, Index count, const Loop& loop) const {
-    run_in_blocks<FluidSums<D, Real>>(task, &SimdPairsTask<D, Real>::run, count, loop);
+  void run(const SimdPairsTask<D, Real>& task, Index count, const Loop& loop) {
+    if constexpr (simd_exists) {
+      run_in_blocks<FluidSums<D, Real>>(task, &SimdPairsTask<D, Real>::run, count, loop);
+    } else {
+      results_.resize(count);
+      auto of_all = task.same_fluid;
+      of_all.results = pointer(results_);
+      if (any_weak_)
+        for_each_index(count, PackedFluidLoop<D, Real, WeaklyCompressiblePairs<Real>>{of_all});
+      if (any_shocks_) for_each_index(count, PackedFluidLoop<D, Real, ShockPairs<Real>>{of_all});
+      Loop others = loop;
+      others.take(BlockResults<FluidSums<D, Real>>{of_all.results, 0});
+      for_each_index(count, others);
+    }
   }
 
   std::size_t bytes() const {
-    return fluid_.size() * sizeof(fluid_[0]) + unlike_.size() * sizeof(unlike_[0]) +
-           graded_.bytes();
+    return fluid_.size() * sizeof(PackedFluid<D, Real>) +
+           unlike_.size() * sizeof(PackedUnlike<D, Real>) +
+           results_.size() * sizeof(FluidSums<D, Real>) + graded_.bytes();
   }
 
  private:
@@ -194,10 +216,11 @@ class SimdPairs {
  private:
   SimdPairsTask<D, Real> task_;  // without the particles and the list
   FixedPointScale<Real> unit_{};
-  // Not Array: a packed particle has an alignment of its own.
-  std::vector<PackedFluid<D, Real>> fluid_;
-  std::vector<PackedUnlike<D, Real>> unlike_;
-  std::vector<FluidLaw<Real>> laws_;
+  Array<PackedFluid<D, Real>> fluid_;
+  Array<PackedUnlike<D, Real>> unlike_;
+  Array<FluidLaw<Real>> laws_;
+  bool any_weak_ = false, any_shocks_ = false;  // fluids without shocks and with them
+  Array<FluidSums<D, Real>> results_;           // of the GPU's loops
   GradedPairs<D, P> graded_;
 };
 

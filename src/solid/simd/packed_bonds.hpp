@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/matrix.hpp"
+#include "parallel/load_record.hpp"
 #include "simd/packed_position.hpp"
 #include "solid/bond_terms.hpp"
 #include "solid/bond_weight.hpp"
@@ -68,9 +69,18 @@ struct SharedBonds {
   const Real* per_length = nullptr;  // 1 / |X_j - X_i|, 1/m
 };
 
+// The same of one entry, with the entry itself, for the loops of a GPU.
+template <int D, class Real>
+struct alignas(16) SharedBond {
+  Real bond[D], weight, per_length;
+  std::int32_t entry;
+};
+
 template <int D, class Real>
 struct Bonds {
   const PackedBondEnd<D, Real>* ends = nullptr;
+  const RecordPart* end_parts = nullptr;  // of `ends_count`, for a GPU
+  std::uint32_t ends_count = 0;
   // As in a table of bonds (solid/bond_table.hpp): where the list of each particle begins, how long
   // it is, and the indices of the other ends minus that of the particle.
   const std::uint32_t* begin = nullptr;
@@ -78,10 +88,11 @@ struct Bonds {
   const std::int32_t* entry = nullptr;
   std::uint32_t shared_entries = 0;  // the first ones
   SharedBonds<D, Real> shared;
-  const std::uint32_t* bond_intact = nullptr;  // bits
-  std::uint32_t words = 0;                     // of each particle
-  const Real* correction = nullptr;            // factor of each weight of other lists; null: 1
-  const Matrix<D, Real>* gradient = nullptr;   // H of each particle
+  const SharedBond<D, Real>* shared_records = nullptr;  // for a GPU
+  const std::uint32_t* bond_intact = nullptr;           // bits
+  std::uint32_t words = 0;                              // of each particle
+  const Real* correction = nullptr;           // factor of each weight of other lists; null: 1
+  const Matrix<D, Real>* gradient = nullptr;  // H of each particle
   // Particles that the general loops compute, those without bonds, those that are not computed, and
   // those with broken bonds.
   const std::uint8_t *several_bodies = nullptr, *detached = nullptr, *asleep = nullptr,
@@ -94,6 +105,7 @@ struct Bonds {
 };
 template <int D, class Real, template <int, class> class Result>
 struct BondKernelTask : Bonds<D, Real> {
+  KERF_FUNCTION const Bonds<D, Real>& bonds() const { return *this; }
   Result<D, Real>* results = nullptr;  // out, of the first particle and those after it
 };
 

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "fluid/packed_fluid_loop.hpp"
 #include "fluid/riemann.hpp"
 #include "fluid/simd/fluid_kernels.hpp"
 #include "kernels/wendland_c2.hpp"
@@ -153,7 +154,7 @@ struct SimdCloud {
   std::vector<std::uint8_t> graded;
   std::vector<Real> correction, length;  // per neighbour
   FluidLaw<Real> law{};
-
+  bool by_loop = false;  // sums by the loop that takes the place of the kernel on GPUs
   SimdCloud(const std::vector<Drop>& drops, const Matter& matter)
       : law(law_of<Real>(matter, WendlandC2<D>::scale(h))) {
     for (const Drop& drop : drops) fluid.push_back(packed<D, Real>(drop));
@@ -188,14 +189,19 @@ struct SimdCloud {
     task.graded = graded.data();
     task.correction = correction.data();
     task.length_ratio = length.data();
-    fluid_kernels().get<D, Real>()(task, first, last);
+    if (!by_loop) fluid_kernels().get<D, Real>()(task, first, last);
+    for (std::uint32_t i = first; by_loop && i < last; ++i) {
+      PackedFluidLoop<D, Real, WeaklyCompressiblePairs<Real>>{task}(i);
+      PackedFluidLoop<D, Real, ShockPairs<Real>>{task}(i);
+    }
     return results;
   }
 };
 
 template <int D, class Real>
-FluidSums<D, Real> simd_sums(const std::vector<Drop>& drops, const Matter& matter) {
+FluidSums<D, Real> simd_sums(const std::vector<Drop>& drops, const Matter& matter, bool by_loop) {
   SimdCloud<D, Real> all(drops, matter);
+  all.by_loop = by_loop;
   std::vector<std::uint32_t> others;
   for (std::uint32_t j = 1; j < drops.size(); ++j) others.push_back(j);
   all.add_list(others, drops, matter.graded);
@@ -203,12 +209,12 @@ FluidSums<D, Real> simd_sums(const std::vector<Drop>& drops, const Matter& matte
 }
 
 template <int D, class Real>
-void expect_same_sums(const Matter& matter) {
+void expect_same_sums(const Matter& matter, bool by_loop) {
   const double tolerance = sizeof(Real) == 4 ? 2e-5 : 1e-13;  // roundings of sums of some terms
   for (int count : {2, 3, 16, 17, 18, 33, 90, 97, 98, 193, 194, 400}) {
     const auto drops = cloud<D>(count, 7u + static_cast<unsigned>(count), matter.graded);
     const auto due = plain_sums<D>(drops, matter);
-    const auto is = simd_sums<D, Real>(drops, matter);
+    const auto is = simd_sums<D, Real>(drops, matter, by_loop);
     const double force = std::sqrt(dot(due.pressure_force(), due.pressure_force())) + 1e-30;
     const double damping = std::sqrt(dot(due.dissipative_force(), due.dissipative_force())) + 1e-30;
     const double concentration_gradient =
@@ -230,13 +236,18 @@ void expect_same_sums(const Matter& matter) {
   }
 }
 
+void expect_same_sums_in_all(const Matter& matter, bool by_loop) {
+  expect_same_sums<2, float>(matter, by_loop);
+  expect_same_sums<3, float>(matter, by_loop);
+  expect_same_sums<2, double>(matter, by_loop);
+  expect_same_sums<3, double>(matter, by_loop);
+}
 TEST(FluidKernel, IsTheSumOfItsPairs) {
-  for (const Matter& matter : {Matter{}, Matter{2.0, false}, Matter{0.0, true}}) {
-    expect_same_sums<2, float>(matter);
-    expect_same_sums<3, float>(matter);
-    expect_same_sums<2, double>(matter);
-    expect_same_sums<3, double>(matter);
-  }
+  for (const Matter& matter : {Matter{}, Matter{2.0, false}, Matter{0.0, true}})
+    expect_same_sums_in_all(matter, false);
+}
+TEST(PackedFluidLoop, IsTheSumOfItsPairs) {
+  for (const Matter& matter : {Matter{}, Matter{2.0, false}}) expect_same_sums_in_all(matter, true);
 }
 
 // The sums of a particle do not depend on the particles that the kernel computes before and after,
