@@ -112,14 +112,13 @@ struct PackedFluidLoop {
   struct Centre {
     const Packed& own;
     Pairs pairs;
-    Real per_diameter, reach_squared, viscosity;  // 1 / (2 h)
+    Real per_diameter, reach_squared;  // 1 / (2 h)
 
     KERF_FUNCTION Centre(const Packed& particle, const FluidLaw<Real>& law, Real unit)
         : own(particle),
           pairs(law, particle, unit),
           per_diameter(unit * law.per_smoothing_length / Real(Kernel::support)),
-          reach_squared(Real(1) / (per_diameter * per_diameter)),
-          viscosity(law.viscosity / unit) {}
+          reach_squared(Real(1) / (per_diameter * per_diameter)) {}
   };
 
   KERF_FUNCTION Result sums_of(Index i, const Packed& own, const FluidLaw<Real>& law) const {
@@ -170,7 +169,7 @@ struct PackedFluidLoop {
     const Real weight = pair_weight(volume, slope);
     sums.compression_rate -= pair_strain_rate(weight, distance, star.speed);
     const Real pressure = weight * star.mean_pressure, dissipation = weight * star.dissipation,
-               drag = weight * centre.viscosity;
+               drag = weight * centre.pairs.viscosity;
     sums.pressure_force += pressure * d;
     sums.dissipative_force += dissipation * d;
     sums.dissipative_force -= drag * v;

@@ -39,9 +39,6 @@ struct MarkOccupied {
     marks[number] = particles > 0 ? 1 : 0;
   }
 };
-struct IsMark {
-  KERF_FUNCTION bool operator()(std::uint8_t mark) const { return mark != 0; }
-};
 
 // Computes bounds of the displacements of the particles of a patch until the end of the `horizon`.
 template <int D, class P>
@@ -59,9 +56,6 @@ struct BoundMotion {
     auto sum = MotionBounds<D>::none();
     for_each_run(cells, order.begin, patches.find(occupied[k]), Include{*this, lane, &sum});
     return sum;
-  }
-  KERF_FUNCTION void join(MotionBounds<D>& sum, const MotionBounds<D>& other) const {
-    sum.include(other);
   }
   KERF_FUNCTION MotionBounds<D> finish(Index k, MotionBounds<D> sum) const {
     const auto patch = patches.find(occupied[k]);
@@ -120,9 +114,6 @@ struct LargestRelativeDisplacement {
     for (int level = 0; level < patches.levels; ++level)
       include_level(occupied[k], patch, level, {lane, &row, &farthest});
     return farthest;
-  }
-  KERF_FUNCTION void join(double& farthest, double other) const {
-    farthest = farthest < other ? other : farthest;
   }
   KERF_FUNCTION double finish(Index, double farthest) const { return farthest; }
 
@@ -208,8 +199,8 @@ class ListValidity {
     for_each_index(patches_.count(),
                    MarkOccupied<D>{cells_, patches_, order.begin, pointer(marks_)});
     const thrust::counting_iterator<Index> first(0);
-    const auto end = thrust::copy_if(loop_policy(), first, first + patches_.count(), marks_.begin(),
-                                     occupied_.begin(), IsMark{});
+    const auto end = thrust::copy_if(loop_policy(), first, first + patches_.count(),
+                                     occupied_.begin(), IsSet{pointer(marks_)});
     count_ = static_cast<Index>(end - occupied_.begin());
     bounds_.resize(patches_.count());
     thrust::fill(bounds_.begin(), bounds_.end(), MotionBounds<D>::none());

@@ -119,10 +119,11 @@ T fold(std::uint32_t count, const Fold& fold) {
   return result;
 }
 
-// A warp of threads computes parts of body k, joins them in a tree and finishes the result.
-template <class T, class Body>
+// A warp of threads computes parts of body k, combines them in a tree and finishes the result.
+template <class T, class Body, class Combine>
 __global__ void __launch_bounds__(loop_threads)
-    run_groups(std::uint32_t count, const __grid_constant__ Body body, T* results) {
+    run_groups(std::uint32_t count, const __grid_constant__ Body body, Combine combine,
+               T* results) {
   constexpr std::uint32_t lanes = 32;
   extern __shared__ double shared_numbers[];
   T* const parts = reinterpret_cast<T*>(shared_numbers);
@@ -132,7 +133,7 @@ __global__ void __launch_bounds__(loop_threads)
   parts[thread] = body.part(k, Lane{lane, lanes});
   for (std::uint32_t half = lanes / 2; half > 0; half /= 2) {
     __syncwarp();
-    if (lane < half) body.join(parts[thread], parts[thread + half]);
+    if (lane < half) parts[thread] = combine(parts[thread], parts[thread + half]);
   }
   if (lane == 0) results[k] = body.finish(k, parts[thread]);
 }
@@ -162,8 +163,8 @@ T fold_in_groups(std::uint32_t count, const Body& body, T initial, const Combine
   constexpr std::uint32_t per_block = loop_threads / 32;
   const std::uint32_t blocks = (count + per_block - 1) / per_block;
   T* const results = scratch_memory<T, 1>(count);
-  run_groups<<<blocks, loop_threads, loop_threads * sizeof(T), cudaStreamLegacy>>>(count, body,
-                                                                                   results);
+  run_groups<<<blocks, loop_threads, loop_threads * sizeof(T), cudaStreamLegacy>>>(
+      count, body, combine, results);
   using Values = Combination<T, ValueOf<T>, Combine>;
   return fold<T>(count, Values{{results}, combine, initial});
 }

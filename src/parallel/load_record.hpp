@@ -42,16 +42,16 @@ KERF_FUNCTION void store_record(const Record& record, Record* to) {
 struct alignas(16) RecordPart {
   std::uint32_t word[4];
 };
-// Sets the parts `first` .. `last` - 1 of each record.
+// Sets the first `number` parts of each record.
 template <class Record>
 struct SplitRecords {
   const Record* records;
-  std::uint32_t count, first, last;
+  std::uint32_t count, number;
   RecordPart* parts;
 
   KERF_FUNCTION void operator()(std::uint32_t i) const {
     const auto* from = reinterpret_cast<const RecordPart*>(records + i);
-    for (std::uint32_t part = first; part < last; ++part)
+    for (std::uint32_t part = 0; part < number; ++part)
       parts[std::size_t(part) * count + i] = load_record(from + part);
   }
 };

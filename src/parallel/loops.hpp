@@ -73,7 +73,7 @@ T reduce_unordered(Index count, const Value& value, T initial, const Combine& co
 }
 
 // As reduce_unordered, of bodies so long that several threads share each: the value of k is
-//   body.finish(k, join of body.part(k, lane) over the lanes).
+//   body.finish(k, combination of body.part(k, lane) over the lanes).
 template <class T, class Body, class Combine>
 T reduce_in_groups(Index count, const Body& body, T initial, const Combine& combine) {
   if (count == 0) return initial;
@@ -125,20 +125,21 @@ T reduce_unordered(Index count, const Value& value, T initial, const Combine& co
   return initial;
 }
 
-template <class Body>
+template <class Body, class Combine>
 struct InLanes {
   static constexpr std::uint32_t count = on_gpu ? 3 : 1;  // some, where a GPU is emulated
   const Body& body;
+  const Combine& combine;
   auto operator()(Index k) const {
     auto result = body.part(k, Lane{0, count});
     for (std::uint32_t lane = 1; lane < count; ++lane)
-      body.join(result, body.part(k, Lane{lane, count}));
+      result = combine(result, body.part(k, Lane{lane, count}));
     return body.finish(k, result);
   }
 };
 template <class T, class Body, class Combine>
 T reduce_in_groups(Index count, const Body& body, T initial, const Combine& combine) {
-  return reduce_unordered(count, InLanes<Body>{body}, initial, combine);
+  return reduce_unordered(count, InLanes<Body, Combine>{body, combine}, initial, combine);
 }
 
 #endif

@@ -39,6 +39,17 @@ struct BondScale {
   }
 };
 
+// Returns the weight of a bond of the length R, or of a register of bonds, to any level of a body,
+// by that within the medium of particle i: with q = h_j / h_i and c = 2 / (1 + q), h is h_i / c,
+// and K = V_i V_j 5 alpha / h^2 has the factor q^D c^(D + 2). `ratio`: q.
+template <int D, class T, class Number>
+KERF_FORMULA Number weight_of_levels(const BondScale<T>& within, Number ratio, Number distance) {
+  const Number c = Number(2) * reciprocal(Number(1) + ratio), qc = ratio * c;
+  const Number factor = (D == 3 ? qc * qc * qc : qc * qc) * c * c;
+  return factor * BondScale<Number>{Number(within.largest), Number(within.per_diameter) * c}.weight(
+                      distance);
+}
+
 // Returns w_ij of an intact bond, in double; 0 where there is none.
 template <int D>
 double intact_weight(const Medium<double>& a, const Medium<double>& b, double distance) {

@@ -112,19 +112,11 @@ class PackedBondLoop {
     }
     bond.per_length = reciprocal_square_root(select(square > Real(0), square, Real(1)));
     const Real distance = square * bond.per_length;
-    bond.geometry.weight =
-        task_.has_levels ? weight_of_levels(end, distance, bond) : law_.scale.weight(distance);
-    if (task_.correction != nullptr) bond.geometry.weight *= task_.correction[k];
-  }
-  // Returns the weight of a bond of the length R to any level of the body, by that within the
-  // medium: with q = h_j / h_i and c = 2 / (1 + q), h is h_i / c, and K = V_i V_j 5 alpha / h^2 has
-  // the factor q^D c^(D + 2).
-  KERF_FUNCTION Real weight_of_levels(const End& end, Real distance, Bond& bond) const {
     bond.mean_length = Real(0.5) * (own_.length + end.length);
-    const Real q = end.length / own_.length, c = Real(2) * reciprocal(Real(1) + q), qc = q * c;
-    const Real factor = (D == 3 ? qc * qc * qc : qc * qc) * c * c;
-    return factor *
-           BondScale<Real>{law_.scale.largest, law_.scale.per_diameter * c}.weight(distance);
+    bond.geometry.weight = task_.has_levels
+                               ? weight_of_levels<D>(law_.scale, end.length / own_.length, distance)
+                               : law_.scale.weight(distance);
+    if (task_.correction != nullptr) bond.geometry.weight *= task_.correction[k];
   }
 
   const Task& task_;

@@ -111,11 +111,12 @@ class SimdPairs {
     if constexpr (simd_exists) {
       run_in_blocks<FluidSums<D, Real>>(task, &SimdPairsTask<D, Real>::run, count, loop);
     } else {
+      using Pairs = WeaklyCompressiblePairs<Real>;
+      static_assert(list_alignment % PackedFluidLoop<D, Real, Pairs>::batch == 0);
       results_.resize(count);
       auto of_all = task.same_fluid;
       of_all.results = pointer(results_);
-      if (any_weak_)
-        for_each_index(count, PackedFluidLoop<D, Real, WeaklyCompressiblePairs<Real>>{of_all});
+      if (any_weak_) for_each_index(count, PackedFluidLoop<D, Real, Pairs>{of_all});
       if (any_shocks_) for_each_index(count, PackedFluidLoop<D, Real, ShockPairs<Real>>{of_all});
       Loop others = loop;
       others.take(BlockResults<FluidSums<D, Real>>{of_all.results, 0});

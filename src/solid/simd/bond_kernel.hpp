@@ -148,20 +148,14 @@ class BondsOfParticle {
       square += bond.reference[a] * bond.reference[a];
     }
     batch.per_length = reciprocal_square_root(select(square > T(0), square, T(1)));
-    bond.weight = task_.has_levels ? weight_of_levels(batch, square * batch.per_length)
+    bond.weight = task_.has_levels ? weight_to_levels(batch, square * batch.per_length)
                                    : law_.scale.weight(square * batch.per_length);
     if (task_.correction != nullptr) bond.weight *= correction(batch.first);
   }
-  // Returns the weight of bonds of the length R to any level of the body, by that within the
-  // medium: with q = h_j / h_i and c = 2 / (1 + q), h is h_i / c, and K = V_i V_j 5 alpha / h^2 has
-  // the factor q^D c^(D + 2).
-  [[gnu::always_inline]] T weight_of_levels(BondBatch& batch, const T& distance) const {
+  [[gnu::always_inline]] T weight_to_levels(BondBatch& batch, const T& distance) const {
     const T length = batch.slot[End::length_slot];
     batch.mean_length = T(Real(0.5)) * (T(own_->length) + length);
-    const T q = length / T(own_->length), c = T(2) * reciprocal(T(1) + q), qc = q * c;
-    const T factor = (D == 3 ? qc * qc * qc : qc * qc) * c * c;
-    return factor *
-           BondScale<T>{T(law_.scale.largest), T(law_.scale.per_diameter) * c}.weight(distance);
+    return weight_of_levels<D>(law_.scale, T(length / T(own_->length)), distance);
   }
   [[gnu::always_inline]] BondViscosityLaw<T> viscosity_of(const T& length) const {
     const auto& law = law_.viscosity;

@@ -152,7 +152,7 @@ class SimdBondSums {
       task.end_parts = pointer(end_parts_);
       task.shared_records = pointer(shared_records_);
       task.ends_count = solid.count;
-      for_each_index(solid.count, SplitRecords<PackedBondEnd<D, Real>>{solid.ends, solid.count, 0,
+      for_each_index(solid.count, SplitRecords<PackedBondEnd<D, Real>>{solid.ends, solid.count,
                                                                        parts, pointer(end_parts_)});
       for_each_index(solid.count,
                      SumBondsThen<BondKernelTask<D, Real, Result>, Sum, Loop>{task, loop});
