@@ -34,3 +34,5 @@ file(GLOB kerf_study_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cases/studies/*
 kerf_embed(kerf_app study_templates ${kerf_study_files})
 file(GLOB kerf_validation_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/validation/*/*.toml)
 kerf_embed(kerf_app validation_texts WITH_FOLDER ${kerf_validation_files})
+file(GLOB kerf_experiment_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/experiments/*/*.toml)
+kerf_embed(kerf_app experiment_texts WITH_FOLDER ${kerf_experiment_files})

@@ -15,7 +15,7 @@ import sys
 
 # Folders whose files a page may name although a run or a build creates them.
 MADE = ("out/", "build/", "frames/")
-NAMED_FOLDERS = "src|docs|cases|tests|scripts|cmake|benchmarks|validation|\\.ci"
+NAMED_FOLDERS = "src|docs|cases|tests|scripts|cmake|benchmarks|validation|experiments|\\.ci"
 
 
 def pages(root):

@@ -23,5 +23,7 @@ inline std::vector<EmbeddedText> all_templates() {
 }
 // Returns the files of validation/, named "FOLDER/FILE", in alphabetical order.
 std::span<const EmbeddedText> validation_texts();
+// Returns the files of experiments/, named in the same way.
+std::span<const EmbeddedText> experiment_texts();
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/command_line.hpp"
@@ -27,6 +28,7 @@ struct RunOptions {
   bool force = false;
   bool quiet = false;
   bool json_summary = false;
+  LogFormat log_format = LogFormat::text;
   bool converge = false;
   int layouts = 3;
   bool ignore_memory = false;
@@ -47,6 +49,7 @@ std::string resume_command(const RunOptions& options, const fs::path& folder) {
   if (machine.threads > 0) command += fmt::format(" --threads {}", machine.threads);
   if (machine.device != Device::cpu)
     command += fmt::format(" --device {}", word_of(machine.device));
+  if (options.log_format == LogFormat::json) command += " --log json";
   if (options.converge) command += fmt::format(" --converge --layouts {}", options.layouts);
   return command + " --resume";
 }
@@ -77,6 +80,7 @@ RunLoopSettings settings_of(const RunOptions& options) {
                       : options.force ? Existing::replace
                                       : Existing::refuse;
   settings.quiet = options.quiet || options.json_summary;
+  settings.log_format = options.log_format;
   settings.threads = threads_of(options.machine);
   settings.device = device_name();
   settings.resume_command = resume_command(options, settings.folder);
@@ -144,6 +148,11 @@ void add_run_command(CLI::App& program) {
   command->add_flag("--quiet", options->quiet, "show the result only");
   command->add_flag("--json-summary", options->json_summary,
                     "show the result only, as one JSON object in SI units, for programs");
+  const std::map<std::string, LogFormat> formats{{"text", LogFormat::text},
+                                                 {"json", LogFormat::json}};
+  command->add_option("--log", options->log_format, "format of the log: text, or json for programs")
+      ->transform(CLI::CheckedTransformer(formats))
+      ->default_str("text");
   CLI::Option* converges = command->add_flag(
       "--converge", options->converge,
       "also run the case at two coarser spacings and in other layouts, and give each headline "

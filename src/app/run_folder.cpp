@@ -29,7 +29,8 @@ bool is_leftover(const fs::path& path) {
 
 bool is_result(const fs::path& path) {
   static const std::vector<std::string> names = {"result.json",  "series.csv",    "report.html",
-                                                 "compare.html", "checkpoint.h5", "log.txt"};
+                                                 "compare.html", "checkpoint.h5", "log.txt",
+                                                 "log.jsonl"};
   const std::string name = path.filename().string();
   return std::find(names.begin(), names.end(), name) != names.end() || is_leftover(path) ||
          is_kept_mesh_name(name) || name.ends_with(".vtkhdf.series") ||

@@ -32,7 +32,6 @@ class RunFolder {
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path used_case() const { return path_ / "case.used.toml"; }
-  std::filesystem::path log() const { return path_ / "log.txt"; }
   std::filesystem::path series() const { return path_ / "series.csv"; }
   std::filesystem::path result() const { return path_ / "result.json"; }
   std::filesystem::path report() const { return path_ / "report.html"; }

@@ -2,16 +2,15 @@
 #include "app/run_loop.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/sinks/basic_file_sink.h>
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
 
+#include "analysis/cut_over.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "input/write_used.hpp"
-#include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 #include "output/checkpoint.hpp"
 #include "output/readable.hpp"
@@ -20,21 +19,6 @@
 
 namespace kerf {
 namespace {
-
-std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& path) {
-  try {
-    auto sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path.string());
-    auto log = std::make_shared<spdlog::logger>("run", sink);
-    // An error of the log must not hide messages of the run.
-    log->set_error_handler([](const std::string&) {});
-    log->flush_on(spdlog::level::info);
-    return log;
-  } catch (const spdlog::spdlog_ex& error) {
-    throw UserError(fmt::format("cannot write {}: {}. Check the disk and the folder's permissions.",
-                                path.string(), error.what()),
-                    exit_files);
-  }
-}
 
 const char* signal_name(int signal) {
   switch (signal) {
@@ -129,7 +113,7 @@ bool RunLoop::start() {
 }
 
 void RunLoop::start_log() {
-  log_ = open_log(folder_.log());
+  log_ = open_log(folder_.path(), settings_.log_format);
   log_->info("kerf {}, {}, {} threads, {}: {}", program_version, compiler_name(), settings_.threads,
              settings_.device, settings_.description.title);
 }
@@ -191,14 +175,7 @@ bool RunLoop::is_over() const {
   if (simulation_->finished()) return true;
   if (stationary_ && stationary_->reached && settings_.description.time.stop == RunStop::stationary)
     return true;
-  const double after_cut = settings_.description.time.after_cut;
-  const auto& history = cut_->history();
-  if (!history.empty() && history.back().front_depth >= last_front_depth(settings_.description))
-    return true;
-  if (std::isinf(after_cut) || history.empty() || !history.back().cut_through) return false;
-  const auto cut = std::find_if(history.begin(), history.end(),
-                                [](const CutState& state) { return state.cut_through; });
-  return simulation_->time() >= cut->time + after_cut;
+  return is_cut_over(settings_.description, cut_->history(), simulation_->time());
 }
 
 void RunLoop::finish() {

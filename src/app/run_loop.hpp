@@ -12,12 +12,11 @@
 #include <optional>
 #include <string>
 
-#include <spdlog/logger.h>
-
 #include "analysis/cut.hpp"
 #include "analysis/stationary_cut.hpp"
 #include "app/progress.hpp"
 #include "app/run_folder.hpp"
+#include "app/run_log.hpp"
 #include "app/run_record.hpp"
 #include "app/schedule.hpp"
 #include "app/signals.hpp"
@@ -38,6 +37,7 @@ struct RunLoopSettings {
   std::filesystem::path folder;
   Existing existing = Existing::refuse;
   bool quiet = false;
+  LogFormat log_format = LogFormat::text;
   bool catches_signals = true;  // Ctrl-C, SIGTERM and SIGHUP stop the run in good order
   int threads = 0;              // for the results
   std::string device;           // for the results

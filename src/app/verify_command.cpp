@@ -27,6 +27,7 @@ struct VerifyOptions {
   std::vector<std::string> names, runs;
   bool all = false;
   bool list = false;
+  bool experiments = false;
   std::string json;
   std::string page;
   std::string keep;
@@ -36,14 +37,18 @@ struct VerifyOptions {
   MachineOptions machine;
 };
 
-std::vector<VerificationCase> chosen_cases(const std::vector<std::string>& names) {
-  auto cases = read_verification_cases(validation_texts(), case_templates());
+std::vector<VerificationCase> chosen_cases(const VerifyOptions& options) {
+  const std::vector<std::string>& names = options.names;
+  auto cases = read_verification_cases(
+      options.experiments ? experiment_texts() : validation_texts(), case_templates());
   if (names.empty()) return cases;
   std::vector<std::string> known;
   for (const auto& entry : cases) known.push_back(entry.name);
   for (const std::string& name : names) {
     if (std::count(known.begin(), known.end(), name) > 0) continue;
-    refuse_name(fmt::format("there is no verification case \"{}\"", name), name, known);
+    refuse_name(fmt::format("there is no {} \"{}\"",
+                            options.experiments ? "experiment" : "verification case", name),
+                name, known);
   }
   std::erase_if(cases, [&](const VerificationCase& entry) {
     return std::count(names.begin(), names.end(), entry.name) == 0;
@@ -172,7 +177,7 @@ Findings verify_and_print(const std::vector<VerificationCase>& cases, const Veri
 }
 
 void run_verification(const VerifyOptions& options) {
-  auto cases = chosen_cases(options.names);
+  auto cases = chosen_cases(options);
   keep_runs(options.runs, cases);
   if (options.list) {
     print_list(cases);
@@ -202,7 +207,9 @@ void run_verification(const VerifyOptions& options) {
   const Findings findings = verify_and_print(cases, options, kept);
   if (!options.json.empty()) write_file(options.json, to_json(findings.rows));
   if (!options.page.empty())
-    write_verification_page(options.page, cases, findings, !options.names.empty());
+    write_verification_page(options.page, cases, findings,
+                            options.experiments ? TableKind::experiments : TableKind::theory,
+                            !options.names.empty());
   const auto count = [&](Verdict verdict) {
     return std::count_if(findings.rows.begin(), findings.rows.end(),
                          [verdict](const Row& row) { return row.verdict == verdict; });
@@ -221,6 +228,8 @@ void add_verify_command(CLI::App& program) {
   command->add_flag("--all", options->all, "Include long runs");
   command->add_option("--run", options->runs, "Only these runs of the cases, including long ones")
       ->allow_extra_args(false);
+  command->add_flag("--experiments", options->experiments,
+                    "Compare with published experiments instead of theory");
   command->add_flag("--list", options->list, "List the cases and run none");
   command->add_option("--json", options->json, "Also write the table to this file, as JSON");
   command->add_option(

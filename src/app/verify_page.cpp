@@ -21,7 +21,6 @@ namespace {
 // The program writes the part of the page between these lines.
 constexpr std::string_view table_begin = "<!-- kerf verify: begin -->\n";
 constexpr std::string_view table_end = "<!-- kerf verify: end -->";
-constexpr std::string_view image_folder = "images/validation";
 constexpr int plot_points = 400;
 constexpr double picture_scale = 0.5;
 // The names of palette::curves.
@@ -60,7 +59,8 @@ std::string caption_of(const CheckCurves& curves) {
 // Writes figures and returns the Markdown that shows them, by case.
 class Figures {
  public:
-  explicit Figures(std::filesystem::path folder) : folder_(std::move(folder)) {
+  explicit Figures(const std::filesystem::path& page)
+      : link_(std::filesystem::path("images") / page.stem()), folder_(page.parent_path() / link_) {
     std::filesystem::create_directories(folder_);
   }
 
@@ -87,9 +87,10 @@ class Figures {
            const std::string& content) {
     write_file(folder_ / file, content);
     by_case_[case_name] +=
-        fmt::format("![{}]({}/{})\n*{}*\n\n", caption, image_folder, file, caption);
+        fmt::format("![{}]({}/{})\n*{}*\n\n", caption, link_.string(), file, caption);
   }
 
+  std::filesystem::path link_;  // from the page to the folder
   std::filesystem::path folder_;
   std::map<std::string, std::string> by_case_;
 };
@@ -113,7 +114,7 @@ std::map<std::string, std::string> sections_of(const std::string& text) {
 
 void write_verification_page(const std::filesystem::path& page,
                              const std::vector<VerificationCase>& cases, const Findings& findings,
-                             bool keeps_others) {
+                             TableKind kind, bool keeps_others) {
   std::string text = read_file(page);
   const auto begin = text.find(table_begin);
   const auto end = text.find(table_end);
@@ -122,7 +123,7 @@ void write_verification_page(const std::filesystem::path& page,
                                 "position.",
                                 page.string(), table_begin, table_end),
                     exit_files);
-  Figures figures(page.parent_path() / image_folder);
+  Figures figures(page);
   for (const CheckCurves& curves : findings.curves) figures.add(curves);
   for (const RunImage& image : findings.images) figures.add(image);
   const auto first = begin + table_begin.size();
@@ -131,7 +132,7 @@ void write_verification_page(const std::filesystem::path& page,
   for (const VerificationCase& entry : cases) {
     const auto shown = figures.by_case().find(entry.name);
     sections[entry.name + "/"] = to_markdown(
-        entry, findings, shown == figures.by_case().end() ? std::string() : shown->second);
+        entry, findings, kind, shown == figures.by_case().end() ? std::string() : shown->second);
   }
   std::string table;
   for (const auto& [name, section] : sections) table += section;

@@ -22,9 +22,9 @@ using Json = nlohmann::json;
 
 // The keys by which a check is judged do not change its signal.
 const std::set<std::string>& keys_of_judgement() {
-  static const std::set<std::string> keys{"quantity",  "source",   "unit",    "reference",
-                                          "tolerance", "at_least", "at_most", "judge",
-                                          "mean",      "plot",     "runs",    "relative_to"};
+  static const std::set<std::string> keys{
+      "quantity", "source", "unit", "reference",   "tolerance", "at_least",   "at_most", "judge",
+      "mean",     "plot",   "runs", "relative_to", "scatter",   "calibrated", "interval"};
   return keys;
 }
 

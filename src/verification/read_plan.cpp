@@ -39,7 +39,7 @@ Parameters parameters_of(const toml::table& table, const std::string& where) {
 }
 
 struct Sources {
-  std::span<const EmbeddedText> validation;
+  std::span<const EmbeddedText> folders;
   std::span<const EmbeddedText> templates;
 };
 
@@ -48,7 +48,7 @@ PlannedRun read_run(const toml::table& table, const std::string& owner, const So
   PlannedRun run;
   run.name = keys.text("name");
   const std::string base = keys.text("case", "case");
-  std::string_view text = find_text(sources.validation, owner + "/" + base);
+  std::string_view text = find_text(sources.folders, owner + "/" + base);
   if (text.empty()) text = find_text(sources.templates, base);
   if (text.empty()) keys.fail(fmt::format("run \"{}\" names no case", run.name));
   const toml::table* changes = table["override"].as_table();
@@ -96,6 +96,17 @@ std::vector<std::string> read_names(const toml::table& table, const Parameters& 
   return names;
 }
 
+// The numbers of the runs over which the exponent is found.
+std::vector<double> read_exponent_over(const toml::table& table, const Check& check) {
+  const toml::array* written = table["exponent_over"].as_array();
+  if (written == nullptr) return {};
+  std::vector<double> numbers;
+  for (const toml::node& number : *written) numbers.push_back(evaluated(as_text(number)));
+  if (numbers.size() != check.runs.size() || numbers.size() < 2)
+    check.parameters.fail("exponent_over has a number for each of two or more runs");
+  return numbers;
+}
+
 Check read_check(const toml::table& table, const std::string& owner) {
   Check check;
   check.parameters = parameters_of(table, owner + "/reference.toml, a check");
@@ -103,17 +114,26 @@ Check read_check(const toml::table& table, const std::string& owner) {
   check.quantity = keys.text("quantity");
   check.runs = read_names(table, keys, "runs");
   if (table.contains("relative_to")) check.relative_to = read_names(table, keys, "relative_to");
+  if (table.contains("interval")) check.interval = read_names(table, keys, "interval");
   check.unit = keys.text("unit", "1");
   check.reference = optional_value(keys, "reference");
   check.tolerance = optional_value(keys, "tolerance");
+  check.scatter = optional_value(keys, "scatter");
   check.at_least = optional_value(keys, "at_least");
   check.at_most = optional_value(keys, "at_most");
   check.judged_from = read_judged_from(check);
+  check.exponent_over = read_exponent_over(table, check);
+  check.is_calibrated = keys.text("calibrated", "false") == "true";
   check.of_mean = keys.text("mean", "false") == "true";
   check.plot = keys.text("plot", "false") == "true";
   check.source = keys.text("source");
   if (check.reference.has_value() != check.tolerance.has_value())
     keys.fail("a reference goes with a tolerance");
+  if (check.scatter && !check.reference) keys.fail("a scatter goes with a reference");
+  if (check.of_mean && !check.exponent_over.empty())
+    keys.fail("mean and exponent_over exclude each other");
+  if (!check.interval.empty() && (check.runs.size() > 1 || !check.relative_to.empty()))
+    keys.fail("an interval goes with one run and without relative_to");
   return check;
 }
 
@@ -133,7 +153,7 @@ PlacementRefusals read_refusals(const toml::table& table, const std::string& own
 }
 
 VerificationCase read_verification(const std::string& name, const Sources& sources) {
-  const toml::table table = toml::parse(find_text(sources.validation, name + "/reference"));
+  const toml::table table = toml::parse(find_text(sources.folders, name + "/reference"));
   VerificationCase result;
   result.name = name;
   result.title = table["title"].value_or(std::string());
@@ -143,7 +163,7 @@ VerificationCase read_verification(const std::string& name, const Sources& sourc
     result.checks.push_back(read_check(*node.as_table(), name));
   result.refuses = read_refusals(table, name);
   for (const Check& check : result.checks)
-    for (const auto* runs : {&check.runs, &check.relative_to})
+    for (const auto* runs : {&check.runs, &check.relative_to, &check.interval})
       for (const std::string& run : *runs) (void)result.run(run);
   return result;
 }
@@ -188,20 +208,21 @@ std::vector<std::string> VerificationCase::due_runs(const Check& check, bool all
     return !planned.is_left_out && (all || !planned.is_long);
   };
   std::vector<std::string> due;
-  if (!std::all_of(check.relative_to.begin(), check.relative_to.end(), is_due)) return due;
+  for (const auto* others : {&check.relative_to, &check.interval})
+    if (!std::all_of(others->begin(), others->end(), is_due)) return due;
   std::copy_if(check.runs.begin(), check.runs.end(), std::back_inserter(due), is_due);
   return due;
 }
 
-std::vector<VerificationCase> read_verification_cases(std::span<const EmbeddedText> validation,
+std::vector<VerificationCase> read_verification_cases(std::span<const EmbeddedText> folders,
                                                       std::span<const EmbeddedText> templates) {
   constexpr std::string_view suffix = "/reference";
   std::vector<VerificationCase> cases;
-  for (const EmbeddedText& entry : validation)
+  for (const EmbeddedText& entry : folders)
     if (entry.name.ends_with(suffix))
       cases.push_back(
           read_verification(std::string(entry.name.substr(0, entry.name.size() - suffix.size())),
-                            {validation, templates}));
+                            {folders, templates}));
   return cases;
 }
 

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
+#include "analysis/exposure.hpp"
 #include "model/case.hpp"
 #include "output/balance_metrics.hpp"
 
@@ -101,11 +104,23 @@ Signal cut_signal(const Parameters& parameters, const Beginning& beginning) {
   return [read](Moment& moment) { return read(moment.cut_summary()); };
 }
 
+Signal exposure_signal(const Parameters& parameters, const Beginning& beginning) {
+  const auto read = find_number(Exposure::metrics(), parameters.text("field"));
+  if (!read) refuse_field(parameters);
+  const auto history = std::make_shared<std::vector<CutState>>();
+  return [read, history, &description = beginning.description](Moment& moment) {
+    history->push_back(moment.cut());
+    const auto exposure = exposure_of(description, *history, moment.cut_summary());
+    return exposure ? read(*exposure) : Exposure::none;
+  };
+}
+
 const std::map<std::string, SignalMaker>& signal_makers() {
   static const std::map<std::string, SignalMaker> makers{
       {"probe", probe_signal},
       {"balance", balance_signal},
       {"cut", cut_signal},
+      {"exposure", exposure_signal},
       {"body_mean", body_mean_signal},
       {"kinetic_centroid", kinetic_centroid_signal},
       {"profile_error", profile_error_signal},

@@ -28,10 +28,11 @@ std::size_t named_body(const Parameters& parameters, const Beginning& beginning,
 // Returns the axis that the key "axis" names: 0, 1, 2 for x, y, z.
 std::size_t named_axis(const Parameters& parameters);
 
-// Signals of probes, of the balance and of the cut.
+// Signals of probes, of the balance, of the cut and of the cut at the feed of the nozzle.
 Signal probe_signal(const Parameters& parameters, const Beginning& beginning);
 Signal balance_signal(const Parameters& parameters, const Beginning& beginning);
 Signal cut_signal(const Parameters& parameters, const Beginning& beginning);
+Signal exposure_signal(const Parameters& parameters, const Beginning& beginning);
 
 // Signals over the particles of a body, weighted by a formula of their initial positions.
 Signal body_mean_signal(const Parameters& parameters, const Beginning& beginning);

@@ -31,6 +31,8 @@ std::string number(double value) {
 }
 
 std::string expected(const Row& row) {
+  if (row.reference && row.scatter)
+    return fmt::format("{} ± {}", number(*row.reference), number(*row.scatter));
   if (row.reference) return number(*row.reference);
   if (row.at_least && row.at_most)
     return fmt::format("{} to {}", number(*row.at_least), number(*row.at_most));
@@ -69,6 +71,38 @@ std::string places_of(const Row& row) {
 
 constexpr auto layout = "{:<12} {:<34} {:<13} {:>9} {:>13} {:<7} {:>8} {:>6}  {:<8} {:>6}\n";
 
+constexpr std::string_view theory_head =
+    "| quantity | run | measured | reference | error | within | verdict | holds | s |\n"
+    "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+
+std::string theory_line(const Row& row) {
+  return fmt::format("| {} | {} | {} {}{} | {} | {} | {} | {} | {} | {:.0f} |\n", row.quantity,
+                     row.run, number(row.measured), unit_of(row),
+                     is_as_written(row.placement) ? "" : " (elsewhere)", expected(row),
+                     percent(row.error, "{:+.2f}%"), percent(row.tolerance, "{:.3g}%"),
+                     verdict_name(row.verdict), places_of(row), row.seconds);
+}
+
+// Returns the value of Kerf, with its range where it has one.
+std::string value_with_range(const Row& row) {
+  if (!row.low || !row.high) return number(row.measured);
+  return fmt::format("{} ({} to {})", number(row.measured), number(*row.low), number(*row.high));
+}
+
+constexpr std::string_view experiment_head =
+    "| quantity | run | measured | Kerf | error | within | | verdict | s |\n"
+    "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+
+std::string experiment_line(const Row& row) {
+  const std::string unit = row.unit == "1" ? "" : " " + row.unit;
+  const bool has_measurement = row.reference || row.at_least || row.at_most;
+  return fmt::format("| {} | {} | {}{} | {}{} | {} | {} | {} | {} | {:.0f} |\n", row.quantity,
+                     row.run, expected(row), has_measurement ? unit : "", value_with_range(row),
+                     unit, percent(row.error, "{:+.0f}%"), percent(row.tolerance, "{:.3g}%"),
+                     row.is_calibrated ? "calibrated" : "predicted", verdict_name(row.verdict),
+                     row.seconds);
+}
+
 nlohmann::json optional_json(const std::optional<double>& value) {
   if (!value || !std::isfinite(*value)) return nullptr;
   return *value;
@@ -105,6 +139,10 @@ std::string to_json(const std::vector<Row>& rows) {
                               {"reference", optional_json(row.reference)},
                               {"relative_error", optional_json(row.error)},
                               {"tolerance", optional_json(row.tolerance)},
+                              {"scatter", optional_json(row.scatter)},
+                              {"low", optional_json(row.low)},
+                              {"high", optional_json(row.high)},
+                              {"calibrated", row.is_calibrated},
                               {"at_least", optional_json(row.at_least)},
                               {"at_most", optional_json(row.at_most)},
                               {"verdict", verdict_name(row.verdict)},
@@ -116,15 +154,11 @@ std::string to_json(const std::vector<Row>& rows) {
 }
 
 std::string to_markdown(const VerificationCase& verification, const Findings& findings,
-                        const std::string& figures) {
+                        TableKind kind, const std::string& figures) {
   std::string table, sources, last;
   for (const Row& row : findings.rows) {
     if (row.case_name != verification.name) continue;
-    table += fmt::format("| {} | {} | {} {}{} | {} | {} | {} | {} | {} | {:.0f} |\n", row.quantity,
-                         row.run, number(row.measured), unit_of(row),
-                         is_as_written(row.placement) ? "" : " (elsewhere)", expected(row),
-                         percent(row.error, "{:+.2f}%"), percent(row.tolerance, "{:.3g}%"),
-                         verdict_name(row.verdict), places_of(row), row.seconds);
+    table += kind == TableKind::theory ? theory_line(row) : experiment_line(row);
     if (row.quantity != last) sources += fmt::format("- {}: {}\n", row.quantity, row.source);
     last = row.quantity;
   }
@@ -132,11 +166,9 @@ std::string to_markdown(const VerificationCase& verification, const Findings& fi
   const auto there = findings.elsewhere.find(verification.name);
   const std::string elsewhere =
       there == findings.elsewhere.end() ? "" : fmt::format("Elsewhere: {}.\n\n", there->second);
-  return fmt::format(
-      "### `{}`\n{}\n\n{}| quantity | run | measured | reference | error | within | verdict | "
-      "holds | "
-      "s |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n{}\n{}\n{}",
-      verification.name, verification.title, elsewhere, table, sources, figures);
+  return fmt::format("### `{}`\n{}\n\n{}{}{}\n{}\n{}", verification.name, verification.title,
+                     elsewhere, kind == TableKind::theory ? theory_head : experiment_head, table,
+                     sources, figures);
 }
 
 }  // namespace kerf

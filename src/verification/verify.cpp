@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 
 #include "input/units.hpp"
+#include "verification/combined_rows.hpp"
 #include "verification/series.hpp"
 
 namespace kerf {
@@ -32,6 +32,8 @@ double factor_of(const std::string& unit, const Parameters& parameters) {
 void judge(const Check& check, bool is_judged, Row& row) {
   row.reference = check.reference;
   row.tolerance = check.tolerance;
+  row.scatter = check.scatter;
+  row.is_calibrated = check.is_calibrated;
   row.at_least = check.at_least;
   row.at_most = check.at_most;
   if (check.reference) row.error = row.measured / *check.reference - 1.0;
@@ -44,7 +46,11 @@ void judge(const Check& check, bool is_judged, Row& row) {
     return;
   }
   // Each comparison is false for NaN.
-  const bool good = (!check.reference || std::abs(*row.error) <= *check.tolerance) &&
+  const auto is_near = [&] {
+    const double apart = std::abs(row.measured - *check.reference);
+    return std::abs(*row.error) <= *check.tolerance || apart <= check.scatter.value_or(0.0);
+  };
+  const bool good = (!check.reference || is_near()) &&
                     (!check.at_least || row.measured >= *check.at_least) &&
                     (!check.at_most || row.measured <= *check.at_most);
   row.verdict = good ? Verdict::pass : Verdict::fail;
@@ -57,7 +63,8 @@ std::vector<const Check*> checks_of(const VerificationCase& verification, const 
     return std::count(runs.begin(), runs.end(), run) > 0;
   };
   for (const Check& check : verification.checks)
-    if (is_in(check.runs) || is_in(check.relative_to)) checks.push_back(&check);
+    if (is_in(check.runs) || is_in(check.relative_to) || is_in(check.interval))
+      checks.push_back(&check);
   return checks;
 }
 
@@ -67,7 +74,8 @@ Recordings record_all(const VerificationCase& verification, bool all,
   for (const Check& check : verification.checks) {
     const auto due = verification.due_runs(check, all);
     needed.insert(due.begin(), due.end());
-    if (!due.empty()) needed.insert(check.relative_to.begin(), check.relative_to.end());
+    for (const auto* others : {&check.relative_to, &check.interval})
+      if (!due.empty()) needed.insert(others->begin(), others->end());
   }
   Recordings recordings;
   for (const PlannedRun& run : verification.runs) {
@@ -101,7 +109,8 @@ double measured_in(const VerificationCase& verification, const Check& check,
 bool compares_values(const Check& check) {
   static const std::set<std::string> values{"last",    "mean", "hann_mean",
                                             "largest", "peak", "peak_of_mean"};
-  return check.relative_to.empty() && values.count(check.parameters.text("reduce")) > 0;
+  return check.relative_to.empty() && check.exponent_over.empty() &&
+         values.count(check.parameters.text("reduce")) > 0;
 }
 
 CheckCurves curves_of(const VerificationCase& verification, const Check& check,
@@ -127,6 +136,8 @@ Row measured_row(const VerificationCase& verification, const Check& check,
   row.placement = verification.run(run).placement.text();
   row.unit = check.unit;
   row.source = check.source;
+  row.problem = recordings.at(run).problem;
+  row.seconds = recordings.at(run).seconds;
   double divisor = factor_of(check.unit, check.parameters);
   if (!check.relative_to.empty()) {
     divisor = 0.0;
@@ -134,31 +145,16 @@ Row measured_row(const VerificationCase& verification, const Check& check,
       divisor += measured(other) / static_cast<double>(check.relative_to.size());
   }
   row.measured = measured(run) / divisor;
-  row.problem = recordings.at(run).problem;
-  row.seconds = recordings.at(run).seconds;
+  for (const std::string& other : check.interval) {
+    const double value = measured(other) / divisor;
+    row.low = std::fmin(row.low.value_or(row.measured), value);
+    row.high = std::fmax(row.high.value_or(row.measured), value);
+    row.seconds += recordings.at(other).seconds;
+  }
   const bool is_complete = row.problem.empty() && !recordings.at(run).was_kept;
   if (const auto unread = check.parameters.unread(); is_complete && !unread.empty())
     check.parameters.fail(fmt::format("unknown key \"{}\"", unread.front()));
   return row;
-}
-
-// Returns the row of the mean of the runs, which have the rows given, with their scatter.
-Row mean_of(const std::vector<Row>& rows) {
-  Row mean = rows.front();
-  mean.seconds = 0.0;
-  std::vector<double> measured;
-  for (const Row& row : rows) {
-    measured.push_back(row.measured);
-    mean.seconds += row.seconds;
-    if (mean.problem.empty()) mean.problem = row.problem;
-  }
-  mean.measured = boost::math::statistics::mean(measured);
-  mean.run = fmt::format("mean of {} runs", rows.size());
-  if (rows.size() > 1)
-    mean.run += fmt::format(", standard deviation {:.2g}{}",
-                            std::sqrt(boost::math::statistics::sample_variance(measured)),
-                            mean.unit == "1" ? "" : " " + mean.unit);
-  return mean;
 }
 
 }  // namespace
@@ -173,8 +169,13 @@ Findings verify(const VerificationCase& verification, bool all, const VerifyProg
     for (const std::string& run : due)
       rows.push_back(measured_row(verification, check, recordings, run));
     if (check.of_mean && !rows.empty()) rows = {mean_of(rows)};
+    if (!check.exponent_over.empty())
+      rows = rows.size() < check.runs.size()
+                 ? std::vector<Row>{}
+                 : std::vector<Row>{exponent_of(rows, check.exponent_over)};
+    const bool is_combined = check.of_mean || !check.exponent_over.empty();
     for (Row& row : rows) {
-      judge(check, check.of_mean || check.judges(row.run, due), row);
+      judge(check, is_combined || check.judges(row.run, due), row);
       if (row.verdict == Verdict::pass) row.holds_in = {row.placement};
       findings.rows.push_back(row);
     }

@@ -25,8 +25,11 @@ struct Row {
   std::string case_name, quantity, run, unit, source;
   std::string placement;                              // of the run
   double measured = 0.0;                              // in `unit`; NaN when the run gave none
+  std::optional<double> low, high;                    // the range of Kerf's values, in `unit`
   std::optional<double> reference, error, tolerance;  // error and tolerance relative
+  std::optional<double> scatter;                      // of the reference, in `unit`
   std::optional<double> at_least, at_most;
+  bool is_calibrated = false;  // a constant of the case was fitted to the reference
   Verdict verdict = Verdict::reported;
   std::vector<std::string> holds_in;  // the placements in which it passes
   std::string problem;                // why there is no number

@@ -77,6 +77,14 @@ TEST(RefuseProgram, MovesThatACaseDoesNotAllowAreNamedWithTheReason) {
   EXPECT_NE(turned.output.find("Leave out --turned"), std::string::npos) << turned.output;
 }
 
+TEST(RefuseProgram, UnknownExperimentsAreGuessed) {
+  const Outcome outcome = run("verify --experiments beef-heiland1900", true);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.output.find("there is no experiment \"beef-heiland1900\""), std::string::npos)
+      << outcome.output;
+  EXPECT_NE(outcome.output.find("Did you mean \"beef-heiland1990\"?"), std::string::npos);
+}
+
 TEST(RefuseProgram, MissingFilesEndWithFour) {
   const Outcome outcome = run("check /nowhere/case.toml", true);
   EXPECT_EQ(outcome.code, 4);

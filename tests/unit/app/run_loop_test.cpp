@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "input/write_used.hpp"
@@ -67,6 +68,25 @@ TEST_F(Run, WritesEveryDocumentedFile) {
     limited += steps.get<std::uint64_t>();
   EXPECT_EQ(limited, numbers.at("steps").get<std::uint64_t>());
   EXPECT_EQ(numbers.at("pair_interactions"), 100.0 * numbers.at("steps").get<double>());
+}
+
+TEST_F(Run, ALogForProgramsHasAnObjectInEachLine) {
+  RunLoopSettings chosen = settings("a");
+  chosen.log_format = LogFormat::json;
+  chosen.description.title = "a \"quoted\" \\ title";
+  run(chosen);
+  EXPECT_FALSE(fs::exists(folder_ / "a/log.txt"));
+  std::istringstream lines(read_file(folder_ / "a/log.jsonl"));
+  std::vector<json> entries;
+  for (std::string line; std::getline(lines, line);) entries.push_back(json::parse(line));
+  ASSERT_GT(entries.size(), 2u);
+  EXPECT_THAT(entries.front().at("message").get<std::string>(), HasSubstr("a \"quoted\" \\ title"));
+  for (const json& entry : entries) {
+    EXPECT_EQ(entry.at("level"), "info");
+    EXPECT_THAT(entry.at("time").get<std::string>(),
+                testing::MatchesRegex(
+                    "[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}\\.[0-9]{3}[+-][0-9]{2}:[0-9]{2}"));
+  }
 }
 
 TEST_F(Run, WritesAtTheFirstStepAtOrAfterEachDueTime) {

@@ -116,6 +116,11 @@ TEST_F(SignalTest, AsymmetryOfABlockBesideTheMirror) {
   EXPECT_NEAR(value({{"signal", "asymmetry"}, {"axis", "x"}}), 1.0, 1e-12);
 }
 
+TEST_F(SignalTest, NoExposureWhereNoNozzleStandsForOneThatMoves) {
+  EXPECT_TRUE(std::isnan(value({{"signal", "exposure"}, {"field", "greatest_feed"}})));
+  EXPECT_THROW(value({{"signal", "exposure"}, {"field", "feed"}}), std::logic_error);
+}
+
 TEST_F(SignalTest, RefusesUnknownNames) {
   EXPECT_THROW(value({{"signal", "colour"}}), std::logic_error);
   EXPECT_THROW(value({{"signal", "probe"}, {"probe", "nowhere"}, {"component", "x"}}),

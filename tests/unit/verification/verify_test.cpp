@@ -188,6 +188,76 @@ TEST(Verify, RefinementDividesSpacings) {
   EXPECT_DOUBLE_EQ(run.description().bodies[0].spacing, 0.001);
 }
 
+// The speeds of the three runs are 3, 6 and 9 m/s.
+TEST(Verify, AnExponentIsJudgedInPlaceOfItsRuns) {
+  const auto rows =
+      rows_of(plan_text("runs = [\"plain\", \"fast\", \"far\"]\nexponent_over = [1, 4, 9]\n"
+                        "reference = 0.5\ntolerance = 0.03"),
+              true);
+  ASSERT_EQ(rows.size(), 1u);
+  // The speeds go with the square roots of 1, 4 and 9.
+  EXPECT_NEAR(rows[0].measured, 0.5, 1e-4);
+  EXPECT_EQ(rows[0].unit, "1");
+  EXPECT_EQ(rows[0].run, "exponent over 3 runs");
+  EXPECT_EQ(rows[0].verdict, Verdict::pass);
+}
+
+TEST(Verify, AnExponentNeedsAllOfItsRuns) {
+  const auto plan = plan_text(
+      "runs = [\"plain\", \"fast\", \"far\"]\nexponent_over = [1, 4, 9]\n"
+      "reference = 0.5\ntolerance = 0.03");
+  EXPECT_TRUE(rows_of(plan).empty());
+}
+
+TEST(Verify, AnExponentHasANumberForEachRun) {
+  EXPECT_THROW(rows_of(plan_text("runs = [\"plain\", \"fast\"]\nexponent_over = [1, 2, 3]")),
+               std::logic_error);
+}
+
+TEST(Verify, TheScatterOfAMeasurementWidensItsTolerance) {
+  const auto verdict_with = [](const std::string& scatter) {
+    return rows_of(plan_text("runs = \"plain\"\nreference = 280\ntolerance = 0.01" + scatter))
+        .at(0)
+        .verdict;
+  };
+  EXPECT_EQ(verdict_with(""), Verdict::fail);
+  EXPECT_EQ(verdict_with("\nscatter = 19.9"), Verdict::fail);
+  EXPECT_EQ(verdict_with("\nscatter = 20.1"), Verdict::pass);
+}
+
+TEST(Verify, TheIntervalSpansTheValuesOfItsRuns) {
+  const auto rows =
+      rows_of(plan_text("runs = \"fast\"\ninterval = [\"plain\", \"far\"]\nat_most = 650"), true);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_NEAR(rows[0].measured, 600.0, 0.01);
+  EXPECT_NEAR(rows[0].low.value(), 300.0, 0.01);
+  EXPECT_NEAR(rows[0].high.value(), 900.0, 0.01);
+  EXPECT_EQ(rows[0].verdict, Verdict::pass);
+}
+
+TEST(VerifyTable, ExperimentsTellWhatWasCalibrated) {
+  const std::string plan = plan_text(
+      "runs = \"plain\"\nreference = 290\ntolerance = 0.01\nscatter = 15\n"
+      "calibrated = true");
+  const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
+  const VerificationCase entry = read_verification_cases(texts, {}).at(0);
+  const std::string section = to_markdown(entry, findings_of(plan), TableKind::experiments, "");
+  EXPECT_THAT(section, testing::HasSubstr(
+                           "| plain | 290 ± 15 cm/s | 300 cm/s | +3% | 1% | calibrated | pass |"));
+}
+
+TEST(VerifyTable, ExperimentsTellTheRangeAndWhatIsOnlyReported) {
+  const auto section = [](const std::string& judgement) {
+    const std::string plan = plan_text(judgement);
+    const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
+    const VerificationCase entry = read_verification_cases(texts, {}).at(0);
+    return to_markdown(entry, findings_of(plan), TableKind::experiments, "");
+  };
+  EXPECT_THAT(section("runs = \"plain\"\ninterval = \"fast\"\nat_least = 250"),
+              testing::HasSubstr("| plain | >= 250 cm/s | 300 (300 to 600) cm/s | - | - |"));
+  EXPECT_THAT(section("runs = \"plain\""), testing::HasSubstr("| plain | - | 300 cm/s | - | - |"));
+}
+
 TEST(VerifyTable, JsonHasTheRow) {
   const auto rows = rows_of(plan_text("runs = \"plain\"\nreference = 300\ntolerance = 0.01"));
   const auto json = nlohmann::json::parse(to_json(rows));
@@ -203,7 +273,7 @@ TEST(VerifyTable, ThePageSaysWhereARowHolds) {
   const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
   const VerificationCase entry = read_verification_cases(texts, {}).at(0);
   Findings findings = findings_of(plan);
-  const auto row_of = [&] { return to_markdown(entry, findings, ""); };
+  const auto row_of = [&] { return to_markdown(entry, findings, TableKind::theory, ""); };
   EXPECT_THAT(row_of(), testing::HasSubstr("| pass | written |"));
   EXPECT_THAT(row_of(), testing::Not(testing::HasSubstr("Elsewhere")));
   findings.elsewhere["flight"] = "mirrored";

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// A run ends early once its cut has given the answer.
+#include "analysis/cut_over.hpp"
+
+#include <gtest/gtest.h>
+
+#include "machine/simulated_piece.hpp"
+#include "model/case.hpp"
+
+namespace kerf {
+namespace {
+
+CutState state_at(double time, bool cut_through, double depth = 0.0) {
+  CutState state;
+  state.time = time;
+  state.cut_through = cut_through;
+  state.front_depth = depth;
+  return state;
+}
+
+TEST(CutOver, AfterTheTimeThatFollowsTheCut) {
+  Case description;
+  EXPECT_FALSE(may_end_early(description));
+  EXPECT_FALSE(is_cut_over(description, {state_at(1.0, true)}, 100.0));
+  description.time.after_cut = 0.5;
+  EXPECT_TRUE(may_end_early(description));
+  EXPECT_FALSE(is_cut_over(description, {}, 100.0));
+  EXPECT_FALSE(is_cut_over(description, {state_at(1.0, false)}, 100.0));
+  // The time counts from the first cut, not from the last state.
+  const std::vector<CutState> history{state_at(1.0, false), state_at(2.0, true),
+                                      state_at(2.4, true)};
+  EXPECT_FALSE(is_cut_over(description, history, 2.49));
+  EXPECT_TRUE(is_cut_over(description, history, 2.5));
+  // What parts and closes again has not been cut.
+  EXPECT_FALSE(is_cut_over(description, {state_at(2.0, true), state_at(2.6, false)}, 2.6));
+}
+
+// A slab 20 mm thick of which the upper 8 mm are simulated, under a jet 1 mm wide.
+TEST(CutOver, AtTheEndOfTheSimulatedPart) {
+  Case description;
+  Jet jet;
+  jet.width = 1e-3;
+  description.jets = {jet};
+  description.workpiece.emplace();
+  description.workpiece->size = {0.1, 0.02, 0.1};
+  description.workpiece->part.minimum = {-0.01, -0.008, -0.01};
+  description.workpiece->part.maximum = {0.01, 0.0, 0.01};
+  EXPECT_TRUE(may_end_early(description));
+  EXPECT_FALSE(is_cut_over(description, {state_at(1.0, false, 5.9e-3)}, 1.0));
+  EXPECT_TRUE(is_cut_over(description, {state_at(1.0, false, 6.1e-3)}, 1.0));
+}
+
+}  // namespace
+}  // namespace kerf
