@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/run_log.hpp"
 #include "core/error.hpp"
 #include "input/read.hpp"
 #include "model/case.hpp"
@@ -28,9 +29,13 @@ bool is_leftover(const fs::path& path) {
 }
 
 bool is_result(const fs::path& path) {
-  static const std::vector<std::string> names = {"result.json",  "series.csv",    "report.html",
-                                                 "compare.html", "checkpoint.h5", "log.txt",
-                                                 "log.jsonl"};
+  static const std::vector<std::string> names = {"result.json",
+                                                 "series.csv",
+                                                 "report.html",
+                                                 "compare.html",
+                                                 "checkpoint.h5",
+                                                 log_name(LogFormat::text),
+                                                 log_name(LogFormat::json)};
   const std::string name = path.filename().string();
   return std::find(names.begin(), names.end(), name) != names.end() || is_leftover(path) ||
          is_kept_mesh_name(name) || name.ends_with(".vtkhdf.series") ||

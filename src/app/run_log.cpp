@@ -6,7 +6,6 @@
 #include <spdlog/sinks/basic_file_sink.h>
 
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "core/error.hpp"
 

@@ -53,6 +53,11 @@ class Moment {
     if (!cut_) cut_ = beginning_.cut_monitor.observe(frame());
     return *cut_;
   }
+  // The states of the cut at this moment and at those before it that were asked for one.
+  const std::vector<CutState>& cut_history() {
+    cut();
+    return beginning_.cut_monitor.history();
+  }
   CutSummary cut_summary() {
     cut();
     return beginning_.cut_monitor.summary();

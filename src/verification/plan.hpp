@@ -62,6 +62,8 @@ struct Check {
   std::string source;         // of the reference
   Parameters parameters{""};  // signal, reduction and theirs
 
+  // The runs that the rows need beside their own.
+  std::vector<std::string> other_runs() const;
   bool is_judged() const { return reference.has_value() || at_least || at_most; }
   // Returns whether a run is judged. `made` are those of `runs` that were made, the last of which
   // is the finest.

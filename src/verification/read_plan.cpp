@@ -163,12 +163,18 @@ VerificationCase read_verification(const std::string& name, const Sources& sourc
     result.checks.push_back(read_check(*node.as_table(), name));
   result.refuses = read_refusals(table, name);
   for (const Check& check : result.checks)
-    for (const auto* runs : {&check.runs, &check.relative_to, &check.interval})
-      for (const std::string& run : *runs) (void)result.run(run);
+    for (const auto& runs : {check.runs, check.other_runs()})
+      for (const std::string& run : runs) (void)result.run(run);
   return result;
 }
 
 }  // namespace
+
+std::vector<std::string> Check::other_runs() const {
+  std::vector<std::string> others = relative_to;
+  others.insert(others.end(), interval.begin(), interval.end());
+  return others;
+}
 
 bool Check::judges(const std::string& run, const std::vector<std::string>& made) const {
   if (judged_from.empty()) return run == made.back();
@@ -208,8 +214,8 @@ std::vector<std::string> VerificationCase::due_runs(const Check& check, bool all
     return !planned.is_left_out && (all || !planned.is_long);
   };
   std::vector<std::string> due;
-  for (const auto* others : {&check.relative_to, &check.interval})
-    if (!std::all_of(others->begin(), others->end(), is_due)) return due;
+  const auto others = check.other_runs();
+  if (!std::all_of(others.begin(), others.end(), is_due)) return due;
   std::copy_if(check.runs.begin(), check.runs.end(), std::back_inserter(due), is_due);
   return due;
 }

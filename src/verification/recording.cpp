@@ -22,26 +22,8 @@ void sample(std::vector<Signal>& signals, Moment moment, Recording& recording) {
   }
 }
 
-// Notices at the samples when the run of a cut has given its answer.
-class CutEnd {
- public:
-  explicit CutEnd(const Case& description)
-      : description_(description), is_possible_(may_end_early(description)) {}
-
-  bool is_reached(Moment& moment) {
-    if (!is_possible_) return false;
-    history_.push_back(moment.cut());
-    return is_cut_over(description_, history_, moment.time());
-  }
-
- private:
-  const Case& description_;
-  bool is_possible_;
-  std::vector<CutState> history_;
-};
-
 // Samples are taken at the start, at the first step past each multiple of the interval, and at the
-// end.
+// end, which the answer of a cut may bring early.
 void record(const PlannedRun& run, const std::vector<const Check*>& checks,
             const VerifyProgress& progress, Recording& recording) {
   const Case description = run.description();
@@ -54,7 +36,7 @@ void record(const PlannedRun& run, const std::vector<const Check*>& checks,
       run.sample_interval > 0.0 ? run.sample_interval : description.output.series_interval;
   sample(signals, Moment(beginning, *simulation), recording);
   double next = beginning.as_written.delay() > 0.0 ? 0.0 : interval;
-  CutEnd end(description);
+  const bool may_be_over = may_end_early(description);
   bool is_over = false;
   while (!simulation->finished() && !is_over) {
     simulation->advance();
@@ -64,7 +46,7 @@ void record(const PlannedRun& run, const std::vector<const Check*>& checks,
       recording.image = moment.frame();
     next = interval * (std::floor(moment.time() / interval) + 1.0);
     progress(run.name, simulation->time() / in_place.time.end);
-    is_over = end.is_reached(moment);
+    is_over = may_be_over && is_cut_over(description, moment.cut_history(), moment.time());
     sample(signals, std::move(moment), recording);
   }
 }

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "analysis/exposure.hpp"
 #include "model/case.hpp"
 #include "output/balance_metrics.hpp"
@@ -107,10 +105,8 @@ Signal cut_signal(const Parameters& parameters, const Beginning& beginning) {
 Signal exposure_signal(const Parameters& parameters, const Beginning& beginning) {
   const auto read = find_number(Exposure::metrics(), parameters.text("field"));
   if (!read) refuse_field(parameters);
-  const auto history = std::make_shared<std::vector<CutState>>();
-  return [read, history, &description = beginning.description](Moment& moment) {
-    history->push_back(moment.cut());
-    const auto exposure = exposure_of(description, *history, moment.cut_summary());
+  return [read, &description = beginning.description](Moment& moment) {
+    const auto exposure = exposure_of(description, moment.cut_history(), moment.cut_summary());
     return exposure ? read(*exposure) : Exposure::none;
   };
 }

@@ -63,8 +63,7 @@ std::vector<const Check*> checks_of(const VerificationCase& verification, const 
     return std::count(runs.begin(), runs.end(), run) > 0;
   };
   for (const Check& check : verification.checks)
-    if (is_in(check.runs) || is_in(check.relative_to) || is_in(check.interval))
-      checks.push_back(&check);
+    if (is_in(check.runs) || is_in(check.other_runs())) checks.push_back(&check);
   return checks;
 }
 
@@ -74,8 +73,8 @@ Recordings record_all(const VerificationCase& verification, bool all,
   for (const Check& check : verification.checks) {
     const auto due = verification.due_runs(check, all);
     needed.insert(due.begin(), due.end());
-    for (const auto* others : {&check.relative_to, &check.interval})
-      if (!due.empty()) needed.insert(others->begin(), others->end());
+    const auto others = check.other_runs();
+    if (!due.empty()) needed.insert(others.begin(), others.end());
   }
   Recordings recordings;
   for (const PlannedRun& run : verification.runs) {

@@ -235,27 +235,26 @@ TEST(Verify, TheIntervalSpansTheValuesOfItsRuns) {
   EXPECT_EQ(rows[0].verdict, Verdict::pass);
 }
 
-TEST(VerifyTable, ExperimentsTellWhatWasCalibrated) {
-  const std::string plan = plan_text(
-      "runs = \"plain\"\nreference = 290\ntolerance = 0.01\nscatter = 15\n"
-      "calibrated = true");
+// The section of the page of experiments of a plan with one check.
+std::string experiment_section(const std::string& judgement) {
+  const std::string plan = plan_text(judgement);
   const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
   const VerificationCase entry = read_verification_cases(texts, {}).at(0);
-  const std::string section = to_markdown(entry, findings_of(plan), TableKind::experiments, "");
-  EXPECT_THAT(section, testing::HasSubstr(
-                           "| plain | 290 ± 15 cm/s | 300 cm/s | +3% | 1% | calibrated | pass |"));
+  return to_markdown(entry, findings_of(plan), TableKind::experiments, "");
+}
+
+TEST(VerifyTable, ExperimentsTellWhatWasCalibrated) {
+  EXPECT_THAT(
+      experiment_section("runs = \"plain\"\nreference = 290\ntolerance = 0.01\nscatter = 15\n"
+                         "calibrated = true"),
+      testing::HasSubstr("| plain | 290 ± 15 cm/s | 300 cm/s | +3% | 1% | calibrated | pass |"));
 }
 
 TEST(VerifyTable, ExperimentsTellTheRangeAndWhatIsOnlyReported) {
-  const auto section = [](const std::string& judgement) {
-    const std::string plan = plan_text(judgement);
-    const EmbeddedText texts[] = {{"flight/case", flight}, {"flight/reference", plan}};
-    const VerificationCase entry = read_verification_cases(texts, {}).at(0);
-    return to_markdown(entry, findings_of(plan), TableKind::experiments, "");
-  };
-  EXPECT_THAT(section("runs = \"plain\"\ninterval = \"fast\"\nat_least = 250"),
+  EXPECT_THAT(experiment_section("runs = \"plain\"\ninterval = \"fast\"\nat_least = 250"),
               testing::HasSubstr("| plain | >= 250 cm/s | 300 (300 to 600) cm/s | - | - |"));
-  EXPECT_THAT(section("runs = \"plain\""), testing::HasSubstr("| plain | - | 300 cm/s | - | - |"));
+  EXPECT_THAT(experiment_section("runs = \"plain\""),
+              testing::HasSubstr("| plain | - | 300 cm/s | - | - |"));
 }
 
 TEST(VerifyTable, JsonHasTheRow) {
