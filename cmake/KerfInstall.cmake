@@ -28,8 +28,9 @@ install(FILES ${kerf_printed}/kerf.bash RENAME kerf
 install(FILES ${kerf_printed}/_kerf DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(FILES ${kerf_printed}/kerf.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(DIRECTORY cases materials DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf)
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN site EXCLUDE)
-install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN site EXCLUDE)  # where README.md links to
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES python/tutorial.ipynb DESTINATION ${CMAKE_INSTALL_DOCDIR}/python)
 
 if(KERF_HAS_PYTHON)  # a component of its own, which `scripts/wheel` and the package python3-kerf take
   set(KERF_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "Where the Python package is installed")
@@ -46,8 +47,16 @@ set(CPACK_STRIP_FILES ON)
 # `cpack -G DEB` needs the one who packs: -D CPACK_DEBIAN_PACKAGE_MAINTAINER="NAME <ADDRESS>".
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL program)
+set(CPACK_COMPONENTS_ALL program library development)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME kerf)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libkerf${PROJECT_VERSION_MAJOR})
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libkerf-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libkerf${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}-1)")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "This is the library for programs in C++: it reads and checks cases, runs them step
+by step, and shows their particles.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "These are the headers of the library for programs in C++, and an example.")
 if(KERF_HAS_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-kerf)

@@ -5,7 +5,7 @@ set(KERF_LAYERS
   core kernels materials fracture model geometry machine input
   parallel simd particles neighbours pairs solid fluid contact time
   simulation shinohara2004 standard engine
-  analysis output report verification study app python)
+  analysis output report verification study app library python)
 
 # Creates a folder for the include path of the compiler: links to the folder `name` of src/ and to the
 # folders below it.

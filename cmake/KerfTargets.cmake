@@ -45,6 +45,9 @@ endfunction()
 
 # kerf_layer(name) builds the library kerf_name from the sources of src/name/. Its include path is a folder of
 # links to this folder and to the folders below it in KERF_LAYERS, so it cannot include files of higher layers.
+# The sources of layers whose compile time is mostly that of JSON, TOML and CLI11 are compiled several at a time,
+# so the names in their anonymous namespaces differ (tests/harness/check_names.py).
+set(KERF_JOINED_LAYERS output verification app)
 function(kerf_layer name)
   kerf_layer_folder(${name} folder)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
@@ -52,6 +55,9 @@ function(kerf_layer name)
   add_library(kerf_${name} STATIC ${sources})
   target_include_directories(kerf_${name} PRIVATE ${folder})
   target_link_libraries(kerf_${name} PUBLIC kerf_flags)
+  if(name IN_LIST KERF_JOINED_LAYERS)
+    set_target_properties(kerf_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  endif()
 endfunction()
 
 # Builds the kernels of src/*/simd/ once for each instruction set. The program chooses one at run time

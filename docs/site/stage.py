@@ -19,7 +19,7 @@ import headers
 SITE = pathlib.Path(__file__).resolve().parent
 ROOT = SITE.parents[1]
 # What pages link to, apart from docs/.
-LINKED = ["python/tutorial.ipynb", "cases", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE", "web/README.md"]
+LINKED = ["python/tutorial.ipynb", "cases", "examples", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE", "web/README.md"]
 MATHJAX = pathlib.Path("/usr/share/javascript/mathjax")
 MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_SVG.js", "extensions", "jax/element", "jax/input/TeX",
                  "jax/output/SVG", "localization/en"]

@@ -59,6 +59,7 @@ class Run:
         device: Literal["cpu", "gpu"] = "cpu",
         resume: bool = False,
         force: bool = False,
+        ignore_memory: bool = False,
         progress: bool = False,
     ) -> None: ...
     def _step(self, count: int) -> None: ...

@@ -38,6 +38,8 @@ class Run(_kerf.Run):
         Continue from the last checkpoint in the folder.
     force : bool
         Replace the run in the folder.
+    ignore_memory : bool
+        Run a case whose estimated memory is more than is free.
     progress : bool
         Show a progress bar with the remaining time.
 
@@ -46,7 +48,7 @@ class Run(_kerf.Run):
     FileError
         If the folder holds a run already, or cannot be written.
     CaseError
-        If the case cannot be laid out.
+        If the case cannot be laid out, or needs more memory than is free.
 
     Used as a context manager it writes a checkpoint at the end of the block, unless it has
     finished, and lets go of the folder, which no other run can use before.

@@ -162,6 +162,22 @@ def test_a_folder_with_a_run_is_refused(case: kerf.Case, tmp_path: Path) -> None
     assert kerf.Run(case, tmp_path / "run", force=True).steps == 0
 
 
+def test_a_run_beyond_the_memory_is_refused(tmp_path: Path) -> None:
+    block = {
+        "name": "block",
+        "material": "tofu",
+        "spacing": "1 cm",
+        "shape": {
+            "type": "box",
+            "minimum": ["-10 m", "0 m", "-10 m"],
+            "maximum": ["10 m", "1 m", "10 m"],
+        },
+    }
+    case = kerf.Case({"title": "A large block", "dimension": 3, "time": {"end": "1 ms"}, "body": [block]})
+    with pytest.raises(kerf.CaseError, match="memory.*ignore_memory=True"):
+        kerf.Run(case, tmp_path / "large")
+
+
 def test_pictures(case: kerf.Case, tmp_path: Path) -> None:
     run = kerf.Run(case, tmp_path / "run")
     small, full = run.picture(0.25), run.picture()

@@ -12,6 +12,7 @@
 #include "input/overlay.hpp"
 #include "input/read.hpp"
 #include "output/readable.hpp"
+#include "study/local_executor.hpp"
 
 namespace kerf {
 
@@ -64,7 +65,7 @@ std::vector<CaseChange> possible_changes(const CostedCase& costed) {
 }
 
 // Returns the key of a line, with its table.
-std::string key_of(const std::string& line) {
+std::string key_of_line(const std::string& line) {
   return line.substr(0, line.find('='));
 }
 
@@ -82,8 +83,9 @@ std::optional<Advice> all_together(const CostedCase& costed) {
     current.numbers = derive(current.description);
     current.pace.particle_step = step->after.seconds / (step->after.particles * step->after.steps);
     for (const std::string& line : step->lines) {
-      std::erase_if(all.lines,
-                    [&](const std::string& before) { return key_of(before) == key_of(line); });
+      std::erase_if(all.lines, [&](const std::string& before) {
+        return key_of_line(before) == key_of_line(line);
+      });
       all.lines.push_back(line);
     }
     all.text = step->text;
@@ -144,6 +146,17 @@ std::string advice_text(const CostedCase& costed, double memory) {
       "  - kerf run --device gpu  # on an NVIDIA GPU, with a Kerf that was built for it; what that "
       "gains depends on the GPU (docs/gpu.md)\n";
   return text;
+}
+
+void refuse_beyond_memory(CostedCase costed, int threads, const std::string& remedy) {
+  const double memory = available_memory();
+  if (costed.numbers.memory <= memory) return;
+  costed.pace = typical_pace(costed.description, threads);
+  throw UserError(fmt::format(
+      "{}: the run needs about {} for {} particles. Allowed: at most {}, the memory of this "
+      "machine that is free. Change the case, or run it with {}.\n{}",
+      costed.file, readable(costed.numbers.memory, "B"), costed.numbers.particles_expected,
+      readable(memory, "B"), remedy, advice_text(costed, memory)));
 }
 
 }  // namespace kerf

@@ -44,4 +44,9 @@ std::vector<Advice> cost_advice(const CostedCase& costed);
 // `memory`: what the machine has, bytes.
 std::string advice_text(const CostedCase& costed, double memory);
 
+// Throws UserError, with advice, where the run does not fit into the memory of this machine that is
+// free; nothing is laid out for that. `costed.pace` is not used. `threads`: of the run.
+// `remedy`: how to run it all the same.
+void refuse_beyond_memory(CostedCase costed, int threads, const std::string& remedy);
+
 }  // namespace kerf

@@ -103,8 +103,7 @@ Json EditServer::start(const Json& request) {
     view_.reset();
     run_.reset();  // it has ended
     run_ = std::make_unique<CaseRun>(CaseRun::Order{
-        program_, file, folder.empty() ? fs::path("out") / file.stem() : fs::path(folder),
-        existing});
+        program_, file, folder.empty() ? default_folder(file) : fs::path(folder), existing});
     ++runs_;
   }
   return run_state();

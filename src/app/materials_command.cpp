@@ -21,7 +21,7 @@ struct MaterialsOptions {
   bool page = false;
 };
 
-void print_list() {
+void print_library() {
   fmt::print("Materials of the library; \"kerf materials NAME\" shows the values of one:\n\n");
   for (const LibraryMaterial& entry : material_library())
     fmt::print("  {:<18} {:<8} {}{}\n", entry.name, kind_name(entry.kind), entry.title,
@@ -74,7 +74,7 @@ void show(const MaterialsOptions& options) {
   if (options.page)
     fmt::print("{}", materials_page());
   else if (options.name.empty())
-    print_list();
+    print_library();
   else
     print_material(options.name);
 }

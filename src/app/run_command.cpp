@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "analysis/derived.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/converge.hpp"
@@ -13,7 +14,6 @@
 #include "core/error.hpp"
 #include "input/read.hpp"
 #include "output/readable.hpp"
-#include "study/local_executor.hpp"
 
 namespace kerf {
 namespace {
@@ -54,26 +54,12 @@ std::string resume_command(const RunOptions& options, const fs::path& folder) {
   return command + " --resume";
 }
 
-// Refuses a case that does not fit into the memory of this machine; nothing is laid out for that.
-void refuse_beyond_memory(const RunOptions& options, const Case& description) {
-  const DerivedNumbers numbers = derive(description);
-  const double memory = available_memory();
-  if (options.ignore_memory || options.machine.device != Device::cpu || numbers.memory <= memory)
-    return;
-  const Pace pace = typical_pace(description, threads_of(options.machine));
-  throw UserError(fmt::format(
-      "{}: the run needs about {} for {} particles. Allowed: at most {}, the memory of this "
-      "machine "
-      "that is free. Change the case, or run it with --ignore-memory.\n{}",
-      options.case_file, readable(numbers.memory, "B"), numbers.particles_expected,
-      readable(memory, "B"),
-      advice_text({case_text(options.case_file), options.case_file, description, numbers, pace},
-                  memory)));
-}
-
 RunLoopSettings settings_of(const RunOptions& options) {
   Case description = read_case(options.case_file);
-  refuse_beyond_memory(options, description);
+  if (!options.ignore_memory && options.machine.device == Device::cpu)
+    refuse_beyond_memory(
+        {case_text(options.case_file), options.case_file, description, derive(description), {}},
+        threads_of(options.machine), "--ignore-memory");
   RunLoopSettings settings =
       settings_of_case(std::move(description), options.case_file, options.folder);
   settings.existing = options.resume  ? Existing::resume

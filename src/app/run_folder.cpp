@@ -112,6 +112,10 @@ void keep_meshes(const Case& description, const std::filesystem::path& folder) {
     write_file(folder / kept_mesh_name(*mesh), *mesh->content);
 }
 
+fs::path default_folder(const fs::path& case_file) {
+  return "out" / case_file.stem();
+}
+
 Case case_of_run(const std::filesystem::path& folder) {
   const std::filesystem::path used = folder / "case.used.toml";
   if (!std::filesystem::exists(used))

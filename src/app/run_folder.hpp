@@ -14,6 +14,9 @@ struct Case;
 // The treatment of a folder that contains a run already.
 enum class Existing { refuse, resume, replace };
 
+// Returns the folder of the results of a run whose user names none: out/<stem of the case file>.
+std::filesystem::path default_folder(const std::filesystem::path& case_file);
+
 // Returns the case of a result folder. Throws UserError (exit_files) if it contains no run.
 Case case_of_run(const std::filesystem::path& folder);
 

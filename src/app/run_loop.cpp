@@ -38,7 +38,7 @@ RunLoopSettings settings_of_case(Case description, const std::string& file,
   RunLoopSettings settings;
   settings.case_name = std::filesystem::path(file).stem().string();
   settings.case_text = write_used(description);
-  settings.folder = folder.empty() ? std::filesystem::path("out") / settings.case_name : folder;
+  settings.folder = folder.empty() ? default_folder(file) : folder;
   settings.description = std::move(description);
   return settings;
 }

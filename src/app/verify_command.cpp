@@ -70,7 +70,7 @@ void keep_runs(const std::vector<std::string>& runs, std::vector<VerificationCas
   std::erase_if(cases, [&](VerificationCase& entry) { return !entry.keep_runs(runs); });
 }
 
-void print_list(const std::vector<VerificationCase>& cases) {
+void print_cases(const std::vector<VerificationCase>& cases) {
   for (const VerificationCase& entry : cases) {
     const auto is_long = [](const PlannedRun& run) { return run.is_long; };
     const auto count = std::count_if(entry.runs.begin(), entry.runs.end(), is_long);
@@ -180,7 +180,7 @@ void run_verification(const VerifyOptions& options) {
   auto cases = chosen_cases(options);
   keep_runs(options.runs, cases);
   if (options.list) {
-    print_list(cases);
+    print_cases(cases);
     return;
   }
   Placement placement = options.placement;

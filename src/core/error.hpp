@@ -6,11 +6,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/public_symbol.hpp"
+
 namespace kerf {
 
 // An error that the user can correct. The message is shown unchanged; the program ends with
 // `exit_code()` (1 = bad input, 3 = the run failed, 4 = files or folders).
-class UserError : public std::runtime_error {
+class KERF_PUBLIC UserError : public std::runtime_error {
  public:
   explicit UserError(const std::string& message, int exit_code = 1)
       : std::runtime_error(message), exit_code_(exit_code) {}

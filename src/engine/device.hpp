@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "core/public_symbol.hpp"
 #include "simulation/simulation.hpp"
 
 namespace kerf {
@@ -18,13 +19,13 @@ inline constexpr const char* word_of(Device device) {
 
 // Sets the device of all later runs. Throws UserError (exit_bad_input) if there is no engine for
 // GPUs or no GPU that it can use; the device is then unchanged.
-void set_device(Device device);
+KERF_PUBLIC void set_device(Device device);
 
 // Returns the name of the device for reports, such as "AMD EPYC 9R14" or "NVIDIA H100 80GB HBM3".
-std::string device_name();
+KERF_PUBLIC std::string device_name();
 
 // Makes the run that a case describes, on the device of this process. Throws UserError when the
 // case cannot be built.
-std::unique_ptr<Simulation> make_simulation(const Case& description);
+KERF_PUBLIC std::unique_ptr<Simulation> make_simulation(const Case& description);
 
 }  // namespace kerf

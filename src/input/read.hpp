@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/public_symbol.hpp"
+
 namespace kerf {
 
 struct Case;
@@ -22,8 +24,9 @@ inline constexpr ReadEffort quick_look{std::numeric_limits<double>::infinity(), 
 
 // Both throw a UserError that names file, line, key, value, allowed range and remedy of up to ten
 // problems. The same text gives the same Case, bit for bit, with any effort.
-Case read_case(const std::filesystem::path& file, const ReadEffort& effort = {});
-Case parse_case(std::string_view text, std::string_view file_name, const ReadEffort& effort = {});
+KERF_PUBLIC Case read_case(const std::filesystem::path& file, const ReadEffort& effort = {});
+KERF_PUBLIC Case parse_case(std::string_view text, std::string_view file_name,
+                            const ReadEffort& effort = {});
 // Returns the text of a case file. Throws a UserError if it cannot be read.
 std::string case_text(const std::filesystem::path& file);
 

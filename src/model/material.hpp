@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/public_symbol.hpp"
 #include "fracture/criteria.hpp"
 #include "materials/laws.hpp"
 
@@ -19,7 +20,7 @@ struct MaterialLaws;  // model/material_laws.hpp
 
 // A value of MaterialLaws, which is copied and compared like one. The type is incomplete here, so
 // that a change of a law recompiles only the code that evaluates laws.
-class LawParameters {
+class KERF_PUBLIC LawParameters {
  public:
   LawParameters();
   LawParameters(const LawParameters& other);
@@ -39,7 +40,7 @@ class LawParameters {
 };
 
 // A material as given. Members of another kind or law keep their defaults and are not read.
-struct Material {
+struct KERF_PUBLIC Material {
   std::string name;
   MaterialKind kind = MaterialKind::water;
   std::string source;  // where the values come from

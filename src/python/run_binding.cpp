@@ -6,45 +6,45 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
-#include "app/command_line.hpp"
-#include "app/run_loop.hpp"
+#include "app/run_folder.hpp"
 #include "core/error.hpp"
-#include "engine/device.hpp"
+#include "library/run.hpp"
 #include "output/balance_metrics.hpp"
 #include "output/metric_json.hpp"
 #include "python/bindings.hpp"
-#include "report/picture.hpp"
 
 namespace py = pybind11;
 
 namespace kerf::python {
 namespace {
 
-struct RunOptions {
+struct PythonOptions {
   std::filesystem::path folder;
   int threads = 0;
   std::string device;
-  bool resume = false, force = false, progress = false;
+  bool resume = false, force = false, ignore_memory = false, progress = false;
 };
 
-RunLoopSettings settings_of(const CaseText& text, const RunOptions& options) {
-  MachineOptions machine{options.threads, Device::cpu};
+RunOptions options_of(const CaseText& text, const PythonOptions& options) {
+  RunOptions run;
+  run.folder = options.folder;
+  run.threads = options.threads;
   if (options.device == word_of(Device::gpu))
-    machine.device = Device::gpu;
+    run.device = Device::gpu;
   else if (options.device != word_of(Device::cpu))
     throw UserError("device = \"" + options.device + "\". Allowed: \"cpu\", \"gpu\".");
-  take_machine(machine);
-  RunLoopSettings settings = settings_of_case(text.description, text.file, options.folder);
-  settings.existing = options.resume  ? Existing::resume
-                      : options.force ? Existing::replace
-                                      : Existing::refuse;
-  settings.quiet = !options.progress;
-  settings.catches_signals = false;  // Python has its own
-  settings.threads = threads_of(machine);
-  settings.device = device_name();
-  settings.resume_command = "kerf.Run(case, \"" + settings.folder.string() + "\", resume=True)";
-  return settings;
+  run.resume = options.resume;
+  run.replace = options.force;
+  run.ignores_memory = options.ignore_memory;
+  run.shows_progress = options.progress;
+  run.resume_words =
+      "kerf.Run(case, \"" +
+      (options.folder.empty() ? default_folder(text.file) : options.folder).string() +
+      "\", resume=True)";
+  run.ignore_memory_words = "kerf.Run(case, ignore_memory=True)";
+  return run;
 }
 
 py::dtype dtype_of(FieldSpan::Number number) {
@@ -62,57 +62,59 @@ py::dtype dtype_of(FieldSpan::Number number) {
   }
 }
 
-class Run {
+// A run that other threads of Python leave alone while it works.
+class LockedRun {
  public:
-  Run(const CaseText& text, const RunOptions& options)
-      : loop_(std::make_unique<RunLoop>(settings_of(text, options), make_simulation)),
-        folder_(loop_->settings().folder.string()) {
+  LockedRun(const CaseText& text, const PythonOptions& options) {
+    const RunOptions run = options_of(text, options);
     const py::gil_scoped_release release;
-    if (!loop_->start()) loop_.reset();
+    run_.emplace(text.description, text.file, run);
+    folder_ = run_->folder().string();
+    if (run_->has_finished()) run_.reset();
   }
 
   void step(std::uint64_t count) {
     require_steps();
-    const std::uint64_t last = loop_->simulation().step() + count;
-    advance([&] { return loop_->simulation().step() >= last; });
+    const std::uint64_t last = run_->simulation().step() + count;
+    advance([&] { return run_->simulation().step() >= last; });
   }
   void until(double time) {
     require_steps();
-    advance([&] { return loop_->simulation().time() >= time; });
+    advance([&] { return run_->simulation().time() >= time; });
   }
   void save() {
     require_steps();
-    alone([&] { loop_->save(); });
+    alone([&] { run_->save(); });
   }
   void finish() {
-    if (!loop_) return;
+    if (!run_) return;
     advance([] { return false; });
-    alone([&] { loop_->finish(); });
-    loop_.reset();
+    alone([&] { run_->finish(); });
+    run_.reset();
   }
   // Lets go of the folder.
   void close() {
-    if (loop_) alone([] {});
-    loop_.reset();
+    if (run_) alone([] {});
+    run_.reset();
   }
 
-  bool is_over() const { return !loop_ || loop_->is_over(); }
+  bool is_over() const { return !run_ || run_->is_over(); }
   const Simulation& simulation() const {
     require_steps();
-    return loop_->simulation();
+    return run_->simulation();
   }
   const std::string& folder() const { return folder_; }
   Frame frame() {
     require_steps();
-    return loop_->frame();
+    return run_->frame();
   }
   py::bytes picture(double scale) {
     require_steps();
-    return draw_picture(loop_->frame(), loop_->settings().description, scale);
+    return run_->picture(scale);
   }
   py::object metrics() {
     require_steps();
-    return to_python(loop_->result());
+    return to_python(nlohmann::ordered_json::parse(run_->result()));
   }
   py::object balance() const {
     const Balance now = simulation().balance();
@@ -141,7 +143,7 @@ class Run {
 
  private:
   void require_steps() const {
-    if (!loop_)
+    if (!run_)
       throw UserError("the run in " + folder_ +
                       " has finished or is closed. Look at its results with kerf.Result, continue "
                       "it with resume=True, or run it again with force=True.");
@@ -175,7 +177,7 @@ class Run {
     bool interrupted = false;
     auto looked = Clock::now();
     alone([&] {
-      loop_->advance([&] {
+      run_->advance([&] {
         if (enough()) return true;
         if (Clock::now() - looked < std::chrono::milliseconds(50)) return false;
         looked = Clock::now();
@@ -187,13 +189,13 @@ class Run {
     if (interrupted) throw py::error_already_set();
   }
 
-  std::unique_ptr<RunLoop> loop_;  // null once it has finished or is closed
+  std::optional<Run> run_;  // empty once it has finished or is closed
   std::string folder_;
   bool is_busy_ = false;
   std::shared_ptr<int> token_ = std::make_shared<int>(0);
 };
 
-py::dict last_step(const Run& self) {
+py::dict last_step(const LockedRun& self) {
   const StepInfo info = self.simulation().last_step();
   return py::dict(py::arg("dt") = info.dt, py::arg("limit") = info.limit,
                   py::arg("limiting_id") = info.limiting_id);
@@ -202,45 +204,49 @@ py::dict last_step(const Run& self) {
 }  // namespace
 
 void bind_run(py::module_& module) {
-  py::class_<Run>(module, "Run")
+  py::class_<LockedRun>(module, "Run")
       .def(py::init([](const CaseText& text, const std::filesystem::path& folder, int threads,
-                       const std::string& device, bool resume, bool force, bool progress) {
-             return std::make_unique<Run>(
-                 text, RunOptions{folder, threads, device, resume, force, progress});
+                       const std::string& device, bool resume, bool force, bool ignore_memory,
+                       bool progress) {
+             return std::make_unique<LockedRun>(
+                 text,
+                 PythonOptions{folder, threads, device, resume, force, ignore_memory, progress});
            }),
            py::arg("case"), py::arg("out") = std::filesystem::path(), py::kw_only(),
            py::arg("threads") = 0, py::arg("device") = "cpu", py::arg("resume") = false,
-           py::arg("force") = false, py::arg("progress") = false)
-      .def("_step", &Run::step, py::arg("count"))
-      .def("_until", &Run::until, py::arg("time"))
-      .def("_finish", &Run::finish)
-      .def("close", &Run::close, "Let go of the folder, without a checkpoint.")
-      .def("save", &Run::save,
+           py::arg("force") = false, py::arg("ignore_memory") = false, py::arg("progress") = false)
+      .def("_step", &LockedRun::step, py::arg("count"))
+      .def("_until", &LockedRun::until, py::arg("time"))
+      .def("_finish", &LockedRun::finish)
+      .def("close", &LockedRun::close, "Let go of the folder, without a checkpoint.")
+      .def("save", &LockedRun::save,
            "Write a checkpoint, from which `resume=True` continues bit for bit.")
-      .def("frame", &Run::frame, "Return a copy of the particles as they are now.")
-      .def("picture", &Run::picture, py::arg("scale") = 1.0,
+      .def("frame", &LockedRun::frame, "Return a copy of the particles as they are now.")
+      .def("picture", &LockedRun::picture, py::arg("scale") = 1.0,
            "Return a picture of the particles, the bytes of a PNG file.")
-      .def("metrics", &Run::metrics, "Return what result.json would hold if the run ended now.")
-      .def("balance", &Run::balance, "Return the balance of mass, momentum and energy, SI units.")
-      .def("view", &Run::view, py::arg("name"),
+      .def("metrics", &LockedRun::metrics,
+           "Return what result.json would hold if the run ended now.")
+      .def("balance", &LockedRun::balance,
+           "Return the balance of mass, momentum and energy, SI units.")
+      .def("view", &LockedRun::view, py::arg("name"),
            "Return a field of the particles as a read-only NumPy array without a copy.\n\n"
            "The order of the particles changes from step to step; `id` identifies them. As long as "
            "such an array exists, a step raises BufferError.")
-      .def_property_readonly("fields", &Run::fields,
+      .def_property_readonly("fields", &LockedRun::fields,
                              "Particles and components of each field that `view` shows, by name.")
-      .def_property_readonly("is_over", &Run::is_over, "Whether the run has reached its end.")
-      .def_property_readonly("folder", &Run::folder, "The folder of the results.")
+      .def_property_readonly("is_over", &LockedRun::is_over, "Whether the run has reached its end.")
+      .def_property_readonly("folder", &LockedRun::folder, "The folder of the results.")
       .def_property_readonly(
-          "time", [](const Run& self) { return self.simulation().time(); }, "Time, s.")
+          "time", [](const LockedRun& self) { return self.simulation().time(); }, "Time, s.")
       .def_property_readonly(
-          "steps", [](const Run& self) { return self.simulation().step(); }, "Steps taken.")
+          "steps", [](const LockedRun& self) { return self.simulation().step(); }, "Steps taken.")
       .def_property_readonly(
-          "particles", [](const Run& self) { return self.simulation().particles(); },
+          "particles", [](const LockedRun& self) { return self.simulation().particles(); },
           "Particles present.")
       .def_property_readonly("last_step", &last_step,
                              "The last time step, dt (s), and the limit that set it.")
       .def_property_readonly(
-          "probe_values", [](const Run& self) { return self.simulation().probe_values(); },
+          "probe_values", [](const LockedRun& self) { return self.simulation().probe_values(); },
           "Values of the probes: point: pressure (Pa) and velocity (m/s); plane: force (N).");
 }
 

@@ -9,9 +9,11 @@
 
 #include <array>
 
+#include "core/public_symbol.hpp"
+
 namespace kerf {
 
-struct Balance {
+struct KERF_PUBLIC Balance {
   // Mass, kg.
   double mass_initial = 0.0;
   double mass_in = 0.0;      // created at the nozzles

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The columns of frames that show the solids of the `standard` formulation: the pieces, the
-// deviatoric stress and the table of numbers below, such as the share of the bonds of a particle
-// that is broken.
+// deviatoric stress, the strain and the table of numbers below, such as the share of the bonds of a
+// particle that is broken.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
+#include "materials/hencky.hpp"
 #include "simulation/snapshot.hpp"
 #include "solid/stress_response.hpp"
 #include "standard/solid_link.hpp"
@@ -59,6 +61,22 @@ class SolidOnHost {
     if (detached_[s]) return SymmetricTensor<D, Real>::zero();
     return cauchy_now(view_, s);
   }
+  // Hencky's strain of the whole deformation in the current configuration, ln(F F^T)/2. Detached
+  // particles have none.
+  SymmetricTensor<D, Real> strain(Index s) const {
+    if (detached_[s]) return SymmetricTensor<D, Real>::zero();
+    const auto strain = whole_strain(s);
+    Vector<3, Real> values = strain.deviator;
+    for (int a = 0; a < 3; ++a) values[a] += strain.volume / Real(3);
+    return strain.stretch.tensor(values);
+  }
+  // sqrt(2/3 e' : e') of its deviator e', the strain of the criterion of that name
+  // (fracture/equivalent_total_strain.hpp).
+  float equivalent_strain(Index s) const {
+    if (detached_[s]) return 0.0f;
+    const auto deviator = whole_strain(s).deviator;
+    return static_cast<float>(std::sqrt(Real(2) / Real(3) * dot(deviator, deviator)));
+  }
   const SolidView<D, P>& view() const { return view_; }
   Index size() const { return static_cast<Index>(medium_index_.size()); }
   // Returns the share of its tension that softening or flaws have left to a particle.
@@ -81,6 +99,10 @@ class SolidOnHost {
   }
 
  private:
+  ElasticStrain<D, Real> whole_strain(Index s) const {
+    return ElasticStrain<D, Real>::of(gradient_[s], SymmetricTensor<D, Real>::zero());
+  }
+
   std::vector<Medium<Real>> media_;
   std::vector<std::uint16_t> medium_index_;
   std::vector<Index> begin_;
@@ -108,11 +130,13 @@ constexpr auto shown_solid_fields() {
   constexpr auto always = [](const Solid&) { return true; };
   constexpr auto flows = [](const Solid& solid) { return solid.any_flows(); };
   constexpr auto flaws = [](const Solid& solid) { return solid.any_flaws(); };
-  return std::array<ShownSolidField<Solid>, 5>{{
+  return std::array<ShownSolidField<Solid>, 6>{{
       {"damage", "damage", "1", always,
        [](const Solid& solid, Index s) { return solid.damage(s); }},
       {"elastic_share", "elastic share", "1", always,
        [](const Solid& solid, Index s) { return solid.elastic_share(s); }},
+      {"equivalent_strain", "equivalent strain", "1", always,
+       [](const Solid& solid, Index s) { return solid.equivalent_strain(s); }},
       {"flaw_damage", "damage by flaws", "1", flaws,
        [](const Solid& solid, Index s) { return solid.flaw_damage(s); }},
       {"plastic_strain", "plastic strain", "1", flows,
@@ -145,22 +169,34 @@ void show_pieces(const SolidOnHost<D, P>& solid, const std::vector<Index>& solid
   }
 }
 
-template <int D, class P>
-Column deviatoric_stress(const SolidOnHost<D, P>& solid, const std::vector<Index>& solid_of) {
-  Column stress{"deviatoric_stress", "Pa", 6, {}, "deviatoric stress"};
-  for (const Index s : solid_of) {
-    auto sigma = SymmetricTensor<D, typename P::Real>::zero();
-    if (s != no_index) sigma = solid.stress(s);
-    const auto mean = trace(sigma) / 3;
-    for (int a = 0; a < 3; ++a) sigma(a, a) -= mean;
-    append_row(sigma, stress.values);
-  }
-  return stress;
+// The columns of tensors: each is `tensor_of(solid number)` for solids and zero for others.
+template <int D, class P, class TensorOf>
+Column tensor_column(Column column, const std::vector<Index>& solid_of, const TensorOf& tensor_of) {
+  column.components = 6;
+  for (const Index s : solid_of)
+    append_row(s == no_index ? SymmetricTensor<D, typename P::Real>::zero() : tensor_of(s),
+               column.values);
+  return column;
 }
 
-// Adds the columns of the solid to a frame: the pieces, the deviatoric stress, then those of the
-// table; for a cut the pieces and the damage alone. Other particles have zeros.
-// `solid_index_of_id`: solid number of a particle's id, or no_index.
+template <int D, class P>
+void show_tensors(const SolidOnHost<D, P>& solid, const std::vector<Index>& solid_of,
+                  Frame& frame) {
+  const auto deviatoric_stress = [&](Index s) {
+    auto sigma = solid.stress(s);
+    const auto mean = trace(sigma) / 3;
+    for (int a = 0; a < 3; ++a) sigma(a, a) -= mean;
+    return sigma;
+  };
+  const auto strain = [&](Index s) { return solid.strain(s); };
+  frame.columns.push_back(tensor_column<D, P>(
+      {"deviatoric_stress", "Pa", 6, {}, "deviatoric stress"}, solid_of, deviatoric_stress));
+  frame.columns.push_back(tensor_column<D, P>({"strain", "1", 6, {}, "strain"}, solid_of, strain));
+}
+
+// Adds the columns of the solid to a frame: the pieces, the tensors, then those of the table; for a
+// cut the pieces and the damage alone. Other particles have zeros. `solid_index_of_id`: solid
+// number of a particle's id, or no_index.
 template <int D, class P>
 void show_solid(const SolidFields<D, P>& fields, const Array<Index>& solid_index_of_id,
                 FrameContent content, Frame& frame) {
@@ -171,7 +207,7 @@ void show_solid(const SolidFields<D, P>& fields, const Array<Index>& solid_index
   for (std::size_t i = 0; i < frame.id.size(); ++i)
     if (frame.id[i] < number.size()) solid_of[i] = number[frame.id[i]];
   show_pieces(solid, solid_of, frame);
-  if (is_whole) frame.columns.push_back(deviatoric_stress(solid, solid_of));
+  if (is_whole) show_tensors(solid, solid_of, frame);
   for (const auto& shown : shown_solid_fields<D, P>()) {
     if (!shown.exists(solid) || (!is_whole && std::string_view(shown.name) != "damage")) continue;
     Column column{shown.name, shown.unit, 1, {}, shown.label};

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 1;
+constexpr int limit_format = 1;
 
 const ThresholdGoal& goal_of(const LimitPlan& plan) {
   return *plan.study.threshold;
@@ -252,7 +252,7 @@ std::string trial_line(const LimitPlan& plan, std::size_t number, const RunRow& 
 
 nlohmann::ordered_json limit_json(const LimitPlan& plan, const LimitAnswer& answer) {
   const Axis& axis = goal_of(plan).axis;
-  Json json{{"format", format},
+  Json json{{"format", limit_format},
             {"title", plan.study.title},
             {"case", plan.study.base_name},
             {"version", program_version},

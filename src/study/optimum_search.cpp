@@ -25,9 +25,9 @@ struct Tried {
   double margin = 0.0;  // >= 0 where the condition holds
 };
 
-class Search {
+class OptimumSearch {
  public:
-  Search(const OptimumGoal& goal, double refinement, Laboratory& laboratory)
+  OptimumSearch(const OptimumGoal& goal, double refinement, Laboratory& laboratory)
       : goal_(goal), refinement_(refinement), laboratory_(laboratory) {}
 
   OptimumAnswer run() {
@@ -163,7 +163,7 @@ class Search {
 
   // NLopt requests objective and constraint one after the other: the same run provides both.
   struct Steps {
-    Search& search;
+    OptimumSearch& search;
     double scale;
     std::exception_ptr error;  // NLopt is a C library and passes only its own exceptions on
 
@@ -242,7 +242,7 @@ class Search {
 }  // namespace
 
 OptimumAnswer find_optimum(const OptimumGoal& goal, double refinement, Laboratory& laboratory) {
-  return Search(goal, refinement, laboratory).run();
+  return OptimumSearch(goal, refinement, laboratory).run();
 }
 
 }  // namespace kerf

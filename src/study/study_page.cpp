@@ -22,9 +22,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr auto least_pause = std::chrono::seconds(4);
-constexpr int curve_points = 49;         // of the model along one variable
-constexpr std::size_t most_levels = 9;   // of another variable, each with a curve
-constexpr std::size_t most_curves = 81;  // along one variable
+constexpr int curve_points = 49;              // of the model along one variable
+constexpr std::size_t most_shown_levels = 9;  // of another variable, each with a curve
+constexpr std::size_t most_curves = 81;       // along one variable
 constexpr const char* state_words[] = {"running", "stopped", "ended"};
 
 using Points = std::vector<std::map<std::string, double>>;
@@ -53,7 +53,7 @@ Points curve_points_of(const std::vector<std::string>& variables, const std::str
       if (const double* value = find_number(row, name);
           value && *value >= range.low && *value <= range.high)
         values.insert(*value);
-    if (values.size() > most_levels) return {};
+    if (values.size() > most_shown_levels) return {};
     points = combined(points, name, values);
     if (points.size() > most_curves) return {};
   }

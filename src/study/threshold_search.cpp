@@ -47,9 +47,9 @@ std::string why_nothing(const ThresholdGoal& goal, bool beyond_everywhere) {
 }
 
 // Searches one layout after another, each from the bracket of the previous one.
-class Search {
+class ThresholdSearch {
  public:
-  Search(const ThresholdGoal& goal, const Trial& at, Laboratory& laboratory)
+  ThresholdSearch(const ThresholdGoal& goal, const Trial& at, Laboratory& laboratory)
       : goal_(goal),
         at_(at),
         laboratory_(laboratory),
@@ -160,7 +160,7 @@ std::string Condition::text() const {
 }
 
 ThresholdAnswer find_threshold(const ThresholdGoal& goal, const Trial& at, Laboratory& laboratory) {
-  return Search(goal, at, laboratory).run();
+  return ThresholdSearch(goal, at, laboratory).run();
 }
 
 }  // namespace kerf

@@ -98,8 +98,8 @@ const TimeSeries& series_of(const VerificationCase& verification, const Check& c
 }
 
 // Returns the measured value in SI units; NaN if the run failed.
-double measured_in(const VerificationCase& verification, const Check& check,
-                   const Recordings& recordings, const std::string& run) {
+double number_in(const VerificationCase& verification, const Check& check,
+                 const Recordings& recordings, const std::string& run) {
   if (!recordings.at(run).problem.empty()) return std::numeric_limits<double>::quiet_NaN();
   return reduce(series_of(verification, check, recordings, run), check.parameters);
 }
@@ -126,7 +126,7 @@ CheckCurves curves_of(const VerificationCase& verification, const Check& check,
 Row measured_row(const VerificationCase& verification, const Check& check,
                  const Recordings& recordings, const std::string& run) {
   const auto measured = [&](const std::string& name) {
-    return measured_in(verification, check, recordings, name);
+    return number_in(verification, check, recordings, name);
   };
   Row row;
   row.case_name = verification.name;
