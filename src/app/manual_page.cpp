@@ -81,7 +81,7 @@ std::string manual_page(const std::vector<CommandWords>& commands) {
   for (std::size_t n = 1; n < commands.size(); ++n) text += command_section(commands[n]);
   text += ".SH EXIT STATUS\n";
   for (const ExitCode& entry : exit_codes)
-    text += fmt::format(".TP\n{}\n{}\n", plain(entry.code), plain(sentence(entry.meaning)));
+    text += fmt::format(".TP\n{}\n{}\n", plain(entry.listed()), plain(sentence(entry.meaning)));
   text +=
       ".SH ENVIRONMENT\n.TP\nKERF_SIMD\nThe instruction set of the SIMD kernels: baseline, avx2 or "
       "avx512. The default is the widest that the processor has.\n";

@@ -60,16 +60,8 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     Run::tick(dt);
   }
 
-  Frame frame() const override {
-    Frame frame = Run::frame();
-    solid_.add_columns(FrameContent::everything, frame);
-    return frame;
-  }
-  Frame frame_of_cut() const override {
-    Frame frame = Run::frame();
-    solid_.add_columns(FrameContent::cut, frame);
-    return frame;
-  }
+  Frame frame() const override { return frame_with(FrameContent::everything); }
+  Frame frame_of_cut() const override { return frame_with(FrameContent::cut); }
   Balance balance() const override {
     Balance balance = Run::balance();
     solid_.record_losses(balance);
@@ -183,6 +175,12 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   }
 
  private:
+  Frame frame_with(FrameContent content) const {
+    Frame frame = Run::frame();
+    solid_.add_columns(content, frame);
+    return frame;
+  }
+
   // Shifts the window of a frame that travels with the nozzle as often as is due.
   void follow_nozzle();
   void shift_window(std::uint64_t shifts);

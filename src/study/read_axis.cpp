@@ -13,7 +13,6 @@ namespace kerf {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> scale_words{"linear", "log"};
 constexpr int most_levels = 1000;
 
 const char* remedy_of_list = "Write [value, ...] or { from = ..., to = ..., count = ... }";

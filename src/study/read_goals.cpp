@@ -17,11 +17,9 @@ namespace kerf {
 namespace {
 
 constexpr std::array<std::string_view, 4> find_words{"least", "greatest", "minimum", "maximum"};
-constexpr std::array<std::string_view, 2> scale_words{"linear", "log"};
 constexpr std::array<std::string_view, 3> form_words{"power", "threshold_linear",
                                                      "threshold_power"};
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr int most_runs = 100000;
 
 // A metric of the cases of a study.
 struct StudyMetric {

@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_runs = 100000;
-
 bool is_range(const toml::table& table) {
   return table.contains("from") || table.contains("to");
 }

@@ -6,6 +6,7 @@
 
 #include <toml++/toml.h>
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <set>
@@ -19,6 +20,9 @@
 #include "study/study_plan.hpp"
 
 namespace kerf {
+
+inline constexpr int most_runs = 100000;                                        // of a study
+inline constexpr std::array<std::string_view, 2> scale_words{"linear", "log"};  // of a range
 
 // One table of a study file.
 class StudySection {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "study/run_table.hpp"
+#include "study/setting_json.hpp"
 
 namespace kerf {
 

@@ -40,8 +40,6 @@ std::string answers_text(const std::vector<Answer>& answers);
 
 // Returns study.json, which docs/studies.md describes.
 std::string study_json(const StudyPlan& plan, const StudyAnswers& answers);
-// Returns the setting as an object of study.json, SI units.
-nlohmann::ordered_json setting_json(const Setting& setting);
 
 // Returns a varied key of a run or a number of its result; null where the run has neither.
 const double* find_number(const RunRow& row, const std::string& name);

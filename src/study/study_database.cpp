@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/error.hpp"
+#include "study/setting_json.hpp"
 
 namespace kerf {
 
@@ -65,32 +66,13 @@ RunState state_of(const std::string& word) {
                   exit_files);
 }
 
-std::string setting_json(const Setting& setting) {
-  Json json = Json::object();
-  for (const auto& [key, value] : setting.numbers) json[key] = value;
-  for (const auto& [key, value] : setting.words) json[key] = value;
-  return json.dump();
-}
-
-Setting read_setting(const std::string& text) {
-  Setting setting;
-  const Json json = Json::parse(text);
-  for (const auto& [key, value] : json.items()) {
-    if (value.is_string())
-      setting.words[key] = value.get<std::string>();
-    else
-      setting.numbers[key] = value.get<double>();
-  }
-  return setting;
-}
-
 RunRow row_of(SQLite::Statement& query) {
   RunRow row;
   int column = 0;
   const auto text = [&] { return query.getColumn(column++).getString(); };
   const auto number = [&] { return query.getColumn(column++).getDouble(); };
   row.id = text();
-  row.trial.setting = read_setting(text());
+  row.trial.setting = setting_of(Json::parse(text()));
   row.trial.repeat = static_cast<int>(number());
   row.trial.refinement = number();
   row.spacing = number();
@@ -192,14 +174,14 @@ void StudyDatabase::add(const ResolvedCase& resolved, const Trial& trial) {
   update(
       "INSERT OR IGNORE INTO runs (id, setting, repeat, refinement, spacing, memory, case_text, "
       "state, made) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
-      {resolved.id, setting_json(trial.setting), std::to_string(trial.repeat),
+      {resolved.id, setting_json(trial.setting).dump(), std::to_string(trial.repeat),
        fmt::format("{}", trial.refinement), fmt::format("{}", resolved.spacing),
        fmt::format("{}", resolved.memory), resolved.text, word_of_state(RunState::waiting), now()});
   // An existing run may have been requested with other keys: it serves both.
   Setting setting = find(resolved.id)->trial.setting;
   for (const auto& [key, value] : trial.setting.numbers) setting.numbers[key] = value;
   for (const auto& [key, value] : trial.setting.words) setting.words[key] = value;
-  update("UPDATE runs SET setting = ? WHERE id = ?", {setting_json(setting), resolved.id});
+  update("UPDATE runs SET setting = ? WHERE id = ?", {setting_json(setting).dump(), resolved.id});
 }
 
 std::optional<RunRow> StudyDatabase::find(const std::string& id) const {

@@ -2,6 +2,7 @@
 #include "core/version.hpp"
 #include "input/units.hpp"
 #include "study/run_table.hpp"
+#include "study/setting_json.hpp"
 #include "study/study_answers.hpp"
 
 namespace kerf {
@@ -55,13 +56,6 @@ Json boundary_json(const std::vector<Crossing>& boundary) {
 }
 
 }  // namespace
-
-Json setting_json(const Setting& setting) {
-  Json json = Json::object();
-  for (const auto& [key, value] : setting.numbers) json[key] = value;
-  for (const auto& [key, value] : setting.words) json[key] = value;
-  return json;
-}
 
 std::string study_json(const StudyPlan& plan, const StudyAnswers& answers) {
   Json json{{"format", format},       {"title", plan.title},        {"name", plan.name},

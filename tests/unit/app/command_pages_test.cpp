@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -15,6 +14,7 @@
 #include "app/manual_page.hpp"
 #include "app/version_text.hpp"
 #include "core/version.hpp"
+#include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace kerf {
@@ -44,16 +44,6 @@ struct SmallProgram {
 
 void write(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file) << text;
-}
-// Returns what a command of the shell prints.
-std::string printed_by(const std::string& command) {
-  std::string text;
-  FILE* pipe = popen(command.c_str(), "r");
-  for (int c = 0; (c = std::fgetc(pipe)) != EOF;) text += static_cast<char>(c);
-  return pclose(pipe) == 0 ? text : text + "(failed)";
-}
-bool is_there(const std::string& shell) {
-  return printed_by("command -v " + shell + " > /dev/null && printf yes") == "yes";
 }
 
 TEST(CommandWords, SayWhatAnOptionTakes) {
@@ -86,8 +76,8 @@ TEST(ManualPage, HasTheExitCodesOfTheDocs) {
   docs << std::ifstream(std::string(KERF_SOURCE_DIR) + "/docs/results.md").rdbuf();
   const std::string page = manual_page(SmallProgram().words());
   for (const ExitCode& entry : exit_codes) {
-    EXPECT_THAT(docs.str(), HasSubstr(fmt::format("| {} | {} |", entry.code, entry.meaning)));
-    EXPECT_THAT(page, HasSubstr(fmt::format(".TP\n{}\n", entry.code)));
+    EXPECT_THAT(docs.str(), HasSubstr(fmt::format("| {} | {} |", entry.listed(), entry.meaning)));
+    EXPECT_THAT(page, HasSubstr(fmt::format(".TP\n{}\n", entry.listed())));
   }
 }
 
@@ -101,7 +91,7 @@ class Completion : public testing::Test {
           fmt::format("source {}\nCOMP_WORDS=({})\nCOMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))\n_kerf\n"
                       "echo \"${{COMPREPLY[*]}}\"\n",
                       script, words));
-    return printed_by("bash " + (folder_ / "try.bash").string());
+    return test::printed_by("bash " + (folder_ / "try.bash").string());
   }
   test::TemporaryFolder folder_;
 };
@@ -121,12 +111,13 @@ TEST_F(Completion, ZshAndFishReadTheirScripts) {
   const auto words = SmallProgram().words();
   write(folder_ / "_kerf", zsh_completion(words));
   write(folder_ / "kerf.fish", fish_completion(words));
-  if (!is_there("zsh") || !is_there("fish")) GTEST_SKIP() << "zsh or fish is not installed";
-  EXPECT_EQ(printed_by("zsh -n " + (folder_ / "_kerf").string() + " 2>&1"), "");
+  if (!test::is_installed("zsh") || !test::is_installed("fish"))
+    GTEST_SKIP() << "zsh or fish is not installed";
+  EXPECT_EQ(test::printed_by("zsh -n " + (folder_ / "_kerf").string() + " 2>&1"), "");
   const std::string source = "source " + (folder_ / "kerf.fish").string() + "; complete -C ";
-  EXPECT_THAT(printed_by("fish -c \"" + source + "'kerf cut --mode s'\" 2>&1"),
+  EXPECT_THAT(test::printed_by("fish -c \"" + source + "'kerf cut --mode s'\" 2>&1"),
               testing::StartsWith("slow\t"));
-  EXPECT_THAT(printed_by("fish -c \"" + source + "'kerf cut --dry'\" 2>&1"),
+  EXPECT_THAT(test::printed_by("fish -c \"" + source + "'kerf cut --dry'\" 2>&1"),
               HasSubstr("--dry-run"));
 }
 
