@@ -30,7 +30,8 @@ Json facts_of(const CheckedCase& checked) {
   const auto add = [&](const char* name, const std::string& value) {
     facts.push_back({{"name", name}, {"value", value}});
   };
-  add("Run time", fmt::format("about {}, {}", duration(cost.seconds), checked.costed.pace.source));
+  add("Run time",
+      fmt::format("about {}, {}", duration_text(cost.seconds), checked.costed.pace.source));
   add("Particles at the start", html::count(static_cast<double>(numbers.particles_initial)));
   add("Particles including jet water",
       html::count(static_cast<double>(numbers.particles_expected)));

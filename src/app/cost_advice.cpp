@@ -116,7 +116,7 @@ std::string Advice::sentence() const {
   return fmt::format("{}  # {}, {}: {}, {}", fmt::join(lines, "; "),
                      times(before.particles / after.particles, "fewer particles", "more particles"),
                      times(before.seconds / after.seconds, "faster", "slower"),
-                     duration(after.seconds), readable(after.memory, "B"));
+                     duration_text(after.seconds), readable(after.memory, "B"));
 }
 
 std::vector<Advice> cost_advice(const CostedCase& costed) {

@@ -161,13 +161,4 @@ RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace) {
   return cost;
 }
 
-std::string duration(double seconds) {
-  constexpr double minute = 60.0, hour = 3600.0, day = 24.0 * hour, year = 365.25 * day;
-  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 100.0 * minute) return fmt::format("{:.0f} min", seconds / minute);
-  if (seconds < 2.0 * day) return fmt::format("{:.1f} h", seconds / hour);
-  if (seconds < year) return fmt::format("{:.0f} days", seconds / day);
-  return fmt::format("{:.2g} years", seconds / year);
-}
-
 }  // namespace kerf

@@ -41,7 +41,4 @@ Case pilot_case(const Case& description, const DerivedNumbers& numbers, double s
 
 RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace);
 
-// Returns a time in words, such as "12 min".
-std::string duration(double seconds);
-
 }  // namespace kerf

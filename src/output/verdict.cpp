@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
@@ -59,12 +60,27 @@ bool is_at_end_of_part(const RunOutcome& outcome) {
   return outcome.cut.last.front_depth >= last_front_depth(outcome.description);
 }
 
+// Whether the front has moved by more than the positions of particles are known.
+bool is_measurable(const RunOutcome& outcome) {
+  constexpr double least = 1e-3;  // of the finest spacing
+  double finest = std::numeric_limits<double>::infinity();
+  for (const Body& body : outcome.description.bodies) finest = std::min(finest, body.spacing);
+  const double depth = outcome.cut.last.front_depth;
+  return depth > 0.0 && !(depth < least * finest && std::isfinite(finest));
+}
+
+std::string dent_sentence(const RunOutcome& outcome) {
+  const std::string end = readable(outcome.time, "s");
+  if (!is_measurable(outcome))
+    return fmt::format("The jet breaks nothing within {} and makes no measurable dent.", end);
+  return fmt::format("The jet breaks nothing within {}; its front presses {} into the workpiece.",
+                     end, readable(outcome.cut.last.front_depth, "m"));
+}
+
 std::string depth_sentence(const RunOutcome& outcome) {
+  if (breaks_nothing(outcome)) return dent_sentence(outcome);
   const std::string end = readable(outcome.time, "s");
   const std::string front = readable(outcome.cut.last.front_depth, "m");
-  if (breaks_nothing(outcome))
-    return fmt::format("The jet breaks nothing within {}; its front presses {} into the workpiece.",
-                       end, front);
   if (is_at_end_of_part(outcome))
     return fmt::format(
         "The front of the jet has come to the end of the depth that is simulated, {}, after {}{}.",

@@ -36,10 +36,12 @@ std::vector<BodyFate> fates_of(const Json& result, const Case& description) {
     }
   if (!fates.empty()) return fates;
   const bool through = result.at("cut_through").get<bool>();
-  // Bonds may break without a particle that is fractured: then a part of the thickness is broken.
-  const Json* unbroken = find_value(result, "kerf.unbroken");
+  // Bonds may break without a particle that is fractured: then a part of the thickness is broken,
+  // and the margin is above -1.
+  constexpr double rounding = 1e-6;
+  const Json* margin = find_value(result, "kerf.margin");
   const bool is_whole = !(value_of(result.at("fractured_fraction")) > 0.0) &&
-                        !(unbroken != nullptr && value_of(*unbroken) > 0.0);
+                        !(margin != nullptr && value_of(*margin) > -1.0 + rounding);
   for (const Body& body : description.bodies)
     if (body.role == Role::elastic)
       fates.push_back({body.name,

@@ -78,7 +78,7 @@ std::string quantity(double value, const std::string& unit, int digits) {
   const std::string space = "\u202f";  // narrow space without a line break
   if (unit == "s" && value >= 60.0 && value < 1e9) {
     std::string text = duration_text(value);
-    for (const char* name : {"h", "min", "s"})
+    for (const char* name : {"h", "min", "s", "days", "years"})
       boost::replace_all(text, std::string(" ") + name, space + name);
     return text;
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "model/jet.hpp"
 #include "report/drawing.hpp"
@@ -53,6 +54,7 @@ class SectionDrawing {
     return 0.5 * (left + right) + scale_ * (across / upright_ + slope_ * below - shift_);
   }
   double y(double below) const { return top + scale_ * upright_ * below; }
+  double length_below(double y) const { return (y - top) / (scale_ * upright_); }
   // The length of so many pixels, m.
   double length(double pixels) const { return pixels / scale_; }
 
@@ -128,14 +130,54 @@ void add_widths(SectionDrawing& map) {
   }
 }
 
+// Returns half the width of the kerf at a depth as it is drawn: straight between the levels.
+double drawn_half(const Section& section, double below) {
+  std::vector<Level> points{{0.0, section.levels[0].half}};
+  points.insert(points.end(), section.levels.begin(), section.levels.end());
+  if (section.through)
+    points.push_back({section.thickness, section.levels[2].half});
+  else
+    points.push_back({section.depth, 0.0});
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const Level &above = points[k - 1], &next = points[k];
+    if (below > next.below) continue;
+    const double step = next.below - above.below;
+    const double share = step > 0.0 ? (below - above.below) / step : 1.0;
+    return above.half + share * (next.half - above.half);
+  }
+  return 0.0;
+}
+
+// Returns whether a text whose base line is at `y` stands in the solid left of the kerf, up to
+// `end`.
+bool is_left_of_kerf(const SectionDrawing& map, double y, double end) {
+  constexpr double above = 12.0, beneath = 4.0, gap = 4.0;  // px, of a text
+  if (y - above < map.y(0.0) || y + beneath > map.y(map.section.thickness)) return false;
+  for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const double below = map.length_below(y - above + part * (above + beneath));
+    const bool is_beside = below < map.section.depth || map.section.through;
+    if (is_beside && map.x(-drawn_half(map.section, below), below) < end + gap) return false;
+  }
+  return true;
+}
+
+// Writes the depth beside its line where no edge of the kerf crosses it: half way down, else below
+// the end of the line, else below the workpiece.
+void add_depth(SectionDrawing& map) {
+  constexpr double width_of_letter = 7.5;  // px, on average
+  const Section& section = map.section;
+  const double x = left + 26.0, high = map.y(0.0), low = map.y(section.depth);
+  map.drawing.line(x, high, x, low, stroke(dimension_colour, 1.0));
+  const std::string words = "depth " + html::quantity(section.depth, "m", 3);
+  const double end = x + 8.0 + width_of_letter * static_cast<double>(words.size());
+  for (const double y : {0.5 * (high + low) + 5.0, low + text_height})
+    if (is_left_of_kerf(map, y, end)) return map.drawing.text(x + 8.0, y, words, Anchor::left);
+  map.drawing.text(left, map.y(section.thickness) + 22.0, words, Anchor::left);
+}
+
 void add_depths(SectionDrawing& map) {
   const Section& section = map.section;
-  const double x = left + 26.0;
-  if (section.depth > 0.0) {
-    map.drawing.line(x, map.y(0.0), x, map.y(section.depth), stroke(dimension_colour, 1.0));
-    map.drawing.text(x + 8.0, 0.5 * (map.y(0.0) + map.y(section.depth)) + 5.0,
-                     "depth " + html::quantity(section.depth, "m", 3), Anchor::left);
-  }
+  if (section.depth > 0.0) add_depth(map);
   map.drawing.text(0.5 * (left + right), map.y(section.thickness) + 22.0,
                    "thickness " + html::quantity(section.thickness, "m", 3), Anchor::middle);
 }

@@ -6,6 +6,7 @@ export interface Prefix {
   symbol: string;
 }
 
+const day = 86400; // s
 const narrowSpace = "\u202f";
 const prefixes: [number, string][] = [
   [1e12, "T"],
@@ -57,11 +58,13 @@ export function formatQuantity(value: number, unit: string, digits = 3): string 
   return join(formatNumber(value * prefix.factor, digits), prefix.symbol + plainUnit(unit));
 }
 
-// "1 h 05 min", "3 min 20 s"
+// "3 min 20 s", "1 h 05 min", "12 days", "2.5 years", as duration_text() of the program has it.
 function duration(seconds: number): string {
   const whole = Math.round(seconds);
   const two = (part: number) => String(part).padStart(2, "0");
   if (whole < 3600) return `${join(String(Math.floor(whole / 60)), "min")} ${join(two(whole % 60), "s")}`;
+  if (seconds >= 365.25 * day) return join(String(Number((seconds / (365.25 * day)).toPrecision(2))), "years");
+  if (seconds >= 2 * day) return join(String(Math.round(seconds / day)), "days");
   return `${join(String(Math.floor(whole / 3600)), "h")} ${join(two(Math.floor((whole % 3600) / 60)), "min")}`;
 }
 

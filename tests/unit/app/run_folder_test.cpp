@@ -174,7 +174,14 @@ TEST(Progress, LabelsItsNumbers) {
             " 42.0% | left 3 min 20 s | t 12.6 ms | step 5120 | dt 2.5 us, acoustic (water) | "
             "front 21.3 mm | fractured 3.04% | energy -0.10%");
   EXPECT_EQ(duration_text(12.4), "12 s");
+  EXPECT_EQ(duration_text(2.345), "2.3 s");
+  EXPECT_EQ(duration_text(200.0), "3 min 20 s");
   EXPECT_EQ(duration_text(3900.0), "1 h 05 min");
+  EXPECT_EQ(duration_text(12.3 * 86400.0), "12 days");
+  EXPECT_EQ(duration_text(2.5 * 365.25 * 86400.0), "2.5 years");
+  EXPECT_EQ(readable(59.5, "s"), "59.5 s");
+  EXPECT_EQ(readable(1200.0, "s"), "20 min 00 s");
+  EXPECT_EQ(readable(1200.0, "m"), "1.2 km");
   EXPECT_EQ(duration_text(std::numeric_limits<double>::infinity()), "?");
 }
 

@@ -55,5 +55,26 @@ TEST(Verdict, NamesWhatIsCutThroughAndWhatIsWhole) {
       "cut through, vessel is parted; at the end the workpiece is in 3 pieces.");
 }
 
+// A jet that does nothing is said to do nothing, in place of a dent of 0 m.
+TEST(Verdict, NoDentIsNoNumber) {
+  RunOutcome outcome;
+  outcome.description.jets.emplace_back();
+  outcome.description.bodies.emplace_back();
+  outcome.description.bodies.front().spacing = 2e-3;
+  outcome.time = 0.06;
+  for (const double nothing : {0.0, 1e-6}) {
+    outcome.cut.last.front_depth = nothing;
+    EXPECT_EQ(verdict_of(outcome),
+              "The jet breaks nothing within 60 ms and makes no measurable dent.");
+  }
+  outcome.cut.last.front_depth = 1e-4;
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet breaks nothing within 60 ms; its front presses 100 um into the workpiece.");
+  outcome.time = 1200.0;
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet breaks nothing within 20 min 00 s; its front presses 100 um into the "
+            "workpiece.");
+}
+
 }  // namespace
 }  // namespace kerf

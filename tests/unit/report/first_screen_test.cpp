@@ -56,9 +56,9 @@ TEST_F(FirstScreen, NamesTheOnlyBodyToo) {
   result_["fractured_fraction"] = 0.1;
   EXPECT_THAT(screen(), HasSubstr("cut in part"));
   result_["fractured_fraction"] = 0.0;
-  result_["kerf"]["unbroken"] = 0.004;
+  result_["kerf"]["margin"] = -0.4;
   EXPECT_THAT(screen(), HasSubstr("cut in part"));
-  result_["kerf"]["unbroken"] = 0.0;
+  result_["kerf"]["margin"] = -1.0;
   EXPECT_THAT(screen(), AllOf(HasSubstr("whole"), Not(HasSubstr("cut in part"))));
 }
 

@@ -102,6 +102,32 @@ TEST(KerfDrawing, ShowsTheInclinationInTheViewAlongTheTraverse) {
   EXPECT_NEAR(lean_of(leaning, 3), -0.4, 1e-15);
 }
 
+// Where the label of the depth stands, and the text.
+struct DepthLabel {
+  double x = 0.0, y = 0.0;
+};
+DepthLabel depth_label(const std::string& svg) {
+  const std::regex text("<text x=\"([0-9.]+)\" y=\"([0-9.]+)\"[^>]*>depth ");
+  std::smatch found;
+  EXPECT_TRUE(std::regex_search(svg, found, text));
+  return {std::stod(found[1]), std::stod(found[2])};
+}
+
+// The label of the depth is beside a narrow kerf, below one that is wide, and below the workpiece
+// where a wide kerf goes through: no edge of the solid crosses it.
+TEST(KerfDrawing, TheLabelOfTheDepthCrossesNoEdge) {
+  const std::string narrow = draw_kerf(slot(0.002, 0.001, false));
+  const double end_narrow = lines(narrow, "#5b6470\" stroke-width=\"1\"")[3][3];
+  EXPECT_LT(depth_label(narrow).y, end_narrow);
+  const std::string wide = draw_kerf(slot(0.03, 0.02, false));
+  const auto depth_line = lines(wide, "#5b6470\" stroke-width=\"1\"").back();
+  EXPECT_GT(depth_label(wide).y, depth_line[3] + 10.0);
+  const std::string through = draw_kerf(slot(0.03, 0.03, true));
+  const auto whole_line = lines(through, "#5b6470\" stroke-width=\"1\"").back();
+  EXPECT_GT(depth_label(through).y, whole_line[3] + 15.0);
+  EXPECT_LT(depth_label(through).x, whole_line[0]);
+}
+
 TEST(KerfDrawing, WritesALevelOnce) {
   Json flat = slot(0.002, 0.002, false);
   flat["middle"] = flat["bottom"] = flat["top"];

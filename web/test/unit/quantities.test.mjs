@@ -20,6 +20,8 @@ test("prefixes are chosen by size", () => {
     [59, "s", `59${thin}s`],
     [200, "s", `3${thin}min 20${thin}s`],
     [3900, "s", `1${thin}h 05${thin}min`],
+    [12.3 * 86400, "s", `12${thin}days`],
+    [2.5 * 365.25 * 86400, "s", `2.5${thin}years`],
   ];
   for (const [value, unit, words] of cases) assert.equal(formatQuantity(value, unit), words);
 });
