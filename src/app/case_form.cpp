@@ -3,11 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <regex>
-#include <set>
-
 #include "app/embedded.hpp"
 #include "app/template_files.hpp"
+#include "input/key_text.hpp"
 #include "input/material_library.hpp"
 #include "input/schema.hpp"
 
@@ -16,17 +14,6 @@ namespace kerf {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Returns a sentence of the reference without its marks of Markdown, and without sentences that
-// only lead to another page.
-std::string plain_text(std::string_view markdown) {
-  static const std::regex lead(R"( *See \[[^\]]*\]\([^)]*\)\.)"), link(R"(\[([^\]]*)\]\([^)]*\))"),
-      mark("`");
-  std::string text(markdown);
-  for (const auto& [pattern, by] : {std::pair{&lead, ""}, {&link, "$1"}, {&mark, ""}})
-    text = std::regex_replace(text, *pattern, by);
-  return text;
-}
 
 // Returns the kind of material that a key names: "" = every kind; "none" = no material.
 std::string material_kind(std::string_view section, const Key& key) {
@@ -38,11 +25,12 @@ std::string material_kind(std::string_view section, const Key& key) {
 
 Json key_json(std::string_view section, const Key& key) {
   Json json = {{"name", key.name},
+               {"label", key_label(key)},
                {"unit", key.unit},
                {"allowed", allowed_text(key)},
                {"default", key.required() ? "" : plain_text(default_text(key))},
                {"required", key.required()},
-               {"help", plain_text(key.sentence) + "."}};
+               {"help", key_help(key)}};
   if (key.kind == ValueKind::word) json["choices"] = key.choices;
   if (key.kind == ValueKind::flag) json["choices"] = {"true", "false"};
   if (const std::string kind = material_kind(section, key); kind != "none") json["material"] = kind;

@@ -8,11 +8,13 @@
 #include <set>
 
 #include "core/version.hpp"
+#include "input/key_text.hpp"
 #include "output/files.hpp"
 #include "output/result_metrics.hpp"
 #include "report/html.hpp"
 #include "report/plot.hpp"
 #include "report/viewer_files.hpp"
+#include "study/axis_label.hpp"
 #include "study/run_table.hpp"
 
 namespace kerf {
@@ -82,10 +84,21 @@ Json model_points(const StudyPlan& plan, const StudyAnswers& answers) {
   return points;
 }
 
-// The metrics of the runs with their units and labels.
+// Adds the labels of the varied keys, and what they mean, by the schema.
+void add_keys(Json& data, const StudyPlan& plan) {
+  const auto axes = all_axes(plan);
+  for (const Axis& axis : axes) {
+    data["labels"][axis.name()] = axis_label(axis, axes);
+    data["help"][axis.name()] = key_help(*axis.path.key);
+  }
+  const Key& spacing = *find_key("body", "spacing", {});
+  data["units"][spacing.name] = spacing.unit;
+  data["labels"][spacing.name] = key_label(spacing);
+  data["help"][spacing.name] = key_help(spacing);
+}
+
+// Adds the units and labels of the metrics of the runs.
 void add_metrics(Json& data, const StudyPlan& plan, const std::vector<RunRow>& runs) {
-  data["units"] = {{"spacing", "m"}};
-  data["labels"] = Json::object();
   const auto add = [&](const std::string& name) {
     data["units"][name] = metric_unit(name, plan.dimension);
     data["labels"][name] = metric_label(name);
@@ -133,18 +146,20 @@ Mark mark_of(RunVerdict verdict) {
 }
 
 // Returns the title of an axis, in the units of the study.
-PlotAxis plot_axis(const Axis& axis) {
-  return {axis.path.unit().empty() ? axis.name() : axis.name() + " in " + axis.shown_unit, "1"};
+PlotAxis plot_axis(const Axis& axis, const std::vector<Axis>& axes) {
+  const std::string label = axis_label(axis, axes);
+  return {axis.path.unit().empty() ? label : label + " in " + axis.shown_unit, "1"};
 }
 
 }  // namespace
 
 std::string static_map(const StudyPlan& plan, const std::vector<RunRow>& runs) {
-  std::vector<Axis> axes = all_axes(plan);
+  const std::vector<Axis> all = all_axes(plan);
+  std::vector<Axis> axes = all;
   std::erase_if(axes, [](const Axis& axis) { return axis.values.size() < 2; });
   if (axes.size() < 2) return "";
   const Axis &across = axes[0], &upward = axes[1];
-  Plot plot{plot_axis(across), plot_axis(upward)};
+  Plot plot{plot_axis(across, all), plot_axis(upward, all)};
   for (const RunRow& row : runs) {
     const auto& numbers = row.trial.setting.numbers;
     const auto x = numbers.find(across.name()), y = numbers.find(upward.name());
@@ -157,13 +172,16 @@ std::string static_map(const StudyPlan& plan, const std::vector<RunRow>& runs) {
   return fmt::format(
       "<figure><figcaption>{} across, {} upwards: filled = cut through, hollow = not, crossed = "
       "failed, dotted = not run yet</figcaption>\n{}</figure>\n",
-      html::escape(across.name()), html::escape(upward.name()), draw_plot(plot));
+      html::escape(axis_label(across, all)), html::escape(axis_label(upward, all)),
+      draw_plot(plot));
 }
 
 std::string static_table(const StudyPlan& plan, const std::vector<RunRow>& runs) {
   const auto axes = all_axes(plan);
   std::string text = "<table><thead><tr><th>verdict</th>";
-  for (const Axis& axis : axes) text += fmt::format("<th>{}</th>", html::escape(axis.name()));
+  for (const Axis& axis : axes)
+    text += fmt::format("<th title=\"{}\">{}</th>", html::escape(key_help(*axis.path.key)),
+                        html::escape(axis_label(axis, axes)));
   text += "<th>spacing</th><th>depth of the kerf</th><th>run</th></tr></thead><tbody>\n";
   for (const RunRow& row : runs) {
     text += fmt::format("<tr><th scope=\"row\">{}</th>", words_of(verdict_of(row)));
@@ -183,6 +201,8 @@ Json study_page_data(const StudyPlan& plan, const StudyAnswers& answers, StudySt
   Json data;
   data["state"] = state_words[static_cast<std::size_t>(state)];
   data["written"] = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
+  for (const char* words : {"units", "labels", "help"}) data[words] = Json::object();
+  add_keys(data, plan);
   add_metrics(data, plan, answers.runs);
   data["model_points"] = model_points(plan, answers);
   data["study"] = Json::parse(study_json(plan, answers));

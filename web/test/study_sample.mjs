@@ -17,8 +17,15 @@ const metrics = [
   { name: "kerf.middle.width", unit: "m" },
   { name: "kerf.specific_energy", unit: "J/m3" },
 ];
+const settings = {
+  "machine.pressure": ["pressure", "Pressure at the orifice, above that of the air."],
+  "machine.traverse_speed": ["traverse speed", "Speed of the nozzle over the workpiece."],
+  spacing: ["spacing", "Distance of neighbouring particles, d."],
+};
 const units = { ...Object.fromEntries(metrics.map(({ name, unit }) => [name, unit])), spacing: "m", steps: "" };
 const labels = { cut_through: "cut through", "kerf.depth": "depth of the kerf", "kerf.middle.width": "width of the kerf in the middle", "kerf.specific_energy": "specific energy", steps: "steps" };
+for (const [name, [label]] of Object.entries(settings)) labels[name] = label;
+const help = Object.fromEntries(Object.entries(settings).map(([name, [, words]]) => [name, words]));
 
 const key = (name, unit, shown_unit, shown_factor, values, scale = "linear") => ({ key: name, unit, shown_unit, shown_factor, kind: "range", scale, values });
 const pressure = (values) => key("machine.pressure", "Pa", "MPa", 1e6, values);
@@ -56,6 +63,7 @@ const data = (study, more = {}) => ({
   written: "2026-01-01 00:00:00 UTC",
   units,
   labels,
+  help,
   model_points: [],
   study: { format: 1, name: "sample", base: "sample", version: "0", refinement: 1, repeats: 1, metrics, boundary: [], ...study },
   ...more,

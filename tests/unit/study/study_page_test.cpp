@@ -8,6 +8,7 @@
 
 #include "output/files.hpp"
 #include "report/viewer_files.hpp"
+#include "study/axis_label.hpp"
 #include "synthetic.hpp"
 
 namespace kerf {
@@ -60,6 +61,39 @@ TEST(StudyPage, HoldsStudyJsonAndTheUnitsOfEveryMetric) {
   EXPECT_EQ(data.at("labels").at("kerf.depth"), "depth of the kerf");
 }
 
+// Labels, units and explanations of settings are those of the schema.
+TEST(StudyPage, NamesSettingsByTheSchema) {
+  const StudyPlan plan = test::plan_of(speeds_and_widths);
+  const Json data = study_page_data(plan, answers_of(plan), StudyState::ended);
+  const Key& speed = *find_key("jet", "speed", {});
+  EXPECT_EQ(data.at("labels").at("jet.jet.speed"), "speed");
+  EXPECT_EQ(data.at("help").at("jet.jet.speed"), std::string(speed.sentence) + ".");
+  for (const Json& key : data.at("study").at("keys")) {
+    EXPECT_TRUE(data.at("labels").contains(key.at("key")));
+    EXPECT_GT(data.at("help").at(key.at("key").get<std::string>()).get<std::string>().size(), 5u);
+  }
+  EXPECT_EQ(data.at("units").at("spacing"), find_key("body", "spacing", {})->unit);
+}
+
+TEST(StudyPage, TellsKeysOfOneNameApart) {
+  const toml::table written = toml::parse(
+      "dimension = 2\n[[jet]]\nname = \"upper\"\n[[jet]]\nname = \"lower_jet\"\n[[body]]\n"
+      "name = \"block\"\nshape = { type = \"box\", maximum = [\"1 m\", \"2 m\"] }\n");
+  const auto axis = [&](const char* path) {
+    Axis made;
+    made.path = find_key_path(path, written);
+    EXPECT_EQ(made.path.problem, "");
+    return made;
+  };
+  const std::vector<Axis> axes{axis("jet.upper.width"), axis("jet.lower_jet.width"),
+                               axis("jet.upper.pulse_frequency"),
+                               axis("body.block.shape.maximum.1")};
+  EXPECT_EQ(axis_label(axes[0], axes), "width of jet upper");
+  EXPECT_EQ(axis_label(axes[1], axes), "width of jet lower jet");
+  EXPECT_EQ(axis_label(axes[2], axes), "pulse frequency");
+  EXPECT_EQ(axis_label(axes[3], axes), "maximum y");
+}
+
 TEST(StudyPage, HoldsTheModelOverTheRangeOfItsData) {
   const StudyPlan plan = test::plan_of(speeds_and_widths);
   const StudyAnswers answers = answers_of(plan);
@@ -95,8 +129,8 @@ TEST(StudyPage, WithoutItsScriptHasAMapAndATable) {
   const std::string drawn = static_map(plan, runs);
   EXPECT_THAT(drawn, HasSubstr("<a href=\"runs/run4/report.html\">"));
   EXPECT_THAT(drawn, HasSubstr("<title>failed</title>"));
-  EXPECT_THAT(drawn, HasSubstr(">jet.jet.speed in m/s</text>"));
-  EXPECT_THAT(drawn, HasSubstr(">jet.jet.width in mm</text>"));
+  EXPECT_THAT(drawn, HasSubstr(">speed in m/s</text>"));
+  EXPECT_THAT(drawn, HasSubstr(">width in mm</text>"));
   const std::string table = static_table(plan, runs);
   EXPECT_THAT(table, HasSubstr("not cut through</th><td>1 m/s</td><td>4 mm</td>"));
   EXPECT_THAT(table, HasSubstr("<a href=\"runs/run0/report.html\">report</a>"));

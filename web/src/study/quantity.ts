@@ -2,11 +2,12 @@
 // Keys and metrics by the names and in the units that people read.
 
 import { formatNumber, join, prefixFor, timeUnit } from "../quantities.ts";
-import { numberOf, type Key, type Setting, type StudyData } from "./study_data.ts";
+import { numberOf, type Setting, type StudyData } from "./study_data.ts";
 
 export interface Quantity {
   name: string; // as in study.json
   label: string;
+  help: string; // what a key means; "" for a metric
   unit: string; // that is shown
   factor: number; // a number in SI divided by it is in that unit
   isLogarithmic: boolean;
@@ -14,20 +15,6 @@ export interface Quantity {
 }
 
 const written: Record<string, string> = { "J/m3": "J/m³", "J/m2": "J/m²", m2: "m²", m3: "m³", "1": "" };
-
-function lastWords(key: string): string {
-  return key.slice(key.lastIndexOf(".") + 1).replaceAll("_", " ");
-}
-
-// The last word of a path, and the owner where that is needed to tell the key from others: "width of jet lower".
-function keyLabel(key: string, keys: Key[]): string {
-  const words = lastWords(key);
-  const isAlone = keys.filter((other) => lastWords(other.key) === words).length === 1;
-  if (isAlone && /^[a-z]/i.test(words)) return words;
-  const owners = key.split(".").slice(0, -1).map((part) => part.replaceAll("_", " "));
-  if (owners.length === 0) return key;
-  return /^[a-z]/i.test(words) ? `${words} of ${owners.join(" ")}` : `${owners.join(" ")}, ${words}`;
-}
 
 export class Quantities {
   private readonly known = new Map<string, Quantity>();
@@ -41,12 +28,13 @@ export class Quantities {
   }
 
   private make(name: string): Quantity {
-    const { study, units, labels } = this.data;
+    const { study, units, labels, help } = this.data;
     const key = study.keys.find((one) => one.key === name);
     if (key)
       return {
         name,
-        label: keyLabel(name, study.keys),
+        label: labels[name] ?? name,
+        help: help[name] ?? "",
         unit: written[key.shown_unit] ?? key.shown_unit,
         factor: key.shown_factor,
         isLogarithmic: key.scale === "log",
@@ -60,6 +48,7 @@ export class Quantities {
     return {
       name,
       label: labels[name] ?? name,
+      help: help[name] ?? "",
       unit: time?.unit ?? prefix.symbol + (written[unit] ?? unit),
       factor: time?.seconds ?? 1 / prefix.factor,
       isLogarithmic: false,

@@ -111,8 +111,9 @@ export interface StudyData {
   study: Study;
   state: "running" | "stopped" | "ended";
   written: string; // UTC
-  units: Record<string, string>; // of metrics, SI
-  labels: Record<string, string>; // of metrics
+  units: Record<string, string>; // of metrics and of the spacing, SI
+  labels: Record<string, string>; // of keys and metrics
+  help: Record<string, string>; // what the keys mean, a sentence each
   model_points: ModelPoint[];
 }
 
@@ -123,6 +124,7 @@ export function readStudyData(text: string): StudyData {
   for (const name of ["keys", "metrics", "runs"]) list(study[name], `study.${name}`);
   object(data.units, "units");
   object(data.labels, "labels");
+  object(data.help, "help");
   list(data.model_points, "model_points");
   for (const run of study.runs as unknown[]) {
     const { setting, metrics } = object(run, "a run");

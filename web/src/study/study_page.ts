@@ -7,7 +7,7 @@ import { Controls } from "./controls.ts";
 import { drawCurve } from "./curve.ts";
 import { drawMap } from "./map.ts";
 import { spreadsOut } from "./patches.ts";
-import { Quantities } from "./quantity.ts";
+import { Quantities, titleOf } from "./quantity.ts";
 import { saveDrawing } from "./save_drawing.ts";
 import { stateOf } from "./state_line.ts";
 import type { StudyData } from "./study_data.ts";
@@ -38,7 +38,7 @@ export class StudyPage {
     if (this.hasMap) root.append(this.mapPart);
     this.mapPart.append(element("h2", {}, "Map"), this.figure(this.mapCaption, this.map, "map"));
     if (this.view.x !== "") root.append(element("h2", {}, "Curve"), this.figure(this.curveCaption, this.curve, "curve"));
-    root.append(element("h2", {}, "Runs"), new RunTable(data, quantities).root);
+    root.append(element("h2", {}, "Runs"), new RunTable(data, quantities).root, this.meanings());
   }
 
   /** Once it is in the page. */
@@ -46,6 +46,15 @@ export class StudyPage {
     if (this.view.x === "") return;
     new ResizeObserver(() => this.curve.clientWidth !== this.width && this.draw()).observe(this.curve);
     this.draw();
+  }
+
+  /** What the varied keys mean, in the words of the reference of keys. */
+  private meanings(): HTMLElement {
+    const entries = this.data.study.keys.flatMap(({ key }) => {
+      const quantity = this.quantities.get(key);
+      return [element("dt", {}, titleOf(quantity)), element("dd", {}, quantity.help, " ", element("code", {}, key))];
+    });
+    return element("details", { id: "kerf-meanings" }, element("summary", {}, "What the settings mean"), element("dl", {}, ...entries));
   }
 
   private figure(caption: HTMLElement, place: HTMLElement, name: string): HTMLElement {

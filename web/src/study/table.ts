@@ -11,6 +11,7 @@ interface Column {
   name: string; // in study.json
   title: string;
   unit: string;
+  help?: string;
   isNumber: boolean;
   value: (run: StudyRun) => number | string | undefined; // to sort by; SI
   show: (run: StudyRun) => Node | string;
@@ -22,8 +23,8 @@ function quantityColumn(name: string, quantities: Quantities, value: Column["val
     const found = value(run);
     return typeof found === "number" ? formatNumber(found / factor, 4) : (found ?? "–");
   };
-  const { label, unit } = quantities.get(name);
-  return { name, title: label, unit, isNumber: true, value, show };
+  const { label, unit, help } = quantities.get(name);
+  return { name, title: label, unit, help, isNumber: true, value, show };
 }
 
 function verdictColumn(): Column {
@@ -79,7 +80,7 @@ export class RunTable {
   }
 
   private head(column: Column, at: number): HTMLTableCellElement {
-    const button = element("button", { type: "button", title: "Sort" }, column.title, element("i", { attributes: { "aria-hidden": "true" } }));
+    const button = element("button", { type: "button", title: column.help ? `${column.help} Click to sort.` : "Sort" }, column.title, element("i", { attributes: { "aria-hidden": "true" } }));
     if (column.unit !== "") button.append(element("span", { className: "kerf-soft" }, column.unit));
     button.addEventListener("click", () => this.sort(at));
     const cell = element("th", { scope: "col", className: column.isNumber ? "kerf-number" : "" }, button);
