@@ -30,8 +30,11 @@ double cut_time_of(const SeriesTable& series) {
 }  // namespace
 
 struct RunView::State {
-  explicit State(const fs::path& run_folder)
-      : folder(run_folder), description(case_of_run(run_folder)), packer(description) {}
+  State(const fs::path& run_folder, std::string place_of_files)
+      : folder(run_folder),
+        place(std::move(place_of_files)),
+        description(case_of_run(run_folder)),
+        packer(description) {}
 
   bool is_live() const { return !fs::exists(folder / "result.json"); }
 
@@ -43,7 +46,7 @@ struct RunView::State {
     for (std::size_t n = 0; n < packer.frames(); ++n) {
       Json entry = packer.entry(n);
       // The fields are part of the address, as the bytes depend on them.
-      entry["url"] = fmt::format("frame/{}?fields={}", n, run.at("fields").size());
+      entry["url"] = fmt::format("{}frame/{}?fields={}", place, n, run.at("fields").size());
       run["frames"].push_back(std::move(entry));
     }
     if (fs::exists(folder / "series.csv")) {
@@ -66,12 +69,14 @@ struct RunView::State {
   }
 
   fs::path folder;
+  std::string place;
   Case description;
   ViewerPacker packer;
   std::mutex mutex;  // one request at a time reads the folder
 };
 
-RunView::RunView(const fs::path& folder) : state_(std::make_unique<State>(folder)) {}
+RunView::RunView(const fs::path& folder, const std::string& place)
+    : state_(std::make_unique<State>(folder, place)) {}
 RunView::~RunView() = default;
 
 std::string RunView::page() {

@@ -11,8 +11,9 @@ namespace kerf {
 
 class RunView {
  public:
-  // Throws UserError (exit_files) when the folder holds no run.
-  explicit RunView(const std::filesystem::path& folder);
+  // `place`: the address of the files of the run beside that of the page, such as "first/"; empty
+  // = beside the page. Throws UserError (exit_files) when the folder holds no run.
+  explicit RunView(const std::filesystem::path& folder, const std::string& place = "");
   ~RunView();
 
   // The report of a run that has ended; else the viewer and the curves. Threads may ask at the same

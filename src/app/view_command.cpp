@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/commands.hpp"
+#include "app/compare_server.hpp"
 #include "app/edit_server.hpp"
 #include "app/executor_options.hpp"
 #include "app/view_server.hpp"
@@ -23,7 +24,7 @@ void stop_serving(int) {
 }
 
 struct ViewOptions {
-  std::string path;
+  std::string path, other;
   int port = 0;
   bool edits = false;
 };
@@ -45,6 +46,10 @@ void view(const ViewOptions& options) {
     return serve(server, options.port);
   }
   if (options.path.empty()) throw CLI::RequiredError("PATH");
+  if (!options.other.empty()) {
+    CompareServer server(options.path, options.other);
+    return serve(server, options.port);
+  }
   ViewServer server(options.path);
   serve(server, options.port);
 }
@@ -57,10 +62,14 @@ void add_view_command(CLI::App& program) {
       "view", "Show a run in a browser on this machine, also a run in progress, or edit a case");
   command->add_option("PATH", options->path,
                       "the folder of the run's results; with --edit the case file");
-  command->add_flag(
+  CLI::Option* edits = command->add_flag(
       "--edit", options->edits,
       "edit a case in the browser, check it, run it and show the run; without a file, "
       "begin with a template");
+  command
+      ->add_option("--compare", options->other,
+                   "the folder of another run: show both side by side, at one time")
+      ->excludes(edits);
   command->add_option("--port", options->port, "port on 127.0.0.1; 0 = any free port")
       ->check(CLI::Range(0, 65535));
   command->callback([options] { view(*options); });

@@ -12,6 +12,7 @@
 #include "report/metric_rows.hpp"
 #include "report/report.hpp"
 #include "report/report_parts.hpp"
+#include "report/viewer_files.hpp"
 
 namespace kerf {
 
@@ -60,12 +61,16 @@ std::string metrics_table(const std::array<Side, 2>& sides) {
     if (metric == nullptr) continue;
     const bool is_known = find_value(sides[0].result, name) || find_value(sides[1].result, name);
     if (!is_known) continue;
-    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n",
-                        label_html(metric->label), value_html(sides[0].result, *metric),
-                        value_html(sides[1].result, *metric));
+    rows += fmt::format(
+        "<tr data-key=\"{}\"><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+        name, label_html(metric->label), value_html(sides[0].result, *metric),
+        value_html(sides[1].result, *metric),
+        difference_html(sides[0].result, sides[1].result, *metric));
   }
-  return "<h2>Numbers</h2>\n<table><thead><tr><th scope=\"col\">number</th><th "
-         "scope=\"col\">first</th><th scope=\"col\">second</th></tr></thead><tbody>\n" +
+  return "<h2>Numbers</h2>\n<table id=\"kerf-numbers\" tabindex=\"0\"><thead><tr><th "
+         "scope=\"col\">number</th><th "
+         "scope=\"col\">first</th><th scope=\"col\">second</th><th scope=\"col\">difference"
+         "</th></tr></thead><tbody>\n" +
          rows + "</tbody></table>\n";
 }
 
@@ -83,21 +88,59 @@ std::string own_lines(const ComparedRun& run, const ComparedRun& other) {
   std::string text;
   for (const std::string& line : lines_of(run))
     if (known.count(line) == 0) text += html::escape(line) + "\n";
-  return "<div><pre>" + (text.empty() ? std::string("nothing of its own\n") : text) +
-         "</pre></div>\n";
+  // It scrolls, so that the keyboard must reach it.
+  const std::string start =
+      fmt::format("<div><pre tabindex=\"0\" role=\"region\" aria-label=\"What only {} has\">",
+                  html::escape(run.folder.string()));
+  return start + (text.empty() ? std::string("nothing of its own\n") : text) + "</pre></div>\n";
+}
+
+constexpr const char* heading = "<header>\n<h1>Two runs side by side</h1>\n</header>\n";
+
+std::string differing_lines(const ComparedRun& first, const ComparedRun& second) {
+  return "<h2>Where the cases differ</h2>\n<div class=\"compared\">\n" + own_lines(first, second) +
+         own_lines(second, first) + "</div>\n";
+}
+
+std::array<Side, 2> sides_of(const ComparedRun& first, const ComparedRun& second) {
+  return {{{read_result(first.folder / "result.json"), &first},
+           {read_result(second.folder / "result.json"), &second}}};
+}
+
+std::string columns(const std::array<Side, 2>& sides) {
+  return "<div class=\"compared\">\n" + column(sides[0]) + column(sides[1]) + "</div>\n";
+}
+
+bool has_ended(const ComparedRun& run) {
+  return std::filesystem::exists(run.folder / "result.json");
 }
 
 }  // namespace
 
 void write_comparison(const ComparedRun& first, const ComparedRun& second) {
-  const std::array<Side, 2> sides{{{read_result(first.folder / "result.json"), &first},
-                                   {read_result(second.folder / "result.json"), &second}}};
+  const auto sides = sides_of(first, second);
   const std::string body =
-      "<header>\n<h1>Two runs side by side</h1>\n</header>\n<div class=\"compared\">\n" +
-      column(sides[0]) + column(sides[1]) + "</div>\n" + metrics_table(sides) +
-      "<h2>Where the cases differ</h2>\n<div class=\"compared\">\n" + own_lines(first, second) +
-      own_lines(second, first) + "</div>\n";
+      heading + columns(sides) + metrics_table(sides) + differing_lines(first, second);
   write_file(first.folder / "compare.html", html::page("Two runs side by side", body));
+}
+
+std::string moving_comparison(const ComparedRun& first, const ComparedRun& second,
+                              const std::string& runs) {
+  std::string body = heading;
+  body += html::section("kerf-compared", "<p>This browser shows no moving pictures.</p>\n");
+  if (has_ended(first) && has_ended(second)) {
+    const auto sides = sides_of(first, second);
+    body += metrics_table(sides) + columns(sides);
+  } else {
+    body +=
+        "<p class=\"meta\">The numbers are here once both runs have ended and the page is loaded "
+        "again.</p>\n";
+  }
+  body += differing_lines(first, second);
+  if (const std::string_view script = viewer_text("script"); !script.empty())
+    body += html::data_script("kerf-compared-runs", runs) +
+            fmt::format("<script>{}</script>\n", script);
+  return html::page("Two runs side by side", body);
 }
 
 }  // namespace kerf

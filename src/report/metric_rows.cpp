@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/metric_rows.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -27,6 +29,19 @@ std::string number_html(const std::string& unit, double value, int digits) {
   return html::quantity(value, with_raised_powers(unit), digits);
 }
 
+// Returns the number of a metric; not a number where there is none.
+double number_in(const Json& result, const ResultMetric& metric) {
+  const Json* value = find_value(result, metric.name);
+  return value != nullptr && value->is_number() ? value->get<double>()
+                                                : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string written(const Json& result, const ResultMetric& metric, double number, int digits) {
+  if (metric.kind == MetricKind::count) return html::count(number);
+  if (metric.unit.is_share) return html::percent(number);
+  return number_html(metric.unit.in(result.at("dimension").get<int>()), number, digits);
+}
+
 }  // namespace
 
 const Json* find_value(const Json& result, const std::string& name) {
@@ -49,13 +64,19 @@ std::string label_html(const std::string& label) {
 std::string value_html(const Json& result, const ResultMetric& metric, int digits) {
   const Json* value = find_value(result, metric.name);
   if (value != nullptr && value->is_string()) return html::escape(value->get<std::string>());
-  const double number = value != nullptr && value->is_number()
-                            ? value->get<double>()
-                            : std::numeric_limits<double>::quiet_NaN();
-  if (!std::isfinite(number)) return "—";
-  if (metric.kind == MetricKind::count) return html::count(number);
-  if (metric.unit.is_share) return html::percent(number);
-  return number_html(metric.unit.in(result.at("dimension").get<int>()), number, digits);
+  const double number = number_in(result, metric);
+  return std::isfinite(number) ? written(result, metric, number, digits) : "—";
+}
+
+std::string difference_html(const Json& first, const Json& second, const ResultMetric& metric,
+                            int digits) {
+  const double before = number_in(first, metric), after = number_in(second, metric);
+  if (!std::isfinite(before) || !std::isfinite(after)) return "";
+  if (before == after) return "0";
+  const char* sign = after > before ? "+" : "−";
+  const std::string size = sign + written(first, metric, std::abs(after - before), digits);
+  if (before == 0.0 || metric.unit.is_share) return size;
+  return fmt::format("{} ({}{})", size, sign, html::percent(std::abs((after - before) / before)));
 }
 
 html::Row metric_row(const Json& result, const std::string& name, std::string remark) {

@@ -20,6 +20,12 @@ std::string label_html(const std::string& label);
 // shares in per cent, volumes in mm³ (2D: mm²); "—" where there is none.
 std::string value_html(const nlohmann::ordered_json& result, const ResultMetric& metric,
                        int digits = 4);
+// Returns by how much a metric of the second result differs from that of the first, with its sign
+// and in per cent of the first; empty where one of them has no number. The difference of shares is
+// in per cent of the whole.
+std::string difference_html(const nlohmann::ordered_json& first,
+                            const nlohmann::ordered_json& second, const ResultMetric& metric,
+                            int digits = 3);
 // Returns a row of a table: label, value, remark and the metric's name as key. `name` is in the
 // table of metrics.
 html::Row metric_row(const nlohmann::ordered_json& result, const std::string& name,

@@ -28,6 +28,12 @@ struct ComparedRun {
 // does.
 void write_comparison(const ComparedRun& first, const ComparedRun& second);
 
+// Returns the page of two runs side by side whose particles move with one slider of time. `runs`:
+// the data of both, as the script of the viewer takes it (web/README.md). The numbers are there
+// where both runs have ended. Throws as write_report() does.
+std::string moving_comparison(const ComparedRun& first, const ComparedRun& second,
+                              const std::string& runs);
+
 // Returns the page. `run` holds the frames as report/viewer_data.hpp packs them, null where the
 // program was built without the viewer. Throws as write_report() does.
 std::string report_page(const std::filesystem::path& folder, const Case& description,

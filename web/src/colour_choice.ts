@@ -20,11 +20,14 @@ export class ColourChoice {
   private key = byCategory;
   private readonly select = selection("kerf-colour", [], "");
   private readonly range = selection("kerf-range", ranges, "0");
+  private readonly hasRanges: boolean;
   private readonly rangeLabel = element("label", { htmlFor: "kerf-range", className: "kerf-soft" }, "Colours span");
   private readonly legend = element("div", { id: "kerf-legend" });
   private adapted: Field | undefined;
 
-  constructor(fields: Field[], changed: () => void) {
+  /** Without `hasRanges`, the colours always span the whole range of the run. */
+  constructor(fields: Field[], changed: () => void, hasRanges = true) {
+    this.hasRanges = hasRanges;
     this.select.onchange = () => {
       this.key = this.select.value;
       this.adapted = undefined;
@@ -77,7 +80,7 @@ export class ColourChoice {
 
   private refresh() {
     const { field } = this;
-    const hasRange = field !== undefined && !field.names;
+    const hasRange = this.hasRanges && field !== undefined && !field.names;
     this.range.hidden = this.rangeLabel.hidden = !hasRange;
     this.legend.replaceChildren(...(field ? [legendOf(field)] : []));
   }

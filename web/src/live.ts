@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A run that goes on is asked for again and again.
 
-const address = "run.json";
 const interval = 2000; // ms
 
 /** `arrived` gets the text and says whether there is more to come; `lost` is told why nothing came. */
-export function follow(arrived: (text: string) => boolean, lost: (reason: string) => void) {
+export function follow(arrived: (text: string) => boolean, lost: (reason: string) => void, address = "run.json") {
   const ask = async () => {
     let more = true;
     try {

@@ -3,11 +3,12 @@
 
 import "./style.css";
 
+import { Comparison } from "./comparison.ts";
 import { readCurves } from "./curve_data.ts";
 import { Curves } from "./curves.ts";
 import { note, setFallbackAside } from "./dom.ts";
 import { follow } from "./live.ts";
-import { readJson, readRun } from "./run.ts";
+import { list, object, readJson, readRun } from "./run.ts";
 import { NoWebGl } from "./stage.ts";
 import { Viewer } from "./viewer.ts";
 
@@ -81,7 +82,41 @@ class Page {
   }
 }
 
+function compare(place: HTMLElement) {
+  setFallbackAside(place);
+  const source = document.getElementById("kerf-compared-runs")?.textContent ?? "";
+  try {
+    const runs = list(JSON.parse(source), "the data").map((one, at) => object(one, `run ${at + 1}`));
+    const [first, second] = runs;
+    if (!first || !second) throw new Error("there are not two runs");
+    const comparison = new Comparison([readRun(first), readRun(second)]);
+    place.append(comparison.root);
+    place.classList.add("kerf-enhanced");
+    comparison.start();
+    for (const at of [0, 1] as const) if (runs[at]!.live === true) followOne(place, comparison, at);
+  } catch (error) {
+    if (error instanceof NoWebGl) note(place, "This browser has no WebGL, so the particles are not shown.", "note");
+    else note(place, `The runs cannot be shown: ${message(error)}.`);
+  }
+}
+
+function followOne(place: HTMLElement, comparison: Comparison, at: 0 | 1) {
+  const name = ["first", "second"][at];
+  follow(
+    (text) => {
+      const next = readJson(text);
+      note(place, "");
+      comparison.update(at, readRun(next));
+      return next.live === true;
+    },
+    (reason) => note(place, `No news of the ${name} run (${reason}).`),
+    `${name}/run.json`,
+  );
+}
+
 function start() {
+  const compared = document.getElementById("kerf-compared");
+  if (compared) return compare(compared);
   const source = document.getElementById("kerf-run");
   if (!source) return;
   const page = new Page(document.getElementById("kerf-viewer"), document.getElementById("kerf-curves"));

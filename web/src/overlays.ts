@@ -26,7 +26,7 @@ export function scaleFor(metresPerPixel: number, width: number): Scale {
 export function scaleBar(canvas: HTMLCanvasElement, metresPerPixel: () => number): Overlay {
   const label = element("span");
   const bar = element("i");
-  const root = element("div", { className: "kerf-scale", id: "kerf-scale" }, label, bar);
+  const root = element("div", { className: "kerf-scale" }, label, bar);
   const refresh = () => {
     const scale = scaleFor(metresPerPixel(), canvas.clientWidth);
     bar.style.width = `${scale.pixels}px`;

@@ -60,8 +60,8 @@ export function wordsFor(particle: number, run: Run, particles: Particles, field
 }
 
 /** A label beside the pointer. `words` says what is at a place of the picture, "" = nothing. */
-export function pointerLabel(canvas: HTMLCanvasElement, words: (x: number, y: number) => string): HTMLElement {
-  const label = element("div", { className: "kerf-value", id: "kerf-value", hidden: true });
+export function pointerLabel(canvas: HTMLCanvasElement, words: (x: number, y: number) => string, id: string): HTMLElement {
+  const label = element("div", { className: "kerf-value", id, hidden: true });
   label.setAttribute("aria-hidden", "true");
   let waiting = false;
   const show = (event: PointerEvent) => {

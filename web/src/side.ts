@@ -9,7 +9,7 @@ import type { Direction } from "./view.ts";
 
 interface Actions {
   look: (direction?: Direction) => void;
-  save: () => void;
+  save?: () => void;
 }
 
 function button(id: string, label: string, action: () => void): HTMLButtonElement {
@@ -22,7 +22,8 @@ export function viewButtons(dimension: 2 | 3, actions: Actions): HTMLElement {
   const group = element("div", { className: "kerf-group" });
   if (looks.length > 0) group.append(element("div", { className: "kerf-buttons" }, ...looks));
   const reset = button("kerf-reset", "reset view", () => actions.look());
-  group.append(element("div", { className: "kerf-buttons" }, reset, button("kerf-save", "save picture", actions.save)));
+  const save = actions.save ? [button("kerf-save", "save picture", actions.save)] : [];
+  group.append(element("div", { className: "kerf-buttons" }, reset, ...save));
   return group;
 }
 

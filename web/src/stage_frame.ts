@@ -14,10 +14,11 @@ export interface Keys {
   zoom: (factor: number) => void;
 }
 
-export function stageFrame(canvas: HTMLCanvasElement): HTMLElement {
-  const frame = element("div", { className: "kerf-stage", id: "kerf-stage", tabIndex: 0 }, canvas);
+/** `name` says whose particles the picture shows. */
+export function stageFrame(canvas: HTMLCanvasElement, id = "kerf-stage", name = "Particles"): HTMLElement {
+  const frame = element("div", { className: "kerf-stage", id, tabIndex: 0 }, canvas);
   frame.setAttribute("role", "group");
-  frame.setAttribute("aria-label", `Particles. ${keysInWords}`);
+  frame.setAttribute("aria-label", `${name}. ${keysInWords}`);
   canvas.addEventListener("pointerdown", () => frame.focus({ preventScroll: true }));
   leaveWheelToPage(frame);
   return frame;

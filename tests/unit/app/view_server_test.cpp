@@ -11,18 +11,19 @@
 #include <zlib.h>
 
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "app/compare_server.hpp"
 #include "app/run_loop.hpp"
 #include "core/error.hpp"
 #include "input/write_used.hpp"
 #include "output/read_frame.hpp"
 #include "report/picture.hpp"
 #include "support/fake_run.hpp"
+#include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace kerf {
@@ -147,6 +148,34 @@ TEST_F(View, FollowsARunInProgress) {
   EXPECT_GT(run().at("curves").at("time").size(), 2u);
 }
 
+// The page of two runs has the numbers of both and leads to the frames of each.
+TEST(CompareServer, ServesTwoRuns) {
+  const test::TemporaryFolder folder;
+  Case other = test::fake_case();
+  other.title = "The other run";
+  test::run_fake(test::fake_case(), folder / "a");
+  test::run_fake(other, folder / "b");
+  CompareServer server(folder / "a", folder / "b");
+  httplib::Client client("127.0.0.1", server.bind(0));
+  std::thread thread([&] { server.serve(); });
+  const auto get = [&](const std::string& address) { return client.Get(server.path() + address); };
+  const std::string page = get("")->body;
+  EXPECT_THAT(page, testing::HasSubstr("id=\"kerf-compared\""));
+  EXPECT_THAT(page, testing::HasSubstr("id=\"kerf-numbers\""));
+  EXPECT_THAT(page, testing::HasSubstr("The other run"));
+  for (const std::string place : {"first/", "second/"}) {
+    const auto run = nlohmann::json::parse(get(place + "run.json")->body);
+    EXPECT_EQ(run.at("title") == "The other run", place == "second/");
+    const auto address = run.at("frames").at(1).at("url").get<std::string>();
+    EXPECT_THAT(address, testing::StartsWith(place));
+    EXPECT_EQ(get(address)->status, 200);
+  }
+  std::filesystem::remove(folder / "b/result.json");  // as in a run that proceeds
+  EXPECT_THAT(get("")->body, testing::HasSubstr("once both runs have ended"));
+  server.stop();
+  thread.join();
+}
+
 TEST(ViewFolder, MustContainARun) {
   const test::TemporaryFolder folder;
   EXPECT_THAT(test::message_of<UserError>([&] { ViewServer server(folder / ""); }),
@@ -160,19 +189,8 @@ TEST_F(View, EndsIfStoppedBeforeTheStart) {
   server.serve();  // returns
 }
 
-bool is_installed(const std::string& program) {
-  return std::system((program + " -version >/dev/null 2>&1").c_str()) == 0;
-}
-
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  std::string text;
-  for (int c = 0; (c = std::fgetc(pipe.get())) != EOF;) text += static_cast<char>(c);
-  return text;
-}
-
 TEST_F(View, AMovieHasAllFrames) {
-  if (!is_installed("ffmpeg") || !is_installed("ffprobe"))
+  if (!test::is_installed("ffmpeg") || !test::is_installed("ffprobe"))
     GTEST_SKIP() << "there is no ffmpeg (Debian: apt-get install ffmpeg)";
   std::size_t drawn = 0;
   const auto file =
@@ -180,7 +198,7 @@ TEST_F(View, AMovieHasAllFrames) {
   const std::size_t frames = frame_files(out_).size();
   ASSERT_GT(frames, 2u);
   EXPECT_EQ(drawn, frames);
-  const std::string counted = output_of(
+  const std::string counted = test::printed_by(
       "ffprobe -v error -count_frames -select_streams v:0 -show_entries stream=nb_read_frames "
       "-of csv=p=0 '" +
       file.string() + "'");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "output/files.hpp"
+#include "report/metric_rows.hpp"
 #include "report/report.hpp"
 #include "support/fake_run.hpp"
 #include "support/temporary_folder.hpp"
@@ -28,11 +29,22 @@ TEST(Comparison, HasBothRunsAndTheLinesThatDiffer) {
   write_file(folder / "fast/result.json", result.dump());
   write_comparison({folder / "slow", slow}, {folder / "fast", fast});
   const std::string page = read_file(folder / "slow/compare.html");
-  EXPECT_THAT(page,
-              AllOf(HasSubstr("<h2>Slow &lt;jet&gt;</h2>"), HasSubstr("<h2>Fast jet</h2>"),
-                    HasSubstr("12.3\u202fmm</td></tr>"), HasSubstr("smoothing_ratio = 1.25")));
+  EXPECT_THAT(page, AllOf(HasSubstr("<h2>Slow &lt;jet&gt;</h2>"), HasSubstr("<h2>Fast jet</h2>"),
+                          HasSubstr("12.3\u202fmm</td><td>"), HasSubstr("smoothing_ratio = 1.25")));
   // Lines that both cases have are left out.
   EXPECT_THAT(page, Not(HasSubstr("\ndimension = ")));
+}
+
+TEST(Comparison, TellsTheDifference) {
+  const ResultMetric& depth = *find_result_metric("front_depth");
+  const auto result = [](nlohmann::ordered_json value) {
+    return nlohmann::ordered_json{{"dimension", 2}, {"front_depth", std::move(value)}};
+  };
+  EXPECT_EQ(difference_html(result(0.010), result(0.012), depth), "+2\u202fmm (+20\u202f%)");
+  EXPECT_EQ(difference_html(result(0.010), result(0.009), depth), "−1\u202fmm (−10\u202f%)");
+  EXPECT_EQ(difference_html(result(0.0), result(0.012), depth), "+12\u202fmm");
+  EXPECT_EQ(difference_html(result(0.01), result(0.01), depth), "0");
+  EXPECT_EQ(difference_html(result(nullptr), result(0.01), depth), "");
 }
 
 }  // namespace
