@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 
 #include "app/case_answer.hpp"
+#include "app/command_line.hpp"
 #include "app/embedded.hpp"
 #include "app/local_server.hpp"
+#include "app/new_table.hpp"
+#include "app/pilot_run.hpp"
 #include "app/template_files.hpp"
+#include "input/edit_tables.hpp"
 #include "input/edit_toml.hpp"
 #include "input/entered_value.hpp"
 #include "input/read.hpp"
@@ -62,6 +66,16 @@ std::string with_changes(std::string text, const Json& changes, Json& problems) 
              : fmt::format("{} was changed by another program since it was read here. Nothing was "
                            "saved. Copy what you need from the text, and load this page again.",
                            target.string()));
+}
+
+// Returns what `act` returns; a change that cannot be made is refused with its reason.
+template <class Act>
+Json attempted(Act act) {
+  try {
+    return act();
+  } catch (const UserError& error) {
+    throw RefusedRequest(http_status::conflict, error.what());
+  }
 }
 
 bool is_plain_name(const std::string& name) {
@@ -122,6 +136,46 @@ Json CaseEditor::save(const Json& request) {
   write_file(target, text);
   file_ = target;
   return {{"file", file_.string()}, {"text", text}};
+}
+
+Json CaseEditor::add(const Json& request) const {
+  const auto section = request.at("section").get<std::string>();
+  if (keys_of(section).empty() || !is_repeatable(section))
+    throw RefusedRequest(http_status::bad_request,
+                         fmt::format("a case has no list of tables \"{}\"", section));
+  return attempted([&]() -> Json {
+    const NewTable made = with_new_table(request.at("text").get<std::string>(), shown_name(),
+                                         section, request.value("name", std::string()));
+    return {{"text", made.text}, {"path", made.path}};
+  });
+}
+
+Json CaseEditor::remove(const Json& request) const {
+  return attempted([&]() -> Json {
+    return {{"text", without_table(request.at("text").get<std::string>(),
+                                   request.at("path").get<std::string>())}};
+  });
+}
+
+PilotFile CaseEditor::write_pilot(const Json& request) const {
+  const fs::path known = file();
+  const fs::path target =
+      known.empty() ? folder_ / "pilot.toml"
+                    : known.parent_path() / fmt::format("{}-pilot.toml", known.stem().string());
+  if (fs::exists(target) && !case_text(target).starts_with(pilot_mark))
+    throw RefusedRequest(http_status::conflict,
+                         fmt::format("{} exists and is no pilot run. Rename it, as the pilot run "
+                                     "needs this name.",
+                                     target.string()));
+  PilotFile pilot{target, {}};
+  attempted([&]() -> Json {
+    const PilotRun run =
+        pilot_run(request.at("text").get<std::string>(), target.string(), threads_of({}));
+    write_file(target, run.text);
+    pilot.changes = run.changes;
+    return {};
+  });
+  return pilot;
 }
 
 Json CaseEditor::from_template(const Json& request) const {

@@ -6,8 +6,15 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace kerf {
+
+// The case of a pilot run, and what differs from the case that is edited, a sentence each.
+struct PilotFile {
+  std::filesystem::path file;
+  std::vector<std::string> changes;
+};
 
 class CaseEditor {
  public:
@@ -24,7 +31,11 @@ class CaseEditor {
   // throw RefusedRequest.
   Json read() const;
   Json check(const Json& request) const;
+  Json add(const Json& request) const;
+  Json remove(const Json& request) const;
   Json save(const Json& request);
+  // Writes the case of the pilot run beside the case file. Returns the file and the changes.
+  PilotFile write_pilot(const Json& request) const;
   // Returns the text of a template. Writes its meshes into the folder of the case, as kerf new
   // does.
   Json from_template(const Json& request) const;

@@ -66,10 +66,13 @@ void EditServer::set_routes() {
   get("case", RunView::json_type, [this](const auto&) { return editor_.read().dump(); });
   get("run", RunView::json_type, [this](const auto&) { return run_state().dump(); });
   post("check", json_handler([this](const Json& request) { return editor_.check(request); }));
+  post("add", json_handler([this](const Json& request) { return editor_.add(request); }));
+  post("remove", json_handler([this](const Json& request) { return editor_.remove(request); }));
   post("save", json_handler([this](const Json& request) { return editor_.save(request); }));
   post("template",
        json_handler([this](const Json& request) { return editor_.from_template(request); }));
   post("run", json_handler([this](const Json& request) { return start(request); }));
+  post("pilot", json_handler([this](const Json& request) { return start_pilot(request); }));
   post("stop", json_handler([this](const Json&) { return stop_run(); }));
 }
 
@@ -96,17 +99,33 @@ Json EditServer::start(const Json& request) {
     throw RefusedRequest(http_status::conflict, "The case is not saved yet. Save it first.");
   const auto folder = request.value("folder", std::string());
   const Existing existing = existing_of(request.value("existing", std::string("refuse")));
+  start_run({program_, file, folder.empty() ? default_folder(file) : fs::path(folder), existing});
+  return run_state();
+}
+
+Json EditServer::start_pilot(const Json& request) {
   {
     const std::lock_guard hold(mutex_);
-    if (run_ && run_->state() == CaseRun::State::running)
-      throw RefusedRequest(http_status::conflict, "A run is in progress. Stop it first.");
-    view_.reset();
-    run_.reset();  // it has ended
-    run_ = std::make_unique<CaseRun>(CaseRun::Order{
-        program_, file, folder.empty() ? default_folder(file) : fs::path(folder), existing});
-    ++runs_;
+    refuse_second_run();  // whose case file stays as it is
   }
+  const PilotFile pilot = editor_.write_pilot(request);
+  start_run({program_, pilot.file, default_folder(pilot.file), Existing::replace}, pilot.changes);
   return run_state();
+}
+
+void EditServer::refuse_second_run() const {
+  if (run_ && run_->state() == CaseRun::State::running)
+    throw RefusedRequest(http_status::conflict, "A run is in progress. Stop it first.");
+}
+
+void EditServer::start_run(CaseRun::Order order, std::vector<std::string> changes) {
+  const std::lock_guard hold(mutex_);
+  refuse_second_run();
+  view_.reset();
+  run_.reset();  // it has ended
+  run_ = std::make_unique<CaseRun>(std::move(order));
+  changes_ = std::move(changes);
+  ++runs_;
 }
 
 Json EditServer::stop_run() {
@@ -120,12 +139,14 @@ Json EditServer::stop_run() {
 Json EditServer::run_state() {
   const std::lock_guard hold(mutex_);
   const fs::path file = editor_.file();
-  if (!run_)
-    return {{"state", "none"}, {"folder", file.empty() ? "" : "out/" + file.stem().string()}};
-  return {{"state", state_words[static_cast<std::size_t>(run_->state())]},
-          {"folder", run_->folder().string()},
-          {"output", run_->output()},
-          {"view", run_->has_begun() ? fmt::format("view/{}/", runs_) : ""}};
+  Json state = {{"state", "none"}, {"folder", file.empty() ? "" : default_folder(file).string()}};
+  if (!run_) return state;
+  state["state"] = state_words[static_cast<std::size_t>(run_->state())];
+  state["results"] = run_->folder().string();
+  state["changes"] = changes_;
+  state["output"] = run_->output();
+  state["view"] = run_->has_begun() ? fmt::format("view/{}/", runs_) : "";
+  return state;
 }
 
 std::shared_ptr<RunView> EditServer::view(const std::string& number) {

@@ -5,6 +5,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/case_editor.hpp"
 #include "app/case_run.hpp"
@@ -30,6 +32,10 @@ class EditServer : public LocalServer {
   void set_view_routes();
   std::string page() const;
   Json start(const Json& request);
+  Json start_pilot(const Json& request);
+  void refuse_second_run() const;  // the mutex is locked
+  // `changes`: what differs from the case, of a pilot run.
+  void start_run(CaseRun::Order order, std::vector<std::string> changes = {});
   Json stop_run();
   Json run_state();
   // Returns the page of the run of this number. Throws RefusedRequest where there is none.
@@ -40,6 +46,7 @@ class EditServer : public LocalServer {
   std::mutex mutex_;  // of what follows
   int runs_ = 0;      // number of the run
   std::unique_ptr<CaseRun> run_;
+  std::vector<std::string> changes_;
   std::shared_ptr<RunView> view_;  // null until it has begun to write
 };
 

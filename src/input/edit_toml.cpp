@@ -4,57 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
-#include <vector>
 
 #include "core/error.hpp"
 #include "input/parse_toml.hpp"
-#include "input/schema.hpp"
 #include "input/text_places.hpp"
+#include "input/toml_path.hpp"
 
 namespace kerf {
 
 namespace {
 
-// A name of a path, and the number of an entry where the name is that of a list, from 1.
-struct Step {
-  std::string name;
-  std::size_t entry = 0;
-};
-using Steps = std::vector<Step>;
-
-Steps steps_of(std::string_view path) {
-  Steps steps;
-  for (const std::string& word : split_words(path, '.')) {
-    const auto bracket = word.find('[');
-    Step step{word.substr(0, bracket)};
-    if (bracket != std::string::npos)
-      std::from_chars(word.data() + bracket + 1, word.data() + word.size(), step.entry);
-    steps.push_back(std::move(step));
-  }
-  return steps;
-}
-
-Steps without_last(const Steps& steps) {
-  return {steps.begin(), steps.end() - 1};
-}
-
-toml::table* table_at(toml::table& root, const Steps& steps) {
-  toml::table* table = &root;
-  for (const Step& step : steps) {
-    toml::node* node = table->get(step.name);
-    toml::array* list = node ? node->as_array() : nullptr;
-    if (step.entry > 0) node = list ? list->get(step.entry - 1) : nullptr;
-    table = node ? node->as_table() : nullptr;
-    if (!table) return nullptr;
-  }
-  return table;
-}
-
 // What the text must mean after the change.
-void change(toml::table& root, const Steps& steps, const toml::node* value) {
-  const Steps around = without_last(steps);
+void change(toml::table& root, const PathSteps& steps, const toml::node* value) {
+  const PathSteps around = without_last(steps);
   toml::table* parent = table_at(root, around);
   if (value && !parent) {
     change(root, around, toml::parse("x = {}").get("x"));
@@ -73,7 +36,7 @@ class TomlEdit {
   explicit TomlEdit(const std::string& text)
       : text_(text), root_(parse_toml(text, "the case")), places_(text_) {}
 
-  std::string set(const Steps& steps, const std::string& literal);
+  std::string set(const PathSteps& steps, const std::string& literal);
 
  private:
   bool is_header(const toml::key& key, const toml::node& node) const {
@@ -84,11 +47,11 @@ class TomlEdit {
     return text_.substr(0, begin) + by + text_.substr(end);
   }
   std::string with_line(std::size_t at, const std::string& line) const;
-  std::string with_table(const Steps& steps, const std::string& literal);
+  std::string with_table(const PathSteps& steps, const std::string& literal);
   std::string with_key(const toml::table& parent, const std::string& name,
                        const std::string& literal) const;
   std::string with_key_inline(const toml::table& parent, const std::string& assignment) const;
-  std::string without_key(const Steps& steps, const toml::table& parent);
+  std::string without_key(const PathSteps& steps, const toml::table& parent);
   std::string without_key_inline(const toml::key& key, const toml::node& node) const;
 
   std::string text_;
@@ -142,8 +105,8 @@ std::string TomlEdit::with_key(const toml::table& parent, const std::string& nam
   return with_line(0, assignment);
 }
 
-std::string TomlEdit::with_table(const Steps& steps, const std::string& literal) {
-  const Steps around = without_last(steps);
+std::string TomlEdit::with_table(const PathSteps& steps, const std::string& literal) {
+  const PathSteps around = without_last(steps);
   const std::string assignment = fmt::format("{} = {}", steps.back().name, literal);
   if (around.back().entry > 0)
     throw UserError(fmt::format("there is no table {}[{}] in the case. Add it to the text.",
@@ -165,10 +128,10 @@ std::string TomlEdit::without_key_inline(const toml::key& key, const toml::node&
   return replaced(begin, end, "");
 }
 
-std::string TomlEdit::without_key(const Steps& steps, const toml::table& parent) {
+std::string TomlEdit::without_key(const PathSteps& steps, const toml::table& parent) {
   const auto found = parent.find(steps.back().name);
   if (found == parent.end()) return text_;
-  const Steps around = without_last(steps);
+  const PathSteps around = without_last(steps);
   const bool is_alone = parent.size() == 1 && !around.empty() && around.back().entry == 0;
   if (parent.is_inline())
     return is_alone ? set(around, "") : without_key_inline(found->first, found->second);
@@ -183,7 +146,7 @@ std::string TomlEdit::without_key(const Steps& steps, const toml::table& parent)
   return left;
 }
 
-std::string TomlEdit::set(const Steps& steps, const std::string& literal) {
+std::string TomlEdit::set(const PathSteps& steps, const std::string& literal) {
   const toml::table* parent = table_at(root_, without_last(steps));
   if (literal.empty()) return parent ? without_key(steps, *parent) : text_;
   if (!parent) return with_table(steps, literal);
@@ -193,7 +156,7 @@ std::string TomlEdit::set(const Steps& steps, const std::string& literal) {
 }
 
 // Returns what the changed text must mean.
-toml::table expected_table(const std::string& text, const Steps& steps,
+toml::table expected_table(const std::string& text, const PathSteps& steps,
                            const std::string& literal) {
   toml::table root = parse_toml(text, "the case");
   if (literal.empty()) {
@@ -217,7 +180,7 @@ bool means(const std::string& text, const toml::table& expected) {
 }  // namespace
 
 std::string with_value(const std::string& text, std::string_view path, const std::string& literal) {
-  const Steps steps = steps_of(path);
+  const PathSteps steps = steps_of(path);
   if (steps.empty()) throw UserError("no key is named");
   const std::string changed = TomlEdit(text).set(steps, literal);
   if (!means(changed, expected_table(text, steps, literal)))

@@ -4,11 +4,12 @@
 //     node test/edit_page.mjs KERF FOLDER [--screenshots]
 
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
+import { isAccessible } from "./accessible.mjs";
 import { openBrowser } from "./browser.mjs";
+import { serve } from "./serve.mjs";
 
 const [kerf, folder, option] = process.argv.slice(2);
 const file = join(folder, "my.toml");
@@ -32,20 +33,6 @@ material = "agar"
 spacing = "0.25 mm"
 shape = { type = "box", minimum = ["-10 mm", "0 mm"], maximum = ["10 mm", "6 mm"] }
 `;
-
-function serve() {
-  const server = spawn(kerf, ["view", "--edit", file], { cwd: folder, stdio: ["ignore", "pipe", "inherit"] });
-  const address = new Promise((resolve, reject) => {
-    let said = "";
-    server.stdout.on("data", (bytes) => {
-      said += bytes;
-      const found = /http:\/\/\S+/.exec(said);
-      if (found) resolve(found[0]);
-    });
-    server.on("exit", (code) => reject(new Error(`kerf view --edit ended with ${code}: ${said}`)));
-  });
-  return { server, address };
-}
 
 const state = (page, words) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector("#kerf-state")?.textContent ?? ""), words);
 const field = (page, path) => page.locator(`[id="kerf-key-${path}"]`);
@@ -109,11 +96,66 @@ async function keepsTheFileOfOthers(page) {
   await page.waitForFunction(() => document.querySelector("#kerf-text").value.includes("quality"));
 }
 
+const textOf = (page) => page.locator("#kerf-text").inputValue();
+const holds = (page, words) => page.waitForFunction((part) => document.querySelector("#kerf-text").value.includes(part), words);
+
+// Each table that a case may hold several of is added with values to start from, by the keyboard, and removed again.
+async function addsAndRemovesTables(page) {
+  const before = await textOf(page);
+  const adders = await page.locator(".kerf-adder > button").evaluateAll((list) => list.map((one) => one.id.slice("kerf-add-".length)));
+  for (const section of ["body", "jet", "load", "probe", "materials"]) assert.ok(adders.includes(section), `no button adds to ${section}`);
+  for (const section of adders.filter((one) => one !== "jet")) {
+    const heading = section === "materials" ? "[materials.soft-gel]" : `[[${section}]]`;
+    if (section === "materials") await page.locator("#kerf-name-of-new-materials").fill("soft-gel");
+    await page.locator(`#kerf-add-${section}`).focus();
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(([old, part]) => document.querySelector("#kerf-text").value.split(part).length === old.split(part).length + 1, [before, heading]);
+    await state(page, "^The case is valid");
+    await page.waitForFunction(() => document.activeElement.closest(".kerf-field") !== null); // in the new table
+    const remove = page.locator(".kerf-part[open] > .kerf-remove:visible", { hasText: `Remove ${heading.replace(/]+$/, "")}` }).last();
+    await remove.focus();
+    await page.keyboard.press("Enter");
+    await page.waitForFunction((old) => document.querySelector("#kerf-text").value === old, before);
+    assert.equal(await page.evaluate(() => document.activeElement.id), `kerf-add-${section}`);
+  }
+  // The last removal is undone.
+  await page.locator("#kerf-undo").click();
+  await holds(page, "[[probe]]");
+  await page.locator(".kerf-part", { hasText: "[[probe]]" }).locator(".kerf-remove").evaluate((button) => button.click());
+  await page.waitForFunction((old) => document.querySelector("#kerf-text").value === old, before);
+}
+
+// What cannot stand beside the rest of the case is added all the same, and the check says so.
+async function saysWhatDoesNotGoTogether(page) {
+  const before = await textOf(page);
+  await page.locator("#kerf-add-jet").click();
+  await holds(page, "[[jet]]");
+  await page.waitForFunction(() => document.querySelector("#kerf-state").textContent !== "");
+  await page.locator(".kerf-part", { hasText: "[[jet]]" }).last().locator(".kerf-remove").click();
+  await page.waitForFunction((old) => document.querySelector("#kerf-text").value === old, before);
+  await state(page, "^The case is valid");
+}
+
+async function showsTheReportOf(page, name) {
+  const report = page.frameLocator("#kerf-run-view");
+  await report.locator(".meta code", { hasText: new RegExp(`^${name}$`) }).first().waitFor();
+  await report.locator(".verdict").waitFor();
+}
+
+async function makesAPilotRun(page) {
+  await page.locator("#kerf-pilot").click();
+  await page.locator('.kerf-run[data-state="completed"][data-folder="out/my-pilot"]').waitFor();
+  assert.equal(await page.locator("#kerf-tab-run").getAttribute("aria-selected"), "true");
+  await showsTheReportOf(page, "my-pilot");
+  assert.match(readFileSync(join(folder, "out/my-pilot/case.used.toml"), "utf8"), /quality|spacing/);
+  await page.locator("#kerf-tab-form").click();
+}
+
 async function runsAndShows(page) {
   await page.locator("#kerf-tab-run").click();
   await page.locator("#kerf-start").click();
-  await page.locator('.kerf-run[data-state="completed"]').waitFor({ timeout: 60000 });
-  await page.frameLocator("#kerf-run-view").locator(".verdict").waitFor();
+  await page.locator('.kerf-run[data-state="completed"][data-folder="out/my"]').waitFor({ timeout: 60000 });
+  await showsTheReportOf(page, "my");
   await page.frameLocator("#kerf-run-view").locator("#kerf-stage[data-frame]").waitFor();
   assert.ok(existsSync(join(folder, "out/my/result.json")));
   assert.match(readFileSync(join(folder, "out/my/case.used.toml"), "utf8"), /title = "Gel"/);
@@ -133,7 +175,7 @@ async function takePictures(page) {
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(folder, { recursive: true });
 writeFileSync(file, written);
-const { server, address } = serve();
+const { server, address } = serve(kerf, ["view", "--edit", file], folder);
 const browser = await openBrowser();
 try {
   const page = await browser.newPage({ viewport: { width: 1400, height: 900 } });
@@ -146,7 +188,12 @@ try {
   await savesTheText(page);
   await keepsFormAndTextAlike(page);
   await keepsTheFileOfOthers(page);
+  await addsAndRemovesTables(page);
+  await saysWhatDoesNotGoTogether(page);
+  await makesAPilotRun(page);
   await runsAndShows(page);
+  await page.locator("#kerf-tab-form").click();
+  await isAccessible(page);
   if (option === "--screenshots") await takePictures(page);
   assert.deepEqual(faults, []);
   console.log("ok  a case was edited, saved and run");

@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "input/read.hpp"
+#include "model/case.hpp"
 #include "output/files.hpp"
 #include "report/viewer_files.hpp"
 #include "support/fake_run.hpp"
@@ -167,6 +169,28 @@ TEST_F(Edit, TextThatIsNoTomlHasALineAndNoForm) {
   EXPECT_EQ(wrong.at("problems").at(0).at("line"), 2);
 }
 
+TEST_F(Edit, AddsATableAndRemovesIt) {
+  const auto added = answer("add", {{"text", test::fake_case_text}, {"section", "probe"}});
+  EXPECT_EQ(added.at("path"), "probe[2]");
+  const auto checked = answer("check", {{"text", added.at("text")}});
+  EXPECT_TRUE(checked.at("problems").empty());
+  EXPECT_EQ(value_at(checked, "probe[2].name"), "probe-2");
+  const auto removed = answer("remove", {{"text", added.at("text")}, {"path", "probe[2]"}});
+  EXPECT_EQ(removed.at("text"), test::fake_case_text);
+  EXPECT_EQ(post("add", {{"text", ""}, {"section", "time"}})->status, bad_request);
+  EXPECT_EQ(post("add", {{"text", ""}, {"section", "nothing"}})->status, bad_request);
+  EXPECT_EQ(post("remove", {{"text", ""}, {"path", "body[1]"}})->status, conflict);
+}
+
+// The form offers a place for each table that a case may hold several of.
+TEST_F(Edit, OffersTablesToAdd) {
+  std::vector<std::string> offered;
+  const auto checked = answer("check", {{"text", test::fake_case_text}});
+  for (const auto& table : checked.at("tables"))
+    if (table.value("adds", false)) offered.push_back(table.at("section"));
+  EXPECT_THAT(offered, testing::IsSupersetOf({"materials", "body", "jet", "probe"}));
+}
+
 TEST_F(Edit, SavesUnlessTheFileWasChanged) {
   const std::string text = test::fake_case_text + "# more\n";
   EXPECT_EQ(answer("save", {{"text", text}, {"before", test::fake_case_text}}).at("text"), text);
@@ -229,6 +253,35 @@ TEST_F(Edit, ShowsTheRunAsKerfViewDoes) {
   EXPECT_EQ(EditJson::parse(get("view/1/run.json")->body).at("live"), false);
   EXPECT_EQ(get("view/1/frame/0")->status, ok);
   EXPECT_EQ(get("view/2/")->status, 404);
+}
+
+// A pilot run is coarser and shorter, and leaves the case file as it is.
+TEST_F(Edit, APilotRunIsCoarserAndShorter) {
+  make_program("exit 0\n");
+  std::string text = test::fake_case_text;
+  const auto end = text.find("end = \"");
+  text.replace(end, text.find('\n', end) - end, "end = \"100 s\"");
+  const std::string spacing = "spacing = \"1 mm\"";
+  text.replace(text.find(spacing), spacing.size(), "spacing = \"0.25 mm\"");
+  const auto run = answer("pilot", {{"text", text}});
+  EXPECT_EQ(run.at("results"), "out/my-pilot");
+  EXPECT_GE(run.at("changes").size(), 1u);
+  EXPECT_EQ(state_other_than("running").at("state"), "completed");
+  EXPECT_EQ(read_file(file_), test::fake_case_text);
+  EXPECT_THAT(read_file(folder_ / "words"), testing::HasSubstr("my-pilot.toml --out out/my-pilot"));
+  const Case full = parse_case(text, "full"), pilot = read_case(folder_ / "my-pilot.toml");
+  EXPECT_LT(pilot.time.end, full.time.end);
+  EXPECT_GT(pilot.jets.back().spacing, full.jets.back().spacing);
+  const double arrival = pilot.jets.back().standoff / pilot.jets.back().speed;
+  EXPECT_GT(pilot.time.end, arrival);
+}
+
+TEST_F(Edit, APilotRunNeedsAValidCaseAndItsName) {
+  make_program("exit 0\n");
+  EXPECT_EQ(post("pilot", {{"text", "title = \"a\"\n"}})->status, conflict);
+  write_file(folder_ / "my-pilot.toml", "# my own\n");
+  EXPECT_EQ(post("pilot", {{"text", test::fake_case_text}})->status, conflict);
+  EXPECT_EQ(read_file(folder_ / "my-pilot.toml"), "# my own\n");
 }
 
 TEST_F(Edit, ARunNeedsASavedCase) {

@@ -35,7 +35,7 @@ export class AnswerPanel {
   private readonly remarks = element("div", { className: "kerf-remarks" });
   readonly root = element(
     "section",
-    { id: "kerf-answer", attributes: { "aria-label": "Check of the case" } },
+    { id: "kerf-answer", tabIndex: 0, attributes: { "aria-label": "Check of the case" } },
     this.problems,
     this.pictures,
     this.facts,

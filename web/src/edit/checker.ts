@@ -40,6 +40,18 @@ export class Checker {
     await new Promise<void>((resolve) => this.waiting.push(resolve));
   }
 
+  /** Replaces the text by what `make` makes of it. Nothing that is entered meanwhile is lost. */
+  async rewrite(make: (text: string) => Promise<string>): Promise<void> {
+    for (;;) {
+      await this.settled();
+      const version = this.version;
+      const made = await make(this.text_);
+      if (version !== this.version || this.isStale || this.isBusy) continue;
+      this.setText(made);
+      return this.settled();
+    }
+  }
+
   private askAfter(delay: number) {
     this.isStale = true;
     clearTimeout(this.timer);

@@ -5,7 +5,7 @@ import { element, note, selection } from "../dom.ts";
 import { AnswerPanel } from "./answer_panel.ts";
 import { Checker } from "./checker.ts";
 import { Form } from "./form.ts";
-import { tell, type Answer, type CaseFile, type Problem, type Schema } from "./protocol.ts";
+import { tell, type Answer, type CaseFile, type Problem, type Schema, type Table } from "./protocol.ts";
 import { RunTab } from "./run_tab.ts";
 import { Tabs } from "./tabs.ts";
 import { TextTab } from "./text_tab.ts";
@@ -19,6 +19,7 @@ export class Editor {
   private readonly tabs = new Tabs((name) => this.root?.setAttribute("data-tab", name));
   private readonly fileName = element("input", { id: "kerf-file", type: "text", spellcheck: false });
   private readonly saveButton = element("button", { id: "kerf-save-case", type: "button" }, "Save");
+  private readonly pilotButton = element("button", { id: "kerf-pilot", type: "button" }, "Pilot run");
   private readonly saved = element("span", { id: "kerf-saved", className: "kerf-soft", attributes: { role: "status" } });
   private readonly messages = element("div");
   readonly root: HTMLElement;
@@ -26,12 +27,18 @@ export class Editor {
 
   constructor(private readonly schema: Schema, private file: CaseFile) {
     this.before = file.text;
-    this.form = new Form(schema, (change, delay) => this.typed(() => this.checker.change(change, delay)));
+    const actions = {
+      add: (section: string, name: string) => void this.add(section, name),
+      remove: (table: Table) => void this.remove(table),
+    };
+    this.form = new Form(schema, (change, delay) => this.typed(() => this.checker.change(change, delay)), actions);
     const formPanel = element("div", {}, ...(file.text === null ? [this.templates()] : []), this.form.root);
     this.tabs.add("form", "Form", formPanel);
     this.tabs.add("text", "Text", this.text.root);
     this.tabs.add("run", "Run", this.run.root);
     this.saveButton.addEventListener("click", () => void this.save());
+    this.pilotButton.title = "Runs the case as it stands here in draft quality for about half a minute, without saving it";
+    this.pilotButton.addEventListener("click", () => void this.pilot());
     const left = element("div", { className: "kerf-left" }, formPanel, this.text.root, this.run.root);
     this.root = element("div", { className: "kerf-editor", attributes: { "data-tab": "form" } }, this.head(), left, this.answer.root);
     window.addEventListener("beforeunload", (event) => this.isSaved() || event.preventDefault());
@@ -51,7 +58,7 @@ export class Editor {
 
   private head(): HTMLElement {
     const bar = element("div", { className: "kerf-bar-line" }, this.tabs.bar, this.answer.state);
-    const name = element("div", { className: "kerf-name" }, element("h1", {}, "Case"), element("label", {}, "File ", this.fileName), this.saveButton, this.saved);
+    const name = element("div", { className: "kerf-name" }, element("h1", {}, "Case"), element("label", {}, "File ", this.fileName), this.saveButton, this.pilotButton, this.saved);
     return element("header", { className: "kerf-head" }, name, bar, this.messages);
   }
 
@@ -75,7 +82,54 @@ export class Editor {
     }
   }
 
+  private async add(section: string, name: string) {
+    let path = "";
+    const made = await this.rewrite(async (text) => {
+      const answer = await tell<{ text: string; path: string }>("add", { text, section, name });
+      path = answer.path;
+      return answer.text;
+    });
+    if (!made) return;
+    this.form.goToTable(path);
+    note(this.messages, `${path} was added, with values to start from.`, "note");
+  }
+
+  private async remove(table: Table) {
+    let before = "";
+    const done = await this.rewrite(async (text) => {
+      before = text;
+      return (await tell<{ text: string }>("remove", { text, path: table.path })).text;
+    });
+    if (!done) return;
+    this.form.goToAdder(table.section);
+    const undo = element("button", { id: "kerf-undo", type: "button" }, "Undo");
+    undo.addEventListener("click", () => {
+      this.typed(() => this.checker.setText(before));
+      note(this.messages, `${table.heading} is back.`, "note");
+      this.form.goToAdder(table.section);
+    });
+    note(this.messages, `${table.heading} was removed. `, "note");
+    this.messages.querySelector(".kerf-message")?.append(undo);
+  }
+
+  private async rewrite(make: (text: string) => Promise<string>): Promise<boolean> {
+    try {
+      await this.checker.rewrite(make);
+    } catch (error) {
+      this.complain((error as Error).message);
+      return false;
+    }
+    return true;
+  }
+
+  private async pilot() {
+    await this.checker.settled();
+    this.tabs.open("run");
+    await this.run.pilot(this.checker.text);
+  }
+
   private typed(action: () => void) {
+    if (this.messages.querySelector("#kerf-undo")) note(this.messages, ""); // it would undo this as well
     action();
     this.saved.textContent = "not saved";
   }

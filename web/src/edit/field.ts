@@ -31,7 +31,7 @@ export class Field {
     if (key.required) this.input.setAttribute("aria-required", "true");
     this.fault = element("p", { id: `${id}-fault`, className: "kerf-fault", hidden: true });
     this.materialTitle = key.material === undefined ? undefined : element("p", { className: "kerf-material" });
-    const label = element("label", { htmlFor: id }, key.name.replaceAll("_", " "));
+    const label = element("label", { htmlFor: id }, key.label);
     if (key.required) label.append(element("span", { className: "kerf-soft" }, " required"));
     this.root = element(
       "div",

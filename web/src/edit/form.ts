@@ -2,6 +2,7 @@
 // The form of a case: a part that folds for each table, with a field for each key that applies.
 
 import { element } from "../dom.ts";
+import { Adder } from "./adder.ts";
 import { Field, type Material } from "./field.ts";
 import type { Answer, Change, Key, Problem, Schema, Table } from "./protocol.ts";
 
@@ -19,16 +20,29 @@ class Part {
   private readonly others = element("details", { className: "kerf-others" });
   private readonly heading = element("span");
   private readonly state = element("span", { className: "kerf-soft" });
+  private readonly remover = element("button", { type: "button", className: "kerf-remove" }, "Remove");
+  private table: Table | undefined;
   private wasWritten = false;
 
-  constructor(sentence: string) {
+  constructor(sentence: string, remove: (table: Table) => void) {
     this.root.append(element("summary", {}, this.heading, " ", this.state));
-    this.root.append(element("p", { className: "kerf-help" }, sentence), this.main, this.others);
+    this.root.append(element("p", { className: "kerf-help" }, sentence), this.main, this.others, this.remover);
     this.others.append(element("summary", {}, "More keys"));
+    this.remover.addEventListener("click", () => this.table && remove(this.table));
+  }
+
+  /** Opens the part and puts the cursor into its first field. */
+  open() {
+    this.root.open = true;
+    this.root.querySelector<HTMLElement>(".kerf-field input, .kerf-field select")?.focus();
+    this.root.scrollIntoView({ block: "center" });
   }
 
   show(table: Table, fields: Field[], isMain: (field: Field) => boolean) {
+    this.table = table;
     this.heading.textContent = table.heading;
+    this.remover.hidden = table.removable !== true;
+    this.remover.textContent = `Remove ${table.heading}`;
     this.state.textContent = table.written ? "" : "not in the case";
     if (table.written && !this.wasWritten && table.section in mainKeys) this.root.open = true;
     this.wasWritten = table.written;
@@ -42,14 +56,22 @@ class Part {
   }
 }
 
+/** What the form asks for, besides changes of values. */
+export interface TableActions {
+  add(section: string, name: string): void;
+  remove(table: Table): void;
+}
+
 export class Form {
   readonly root = element("form", { className: "kerf-form", autocomplete: "off" });
   private readonly parts = new Map<string, Part>();
   private readonly fields = new Map<string, Field>();
+  private readonly adders = new Map<string, Adder>();
 
   constructor(
     private readonly schema: Schema,
     private readonly changed: (change: Change, delay: number) => void,
+    private readonly actions: TableActions,
   ) {
     this.root.addEventListener("submit", (event) => event.preventDefault());
   }
@@ -58,16 +80,27 @@ export class Form {
     const tables = answer.tables;
     this.root.toggleAttribute("inert", tables === null);
     if (tables === null) return;
-    const materials = this.materialsOf(tables);
+    const written = tables.filter((table) => !table.adds);
+    const materials = this.materialsOf(written);
     const problems = new Map(answer.problems.map((problem) => [problem.path, problem]));
-    for (const table of tables) this.showTable(table, materials, problems);
-    const known = new Set(tables.map((table) => table.path));
+    for (const table of written) this.showTable(table, materials, problems);
+    const known = new Set(written.map((table) => table.path));
     for (const [path, part] of this.parts)
       if (!known.has(path)) {
         part.root.remove();
         this.parts.delete(path);
       }
-    this.order(tables);
+    this.order(tables.map((table) => (table.adds ? this.adder(table).root : this.parts.get(table.path)!.root)));
+  }
+
+  /** Opens a table and puts the cursor into its first field. */
+  goToTable(path: string) {
+    this.parts.get(path)?.open();
+  }
+
+  /** Puts the cursor on the button that adds another table of a section. */
+  goToAdder(section: string) {
+    this.adders.get(section)?.button.focus();
   }
 
   /** Shows the field of a key and puts the cursor there. Returns false where there is none. */
@@ -84,7 +117,7 @@ export class Form {
   private showTable(table: Table, materials: Material[], problems: Map<string, Problem>) {
     const section = this.schema.sections.find((one) => one.name === table.section)!;
     let part = this.parts.get(table.path);
-    if (!part) this.parts.set(table.path, (part = new Part(section.sentence)));
+    if (!part) this.parts.set(table.path, (part = new Part(section.sentence, this.actions.remove)));
     const values = new Map(table.keys.map((key) => [key.path, key.value]));
     const fields = table.keys.map(({ row, path }) => this.field(table, section.keys[row]!, path));
     for (const field of fields) {
@@ -119,11 +152,20 @@ export class Form {
     return [...own, ...this.schema.materials.filter((one) => !names.has(one.name))];
   }
 
+  private adder(table: Table): Adder {
+    let adder = this.adders.get(table.section);
+    if (!adder) {
+      adder = new Adder(table.section, table.heading, table.asks_name === true, this.actions.add);
+      this.adders.set(table.section, adder);
+    }
+    return adder;
+  }
+
   // Moves only what is not in its place, as a field that is moved loses the cursor.
-  private order(tables: Table[]) {
-    const wanted = tables.map((table) => this.parts.get(table.path)!.root);
+  private order(wanted: HTMLElement[]) {
     wanted.forEach((root, at) => {
       if (this.root.children[at] !== root) this.root.insertBefore(root, this.root.children[at] ?? null);
     });
+    while (this.root.children.length > wanted.length) this.root.lastElementChild!.remove();
   }
 }

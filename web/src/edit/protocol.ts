@@ -3,6 +3,7 @@
 
 export interface Key {
   name: string;
+  label: string;
   unit: string;
   allowed: string;
   default: string;
@@ -23,6 +24,9 @@ export interface Table {
   path: string;
   heading: string;
   written: boolean;
+  removable?: boolean;
+  adds?: boolean; // no table, but the place where another one of its section is added
+  asks_name?: boolean; // of the new table
   keys: { row: number; path: string; value: string }[];
 }
 
@@ -57,7 +61,9 @@ export interface CaseFile {
 
 export interface RunState {
   state: "none" | "running" | "completed" | "stopped" | "failed";
-  folder: string;
+  folder: string; // of the results of the next run
+  results?: string; // the folder of this run
+  changes?: string[]; // what a pilot run has other than the case
   output?: string;
   view?: string;
 }

@@ -63,6 +63,11 @@ export class RunTab {
     await this.attempt(() => tell<RunState>("run", order));
   }
 
+  /** Starts a short, coarse run of a text, which need not be saved. */
+  async pilot(text: string) {
+    await this.attempt(() => tell<RunState>("pilot", { text }));
+  }
+
   private say(words: string) {
     if (this.state.textContent !== words) this.state.textContent = words;
   }
@@ -77,10 +82,13 @@ export class RunTab {
 
   private show(run: RunState) {
     const runs = run.state === "running";
-    this.say(sentencesOf[run.state]);
+    const folder = run.results ? ` Its folder is ${run.results}.` : "";
+    const changes = run.changes?.length ? ` This is a pilot run. ${run.changes.join(" ")}` : "";
+    this.say(sentencesOf[run.state] + folder + changes);
     this.root.dataset.state = run.state;
     this.start.disabled = runs;
     this.stop.disabled = !runs;
+    this.root.dataset.folder = run.results ?? "";
     this.folder.placeholder = run.folder;
     this.output.hidden = run.state !== "failed";
     this.output.textContent = run.output ?? "";

@@ -14,7 +14,7 @@ export class TextTab {
     "div",
     { className: "kerf-text" },
     element("p", { className: "kerf-help" }, "The form and this text are one: a change in the one shows in the other. ",
-      "Lists of tables, such as [[body]], are added here."),
+      "What has no field, such as the corners of a polygon, is written here."),
     this.area,
   );
 
