@@ -27,8 +27,17 @@ foreach(component IN LISTS components)
  -- ${CPACK_DEBIAN_PACKAGE_MAINTAINER}  ${day}
 ")
   execute_process(COMMAND ${GZIP} -9n ${doc}/changelog.Debian COMMAND_ERROR_IS_FATAL ANY)
-  # The package is not uploaded to Debian, where its first version would close a bug.
-  file(WRITE ${share}/lintian/overrides/${package} "${package}: initial-upload-closes-no-bugs\n")
+  # The package is not uploaded to Debian, where its first version would close a bug. CPack calls ldconfig from
+  # scripts of its own, and the library is installed where other systems have it, too.
+  set(overrides initial-upload-closes-no-bugs)
+  if(name STREQUAL LIBRARY)
+    list(APPEND overrides lacks-ldconfig-trigger maintscript-calls-ldconfig)
+  elseif(name STREQUAL DEVELOPMENT)
+    list(APPEND overrides pkg-config-unavailable-for-cross-compilation)
+  endif()
+  list(TRANSFORM overrides PREPEND "${package}: ")
+  list(JOIN overrides "\n" overrides)
+  file(WRITE ${share}/lintian/overrides/${package} "${overrides}\n")
   file(REMOVE ${doc}/LICENSE)
   file(WRITE ${doc}/copyright "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 

@@ -54,8 +54,8 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libkerf-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libkerf${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}-1)")
-set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "This is the library for programs in C++: it reads and checks cases, runs them step
-by step, and shows their particles.")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "This is the library for programs in C++: it reads and checks cases, runs
+them step by step, and shows their particles.")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "These are the headers of the library for programs in C++, and an example.")
 if(KERF_HAS_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
@@ -70,6 +70,7 @@ particles as NumPy arrays, and reads results.")
 endif()
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg, paraview")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Kerf computes by smoothed particle hydrodynamics how a water jet splits,
 how a solid deforms and fractures under it, whether it is cut through, and

@@ -22,7 +22,7 @@ target_include_directories(kerf_study SYSTEM PRIVATE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(kerf_study PUBLIC kerf_report tomlplusplus::tomlplusplus
   PRIVATE SQLiteCpp Boost::headers Boost::filesystem PkgConfig::nlopt Threads::Threads)
 target_link_libraries(kerf_app PUBLIC kerf_study kerf_verification CLI11::CLI11 spdlog::spdlog
-  PRIVATE httplib)
+  PRIVATE PkgConfig::httplib Threads::Threads)
 target_link_libraries(kerf_library PUBLIC kerf_app)
 kerf_precompile_headers(headers model geometry machine input parallel simd simulation engine analysis output report
   verification study app library)

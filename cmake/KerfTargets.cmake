@@ -47,7 +47,7 @@ endfunction()
 # links to this folder and to the folders below it in KERF_LAYERS, so it cannot include files of higher layers.
 # The sources of layers whose compile time is mostly that of JSON, TOML and CLI11 are compiled several at a time,
 # so the names in their anonymous namespaces differ (tests/harness/check_names.py).
-set(KERF_JOINED_LAYERS output verification app)
+set(KERF_JOINED_LAYERS output verification study app)
 function(kerf_layer name)
   kerf_layer_folder(${name} folder)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)

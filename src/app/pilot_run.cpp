@@ -27,7 +27,7 @@ constexpr double wanted_time = 30.0;        // s, of the run
 constexpr double arrivals = 2.0;            // simulated at least, in times that the jet flies
 constexpr double factor_without_jet = 2.0;  // of spacings
 
-std::string as_text(const toml::table& table) {
+std::string pilot_text(const toml::table& table) {
   std::ostringstream text;
   text << pilot_mark << '\n' << table << '\n';
   return text.str();
@@ -80,7 +80,7 @@ void set_end(toml::table& root, double end) {
 
 std::optional<Case> valid(const toml::table& root, const std::string& file) {
   try {
-    return parse_case(as_text(root), file, quick_look);
+    return parse_case(pilot_text(root), file, quick_look);
   } catch (const UserError&) {
     return {};
   }
@@ -115,7 +115,7 @@ PilotRun pilot_run(const std::string& text, const std::string& file, int threads
                                           readable(full_end, "s")));
     }
   }
-  pilot.text = as_text(root);
+  pilot.text = pilot_text(root);
   return pilot;
 }
 

@@ -136,8 +136,12 @@ void add_run_command(CLI::App& program) {
                     "show the result only, as one JSON object in SI units, for programs");
   const std::map<std::string, LogFormat> formats{{"text", LogFormat::text},
                                                  {"json", LogFormat::json}};
-  command->add_option("--log", options->log_format, "format of the log: text, or json for programs")
-      ->transform(CLI::CheckedTransformer(formats))
+  command
+      ->add_option_function<std::string>(
+          "--log",
+          [options, formats](const std::string& word) { options->log_format = formats.at(word); },
+          "format of the log: text, or json for programs")
+      ->check(CLI::IsMember(formats))
       ->default_str("text");
   CLI::Option* converges = command->add_flag(
       "--converge", options->converge,

@@ -26,14 +26,14 @@ inline std::string duration_text(double seconds) {
 
 // Returns `value` with its SI `unit`: 12.5 kPa, 6.7 us; times of a minute and more in words.
 inline std::string readable(double value, const std::string& unit) {
-  struct Prefix {
+  struct UnitPrefix {
     double factor;
     const char* name;
   };
-  static constexpr Prefix prefixes[] = {{1e9, "G"},  {1e6, "M"},  {1e3, "k"}, {1.0, ""},
-                                        {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}};
+  static constexpr UnitPrefix prefixes[] = {{1e9, "G"},  {1e6, "M"},  {1e3, "k"}, {1.0, ""},
+                                            {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}};
   if (unit == "s" && value >= 60.0) return duration_text(value);
-  for (const Prefix& prefix : prefixes)
+  for (const UnitPrefix& prefix : prefixes)
     if (std::abs(value) >= prefix.factor)
       return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.name, unit);
   return fmt::format("{:.4g} {}", value, unit);

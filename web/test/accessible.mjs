@@ -51,6 +51,9 @@ export async function isAccessible(page) {
   const paper = await paperOf(page);
   assert.ok(isDark(paper), `dark paper is ${paper}`);
   assert.deepEqual(await findings(page), [], "in dark colours, on a phone");
+  // The drawings follow the width, on a loaded machine after a moment.
+  const fits = (width) => document.documentElement.scrollWidth <= width;
+  await page.waitForFunction(fits, phone.width, { timeout: 10000 }).catch(() => {});
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(wide <= phone.width, `the page is ${wide} px wide on a phone of ${phone.width} px`);
   await page.emulateMedia({ colorScheme: "light" });
