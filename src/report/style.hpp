@@ -36,7 +36,7 @@ h2 { font-size: 1.2rem; font-weight: 650; margin: 3rem 0 1rem; padding-top: .9re
 .first figcaption { font-size: .85rem; color: var(--soft); }
 .compared { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 1.5rem 2rem; }
 .compared h2 { border: 0; margin: 1rem 0 .3rem; padding: 0; } .compared .verdict { margin-bottom: 1rem; }
-.compared pre { overflow-x: auto; font-size: .85rem; }
+.compared pre { overflow-x: auto; font-size: .85rem; } .compared .meta { overflow-wrap: anywhere; }
 ul.bodies { list-style: none; margin: 0; padding: 0; font-size: 1.1rem; }
 ul.bodies li { display: flex; padding: .3rem 0; border-bottom: 1px solid var(--line); }
 ul.bodies b { flex: none; width: 1.5rem; color: var(--none); }

@@ -21,6 +21,7 @@ const settings = {
   "machine.pressure": ["pressure", "Pressure at the orifice, above that of the air."],
   "machine.traverse_speed": ["traverse speed", "Speed of the nozzle over the workpiece."],
   spacing: ["spacing", "Distance of neighbouring particles, d."],
+  "materials.gel.fracture_energy": ["fracture energy of gel", "Energy that a unit of area of a crack takes."],
 };
 const units = { ...Object.fromEntries(metrics.map(({ name, unit }) => [name, unit])), spacing: "m", steps: "" };
 const labels = { cut_through: "cut through", "kerf.depth": "depth of the kerf", "kerf.middle.width": "width of the kerf in the middle", "kerf.specific_energy": "specific energy", steps: "steps" };
