@@ -46,7 +46,7 @@ endfunction()
 # kerf_layer(name) builds the library kerf_name from the sources of src/name/. Its include path is a folder of
 # links to this folder and to the folders below it in KERF_LAYERS, so it cannot include files of higher layers.
 # The sources of layers whose compile time is mostly that of JSON, TOML and CLI11 are compiled several at a time,
-# so the names in their anonymous namespaces differ (tests/harness/check_names.py).
+# so the compiler refuses a name that two of their anonymous namespaces define.
 set(KERF_JOINED_LAYERS output verification study app)
 function(kerf_layer name)
   kerf_layer_folder(${name} folder)

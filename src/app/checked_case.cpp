@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/check_warnings.hpp"
+#include "core/error.hpp"
 #include "input/read.hpp"
 #include "output/piece_reasons.hpp"
 #include "study/local_executor.hpp"
@@ -23,6 +24,14 @@ CheckedCase checked_case(const std::string& text, const std::string& file) {
           std::move(piece),
           std::move(warnings),
           available_memory()};
+}
+
+std::optional<Case> valid_case(const std::string& text, const std::string& file) {
+  try {
+    return parse_case(text, file, quick_look);
+  } catch (const UserError&) {
+    return {};
+  }
 }
 
 }  // namespace kerf

@@ -23,12 +23,10 @@ class CompareServer : public LocalServer {
     Part(const std::filesystem::path& folder, const std::string& place);
 
     std::filesystem::path folder;
-    std::string place;
     Case description;
     RunView view;
   };
 
-  void set_routes(Part& part);
   std::string page();
 
   Part first_, second_;

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <sstream>
 
 #include <toml++/toml.h>
 
+#include "app/checked_case.hpp"
 #include "app/run_cost.hpp"
-#include "core/error.hpp"
 #include "input/draft.hpp"
 #include "input/read.hpp"
 #include "input/units.hpp"
@@ -78,14 +77,6 @@ void set_end(toml::table& root, double end) {
       output->erase(key);
 }
 
-std::optional<Case> valid(const toml::table& root, const std::string& file) {
-  try {
-    return parse_case(pilot_text(root), file, quick_look);
-  } catch (const UserError&) {
-    return {};
-  }
-}
-
 }  // namespace
 
 PilotRun pilot_run(const std::string& text, const std::string& file, int threads) {
@@ -95,7 +86,7 @@ PilotRun pilot_run(const std::string& text, const std::string& file, int threads
   toml::table root = toml::parse(text), coarse = root;
   coarse.insert_or_assign("quality", "draft");
   coarsen_spacings(coarse, coarsening(chosen));
-  if (const auto description = valid(coarse, file)) {
+  if (const auto description = valid_case(pilot_text(coarse), file)) {
     const auto particles = [](const Case& of) {
       return html::count(static_cast<double>(derive(of).particles_expected));
     };
@@ -109,7 +100,7 @@ PilotRun pilot_run(const std::string& text, const std::string& file, int threads
   if (end < full_end) {
     toml::table shortened = root;
     set_end(shortened, end);
-    if (valid(shortened, file)) {
+    if (valid_case(pilot_text(shortened), file)) {
       root = shortened;
       pilot.changes.push_back(fmt::format("It ends at {} in place of {}.", readable(end, "s"),
                                           readable(full_end, "s")));

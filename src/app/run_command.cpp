@@ -55,16 +55,14 @@ std::string resume_command(const RunOptions& options, const fs::path& folder) {
 }
 
 RunLoopSettings settings_of(const RunOptions& options) {
-  Case description = read_case(options.case_file);
+  const std::string text = case_text(options.case_file);
+  Case description = parse_case(text, options.case_file);
   if (!options.ignore_memory && options.machine.device == Device::cpu)
-    refuse_beyond_memory(
-        {case_text(options.case_file), options.case_file, description, derive(description), {}},
-        threads_of(options.machine), "--ignore-memory");
+    refuse_beyond_memory({text, options.case_file, description, derive(description), {}},
+                         threads_of(options.machine), "--ignore-memory");
   RunLoopSettings settings =
       settings_of_case(std::move(description), options.case_file, options.folder);
-  settings.existing = options.resume  ? Existing::resume
-                      : options.force ? Existing::replace
-                                      : Existing::refuse;
+  settings.existing = existing_of(options.resume, options.force);
   settings.quiet = options.quiet || options.json_summary;
   settings.log_format = options.log_format;
   settings.threads = threads_of(options.machine);

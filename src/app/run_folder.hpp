@@ -13,6 +13,10 @@ struct Case;
 
 // The treatment of a folder that contains a run already.
 enum class Existing { refuse, resume, replace };
+// At most one of the two is asked for; resume wins.
+constexpr Existing existing_of(bool resume, bool replace) {
+  return resume ? Existing::resume : replace ? Existing::replace : Existing::refuse;
+}
 
 // Returns the folder of the results of a run whose user names none: out/<stem of the case file>.
 std::filesystem::path default_folder(const std::filesystem::path& case_file);

@@ -5,6 +5,7 @@
 
 #include <mutex>
 
+#include "app/local_server.hpp"
 #include "app/run_folder.hpp"
 #include "model/case.hpp"
 #include "report/html.hpp"
@@ -90,6 +91,13 @@ std::string RunView::run_json() {
 std::string RunView::frame(std::size_t number) {
   const std::lock_guard hold(state_->mutex);
   return state_->packer.pack(number);
+}
+
+void serve_files(LocalServer& server, RunView& view, const std::string& place) {
+  server.get(place + "run.json", RunView::json_type,
+             [&view](const auto&) { return view.run_json(); });
+  server.get(place + RunView::frame_pattern, RunView::frame_type,
+             [&view](const auto& parts) { return view.frame(std::stoul(parts[1])); });
 }
 
 }  // namespace kerf

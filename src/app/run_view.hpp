@@ -35,4 +35,8 @@ class RunView {
   std::unique_ptr<State> state_;
 };
 
+class LocalServer;
+// Serves what a page of the run loads, at `place` below the page. The view must outlive the server.
+void serve_files(LocalServer& server, RunView& view, const std::string& place);
+
 }  // namespace kerf

@@ -11,11 +11,10 @@
 #include <sstream>
 #include <vector>
 
+#include "app/checked_case.hpp"
 #include "app/table_conditions.hpp"
-#include "core/error.hpp"
 #include "geometry/shapes.hpp"
 #include "input/material_library.hpp"
-#include "input/read.hpp"
 #include "input/toml_writer.hpp"
 #include "input/units.hpp"
 #include "model/case.hpp"
@@ -32,14 +31,6 @@ std::string length_text(double value) {
   // A sum of rounded numbers must not be written as "-0 mm" or "2e-16 mm".
   const double in_micrometres = std::round(1e9 * value) / 1e3;
   return fmt::format("\"{:.9g} mm\"", in_micrometres == 0.0 ? 0.0 : in_micrometres / 1e3);
-}
-
-std::optional<Case> valid_case(const std::string& text, const std::string& file) {
-  try {
-    return parse_case(text, file, quick_look);
-  } catch (const UserError&) {
-    return {};
-  }
 }
 
 const toml::table* last_table(const toml::table& root, std::string_view list) {

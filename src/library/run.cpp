@@ -23,9 +23,7 @@ RunLoopSettings loop_settings(const Case& description, const std::filesystem::pa
     refuse_beyond_memory({text, file, checked, derive(checked), {}}, threads_of(machine),
                          options.ignore_memory_words);
   RunLoopSettings settings = settings_of_case(std::move(checked), file, options.folder);
-  settings.existing = options.resume    ? Existing::resume
-                      : options.replace ? Existing::replace
-                                        : Existing::refuse;
+  settings.existing = existing_of(options.resume, options.replace);
   settings.quiet = !options.shows_progress;
   settings.catches_signals = false;  // they belong to the program that drives the run
   settings.threads = threads_of(machine);
