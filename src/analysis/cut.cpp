@@ -10,6 +10,7 @@
 #include "analysis/pieces.hpp"
 #include "analysis/unbroken.hpp"
 #include "analysis/workpiece.hpp"
+#include "core/error.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -181,6 +182,8 @@ void CutMonitor::add_verdicts(CutSummary& summary) const {
 
 void CutMonitor::restore(std::vector<CutState> history, const Frame& last) {
   history_ = std::move(history);
+  for (const CutState& state : history_)
+    require(state.bodies.size() == workpiece_->bodies.size(), "every row has all bodies");
   if (workpiece_->empty()) return;
   const WholeFrame whole(last, workpiece_->images);
   fragments_ = find_pieces(*workpiece_, whole.get(), locate(*workpiece_, whole.get())).fragments;

@@ -2,6 +2,7 @@
 #include "app/case_run.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -43,12 +44,19 @@ CaseRun::~CaseRun() {
   fs::remove(output_, ignored);
 }
 
-bool CaseRun::has_begun() const {
-  constexpr auto tick = std::chrono::milliseconds(20);  // of the times of files, at most
+std::optional<CaseRun::UsedCase> CaseRun::used_case() const {
+  const fs::path file = order_.folder / "case.used.toml";
+  struct stat entry {};
   std::error_code is_missing;
-  const auto written = fs::last_write_time(order_.folder / "case.used.toml", is_missing);
-  if (is_missing) return false;
-  return order_.existing == Existing::resume || written + tick >= start_;
+  const auto written = fs::last_write_time(file, is_missing);
+  if (is_missing || ::stat(file.c_str(), &entry) != 0) return std::nullopt;
+  return UsedCase{entry.st_ino, written};
+}
+
+// The times of files are not compared with the clock, which may be set back meanwhile.
+bool CaseRun::has_begun() const {
+  const auto now = used_case();
+  return now && (order_.existing == Existing::resume || now != before_);
 }
 
 std::vector<std::string> CaseRun::arguments() const {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -42,7 +44,14 @@ class CaseRun {
   void watch();
 
   Order order_;
-  std::filesystem::file_time_type start_ = std::filesystem::file_time_type::clock::now();
+  // The file that a run writes first: its number and the time in its entry of the folder.
+  struct UsedCase {
+    std::uint64_t number = 0;
+    std::filesystem::file_time_type written{};
+    bool operator==(const UsedCase&) const = default;
+  };
+  std::optional<UsedCase> used_case() const;
+  std::optional<UsedCase> before_ = used_case();  // of an earlier run in the folder
   std::filesystem::path output_;
   std::atomic<State> state_ = State::running;
   std::atomic<bool> stops_ = false;

@@ -15,6 +15,13 @@ bool takes_value(const OptionWords& option) {
   return !option.value.empty() || !option.choices.empty();
 }
 
+// A file is not offered for a number: "INT in [1 - 4096]", "FLOAT:POSITIVE".
+bool takes_number(const OptionWords& option) {
+  for (const char* type : {"INT", "UINT", "FLOAT"})
+    if (option.value.starts_with(type)) return true;
+  return false;
+}
+
 std::vector<std::string> names_of(const std::vector<OptionWords>& options) {
   std::vector<std::string> names;
   for (const OptionWords& option : options)
@@ -65,6 +72,7 @@ std::string bash_branches(const CommandWords& command) {
 
 // Returns the value of an option or the argument of a command for _arguments of zsh.
 std::string zsh_values(const OptionWords& option) {
+  if (takes_number(option)) return " ";
   if (option.choices.empty()) return "_files";
   return fmt::format("({})", fmt::join(option.choices, " "));
 }
@@ -95,7 +103,7 @@ std::string fish_option(const std::string& condition, const OptionWords& option)
   if (!option.choices.empty())
     line += fmt::format(" -x -a {}", quoted(fmt::format("{}", fmt::join(option.choices, " "))));
   else if (takes_value(option))
-    line += " -r";
+    line += takes_number(option) ? " -x" : " -r";
   return line + " -d " + quoted(option.description) + "\n";
 }
 

@@ -13,6 +13,7 @@
 #include "output/result.hpp"
 #include "output/result_metrics.hpp"
 #include "report/report.hpp"
+#include "report/report_parts.hpp"
 #include "study/convergence.hpp"
 #include "study/layout.hpp"
 #include "study/metrics.hpp"
@@ -38,7 +39,7 @@ void keep(const std::vector<MetricInterval>& intervals, const Case& description,
           const fs::path& folder) {
   RunOutcome outcome;
   outcome.intervals = intervals;
-  auto result = nlohmann::ordered_json::parse(read_file(folder / "result.json"));
+  auto result = read_result(folder / "result.json");
   result["intervals"] = *find_result_metric("intervals")->value(outcome);
   write_file(folder / "result.json", result.dump(2) + "\n");
   write_report(folder, description);

@@ -26,7 +26,9 @@ inline const std::array<ExitCode, 7> exit_codes{{
     {{0}, "success"},
     {{exit_bad_input}, "the case is wrong"},
     {{exit_usage}, "the command line is wrong"},
-    {{exit_run_failed}, "the run failed (a value that is not a number, a runaway particle)"},
+    {{exit_run_failed},
+     "the run failed (a value that is not a number, a runaway particle), or there is not enough "
+     "memory"},
     {{exit_files},
      "files or folders: disk full, not writable, missing, a damaged checkpoint or one of another "
      "run"},

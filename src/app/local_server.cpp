@@ -2,18 +2,18 @@
 #include "app/local_server.hpp"
 
 #include <fmt/format.h>
-#include <httplib.h>
 
 #include <atomic>
 #include <random>
+
+#include "app/bounded_server.hpp"
 
 namespace kerf {
 
 namespace {
 
 constexpr int idle_microseconds = 50'000;
-constexpr int longest_wait = 2;                // s, for the next bytes of a request
-constexpr std::size_t longest_body = 4 << 20;  // bytes
+constexpr int longest_wait = 2;  // s, for the next bytes of a request
 constexpr std::string_view scheme = "http://";
 
 // Tests between requests whether the server must stop, because a call of stop() before the server
@@ -86,7 +86,7 @@ struct LocalServer::State {
   // Other users of this machine can reach the port but do not know it.
   const std::string path = fmt::format("/{}/", random_token());
   std::atomic<bool> ends = false;
-  httplib::Server server;
+  BoundedServer server;
 };
 
 LocalServer::LocalServer(std::string_view command) : state_(std::make_unique<State>()) {
@@ -94,7 +94,6 @@ LocalServer::LocalServer(std::string_view command) : state_(std::make_unique<Sta
   server.set_idle_interval(0, idle_microseconds);
   server.new_task_queue = [this] { return new WatchfulPool(state_->server, state_->ends); };
   server.set_read_timeout(longest_wait);
-  server.set_payload_max_length(longest_body);
   // The token must not reach other sites with the address of the page.
   server.set_default_headers({{"Referrer-Policy", "same-origin"}, {"Cache-Control", "no-store"}});
   server.set_pre_routing_handler(

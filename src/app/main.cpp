@@ -7,7 +7,9 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -15,6 +17,7 @@
 #include "app/version_text.hpp"
 #include "core/error.hpp"
 #include "input/problems.hpp"
+#include "study/process_limits.hpp"
 
 namespace kerf {
 namespace {
@@ -33,8 +36,28 @@ void suggest(const CLI::App& program) {
   }
 }
 
+// Names of files become part of JSON and of pages, which hold UTF-8 alone.
+void refuse_other_encodings(int argc, char** argv) {
+  for (int n = 1; n < argc; ++n) try {
+      static_cast<void>(nlohmann::json(argv[n]).dump());
+    } catch (const nlohmann::json::exception&) {
+      throw CLI::ParseError(
+          fmt::format("{}: the word is not valid UTF-8. Rename the file or folder.", argv[n]),
+          exit_usage);
+    }
+}
+
+int tell_of_memory() {
+  fmt::print(stderr,
+             "kerf: error: there is not enough memory. What the case needs is told by 'kerf "
+             "check'; a greater spacing, a smaller piece or symmetry planes need less.\n");
+  return exit_run_failed;
+}
+
 int run(CLI::App& program, int argc, char** argv) {
   try {
+    refuse_small_limits();
+    refuse_other_encodings(argc, argv);
     program.parse(argc, argv);
   } catch (const CLI::RuntimeError& error) {
     return error.get_exit_code();
@@ -46,11 +69,12 @@ int run(CLI::App& program, int argc, char** argv) {
     fmt::print(stderr, "kerf: error: {}\n", error.what());
     return error.exit_code();
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr,
-               "kerf: error: there is not enough memory. What the case needs is told by 'kerf "
-               "check'; a greater spacing, a smaller piece or symmetry planes need less.\n");
-    return exit_run_failed;
+    return tell_of_memory();
   } catch (const std::exception& error) {
+    // A thread that cannot be made.
+    const auto* system = dynamic_cast<const std::system_error*>(&error);
+    if (system && system->code() == std::errc::resource_unavailable_try_again)
+      return tell_of_memory();
     if (std::ferror(stdout) != 0) return exit_files;  // main() says so
     fmt::print(stderr, "kerf: internal error: {}. Please report this with the case.\n",
                error.what());

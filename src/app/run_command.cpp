@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "input/read.hpp"
 #include "output/readable.hpp"
+#include "report/report_parts.hpp"
 
 namespace kerf {
 namespace {
@@ -71,12 +72,8 @@ RunLoopSettings settings_of(const RunOptions& options) {
   return settings;
 }
 
-nlohmann::ordered_json result_in(const fs::path& folder) {
-  return nlohmann::ordered_json::parse(read_file(folder / "result.json"));
-}
-
-void print_output_paths(const RunLoopSettings& settings, bool will_converge) {
-  const auto result = result_in(settings.folder);
+void print_output_paths(const RunLoopSettings& settings, const nlohmann::ordered_json& result,
+                        bool will_converge) {
   fmt::print("{}\n", result.at("verdict").get<std::string>());
   if (settings.quiet) return;
   const std::string folder = settings.folder.string();
@@ -113,9 +110,12 @@ void run(const RunOptions& options) {
   const ConvergeSettings further = converge_settings_of(options, settings);
   if (options.converge) check_convergence(settings.description, further);
   leave_if_stopped(RunLoop(settings, make_simulation).run().signal);
-  if (!options.json_summary) print_output_paths(settings, options.converge);
-  if (options.converge) leave_if_stopped(converge(settings.description, further));
-  if (options.json_summary) fmt::print("{}", run_json(result_in(settings.folder), settings.folder));
+  const fs::path file = settings.folder / "result.json";
+  using_result(file, [&] {
+    if (!options.json_summary) print_output_paths(settings, read_result(file), options.converge);
+    if (options.converge) leave_if_stopped(converge(settings.description, further));
+    if (options.json_summary) fmt::print("{}", run_json(read_result(file), settings.folder));
+  });
 }
 
 }  // namespace

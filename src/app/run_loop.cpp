@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <nlohmann/json.hpp>
 
 #include "analysis/cut_over.hpp"
 #include "core/error.hpp"
@@ -16,6 +17,7 @@
 #include "output/readable.hpp"
 #include "output/result.hpp"
 #include "report/report.hpp"
+#include "simulation/saved_state.hpp"
 
 namespace kerf {
 namespace {
@@ -103,7 +105,7 @@ bool RunLoop::start() {
     }
     start_log();
     const Checkpoint checkpoint = read_checkpoint(folder_.checkpoint(), settings_.case_text);
-    before_ = record_from(checkpoint.run);
+    using_checkpoint([&] { before_ = record_from(checkpoint.run); });
     if (!already_finished()) return resume(checkpoint.simulation);
     has_steps = false;
     progress_.say(
@@ -118,9 +120,25 @@ void RunLoop::start_log() {
              settings_.device, settings_.description.title);
 }
 
+// A result that is damaged is made again.
 bool RunLoop::already_finished() const {
   return before_.finished && std::filesystem::exists(folder_.result()) &&
-         std::filesystem::exists(folder_.report());
+         std::filesystem::exists(folder_.report()) &&
+         nlohmann::json::accept(read_file(folder_.result()));
+}
+
+// Adds the file to the message of an error by its content, whose checksum is right.
+void RunLoop::using_checkpoint(const std::function<void()>& work) const {
+  const std::string file = folder_.checkpoint().string();
+  try {
+    work();
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("{}: {}", file, error.what()), error.exit_code());
+  } catch (const std::logic_error& error) {
+    throw UserError(
+        fmt::format("{} is damaged ({}). Start the run again with --force.", file, error.what()),
+        exit_files);
+  }
 }
 
 void RunLoop::begin() {
@@ -132,14 +150,23 @@ void RunLoop::begin() {
   write_due();
 }
 
+void RunLoop::check_state(const Archive& state) const {
+  Archive fresh;
+  simulation_->save(fresh);
+  check_saved_state(state, fresh, settings_.description);
+}
+
 void RunLoop::resume(const Archive& state) {
   simulation_ = maker_(settings_.description);
   cut_.emplace(settings_.description, frame());
-  simulation_->restore(state);
-  frame_.reset();
+  using_checkpoint([&] {
+    check_state(state);
+    simulation_->restore(state);
+    frame_.reset();
+    follow_window();
+    cut_->restore(before_.cut_history, frame());
+  });
   saved_time_ = simulation_->time();
-  follow_window();
-  cut_->restore(before_.cut_history, frame());
   judge_motion();
   series_.cut_back(simulation_->step(), before_.rows);
   frames_.restore(before_.frame_times);

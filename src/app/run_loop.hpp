@@ -86,6 +86,8 @@ class RunLoop {
   bool already_finished() const;
   void begin();
   void resume(const Archive& state);
+  void check_state(const Archive& state) const;
+  void using_checkpoint(const std::function<void()>& work) const;
   void take_step();
   void follow_window();  // measures in the window of a travelling frame
   void judge_motion();   // of a cut under a nozzle with which a frame travels

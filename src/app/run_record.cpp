@@ -69,6 +69,7 @@ std::vector<CutState> restore_history(const Archive& archive) {
   const auto& bodies = find<std::uint8_t>(archive, "cut/bodies");
   std::vector<CutState> history(pieces.size());
   const std::size_t count = history.empty() ? 0 : bodies.size() / history.size();
+  require(count * history.size() == bodies.size(), "every row has all bodies");
   for (std::size_t i = 0; i < history.size(); ++i) {
     history[i].pieces = static_cast<int>(pieces[i]);
     history[i].cut_through = through.at(i) != 0;

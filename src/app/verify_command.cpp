@@ -37,15 +37,31 @@ struct VerifyOptions {
   MachineOptions machine;
 };
 
+std::vector<VerificationCase> all_cases(bool experiments) {
+  return read_verification_cases(experiments ? experiment_texts() : validation_texts(),
+                                 case_templates());
+}
+
+// Refuses a name that is not in this table but in the other.
+void refuse_other_table(const std::string& name, bool experiments) {
+  const auto others = all_cases(!experiments);
+  const auto has_name = [&](const VerificationCase& entry) { return entry.name == name; };
+  if (std::none_of(others.begin(), others.end(), has_name)) return;
+  throw UserError(fmt::format("\"{}\" is {}.", name,
+                              experiments ? "a case with theory: leave out --experiments"
+                                          : "a published experiment: add --experiments"),
+                  exit_bad_input);
+}
+
 std::vector<VerificationCase> chosen_cases(const VerifyOptions& options) {
   const std::vector<std::string>& names = options.names;
-  auto cases = read_verification_cases(
-      options.experiments ? experiment_texts() : validation_texts(), case_templates());
+  auto cases = all_cases(options.experiments);
   if (names.empty()) return cases;
   std::vector<std::string> known;
   for (const auto& entry : cases) known.push_back(entry.name);
   for (const std::string& name : names) {
     if (std::count(known.begin(), known.end(), name) > 0) continue;
+    refuse_other_table(name, options.experiments);
     refuse_name(fmt::format("there is no {} \"{}\"",
                             options.experiments ? "experiment" : "verification case", name),
                 name, known);

@@ -3,15 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <boost/crc.hpp>
-#include <cstdlib>
 #include <sstream>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "output/files.hpp"
 #include "output/hdf5.hpp"
+#include "output/seal.hpp"
 
 namespace kerf {
 namespace {
@@ -21,6 +20,7 @@ using hdf5::Handle;
 // The version of the format; it increases whenever the meaning or the layout of the content
 // changes.
 constexpr int format_version = 6;
+constexpr const char* kind = "checkpoint";
 constexpr const char* remedy = "Start the run again with --force.";
 
 [[noreturn]] void refuse_damaged(const std::filesystem::path& path) {
@@ -98,32 +98,15 @@ std::string difference(const std::string& stored, const std::string& now) {
   }
 }
 
-// Returns the last line of the file, which HDF5 does not read: it is present only if all preceding
-// bytes are, and it changes with any byte.
-std::string seal_of(std::string_view content, int version) {
-  boost::crc_32_type sum;
-  sum.process_bytes(content.data(), content.size());
-  return fmt::format("\nkerf checkpoint, version {:5}, crc32 {:08x}\n", version, sum.checksum());
-}
-
-void check_seal(std::string_view content, const std::filesystem::path& path) {
-  const std::size_t seal_size = seal_of({}, format_version).size();
-  const std::size_t split = content.size() - std::min(seal_size, content.size());
-  const std::string_view seal = content.substr(split);
-  const std::string expected = seal_of(content.substr(0, split), format_version);
-  if (seal == expected) return;
-  const std::size_t version_at = expected.find("version ") + 8;
-  int version = 0;
-  if (seal.size() == seal_size && seal.starts_with(expected.substr(0, version_at)))
-    version = std::atoi(std::string(seal.substr(version_at, 5)).c_str());
-  if (version != 0 && seal == seal_of(content.substr(0, split), version))
-    throw UserError(
-        fmt::format("{} has version {} of the checkpoint format, this program (kerf {}) "
-                    "reads version {}. Continue with the program that wrote it, or start "
-                    "the run again with --force.",
-                    path.string(), version, program_version, format_version),
-        exit_files);
-  refuse_damaged(path);
+void check_seal(const std::filesystem::path& path) {
+  const auto version = sealed_version(read_file(path), kind);
+  if (!version) refuse_damaged(path);
+  if (*version == format_version) return;
+  throw UserError(fmt::format("{} has version {} of the checkpoint format, this program (kerf {}) "
+                              "reads version {}. Continue with the program that wrote it, or start "
+                              "the run again with --force.",
+                              path.string(), *version, program_version, format_version),
+                  exit_files);
 }
 
 }  // namespace
@@ -139,15 +122,14 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& case
     write_archive(file, "run", checkpoint.run);
     content = hdf5::bytes_of(file);
   }
-  content += seal_of(content, format_version);
-  write_file(path, content);
+  write_file(path, sealed(std::move(content), kind, format_version));
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& case_text) {
   if (!std::filesystem::exists(path))
     throw UserError(fmt::format("there is no checkpoint {}. {}", path.string(), remedy),
                     exit_files);
-  check_seal(read_file(path), path);
+  check_seal(path);
   try {
     const Handle file = hdf5::open(path);
     const std::string stored = read_text(file, "case");

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "output/files.hpp"
 #include "output/hdf5.hpp"
+#include "output/seal.hpp"
 #include "output/vtkhdf.hpp"
 
 namespace kerf {
@@ -106,6 +107,8 @@ std::vector<FrameFile> frame_files(const fs::path& folder) {
 Frame read_frame(const fs::path& file, int dimension) {
   Frame frame;
   frame.dimension = dimension;
+  if (sealed_version(read_file(file), frame_kind) != frame_version)
+    damaged(file, "its last line does not have the checksum of its bytes");
   try {
     const hdf5::Handle opened = hdf5::open(file);
     const hdf5::Handle root = hdf5::open_group(opened, "VTKHDF");

@@ -12,6 +12,7 @@
 #include "output/hdf5.hpp"
 #include "output/paraview_macro.hpp"
 #include "output/read_frame.hpp"
+#include "output/seal.hpp"
 
 namespace kerf {
 namespace {
@@ -139,7 +140,7 @@ std::string vtkhdf_bytes(const Frame& frame, const FrameLegend& legend) {
     write_extras(points, frame, legend, units);
     write_field_data(root, frame, legend, units);
   }
-  return hdf5::bytes_of(file);
+  return sealed(hdf5::bytes_of(file), frame_kind, frame_version);
 }
 
 // The first frame tells where particles were; a resumed run reads it back.

@@ -34,6 +34,10 @@ inline constexpr std::array<std::string_view, 4> derived_arrays{
 // The order of the six numbers of a symmetric tensor, which is that of VTK.
 inline constexpr const char* tensor_components = "xx yy zz xy yz xz";
 
+// The kind and the version in the seal that ends a frame (output/seal.hpp).
+inline constexpr const char* frame_kind = "frame";
+inline constexpr int frame_version = 1;
+
 // Returns the content of the file. Equal frames give equal bytes.
 std::string vtkhdf_bytes(const Frame& frame, const FrameLegend& legend = {});
 

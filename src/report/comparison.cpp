@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "model/case.hpp"
 #include "output/files.hpp"
@@ -95,20 +96,30 @@ std::string own_lines(const ComparedRun& run, const ComparedRun& other) {
   return start + (text.empty() ? std::string("nothing of its own\n") : text) + "</pre></div>\n";
 }
 
-constexpr const char* heading = "<header>\n<h1>Two runs side by side</h1>\n</header>\n";
+constexpr const char* header = "<header>\n<h1>Two runs side by side</h1>\n</header>\n";
 
 std::string differing_lines(const ComparedRun& first, const ComparedRun& second) {
   return "<h2>Where the cases differ</h2>\n<div class=\"compared\">\n" + own_lines(first, second) +
          own_lines(second, first) + "</div>\n";
 }
 
+Side side_of(const ComparedRun& run) {
+  const auto file = run.folder / "result.json";
+  Json result = read_result(file);
+  // The table of both runs has units that depend on it.
+  using_result(file, [&] { static_cast<void>(result.at("dimension").get<int>()); });
+  return {std::move(result), &run};
+}
+
 std::array<Side, 2> sides_of(const ComparedRun& first, const ComparedRun& second) {
-  return {{{read_result(first.folder / "result.json"), &first},
-           {read_result(second.folder / "result.json"), &second}}};
+  return {side_of(first), side_of(second)};
 }
 
 std::string columns(const std::array<Side, 2>& sides) {
-  return "<div class=\"compared\">\n" + column(sides[0]) + column(sides[1]) + "</div>\n";
+  std::string text = "<div class=\"compared\">\n";
+  for (const Side& side : sides)
+    text += using_result(side.run->folder / "result.json", [&] { return column(side); });
+  return text + "</div>\n";
 }
 
 bool has_ended(const ComparedRun& run) {
@@ -120,13 +131,13 @@ bool has_ended(const ComparedRun& run) {
 void write_comparison(const ComparedRun& first, const ComparedRun& second) {
   const auto sides = sides_of(first, second);
   const std::string body =
-      heading + columns(sides) + metrics_table(sides) + differing_lines(first, second);
+      header + columns(sides) + metrics_table(sides) + differing_lines(first, second);
   write_file(first.folder / "compare.html", html::page("Two runs side by side", body));
 }
 
 std::string moving_comparison(const ComparedRun& first, const ComparedRun& second,
                               const std::string& runs) {
-  std::string body = heading;
+  std::string body = header;
   body += html::section("kerf-compared", "<p>This browser shows no moving pictures.</p>\n");
   if (has_ended(first) && has_ended(second)) {
     const auto sides = sides_of(first, second);

@@ -17,8 +17,14 @@ namespace process = boost::process;
 
 namespace {
 
-constexpr double length = 8.0;                   // s, duration of a movie with many frames
+constexpr double duration = 8.0;                 // s, duration of a movie with many frames
 constexpr double slowest = 5.0, fastest = 30.0;  // frames per second
+
+// Returns the file as ffmpeg takes any path: one that begins with a dash would be an option, and
+// what stands before a colon a protocol.
+std::string address_of(const fs::path& file) {
+  return "file:" + fs::absolute(file).string();
+}
 
 }  // namespace
 
@@ -34,14 +40,14 @@ fs::path write_movie(const fs::path& folder, const Case& description,
   if (files.empty())
     throw UserError(fmt::format("--movie: {} has no frames yet.", folder.string()), exit_files);
   const double rate =
-      std::min(fastest, std::max(slowest, static_cast<double>(files.size()) / length));
+      std::min(fastest, std::max(slowest, static_cast<double>(files.size()) / duration));
   const fs::path target = folder / "movie.mp4";
   process::opstream pictures;
   // H.264 requires even sizes.
   process::child encoder(ffmpeg, "-loglevel", "error", "-y", "-f", "image2pipe", "-framerate",
                          fmt::format("{:.3f}", rate), "-c:v", "png", "-i", "-", "-vf",
                          "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-pix_fmt",
-                         "yuv420p", "-movflags", "+faststart", target.string(),
+                         "yuv420p", "-movflags", "+faststart", address_of(target),
                          process::std_in < pictures);
   for (std::size_t n = 0; n < files.size() && pictures; ++n) {
     const std::string png =

@@ -177,19 +177,6 @@ Parts parts_of(const fs::path& folder, const Case& description) {
   return parts;
 }
 
-// Turns the error of a damaged result into a UserError.
-template <class Make>
-auto or_refused(const fs::path& folder, Make make) {
-  try {
-    return make();
-  } catch (const Json::exception& error) {
-    throw UserError(fmt::format("{} is damaged ({}). Make it again with 'kerf run CASE --out {} "
-                                "--resume'.",
-                                (folder / "result.json").string(), error.what(), folder.string()),
-                    exit_files);
-  }
-}
-
 // Returns a remark on particles and frames that the scene leaves out.
 std::string scene_remark(const ViewerPacker& packer, std::size_t frames) {
   std::string left_out;
@@ -208,7 +195,8 @@ std::string scene_remark(const ViewerPacker& packer, std::size_t frames) {
 }  // namespace
 
 void write_report(const fs::path& folder, const Case& description) {
-  const Parts parts = or_refused(folder, [&] { return parts_of(folder, description); });
+  const Parts parts =
+      using_result(folder / "result.json", [&] { return parts_of(folder, description); });
   Json run;
   std::string remark = no_viewer;
   if (!viewer_text("script").empty()) {
@@ -227,7 +215,8 @@ void write_report(const fs::path& folder, const Case& description) {
 }
 
 std::string report_page(const fs::path& folder, const Case& description, Json run) {
-  const Parts parts = or_refused(folder, [&] { return parts_of(folder, description); });
+  const Parts parts =
+      using_result(folder / "result.json", [&] { return parts_of(folder, description); });
   const bool has_viewer = !run.is_null() && !viewer_text("script").empty();
   return parts.page(description.title, std::move(run), has_viewer ? "" : no_viewer);
 }

@@ -27,13 +27,25 @@ std::string last_picture(const Json& result, const fs::path& folder) {
   return list.empty() ? "" : picture_figure(folder, list.back());
 }
 
+void refuse_result(const fs::path& path, const char* why) {
+  throw UserError(
+      fmt::format("{} is damaged ({}). Remove it, and make it again with 'kerf run CASE "
+                  "--out {} --resume'.",
+                  path.string(), why, path.parent_path().string()),
+      exit_files);
+}
+
 Json read_result(const fs::path& path) {
   if (!fs::exists(path))
     throw UserError(fmt::format("there is no {}: the run has not ended yet. Continue it with 'kerf "
                                 "run CASE --out {} --resume'.",
                                 path.string(), path.parent_path().string()),
                     exit_files);
-  return Json::parse(read_file(path));
+  try {
+    return Json::parse(read_file(path));
+  } catch (const Json::exception& error) {
+    refuse_result(path, error.what());
+  }
 }
 
 // The sign has the same meaning as the colour.

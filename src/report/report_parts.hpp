@@ -34,8 +34,20 @@ inline bool is_parted(const nlohmann::ordered_json& result) {
          !(value_of(result.at("kerf").at("through_share")) > 0.0);
 }
 
-// Returns the content of a result.json. Throws UserError (exit_files) where the run has not ended.
+// Returns the content of a result.json. Throws UserError (exit_files) where the run has not ended
+// or the file is damaged.
 nlohmann::ordered_json read_result(const std::filesystem::path& path);
+// Ends the command because a result.json is not as Kerf writes it.
+[[noreturn]] void refuse_result(const std::filesystem::path& path, const char* why);
+// Calls `make`, which uses the content of a result.json.
+template <class Make>
+auto using_result(const std::filesystem::path& path, const Make& make) {
+  try {
+    return make();
+  } catch (const nlohmann::json::exception& error) {
+    refuse_result(path, error.what());
+  }
+}
 // Says whether the workpiece is cut through; where the nozzle stands in place of one that moves, at
 // the traverse speed.
 std::string verdict_part(const nlohmann::ordered_json& result, bool has_jet);

@@ -16,6 +16,7 @@
 #include "core/error.hpp"
 #include "output/files.hpp"
 #include "study/child_process.hpp"
+#include "study/process_limits.hpp"
 
 namespace kerf {
 
@@ -136,11 +137,13 @@ class LocalQueue {
 }  // namespace
 
 double available_memory() {
+  const double allowed = std::max(0.0, memory_within_limits());
   std::ifstream file("/proc/meminfo");
   std::string name, unit;
   for (double kibibytes = 0.0; file >> name >> kibibytes; std::getline(file, unit))
-    if (name == "MemAvailable:") return 1024.0 * kibibytes;
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    if (name == "MemAvailable:") return std::min(allowed, 1024.0 * kibibytes);
+  return std::min(allowed, static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                               static_cast<double>(sysconf(_SC_PAGESIZE)));
 }
 
 void LocalExecutor::run(const std::vector<Job>& jobs, JobWatcher& watcher) {

@@ -33,7 +33,8 @@ class LocalExecutor : public Executor {
   LocalBudget budget_;
 };
 
-// Returns the available memory, bytes: free memory and the system's cache of files.
+// Returns the available memory, bytes: free memory and the system's cache of files, within the
+// limits of the process.
 double available_memory();
 
 // Returns the budget of this machine: all cores and four fifths of the free memory.

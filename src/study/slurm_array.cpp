@@ -35,6 +35,7 @@ std::string script_of(const fs::path& study_folder, const fs::path& list,
   return fmt::format(R"(#!/bin/sh
 # Made by kerf study: each task is one run of the list.
 cd {} || exit 1
+exec > "slurm/${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID.txt" 2>&1
 id=$(sed -n "$((SLURM_ARRAY_TASK_ID + 1))p" {})
 {} run "runs/$id.toml" --out "runs/$id" --threads "${{SLURM_CPUS_PER_TASK:-1}}" --device {} --resume \
   > "runs/$id.txt" 2>&1
@@ -96,7 +97,7 @@ void SlurmArrays::submit_one(const std::vector<std::string>& ids, const ArrayReq
       fmt::format("--array=0-{}%{}", ids.size() - 1, request.at_once),
       fmt::format("--cpus-per-task={}", request.cores),
       fmt::format("--mem={:.0f}M", std::ceil(factor * request.memory / mebibyte + spare)),
-      fmt::format("--output={}", (folder_ / "%A_%a.txt").string())};
+      "--output=/dev/null"};  // the script writes one: Slurm would expand % and \ in its folder
   if (request.device == "gpu") words.push_back("--gres=gpu:1");
   words.push_back(script.string());
   const CommandOutput answer = output_of("sbatch", words);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto show_pause = std::chrono::milliseconds(250);
-constexpr int most_attempts = 2;  // starts of a run that a signal ends
+constexpr int most_crashes = 2;  // ends by a signal after which a run is not repeated
 
 // Returns the end of the output of a run, which holds its error message.
 std::string last_words(const fs::path& output) {
@@ -121,7 +121,8 @@ bool StudyRuns::ended(const Job& job, const JobEnd& end) {
     database_.mark_waiting(job.id);
     return false;
   }
-  if (end.signal != 0 && database_.find(job.id)->attempts < most_attempts) {
+  // The attempts of the database include those that ended with an earlier study, whatever ended it.
+  if (end.signal != 0 && ++crashes_[job.id] < most_crashes) {
     database_.mark_waiting(job.id);
     return true;
   }

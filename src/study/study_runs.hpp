@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -58,6 +59,7 @@ class StudyRuns : public Laboratory, private JobWatcher {
   Executor& executor_;
   Hooks hooks_;
   std::set<std::string> asked_;
+  std::map<std::string, int> crashes_;  // of a run, since this object began
   StudyProgress progress_;
   std::chrono::steady_clock::time_point shown_{};
   int signal_ = 0;

@@ -20,9 +20,10 @@ struct Outcome {
   std::string output;  // stdout, or stderr when asked for
 };
 
-Outcome run(const std::string& arguments, bool errors = false) {
-  const std::string command =
-      std::string(KERF_PROGRAM) + " " + arguments + (errors ? " 2>&1 >/dev/null" : " 2>/dev/null");
+// `before`: commands of the shell before the program.
+Outcome run(const std::string& arguments, bool errors = false, const std::string& before = "") {
+  const std::string command = before + std::string(KERF_PROGRAM) + " " + arguments +
+                              (errors ? " 2>&1 >/dev/null" : " 2>/dev/null");
   FILE* pipe = popen(command.c_str(), "r");
   if (!pipe) return {-1, {}};
   std::string output;
@@ -83,6 +84,10 @@ TEST(RefuseProgram, UnknownExperimentsAreGuessed) {
   EXPECT_NE(outcome.output.find("there is no experiment \"beef-heiland1900\""), std::string::npos)
       << outcome.output;
   EXPECT_NE(outcome.output.find("Did you mean \"beef-heiland1990\"?"), std::string::npos);
+  const Outcome other = run("verify beef-heiland1990", true);
+  EXPECT_EQ(other.code, 1);
+  EXPECT_NE(other.output.find("is a published experiment: add --experiments"), std::string::npos)
+      << other.output;
 }
 
 TEST(RefuseProgram, MissingFilesEndWithFour) {
@@ -97,6 +102,29 @@ TEST(RefuseProgram, WrongUseEndsWithTwo) {
   EXPECT_EQ(run("chekc").code, 2);
   EXPECT_EQ(run("check").code, 2);
   EXPECT_EQ(run("check --threads -3 case.toml").code, 2);
+}
+
+// Names become part of JSON, which is UTF-8.
+TEST(RefuseProgram, NamesInOtherEncodingsEndWithTwo) {
+  const Outcome outcome = run("check 'b\xe4r.toml'", true);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.output.find("the word is not valid UTF-8"), std::string::npos)
+      << outcome.output;
+}
+
+// Libraries end the program by a signal where the address space ends, so it is measured first.
+TEST(RefuseProgram, SmallLimitsEndWithThree) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the sanitizers reserve terabytes of addresses";
+#endif
+  const std::string words = "check --no-timing " KERF_SOURCE_DIR "/cases/tofu-5ms.toml";
+  for (const char* limit : {"ulimit -v 120000", "ulimit -d 60000", "ulimit -s 500"}) {
+    const Outcome outcome = run(words, true, std::string(limit) + "; ");
+    EXPECT_EQ(outcome.code, 3) << limit;
+    for (const std::string& part : {std::string("there is not enough memory"),
+                                    std::string(limit, 9), std::string("Raise the limit")})
+      EXPECT_NE(outcome.output.find(part), std::string::npos) << outcome.output;
+  }
 }
 
 TEST(RefuseProgram, UnknownTemplatesAndMaterials) {

@@ -19,6 +19,9 @@ namespace {
 using test::Program;
 using testing::HasSubstr;
 
+// Characters that the shell, Slurm or both take for their own.
+const std::string odd_name = "-a 'b' \"c\" $HOME `id` %A %j \\ ;*\n#SBATCH --hold\nd";
+
 class SlurmStudy : public testing::Test {
  protected:
   void SetUp() override {
@@ -35,7 +38,7 @@ class SlurmStudy : public testing::Test {
             "--on",   "slurm",
             "--jobs", "2"};
   }
-  std::filesystem::path out() const { return folder_ / "out"; }
+  std::filesystem::path out() const { return folder_ / name_; }
   std::vector<RunRow> rows() const {
     return std::filesystem::exists(out() / "study.db") ? StudyDatabase(out() / "study.db").runs()
                                                        : std::vector<RunRow>();
@@ -57,6 +60,7 @@ class SlurmStudy : public testing::Test {
 
   test::SlurmOfOneNode slurm_;
   test::TemporaryFolder folder_;
+  std::string name_ = "out";
 };
 
 TEST_F(SlurmStudy, SixteenRunsEndAndACancelledTaskIsRepeated) {
@@ -84,6 +88,16 @@ TEST_F(SlurmStudy, AKilledStudyResumesItsArray) {
   EXPECT_EQ(arrays(), 1u) << "what was in the queue was submitted again";
 }
 
+TEST_F(SlurmStudy, RunsInAFolderOfAnyName) {
+  name_ = odd_name;
+  write_file(folder_ / "map.toml",
+             "base = \"small.toml\"\n[vary]\n\"jet.jet.speed\" = [\"2 m/s\", \"9 m/s\"]\n");
+  const test::Ending ending = Program(arguments(), folder_ / "output.txt").wait();
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  EXPECT_EQ(count(RunState::done), 2u);
+  EXPECT_TRUE(std::filesystem::exists(out() / "slurm/1_0.txt"));
+}
+
 TEST_F(SlurmStudy, ReportsAClusterWithoutGpus) {
   std::vector<std::string> words = arguments();
   words.insert(words.end(), {"--device", "gpu"});
@@ -91,6 +105,30 @@ TEST_F(SlurmStudy, ReportsAClusterWithoutGpus) {
   EXPECT_EQ(ending.exit_code, exit_files);
   EXPECT_THAT(ending.output, HasSubstr("generic resource"));
   EXPECT_THAT(read_file(out() / "slurm/1.sh"), HasSubstr("--device gpu --resume"));
+}
+
+// An sbatch that does at once what the script of the first task says.
+TEST(SlurmStudyWithoutSlurm, TheScriptRunsInAFolderOfAnyName) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path place = folder / odd_name, tools = folder / "tools";
+  const auto write_program = [](const std::filesystem::path& file, const std::string& text) {
+    write_file(file, "#!/bin/sh\n" + text);
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  };
+  make_folder(place / "runs");
+  make_folder(tools);
+  write_program(tools / "sbatch",
+                "for word; do :; done\nSLURM_ARRAY_TASK_ID=1 exec sh \"$word\"\n");
+  write_program(place / "program", "pwd\nfor word; do echo \"<$word>\"; done\n");
+  const std::string path = getenv("PATH");
+  setenv("PATH", (tools.string() + ":" + path).c_str(), 1);
+  SlurmArrays(place).submit({"first", "second"}, {place / "program", 1, 1, 0.0, "cpu"});
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(read_file(place / "runs/second.txt"),
+            place.string() +
+                "\n<run>\n<runs/second.toml>\n<--out>\n<runs/second>\n<--threads>\n<1>\n"
+                "<--device>\n<cpu>\n<--resume>\n");
+  EXPECT_EQ(SlurmArrays(place).exit_code("second"), 0);
 }
 
 TEST(SlurmStudyWithoutSlurm, ReportsThatSlurmIsMissing) {

@@ -110,6 +110,7 @@ TEST_F(Completion, BashOffersCommandsOptionsAndValues) {
 TEST_F(Completion, ZshAndFishReadTheirScripts) {
   const auto words = SmallProgram().words();
   write(folder_ / "_kerf", zsh_completion(words));
+  EXPECT_THAT(zsh_completion(words), HasSubstr("]:value: '"));  // no file for --count
   write(folder_ / "kerf.fish", fish_completion(words));
   if (!test::is_installed("zsh") || !test::is_installed("fish"))
     GTEST_SKIP() << "zsh or fish is not installed";
@@ -119,6 +120,7 @@ TEST_F(Completion, ZshAndFishReadTheirScripts) {
               testing::StartsWith("slow\t"));
   EXPECT_THAT(test::printed_by("fish -c \"" + source + "'kerf cut --dry'\" 2>&1"),
               HasSubstr("--dry-run"));
+  EXPECT_EQ(test::printed_by("fish -c \"" + source + "'kerf cut --count '\" 2>&1"), "");
 }
 
 TEST(VersionText, NamesCommitCompilerAndInstructionSet) {

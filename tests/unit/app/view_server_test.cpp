@@ -46,6 +46,16 @@ class View : public testing::Test {
   httplib::Result get(const std::string& address, const httplib::Headers& headers = {}) {
     return client_->Get(server_->path() + address, headers);
   }
+  // Returns a socket that is connected to the server.
+  int connected() const {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port_));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    const int open = socket(AF_INET, SOCK_STREAM, 0);
+    EXPECT_EQ(connect(open, reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0);
+    return open;
+  }
 
   test::TemporaryFolder folder_;
   std::filesystem::path out_ = folder_ / "out";
@@ -92,16 +102,39 @@ TEST_F(View, NeedsTheTokenOfItsAddress) {
   EXPECT_NE(ViewServer(out_).path(), server_->path());
 }
 
+// A request without end is refused long before it fills the memory.
+TEST_F(View, RefusesRequestsWithoutEnd) {
+  const std::string start = "GET " + server_->path() + "run.json HTTP/1.1\r\nHost: 127.0.0.1\r\n";
+  const std::string header = "X-More: " + std::string(1000, 'y') + "\r\n";
+  const std::string post = "POST " + server_->path() +
+                           "save HTTP/1.1\r\nHost: 127.0.0.1\r\nTransfer-Encoding: chunked\r\n\r\n";
+  const std::string chunk = "400\r\n" + std::string(0x400, 'z') + "\r\n";
+  // What a request begins with, and what is then sent again and again.
+  for (const auto& [first, again] :
+       {std::pair{std::string(), std::string(1000, 'x')}, std::pair{start, header},
+        std::pair{start, std::string("a:\r\n")}, std::pair{post, chunk}}) {
+    const int open = connected();
+    std::string block = first;
+    std::size_t sent = 0;
+    constexpr std::size_t endless = 110'000'000;
+    while (sent < endless && send(open, block.data(), block.size(), MSG_NOSIGNAL) >= 0) {
+      sent += block.size();
+      block.clear();
+      while (block.size() < 100'000) block += again;
+    }
+    close(open);
+    // The server reads 64 KiB, or a body of 8 MiB in chunks; the rest is in the buffers of the
+    // system.
+    EXPECT_LT(sent, 30'000'000u) << first;
+  }
+  EXPECT_EQ(get("run.json")->status, 200);
+}
+
 // Clients that send nothing do not keep the others waiting.
 TEST_F(View, AnswersBesideSlowClients) {
   std::vector<int> slow;
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port_));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   for (int n = 0; n < 20; ++n) {
-    slow.push_back(socket(AF_INET, SOCK_STREAM, 0));
-    ASSERT_EQ(connect(slow.back(), reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0);
+    slow.push_back(connected());
     ASSERT_EQ(send(slow.back(), "GET /", 5, 0), 5);
   }
   const auto before = std::chrono::steady_clock::now();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
+#include "output/files.hpp"
 #include "output/vtkhdf.hpp"
 #include "support/frames.hpp"
 #include "support/temporary_folder.hpp"
@@ -39,6 +41,27 @@ TEST(ReadFrame, MayHaveNoPieces) {
   EXPECT_TRUE(read.piece.empty());
   EXPECT_TRUE(read.body_piece.empty());
   EXPECT_TRUE(read.joined_planes.empty());
+}
+
+// The HDF5 library may crash on a damaged file, and is not given one.
+TEST(ReadFrame, RefusesEveryDamagedFile) {
+  const test::TemporaryFolder folder;
+  Frame frame;
+  test::add_particle(frame, {1e-3, 0.0, 0.0}, Category::solid, 1e-3);
+  FrameWriter(folder.path(), "case").write(frame);
+  const auto file = folder / "frames/case_00000.vtkhdf";
+  const std::string whole = read_file(file);
+  const auto refused = [&](const std::string& content) {
+    write_file(file, content);
+    return test::message_of<UserError>([&] { read_frame(file, 2); });
+  };
+  EXPECT_EQ(refused(whole), "");
+  for (std::size_t at = 0; at < whole.size(); at += 199) {
+    std::string changed = whole;
+    changed[at] = static_cast<char>(changed[at] ^ 0x10);
+    for (const std::string& content : {changed, whole.substr(0, at)})
+      EXPECT_EQ(refused(content).find(file.string() + ": the file is damaged"), 0u) << at;
+  }
 }
 
 }  // namespace

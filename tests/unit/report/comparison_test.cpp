@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "output/files.hpp"
 #include "report/metric_rows.hpp"
 #include "report/report.hpp"
@@ -45,6 +46,24 @@ TEST(Comparison, TellsTheDifference) {
   EXPECT_EQ(difference_html(result(0.0), result(0.012), depth), "+12\u202fmm");
   EXPECT_EQ(difference_html(result(0.01), result(0.01), depth), "0");
   EXPECT_EQ(difference_html(result(nullptr), result(0.01), depth), "");
+}
+
+TEST(Comparison, ADamagedResultIsNamed) {
+  const test::TemporaryFolder folder;
+  const Case description = test::fake_case();
+  test::run_fake(description, folder / "a");
+  test::run_fake(description, folder / "b");
+  const auto file = folder / "b/result.json";
+  const std::string whole = read_file(file);
+  auto other = nlohmann::ordered_json::parse(whole);
+  other["title"] = 3;
+  for (const std::string& content : {whole.substr(0, whole.size() / 2), other.dump()}) {
+    write_file(file, content);
+    EXPECT_THAT(test::message_of<UserError>([&] {
+                  write_comparison({folder / "a", description}, {folder / "b", description});
+                }),
+                AllOf(HasSubstr(file.string() + " is damaged"), HasSubstr("--resume")));
+  }
 }
 
 }  // namespace

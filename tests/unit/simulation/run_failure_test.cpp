@@ -11,7 +11,7 @@
 namespace kerf::test {
 namespace {
 
-std::string message_of(const RunFailure& failure) {
+std::string text_of(const RunFailure& failure) {
   try {
     report_run_failure(failure);
   } catch (const UserError& error) {
@@ -30,13 +30,13 @@ TEST(RunFailure, MessageHasTimePlaceCauseAndRemedy) {
   failure.dt = 1e-12;
   failure.cause = "acceleration";
   failure.courant = 0.3;
-  EXPECT_EQ(message_of(failure),
+  EXPECT_EQ(text_of(failure),
             "the run broke down at t = 0.0125 s, step 42: particle 7 of body 'plate' at "
             "(0.5, -0.25, 0) m needs a time step of 1e-12 s (acceleration); lower time.courant "
             "(now 0.3) or a repulsion, and look at the last frame");
   failure.fault = true;
   failure.cause = "a density of zero or less";
-  EXPECT_NE(message_of(failure).find("m has a density of zero or less; lower"), std::string::npos);
+  EXPECT_NE(text_of(failure).find("m has a density of zero or less; lower"), std::string::npos);
 }
 
 }  // namespace

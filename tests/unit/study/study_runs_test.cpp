@@ -121,6 +121,18 @@ TEST_F(StudyRunsTest, InterruptedRunsAreRepeated) {
   EXPECT_EQ(database_.find(resolved.id)->state, RunState::done);
 }
 
+// The kill of a study is no fault of the runs that end with it.
+TEST_F(StudyRunsTest, ACrashAfterTheKillOfAnEarlierStudyIsTheFirst) {
+  const ResolvedCase resolved = maker_.make(speeds({1.0})[0]);
+  database_.add(resolved, speeds({1.0})[0]);
+  for (int killed = 0; killed < 3; ++killed) database_.mark_started(resolved.id);
+  int crashes = 1;
+  executor_.end = [&](const Job&) { return crashes-- > 0 ? JobEnd{0, SIGKILL, ""} : JobEnd{}; };
+  EXPECT_FALSE(laboratory().run(speeds({1.0}))[0].failed);
+  EXPECT_EQ(executor_.ran.size(), 2u);
+  EXPECT_EQ(database_.find(resolved.id)->state, RunState::done);
+}
+
 TEST_F(StudyRunsTest, AStopKeepsTheRemainingRunsPending) {
   signal_ = SIGTERM;
   executor_.stop_after = 2;
