@@ -29,6 +29,9 @@ install(FILES ${kerf_printed}/_kerf DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/sit
 install(FILES ${kerf_printed}/kerf.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(DIRECTORY cases materials DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN site EXCLUDE)  # where README.md links to
+# The pages link to cases as they are in the source tree.
+file(CREATE_LINK ../../kerf/cases ${CMAKE_BINARY_DIR}/generated/cases SYMBOLIC)
+install(FILES ${CMAKE_BINARY_DIR}/generated/cases DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES python/tutorial.ipynb DESTINATION ${CMAKE_INSTALL_DOCDIR}/python)
 

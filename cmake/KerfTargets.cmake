@@ -21,6 +21,7 @@ if(KERF_SANITIZE)
   # -O1 -g1 compiles in half the time of -O2 -g, and stack traces still have line numbers.
   target_compile_options(kerf_flags INTERFACE
     -fsanitize=${KERF_SANITIZE} -fno-omit-frame-pointer -O1 -g1
+    $<$<BOOL:${KERF_FUZZ}>:-fno-sanitize-recover=all>
     # g++ mistakes code of the sanitizers for reads of uninitialized values, for instance in <regex>.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE})
@@ -30,16 +31,20 @@ if(KERF_SANITIZE)
   endif()
 endif()
 
-# kerf_precompile_headers(name layers...) compiles the headers of the standard library once for these layers, which
-# have the same compiler flags: they are most of what a source of a hundred lines costs to compile.
+# kerf_precompile_headers(name HEADERS ... LIBRARIES ... OPTIONS ... LAYERS ...) compiles headers once for layers
+# that have the same compiler flags: they are most of what a source of a hundred lines costs to compile. g++ takes
+# the level of optimization from precompiled headers, so the options are those of the layers as well.
 function(kerf_precompile_headers name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LIBRARIES;OPTIONS;LAYERS")
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/${name}.cpp CONTENT "")
   add_library(kerf_${name} OBJECT ${CMAKE_BINARY_DIR}/generated/${name}.cpp)
-  target_link_libraries(kerf_${name} PRIVATE kerf_flags)
+  target_link_libraries(kerf_${name} PRIVATE kerf_flags ${arg_LIBRARIES})
   target_precompile_headers(kerf_${name} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <functional>
-    <map> <memory> <optional> <span> <string> <string_view> <vector>)
-  foreach(layer IN LISTS ARGN)
+    <map> <memory> <optional> <span> <string> <string_view> <vector> ${arg_HEADERS})
+  target_compile_options(kerf_${name} PRIVATE ${arg_OPTIONS})
+  foreach(layer IN LISTS arg_LAYERS)
     target_precompile_headers(kerf_${layer} REUSE_FROM kerf_${name})
+    target_compile_options(kerf_${layer} PRIVATE ${arg_OPTIONS})
   endforeach()
 endfunction()
 
@@ -47,7 +52,9 @@ endfunction()
 # links to this folder and to the folders below it in KERF_LAYERS, so it cannot include files of higher layers.
 # The sources of layers whose compile time is mostly that of JSON, TOML and CLI11 are compiled several at a time,
 # so the compiler refuses a name that two of their anonymous namespaces define.
-set(KERF_JOINED_LAYERS output verification study app)
+# Joined with others, g++ 12 takes a value of Boost.Geometry in one of them for uninitialized.
+set_source_files_properties(src/input/shape_section.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+set(KERF_JOINED_LAYERS input analysis output report verification study app)
 function(kerf_layer name)
   kerf_layer_folder(${name} folder)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)

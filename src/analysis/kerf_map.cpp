@@ -8,7 +8,6 @@ namespace kerf {
 namespace {
 
 constexpr float face = 0.5f;  // level of a field at which the solid ends
-constexpr double samples_per_spacing = 2.0;
 
 struct Limits {
   std::array<double, 3> low{}, high{};  // m, local

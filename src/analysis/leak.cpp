@@ -14,7 +14,6 @@ const MetricList<Leak>& Leak::metrics() {
 }
 
 Leak Leak::measure(const KerfScene& scene) {
-  constexpr double samples_per_spacing = 2.0;
   // Width of the spline in spacings: over this width single displaced particles have little weight.
   constexpr double breadth = 1.5;
   constexpr double endless = std::numeric_limits<double>::infinity();

@@ -9,7 +9,6 @@
 namespace kerf {
 namespace {
 
-constexpr double samples_per_spacing = 2.0;
 constexpr double nothing = 1e-6;  // spacings, of rounding
 
 // A grid of columns across the jet, each with a length along it.

@@ -20,6 +20,9 @@ namespace kerf {
 
 struct Case;
 
+// Of the columns and sections by which a kerf is measured.
+inline constexpr double samples_per_spacing = 2.0;
+
 // A body of the workpiece.
 struct WorkpieceBody {
   std::uint16_t body = 0;                  // index into Case::bodies

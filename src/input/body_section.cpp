@@ -17,7 +17,6 @@ namespace {
 
 constexpr auto plane_faces = std::span(face_words).first<4>();
 constexpr std::array<std::string_view, 3> space_variables{"x", "y", "z"};
-constexpr std::array<std::string_view, 1> time_variable{"t"};
 
 }  // namespace
 

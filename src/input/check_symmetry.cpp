@@ -130,7 +130,7 @@ void check_body(Draft& draft, const Plane& plane, std::size_t number) {
        "body, or shift the lattice by an offset"});
 }
 
-void check_jet(Draft& draft, const Plane& plane, std::size_t number) {
+void check_jet_on(Draft& draft, const Plane& plane, std::size_t number) {
   const Case& result = draft.result;
   const Jet& jet = result.jets[number];
   const auto& water = result.materials[static_cast<std::size_t>(jet.material)];
@@ -179,7 +179,7 @@ void check_symmetry(Draft& draft) {
       check_grading(draft, plane, i);
       check_body(draft, plane, i);
     }
-    for (std::size_t i = 0; i < draft.result.jets.size(); ++i) check_jet(draft, plane, i);
+    for (std::size_t i = 0; i < draft.result.jets.size(); ++i) check_jet_on(draft, plane, i);
   }
   draft.reading.problems.throw_if_any();
 }

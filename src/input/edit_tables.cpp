@@ -116,14 +116,6 @@ std::string TableText::without_block(const toml::table& table) const {
   return text_.substr(0, begin) + text_.substr(end);
 }
 
-bool means(const std::string& text, const toml::table& expected) {
-  try {
-    return toml::parse(text) == expected;
-  } catch (const toml::parse_error&) {
-    return false;
-  }
-}
-
 // Removes a table, and the list or table around it where that becomes empty.
 void erase(toml::table& root, const PathSteps& steps) {
   toml::table* around = table_at(root, without_last(steps));

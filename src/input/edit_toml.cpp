@@ -169,14 +169,6 @@ toml::table expected_table(const std::string& text, const PathSteps& steps,
   return root;
 }
 
-bool means(const std::string& text, const toml::table& expected) {
-  try {
-    return toml::parse(text) == expected;
-  } catch (const toml::parse_error&) {
-    return false;
-  }
-}
-
 }  // namespace
 
 std::string with_value(const std::string& text, std::string_view path, const std::string& literal) {

@@ -7,17 +7,11 @@
 #include <vector>
 
 #include "input/toml_writer.hpp"
+#include "input/trimmed.hpp"
 
 namespace kerf {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr const char* blanks = " \t\r\n";
-  const auto begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
 
 bool is_list(const Key& key) {
   switch (key.kind) {

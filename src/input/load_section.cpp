@@ -10,14 +10,9 @@
 #include "input/sections.hpp"
 #include "input/toml_writer.hpp"
 #include "model/case.hpp"
+#include "model/expression.hpp"
 
 namespace kerf {
-
-namespace {
-
-constexpr std::array<std::string_view, 1> time_variable{"t"};
-
-}  // namespace
 
 std::vector<Key> load_keys() {
   using namespace key_range;

@@ -38,4 +38,12 @@ toml::table parse_toml(std::string_view text, std::string_view file_name) {
   }
 }
 
+bool means(const std::string& text, const toml::table& content) {
+  try {
+    return toml::parse(text) == content;
+  } catch (const toml::parse_error&) {
+    return false;
+  }
+}
+
 }  // namespace kerf

@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 
+#include <string>
 #include <string_view>
 
 namespace kerf {
@@ -10,5 +11,8 @@ namespace kerf {
 // Returns the table of a TOML text. Throws a CaseError that names file, line and fault where the
 // text is not valid.
 toml::table parse_toml(std::string_view text, std::string_view file_name);
+
+// Returns whether a text is valid TOML of that content.
+bool means(const std::string& text, const toml::table& content);
 
 }  // namespace kerf

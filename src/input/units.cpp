@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "input/trimmed.hpp"
 
 namespace kerf {
 
@@ -88,12 +89,6 @@ class UnitSystem {
   std::unique_ptr<ut_system, SystemDeleter> system_;
   std::map<std::pair<std::string, std::string>, Factor> known_;
 };
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;

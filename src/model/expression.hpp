@@ -5,9 +5,13 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kerf {
+
+// The variable of expressions in time.
+inline constexpr std::array<std::string_view, 1> time_variable{"t"};
 
 // Arguments are SI numbers. Only one thread may use an object at a time; copies are independent.
 class Expression {

@@ -17,8 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double width = 640.0, height = 360.0;           // of the drawing
-constexpr double left = 20.0, right = 470.0, top = 40.0;  // of the workpiece in it
+constexpr double drawing_width = 640.0, drawing_height = 360.0;
+constexpr double block_left = 20.0, block_right = 470.0,
+                 block_top = 40.0;  // of the workpiece in it
 constexpr double text_height = 17.0;
 constexpr Colour dimension_colour = rgb(0x5b6470);
 
@@ -47,14 +48,15 @@ class SectionDrawing {
     for (const Level& level : shown.levels) widest = std::max(widest, 2.0 * level.half);
     const double breadth = widest / upright_ + std::abs(slope_) * shown.thickness;
     scale_ = std::min(260.0 / (upright_ * shown.thickness),
-                      0.8 * (right - left) / std::max(breadth, 1e-12));
+                      0.8 * (block_right - block_left) / std::max(breadth, 1e-12));
   }
 
   double x(double across, double below) const {
-    return 0.5 * (left + right) + scale_ * (across / upright_ + slope_ * below - shift_);
+    return 0.5 * (block_left + block_right) +
+           scale_ * (across / upright_ + slope_ * below - shift_);
   }
-  double y(double below) const { return top + scale_ * upright_ * below; }
-  double length_below(double y) const { return (y - top) / (scale_ * upright_); }
+  double y(double below) const { return block_top + scale_ * upright_ * below; }
+  double length_below(double y) const { return (y - block_top) / (scale_ * upright_); }
   // The length of so many pixels, m.
   double length(double pixels) const { return pixels / scale_; }
 
@@ -67,7 +69,7 @@ class SectionDrawing {
   }
 
   const Section& section;
-  Drawing drawing{width, height, "Cross-section of the kerf"};
+  Drawing drawing{drawing_width, drawing_height, "Cross-section of the kerf"};
 
  private:
   double slope_, upright_, shift_;  // 1, 1, m
@@ -88,7 +90,7 @@ std::string face(const SectionDrawing& map, double side) {
 void add_halves(SectionDrawing& map) {
   const Section& section = map.section;
   for (const double side : {-1.0, 1.0}) {
-    const double edge = side < 0.0 ? left : right;
+    const double edge = side < 0.0 ? block_left : block_right;
     map.drawing.add(fmt::format("<path d=\"M{:.1f} {:.1f}{}{}L{:.1f} {:.1f}Z\" {}/>", edge,
                                 map.y(0.0), face(map, side),
                                 map.line_to(side * section.levels[2].half, section.thickness), edge,
@@ -108,7 +110,7 @@ void add_whole(SectionDrawing& map) {
   map.drawing.add(fmt::format(
       "<path d=\"M{0:.1f} {1:.1f}{2}{3}{4}L{5:.1f} {1:.1f}L{5:.1f} {6:.1f}L{0:.1f} {6:.1f}Z\" "
       "{7}/>",
-      left, high, face(map, -1.0), map.line_to(0.0, section.depth), upwards, right, low,
+      block_left, high, face(map, -1.0), map.line_to(0.0, section.depth), upwards, block_right, low,
       solid_fill));
 }
 
@@ -120,10 +122,10 @@ void add_widths(SectionDrawing& map) {
     const double y = map.y(level.below);
     const double label_y = std::max(y + 5.0, lowest + text_height);
     if (lowest > 0.0 && level.below == section.levels[0].below) continue;  // the same once more
-    map.drawing.line(map.x(-level.half, level.below), y, right + 14.0, y,
+    map.drawing.line(map.x(-level.half, level.below), y, block_right + 14.0, y,
                      stroke(dimension_colour, 1.0, "3 3"));
     map.drawing.text(
-        right + 20.0, label_y,
+        block_right + 20.0, label_y,
         html::quantity(2.0 * level.half, "m", 3) + " at " + html::quantity(level.below, "m", 3),
         Anchor::left);
     lowest = label_y;
@@ -166,19 +168,19 @@ bool is_left_of_kerf(const SectionDrawing& map, double y, double end) {
 void add_depth(SectionDrawing& map) {
   constexpr double width_of_letter = 7.5;  // px, on average
   const Section& section = map.section;
-  const double x = left + 26.0, high = map.y(0.0), low = map.y(section.depth);
+  const double x = block_left + 26.0, high = map.y(0.0), low = map.y(section.depth);
   map.drawing.line(x, high, x, low, stroke(dimension_colour, 1.0));
   const std::string words = "depth " + html::quantity(section.depth, "m", 3);
   const double end = x + 8.0 + width_of_letter * static_cast<double>(words.size());
   for (const double y : {0.5 * (high + low) + 5.0, low + text_height})
     if (is_left_of_kerf(map, y, end)) return map.drawing.text(x + 8.0, y, words, Anchor::left);
-  map.drawing.text(left, map.y(section.thickness) + 22.0, words, Anchor::left);
+  map.drawing.text(block_left, map.y(section.thickness) + 22.0, words, Anchor::left);
 }
 
 void add_depths(SectionDrawing& map) {
   const Section& section = map.section;
   if (section.depth > 0.0) add_depth(map);
-  map.drawing.text(0.5 * (left + right), map.y(section.thickness) + 22.0,
+  map.drawing.text(0.5 * (block_left + block_right), map.y(section.thickness) + 22.0,
                    "thickness " + html::quantity(section.thickness, "m", 3), Anchor::middle);
 }
 

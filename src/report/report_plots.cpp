@@ -81,7 +81,7 @@ class Figures {
   std::vector<ReportFigure> figures_;
 };
 
-std::string legend_of(const ReportFigure& figure, double cut_time) {
+std::string plot_legend(const ReportFigure& figure, double cut_time) {
   std::string legend;
   for (const Curve& curve : figure.curves)
     legend +=
@@ -91,7 +91,7 @@ std::string legend_of(const ReportFigure& figure, double cut_time) {
   return legend;
 }
 
-void add_cut(Figures& figures) {
+void add_cut_curves(Figures& figures) {
   figures.add("Depth of the water front", {"front depth", "m"}, {{"front_depth", "front depth"}});
   figures.add("Fractured solid", {"fractured mass", "%"},
               {{"fractured_fraction", "share of the solid's mass", 100.0}});
@@ -171,7 +171,7 @@ std::pair<double, double> extremes(const std::vector<double>& y, std::size_t beg
 
 std::vector<ReportFigure> report_figures(const SeriesTable& series, const Case& description) {
   Figures figures(series, description);
-  if (!description.jets.empty()) add_cut(figures);
+  if (!description.jets.empty()) add_cut_curves(figures);
   add_energy(figures);
   add_momentum(figures);
   add_force(figures, description.dimension, "Force of the water on the workpiece", "force_water");
@@ -187,7 +187,7 @@ std::string report_plots(const std::vector<ReportFigure>& figures, const std::ve
   for (const ReportFigure& figure : figures)
     text += fmt::format(
         "<figure><figcaption>{}<div class=\"legend\">{}</div></figcaption>{}</figure>\n",
-        figure.title, legend_of(figure, cut_time),
+        figure.title, plot_legend(figure, cut_time),
         draw_plot({{"time", "s"}, figure.axis, time, figure.curves, {}, cut_time}));
   return "<div class=\"plots\">\n" + text + "</div>\n";
 }

@@ -85,7 +85,7 @@ TravellingCut mean_cut(const Case& description, const Case& measured, double fro
 // of the lag still scatter by 2%, so that their difference is compared with its standard error:
 // over 46 pairs of runs it was 0.6% (docs/theory/travelling_frame.md).
 TEST(TravellingCut, IsThatOfALongBlock) {
-  constexpr int runs = 12;
+  constexpr int runs = 8;
   TravellingText text;
   text.low = -150e-3;
   text.high = -70e-3;

@@ -219,7 +219,8 @@ async function prints(page) {
 export async function usePage(path, { result, screenshot } = {}) {
   const browser = await openBrowser();
   try {
-    const { page, faults } = await openPage(browser, resolve(path));
+    // Small, because a processor draws each picture, twice.
+    const { page, faults } = await openPage(browser, resolve(path), { viewport: { width: 1024, height: 720 } });
     for (const part of [draws, plays, colours, namesGroups, narrowsColours, tellsValues, hides, moves, cuts, saves, zoomsCurves, prints, isAccessible]) {
       await part(page);
       assert.deepEqual(faults, [], `after "${part.name}"`);
