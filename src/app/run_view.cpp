@@ -90,6 +90,10 @@ std::string RunView::run_json() {
 }
 std::string RunView::frame(std::size_t number) {
   const std::lock_guard hold(state_->mutex);
+  if (number >= state_->packer.frames())
+    throw RefusedRequest(
+        http_status::not_found,
+        fmt::format("there is no frame {}: the run has {}\n", number, state_->packer.frames()));
   return state_->packer.pack(number);
 }
 

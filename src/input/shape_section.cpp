@@ -15,6 +15,10 @@
 
 namespace kerf {
 
+namespace {
+constexpr double farthest = 1e6;  // m, of a vertex
+}
+
 std::vector<Key> shape_keys() {
   using namespace key_range;
   using enum ValueKind;
@@ -28,7 +32,7 @@ std::vector<Key> shape_keys() {
       {"inner_radius", quantity, "m", "", up_to(1e6), {}, "ring", "Inner radius", stored_in<&Shape::inner_radius>},
       {"axis", vector, "", "(0, 0, 1)", any, {}, "disc+3D ring+3D", "Direction of the axis, of any length", stored_in<&Shape::axis>},
       {"length", quantity, "m", "", up_to(1e6), {}, "disc+3D ring+3D", "Length along the axis", stored_in<&Shape::length>},
-      {"vertices", vertices, "m", "", within(1e6), {}, "polygon", "Corners (x, y) in order, in either direction; the last is joined to the first", stored_in<&Shape::vertices>},
+      {"vertices", vertices, "m", "", within(farthest), {}, "polygon", "Corners (x, y) in order, in either direction; the last is joined to the first", stored_in<&Shape::vertices>},
       {"depth_minimum", quantity, "m", "", within(1e6), {}, "polygon+3D", "Lowest z of the extrusion", stored_in<&Shape::depth_minimum>},
       {"depth_maximum", quantity, "m", "", within(1e6), {}, "polygon+3D", "Highest z of the extrusion", stored_in<&Shape::depth_maximum>},
       {"parts", tables, "", "", any, {}, "union difference", "Shapes; a union has the points of any of them, a difference those of the first and of no other"},
@@ -74,12 +78,19 @@ void check_outline(Section& section, const Shape& shape) {
                  "corners whose edges do not cross or touch");
 }
 
+// Farther corners are refused by the range of the key, and would overflow the tests of the outline.
+bool is_within_range(const Shape& shape) {
+  return std::all_of(shape.vertices.begin(), shape.vertices.end(), [](const auto& vertex) {
+    return std::abs(vertex[0]) <= farthest && std::abs(vertex[1]) <= farthest;
+  });
+}
+
 void check_polygon(Section& section, const Shape& shape) {
   if (section.has("vertices")) {
     if (shape.vertices.size() < 3 || shape.vertices.size() > most_vertices)
       section.refuse("vertices", fmt::format("there are {} corners", shape.vertices.size()),
                      "Give the corners in order", fmt::format("3 to {} corners", most_vertices));
-    else
+    else if (is_within_range(shape))
       check_outline(section, shape);
   }
   if (section.reading().dimension == 2) return;

@@ -57,19 +57,26 @@ std::string word_of_state(RunState state) {
   return std::string(run_state_words[static_cast<std::size_t>(state)]);
 }
 
-RunState state_of(const std::string& word) {
+RunState state_of(const std::string& word, const std::string& file) {
   for (std::size_t i = 0; i < run_state_words.size(); ++i)
     if (run_state_words[i] == word) return static_cast<RunState>(i);
-  throw UserError(fmt::format("study.db holds a run of the unknown state \"{}\". It was written by "
+  throw UserError(fmt::format("{} holds a run of the unknown state \"{}\". It was written by "
                               "another version of Kerf: choose another folder with --out.",
-                              word),
+                              file, word),
                   exit_files);
 }
 
-RunRow row_of(SQLite::Statement& query) {
+// Returns the text with a mark in place of bytes that are not UTF-8, which neither JSON nor pages
+// hold: the output of a program may have been cut within a character.
+std::string valid_text(const std::string& text) {
+  const std::string written = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return Json::parse(written).get<std::string>();
+}
+
+RunRow row_of(SQLite::Statement& query, const std::string& file) {
   RunRow row;
   int column = 0;
-  const auto text = [&] { return query.getColumn(column++).getString(); };
+  const auto text = [&] { return valid_text(query.getColumn(column++).getString()); };
   const auto number = [&] { return query.getColumn(column++).getDouble(); };
   row.id = text();
   row.trial.setting = setting_of(Json::parse(text()));
@@ -78,7 +85,7 @@ RunRow row_of(SQLite::Statement& query) {
   row.spacing = number();
   row.memory = number();
   row.case_text = text();
-  row.state = state_of(text());
+  row.state = state_of(text(), file);
   row.attempts = static_cast<int>(number());
   const Json metrics = Json::parse(text());
   for (const auto& [name, value] : metrics.items()) row.metrics[name] = value.get<double>();
@@ -189,7 +196,7 @@ std::optional<RunRow> StudyDatabase::find(const std::string& id) const {
     SQLite::Statement query(*database_, fmt::format("SELECT {} FROM runs WHERE id = ?", columns));
     query.bind(1, id);
     if (!query.executeStep()) return std::nullopt;
-    return row_of(query);
+    return row_of(query, database_->getFilename());
   });
 }
 
@@ -198,7 +205,7 @@ std::vector<RunRow> StudyDatabase::runs() const {
     SQLite::Statement query(*database_,
                             fmt::format("SELECT {} FROM runs ORDER BY number", columns));
     std::vector<RunRow> rows;
-    while (query.executeStep()) rows.push_back(row_of(query));
+    while (query.executeStep()) rows.push_back(row_of(query, database_->getFilename()));
     return rows;
   });
 }

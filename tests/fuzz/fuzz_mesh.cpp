@@ -20,7 +20,7 @@ end = "1 ms"
 name = "part"
 material = "tofu"
 spacing = "2 mm"
-shape = {{ type = "mesh", file = "{}", scale = 0.001 }}
+shape = {{ type = "mesh", file = "{}", scale = "1 mm" }}
 )";
 
 void ask(const ClosedSurface& surface) {

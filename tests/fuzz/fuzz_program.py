@@ -30,7 +30,7 @@ spacing = "2 mm"
 [[jet]]
 name = "jet"
 speed = "5 m/s"
-width = "4 mm"
+{size} = "4 mm"
 position = {place}
 standoff = "2 mm"
 spacing = "2 mm"
@@ -39,19 +39,16 @@ frame_interval = "0.2 ms"
 picture_times = ["0.4 ms"]
 series_interval = "0.02 ms"
 """
-FLAT = CASE.format(dimension=2, place='["0 mm", "6 mm"]',
+FLAT = CASE.format(dimension=2, size="width", place='["0 mm", "6 mm"]',
                    body='shape = { type = "box", minimum = ["-8 mm", "0 mm"], maximum = ["8 mm", "6 mm"] }')
-SOLID = CASE.format(dimension=3, place='["3 mm", "6 mm", "3 mm"]',
-                    body='shape = { type = "mesh", file = "part.obj", scale = 0.001 }')
+SOLID = CASE.format(dimension=3, size="diameter", place='["3 mm", "6 mm", "3 mm"]',
+                    body='shape = { type = "mesh", file = "part.obj", scale = "1 mm" }')
 STUDY = """base = "small.toml"
 metrics = ["kerf.depth"]
 [vary]
 "jet.jet.speed" = { from = "2 m/s", to = "10 m/s", count = 2 }
-[search]
-find = "least"
-key = "jet.jet.speed"
-from = "1 m/s"
-to = "8 m/s"
+[design]
+type = "grid"
 """
 CUBE = """v 0 0 0
 v 6 0 0
@@ -117,10 +114,13 @@ class Trials:
         (self.base / "solid.toml").write_text(SOLID)
         (self.base / "part.obj").write_text(CUBE)
         (self.base / "study.toml").write_text(STUDY)
-        for name in ("run", "other"):
-            self.call(self.base, "run", "small.toml", "--out", name, "--threads", "1", "--quiet")
+        for words in (["check", "solid.toml"], ["run", "small.toml", "--out", "run", "--threads", "1", "--quiet"],
+                      ["run", "small.toml", "--out", "other", "--threads", "1", "--quiet"],
+                      ["study", "study.toml", "--out", "study", "--jobs", "1", "--quiet"]):
+            code, text = self.call(self.base, *words)
+            if code:
+                sys.exit(f"without a change, kerf {' '.join(words)} ends with {code}: {text}")
         (self.base / "run/report.html").unlink()
-        self.call(self.base, "study", "study.toml", "--out", "study", "--jobs", "1", "--quiet")
 
     def call(self, folder, *words):
         done = subprocess.run([self.program, *words], cwd=folder, capture_output=True, timeout=20, check=False)

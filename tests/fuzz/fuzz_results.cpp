@@ -2,6 +2,8 @@
 // libFuzzer: whatever the bytes in the folder of a run, its report, its comparison with another run
 // and the pages of kerf view are made or refused. The first byte of an input chooses the file, the
 // others are its content.
+#include <nlohmann/json.hpp>
+
 #include "app/run_folder.hpp"
 #include "app/run_view.hpp"
 #include "fuzz/fuzzed.hpp"
@@ -41,8 +43,8 @@ void make_pages() {
   const std::filesystem::path other = ended_run().folder / "other";
   write_comparison({other, description}, {run, description});
   RunView view(run);
-  view.run_json();
-  view.frame(1);
+  const auto frames = nlohmann::json::parse(view.run_json()).at("frames").size();
+  for (std::size_t n = 0; n < frames; ++n) view.frame(n);
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ constexpr const char* study_file = R"(base = "small.toml"
 metrics = ["kerf.depth"]
 [vary]
 "jet.jet.speed" = { from = "2 m/s", to = "10 m/s", count = 2 }
+[design]
+type = "grid"
 [search]
 find = "least"
 key = "jet.jet.speed"

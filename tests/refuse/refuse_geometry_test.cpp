@@ -32,6 +32,10 @@ TEST(Refuse, Shapes) {
            shape("flat",
                  polygon("[\"0 mm\", \"0 mm\"], [\"9 mm\", \"0 mm\"], [\"5 mm\", \"0 mm\"]"),
                  "body[1].shape.vertices", {"the outline is not a simple polygon"}),
+           shape("a corner beyond all numbers of the test of outlines",
+                 polygon("[\"5 mm\", \"0 mm\"], [\"20 mm\", \"15 mm\"], [\"20 mm\", \"70 mm\"], "
+                         "[\"26 mm\", \"70 mm\"], [\"26 Ym\", \"-4 mm\"], [\"9 mm\", \"-4 mm\"]"),
+                 "body[1].shape.vertices", {"corner 5: the value is out of range"}),
            shape("inside out",
                  "{ type = \"box\", minimum = [\"20 mm\", \"0 mm\"], maximum = [\"-20 mm\", \"9 "
                  "mm\"] }",

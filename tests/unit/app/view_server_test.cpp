@@ -102,6 +102,12 @@ TEST_F(View, NeedsTheTokenOfItsAddress) {
   EXPECT_NE(ViewServer(out_).path(), server_->path());
 }
 
+TEST_F(View, AFrameThatIsNotThereIsNotFound) {
+  const auto answer = get("frame/99");
+  EXPECT_EQ(answer->status, 404);
+  EXPECT_THAT(answer->body, testing::StartsWith("there is no frame 99: the run has "));
+}
+
 // A request without end is refused long before it fills the memory.
 TEST_F(View, RefusesRequestsWithoutEnd) {
   const std::string start = "GET " + server_->path() + "run.json HTTP/1.1\r\nHost: 127.0.0.1\r\n";

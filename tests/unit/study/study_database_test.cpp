@@ -44,6 +44,22 @@ std::string said_of_damaged(const std::string& from, const std::string& to) {
   return "";
 }
 
+TEST(StudyDatabase, ARunOfAnUnknownStateIsRefusedByTheNameOfTheFile) {
+  EXPECT_THAT(
+      said_of_damaged("done", "dove"),
+      AllOf(HasSubstr("/study.db holds a run of the unknown state \"dove\""), HasSubstr("--out")));
+}
+
+TEST(StudyDatabase, ATextThatIsCutWithinACharacterIsReadable) {
+  const test::TemporaryFolder folder;
+  StudyDatabase database(folder / "study.db");
+  ResolvedCase resolved;
+  resolved.id = "run-1";
+  database.add(resolved, Trial());
+  database.mark_failed("run-1", "\xb5m is too fine");
+  EXPECT_EQ(database.find("run-1")->error, "\xef\xbf\xbdm is too fine");
+}
+
 TEST(StudyDatabase, DamagedRunsAreRefused) {
   const auto is_refused = AllOf(HasSubstr("study.db is damaged"), HasSubstr("--out"));
   EXPECT_THAT(said_of_damaged("{\"kerf.depth\":0.25}", "{\"kerf.depth\":0.25]"), is_refused);
