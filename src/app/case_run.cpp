@@ -47,10 +47,8 @@ CaseRun::~CaseRun() {
 std::optional<CaseRun::UsedCase> CaseRun::used_case() const {
   const fs::path file = order_.folder / "case.used.toml";
   struct stat entry {};
-  std::error_code is_missing;
-  const auto written = fs::last_write_time(file, is_missing);
-  if (is_missing || ::stat(file.c_str(), &entry) != 0) return std::nullopt;
-  return UsedCase{entry.st_ino, written};
+  if (::stat(file.c_str(), &entry) != 0) return std::nullopt;
+  return UsedCase{entry.st_ino, entry.st_mtim.tv_sec, entry.st_mtim.tv_nsec};
 }
 
 // The times of files are not compared with the clock, which may be set back meanwhile.

@@ -47,7 +47,7 @@ class CaseRun {
   // The file that a run writes first: its number and the time in its entry of the folder.
   struct UsedCase {
     std::uint64_t number = 0;
-    std::filesystem::file_time_type written{};
+    std::int64_t seconds = 0, nanoseconds = 0;
     bool operator==(const UsedCase&) const = default;
   };
   std::optional<UsedCase> used_case() const;

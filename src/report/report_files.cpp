@@ -41,11 +41,7 @@ Json read_result(const fs::path& path) {
                                 "run CASE --out {} --resume'.",
                                 path.string(), path.parent_path().string()),
                     exit_files);
-  try {
-    return Json::parse(read_file(path));
-  } catch (const Json::exception& error) {
-    refuse_result(path, error.what());
-  }
+  return using_result(path, [&] { return Json::parse(read_file(path)); });
 }
 
 // The sign has the same meaning as the colour.

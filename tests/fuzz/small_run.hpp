@@ -8,26 +8,11 @@
 #include "app/run_loop.hpp"
 #include "engine/device.hpp"
 #include "input/read.hpp"
+#include "support/small_block.hpp"
 
 namespace kerf::test {
 
-inline const std::string small_case = R"(title = "A small block"
-dimension = 2
-[time]
-end = "0.4 ms"
-[[body]]
-name = "block"
-material = "tofu"
-shape = { type = "box", minimum = ["-8 mm", "0 mm"], maximum = ["8 mm", "6 mm"] }
-spacing = "2 mm"
-[[jet]]
-name = "jet"
-speed = "5 m/s"
-width = "4 mm"
-position = ["0 mm", "6 mm"]
-standoff = "2 mm"
-spacing = "2 mm"
-[output]
+inline const std::string small_case = std::string(small_block) + R"([output]
 frame_interval = "0.2 ms"
 picture_times = ["0.4 ms"]
 series_interval = "0.02 ms"

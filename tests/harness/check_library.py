@@ -4,15 +4,10 @@
 example with one of the command bit for bit. Usage: check_library.py ROOT BUILD KERF
 """
 import pathlib
-import subprocess
 import sys
 import tempfile
 
-
-def call(*command: object) -> None:
-    result = subprocess.run([str(word) for word in command], capture_output=True, text=True)
-    if result.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}\n{result.stdout}{result.stderr}")
+from calls import output_of
 
 
 def main() -> int:
@@ -21,12 +16,12 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for component in ("library", "development"):
-            call("cmake", "--install", build, "--prefix", folder / "usr", "--component", component)
-        call("cmake", "-S", root / "examples/library", "-B", folder / "example", "-G", "Ninja",
-             f"-DCMAKE_PREFIX_PATH={folder / 'usr'}", "-DCMAKE_BUILD_TYPE=Debug")
-        call("cmake", "--build", folder / "example")
-        call(folder / "example/faster_jet", case, "1", folder / "by_example")
-        call(kerf, "run", case, "--out", folder / "by_command", "--quiet")
+            output_of("cmake", "--install", build, "--prefix", folder / "usr", "--component", component)
+        output_of("cmake", "-S", root / "examples/library", "-B", folder / "example", "-G", "Ninja",
+                  f"-DCMAKE_PREFIX_PATH={folder / 'usr'}", "-DCMAKE_BUILD_TYPE=Debug")
+        output_of("cmake", "--build", folder / "example")
+        output_of(folder / "example/faster_jet", case, "1", folder / "by_example")
+        output_of(kerf, "run", case, "--out", folder / "by_command", "--quiet")
         wrong = [file for file in ("series.csv", "case.used.toml")
                  if (folder / "by_example" / file).read_bytes() != (folder / "by_command" / file).read_bytes()]
     for file in wrong:

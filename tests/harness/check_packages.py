@@ -4,11 +4,14 @@
 lintian, and every link of the installed pages must lead to an installed file. Usage: check_packages.py BUILD
 """
 import pathlib
-import re
 import shutil
-import subprocess
 import sys
 import tempfile
+
+from calls import output_of
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from check_docs import names_in
 
 PACKAGES = {"kerf", "libkerf0", "libkerf-dev", "python3-kerf"}
 # Files of the source tree that Debian has elsewhere or not at all.
@@ -16,21 +19,13 @@ NOT_INSTALLED = {"CHANGELOG.md", "LICENSE", "web/README.md", "examples/library/f
 SKIPPED = 77
 
 
-def output_of(*command: object) -> str:
-    result = subprocess.run([str(word) for word in command], capture_output=True, text=True)
-    if result.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}\n{result.stdout}{result.stderr}")
-    return result.stdout
-
-
 def broken_links(folder: pathlib.Path) -> list[str]:
     """Returns the links of the pages to files that are not there, and that the package should have."""
     found = []
     for page in sorted(folder.rglob("*.md")):
-        text = re.sub(r"^```.*?^```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
-        for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text):
-            is_local = not re.match(r"[a-z]+:", target) and target.removeprefix("../") not in NOT_INSTALLED
-            if is_local and not (page.parent / target).exists():
+        for target, is_link in names_in(page.read_text()):
+            is_due = is_link and target.removeprefix("../") not in NOT_INSTALLED
+            if is_due and not (page.parent / target).exists():
                 found.append(f"{page.relative_to(folder)} of the package links to {target}, which it does not have")
     return found
 

@@ -11,30 +11,13 @@
 #include "core/error.hpp"
 #include "input/read.hpp"
 #include "model/case.hpp"
+#include "support/small_block.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace kerf::test {
 namespace {
 
 using testing::HasSubstr;
-
-const char* const text = R"(title = "a block under a jet"
-dimension = 2
-[time]
-end = "1 ms"
-[[body]]
-name = "block"
-material = "tofu"
-shape = { type = "box", minimum = ["-8 mm", "0 mm"], maximum = ["8 mm", "6 mm"] }
-spacing = "2 mm"
-[[jet]]
-name = "jet"
-speed = "5 m/s"
-width = "4 mm"
-position = ["0 mm", "6 mm"]
-standoff = "2 mm"
-spacing = "2 mm"
-)";
 
 // The state of that many particles, of which the last one is water.
 Archive state_of(std::size_t particles) {
@@ -65,7 +48,7 @@ std::string refusal(const std::function<void(Archive&)>& change) {
   Archive state = state_of(7);
   change(state);
   return message_of<UserError>(
-      [&] { check_saved_state(state, state_of(5), parse_case(text, "a.toml")); });
+      [&] { check_saved_state(state, state_of(5), parse_case(small_block, "a.toml")); });
 }
 
 TEST(SavedState, MayHoldMoreParticlesThanAtTheStart) {
