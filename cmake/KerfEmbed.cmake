@@ -20,7 +20,12 @@ function(kerf_embed target function)
     VERBATIM)
   # The C++ standard requires compilers to support only 65536 characters.
   set_source_files_properties(${output} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)
-  target_sources(${target} PRIVATE ${output})
+  # A library of its own: within `target` the command would wait for all libraries that the target links to.
+  add_library(kerf_${function} OBJECT ${output})
+  kerf_layer_folder(core folder)
+  target_include_directories(kerf_${function} PRIVATE ${folder})
+  target_link_libraries(kerf_${function} PRIVATE kerf_flags)
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:kerf_${function}>)
 endfunction()
 
 file(GLOB kerf_material_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/materials/*.toml)

@@ -63,7 +63,7 @@ function(kerf_layer name)
   target_include_directories(kerf_${name} PRIVATE ${folder})
   target_link_libraries(kerf_${name} PUBLIC kerf_flags)
   if(name IN_LIST KERF_JOINED_LAYERS)
-    set_target_properties(kerf_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    set_target_properties(kerf_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
   endif()
 endfunction()
 

@@ -10,12 +10,12 @@ namespace {
 
 // A larger grid would take more memory than the run itself; the step becomes coarser instead.
 constexpr double most_samples = 3e7;
-constexpr double reach = 2.0;  // spacings, of the spline
+constexpr double spline_reach = 2.0;  // spacings, of the spline
 
 double cubic_spline(double x) {
   const double q = std::abs(x);
   if (q < 1.0) return 2.0 / 3.0 - q * q + q * q * q / 2.0;
-  return q < reach ? std::pow(reach - q, 3) / 6.0 : 0.0;
+  return q < spline_reach ? std::pow(spline_reach - q, 3) / 6.0 : 0.0;
 }
 
 // The weights that a particle adds to the samples of one axis, from sample `first` on.
@@ -33,7 +33,7 @@ void find_weights(const SampleGrid& grid, std::size_t axis, const SolidPoint& po
     return;
   }
   const double centre = (point.position[axis] - grid.low[axis]) / grid.step;
-  const double width = reach * point.size / grid.step;
+  const double width = spline_reach * point.size / grid.step;
   const double last = std::min(static_cast<double>(grid.count[axis]) - 1.0, centre + width);
   const double first = std::max(0.0, std::ceil(centre - width));
   weights.first = static_cast<std::size_t>(first);
@@ -50,7 +50,7 @@ SampleGrid make_grid(const std::vector<SolidPoint>& points, const std::array<dou
   most.fill(-std::numeric_limits<double>::infinity());
   for (const SolidPoint& point : points)
     for (std::size_t a = 0; a < 3; ++a) {
-      const double margin = reach * point.size;
+      const double margin = spline_reach * point.size;
       least[a] = std::min(least[a], std::max(low[a], point.position[a] - margin));
       most[a] = std::max(most[a], std::min(high[a], point.position[a] + margin));
     }

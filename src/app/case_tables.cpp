@@ -30,7 +30,8 @@ class FormTables {
            const toml::table* table);
   void add_section(std::string_view name);
   void add_several(std::string_view name);
-  void add_inner(const std::string& path, const std::string& heading, const toml::table& table);
+  void add_inner(std::string_view section, const std::string& path, const std::string& heading,
+                 const toml::table& table);
 
   TextPlaces places_;
   toml::table root_;
@@ -68,12 +69,18 @@ void FormTables::add(std::string_view section, const std::string& path, const st
                      {"keys", keys(section, path, table ? *table : none)}});
 }
 
-// Adds the tables inside an entry of a list that have sections of their own.
-void FormTables::add_inner(const std::string& path, const std::string& heading,
-                           const toml::table& table) {
-  for (const char* name : {"shape", "grading"})
-    if (const toml::table* inner = table[name].as_table())
+// Adds the tables inside an entry of a list that have sections of their own: those that are
+// written, and the grading that a body may have.
+void FormTables::add_inner(std::string_view section, const std::string& path,
+                           const std::string& heading, const toml::table& table) {
+  const auto conditions = conditions_.of(section, table);
+  for (const std::string name : {"shape", "grading"}) {
+    const toml::table* inner = table[name].as_table();
+    const Key* key = find_key(section, name, conditions);
+    const bool is_offered = name == "grading" && key && key->applies_under(conditions);
+    if (inner || is_offered)
       add(name, fmt::format("{}.{}", path, name), fmt::format("{} {}", heading, name), inner);
+  }
 }
 
 // Adds the tables of a section that a case may hold several of, and the place for another one.
@@ -87,7 +94,7 @@ void FormTables::add_several(std::string_view name) {
     const std::string own = word_in(*table, name == "load" ? "body" : "name");
     const std::string heading = fmt::format("[[{}]] {}", name, own);
     add(name, path, heading, table);
-    add_inner(path, heading, *table);
+    add_inner(name, path, heading, *table);
   }
   if (const toml::table* named = node ? node->as_table() : nullptr)
     for (const auto& [own, value] : *named)

@@ -5,12 +5,12 @@ namespace kerf {
 namespace {
 
 using B = Balance;
-using List = MetricList<Balance>;
+using BalanceList = MetricList<Balance>;
 
 const MetricUnit mass = extensive("kg"), momentum = extensive("N s"), force = extensive("N"),
                  energy = extensive("J");
 
-List mass_terms() {
+BalanceList mass_terms() {
   return {
       {"mass_initial", mass, "mass at the start", "Mass of all particles at the start.",
        &B::mass_initial},
@@ -35,7 +35,7 @@ List mass_terms() {
   };
 }
 
-List momentum_terms() {
+BalanceList momentum_terms() {
   return {
       {"momentum_initial", momentum, "momentum at the start",
        "Momentum of all particles at the start.", &B::momentum_initial},
@@ -70,7 +70,7 @@ List momentum_terms() {
   };
 }
 
-List flow_of_energy() {
+BalanceList flow_of_energy() {
   return {
       {"energy_initial", energy, "energy at the start", "Kinetic and stored energy at the start.",
        &B::energy_initial},
@@ -91,7 +91,7 @@ List flow_of_energy() {
   };
 }
 
-List kinds_of_energy() {
+BalanceList kinds_of_energy() {
   return {
       {"kinetic", energy, "kinetic energy", "Kinetic energy of the particles.", &B::kinetic},
       {"pressure_work", energy, "work against pressure",
@@ -136,18 +136,18 @@ List kinds_of_energy() {
 
 }  // namespace
 
-const List& balance_terms() {
-  static const List terms = [] {
-    List all = mass_terms();
-    for (const List& part : {momentum_terms(), flow_of_energy(), kinds_of_energy()})
+const BalanceList& balance_terms() {
+  static const BalanceList terms = [] {
+    BalanceList all = mass_terms();
+    for (const BalanceList& part : {momentum_terms(), flow_of_energy(), kinds_of_energy()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();
   return terms;
 }
 
-const List& balance_errors() {
-  static const List errors{
+const BalanceList& balance_errors() {
+  static const BalanceList errors{
       {"mass_error", share(), "mass unaccounted for",
        "Mass that the balance misses over all mass that was ever there.", &B::mass_error},
       {"momentum_error", share(), "momentum unaccounted for",

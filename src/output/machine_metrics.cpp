@@ -15,7 +15,7 @@
 namespace kerf {
 namespace {
 
-using List = MetricList<MachineRecord>;
+using MachineList = MetricList<MachineRecord>;
 
 // The settings that are numbers; their units and meanings are those of the keys of a case file.
 constexpr std::pair<const char*, const char*> labels[] = {
@@ -57,12 +57,12 @@ auto number(double MachineNumbers::*member) {
 
 }  // namespace
 
-const List& MachineRecord::setting() {
-  static const List list = [] {
-    List all{{"orifice_type", "1", "type of the orifice", "`sharp`, `conical`, `slit` or `fan`.",
-              [](const MachineRecord& record) {
-                return word_of(record.description.machine->orifice_type, orifice_words);
-              }}};
+const MachineList& MachineRecord::setting() {
+  static const MachineList list = [] {
+    MachineList all{{"orifice_type", "1", "type of the orifice",
+                     "`sharp`, `conical`, `slit` or `fan`.", [](const MachineRecord& record) {
+                       return word_of(record.description.machine->orifice_type, orifice_words);
+                     }}};
     for (const auto& [name, label] : labels) {
       const Key* key = find_key("machine", name, {});
       require(key != nullptr, "a number of the machine is a key of the case");
@@ -76,9 +76,9 @@ const List& MachineRecord::setting() {
   return list;
 }
 
-const List& MachineRecord::jet() {
+const MachineList& MachineRecord::jet() {
   using M = MachineNumbers;
-  static const List list{
+  static const MachineList list{
       {"jet_speed", "m/s", "speed of the jet", "Speed of the jet behind the orifice.",
        number(&M::speed)},
       {"contraction", "1", "contraction, jet over orifice",

@@ -38,10 +38,6 @@ std::string heading(const Json& result) {
       result.at("version").get<std::string>());
 }
 
-double value_of(const Json& result, const char* key) {
-  return kerf::value_of(result.at(key));
-}
-
 struct Figure {
   const char* key;  // path in result.json
   std::string note = {};
@@ -160,7 +156,7 @@ Parts parts_of(const fs::path& folder, const Case& description) {
   const SeriesTable series(folder / "series.csv", description);
   const bool has_jet = !description.jets.empty();
   const bool through = result.at("cut_through").get<bool>();
-  const double cut_time = through ? value_of(result, "cut_through_time") : -1.0;
+  const double cut_time = through ? value_of(result.at("cut_through_time")) : -1.0;
   auto figures = report_figures(series, description);
   std::vector<double> time = series.numbers("time");
   thin_figures(figures, time, most_points);

@@ -72,6 +72,7 @@ table { border-collapse: collapse; width: 100%; font-size: .92rem; margin: 0 0 2
 caption { text-align: left; font-weight: 650; padding-bottom: .4rem; }
 th, td { text-align: left; font-weight: 400; padding: .28rem .5rem .28rem 0; vertical-align: baseline;
          border-bottom: 1px solid var(--line); }
+#kerf-numbers thead th + th { text-align: right; }
 td { text-align: right; white-space: nowrap; } td.remark { text-align: left; white-space: normal;
      color: var(--soft); padding-left: .75rem; }
 summary { cursor: pointer; }

@@ -53,6 +53,7 @@ std::string text_id(const std::string& text) {
 
 CaseMaker::CaseMaker(const StudyPlan& plan)
     : title_(plan.title),
+      study_file_(plan.file),
       file_name_(
           (std::filesystem::path(plan.base_name).parent_path() / (plan.name + ".toml")).string()),
       base_(plan.base),
@@ -93,7 +94,7 @@ ResolvedCase CaseMaker::make(const Trial& trial) const {
       result.meshes[kept_mesh_name(*mesh)] = mesh->content;
     return result;
   } catch (const UserError& error) {
-    throw UserError(fmt::format("{}: with {} the case is not valid:{}", file_name_,
+    throw UserError(fmt::format("{}: with {} the case is not valid:{}", study_file_,
                                 show(trial.setting, axes_),
                                 without_place(error.what(), file_name_)));
   }

@@ -34,7 +34,8 @@ class CaseMaker {
   std::string title_of(const Setting& setting) const;
 
   std::string title_;
-  std::string file_name_;
+  std::string study_file_;
+  std::string file_name_;  // of the cases: the meshes of the base are found from its folder
   toml::table base_;
   std::vector<Axis> axes_;  // every key that a trial may set
 };

@@ -127,6 +127,7 @@ StudyPlan plan_of_case(const fs::path& case_file, const std::string& text,
                        const Case& description) {
   StudyPlan plan;
   plan.name = case_file.stem().string();
+  plan.file = case_file.string();
   plan.title = description.title;
   plan.text = text;
   plan.base_name = case_file.string();
@@ -143,6 +144,7 @@ StudyPlan parse_study(const std::string& text, const fs::path& file,
   StudySection top(problems, table, "");
   StudyPlan plan;
   plan.name = file.stem().string();
+  plan.file = file.string();
   plan.text = text;
   plan.title = top.text("title", plan.name);
   const std::string base = base_text(top, file, templates, plan.base_name);

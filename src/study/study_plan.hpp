@@ -21,6 +21,7 @@ struct Case;
 
 struct StudyPlan {
   std::string name;  // the stem of the file
+  std::string file;  // its path, for messages
   std::string title;
   std::string text;         // of the file
   std::string base_name;    // the case that is varied, for messages

@@ -76,7 +76,7 @@ def changed(random_numbers, content):
     for _ in range(random_numbers.choice((1, 1, 1, 2, 4))):
         size = len(content)
         place = random_numbers.randrange(size + 1)
-        kind = random_numbers.randrange(7)
+        kind = random_numbers.randrange(9)
         if kind == 0 and size:
             content[min(place, size - 1)] ^= 1 << random_numbers.randrange(8)
         elif kind == 1 and size:
@@ -89,6 +89,10 @@ def changed(random_numbers, content):
             content[place:place] = content[place:place + random_numbers.randrange(256)]
         elif kind == 5:
             content[place:place + random_numbers.randrange(8)] = random_numbers.choice(WORDS)
+        elif kind >= 7:  # another digit, which often leaves a case that is accepted
+            digits = [digit.start() for digit in re.finditer(rb"[0-9]", bytes(content[:1 << 16]))]
+            if digits:
+                content[random_numbers.choice(digits)] = random_numbers.choice(b"0123456789")
         else:  # another value at the place of a number or text
             values = list(re.finditer(rb'-?[0-9][0-9.e+-]*|"[^"\n]*"', bytes(content[:1 << 16])))
             if values:

@@ -125,6 +125,20 @@ async function addsAndRemovesTables(page) {
   await page.waitForFunction((old) => document.querySelector("#kerf-text").value === old, before);
 }
 
+// A body may have a graded resolution: its keys are there before its table is.
+async function gradesABody(page) {
+  const before = await textOf(page);
+  await page.locator(".kerf-part > summary", { hasText: "[[body]] gel grading" }).click();
+  await field(page, "body[1].grading.levels").fill("1");
+  await field(page, "body[1].grading.width").fill("3 mm");
+  await holds(page, 'grading = { levels = 1, width = "3 mm" }');
+  await state(page, "^The case is valid");
+  await field(page, "body[1].grading.width").fill("");
+  await field(page, "body[1].grading.levels").fill("");
+  await page.waitForFunction((old) => document.querySelector("#kerf-text").value === old, before);
+  await state(page, "^The case is valid");
+}
+
 // What cannot stand beside the rest of the case is added all the same, and the check says so.
 async function saysWhatDoesNotGoTogether(page) {
   const before = await textOf(page);
@@ -189,6 +203,7 @@ try {
   await keepsFormAndTextAlike(page);
   await keepsTheFileOfOthers(page);
   await addsAndRemovesTables(page);
+  await gradesABody(page);
   await saysWhatDoesNotGoTogether(page);
   await makesAPilotRun(page);
   await runsAndShows(page);

@@ -22,7 +22,7 @@ Case block_case(const std::string& keys) {
       "block.toml");
 }
 
-Material read(const std::string& keys) {
+Material material_of(const std::string& keys) {
   const Case description = block_case(keys);
   EXPECT_EQ(parse_case(write_used(description), "used.toml"), description) << keys;
   return description.materials.at(static_cast<std::size_t>(description.bodies.at(0).material));
@@ -53,8 +53,8 @@ TEST(DefaultCriterion, AFractureEnergyAloneIsBrittle) {
       {"base = \"copper\"\n" + energy, principal_strain},
       {own + energy + "plasticity = \"von_mises\"\nyield_strength = \"1 kPa\"\n", principal_strain},
   };
-  for (const auto& row : table) EXPECT_EQ(read(row.keys).criterion, row.due) << row.keys;
-  EXPECT_EQ(read("base = \"tofu\"\n" + energy).failure_strain, 0.0);
+  for (const auto& row : table) EXPECT_EQ(material_of(row.keys).criterion, row.due) << row.keys;
+  EXPECT_EQ(material_of("base = \"tofu\"\n" + energy).failure_strain, 0.0);
 }
 
 TEST(DefaultCriterion, AppliesToFilesOfTheLibrary) {

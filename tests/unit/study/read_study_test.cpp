@@ -115,11 +115,14 @@ TEST(CaseMaker, EqualCasesHaveEqualNames) {
 }
 
 TEST(CaseMaker, ReportsAnInvalidCaseByTheKeysOfTheStudy) {
-  const CaseMaker maker(test::plan_of("[vary]\n\"jet.jet.standoff\" = [\"2 mm\"]\n"));
+  const EmbeddedText templates[] = {{"small", test::small_case}};
+  const CaseMaker maker(parse_study("base = \"small\"\n[vary]\n\"jet.jet.standoff\" = [\"2 mm\"]\n",
+                                    "runs/my-study.toml", templates));
   const std::string message = test::message_of<UserError>([&] {
     maker.make({{{{"jet.jet.standoff", -0.5}}, {}}, 0, 1.0});
   });
-  EXPECT_THAT(message, AllOf(HasSubstr("jet.jet.standoff = -500 mm"), HasSubstr("not valid")));
+  EXPECT_THAT(message, AllOf(StartsWith("runs/my-study.toml: with jet.jet.standoff = -500 mm"),
+                             HasSubstr("not valid")));
 }
 
 }  // namespace
