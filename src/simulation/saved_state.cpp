@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "model/case.hpp"
+#include "particles/new_particle.hpp"
 #include "simulation/media_order.hpp"
 
 namespace kerf {
@@ -63,16 +64,22 @@ void check_finite(const std::string& name, const ArchiveArray& array) {
   std::visit(check, array);
 }
 
-// The particles of a jet name the columns of its nozzle.
+// The particles of a jet name the columns of its nozzle; no others can be in one.
 void check_columns(const Archive& saved, const Archive& fresh, const Case& description) {
   const auto& source = values_of<std::uint16_t>(saved, "particles/source");
   const auto& column = values_of<std::uint32_t>(saved, "particles/inlet_column");
+  const auto& flags = values_of<std::uint8_t>(saved, "particles/flags");
   std::vector<std::size_t> columns(description.bodies.size(), 1);
   for (std::size_t jet = 0; jet < description.jets.size(); ++jet)
     columns.push_back(length_of(array_of(fresh, fmt::format("nozzle/{}", jet))));
-  for (std::size_t i = 0; i < source.size(); ++i)
+  const std::size_t first_jet = description.bodies.size();
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const bool is_jet = source[i] >= first_jet && source[i] < columns.size();
+    if ((flags[i] & flag::upstream) != 0 && !is_jet)
+      refuse_state("particles/flags", "has a number that is not possible");
     if (source[i] < columns.size() && column[i] >= std::max<std::size_t>(1, columns[source[i]]))
       refuse_state("particles/inlet_column", "has a number that is too great");
+  }
 }
 
 // Refuses a number of the array that is not a whole one below `count`.

@@ -34,6 +34,7 @@ Archive state_of(std::size_t particles) {
   arrays["particles/id"] = id;
   arrays["particles/source"] = source;
   arrays["particles/inlet_column"] = std::vector<std::uint32_t>(particles, 0);
+  arrays["particles/flags"] = std::vector<std::uint8_t>(particles, 0);
   arrays["clock"] = std::vector<double>{0.0, 1e-6};
   arrays["counters"] = std::vector<std::uint64_t>{1, particles, 0, 0};
   arrays["nozzle/0"] = std::vector<std::uint64_t>{1, 2};
@@ -77,6 +78,11 @@ TEST(SavedState, WhatTheEngineCannotTakeIsNamed) {
   EXPECT_THAT(refusal(set("counters", Counts{1, 6, 0, 0})), HasSubstr("'particles/id'"));
   EXPECT_THAT(refusal(set("particles/inlet_column", std::vector<std::uint32_t>(7, 2))),
               HasSubstr("'particles/inlet_column'"));
+  std::vector<std::uint8_t> upstream(7, 0);
+  upstream.back() = 2;  // water in its nozzle
+  EXPECT_EQ(refusal(set("particles/flags", upstream)), "");
+  upstream.front() = 2;  // the block
+  EXPECT_THAT(refusal(set("particles/flags", upstream)), HasSubstr("'particles/flags'"));
 }
 
 }  // namespace
