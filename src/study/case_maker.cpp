@@ -43,6 +43,12 @@ std::string without_place(const std::string& message, const std::string& file_na
 
 }  // namespace
 
+UserError refused_case(const std::string& study_file, const std::string& setting,
+                       const UserError& problems, const std::string& case_name) {
+  return UserError(fmt::format("{}: with {} the case is not valid:{}", study_file, setting,
+                               without_place(problems.what(), case_name)));
+}
+
 std::string text_id(const std::string& text) {
   constexpr std::size_t digits = 15;
   const boost::uuids::name_generator_sha1 generator(boost::uuids::ns::oid());
@@ -94,9 +100,7 @@ ResolvedCase CaseMaker::make(const Trial& trial) const {
       result.meshes[kept_mesh_name(*mesh)] = mesh->content;
     return result;
   } catch (const UserError& error) {
-    throw UserError(fmt::format("{}: with {} the case is not valid:{}", study_file_,
-                                show(trial.setting, axes_),
-                                without_place(error.what(), file_name_)));
+    throw refused_case(study_file_, show(trial.setting, axes_), error, file_name_);
   }
 }
 

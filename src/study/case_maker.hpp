@@ -9,6 +9,7 @@
 
 #include <toml++/toml.h>
 
+#include "core/error.hpp"
 #include "study/laboratory.hpp"
 #include "study/study_plan.hpp"
 
@@ -39,6 +40,11 @@ class CaseMaker {
   toml::table base_;
   std::vector<Axis> axes_;  // every key that a trial may set
 };
+
+// Returns the refusal of a case that a study made: "FILE: with SETTING the case is not valid:" and
+// the problems of the case, without the lines of a text that no user wrote.
+UserError refused_case(const std::string& study_file, const std::string& setting,
+                       const UserError& problems, const std::string& case_name);
 
 // Returns 15 hexadecimal digits of the SHA-1 of a text.
 std::string text_id(const std::string& text);

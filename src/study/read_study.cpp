@@ -9,6 +9,7 @@
 #include "input/section.hpp"
 #include "model/case.hpp"
 #include "output/files.hpp"
+#include "study/case_maker.hpp"
 #include "study/layout.hpp"
 #include "study/read_study.hpp"
 #include "study/study_plan.hpp"
@@ -121,6 +122,17 @@ void check_repeats(StudySection& top, const StudyPlan& plan, const Case& base) {
              "1", "Give a body jitter, [set] \"body.NAME.jitter\" = 0.2, or remove the key");
 }
 
+// Returns the base with the keys of [set].
+Case case_with_set(const StudyPlan& plan) {
+  std::ostringstream written;
+  written << plan.base;
+  try {
+    return parse_case(written.str(), plan.base_name);
+  } catch (const UserError& error) {
+    throw refused_case(plan.file, "[set]", error, plan.base_name);
+  }
+}
+
 }  // namespace
 
 StudyPlan plan_of_case(const fs::path& case_file, const std::string& text,
@@ -163,9 +175,7 @@ StudyPlan parse_study(const std::string& text, const fs::path& file,
   check_use_of_axes(top, plan);
   top.refuse_unknown();
   problems.throw_if_any();
-  std::ostringstream written;
-  written << plan.base;
-  check_repeats(top, plan, parse_case(written.str(), plan.base_name + " with [set]"));
+  check_repeats(top, plan, case_with_set(plan));
   problems.throw_if_any();
   return plan;
 }

@@ -114,6 +114,12 @@ TEST(CaseMaker, EqualCasesHaveEqualNames) {
   EXPECT_EQ(by_name.make({{}, 0, 2.0}).spacing, 0.001);
 }
 
+TEST(ReadStudy, ASetThatMakesTheCaseInvalidIsNamedWithItsFile) {
+  EXPECT_THAT(complaint("[set]\ntime.end = \"2p ms\"\n" + vary),
+              AllOf(StartsWith("my-study.toml: with [set] the case is not valid:\n"),
+                    HasSubstr("\n  time.end = \"2p ms\": the unit")));
+}
+
 TEST(CaseMaker, ReportsAnInvalidCaseByTheKeysOfTheStudy) {
   const EmbeddedText templates[] = {{"small", test::small_case}};
   const CaseMaker maker(parse_study("base = \"small\"\n[vary]\n\"jet.jet.standoff\" = [\"2 mm\"]\n",
