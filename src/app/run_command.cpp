@@ -11,6 +11,7 @@
 #include "app/cost_advice.hpp"
 #include "app/run_json.hpp"
 #include "app/run_loop.hpp"
+#include "app/slurm_run.hpp"
 #include "core/error.hpp"
 #include "input/read.hpp"
 #include "output/readable.hpp"
@@ -33,25 +34,33 @@ struct RunOptions {
   bool converge = false;
   int layouts = 3;
   bool ignore_memory = false;
+  std::string where = "local";
 };
 
-// Returns a path quoted for a shell.
-std::string shell_word(const std::string& path) {
-  if (path.find_first_of(" \t'\"\\$&;()*?<>|`!#~") == std::string::npos) return path;
-  std::string word = "'";
-  for (const char c : path) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
+// Returns a word quoted for a shell, where it must be.
+std::string shell_word(const std::string& word) {
+  const bool is_plain = word.find_first_of(" \t'\"\\$&;()*?<>|`!#~") == std::string::npos;
+  return is_plain ? word : quoted_for_shell(word);
+}
+
+// Returns the arguments of the program for a run, without --resume and --force.
+std::vector<std::string> arguments_of(const RunOptions& options, const fs::path& folder) {
+  std::vector<std::string> words{"run", options.case_file, "--out", folder.string()};
+  const MachineOptions& machine = options.machine;
+  if (machine.threads > 0)
+    words.insert(words.end(), {"--threads", std::to_string(machine.threads)});
+  if (machine.device != Device::cpu)
+    words.insert(words.end(), {"--device", std::string(word_of(machine.device))});
+  if (options.log_format == LogFormat::json) words.insert(words.end(), {"--log", "json"});
+  if (options.converge)
+    words.insert(words.end(), {"--converge", "--layouts", std::to_string(options.layouts)});
+  return words;
 }
 
 std::string resume_command(const RunOptions& options, const fs::path& folder) {
-  std::string command = fmt::format("kerf run {} --out {}", shell_word(options.case_file),
-                                    shell_word(folder.string()));
-  const MachineOptions& machine = options.machine;
-  if (machine.threads > 0) command += fmt::format(" --threads {}", machine.threads);
-  if (machine.device != Device::cpu)
-    command += fmt::format(" --device {}", word_of(machine.device));
-  if (options.log_format == LogFormat::json) command += " --log json";
-  if (options.converge) command += fmt::format(" --converge --layouts {}", options.layouts);
+  std::string command = "kerf";
+  for (const std::string& word : arguments_of(options, folder)) command += " " + shell_word(word);
+  if (options.where == "slurm") command += " --on slurm";
   return command + " --resume";
 }
 
@@ -104,7 +113,37 @@ void leave_if_stopped(int signal) {
   if (signal != 0) throw CLI::RuntimeError(128 + signal);
 }
 
+// Lets Slurm run the case, with one thread unless the options have another number. The node tests
+// the device and the memory.
+int run_by_slurm(RunOptions options) {
+  if (options.machine.threads == 0) options.machine.threads = 1;
+  Case description = parse_case(case_text(options.case_file), options.case_file);
+  SlurmRun run;
+  run.resources = {options.machine.threads, derive(description).memory,
+                   std::string(word_of(options.machine.device))};
+  const RunLoopSettings settings =
+      settings_of_case(std::move(description), options.case_file, options.folder);
+  const fs::path folder =
+      settings.folder.has_filename() ? settings.folder : settings.folder.parent_path();
+  run.name = "kerf-" + settings.case_name;
+  run.folder = folder.string();
+  run.arguments = arguments_of(options, folder);
+  const std::pair<bool, const char*> flags[] = {{options.resume, "--resume"},
+                                                {options.force, "--force"},
+                                                {options.quiet, "--quiet"},
+                                                {options.json_summary, "--json-summary"},
+                                                {options.ignore_memory, "--ignore-memory"}};
+  for (const auto& [is_given, word] : flags)
+    if (is_given) run.arguments.emplace_back(word);
+  run.resume_command = resume_command(options, folder);
+  return run_on_slurm(run);
+}
+
 void run(const RunOptions& options) {
+  if (options.where == "slurm") {
+    if (const int code = run_by_slurm(options); code != 0) throw CLI::RuntimeError(code);
+    return;
+  }
   take_machine(options.machine);
   const RunLoopSettings settings = settings_of(options);
   const ConvergeSettings further = converge_settings_of(options, settings);
@@ -151,6 +190,12 @@ void add_run_command(CLI::App& program) {
       ->capture_default_str();
   command->add_flag("--ignore-memory", options->ignore_memory,
                     "run a case whose estimated memory is more than this machine has free");
+  command
+      ->add_option("--on", options->where,
+                   "where the run is computed: this machine, or Slurm, which gives it the cores of "
+                   "--threads (1)")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
   command->callback([options] { run(*options); });
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
@@ -21,12 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_array = 1000;  // Slurm's default MaxArraySize is 1001
-
-std::string quoted_for_shell(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
 
 // A task that is cancelled or loses its node is ended by a signal together with its shell: it
 // leaves no exit code.
@@ -46,7 +39,7 @@ fi
 exit "$code"
 )",
                      quoted_for_shell(study_folder.string()), quoted_for_shell(list.string()),
-                     quoted_for_shell(request.program.string()), request.device);
+                     quoted_for_shell(request.program.string()), request.resources.device);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -84,30 +77,16 @@ void SlurmArrays::submit(const std::vector<std::string>& ids, const ArrayRequest
 
 // The list is written before the array is submitted, so that every queued task is found in a list.
 void SlurmArrays::submit_one(const std::vector<std::string>& ids, const ArrayRequest& request) {
-  constexpr double mebibyte = 1024.0 * 1024.0, spare = 256.0, factor = 1.5;
   for (const std::string& id : ids) forget_exit_code(id);
   const int number = next_number();
   const fs::path list = folder_ / fmt::format("{}.list", number);
   const fs::path script = folder_ / fmt::format("{}.sh", number);
   write_file(list, fmt::format("{}\n", fmt::join(ids, "\n")));
   write_file(script, script_of(study_folder_, list, request));
-  std::vector<std::string> words{
-      "--parsable",
-      fmt::format("--job-name={}{}", name_, number),
-      fmt::format("--array=0-{}%{}", ids.size() - 1, request.at_once),
-      fmt::format("--cpus-per-task={}", request.cores),
-      fmt::format("--mem={:.0f}M", std::ceil(factor * request.memory / mebibyte + spare)),
-      "--output=/dev/null"};  // the script writes one: Slurm would expand % and \ in its folder
-  if (request.device == "gpu") words.push_back("--gres=gpu:1");
-  words.push_back(script.string());
-  const CommandOutput answer = output_of("sbatch", words);
-  if (answer.exit_code == 0) return;
-  throw UserError(
-      fmt::format("--on slurm: sbatch refused the runs: {} Options for this cluster, such "
-                  "as SBATCH_PARTITION or SBATCH_TIMELIMIT, may be put into the "
-                  "environment.",
-                  answer.errors),
-      exit_files);
+  submit_to_slurm(
+      request.resources,
+      {fmt::format("--job-name={}{}", name_, number),
+       fmt::format("--array=0-{}%{}", ids.size() - 1, request.at_once), script.string()});
 }
 
 std::optional<std::map<std::string, bool>> SlurmArrays::in_queue() const {

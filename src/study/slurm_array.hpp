@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "study/slurm_request.hpp"
+
 namespace kerf {
 
 struct ArrayRequest {
   std::filesystem::path program;
   int at_once = 1;
-  int cores = 1;               // of each task
-  double memory = 0.0;         // bytes, of each task
-  std::string device = "cpu";  // of kerf run
+  SlurmResources resources;  // of each task
 };
 
 class SlurmArrays {

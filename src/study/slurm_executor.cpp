@@ -117,13 +117,13 @@ class SlurmQueue {
 
   void submit(const std::vector<std::string>& ids) {
     if (ids.empty()) return;
-    request_.memory = 0.0;
+    request_.resources.memory = 0.0;
     for (const std::string& id : ids) {
       Watched& watched = open_[id];
       ++watched.submissions;
       watched.missing = 0;
       watched.is_started = false;
-      request_.memory = std::max(request_.memory, watched.job->memory);
+      request_.resources.memory = std::max(request_.resources.memory, watched.job->memory);
     }
     arrays_.submit(ids, request_);
   }
@@ -140,7 +140,7 @@ class SlurmQueue {
 
 void SlurmExecutor::run(const std::vector<Job>& jobs, JobWatcher& watcher) {
   SlurmArrays arrays(study_folder_);
-  SlurmQueue(arrays, {program_, budget_.jobs, budget_.cores, 0.0, budget_.device}, watcher, jobs)
+  SlurmQueue(arrays, {program_, budget_.jobs, {budget_.cores, 0.0, budget_.device}}, watcher, jobs)
       .run(std::chrono::duration<double>(budget_.poll_pause));
 }
 

@@ -107,6 +107,47 @@ TEST_F(SlurmStudy, ReportsAClusterWithoutGpus) {
   EXPECT_THAT(read_file(out() / "slurm/1.sh"), HasSubstr("--device gpu --resume"));
 }
 
+TEST_F(SlurmStudy, ARunIsSubmittedAndFollowed) {
+  const auto run = [&](const std::filesystem::path& to, std::vector<std::string> more) {
+    std::vector<std::string> words{"run", (folder_ / "small.toml").string(), "--out", to.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return Program(words, folder_ / "output.txt").wait();
+  };
+  name_ = odd_name;
+  const test::Ending ending = run(out(), {"--on", "slurm"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  EXPECT_THAT(ending.output, HasSubstr("job 1 of Slurm"));
+  EXPECT_THAT(ending.output, HasSubstr("report.html"));
+  EXPECT_FALSE(std::filesystem::exists(out().concat(".txt.exit")));
+  ASSERT_EQ(run(folder_ / "here", {"--threads", "1"}).exit_code, 0);
+  EXPECT_EQ(read_file(out() / "series.csv"), read_file(folder_ / "here/series.csv"));
+  EXPECT_EQ(run(out(), {"--on", "slurm"}).exit_code, exit_files) << "the folder has a run";
+}
+
+TEST_F(SlurmStudy, ARunThatSlurmEndsIsReported) {
+  std::string text = test::small_study_case;
+  text.replace(text.find("6 ms"), 4, "60 s");
+  write_file(folder_ / "small.toml", text);
+  Program run({"run", (folder_ / "small.toml").string(), "--out", out().string(), "--on", "slurm"},
+              folder_ / "output.txt");
+  ASSERT_TRUE(test::wait_for([&] { return queue().find("1 R") != std::string::npos; }));
+  ASSERT_EQ(output_of("scancel", {"1"}).exit_code, 0);
+  const test::Ending ending = run.wait();
+  EXPECT_EQ(ending.exit_code, exit_run_failed);
+  EXPECT_THAT(ending.output, HasSubstr("Slurm ended job 1"));
+  EXPECT_THAT(ending.output, HasSubstr("--threads 1 --on slurm --resume"));
+}
+
+TEST_F(SlurmStudy, ARunThatIsLeftGoesOn) {
+  Program run({"run", (folder_ / "small.toml").string(), "--out", out().string(), "--on", "slurm"},
+              folder_ / "output.txt");
+  ASSERT_TRUE(test::wait_for([&] { return !queue().empty(); }));
+  const test::Ending ending = run.end(SIGINT);
+  EXPECT_EQ(ending.exit_code, 128 + SIGINT);
+  EXPECT_THAT(ending.output, HasSubstr("job 1 goes on"));
+  EXPECT_TRUE(test::wait_for([&] { return std::filesystem::exists(out() / "report.html"); }));
+}
+
 // An sbatch that does at once what the script of the first task says.
 TEST(SlurmStudyWithoutSlurm, TheScriptRunsInAFolderOfAnyName) {
   const test::TemporaryFolder folder;
@@ -122,7 +163,7 @@ TEST(SlurmStudyWithoutSlurm, TheScriptRunsInAFolderOfAnyName) {
   write_program(place / "program", "pwd\nfor word; do echo \"<$word>\"; done\n");
   const std::string path = getenv("PATH");
   setenv("PATH", (tools.string() + ":" + path).c_str(), 1);
-  SlurmArrays(place).submit({"first", "second"}, {place / "program", 1, 1, 0.0, "cpu"});
+  SlurmArrays(place).submit({"first", "second"}, {place / "program", 1, {}});
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(read_file(place / "runs/second.txt"),
             place.string() +

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/slurm_request.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "study/child_process.hpp"
+
+namespace kerf {
+
+std::string quoted_for_shell(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+std::string submit_to_slurm(const SlurmResources& resources,
+                            const std::vector<std::string>& words) {
+  constexpr double mebibyte = 1024.0 * 1024.0, spare = 256.0, factor = 1.5;
+  std::vector<std::string> all{
+      "--parsable", fmt::format("--cpus-per-task={}", resources.cores),
+      fmt::format("--mem={:.0f}M", std::ceil(factor * resources.memory / mebibyte + spare)),
+      "--output=/dev/null"};
+  if (resources.device == "gpu") all.push_back("--gres=gpu:1");
+  all.insert(all.end(), words.begin(), words.end());
+  const CommandOutput answer = output_of("sbatch", all);
+  if (answer.exit_code != 0)
+    throw UserError(fmt::format("--on slurm: sbatch refused the run: {} Options for this cluster, "
+                                "such as SBATCH_PARTITION or SBATCH_TIMELIMIT, may be put into "
+                                "the environment.",
+                                answer.errors),
+                    exit_files);
+  return answer.output.substr(0, answer.output.find_first_of(";\n"));  // "12;cluster"
+}
+
+}  // namespace kerf
