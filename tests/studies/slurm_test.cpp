@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "core/error.hpp"
 #include "faults/program.hpp"
@@ -105,6 +106,23 @@ TEST_F(SlurmStudy, ReportsAClusterWithoutGpus) {
   EXPECT_EQ(ending.exit_code, exit_files);
   EXPECT_THAT(ending.output, HasSubstr("generic resource"));
   EXPECT_THAT(read_file(out() / "slurm/1.sh"), HasSubstr("--device gpu --resume"));
+}
+
+// Slurm counts time limits in minutes, so that this is for ctest -C scheduled -R time_limit.
+TEST_F(SlurmStudy, ARunGoesOnBeyondTheTimeLimitOfItsTask) {
+  if (std::getenv("KERF_SCHEDULED") == nullptr) GTEST_SKIP() << "it takes some minutes";
+  std::string text = test::small_study_case;  // a run of two minutes
+  for (const auto& [key, value] : {std::pair{"end = ", "110 s"}, {"frame_interval = ", "50 s"}})
+    text.replace(text.find(key) + std::string(key).size() + 1, 4, value);
+  write_file(folder_ / "small.toml", text);
+  write_file(folder_ / "map.toml",
+             "base = \"small.toml\"\n[vary]\n\"jet.jet.speed\" = [\"5 m/s\"]\n");
+  setenv("SBATCH_TIMELIMIT", "1", 1);
+  const test::Ending ending = Program(arguments(), folder_ / "output.txt").wait();
+  unsetenv("SBATCH_TIMELIMIT");
+  ASSERT_EQ(ending.exit_code, 0) << ending.output;
+  EXPECT_EQ(count(RunState::done), 1u);
+  EXPECT_GE(arrays(), 2u) << "the run ended within the limit";
 }
 
 TEST_F(SlurmStudy, ARunIsSubmittedAndFollowed) {
