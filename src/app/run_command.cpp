@@ -117,15 +117,14 @@ void leave_if_stopped(int signal) {
 // the device and the memory.
 int run_by_slurm(RunOptions options) {
   if (options.machine.threads == 0) options.machine.threads = 1;
-  Case description = parse_case(case_text(options.case_file), options.case_file);
+  const Case description = parse_case(case_text(options.case_file), options.case_file);
   SlurmRun run;
   run.resources = {options.machine.threads, derive(description).memory,
                    std::string(word_of(options.machine.device))};
-  const RunLoopSettings settings =
-      settings_of_case(std::move(description), options.case_file, options.folder);
-  const fs::path folder =
-      settings.folder.has_filename() ? settings.folder : settings.folder.parent_path();
-  run.name = "kerf-" + settings.case_name;
+  fs::path folder =
+      options.folder.empty() ? default_folder(options.case_file) : fs::path(options.folder);
+  if (!folder.has_filename()) folder = folder.parent_path();
+  run.name = "kerf-" + fs::path(options.case_file).stem().string();
   run.folder = folder.string();
   run.arguments = arguments_of(options, folder);
   const std::pair<bool, const char*> flags[] = {{options.resume, "--resume"},

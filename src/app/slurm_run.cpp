@@ -22,9 +22,6 @@ namespace {
 
 constexpr auto pause_of_looks = std::chrono::milliseconds(500);
 constexpr int looks_for_each_poll = 4;  // at the output, for each question to Slurm
-constexpr int most_silences = 60;       // polls in a row without an answer
-constexpr int most_missing_polls =
-    2;  // polls that miss the job before it is lost: files may be late
 
 // The growing file of what a run prints.
 class PrintedOutput {

@@ -21,25 +21,19 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_array = 1000;  // Slurm's default MaxArraySize is 1001
 
-// A task that is cancelled or loses its node is ended by a signal together with its shell: it
-// leaves no exit code.
 std::string script_of(const fs::path& study_folder, const fs::path& list,
                       const ArrayRequest& request) {
-  return fmt::format(R"(#!/bin/sh
+  const std::string start = fmt::format(
+      R"(#!/bin/sh
 # Made by kerf study: each task is one run of the list.
 cd {} || exit 1
 exec > "slurm/${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID.txt" 2>&1
 id=$(sed -n "$((SLURM_ARRAY_TASK_ID + 1))p" {})
 {} run "runs/$id.toml" --out "runs/$id" --threads "${{SLURM_CPUS_PER_TASK:-1}}" --device {} --resume \
-  > "runs/$id.txt" 2>&1
-code=$?
-if [ "$code" -lt 128 ]; then
-  echo "$code" > "slurm/$id.exit.tmp" && mv "slurm/$id.exit.tmp" "slurm/$id.exit"
-fi
-exit "$code"
-)",
-                     quoted_for_shell(study_folder.string()), quoted_for_shell(list.string()),
-                     quoted_for_shell(request.program.string()), request.resources.device);
+  > "runs/$id.txt" 2>&1)",
+      quoted_for_shell(study_folder.string()), quoted_for_shell(list.string()),
+      quoted_for_shell(request.program.string()), request.resources.device);
+  return with_exit_code(start, "\"slurm/$id.exit\"");
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -109,9 +103,7 @@ std::optional<std::map<std::string, bool>> SlurmArrays::in_queue() const {
 }
 
 std::optional<int> SlurmArrays::exit_code(const std::string& id) const {
-  const fs::path file = folder_ / (id + ".exit");
-  if (!fs::exists(file)) return std::nullopt;
-  return std::atoi(read_file(file).c_str());
+  return written_exit_code(folder_ / (id + ".exit"));
 }
 
 void SlurmArrays::forget_exit_code(const std::string& id) const {

@@ -15,9 +15,6 @@ namespace kerf {
 namespace {
 
 constexpr int most_submissions = 5;  // of one run
-constexpr int most_silences = 60;    // polls in a row without an answer of Slurm
-constexpr int most_missing_polls =
-    2;  // polls that miss a task before it is lost: files may be late
 
 struct Watched {
   const Job* job = nullptr;

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <sstream>
 
 #include "output/files.hpp"
@@ -15,19 +14,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A job that is cancelled or loses its node is ended by a signal together with its shell: it leaves
-// no exit code.
 std::string script_of(const JobRequest& request, const fs::path& exit_file) {
   std::string command;
   for (const std::string& word : request.command) command += quoted_for_shell(word) + " ";
-  return fmt::format(R"({0}> {1} 2>&1
-code=$?
-if [ "$code" -lt 128 ]; then
-  echo "$code" > {2}.tmp && mv {2}.tmp {2}
-fi
-exit "$code")",
-                     command, quoted_for_shell(request.output.string()),
-                     quoted_for_shell(exit_file.string()));
+  command += "> " + quoted_for_shell(request.output.string()) + " 2>&1";
+  return with_exit_code(command, quoted_for_shell(exit_file.string()));
 }
 
 }  // namespace
@@ -51,8 +42,7 @@ std::optional<bool> SlurmJob::is_queued() const {
 }
 
 std::optional<int> SlurmJob::exit_code() const {
-  if (!fs::exists(exit_file_)) return std::nullopt;
-  return std::atoi(read_file(exit_file_).c_str());
+  return written_exit_code(exit_file_);
 }
 
 void SlurmJob::forget_exit_code() const {

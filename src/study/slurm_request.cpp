@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "core/error.hpp"
+#include "output/files.hpp"
 #include "study/child_process.hpp"
 
 namespace kerf {
@@ -14,6 +16,22 @@ std::string quoted_for_shell(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
+}
+
+std::string with_exit_code(const std::string& command, const std::string& file) {
+  return fmt::format(R"({0}
+code=$?
+if [ "$code" -lt 128 ]; then
+  echo "$code" > {1}.tmp && mv {1}.tmp {1}
+fi
+exit "$code"
+)",
+                     command, file);
+}
+
+std::optional<int> written_exit_code(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  return std::atoi(read_file(file).c_str());
 }
 
 std::string submit_to_slurm(const SlurmResources& resources,
