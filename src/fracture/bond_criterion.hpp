@@ -11,6 +11,9 @@
 //   breaks(bond, solid)     whether a bond of this solid breaks (bond_strain.hpp)
 // and may have
 //   stays_below(solid, green)   whether a cheap bound shows that prepare() does not pass
+//   strengthen(factor)          multiplies its own limits, those beside the strains of the solid
+//   tensile_limit(solid)        the strain of a tensile test at which it begins to break bonds,
+//                               where that is not a strain of the solid
 // A criterion gets the same numbers of a bond from either end, so that both ends reach the same
 // decision.
 #pragma once
@@ -24,6 +27,7 @@
 #include "fracture/principal_strain.hpp"
 #include "fracture/principal_stress.hpp"
 #include "fracture/strain_energy.hpp"
+#include "fracture/strength_rate.hpp"
 
 namespace kerf {
 
@@ -38,13 +42,48 @@ KERF_FUNCTION bool can_break_bonds(const BondCriterionSet<T>& criteria, BondCrit
       criteria, criterion, [&](const auto& chosen) { return chosen.can_break(has_limit); });
 }
 
+template <class T>
+struct Strengthen {
+  T factor;
+  template <class Law>
+  KERF_FUNCTION void operator()(Law& law) const {
+    if constexpr (requires { law.strengthen(factor); }) law.strengthen(factor);
+  }
+};
+template <class T>
+struct TensileLimit {
+  const BreakableSolid<T>& solid;
+  template <class Law>
+  KERF_FUNCTION T operator()(const Law& law) const {
+    if constexpr (requires { law.tensile_limit(solid); })
+      return law.tensile_limit(solid);
+    else
+      return solid.softens() ? solid.softening_strain : solid.failure_strain;
+  }
+};
+
 // A solid whose bonds may break.
 template <class T>
 struct BondedSolid : BreakableSolid<T>, BondCriterionSet<T> {
   BondCriterion criterion = BondCriterion::principal_strain;
+  StrengthRate<T> strength_rate;
 
   KERF_FUNCTION bool bonds_can_break() const {
     return can_break_bonds(*this, criterion, this->failure_strain > T(0));
+  }
+  KERF_FUNCTION bool depends_on_rate() const { return strength_rate.is_on() && bonds_can_break(); }
+
+  // e_0, the strain of a slow tensile test at which it begins to fail.
+  KERF_FUNCTION T slow_failure_strain() const {
+    return BondCriterionSet<T>::visit(*this, criterion, TensileLimit<T>{*this});
+  }
+  // The solid with its limits of strain and stress multiplied.
+  KERF_FUNCTION BondedSolid strengthened(T factor) const {
+    BondedSolid solid = *this;
+    solid.failure_strain *= factor;
+    solid.softening_strain *= factor;
+    BondCriterionSet<T>::visit(solid, criterion, Strengthen<T>{factor});
+    return solid;
   }
 
   template <class Other>
@@ -53,6 +92,7 @@ struct BondedSolid : BreakableSolid<T>, BondCriterionSet<T> {
     static_cast<BreakableSolid<T>&>(solid) = BreakableSolid<T>::from(other);
     static_cast<BondCriterionSet<T>&>(solid) = BondCriterionSet<T>::from(other);
     solid.criterion = other.criterion;
+    solid.strength_rate = StrengthRate<T>::from(other.strength_rate);
     return solid;
   }
 };

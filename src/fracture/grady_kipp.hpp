@@ -60,6 +60,7 @@ struct GradyKipp {
   static constexpr std::string_view sentence =
       "Damage by cracks that grow from flaws (Grady & Kipp) is complete";
   static constexpr CriterionKeys keys{StrainOrEnergy::neither, true, "flaws"};
+  static constexpr bool has_own_rate = true;  // strength_rate.hpp does not apply
   static std::vector<Key> rows() {
     using Law = GradyKipp<double>;
     return {{"weibull_k",

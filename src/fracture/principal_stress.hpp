@@ -38,6 +38,11 @@ struct PrincipalStress {
   static FractureLimits limits(const FractureInput&) { return {}; }
   KERF_FUNCTION bool can_break(bool) const { return tensile_strength > T(0); }
 
+  KERF_FUNCTION T tensile_limit(const BreakableSolid<T>& solid) const {
+    return tensile_strength / solid.young_modulus();
+  }
+  KERF_FUNCTION void strengthen(T factor) { tensile_strength *= factor; }
+
   // Pa.
   template <class Particle>
   KERF_FUNCTION T prepare(const Particle& particle) const {

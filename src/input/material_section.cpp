@@ -190,6 +190,23 @@ void resolve_fracture(Section& section, Formulation formulation, Material& mater
                                word_of(material.criterion, bond_criterion_words)));
 }
 
+// Checks the rate of strain on which strength depends.
+void resolve_strength_rate(Section& section, const Material& material) {
+  const StrengthRate<double>& rate = material.laws->strength_rate;
+  if (!rate.is_on()) return;
+  if (material.plasticity != PlasticLaw::none)
+    section.refuse("strength_rate_exponent", "the material flows",
+                   "Remove the key; the rate of a flowing material is that of johnson_cook",
+                   "0 where plasticity is not \"none\"");
+  if (rate.reference_rate == 0.0)
+    section.refuse("strength_reference_rate", "a strength_rate_exponent needs it",
+                   "Add the rate of strain of the tests that gave the limits", "greater than 0 s-1");
+  else if (rate.greatest_rate <= rate.reference_rate)
+    section.refuse("strength_greatest_rate", "strength would not depend on the rate",
+                   "Give a rate above the strength_reference_rate, or remove the key",
+                   fmt::format("above {:g} s-1", rate.reference_rate));
+}
+
 // The default equation of state of water follows from the fastest speed, after all sections are
 // read.
 bool equation_is_open(const Section& section, Formulation formulation, const Material& material) {
@@ -240,6 +257,7 @@ MaterialDraft read_material(Section& section, Formulation formulation, const std
   draft.equation_is_open = equation_is_open(section, formulation, material);
   check_sound_speed(section);
   resolve_fracture(section, formulation, material);
+  resolve_strength_rate(section, material);
   if (inherits && !section.has("uncalibrated"))
     material.uncalibrated = uncalibrated_values(section, *base, material, formulation);
   section.refuse_unknown();

@@ -27,8 +27,9 @@ shorter the time step.
 
 ## Strength
 The strength of soft materials was measured in slow tests, where a note does not say otherwise; jets strain them at about
-their speed over their width, 1e4 /s and more. No law for soft materials depends on the rate, so that the value that a
-test cut gives is one at the rate of that jet.
+their speed over their width, 1e4 /s and more. With a `strength_rate_exponent` the strength grows with the rate
+([theory](theory/strength_rate.md)); entries have one where a law was found in a source that could be read. For the others
+the value that a test cut gives is one at the rate of that jet.
 
 A crack of a soft tough material opens by 2 Gc / (E e_0) before it is free of stress; that is millimetres to centimetres
 in muscle, leather, rubber and foams, wider than jets. There the strength decides and not the fracture energy, and these

@@ -65,6 +65,25 @@ std::string plastic_laws(const Condition& holds) {
   return words;
 }
 
+// Returns the keys of the fracture criteria, and of the rate of strain, on which the limits of those
+// depend that have no law of it of their own.
+std::vector<Key> keys_of_criteria() {
+  using Set = BondCriterionSet<double>;
+  static const std::string with_limits = [] {
+    std::string words;
+    Set::for_each([&]<auto law>(std::string_view word) {
+      if constexpr (requires { LawOf<Set, law>::has_own_rate; }) return;
+      words += words.empty() ? "" : " ";
+      words += word;
+    });
+    return words;
+  }();
+  std::vector<Key> keys = keys_of_laws<Set, OfMaterial>();
+  add_rows<OfMaterial<&MaterialLaws::strength_rate>>(StrengthRate<double>::rows(), with_limits,
+                                                     keys);
+  return keys;
+}
+
 // Returns the keys of the plastic laws, and of heat and ductile damage, which several laws share.
 std::vector<Key> keys_of_plasticity() {
   static const std::string metals = plastic_laws([](const auto& law) { return law.is_metal; });
@@ -82,7 +101,7 @@ std::vector<Key> keys_of_plasticity() {
 std::vector<Key> law_keys(std::string_view chosen_by) {
   if (chosen_by == "elasticity") return keys_of_laws<ElasticLawSet<double>, OfMaterial>();
   if (chosen_by == "plasticity") return keys_of_plasticity();
-  if (chosen_by == "criterion") return keys_of_laws<BondCriterionSet<double>, OfMaterial>();
+  if (chosen_by == "criterion") return keys_of_criteria();
   if (chosen_by == "equation_of_state")
     return keys_of_laws<EquationOfStateSet<double>, OfMaterial>();
   return {};

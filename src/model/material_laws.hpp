@@ -11,6 +11,7 @@
 namespace kerf {
 
 struct MaterialLaws : ElasticLawSet<double>, BondCriterionSet<double>, EquationOfStateSet<double> {
+  StrengthRate<double> strength_rate;  // of the fracture criterion
   PlasticLawSet<double> plastic;
   JohnsonCookDamage<double> damage;  // of metals
   PlasticHeat<double> heat;          // of metals

@@ -42,6 +42,7 @@ void set_material(Medium<double>& medium, const Material& material) {
   medium.friction = material.friction;
   medium.elasticity = material.elasticity;
   medium.criterion = material.criterion;
+  medium.strength_rate = material.laws->strength_rate;
   medium.plastic = plastic_parameters(material);
   medium.sound_speed = std::sqrt(medium.bulk_modulus / material.density);
   medium.tait = {detached_exponent, medium.bulk_modulus / detached_exponent};

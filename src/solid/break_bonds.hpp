@@ -22,20 +22,32 @@ KERF_FUNCTION bool has_other_limits(const SolidView<D, P>& solid, Index i) {
   return (solid.unlike_media[i] & unlike_media::limits) != 0;
 }
 
-// The values of a particle that a fracture criterion needs (fracture/bond_criterion.hpp).
+// Calls action(solid) with the limits that particle i has at its rate of strain, R times those of a
+// slow test (fracture/strength_rate.hpp).
+template <int D, class P, class Action>
+KERF_FUNCTION auto with_limits_at_rate(const SolidView<D, P>& solid, Index i,
+                                       const Action& action) {
+  const BondedSolid<typename P::Real>& slow = solid.medium(i);
+  if (!solid.any_rate) return action(slow);
+  return action(slow.strengthened(solid.strength_factor(i)));
+}
+
+// The values of a particle that a fracture criterion needs (fracture/bond_criterion.hpp). `solid`:
+// its medium with the limits at its rate of strain.
 template <int D, class P>
 struct CriterionParticle {
   using Real = typename P::Real;
   const SolidView<D, P>& view;
   Index i;
-  const Medium<Real>& solid;
+  const BondedSolid<Real>& solid;
   SymmetricTensor<D, Real> green;  // Green's strain
   Real damage;
 
-  KERF_FUNCTION CriterionParticle(const SolidView<D, P>& all, Index particle)
+  KERF_FUNCTION CriterionParticle(const SolidView<D, P>& all, Index particle,
+                                  const BondedSolid<Real>& of_particle)
       : view(all),
         i(particle),
-        solid(all.medium(particle)),
+        solid(of_particle),
         green(green_strain(all.gradient[particle])),
         damage(all.damage(particle)) {}
   KERF_FUNCTION Real tensile_strain() const {
@@ -56,7 +68,6 @@ struct PrepareCriterion {
   Real* gradient_norm;  // out, |H| of each particle
 
   KERF_FUNCTION void operator()(Index i) const {
-    const auto& medium = solid.medium(i);
     Real square(0);
     for (const Real component : solid.gradient[i].component) square += component * component;
     gradient_norm[i] = std::sqrt(square);
@@ -69,24 +80,34 @@ struct PrepareCriterion {
       solid.criterion[i] = too_low<Real>;
       return;
     }
-    const Real value = has_failed(i) || fails_in_compression(medium, solid.gradient[i])
+    with_limits_at_rate(solid, i, Prepare{*this, i});
+  }
+
+ private:
+  struct Prepare {
+    const PrepareCriterion& loop;
+    Index i;
+    KERF_FUNCTION void operator()(const BondedSolid<Real>& limits) const {
+      loop.prepare(i, limits);
+    }
+  };
+  KERF_FUNCTION void prepare(Index i, const BondedSolid<Real>& limits) const {
+    const Real value = has_failed(i) || fails_in_compression(limits, solid.gradient[i])
                            ? compressive_failure<Real>
-                           : prepared(i, medium);
+                           : prepared(i, limits);
     solid.criterion[i] = value;
     // A bond breaks by its own stretch, or if the mean of its ends meets the criterion (then at
     // least one of the ends meets it, if their limits are the same), or by bond misfit failure
     // beside broken bonds.
     const BondStrain<Real> stretch{Real(0), solid.stretch[i], Real(0)};
     solid.strained[i] = has_other_limits(solid, i) || solid.has_broken_bonds[i] ||
-                        !(value < compressive_failure<Real>) || criterion_passes(value, medium) ||
-                        bond_breaks(stretch, medium);
+                        !(value < compressive_failure<Real>) || criterion_passes(value, limits) ||
+                        bond_breaks(stretch, limits);
   }
-
- private:
-  KERF_FUNCTION Real prepared(Index i, const Medium<Real>& medium) const {
-    const CriterionParticle<D, P> particle(solid, i);
-    if (stays_below_limit(medium, particle.green)) return too_low<Real>;
-    return prepare_criterion(medium, particle);
+  KERF_FUNCTION Real prepared(Index i, const BondedSolid<Real>& limits) const {
+    const CriterionParticle<D, P> particle(solid, i, limits);
+    if (stays_below_limit(limits, particle.green)) return too_low<Real>;
+    return prepare_criterion(limits, particle);
   }
   // Returns whether the particle has failed by ductile damage.
   KERF_FUNCTION bool has_failed(Index i) const {
@@ -132,27 +153,45 @@ struct BondTest {
  private:
   template <class End>
   KERF_FUNCTION bool passes(Index i, const End& j, const SymmetricTensor<D, Real>& green) const {
+    const BondedSolid<Real>&a = solid.medium(i), &b = solid.medium(j.particle);
+    const bool same = solid.medium_index[i] == solid.medium_index[j.particle];
+    if (!solid.any_rate) return passes(i, j, green, {a, b, same});
+    // Within a medium both ends have the mean of their factors.
+    Real of_a = solid.strength_factor(i), of_b = solid.strength_factor(j.particle);
+    if (same) of_a = of_b = Real(0.5) * (of_a + of_b);
+    const auto strong_a = a.strengthened(of_a), strong_b = b.strengthened(of_b);
+    return passes(i, j, green, {strong_a, strong_b, same});
+  }
+
+  // The solids of the two ends of a bond; `same`: of one medium.
+  struct Ends {
+    const BondedSolid<Real>&a, &b;
+    bool same;
+  };
+  template <class End>
+  KERF_FUNCTION bool passes(Index i, const End& j, const SymmetricTensor<D, Real>& green,
+                            const Ends& of) const {
     const auto bond = solid.reference_bond(i, j);
     const auto change = solid.displacement_bond(i, j);
     const Real square = dot(bond, bond);
-    const auto& a = solid.medium(i);
-    const auto& b = solid.medium(j.particle);
     if (solid.has_broken_bonds[i] || solid.has_broken_bonds[j.particle]) {
       const Real misfit = misfit_squared(i, j, bond, change);
-      if ((fails_by_misfit(misfit, square, a) || fails_by_misfit(misfit, square, b)) &&
-          !ends_press(square, square_growth(bond, change), Real(0.5) * (a.spacing + b.spacing)))
+      const Real spacing =
+          Real(0.5) * (solid.medium(i).spacing + solid.medium(j.particle).spacing);
+      if ((fails_by_misfit(misfit, square, of.a) || fails_by_misfit(misfit, square, of.b)) &&
+          !ends_press(square, square_growth(bond, change), spacing))
         return true;
     }
     BondStrain<Real> strain;
     strain.own = square_growth(bond, change) / square;
     if (!(strain.own > Real(0))) return false;  // only stretched bonds break
-    const bool same = solid.medium_index[i] == solid.medium_index[j.particle];
     strain.prepared = mean_criterion(i, j.particle);
-    if (criterion_passes(strain.prepared, a) || (!same && criterion_passes(strain.prepared, b)))
+    if (criterion_passes(strain.prepared, of.a) ||
+        (!of.same && criterion_passes(strain.prepared, of.b)))
       strain.mean =
           dot(bond, (green + green_strain(solid.image(j, solid.gradient[j.particle]))) * bond) /
           square;
-    return bond_breaks(strain, a) || (!same && bond_breaks(strain, b));
+    return bond_breaks(strain, of.a) || (!of.same && bond_breaks(strain, of.b));
   }
 
   KERF_FUNCTION Real mean_criterion(Index i, Index j) const {
@@ -163,10 +202,15 @@ struct BondTest {
   }
   KERF_FUNCTION Real criterion_of(Index i) const {
     const Real known = solid.criterion[i];
-    return known > too_low<Real>
-               ? known
-               : prepare_criterion(solid.medium(i), CriterionParticle<D, P>(solid, i));
+    return known > too_low<Real> ? known : with_limits_at_rate(solid, i, PreparedAt{solid, i});
   }
+  struct PreparedAt {
+    const SolidView<D, P>& solid;
+    Index i;
+    KERF_FUNCTION Real operator()(const BondedSolid<Real>& limits) const {
+      return prepare_criterion(limits, CriterionParticle<D, P>(solid, i, limits));
+    }
+  };
 
   template <class End>
   KERF_FUNCTION Real misfit_squared(Index i, const End& j, const Vector<D, Real>& bond,

@@ -63,6 +63,7 @@ SolidState<D, P> carry_over(const TotalLagrangian<D, P>& before, const TotalLagr
   copy(old.flow, state.flow);
   copy(old.strain, state.strain);
   copy(old.flaws, state.flaws);
+  copy(old.loading, state.loading);
 
   const auto detached = to_host(before.fields().detached);
   const auto& mirrors = now.fields().mirrors;

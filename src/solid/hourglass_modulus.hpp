@@ -32,7 +32,7 @@ KERF_FUNCTION typename P::Real hourglass_of(const SolidView<D, P>& solid, Index 
     return share *
            flowing_hourglass(medium, solid.plasticity(i), solid.flow_start[i].plastic_strain);
   if (solid.softens(i)) {
-    const Real undamaged = undamaged_share(medium, solid.strain_start[i]);
+    const Real undamaged = undamaged_share(medium, solid.softening_strain_at_start(i));
     return share * undamaged * undamaged * medium.hourglass_modulus();
   }
   return share * medium.hourglass_modulus() * (Real(1) - Real(0.9) * solid.damage(i));

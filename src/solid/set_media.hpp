@@ -26,6 +26,7 @@ SolidTraits take_media(const SolidLayout<D>& layout, SolidFields<D, P>& fields) 
     fields.any_flows |= medium.plastic.flows();
     traits.is_viscous |= medium.plastic.flows();
     fields.any_flaws |= medium.grady_kipp.is_on();
+    fields.any_rate |= medium.depends_on_rate();
   }
   std::vector<BondScale<Real>> scale;
   for (const auto& a : layout.media)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SolidFields are the fields of the total Lagrangian solid, per particle and per bond. Its state
-// variables are `bond_intact`, `elastic_share`, `detached`, `strain_start`, `flow_start` and
-// `flaws`; all other fields follow from these and from the positions.
+// variables are `bond_intact`, `elastic_share`, `detached`, `strain_start`, `loading_start`,
+// `flow_start` and `flaws`; all other fields follow from these and from the positions.
 #pragma once
 
 #include <type_traits>
@@ -47,6 +47,10 @@ namespace kerf {
   FIELD(Real, strain_start)     /* k at the start of the step, 1 */ \
   FIELD(Real, current_strain)   /* at the current deformation */    \
   FIELD(double, softening_loss) /* of hourglass control in the last step, J */
+// Those that only solids have of which some part has a strength that depends on the rate of strain.
+#define KERF_SOLID_RATE(FIELD)                             \
+  FIELD(LoadingState, loading_start) /* at the start of the step */ \
+  FIELD(LoadingState, loading_now)   /* at the current deformation */
 // Those that only solids have of which some part flows.
 #define KERF_SOLID_FLOW(FIELD)                                                   \
   FIELD(State, flow_start)         /* at the start of the step */                \
@@ -63,6 +67,7 @@ namespace kerf {
   KERF_SOLID_RESULTS(FIELD)      \
   KERF_SOLID_MIRRORED(FIELD)     \
   KERF_SOLID_SOFTENING(FIELD)    \
+  KERF_SOLID_RATE(FIELD)         \
   KERF_SOLID_FLOW(FIELD)         \
   KERF_SOLID_FLAWS(FIELD)
 
@@ -75,11 +80,13 @@ struct SolidView {
   using Packed = PackedBondEnd<D, Real>;
   using State = PlasticState<D, Real>;
   using Flaws = FlawState<Real>;
+  using LoadingState = Loading<Real>;
 
   Index count;
   bool any_flows;    // whether there is a medium that flows
   bool any_softens;  // or softens
   bool any_flaws;    // or has flaws
+  bool any_rate;     // or has a strength that depends on the rate of strain
   const Medium<Real>* media;
   const std::uint16_t* medium_index;
   const Position* reference;  // X, m
@@ -106,6 +113,24 @@ struct SolidView {
   }
   KERF_FUNCTION bool softens(Index i) const {
     return any_softens && medium(i).softens() && !held[i];
+  }
+  KERF_FUNCTION bool depends_on_rate(Index i) const {
+    return any_rate && medium(i).depends_on_rate() && !held[i];
+  }
+  // R of fracture/strength_rate.hpp, at the current deformation and at the start of the step.
+  KERF_FUNCTION Real strength_factor(Index i) const {
+    return any_rate ? loading_now[i].factor : Real(1);
+  }
+  KERF_FUNCTION Real strength_factor_at_start(Index i) const {
+    return any_rate ? loading_start[i].factor : Real(1);
+  }
+  // k / R, the strain that determines what softening has left (fracture/softening.hpp), at the
+  // current deformation and at the start of the step.
+  KERF_FUNCTION Real softening_strain(Index i) const {
+    return current_strain[i] / strength_factor(i);
+  }
+  KERF_FUNCTION Real softening_strain_at_start(Index i) const {
+    return strain_start[i] / strength_factor_at_start(i);
   }
   KERF_FUNCTION bool has_flaws(Index i) const {
     return any_flaws && medium(i).grady_kipp.is_on() && !held[i];
@@ -212,8 +237,9 @@ struct SolidFields {
   using Packed = typename View::Packed;
   using State = typename View::State;
   using Flaws = typename View::Flaws;
+  using LoadingState = typename View::LoadingState;
 
-  bool any_flows = false, any_softens = false, any_flaws = false;
+  bool any_flows = false, any_softens = false, any_flaws = false, any_rate = false;
   Array<Medium<Real>> media;
   Array<std::uint16_t> medium_index;
   Array<Position> reference;
@@ -247,6 +273,9 @@ struct SolidFields {
     if (any_softens) {
       KERF_SOLID_SOFTENING(KERF_FIELD)
     }
+    if (any_rate) {
+      KERF_SOLID_RATE(KERF_FIELD)
+    }
     if (any_flows) {
       KERF_SOLID_FLOW(KERF_FIELD)
     }
@@ -273,6 +302,7 @@ struct SolidFields {
     view.any_flows = any_flows;
     view.any_softens = any_softens;
     view.any_flaws = any_flaws;
+    view.any_rate = any_rate;
     view.media = pointer(media);
     view.medium_index = pointer(medium_index);
     view.reference = pointer(reference);

@@ -8,6 +8,7 @@
 
 #include "core/vector.hpp"
 #include "fracture/grady_kipp.hpp"
+#include "fracture/strength_rate.hpp"
 #include "materials/plastic_state.hpp"
 #include "parallel/loops.hpp"
 
@@ -30,6 +31,7 @@ struct SolidState {
   std::vector<PlasticState<D, typename P::Real>> flow;           // empty where nothing flows
   std::vector<typename P::Real> strain;                          // empty where nothing softens
   std::vector<FlawState<typename P::Real>> flaws;                // empty where nothing has flaws
+  std::vector<Loading<typename P::Real>> loading;  // empty where no strength depends on the rate
 };
 
 }  // namespace kerf

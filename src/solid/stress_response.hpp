@@ -28,8 +28,22 @@ KERF_FUNCTION SymmetricTensor<D, typename P::Real> elastic_stress(
   const auto& medium = solid.medium(i);
   const auto green = green_strain(h);
   if (!solid.softens(i)) return second_piola(medium, green, solid.damage(i));
-  return second_piola(softened(medium, green, undamaged_share(medium, solid.current_strain[i])),
+  return second_piola(softened(medium, green, undamaged_share(medium, solid.softening_strain(i))),
                       green);
+}
+// Takes the loading of a particle to the gradient H, `dt` after the start of the step, s. The
+// largest strain of a solid that softens must be known.
+template <int D, class P>
+KERF_FUNCTION void follow_loading(const SolidView<D, P>& solid, Index i,
+                                  const Matrix<D, typename P::Real>& h, typename P::Real dt) {
+  const auto& medium = solid.medium(i);
+  const auto& law = medium.strength_rate;
+  const auto& start = solid.loading_start[i];
+  const auto slow = medium.slow_failure_strain();
+  const auto strain = std::sqrt(solid.elastic_share[i]) * tensile_strain(medium, h);
+  solid.loading_now[i] =
+      solid.softens(i) ? law.advance_softening(start, strain, dt, slow, solid.strain_start[i])
+                       : law.advance(start, strain, dt, slow);
 }
 
 // The stress responses for Deform: the second Piola-Kirchhoff stress at the gradient H for the
@@ -37,9 +51,11 @@ KERF_FUNCTION SymmetricTensor<D, typename P::Real> elastic_stress(
 template <int D, class P>
 struct ElasticResponse {
   using Real = typename P::Real;
+  Real dt;  // s, since the start of the step
   KERF_FUNCTION SymmetricTensor<D, Real> stress(const SolidView<D, P>& solid, Index i,
                                                 const Matrix<D, Real>& h) const {
     if (solid.softens(i)) solid.current_strain[i] = largest_strain(solid, i, h);
+    if (solid.depends_on_rate(i)) follow_loading(solid, i, h, dt);
     return elastic_stress(solid, i, h);
   }
 };
@@ -50,7 +66,7 @@ struct FlowingResponse {
   KERF_FUNCTION SymmetricTensor<D, Real> stress(const SolidView<D, P>& solid, Index i,
                                                 const Matrix<D, Real>& h) const {
     const auto& medium = solid.medium(i);
-    if (!solid.flows(i)) return ElasticResponse<D, P>{}.stress(solid, i, h);
+    if (!solid.flows(i)) return ElasticResponse<D, P>{dt}.stress(solid, i, h);
     const auto result = advance(medium, solid.plasticity(i), h, dt, solid.flow_start[i]);
     solid.current_flow[i] = result.state;
     solid.flow_work[i] = result.plastic_work;
@@ -75,8 +91,8 @@ KERF_FUNCTION SymmetricTensor<D, typename P::Real> cauchy_now(const SolidView<D,
   return solid.elastic_share[i] * undivided_cauchy(solid, i);
 }
 
-// The state on which the stored energy depends beside the gradient: where it softens k, where it
-// flows the metric.
+// The state on which the stored energy depends beside the gradient: where it softens k / R, where
+// it flows the metric.
 template <int D, class P>
 struct EnergyState {
   double strain = 0.0;
@@ -84,14 +100,14 @@ struct EnergyState {
 
   KERF_FUNCTION static EnergyState now(const SolidView<D, P>& solid, Index i) {
     EnergyState state;
-    if (solid.softens(i)) state.strain = double(solid.current_strain[i]);
+    if (solid.softens(i)) state.strain = double(solid.softening_strain(i));
     if (solid.flows(i))
       state.metric = SymmetricTensor<D, double>::from(solid.current_flow[i].metric);
     return state;
   }
   KERF_FUNCTION static EnergyState at_start(const SolidView<D, P>& solid, Index i) {
     EnergyState state;
-    if (solid.softens(i)) state.strain = double(solid.strain_start[i]);
+    if (solid.softens(i)) state.strain = double(solid.softening_strain_at_start(i));
     if (solid.flows(i)) state.metric = SymmetricTensor<D, double>::from(solid.flow_start[i].metric);
     return state;
   }

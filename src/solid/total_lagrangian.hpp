@@ -3,7 +3,8 @@
 // deformation and forces are sums over bonds of the reference configuration, found once
 // (docs/theory/total_lagrangian.md). Particles keep the order of set-up; neighbours in memory
 // should be neighbours in space. Nothing is allocated after set-up.
-// A step:  take(motion);  deform(dt);  fracture();  accelerate();  keep_flow();  keep_softening().
+// A step:  take(motion);  deform(dt);  fracture();  accelerate();  then keep_flow(), keep_loading(),
+// keep_softening(), keep_damage().
 #pragma once
 
 #include <algorithm>
@@ -93,6 +94,11 @@ class TotalLagrangian {
     if (!fields_.any_flows) return 0.0;
     for_each_index(size(), UpdatePlasticity<D, P>{view()});
     return power_sum_(size(), FlowLossTerm<D, P>{view()}).value[0];
+  }
+  // Ends a step of media whose strength depends on the rate of strain; before keep_softening().
+  void keep_loading() {
+    thrust::copy(loop_policy(), fields_.loading_now.begin(), fields_.loading_now.end(),
+                 fields_.loading_start.begin());
   }
   // Ends a step of media that soften. Returns the energy dissipated by their hourglass control, J.
   double keep_softening() {
@@ -213,7 +219,7 @@ class TotalLagrangian {
     return {to_host(fields_.bond_intact),  to_host(fields_.elastic_share),
             to_host(fields_.acceleration), to_host(fields_.mirror_acceleration),
             to_host(fields_.flow_start),   to_host(fields_.strain_start),
-            to_host(fields_.flaws)};
+            to_host(fields_.flaws),        to_host(fields_.loading_start)};
   }
   // Restores a state saved by a solid of the same layout. deform() must follow.
   void restore(const SolidState<D, P>& state) {
@@ -227,13 +233,16 @@ class TotalLagrangian {
     to_device(state.mirror_acceleration, fields_.mirror_acceleration);
     require(state.flow.size() == fields_.flow_start.size() &&
                 state.strain.size() == fields_.strain_start.size() &&
-                state.flaws.size() == fields_.flaws.size(),
-            "the saved solid has the plastic flow, softening and flaws of this case");
+                state.flaws.size() == fields_.flaws.size() &&
+                state.loading.size() == fields_.loading_start.size(),
+            "the saved solid has the plastic flow, softening, flaws and strength of this case");
     to_device(state.flow, fields_.flow_start);
     fields_.current_flow = fields_.flow_start;
     to_device(state.strain, fields_.strain_start);
     fields_.current_strain = fields_.strain_start;
     to_device(state.flaws, fields_.flaws);
+    to_device(state.loading, fields_.loading_start);
+    fields_.loading_now = fields_.loading_start;
     correct_all();
   }
 
@@ -244,7 +253,7 @@ class TotalLagrangian {
     if (fields_.any_flows)
       act(Deform<D, P, FlowingResponse<D, P>>{view(), {static_cast<Real>(dt_)}});
     else
-      act(Deform<D, P, ElasticResponse<D, P>>{view(), {}});
+      act(Deform<D, P, ElasticResponse<D, P>>{view(), {static_cast<Real>(dt_)}});
   }
 
   // Runs the SIMD kernel where no bond is left out and the bonds have no other viscosity.

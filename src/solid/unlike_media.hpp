@@ -28,7 +28,8 @@ inline bool have_unlike_waves(const Medium<double>& a, const Medium<double>& b) 
 }
 // Of two levels of one body.
 inline bool have_unlike_limits(const Medium<double>& a, const Medium<double>& b) {
-  return a.failure_strain != b.failure_strain || a.softening_strain != b.softening_strain;
+  return a.failure_strain != b.failure_strain || a.softening_strain != b.softening_strain ||
+         a.strength_rate != b.strength_rate;
 }
 
 }  // namespace kerf

@@ -52,22 +52,28 @@ struct SofteningLossTerm {
   KERF_FUNCTION void add(Index i, Terms<1>& sum) const { sum.value[0] += solid.softening_loss[i]; }
 };
 
-// Returns the energy that softening took from particle i since the start of the run, J: up to the
-// start of the step, and up to the current deformation.
+// Returns the energy that softening took from particle i since the start of the run, J, at the
+// strain k / R = `strain`: limits that are R times as large take R^2 times as much.
 template <int D, class P>
-KERF_FUNCTION double softening_work_up_to(const SolidView<D, P>& solid, Index i, double strain) {
+KERF_FUNCTION double softening_work_up_to(const SolidView<D, P>& solid, Index i, double strain,
+                                          double factor) {
   const auto medium = BreakableSolid<double>::from(solid.medium(i));
-  return double(solid.medium(i).mass) / double(solid.medium(i).density) *
+  return double(solid.medium(i).mass) / double(solid.medium(i).density) * factor * factor *
          softening_loss(medium, strain);
 }
+// The same up to the start of the step, and up to the current deformation.
 template <int D, class P>
 KERF_FUNCTION double softening_work_at_start(const SolidView<D, P>& solid, Index i) {
-  return solid.softens(i) ? softening_work_up_to(solid, i, double(solid.strain_start[i])) : 0.0;
+  if (!solid.softens(i)) return 0.0;
+  return softening_work_up_to(solid, i, double(solid.softening_strain_at_start(i)),
+                              double(solid.strength_factor_at_start(i)));
 }
 template <int D, class P>
 KERF_FUNCTION double softening_work_of(const SolidView<D, P>& solid, Index i) {
+  if (!solid.softens(i)) return 0.0;
   if (solid.detached[i]) return softening_work_at_start(solid, i);
-  return solid.softens(i) ? softening_work_up_to(solid, i, double(solid.current_strain[i])) : 0.0;
+  return softening_work_up_to(solid, i, double(solid.softening_strain(i)),
+                              double(solid.strength_factor(i)));
 }
 template <int D, class P>
 struct SofteningTerm {

@@ -219,6 +219,7 @@ class SolidPart {
   void finish_solid_step() {
     viscous_power_ = solid_->viscous_power();
     losses_.plastic += solid_->keep_flow();
+    solid_->keep_loading();
     losses_.released += solid_->keep_softening();
     losses_.released += solid_->keep_damage(cycle_.take_length());
     wave_ = solid_->wave_time(courant_);

@@ -107,6 +107,7 @@ void SolidPart<D, P>::save(Archive& archive) const {
   archive.arrays["solid/flow"] = flat<Real>(state.flow);
   archive.arrays["solid/softening"] = state.strain;
   archive.arrays["solid/flaws"] = flat<Real>(state.flaws);
+  archive.arrays["solid/loading"] = flat<Real>(state.loading);
 }
 
 template <int D, class P>
@@ -127,7 +128,8 @@ void SolidPart<D, P>::restore(const Archive& archive) {
                    speeds("solid/mirror_acceleration"),
                    unflat<PlasticState<D, Real>>(find_array<Real>(archive, "solid/flow")),
                    find_array<Real>(archive, "solid/softening"),
-                   unflat<FlawState<Real>>(find_array<Real>(archive, "solid/flaws"))});
+                   unflat<FlawState<Real>>(find_array<Real>(archive, "solid/flaws")),
+                   unflat<Loading<Real>>(find_array<Real>(archive, "solid/loading"))});
 }
 
 }  // namespace kerf

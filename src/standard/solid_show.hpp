@@ -35,7 +35,8 @@ class SolidOnHost {
         held_(to_host(fields.held)),
         has_broken_bonds_(to_host(fields.has_broken_bonds)),
         flow_(to_host(fields.current_flow)),
-        flaws_(to_host(fields.flaws)) {
+        flaws_(to_host(fields.flaws)),
+        loading_(to_host(fields.loading_now)) {
     // Detached particles do not flow: they keep the state at which they came detached.
     const std::vector<PlasticState<D, Real>> start = to_host(fields.flow_start);
     for (std::size_t s = 0; s < flow_.size(); ++s)
@@ -43,7 +44,9 @@ class SolidOnHost {
     view_.any_flows = fields.any_flows;
     view_.any_softens = fields.any_softens;
     view_.any_flaws = fields.any_flaws;
+    view_.any_rate = fields.any_rate;
     view_.current_strain = strain_.data();
+    view_.loading_now = loading_.data();
     view_.flaws = flaws_.data();
     view_.bonds = {begin_.data(), count_.data(), entry_.data(), fields.mirrors};
     view_.words = fields.words;
@@ -81,13 +84,15 @@ class SolidOnHost {
   Index size() const { return static_cast<Index>(medium_index_.size()); }
   // Returns the share of its tension that softening or flaws have left to a particle.
   Real tension_left(Index s) const {
-    if (view_.softens(s)) return undamaged_share(view_.medium(s), strain_[s]);
+    if (view_.softens(s)) return undamaged_share(view_.medium(s), view_.softening_strain(s));
     return Real(1) - view_.damage(s);
   }
   bool any_flows() const { return view_.any_flows; }
   bool any_flaws() const { return view_.any_flaws; }
   // Detached particles have none.
   float elastic_share(Index s) const { return detached_[s] ? 0.0f : static_cast<float>(share_[s]); }
+  bool any_rate() const { return view_.any_rate; }
+  float strength_factor(Index s) const { return static_cast<float>(view_.strength_factor(s)); }
   float flaw_damage(Index s) const { return static_cast<float>(view_.damage(s)); }
   float plastic_strain(Index s) const { return static_cast<float>(flow_[s].plastic_strain); }
   float temperature_rise(Index s) const { return static_cast<float>(flow_[s].temperature_rise); }
@@ -114,6 +119,7 @@ class SolidOnHost {
   std::vector<std::uint8_t> detached_, held_, has_broken_bonds_;
   std::vector<PlasticState<D, Real>> flow_;
   std::vector<FlawState<Real>> flaws_;
+  std::vector<Loading<Real>> loading_;
   SolidView<D, P> view_{};
 };
 
@@ -130,7 +136,8 @@ constexpr auto shown_solid_fields() {
   constexpr auto always = [](const Solid&) { return true; };
   constexpr auto flows = [](const Solid& solid) { return solid.any_flows(); };
   constexpr auto flaws = [](const Solid& solid) { return solid.any_flaws(); };
-  return std::array<ShownSolidField<Solid>, 6>{{
+  constexpr auto rate = [](const Solid& solid) { return solid.any_rate(); };
+  return std::array<ShownSolidField<Solid>, 7>{{
       {"damage", "damage", "1", always,
        [](const Solid& solid, Index s) { return solid.damage(s); }},
       {"elastic_share", "elastic share", "1", always,
@@ -141,6 +148,8 @@ constexpr auto shown_solid_fields() {
        [](const Solid& solid, Index s) { return solid.flaw_damage(s); }},
       {"plastic_strain", "plastic strain", "1", flows,
        [](const Solid& solid, Index s) { return solid.plastic_strain(s); }},
+      {"strength_factor", "strength over that of a slow test", "1", rate,
+       [](const Solid& solid, Index s) { return solid.strength_factor(s); }},
       {"temperature_rise", "rise of temperature", "K", flows,
        [](const Solid& solid, Index s) { return solid.temperature_rise(s); }},
   }};

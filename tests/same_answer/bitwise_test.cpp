@@ -32,6 +32,7 @@ class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind, 
       c.materials[0].plasticity = PlasticLaw::von_mises;
       c.materials[0].laws->plastic.von_mises.yield_stress = 2e3;
       c.materials[0].friction = 0.3;
+      if (std::get<0>(GetParam()) == 2) depend_on_rate(c.materials[0]);
     } else if (c.formulation == Formulation::standard) {
       c.materials[0].criterion = BondCriterion::grady_kipp;
       c.materials[0].laws->grady_kipp.weibull_k = 1e18;
@@ -46,6 +47,13 @@ class SameAnswer : public testing::TestWithParam<std::tuple<int, PrecisionKind, 
     if (c.precision == PrecisionKind::double_precision) c.numerics = {WaterScheme::delta_sph, true};
     c.back_flow_removal = BackFlowRemoval{};
     return c;
+  }
+  static void depend_on_rate(Material& material) {
+    material.plasticity = PlasticLaw::none;
+    material.criterion = BondCriterion::crack_band;
+    material.failure_strain = 0.02;
+    material.fracture_energy = 0.5;
+    material.laws->strength_rate = {0.1, 1.0};
   }
   int steps() const { return std::get<0>(GetParam()) == 2 ? 500 : 200; }
 
