@@ -87,7 +87,7 @@ struct StrengthRate {
     if (!(strain > from)) return {strain, T(0), T(1)};
     const T part = start.strain > from ? T(1) : (strain - from) / (strain - start.strain);
     const T time = (start.strain > from ? start.time : T(0)) + part * dt;
-    return {strain, time, time > T(0) ? factor((strain - from) / time) : start.factor};
+    return {strain, time, dt > T(0) ? factor((strain - from) / time) : start.factor};
   }
   // The same of a solid that softens from e_0 on, whose largest strain so far was `largest` at the
   // start. Once it is damaged (k > R e_0) R remains, and until then R e_0 is not below that strain:

@@ -200,7 +200,8 @@ void resolve_strength_rate(Section& section, const Material& material) {
                    "0 where plasticity is not \"none\"");
   if (rate.reference_rate == 0.0)
     section.refuse("strength_reference_rate", "a strength_rate_exponent needs it",
-                   "Add the rate of strain of the tests that gave the limits", "greater than 0 s-1");
+                   "Add the rate of strain of the tests that gave the limits",
+                   "greater than 0 s-1");
   else if (rate.greatest_rate <= rate.reference_rate)
     section.refuse("strength_greatest_rate", "strength would not depend on the rate",
                    "Give a rate above the strength_reference_rate, or remove the key",

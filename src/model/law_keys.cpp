@@ -65,8 +65,8 @@ std::string plastic_laws(const Condition& holds) {
   return words;
 }
 
-// Returns the keys of the fracture criteria, and of the rate of strain, on which the limits of those
-// depend that have no law of it of their own.
+// Returns the keys of the fracture criteria, and of the rate of strain, on which the limits of
+// those depend that have no law of it of their own.
 std::vector<Key> keys_of_criteria() {
   using Set = BondCriterionSet<double>;
   static const std::string with_limits = [] {

@@ -176,8 +176,7 @@ struct BondTest {
     const Real square = dot(bond, bond);
     if (solid.has_broken_bonds[i] || solid.has_broken_bonds[j.particle]) {
       const Real misfit = misfit_squared(i, j, bond, change);
-      const Real spacing =
-          Real(0.5) * (solid.medium(i).spacing + solid.medium(j.particle).spacing);
+      const Real spacing = Real(0.5) * (solid.medium(i).spacing + solid.medium(j.particle).spacing);
       if ((fails_by_misfit(misfit, square, of.a) || fails_by_misfit(misfit, square, of.b)) &&
           !ends_press(square, square_growth(bond, change), spacing))
         return true;

@@ -48,7 +48,7 @@ namespace kerf {
   FIELD(Real, current_strain)   /* at the current deformation */    \
   FIELD(double, softening_loss) /* of hourglass control in the last step, J */
 // Those that only solids have of which some part has a strength that depends on the rate of strain.
-#define KERF_SOLID_RATE(FIELD)                             \
+#define KERF_SOLID_RATE(FIELD)                                      \
   FIELD(LoadingState, loading_start) /* at the start of the step */ \
   FIELD(LoadingState, loading_now)   /* at the current deformation */
 // Those that only solids have of which some part flows.

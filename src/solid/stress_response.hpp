@@ -41,9 +41,9 @@ KERF_FUNCTION void follow_loading(const SolidView<D, P>& solid, Index i,
   const auto& start = solid.loading_start[i];
   const auto slow = medium.slow_failure_strain();
   const auto strain = std::sqrt(solid.elastic_share[i]) * tensile_strain(medium, h);
-  solid.loading_now[i] =
-      solid.softens(i) ? law.advance_softening(start, strain, dt, slow, solid.strain_start[i])
-                       : law.advance(start, strain, dt, slow);
+  solid.loading_now[i] = solid.softens(i)
+                             ? law.advance_softening(start, strain, dt, slow, solid.strain_start[i])
+                             : law.advance(start, strain, dt, slow);
 }
 
 // The stress responses for Deform: the second Piola-Kirchhoff stress at the gradient H for the

@@ -3,8 +3,8 @@
 // deformation and forces are sums over bonds of the reference configuration, found once
 // (docs/theory/total_lagrangian.md). Particles keep the order of set-up; neighbours in memory
 // should be neighbours in space. Nothing is allocated after set-up.
-// A step:  take(motion);  deform(dt);  fracture();  accelerate();  then keep_flow(), keep_loading(),
-// keep_softening(), keep_damage().
+// A step:  take(motion);  deform(dt);  fracture();  accelerate();  then keep_flow(),
+// keep_loading(), keep_softening(), keep_damage().
 #pragma once
 
 #include <algorithm>

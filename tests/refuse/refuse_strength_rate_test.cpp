@@ -21,12 +21,13 @@ TEST(Refuse, StrengthOverTheRateOfStrain) {
        top,
        curd + "strength_reference_rate = \"1 s-1\"\nstrength_greatest_rate = \"0.5 s-1\"",
        "strength_greatest_rate",
-       "materials.curd.strength_greatest_rate = \"0.5 s-1\": strength would not depend on the rate.",
+       "materials.curd.strength_greatest_rate = \"0.5 s-1\": strength would not depend on the "
+       "rate.",
        {"above 1 s-1"}},
       {"a solid that flows",
        top,
        curd + "strength_reference_rate = \"1 s-1\"\nplasticity = \"von_mises\"\n"
-             "yield_stress = \"1 kPa\"",
+              "yield_stress = \"1 kPa\"",
        "strength_rate_exponent",
        "materials.curd.strength_rate_exponent = 0.1: the material flows.",
        {"plasticity is not"}},

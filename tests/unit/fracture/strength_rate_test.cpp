@@ -58,8 +58,7 @@ TEST(StrengthRate, OnlyStrainDamages) {
   Loading<double> loading = law.advance_softening({}, 0.3, 1e-4, slow_strain, 0.0);
   const double fast = loading.factor;
   EXPECT_NEAR(fast, law.factor(3e3), 2e-3 * fast);  // the onset counts from 0.01
-  for (int n = 0; n < 5; ++n)
-    loading = law.advance_softening(loading, 0.3, 10.0, slow_strain, 0.3);
+  for (int n = 0; n < 5; ++n) loading = law.advance_softening(loading, 0.3, 10.0, slow_strain, 0.3);
   EXPECT_NEAR(loading.factor, 3.0, 1e-12);  // the slow factor is 1.2
   loading = law.advance_softening(loading, 0.4, 1e-9, slow_strain, 0.31);
   EXPECT_NEAR(loading.factor, 3.0, 1e-12);
@@ -113,10 +112,9 @@ double least_breaking_strain(const BondedSolid<double>& solid) {
   return high;
 }
 TEST(StrengthRate, MultipliesTheLimitsOfEveryCriterion) {
-  for (const auto criterion :
-       {BondCriterion::principal_strain, BondCriterion::equivalent_strain,
-        BondCriterion::principal_stress, BondCriterion::strain_energy, BondCriterion::crack_band,
-        BondCriterion::brittle_band}) {
+  for (const auto criterion : {BondCriterion::principal_strain, BondCriterion::equivalent_strain,
+                               BondCriterion::principal_stress, BondCriterion::strain_energy,
+                               BondCriterion::crack_band, BondCriterion::brittle_band}) {
     const auto solid = solid_of(criterion);
     const double slow = least_breaking_strain(solid);
     EXPECT_NEAR(least_breaking_strain(solid.strengthened(3.0)), 3.0 * slow, 0.01 * slow)

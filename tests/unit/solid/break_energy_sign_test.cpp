@@ -38,8 +38,9 @@ Medium<double> medium_of(const Material& material) {
 template <int D, class P>
 double undamaged_at_start(SolidOnTrial<D, P>& trial, Index i) {
   const auto& medium = trial.layout.media[0];
-  return medium.softens() ? undamaged_share(medium, double(trial.solid.view().softening_strain_at_start(i)))
-                          : 1.0;
+  return medium.softens()
+             ? undamaged_share(medium, double(trial.solid.view().softening_strain_at_start(i)))
+             : 1.0;
 }
 
 // The stored energy of all particles: fits and misfits over the intact bonds from the positions,

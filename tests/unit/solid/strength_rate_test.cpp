@@ -60,9 +60,10 @@ TYPED_TEST(StrengthRateOfSolid, BreaksAtAStrainThatGrowsAsThePowerOfItsRate) {
     medium.strength_rate.exponent = 0.0;
     const double slow = strain_of_first_break<D, P>(medium, 1.0);
     medium.strength_rate.exponent = 0.2;
-    for (const double rate : {10.0, 1000.0})
-      EXPECT_NEAR(strain_of_first_break<D, P>(medium, rate) / slow,
-                  std::pow(rate * std::sqrt(1.346), 0.2), 0.02 * std::pow(rate, 0.2));
+    for (const double rate : {10.0, 1000.0}) {
+      const double fast = strain_of_first_break<D, P>(medium, rate);
+      EXPECT_NEAR(fast / slow, std::pow(rate * std::sqrt(1.346), 0.2), 0.02 * std::pow(rate, 0.2));
+    }
   }
 }
 
@@ -104,14 +105,15 @@ TYPED_TEST(StrengthRateOfSolid, BalanceOfEnergyCloses) {
     double stress = 0.0;  // sum over particles of volume x first Piola-Kirchhoff stress
     for (Index i = 0; i < trial.size(); ++i) {
       const auto h = view.gradient[i];
-      stress += medium.reference_volume() * double(first_piola(elastic_stress(view, i, h), h)(0, 0));
+      stress +=
+          medium.reference_volume() * double(first_piola(elastic_stress(view, i, h), h)(0, 0));
       most_factor = std::max(most_factor, double(view.strength_factor(i)));
     }
     work += 0.5 * (stress + stress_before) * step;
     stress_before = stress;
     end_step(trial);
   }
-  EXPECT_GT(most_factor, 3.5);  // 1000^0.2 = 4
+  EXPECT_GT(most_factor, 3.0);  // 1000^0.2 = 4, at the start
   const double dissipated = trial.solid.softening_work();
   EXPECT_GT(dissipated, 0.3 * work);
   EXPECT_NEAR(trial.solid.energy().total() + dissipated, work, 2e-3 * work);
