@@ -5,10 +5,14 @@
 //   energy_density(moduli, green)   stored energy per reference volume, J/m^3
 //   second_piola(moduli, green)     its derivative by Green's strain, Pa
 //   is_expanded(green)              whether the part that the bulk modulus scales is in tension
+// and where stretch makes its waves faster
+//   largest_modulus(moduli, values) the largest second derivative of the energy by a principal
+//                                   stretch, Pa, at the principal values of Green's strain
 #pragma once
 
 #include "materials/laws.hpp"
 #include "materials/neo_hookean.hpp"
+#include "materials/ogden.hpp"
 #include "materials/st_venant_kirchhoff.hpp"
 
 namespace kerf {
@@ -51,6 +55,34 @@ KERF_FUNCTION SymmetricTensor<D, T> second_piola(const ElasticSolid<T>& solid,
                                                  const SymmetricTensor<D, T>& green) {
   return ElasticLawSet<T>::visit(solid, solid.elasticity,
                                  [&](const auto& law) { return law.second_piola(solid, green); });
+}
+
+template <class T>
+struct WaveModulus {
+  const ElasticSolid<T>& solid;
+  const Vector<3, T>& green;
+  template <class Law>
+  KERF_FUNCTION T operator()(const Law& law) const {
+    if constexpr (requires { law.largest_modulus(solid, green); })
+      return law.largest_modulus(solid, green);
+    else
+      return T(0);
+  }
+};
+// The modulus of the fastest waves along a principal axis at the principal values of Green's
+// strain, in the reference configuration, over that without strain; 0 for a law that does not
+// stiffen with stretch.
+template <class T>
+KERF_FUNCTION T wave_stiffening(const ElasticSolid<T>& solid, const Vector<3, T>& green) {
+  const T modulus =
+      ElasticLawSet<T>::visit(solid, solid.elasticity, WaveModulus<T>{solid, green});
+  return modulus / (solid.bulk_modulus + T(4) / T(3) * solid.shear_modulus);
+}
+// Whether waves become faster with stretch.
+template <class T>
+KERF_FUNCTION bool stiffens_with_stretch(const ElasticSolid<T>& solid) {
+  const Vector<3, T> none{};
+  return wave_stiffening(solid, none) > T(0);
 }
 
 // First Piola-Kirchhoff stress P = F S at the displacement gradient H = F - 1, Pa.

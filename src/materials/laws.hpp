@@ -9,6 +9,7 @@
 
 #define KERF_ELASTIC_LAWS(LAW) \
   LAW(neo_hookean, NeoHookean) \
+  LAW(ogden, Ogden)            \
   LAW(st_venant_kirchhoff, StVenantKirchhoff)
 
 #define KERF_PLASTIC_LAWS(LAW)           \

@@ -15,6 +15,7 @@ ElasticSolid<double> some_solid(ElasticLaw law) {
   solid.elasticity = law;
   solid.bulk_modulus = 8.3e4;
   solid.shear_modulus = 3.8e4;
+  solid.ogden.exponent = 7.0;
   return solid;
 }
 
@@ -31,6 +32,12 @@ double energy_by_definition(const ElasticSolid<double>& solid, const Eigen::Matr
   if (solid.elasticity == ElasticLaw::neo_hookean) {
     const double j = f.determinant();
     return 0.5 * g * (std::pow(j, -2.0 / 3.0) * c.trace() - 3.0) +
+           0.5 * k * (0.5 * (j * j - 1.0) - std::log(j));
+  }
+  if (solid.elasticity == ElasticLaw::ogden) {
+    const double j = f.determinant(), alpha = solid.ogden.exponent;
+    const Eigen::Vector3d stretch = f.jacobiSvd().singularValues() / std::cbrt(j);
+    return 2.0 * g / (alpha * alpha) * (stretch.array().pow(alpha).sum() - 3.0) +
            0.5 * k * (0.5 * (j * j - 1.0) - std::log(j));
   }
   const Eigen::Matrix3d e = 0.5 * (c - Eigen::Matrix3d::Identity());
@@ -58,7 +65,8 @@ class Law : public testing::Test {
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(Law, Dimensions);
 
-const ElasticLaw laws[] = {ElasticLaw::neo_hookean, ElasticLaw::st_venant_kirchhoff};
+const ElasticLaw laws[] = {ElasticLaw::neo_hookean, ElasticLaw::ogden,
+                           ElasticLaw::st_venant_kirchhoff};
 
 // Fourth-order difference: truncation (1e-3)^4 / 30 times a fifth derivative near 1e3 K.
 template <int D>
@@ -171,6 +179,70 @@ TYPED_TEST(Law, PrincipalValuesAreEigenvalues) {
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(e).eigenvalues();
     for (int a = 0; a < 3; ++a) EXPECT_NEAR(values[a], expected[a], 1e-12);
   }
+}
+
+// With alpha = 2 it is the neo-Hookean solid.
+TYPED_TEST(Law, OgdenWithTheExponentTwoIsNeoHookean) {
+  std::mt19937 engine(6);
+  auto ogden = some_solid(ElasticLaw::ogden), neo_hookean = some_solid(ElasticLaw::neo_hookean);
+  ogden.ogden.exponent = 2.0;
+  for (int n = 0; n < 20; ++n) {
+    const auto h = this->random_gradient(engine, 0.3);
+    const auto p = piola(ogden, h), q = piola(neo_hookean, h);
+    for (int k = 0; k < TypeParam::value * TypeParam::value; ++k)
+      EXPECT_NEAR(p.component[k], q.component[k], 1e-11 * ogden.bulk_modulus);
+  }
+}
+
+// Diagonal gradient with the stretch along x and the same contraction across.
+Matrix<3, double> stretched(double stretch, double across) {
+  auto h = Matrix<3, double>::zero();
+  h(0, 0) = stretch - 1.0;
+  h(1, 1) = h(2, 2) = across - 1.0;
+  return h;
+}
+// A tensile test of a nearly incompressible bar, whose sides are free: the force over the first
+// section is 2 G / alpha (lambda^(alpha - 1) - lambda^(-1 - alpha / 2)) (Ogden 1972).
+TEST(Ogden, TensileTest) {
+  auto solid = some_solid(ElasticLaw::ogden);
+  solid.bulk_modulus = 1e4 * solid.shear_modulus;
+  for (const double alpha : {3.0, 12.0})
+    for (const double stretch : {0.7, 1.1, 1.6}) {
+      solid.ogden.exponent = alpha;
+      double low = 0.5 * std::pow(stretch, -0.5), high = 4.0 * low;
+      for (int n = 0; n < 60; ++n) {  // the contraction at which the sides are free
+        const double across = 0.5 * (low + high);
+        (piola(solid, stretched(stretch, across))(1, 1) > 0.0 ? high : low) = across;
+      }
+      const double force = 2.0 * solid.shear_modulus / alpha *
+                           (std::pow(stretch, alpha - 1.0) - std::pow(stretch, -1.0 - alpha / 2.0));
+      EXPECT_NEAR(piola(solid, stretched(stretch, low))(0, 0), force, 0.01 * std::abs(force));
+    }
+}
+
+// The modulus of waves is the second derivative of the energy by a principal stretch, here by
+// central differences; without strain that of longitudinal waves.
+TEST(Ogden, LargestModulus) {
+  const auto solid = some_solid(ElasticLaw::ogden);
+  const double at_rest = solid.bulk_modulus + 4.0 / 3.0 * solid.shear_modulus;
+  EXPECT_NEAR(wave_stiffening(solid, Vector<3, double>{}), 1.0, 1e-12);
+  for (const Eigen::Vector3d& stretch :
+       {Eigen::Vector3d(1.4, 0.9, 1.0), Eigen::Vector3d(0.6, 1.1, 1.2)}) {
+    double largest = 0.0;
+    Vector<3, double> green;
+    for (int k = 0; k < 3; ++k) {
+      green[k] = 0.5 * (stretch[k] * stretch[k] - 1.0);
+      const auto at = [&](double shift) {
+        Eigen::Vector3d moved = stretch;
+        moved[k] += shift;
+        return energy_by_definition(solid, moved.asDiagonal());
+      };
+      const double step = 1e-3;
+      largest = std::max(largest, (at(step) - 2.0 * at(0.0) + at(-step)) / (step * step));
+    }
+    EXPECT_NEAR(wave_stiffening(solid, green) * at_rest, largest, 1e-4 * largest);
+  }
+  EXPECT_FALSE(stiffens_with_stretch(some_solid(ElasticLaw::neo_hookean)));
 }
 
 }  // namespace
