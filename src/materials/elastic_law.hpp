@@ -74,8 +74,7 @@ struct WaveModulus {
 // stiffen with stretch.
 template <class T>
 KERF_FUNCTION T wave_stiffening(const ElasticSolid<T>& solid, const Vector<3, T>& green) {
-  const T modulus =
-      ElasticLawSet<T>::visit(solid, solid.elasticity, WaveModulus<T>{solid, green});
+  const T modulus = ElasticLawSet<T>::visit(solid, solid.elasticity, WaveModulus<T>{solid, green});
   return modulus / (solid.bulk_modulus + T(4) / T(3) * solid.shear_modulus);
 }
 // Whether waves become faster with stretch.

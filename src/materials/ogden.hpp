@@ -41,7 +41,8 @@ struct Ogden {
   template <int D>
   KERF_FUNCTION T energy_density(const ElasticModuli<T>& moduli,
                                  const SymmetricTensor<D, T>& green) const {
-    const Stretches stretches = stretches_at(volume_square_less_one(green), principal_values(green));
+    const Stretches stretches =
+        stretches_at(volume_square_less_one(green), principal_values(green));
     return T(2) * moduli.shear_modulus / (exponent * exponent) * T(3) * stretches.mean +
            T(0.25) * moduli.bulk_modulus * (stretches.growth - stretches.log_square);
   }
@@ -64,9 +65,9 @@ struct Ogden {
     return volume_square_less_one(green) > T(0);
   }
 
-  // The largest d^2 psi / d lambda_k^2 at the principal values of Green's strain, Pa: the modulus of
-  // the fastest waves along a principal axis, in the reference configuration. With the derivative
-  // lambda_k d/dlambda_k, twice, of psi,
+  // The largest d^2 psi / d lambda_k^2 at the principal values of Green's strain, Pa: the modulus
+  // of the fastest waves along a principal axis, in the reference configuration. With the
+  // derivative lambda_k d/dlambda_k, twice, of psi,
   //   M_k lambda_k^2 = 2 G (4/9 b_k^alpha + 1/9 sum of the others) + K J^2 - tau_k.
   KERF_FUNCTION T largest_modulus(const ElasticModuli<T>& moduli, const Vector<3, T>& green) const {
     T volume_square = T(1);
@@ -100,8 +101,7 @@ struct Ogden {
     stretches.growth = growth;
     stretches.log_square = std::log1p(growth);
     for (int k = 0; k < 3; ++k) {
-      const T log_stretch =
-          T(0.5) * std::log1p(T(2) * green[k]) - stretches.log_square / T(6);
+      const T log_stretch = T(0.5) * std::log1p(T(2) * green[k]) - stretches.log_square / T(6);
       stretches.power[k] = std::expm1(exponent * log_stretch);
     }
     stretches.mean = (stretches.power[0] + stretches.power[1] + stretches.power[2]) / T(3);

@@ -4,10 +4,10 @@
 // are 1 / lambda times as fast along that axis; so the time is  h lambda / (c (1 + 1.2 A)),  lambda
 // the least principal stretch, A the viscosity of the bonds as in time/time_step.hpp. Where breaks
 // have left a particle a share s of its stiffness (solid/limit_break_energy.hpp), its waves are
-// sqrt(s) times as fast: lambda / sqrt(s), up to 1, stands for lambda. Where the elastic law stiffens
-// with stretch, its modulus along the principal axes (materials/elastic_law.hpp) makes them faster.
-// Beside unlike media the stable step of solid/joint_limit.hpp may be shorter than that of these
-// waves.
+// sqrt(s) times as fast: lambda / sqrt(s), up to 1, stands for lambda. Where the elastic law
+// stiffens with stretch, its modulus along the principal axes (materials/elastic_law.hpp) makes
+// them faster. Beside unlike media the stable step of solid/joint_limit.hpp may be shorter than
+// that of these waves.
 #pragma once
 
 #include <cmath>
@@ -69,8 +69,7 @@ struct WaveTimeLimit {
     }
     const auto green = green_strain(solid.gradient[i]);
     if (stiffens_with_stretch(medium)) {
-      const Real ratio =
-          solid.elastic_share[i] * wave_stiffening(medium, principal_values(green));
+      const Real ratio = solid.elastic_share[i] * wave_stiffening(medium, principal_values(green));
       if (ratio > Real(1)) return {uncompressed / std::sqrt(double(ratio)), i, of_joint};
       return {uncompressed, i, of_joint};
     }
