@@ -215,34 +215,10 @@ class TotalLagrangian {
   // Per particle: 1 where the factor of a pair may differ from 1; empty where all are 1.
   const std::vector<std::uint8_t>& fitted() const { return fitted_; }
 
-  SolidState<D, P> save() const {
-    return {to_host(fields_.bond_intact),  to_host(fields_.elastic_share),
-            to_host(fields_.acceleration), to_host(fields_.mirror_acceleration),
-            to_host(fields_.flow_start),   to_host(fields_.strain_start),
-            to_host(fields_.flaws),        to_host(fields_.loading_start)};
-  }
+  SolidState<D, P> save() const { return state_of(fields_); }
   // Restores a state saved by a solid of the same layout. deform() must follow.
   void restore(const SolidState<D, P>& state) {
-    require(state.bond_intact.size() == fields_.bond_intact.size() &&
-                state.elastic_share.size() == size() && state.acceleration.size() == size() &&
-                state.mirror_acceleration.size() == fields_.mirror_acceleration.size(),
-            "the saved solid has the particles, bonds and symmetry planes of this case");
-    to_device(state.bond_intact, fields_.bond_intact);
-    to_device(state.elastic_share, fields_.elastic_share);
-    to_device(state.acceleration, fields_.acceleration);
-    to_device(state.mirror_acceleration, fields_.mirror_acceleration);
-    require(state.flow.size() == fields_.flow_start.size() &&
-                state.strain.size() == fields_.strain_start.size() &&
-                state.flaws.size() == fields_.flaws.size() &&
-                state.loading.size() == fields_.loading_start.size(),
-            "the saved solid has the plastic flow, softening, flaws and strength of this case");
-    to_device(state.flow, fields_.flow_start);
-    fields_.current_flow = fields_.flow_start;
-    to_device(state.strain, fields_.strain_start);
-    fields_.current_strain = fields_.strain_start;
-    to_device(state.flaws, fields_.flaws);
-    to_device(state.loading, fields_.loading_start);
-    fields_.loading_now = fields_.loading_start;
+    restore_state(state, fields_);
     correct_all();
   }
 

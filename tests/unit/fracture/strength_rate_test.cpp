@@ -24,22 +24,23 @@ TEST(StrengthRate, GrowsAsAPowerBetweenItsBounds) {
   EXPECT_EQ(law.factor(1e9), law.factor(1e6));
 }
 
-// Whatever the steps, also where the first one passes all limits.
-TEST(StrengthRate, FindsAConstantRate) {
+// Strains at a constant rate by random steps around `size`, as far as three times the slow limit.
+void expect_rate(double rate, double size) {
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> step(0.1, 3.0);
-  for (const double rate : {1.0, 1e3, 1e5})
-    for (const double size : {1e-3, 0.02, 0.5}) {  // of the strain, per step
-      Loading<double> loading;
-      double time = 0.0;
-      while (loading.strain < 3.0 * slow_strain) {
-        const double dt = step(engine) * size / rate;
-        loading = law.advance(loading, rate * (time += dt), dt, slow_strain);
-        if (loading.strain > 0.1 * slow_strain) {
-          EXPECT_NEAR(loading.factor, law.factor(rate), 1e-9);
-        }
-      }
+  Loading<double> loading;
+  for (double time = 0.0; loading.strain < 3.0 * slow_strain;) {
+    const double dt = step(engine) * size / rate;
+    loading = law.advance(loading, rate * (time += dt), dt, slow_strain);
+    if (loading.strain > 0.1 * slow_strain) {
+      EXPECT_NEAR(loading.factor, law.factor(rate), 1e-9);
     }
+  }
+}
+// Whatever the steps, also where the first one passes all limits.
+TEST(StrengthRate, FindsAConstantRate) {
+  for (const double rate : {1.0, 1e3, 1e5})
+    for (const double size : {1e-3, 0.02, 0.5}) expect_rate(rate, size);
 }
 
 TEST(StrengthRate, FallsWhileALoadRestsAndStartsAnewAfterIt) {

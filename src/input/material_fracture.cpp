@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input/material_fracture.hpp"
+
+#include <fmt/format.h>
+
+#include "fracture/bond_criterion.hpp"
+#include "input/material_library.hpp"
+#include "input/section.hpp"
+#include "model/law_keys.hpp"
+#include "model/material_laws.hpp"
+
+namespace kerf {
+
+namespace {
+
+// A zero is no limit; a case file that Kerf wrote has it.
+void refuse_key(Section& section, const char* key, double value, const Material& material) {
+  if (!section.has(key) || value == 0.0) return;
+  const auto word = word_of(material.criterion, bond_criterion_words);
+  section.refuse(
+      key, fmt::format("the criterion uses {}", keys_of(material.criterion).compared_quantity),
+      "Remove the key, or choose another criterion",
+      fmt::format("nothing beside the criterion \"{}\"", word));
+}
+
+void require_key(Section& section, const char* key, double value, const Material& material) {
+  const auto word = word_of(material.criterion, bond_criterion_words);
+  if (value == 0.0)
+    section.refuse(key, fmt::format("the criterion \"{}\" needs it", word), "Add it",
+                   "greater than 0");
+}
+
+// Whether the energy is the only limit: a strain of the base gives way to an energy of the case.
+bool has_energy_alone(const Section& section, const Material& material) {
+  const bool has_strain = material.failure_strain > 0.0 &&
+                          (section.has("failure_strain") || !section.has("fracture_energy"));
+  return material.fracture_energy > 0.0 && !has_strain;
+}
+
+// Of two limits that a base with another criterion has, one stays: the one that the case gives,
+// else the energy, which has a length scale.
+void choose_limit(const Section& section, Material& material) {
+  if (section.has("fracture_energy") || material.fracture_energy == 0.0) return;
+  const bool by_strain = section.has("failure_strain") && material.failure_strain > 0.0;
+  (by_strain ? material.fracture_energy : material.failure_strain) = 0.0;
+}
+
+// Checks the fracture energy, which replaces a failure strain.
+void resolve_energy(Section& section, Formulation formulation, Material& material) {
+  choose_limit(section, material);
+  if (!section.has("fracture_energy") || material.fracture_energy == 0.0) return;
+  if (formulation != Formulation::standard)
+    section.refuse("fracture_energy", "this formulation breaks particles at a strain",
+                   "Give a failure_strain, or choose formulation = \"standard\"");
+  if (section.has("failure_strain") && material.failure_strain > 0.0)
+    section.refuse("fracture_energy", "a failure_strain is given as well", "Remove one of the two",
+                   "one of failure_strain and fracture_energy");
+  material.failure_strain = 0.0;
+}
+
+// Checks the failure strain and the fracture energy against the needs of the criterion.
+void resolve_limits(Section& section, Formulation formulation, Material& material) {
+  const CriterionKeys keys = keys_of(material.criterion);
+  switch (keys.limit) {
+    case StrainOrEnergy::one_of_them:
+      resolve_energy(section, formulation, material);
+      break;
+    case StrainOrEnergy::both:
+      require_key(section, "failure_strain", material.failure_strain, material);
+      require_key(section, "fracture_energy", material.fracture_energy, material);
+      break;
+    case StrainOrEnergy::energy:
+      require_key(section, "fracture_energy", material.fracture_energy, material);
+      refuse_key(section, "failure_strain", material.failure_strain, material);
+      material.failure_strain = 0.0;
+      break;
+    case StrainOrEnergy::neither:
+      refuse_key(section, "failure_strain", material.failure_strain, material);
+      refuse_key(section, "fracture_energy", material.fracture_energy, material);
+      material.failure_strain = material.fracture_energy = 0.0;
+      break;
+  }
+  if (keys.excludes_plasticity && material.plasticity != PlasticLaw::none)
+    section.refuse("criterion", "the material flows",
+                   "Choose another criterion, or plasticity = \"none\"",
+                   fmt::format("\"{}\" where plasticity is \"none\"",
+                               word_of(material.criterion, bond_criterion_words)));
+}
+
+// Checks the rate of strain on which strength depends.
+void resolve_strength_rate(Section& section, const Material& material) {
+  const StrengthRate<double>& rate = material.laws->strength_rate;
+  if (!rate.is_on()) return;
+  if (material.plasticity != PlasticLaw::none)
+    section.refuse("strength_rate_exponent", "the material flows",
+                   "Remove the key; the rate of a flowing material is that of johnson_cook",
+                   "0 where plasticity is not \"none\"");
+  if (rate.reference_rate == 0.0)
+    section.refuse("strength_reference_rate", "a strength_rate_exponent needs it",
+                   "Add the rate of strain of the tests that gave the limits",
+                   "greater than 0 s-1");
+  else if (rate.greatest_rate <= rate.reference_rate)
+    section.refuse("strength_greatest_rate", "strength would not depend on the rate",
+                   "Give a rate above the strength_reference_rate, or remove the key",
+                   fmt::format("above {:g} s-1", rate.reference_rate));
+}
+
+}  // namespace
+
+void choose_criterion(const Section& section, const LibraryMaterial* base, Formulation formulation,
+                      Material& material) {
+  const bool is_named = section.has("criterion") || (base && base->criterion);
+  if (is_named || formulation != Formulation::standard || material.kind != MaterialKind::elastic)
+    return;
+  material.criterion = default_criterion(has_energy_alone(section, material), material.plasticity);
+}
+
+void resolve_fracture(Section& section, Formulation formulation, Material& material) {
+  resolve_limits(section, formulation, material);
+  resolve_strength_rate(section, material);
+}
+
+}  // namespace kerf
