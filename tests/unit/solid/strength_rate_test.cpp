@@ -20,7 +20,7 @@ Medium<double> rate_solid(BondCriterion criterion) {
 }
 
 template <int D, class P>
-void stretch(SolidOnTrial<D, P>& trial, double strain, double dt) {
+void stretch_in_step(SolidOnTrial<D, P>& trial, double strain, double dt) {
   Square<D> map = Square<D>::Identity();
   map(0, 0) += strain;
   trial.map(map);
@@ -43,7 +43,7 @@ double strain_of_first_break(const Medium<double>& medium, double rate) {
   SolidOnTrial<D, P> trial(block<D>({.cells = {6, 5, 5}}, medium));
   const double step = 2e-5;
   for (int n = 1; n < 20000; ++n) {
-    stretch(trial, n * step, step / rate);
+    stretch_in_step(trial, n * step, step / rate);
     if (trial.solid.fracture().bonds > 0) return n * step;
     end_step(trial);
   }
@@ -77,7 +77,7 @@ TYPED_TEST(StrengthRateOfSolid, SoftensFromAStrainThatGrowsWithTheRate) {
   const Index middle = static_cast<Index>(trial.size() / 2);
   double undamaged = 0.0;  // the largest strain without damage
   for (int n = 1; n <= 600; ++n) {
-    stretch(trial, n * step, step / rate);
+    stretch_in_step(trial, n * step, step / rate);
     const auto view = trial.solid.view();
     const double k = double(view.current_strain[middle]);
     if (undamaged_share(view.medium(middle), view.softening_strain(middle)) == 1)
@@ -100,7 +100,7 @@ TYPED_TEST(StrengthRateOfSolid, BalanceOfEnergyCloses) {
   const double step = 2e-5;
   double work = 0.0, stress_before = 0.0, most_factor = 0.0;
   for (int n = 1; n <= 2500; ++n) {
-    stretch(trial, n * step, step / 1000.0 * std::exp(0.02 * n));
+    stretch_in_step(trial, n * step, step / 1000.0 * std::exp(0.02 * n));
     const auto view = trial.solid.view();
     double stress = 0.0;  // sum over particles of volume x first Piola-Kirchhoff stress
     for (Index i = 0; i < trial.size(); ++i) {
@@ -126,14 +126,14 @@ TYPED_TEST(StrengthRateOfSolid, IsRestoredBitForBit) {
       block<D>({.cells = {6, 5, 5}, .jitter = 0.1}, rate_solid<D>(BondCriterion::crack_band));
   Trial first(layout), second(layout);
   for (int n = 1; n <= 20; ++n) {
-    stretch(first, 1e-3 * n, 1e-5);
+    stretch_in_step(first, 1e-3 * n, 1e-5);
     first.solid.fracture();
     end_step(first);
   }
   second.solid.restore(first.solid.save());
   for (Trial* trial : {&first, &second})
     for (int n = 21; n <= 40; ++n) {
-      stretch(*trial, 1e-3 * n, 1e-4);
+      stretch_in_step(*trial, 1e-3 * n, 1e-4);
       trial->solid.fracture();
       end_step(*trial);
     }
