@@ -39,6 +39,16 @@ endif()
 target_compile_definitions(kerf_thrust INTERFACE THRUST_IGNORE_DEPRECATED_CPP_DIALECT=1)
 target_link_libraries(kerf_thrust INTERFACE TBB::tbb)
 
+# Several ranks: Open MPI, and the recursive coordinate bisection of Zoltan.
+if(KERF_MPI)
+  find_package(MPI REQUIRED COMPONENTS CXX)
+  find_path(ZOLTAN_INCLUDE zoltan.h PATH_SUFFIXES trilinos REQUIRED)
+  find_library(ZOLTAN_LIBRARY NAMES trilinos_zoltan zoltan REQUIRED)
+  add_library(zoltan INTERFACE)
+  target_include_directories(zoltan SYSTEM INTERFACE ${ZOLTAN_INCLUDE})
+  target_link_libraries(zoltan INTERFACE ${ZOLTAN_LIBRARY})
+endif()
+
 # Particle loops on a GPU: the Thrust of the CUDA toolkit, or that of the CPU in the emulation.
 add_library(kerf_thrust_emulated INTERFACE)
 target_link_libraries(kerf_thrust_emulated INTERFACE kerf_thrust)

@@ -3,7 +3,7 @@
 # folders before it in this list; tests/harness/check_layers.py checks the includes and docs/flow.md.
 set(KERF_LAYERS
   core kernels materials fracture model geometry machine input
-  parallel simd particles neighbours pairs solid fluid contact time
+  parallel simd particles neighbours distributed pairs solid fluid contact time
   simulation shinohara2004 standard engine
   analysis output report verification study app library python)
 

@@ -2,6 +2,8 @@
 # Functions that define the libraries of Kerf: compiler flags, warnings, sanitizers.
 add_library(kerf_flags INTERFACE)
 target_include_directories(kerf_flags INTERFACE ${CMAKE_BINARY_DIR}/generated)
+configure_file(${CMAKE_SOURCE_DIR}/src/parallel/build_options.hpp.in
+  ${CMAKE_BINARY_DIR}/generated/build_options.hpp)
 target_compile_definitions(kerf_flags INTERFACE KERF_VERSION="${PROJECT_VERSION}")
 target_compile_options(kerf_flags INTERFACE
   $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow>
@@ -91,6 +93,24 @@ function(kerf_add_simd)
       target_link_libraries(kerf_simd_baseline PUBLIC kerf_simd_${set})
     endif()
   endforeach()
+endfunction()
+
+# Adds what several ranks need (src/*/mpi/) to the libraries of its layers, and the library that divides space.
+function(kerf_add_mpi)
+  if(NOT KERF_MPI)
+    return()
+  endif()
+  kerf_layer_folder(distributed folder)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/distributed/mpi/*.cpp)
+  add_library(kerf_distributed STATIC ${sources})
+  target_include_directories(kerf_distributed PRIVATE ${folder})
+  target_link_libraries(kerf_distributed PUBLIC kerf_parallel PRIVATE zoltan MPI::MPI_CXX)
+  foreach(layer parallel engine)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${layer}/mpi/*.cpp)
+    target_sources(kerf_${layer} PRIVATE ${sources})
+  endforeach()
+  target_link_libraries(kerf_parallel PRIVATE MPI::MPI_CXX)
+  target_link_libraries(kerf_engine PUBLIC kerf_distributed)
 endfunction()
 
 # kerf_gpu_engine(target kind sources...) builds the engine with its loops for a GPU as a library that the

@@ -17,6 +17,7 @@
 #include "app/version_text.hpp"
 #include "core/error.hpp"
 #include "input/problems.hpp"
+#include "parallel/ranks.hpp"
 #include "study/process_limits.hpp"
 
 namespace kerf {
@@ -54,19 +55,31 @@ int tell_of_memory() {
   return exit_run_failed;
 }
 
+// Several ranks share a run; each would do the work of another command.
+void refuse_other_commands(int argc, char** argv) {
+  if (!ranks::are_several() || (argc > 1 && std::string(argv[1]) == "run")) return;
+  throw UserError(
+      fmt::format("mpirun with {} ranks: only 'kerf run' is computed by several ranks. Start "
+                  "other commands without mpirun.",
+                  ranks::count()),
+      exit_usage);
+}
+
 int run(CLI::App& program, int argc, char** argv) {
   try {
     refuse_small_limits();
+    refuse_other_commands(argc, argv);
     refuse_other_encodings(argc, argv);
     program.parse(argc, argv);
   } catch (const CLI::RuntimeError& error) {
     return error.get_exit_code();
   } catch (const CLI::ParseError& error) {
+    if (ranks::number() != 0) return error.get_exit_code() == 0 ? 0 : exit_usage;  // rank 0 says it
     if (program.exit(error) == 0) return 0;
     suggest(program);
     return exit_usage;
   } catch (const UserError& error) {
-    fmt::print(stderr, "kerf: error: {}\n", error.what());
+    if (ranks::number() == 0) fmt::print(stderr, "kerf: error: {}\n", error.what());
     return error.exit_code();
   } catch (const std::bad_alloc&) {
     return tell_of_memory();
@@ -88,6 +101,7 @@ int run(CLI::App& program, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit of file sizes fails with an error
+  const kerf::ranks::Session ranks(argc, argv);
   CLI::App program("Kerf simulates water-jet cutting.", "kerf");
   program.set_version_flag("--version", kerf::version_text);
   program.require_subcommand(1);

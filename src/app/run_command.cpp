@@ -13,8 +13,10 @@
 #include "app/run_loop.hpp"
 #include "app/slurm_run.hpp"
 #include "core/error.hpp"
+#include "engine/lead.hpp"
 #include "input/read.hpp"
 #include "output/readable.hpp"
+#include "parallel/ranks.hpp"
 #include "report/report_parts.hpp"
 
 namespace kerf {
@@ -138,13 +140,19 @@ int run_by_slurm(RunOptions options) {
   return run_on_slurm(run);
 }
 
-void run(const RunOptions& options) {
-  if (options.where == "slurm") {
-    if (const int code = run_by_slurm(options); code != 0) throw CLI::RuntimeError(code);
-    return;
-  }
-  take_machine(options.machine);
-  const RunLoopSettings settings = settings_of(options);
+// Refuses the options that several ranks cannot follow.
+void refuse_for_ranks(const RunOptions& options) {
+  const auto refuse = [](const char* option, const char* reason) {
+    throw UserError(fmt::format("mpirun with {} ranks: {} {}. Leave the option or mpirun out.",
+                                ranks::count(), option, reason),
+                    exit_bad_input);
+  };
+  if (options.where == "slurm") refuse("--on slurm", "starts a run of one rank");
+  if (options.converge) refuse("--converge", "starts runs of one rank each");
+  if (options.machine.device != Device::cpu) refuse("--device gpu", "computes with one rank only");
+}
+
+void run_here(const RunOptions& options, const RunLoopSettings& settings) {
   const ConvergeSettings further = converge_settings_of(options, settings);
   if (options.converge) check_convergence(settings.description, further);
   leave_if_stopped(RunLoop(settings, make_simulation).run().signal);
@@ -154,6 +162,31 @@ void run(const RunOptions& options) {
     if (options.converge) leave_if_stopped(converge(settings.description, further));
     if (options.json_summary) fmt::print("{}", run_json(read_result(file), settings.folder));
   });
+}
+
+// Of several ranks the first one runs the case, and the others follow it.
+void run_with_ranks(const RunOptions& options) {
+  RunLoopSettings settings;
+  at_all_ranks([&] {
+    refuse_for_ranks(options);
+    take_machine(options.machine);
+    settings = settings_of(options);
+    refuse_undistributed(settings.description);
+  });
+  if (ranks::number() != 0) return follow(settings.description);
+  const Lead lead;
+  run_here(options, settings);
+}
+
+void run(const RunOptions& options) {
+  if constexpr (ranks::exist)
+    if (ranks::are_several()) return run_with_ranks(options);
+  if (options.where == "slurm") {
+    if (const int code = run_by_slurm(options); code != 0) throw CLI::RuntimeError(code);
+    return;
+  }
+  take_machine(options.machine);
+  run_here(options, settings_of(options));
 }
 
 }  // namespace

@@ -13,6 +13,8 @@
 #include "core/version.hpp"
 #include "engine/gpu/gpu_engine.hpp"
 #include "engine/instantiate.hpp"
+#include "engine/lead.hpp"
+#include "parallel/ranks.hpp"
 
 namespace kerf {
 namespace {
@@ -80,6 +82,8 @@ std::string device_name() {
 }
 
 std::unique_ptr<Simulation> make_simulation(const Case& description) {
+  if constexpr (ranks::exist)
+    if (ranks::are_several()) return make_led(description);
   return engine == nullptr ? make_here(description) : engine->make(description);
 }
 

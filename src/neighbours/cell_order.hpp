@@ -5,7 +5,7 @@
 #pragma once
 
 #include "neighbours/level_grids.hpp"
-#include "particles/fields.hpp"
+#include "particles/reorder.hpp"
 
 namespace kerf {
 
@@ -64,28 +64,32 @@ class CellTable {
   void build(Particles<D, P>& particles, const LevelGrids<D>& grids) {
     const Index n = particles.size(), cells = grids.count();
     number(particles, grids);
-    late_ = count_indices(n, ComesTooLate{pointer(cell_)});
-    if (late_ > 0) {
+    has_table_ = particles.ghosts.count > 0 ||
+                 reduce_unordered(n, ComesTooLate{pointer(cell_)}, false, Either{});
+    if (has_table_) {
       key_ = cell_;
       particle_at_.resize(n);
       thrust::sequence(loop_policy(), particle_at_.begin(), particle_at_.end());
       thrust::stable_sort_by_key(loop_policy(), key_.begin(), key_.end(), particle_at_.begin());
     }
+    if (particles.ghosts.count > 0)
+      for_each_index(n, SortRun{pointer(key_),
+                                {pointer(particles.sorted_cell), pointer(particles.id)},
+                                n,
+                                pointer(particle_at_)});
     begin_.resize(cells + 1);
     for_each_index(n + 1, BeginCells{view(), n, cells, pointer(begin_)});
   }
 
-  // How many particles are in a cell before that of their predecessor: a measure of disorder.
-  Index late() const { return late_; }
   CellOrder view() const {
-    return {late_ == 0 ? nullptr : pointer(particle_at_), pointer(cell_), pointer(begin_)};
+    return {has_table_ ? pointer(particle_at_) : nullptr, pointer(cell_), pointer(begin_)};
   }
   std::size_t entries() const {
     return cell_.size() + begin_.size() + key_.size() + particle_at_.size();
   }
 
  private:
-  Index late_ = 0;
+  bool has_table_ = false;  // whether the particles themselves are in another order
   Array<Index> cell_, begin_, particle_at_;
   Array<Index> key_;  // scratch of the sort
 };

@@ -12,10 +12,9 @@
 
 #include "model/medium.hpp"
 #include "neighbours/grid.hpp"
+#include "particles/particle_groups.hpp"
 
 namespace kerf {
-
-inline constexpr int most_levels = 5;
 
 // The longest cutoff between particles of two levels, m, without the skin.
 struct LevelReach {
@@ -69,6 +68,16 @@ struct LevelGrids {
     return first[level] + grid[level].number(x);
   }
   Index count() const { return first[levels]; }
+  GridRows rows() const {
+    GridRows rows;
+    rows.levels = levels;
+    for (int a = 0; a < levels; ++a) {
+      rows.first[a] = first[a];
+      rows.across[a] = static_cast<Index>(grid[a].cells[0]);
+    }
+    rows.first[levels] = count();
+    return rows;
+  }
 };
 
 // Calls take(begin, end) for the particles of a row of cells, given where the cells begin in the

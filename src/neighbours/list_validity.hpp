@@ -213,12 +213,16 @@ class ListValidity {
     fastest_ = motion.fastest;
   }
 
+  // Whether the noted steps alone show that it will be valid.
+  bool holds_by_notes(double horizon) const {
+    return 2.0 * rounding * (travelled_ + horizon * fastest_) <= left_;
+  }
+
   // Returns whether the list will be valid after all particles have moved on for `horizon` seconds.
   // The particles are visited only where the noted steps leave that open, so that the answer does
   // not depend on the notes.
   bool holds(Particles<D, P>& particles, const CellOrder& order, double horizon) {
-    constexpr double rounding = 1.0 + 1e-5;
-    if (2.0 * rounding * (travelled_ + horizon * fastest_) <= left_) return true;
+    if (holds_by_notes(horizon)) return true;
     const double left = left_at(particles, order, horizon);
     left_ = left - 2.0 * rounding * horizon * fastest_;  // without the prediction
     travelled_ = 0.0;
@@ -238,17 +242,22 @@ class ListValidity {
   }
 
  private:
-  // Returns the relative displacement that is left then, m.
+  static constexpr double rounding = 1.0 + 1e-5;
+
+  // Returns the relative displacement that is left then, m. Every pair of adjacent patches is whole
+  // at one rank at least.
   double left_at(Particles<D, P>& particles, const CellOrder& order, double horizon) {
     const BoundMotion<D, P> bound{particles.view(),   cells_,  patches_,        order,
                                   pointer(occupied_), horizon, pointer(bounds_)};
-    auto all = reduce_in_groups(count_, bound, MotionBounds<D>::at_rest(), UniteBounds{});
+    auto all = ranks::combined(
+        reduce_in_groups(count_, bound, MotionBounds<D>::at_rest(), UniteBounds{}), UniteBounds{});
     for (int a = 0; a < D; ++a)
       if (MirrorPlanes<D>::flips(particles.mirrors.faces, a)) all.include_mirrored(a);
     const LargestRelativeDisplacement<D> farthest{cells_, patches_, pointer(occupied_),
                                                   pointer(bounds_)};
-    return std::min(slack_ - all.relative(all),
-                    skin_ - reduce_in_groups(count_, farthest, 0.0, Larger{}));
+    const double relative =
+        ranks::combined(reduce_in_groups(count_, farthest, 0.0, Larger{}), Larger{});
+    return std::min(slack_ - all.relative(all), skin_ - relative);
   }
 
   LevelGrids<D> cells_{};

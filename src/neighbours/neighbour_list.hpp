@@ -38,18 +38,21 @@ class NeighbourList {
   // Makes the lists go class by class.
   void sort_neighbours_by_class() { splits_ = true; }
 
+  const LevelGrids<D>& grids() const { return grids_; }
+
   // Returns the cell numbers of the build positions, the sort key of the particles.
   const Array<Index>& cell_numbers(Particles<D, P>& particles) {
     return cells_.number(particles, grids_);
   }
 
-  // Finds all lists, of particles in any order: best in that of their cell numbers.
+  // Finds all lists but those of ghosts, of particles in any order: best in that of their cell
+  // numbers.
   void build(Particles<D, P>& particles) {
     const Index n = particles.size();
     require(particles.mirrors.faces == 0 || n <= MirrorPlanes<D>::most_particles,
             "as many particles as have indices beside the codes of mirrors");
     cells_.build(particles, grids_);
-    entries_.list(find(particles), n);
+    entries_.list(find(particles), particles.owned());
     listed_as_ = particles.fractured;
     validity_.restart(cells_.view());
   }
@@ -59,6 +62,14 @@ class NeighbourList {
   // anew: too many have moved or come, or the list would not hold for `horizon` seconds; and on a
   // GPU, where that takes no longer.
   bool refresh(Particles<D, P>& particles, double horizon, bool have_moved) {
+    if (!mark_for_refresh(particles, have_moved)) return false;
+    refresh_marked(particles, true);
+    return is_usable(particles, horizon);
+  }
+  // The same in parts, for several ranks: marks the particles that have moved or come, unless that
+  // are too many; gives them new build positions; and after build() returns whether the particles
+  // are still in order and the list will hold.
+  bool mark_for_refresh(Particles<D, P>& particles, bool have_moved) {
     if (on_gpu) return false;
     constexpr double share = 0.3;  // of the skin; two that have moved less apart need no refresh
     const Index n = particles.size(), listed = this->listed();
@@ -66,9 +77,15 @@ class NeighbourList {
     thrust::fill(moved_.begin(), moved_.begin() + listed, std::uint8_t(0));
     thrust::fill(moved_.begin() + listed, moved_.end(), std::uint8_t(1));
     if (have_moved) validity_.mark_moved(cells_.view(), share, pointer(moved_));
-    if (count_indices(n, IsSet{pointer(moved_)}) > n / 2) return false;
-    refresh_marked(particles, true);
-    return cells_.late() <= n / 8 && validity_.holds(particles, cells_.view(), horizon);
+    const IsMarked<D, P> is_marked{particles.view(), pointer(moved_)};
+    return ranks::total(count_indices(n, is_marked)) <= ranks::total(particles.owned()) / 2;
+  }
+  void move_marked(Particles<D, P>& particles) {
+    for_each_index(particles.size(), MoveBuildPosition<D, P>{particles.view(), pointer(moved_)});
+  }
+  bool is_usable(Particles<D, P>& particles, double horizon) {
+    return ranks::total(disorder(particles)) <= ranks::total(particles.owned()) / 8 &&
+           validity_.holds(particles, cells_.view(), horizon);
   }
   // Refreshes it around the particles that have become fluid.
   void refresh_fractured(Particles<D, P>& particles) {
@@ -82,6 +99,8 @@ class NeighbourList {
   // How many particles are listed.
   Index listed() const { return static_cast<Index>(listed_as_.size()); }
 
+  // Whether the notes of the last steps show that it will be valid (is_outdated()).
+  bool holds_by_notes(double horizon) const { return validity_.holds_by_notes(horizon); }
   // Must be called for each step.
   void note(const StepMotion& motion) { validity_.note(motion); }
   // Returns whether a pair that is not listed may come within reach in the next `horizon` seconds.
@@ -103,6 +122,12 @@ class NeighbourList {
 
  private:
   using Find = FindNeighbours<D, P, Scheme>;
+
+  Index disorder(Particles<D, P>& particles) const {
+    const GroupView groups = particles.sum_groups.view();
+    const DisorderOfGroup of_group{groups, cells_.view().cell, pointer(particles.sorted_cell)};
+    return reduce_unordered(groups.count, of_group, Index(0), AddCounts{});
+  }
 
   // Lists the particles of `moved_`, at their positions if it `moves` them, and those around them.
   void refresh_marked(Particles<D, P>& particles, bool moves) {

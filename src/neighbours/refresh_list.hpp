@@ -92,6 +92,28 @@ struct MarkAround {
   }
 };
 
+// A measure of the disorder of the particles of a group since they were sorted: how many are in a
+// cell before that of their predecessor, or have joined since then.
+struct DisorderOfGroup {
+  GroupView groups;
+  const Index *cell, *sorted_cell;  // of each particle, now and when they were sorted
+
+  KERF_FUNCTION Index operator()(Index group) const {
+    const Index first = groups.begin[group], last = groups.begin[group + 1];
+    Index late = sorted_cell[first] == unsorted ? 1 : 0;
+    for (Index i = first + 1; i < last; ++i) late += cell[i] < cell[i - 1] ? 1 : 0;
+    return late;
+  }
+};
+
+// Whether a particle is marked and not a ghost.
+template <int D, class P>
+struct IsMarked {
+  ParticleView<D, P> particles;
+  const std::uint8_t* marks;
+  KERF_FUNCTION bool operator()(Index i) const { return marks[i] != 0 && !particles.ghosts.has(i); }
+};
+
 // Lists the marked particles at their positions from now on.
 template <int D, class P>
 struct MoveBuildPosition {

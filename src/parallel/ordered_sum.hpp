@@ -11,6 +11,7 @@ namespace kerf {
 // N numbers summed together.
 template <int N>
 struct Terms {
+  static constexpr int terms = N;
   double value[N];
 
   KERF_FUNCTION static Terms zero() {

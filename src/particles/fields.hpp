@@ -9,15 +9,18 @@
 #include <vector>
 
 #include "core/mirror_planes.hpp"
-#include "core/tensor.hpp"
 #include "model/medium.hpp"
 #include "parallel/loops.hpp"
+#include "particles/field_types.hpp"
 #include "particles/new_particle.hpp"
+#include "particles/particle_groups.hpp"
 #include "particles/shown.hpp"
 
 namespace kerf {
 
 // STATE(type, name, initial, group, shown) is a field that checkpoints hold and reordering moves;
+// PAIRED, with the same arguments, is one that also changes within a step and that pair loops read
+// of neighbours, so that ghosts get it anew (distributed/domain_decomposition.hpp);
 // SCRATCH(type, name, group, shown) is one that is filled and used within one step.
 //   type     one of FieldTypes, or a plain integer
 //   initial  its value for a particle that joins the run, from `start` (NewParticle) and `medium`
@@ -27,15 +30,15 @@ namespace kerf {
 //   (particles/shown.hpp)
 // The pressure work, J/kg, is what was done against pressure so far.
 // clang-format off
-#define KERF_PARTICLE_FIELDS(STATE, SCRATCH)                                                       \
-  STATE(Point, position, Point::from(start.position), always, hidden) /* m */                      \
+#define KERF_PARTICLE_FIELDS(STATE, PAIRED, SCRATCH)                                               \
+  PAIRED(Point, position, Point::from(start.position), always, hidden) /* m */                      \
   STATE(Point, build_position, Point::from(start.position), always, hidden) /* m, when listed */   \
-  STATE(RealVector, velocity, RealVector::from(start.velocity), always, hidden) /* m/s */          \
-  STATE(Real, compression, medium.initial_compression, always, hidden) /* 1, rho/rho_0 - 1 */      \
+  PAIRED(RealVector, velocity, RealVector::from(start.velocity), always, hidden) /* m/s */          \
+  PAIRED(Real, compression, medium.initial_compression, always, hidden) /* 1, rho/rho_0 - 1 */      \
   STATE(Real, compression_rate, 0, always, hidden)                   /* 1/s */                     \
   STATE(RealVector, conservative_acceleration, RealVector(), always, hidden)                       \
   /* m/s^2, of the last step, without damping_acceleration */                                      \
-  STATE(RealVector, wall_normal, RealVector(), always, hidden)       /* 1, to a wall; 0 = none */  \
+  PAIRED(RealVector, wall_normal, RealVector(), always, hidden)       /* 1, to a wall; 0 = none */  \
   STATE(RealVector, face_normal, RealVector::from(start.face_normal), rigid_walls, hidden)         \
   /* 1, of a rigid particle: of the face nearest to it; of fluid: of the rigid wall beside it */   \
   STATE(Real, face_depth, start.face_depth, rigid_walls, hidden) /* m, of a rigid particle */      \
@@ -45,9 +48,10 @@ namespace kerf {
   STATE(Real, pressure_work, medium.tait.energy(medium, medium.initial_compression), always, hidden)     \
   STATE(std::uint32_t, inlet_column, start.inlet_column, always, hidden) /* of its nozzle */       \
   STATE(std::uint32_t, id, start.id, always, hidden)                 /* unique, never reused */    \
+  STATE(Index, sorted_cell, unsorted, always, hidden)                /* when they were sorted */   \
   STATE(std::uint16_t, source, start.source, always, hidden)         /* simulation/media_order.hpp */   \
   STATE(std::uint8_t, fractured, 0, always, hidden) /* 1 = bears compression only */               \
-  STATE(std::uint8_t, flags, start.flags, always, hidden) /* particles/new_particle.hpp */         \
+  PAIRED(std::uint8_t, flags, start.flags, always, hidden) /* particles/new_particle.hpp */         \
   STATE(std::uint8_t, asleep, 0, sleep, hidden) /* 1 = solid at rest that is not computed */        \
   STATE(std::uint8_t, moving, medium.phase == Phase::water, sleep, hidden) /* standard/sleep.hpp */ \
   STATE(std::uint8_t, reached, medium.phase == Phase::water, sleep, hidden) /* the same */          \
@@ -93,46 +97,13 @@ struct FieldGroups {
   bool sleep = false;          // solid at rest may sleep (standard)
 };
 
-// Contact of a particle of a solid with other bodies (contact/surface_contact.hpp).
-template <int D, class T>
-struct ContactState {
-  T force;              // J, derivative of its energy by the kernel sum phi; 0: no contact
-  T energy;             // J
-  T slope;              // 1/m, |grad phi|
-  Vector<D, T> normal;  // into the other body
-
-  KERF_FUNCTION static ContactState none() { return {T(0), T(0), T(0), Vector<D, T>::zero()}; }
-};
-
-// What the sums over the rigid walls beside a fluid particle tell (fluid/rigid_wall.hpp).
-template <int D, class T>
-struct RigidWall {
-  Vector<D, T> normal;                  // 1, into the fluid; 0: none, an edge or a corner
-  T force_excess, volume_excess, room;  // 1
-  bool is_corner, is_edge;
-
-  KERF_FUNCTION static RigidWall none() {
-    return {Vector<D, T>::zero(), T(0), T(0), T(0), false, false};
-  }
-};
-
 // The row of a field, for visitors of the fields.
-template <bool State>
+enum class FieldKind { state, paired, scratch };
+template <FieldKind kind>
 struct FieldRow {
-  static constexpr bool is_state = State;
+  static constexpr bool is_state = kind != FieldKind::scratch;
+  static constexpr bool is_paired = kind == FieldKind::paired;
   const char* name;
-};
-
-template <int D, class P>
-struct FieldTypes {
-  using Real = typename P::Real;
-  using Point = Vector<D, double>;
-  using RealVector = Vector<D, Real>;
-  using Stress = SymmetricTensor<D, Real>;
-  using Gradient = Matrix<D, Real>;
-  using Spin = SkewTensor<D, Real>;
-  using SurfaceContactState = ContactState<D, Real>;
-  using RigidWallState = RigidWall<D, Real>;
 };
 
 // The view of the particles that loop bodies get: plain pointers.
@@ -148,11 +119,12 @@ struct ParticleView : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::RigidWallState;
 #define KERF_STATE(type, name, initial, group, shown) type* name;  // null without its group
 #define KERF_SCRATCH(type, name, group, shown) type* name;
-  KERF_PARTICLE_FIELDS(KERF_STATE, KERF_SCRATCH)
+  KERF_PARTICLE_FIELDS(KERF_STATE, KERF_STATE, KERF_SCRATCH)
 #undef KERF_STATE
 #undef KERF_SCRATCH
   const Medium<Real>* media;
   MirrorPlanes<D> mirrors;
+  Ghosts ghosts;
 
   KERF_FUNCTION const Medium<Real>& medium(Index i) const {
     return media[source[i]];
@@ -195,15 +167,21 @@ class Particles : FieldTypes<D, P> {
 
 #define KERF_STATE(type, name, initial, group, shown) Array<type> name;
 #define KERF_SCRATCH(type, name, group, shown) Array<type> name;
-  KERF_PARTICLE_FIELDS(KERF_STATE, KERF_SCRATCH)
+  KERF_PARTICLE_FIELDS(KERF_STATE, KERF_STATE, KERF_SCRATCH)
 #undef KERF_STATE
 #undef KERF_SCRATCH
   FieldGroups groups;  // to be set before there are particles
+  ParticleGroups sum_groups;
   Array<Medium<Real>> media;
   MirrorPlanes<D> mirrors{};
+  Ghosts ghosts;  // particles of other ranks
 
   Index size() const {
     return static_cast<Index>(id.size());
+  }
+  // How many are not ghosts; what has joined since the ghosts came follows after them.
+  Index owned() const {
+    return size() - ghosts.count;
   }
 
   // Calls visit(row, array, shown) for every field that the groups of the run have.
@@ -252,20 +230,27 @@ class Particles : FieldTypes<D, P> {
       return static_cast<type>(initial);                           \
     });
 #define KERF_SCRATCH(type, name, group, shown)
-    KERF_PARTICLE_FIELDS(KERF_STATE, KERF_SCRATCH)
+    KERF_PARTICLE_FIELDS(KERF_STATE, KERF_STATE, KERF_SCRATCH)
 #undef KERF_STATE
 #undef KERF_SCRATCH
+    regroup();
+  }
+
+  // Must be called when `sorted_cell` or the order of the particles has changed.
+  void regroup() {
+    sum_groups.find(sorted_cell, owned());
   }
 
   ParticleView<D, P> view() {
     ParticleView<D, P> v;
 #define KERF_STATE(type, name, initial, group, shown) KERF_SCRATCH(type, name, group, shown)
 #define KERF_SCRATCH(type, name, group, shown) v.name = groups.group ? pointer(name) : nullptr;
-    KERF_PARTICLE_FIELDS(KERF_STATE, KERF_SCRATCH)
+    KERF_PARTICLE_FIELDS(KERF_STATE, KERF_STATE, KERF_SCRATCH)
 #undef KERF_STATE
 #undef KERF_SCRATCH
     v.media = pointer(media);
     v.mirrors = mirrors;
+    v.ghosts = ghosts;
     return v;
   }
 
@@ -280,12 +265,15 @@ class Particles : FieldTypes<D, P> {
  private:
   template <class Self, class Visit>
   static void visit_fields(Self& self, const Visit& visit) {
-#define KERF_STATE(type, name, initial, group, shown) \
-  if (self.groups.group) visit(FieldRow<true>{#name}, self.name, shown);
-#define KERF_SCRATCH(type, name, group, shown) \
-  if (self.groups.group) visit(FieldRow<false>{#name}, self.name, shown);
-    KERF_PARTICLE_FIELDS(KERF_STATE, KERF_SCRATCH)
+#define KERF_ROW(kind, name, shown, group) \
+  if (self.groups.group) visit(FieldRow<FieldKind::kind>{#name}, self.name, shown);
+#define KERF_STATE(type, name, initial, group, shown) KERF_ROW(state, name, shown, group)
+#define KERF_PAIRED(type, name, initial, group, shown) KERF_ROW(paired, name, shown, group)
+#define KERF_SCRATCH(type, name, group, shown) KERF_ROW(scratch, name, shown, group)
+    KERF_PARTICLE_FIELDS(KERF_STATE, KERF_PAIRED, KERF_SCRATCH)
+#undef KERF_ROW
 #undef KERF_STATE
+#undef KERF_PAIRED
 #undef KERF_SCRATCH
   }
 };

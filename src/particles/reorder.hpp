@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // This file reorders and removes particles: every state field is gathered by one list of indices.
+// Sorted particles have an order that follows from their cells and ids alone.
 #pragma once
 
 #include "particles/fields.hpp"
@@ -11,6 +12,7 @@ template <int D, class P>
 void gather_particles(Particles<D, P>& particles, const Array<Index>& order) {
   particles.for_each_state([&](const char*, auto& field) { gather_in_place(order, field); });
   particles.resize(static_cast<Index>(order.size()));
+  particles.regroup();
 }
 
 template <int D, class P>
@@ -32,15 +34,48 @@ void remove_outflow(Particles<D, P>& particles) {
   if (order.size() < particles.size()) gather_particles(particles, order);
 }
 
-// Sorts the particles by their keys; those of equal keys keep their order.
+// The order of all particles: by the cell in which they were sorted, and there by their ids.
+struct ComesBefore {
+  const Index* sorted_cell;
+  const std::uint32_t* id;
+
+  KERF_FUNCTION bool operator()(Index i, Index j) const {
+    return sorted_cell[i] != sorted_cell[j] ? sorted_cell[i] < sorted_cell[j] : id[i] < id[j];
+  }
+};
+
+// Sorts each run of particles with equal keys. A run is short, and mostly in order.
+struct SortRun {
+  const Index* key;  // of each place, in order
+  ComesBefore comes_before;
+  Index count;
+  Index* order;  // the particle at each place
+
+  KERF_FUNCTION void operator()(Index first) const {
+    if (first > 0 && key[first] == key[first - 1]) return;  // not the first one of a run
+    for (Index next = first + 1; next < count && key[next] == key[first]; ++next) {
+      const Index particle = order[next];
+      Index place = next;
+      for (; place > first && comes_before(particle, order[place - 1]); --place)
+        order[place] = order[place - 1];
+      order[place] = particle;
+    }
+  }
+};
+
+// Sorts the particles by their cells, and those of one cell by their ids.
 template <int D, class P>
-void sort_particles(Particles<D, P>& particles, const Array<Index>& key) {
+void sort_particles(Particles<D, P>& particles, const Array<Index>& cell) {
   TemporaryIndices<0> sorted;
   TemporaryIndices<1> order;
-  *sorted = key;
+  particles.sorted_cell = cell;
+  *sorted = cell;
   order->resize(particles.size());
   thrust::sequence(loop_policy(), order->begin(), order->end());
   thrust::stable_sort_by_key(loop_policy(), sorted->begin(), sorted->end(), order->begin());
+  const ComesBefore comes_before{pointer(particles.sorted_cell), pointer(particles.id)};
+  for_each_index(particles.size(),
+                 SortRun{pointer(*sorted), comes_before, particles.size(), pointer(*order)});
   gather_particles(particles, *order);
 }
 

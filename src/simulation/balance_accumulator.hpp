@@ -30,8 +30,8 @@ class BalanceAccumulator {
                              double dt, const Before& before, const After& after) {
     using Change = StepChange<D, P>;
     const Change change{particles.view(), pointer(mass_of_), gravity, dt};
-    const auto sum =
-        change_sum_(particles.size(), StepWithBodies<D, P, Before, After>{before, change, after});
+    const auto sum = change_sum_(particles.sum_groups.view(), particles.size(),
+                                 StepWithBodies<D, P, Before, After>{before, change, after});
     for (int a = 0; a < D; ++a) {
       const auto axis = static_cast<std::size_t>(a);
       balance_.impulse_rigid[axis] += sum.value[Change::plate + a];
@@ -51,7 +51,8 @@ class BalanceAccumulator {
 
   void accumulate_outflow(Particles<D, P>& particles) {
     using Outflow = OutflowSum<D, P, Traits>;
-    const auto sum = outflow_sum_(particles.size(), Outflow{particles.view(), pointer(mass_of_)});
+    const auto sum = outflow_sum_(particles.sum_groups.view(), particles.size(),
+                                  Outflow{particles.view(), pointer(mass_of_)});
     balance_.mass_out += sum.value[Outflow::mass_out];
     balance_.mass_erased += sum.value[Outflow::mass_erased];
     for (int a = 0; a < D; ++a)
@@ -84,8 +85,8 @@ class BalanceAccumulator {
   // Returns the balance with the current state; the rates must be those of the state.
   Balance state(Particles<D, P>& particles, const Vector<D, double>& gravity) {
     using State = StateSum<D, P, Traits>;
-    const auto sum =
-        state_sum_(particles.size(), State{particles.view(), pointer(mass_of_), gravity});
+    const auto sum = state_sum_(particles.sum_groups.view(), particles.size(),
+                                State{particles.view(), pointer(mass_of_), gravity});
     Balance now = balance_;
     now.mass_now = sum.value[State::mass];
     now.mass_fractured = sum.value[State::fractured_mass];
@@ -112,9 +113,9 @@ class BalanceAccumulator {
   Balance balance_;
   Array<double> mass_of_;
   std::vector<double> mass_on_host_;
-  OrderedFold<typename StepChange<D, P>::Sum> change_sum_;
-  OrderedSum<StateSum<D, P, Traits>::slots> state_sum_;
-  OrderedSum<OutflowSum<D, P, Traits>::slots> outflow_sum_;
+  GroupSum<typename StepChange<D, P>::Sum> change_sum_;
+  GroupSum<Terms<StateSum<D, P, Traits>::slots>> state_sum_;
+  GroupSum<Terms<OutflowSum<D, P, Traits>::slots>> outflow_sum_;
 };
 
 }  // namespace kerf

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functors of the balance's sums over particles (parallel/ordered_sum.hpp). `Traits` are those
+// The functors of the balance's sums over particles (parallel/group_sum.hpp). `Traits` are those
 // of the formulation (simulation/particle_run.hpp): what a solid particle stores follows from its
 // laws.
 #pragma once
 
 #include "materials/equation_of_state.hpp"
 #include "neighbours/step_motion.hpp"
-#include "parallel/ordered_sum.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -126,7 +125,7 @@ struct StepChange {
   }
 };
 
-// The end of a step, block by block: the body that ends it for each particle, the sums, and the
+// The end of a step, group by group: the body that ends it for each particle, the sums, and the
 // body that follows. These are separate loops over a few particles, which stay in the cache between
 // them.
 template <int D, class P, class Before, class After>

@@ -5,8 +5,13 @@
 // momentum that crosses the exit per time and area, less that of the flow itself.
 #pragma once
 
+#include <algorithm>
+#include <compare>
+#include <vector>
+
 #include "geometry/nozzle.hpp"
 #include "parallel/loops.hpp"
+#include "parallel/ranks.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -17,69 +22,87 @@ struct IsUpstream {
   KERF_FUNCTION bool operator()(Index i) const { return particles.has(i, flag::upstream); }
 };
 
-// The sum over the water of a column inside the nozzle of - m (dv/dt - g) . direction, N (2D: N/m).
+// The forces on particles of water inside a nozzle, - m (dv/dt - g) . direction, N (2D: N/m); 0
+// where one has left since the list was made.
 template <int D, class P>
-struct ColumnForce {
+struct ExitForce {
   ParticleView<D, P> particles;
-  const Index* begin;   // of each column of the nozzle in `inside`, and the end of the last
   const Index* inside;  // particles
   Vector<D, double> direction, gravity;
   double* force;
 
-  KERF_FUNCTION void operator()(Index column) const {
-    double sum = 0.0;
-    for (Index n = begin[column]; n < begin[column + 1]; ++n) {
-      const Index i = inside[n];
-      if (!particles.has(i, flag::upstream)) continue;  // it has left since the list was made
-      const auto acceleration = Vector<D, double>::from(particles.acceleration[i]) - gravity;
-      sum -= double(particles.medium(i).mass) * dot(acceleration, direction);
-    }
-    force[column] = sum;
+  KERF_FUNCTION void operator()(Index n) const {
+    const Index i = inside[n];
+    const auto acceleration = Vector<D, double>::from(particles.acceleration[i]) - gravity;
+    force[n] = particles.has(i, flag::upstream)
+                   ? -double(particles.medium(i).mass) * dot(acceleration, direction)
+                   : 0.0;
   }
 };
 
 template <int D, class P>
 class ExitPressure {
  public:
-  // Lists the water inside the nozzles whose pumps hold their pressure, by column; to be called
-  // when the particles have been put into another order. `first_jet`: medium of the first nozzle.
+  // Lists the water inside the nozzles whose pumps hold their pressure, by column and there by id;
+  // to be called when the particles have been put into another order. `first_jet`: medium of the
+  // first nozzle.
   void find_columns(Particles<D, P>& particles, const std::vector<Nozzle>& nozzles,
                     std::size_t first_jet) {
     if (!any_holds_pressure(nozzles)) return;
-    first_.assign(nozzles.size() + 1, 0);
-    for (std::size_t j = 0; j < nozzles.size(); ++j)
-      first_[j + 1] = first_[j] + static_cast<Index>(nozzles[j].columns());
     const std::vector<Index> found = upstream(particles);
     const auto sources = values_at(particles.source, found);
     const auto columns = values_at(particles.inlet_column, found);
-    std::vector<std::vector<Index>> of_column(first_.back());
+    const auto ids = values_at(particles.id, found);
+    std::vector<std::vector<Member>> of_nozzle(nozzles.size());
     for (std::size_t n = 0; n < found.size(); ++n)
-      of_column[first_[sources[n] - first_jet] + columns[n]].push_back(found[n]);
-    std::vector<Index> begin{0}, inside;
-    for (const auto& members : of_column) {
-      inside.insert(inside.end(), members.begin(), members.end());
-      begin.push_back(static_cast<Index>(inside.size()));
+      of_nozzle[sources[n] - first_jet].push_back({columns[n], ids[n], found[n]});
+    first_.assign(1, 0);
+    members_.clear();
+    for (auto& members : of_nozzle) {
+      std::sort(members.begin(), members.end());
+      members_.insert(members_.end(), members.begin(), members.end());
+      first_.push_back(static_cast<Index>(members_.size()));
     }
-    to_device(begin, begin_);
+    std::vector<Index> inside;
+    for (const Member& member : members_) inside.push_back(member.particle);
     to_device(inside, inside_);
-    force_.resize(first_.back());
+    force_.resize(inside.size());
   }
 
   // Returns the pressure at the exit of each column of nozzle j, Pa.
   std::vector<double> of(std::size_t j, Particles<D, P>& particles, const Nozzle& nozzle,
                          const Vector<D, double>& gravity) {
     const auto direction = Vector<D, double>::from(nozzle.direction());
-    double* force = pointer(force_) + first_[j];
-    const auto count = static_cast<Index>(nozzle.columns());
-    for_each_index(count, ColumnForce<D, P>{particles.view(), pointer(begin_) + first_[j],
-                                            pointer(inside_), direction, gravity, force});
-    std::vector<double> pressure(count);
-    thrust::copy(force_.begin() + first_[j], force_.begin() + first_[j + 1], pressure.begin());
+    const Index first = first_[j], count = first_[j + 1] - first;
+    for_each_index(count, ExitForce<D, P>{particles.view(), pointer(inside_) + first, direction,
+                                          gravity, pointer(force_) + first});
+    std::vector<double> force(count);
+    thrust::copy(force_.begin() + first, force_.begin() + first_[j + 1], force.begin());
+    std::vector<Term> terms;
+    for (Index n = 0; n < count; ++n)
+      terms.push_back({members_[first + n].column, members_[first + n].id, force[n]});
+    if (ranks::are_several()) {
+      terms = ranks::collected(terms);
+      std::sort(terms.begin(), terms.end());
+    }
+    std::vector<double> pressure(nozzle.columns(), 0.0);
+    for (const Term& term : terms) pressure[term.column] += term.force;
     for (double& p : pressure) p /= nozzle.column_area();
     return pressure;
   }
 
  private:
+  struct Member {
+    std::uint32_t column, id;
+    Index particle;
+    auto operator<=>(const Member&) const = default;
+  };
+  // The force on a particle, N (2D: N/m).
+  struct Term {
+    std::uint32_t column, id;
+    double force;
+    auto operator<=>(const Term&) const = default;
+  };
   static bool any_holds_pressure(const std::vector<Nozzle>& nozzles) {
     for (const Nozzle& nozzle : nozzles)
       if (nozzle.holds_pressure()) return true;
@@ -87,9 +110,9 @@ class ExitPressure {
   }
 
   static std::vector<Index> upstream(Particles<D, P>& particles) {
-    Array<Index> found(particles.size());
+    Array<Index> found(particles.owned());
     const auto last = thrust::copy_if(loop_policy(), thrust::counting_iterator<Index>(0),
-                                      thrust::counting_iterator<Index>(particles.size()),
+                                      thrust::counting_iterator<Index>(particles.owned()),
                                       found.begin(), IsUpstream<D, P>{particles.view()});
     found.resize(static_cast<std::size_t>(last - found.begin()));
     return to_host(found);
@@ -104,9 +127,10 @@ class ExitPressure {
     return to_host(values);
   }
 
-  std::vector<Index> first_;     // column of each nozzle among those of all, and their number
-  Array<Index> begin_, inside_;  // ColumnForce, of all columns
-  Array<double> force_;          // N (2D: N/m), on each column
+  std::vector<Index> first_;     // member of each nozzle, and their number
+  std::vector<Member> members_;  // by nozzle, column and id
+  Array<Index> inside_;          // which particles they are
+  Array<double> force_;          // N (2D: N/m), on each of them
 };
 
 }  // namespace kerf

@@ -3,7 +3,10 @@
 // the balance and the clock. A formulation derives from it and implements a step.
 #pragma once
 
+#include <functional>
+
 #include "core/timers.hpp"
+#include "distributed/domain_decomposition.hpp"
 #include "neighbours/neighbour_list.hpp"
 #include "particles/outflow.hpp"
 #include "particles/reorder.hpp"
@@ -27,13 +30,15 @@ class ParticleRun : public Simulation {
   double time() const override { return time_; }
   std::uint64_t step() const override { return step_; }
   std::uint64_t shifts() const override { return shifts_; }
-  std::size_t particles() const override { return particles_.size(); }
+  std::size_t particles() const override { return ranks::total(particles_.owned()); }
   StepInfo last_step() const override { return last_step_; }
   Frame frame() const override;
   Balance balance() const override;
   std::vector<FieldSpan> fields() const override;
   std::vector<double> probe_values() const override;
-  double pair_interactions() const override { return pair_interactions_; }
+  double pair_interactions() const override {
+    return ranks::combined(pair_interactions_, std::plus<double>());
+  }
   double neighbours_per_particle() const override;
   double bytes_per_particle() const override;
   std::vector<StageTime> stage_times() const override { return timers_.times(); }
@@ -68,6 +73,11 @@ class ParticleRun : public Simulation {
   void renew_list();         // and removes outflow
   void refresh_fractured();  // renews the list around particles that have become fluid
   void rebuild_list();
+  // Gives the ghosts, of several ranks, the state that the particles have now.
+  void update_ghosts() const {
+    if constexpr (ranks::exist)
+      if (ranks::are_several()) decomposition_.update_ghosts(particles_);
+  }
   // `other`: a limit besides those of the particles.
   double choose_step(StepRates rates, const StepLimit& other = {1e300, Limit::end_of_run, 0});
   void load_prescribed_motions(double now);
@@ -105,17 +115,39 @@ class ParticleRun : public Simulation {
  private:
   bool any_has(std::uint8_t flags) const;
   bool refresh_list(double horizon);  // false: it cannot be refreshed
-  void note_order();                  // when the particles have been put into another order
+  bool refresh_with_ghosts(double horizon, bool have_moved);
+  // Fetches the ghosts, of several ranks, and finds all lists, of particles in their order.
+  void list_particles();
+  void drop_ghosts() {
+    if constexpr (ranks::exist) decomposition_.drop_ghosts(particles_);
+  }
+  // Gives every rank its part of the particles.
+  void distribute() {
+    if constexpr (ranks::exist) decomposition_.distribute(particles_, list_.grids());
+  }
+  // Calls use(particles) with the particles of all ranks at rank 0, with none at others.
+  template <class Use>
+  auto with_all_particles(const Use& use) const {
+    if constexpr (ranks::exist)
+      if (ranks::are_several()) return use(decomposition_.gathered(particles_));
+    return use(particles_);
+  }
+  void restore_particles(const Archive& archive);
+  void note_order();  // when the particles have been put into another order
   void close_planes();
   std::size_t first_jet() const { return settings_.source_names.size() - nozzles_.size(); }
-  [[noreturn]] void fail(const StepLimit& cause) const;
+  struct ParticleStep;
+  ParticleStep step_of(const StepLimit& limit) const;
+  [[noreturn]] void fail(const ParticleStep& cause) const;
   void refresh() const;
 
+  mutable DomainDecomposition<D, P> decomposition_;
   ExitPressure<D, P> exit_pressure_;
   Array<ColumnFlow> column_flows_;  // of all nozzles, one after the other
   mutable bool fresh_ = false;
   std::uint64_t step_ = 0, shifts_ = 0;  // shifts of a travelling frame
   std::uint32_t next_id_ = 0;
+  std::uint32_t next_listed_ = 0;  // next_id_ when the particles were listed
   bool list_is_due_ = true;
   double shortest_step_ = 0.0;  // s, below which the run has broken down
   double runaway_speed_ = 0.0;  // m/s, likewise

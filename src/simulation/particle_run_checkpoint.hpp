@@ -16,7 +16,7 @@ namespace kerf {
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::save(Archive& archive) const {
   static_assert(std::is_trivially_copyable_v<Balance> && sizeof(Balance) % sizeof(double) == 0);
-  save_fields(particles_, archive);
+  with_all_particles([&](const auto& all) { save_fields(all, archive); });
   archive.arrays["clock"] = std::vector<double>{time_, last_step_.dt};
   archive.arrays["counters"] =
       std::vector<std::uint64_t>{step_, next_id_, list_is_due_ ? 1u : 0u, last_step_.limiting_id};
@@ -25,17 +25,30 @@ void ParticleRun<D, P, Traits>::save(Archive& archive) const {
   std::vector<double> balance(sizeof(Balance) / sizeof(double));
   std::memcpy(balance.data(), &balance_.totals(), sizeof(Balance));
   archive.arrays["balance"] = balance;
-  archive.arrays["pair_interactions"] = std::vector<double>{pair_interactions_};
+  archive.arrays["pair_interactions"] = std::vector<double>{pair_interactions()};
   for (std::size_t j = 0; j < nozzles_.size(); ++j) {
     archive.arrays["nozzle/" + std::to_string(j)] = nozzles_[j].emitted();
     archive.arrays["pump/" + std::to_string(j)] = nozzles_[j].pump_state();
   }
 }
 
+// Of several ranks the first one has the particles of the archive.
+template <int D, class P, class Traits>
+void ParticleRun<D, P, Traits>::restore_particles(const Archive& archive) {
+  drop_ghosts();
+  if (ranks::number() == 0)
+    restore_fields(archive, particles_);
+  else
+    particles_.resize(0);
+  if (!ranks::are_several()) return;
+  distribute();
+  sort_particles(particles_, Array<Index>(particles_.sorted_cell));
+}
+
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::restore(const Archive& archive) {
   if (settings_.window) move_domain(find_array<std::uint64_t>(archive, "shifts").at(0));
-  restore_fields(archive, particles_);
+  restore_particles(archive);
   const auto& clock = find_array<double>(archive, "clock");
   const auto& counters = find_array<std::uint64_t>(archive, "counters");
   time_ = clock.at(0);
@@ -48,13 +61,14 @@ void ParticleRun<D, P, Traits>::restore(const Archive& archive) {
   require(numbers.size() * sizeof(double) == sizeof(Balance), "balance length in checkpoint");
   std::memcpy(static_cast<void*>(&balance), numbers.data(), sizeof(Balance));
   balance_.restore(balance);
-  pair_interactions_ = find_array<double>(archive, "pair_interactions").at(0);
+  pair_interactions_ =
+      ranks::number() == 0 ? find_array<double>(archive, "pair_interactions").at(0) : 0.0;
   for (std::size_t j = 0; j < nozzles_.size(); ++j) {
     nozzles_[j].restore(find_array<std::uint64_t>(archive, "nozzle/" + std::to_string(j)));
     nozzles_[j].restore_pump(find_array<double>(archive, "pump/" + std::to_string(j)));
   }
-  // The particles are in the order of the cells of their build positions: the same list results.
-  list_.build(particles_);
+  // The particles are in the order in which they were listed: the same list results.
+  list_particles();
   note_order();
   fresh_ = false;
 }

@@ -53,6 +53,7 @@ ParticleRun<D, P, Traits>::ParticleRun(RunSettings settings)
   const double skin = list_skin(D, step / finest) * finest;
   list_ = NeighbourList<D, P, typename Traits::Pairs>(
       minimum_, maximum_, LevelReach::of<D, typename Traits::Pairs>(media_), skin);
+  particles_.sum_groups.set_rows(list_.grids().rows());
   append(std::exchange(settings_.particles, {}));
   close_planes();
 }
@@ -70,6 +71,10 @@ void ParticleRun<D, P, Traits>::open(const LayOut& lay_out) {
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::append(std::vector<NewParticle> newcomers) {
   for (NewParticle& newcomer : newcomers) newcomer.id = next_id_++;
+  if constexpr (ranks::exist)
+    std::erase_if(newcomers, [this](const NewParticle& newcomer) {
+      return !decomposition_.owns(list_.grids(), Position::from(newcomer.position));
+    });
   particles_.append(newcomers, media_);
 }
 

@@ -12,6 +12,7 @@ namespace kerf {
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::refresh() const {
   if (fresh_) return;
+  update_ghosts();
   evaluate_current();
   fresh_ = true;
 }
@@ -19,7 +20,8 @@ void ParticleRun<D, P, Traits>::refresh() const {
 template <int D, class P, class Traits>
 Frame ParticleRun<D, P, Traits>::frame() const {
   refresh();
-  Frame frame = make_frame(particles_, media_, settings_.origins);
+  Frame frame = with_all_particles(
+      [this](const auto& all) { return make_frame(all, media_, settings_.origins); });
   frame.time = time_;
   frame.step = step_;
   return frame;
@@ -27,6 +29,7 @@ Frame ParticleRun<D, P, Traits>::frame() const {
 
 template <int D, class P, class Traits>
 std::vector<FieldSpan> ParticleRun<D, P, Traits>::fields() const {
+  if (ranks::are_several()) return {};  // no rank has all of them
   refresh();
   return field_spans(particles_);
 }
@@ -51,6 +54,7 @@ std::vector<double> ParticleRun<D, P, Traits>::probe_values() const {
     if (!probe.is_plane) {
       probes_.sample_mean(particles_, probe.points, values);
     } else {
+      update_ghosts();
       accelerate_across(
           AcrossPlane<D>{Position::from(probe.position), Position::from(probe.normal)});
       probes_.sum_force(particles_, values);
@@ -62,14 +66,15 @@ std::vector<double> ParticleRun<D, P, Traits>::probe_values() const {
 
 template <int D, class P, class Traits>
 double ParticleRun<D, P, Traits>::neighbours_per_particle() const {
-  return particles_.size() > 0 ? static_cast<double>(list_.pairs()) / particles_.size() : 0.0;
+  const auto n = static_cast<double>(particles());
+  return n > 0.0 ? static_cast<double>(ranks::total(list_.pairs())) / n : 0.0;
 }
 
 template <int D, class P, class Traits>
 double ParticleRun<D, P, Traits>::bytes_per_particle() const {
-  const double n = std::max<double>(1.0, particles_.size());
+  const double n = std::max<double>(1.0, static_cast<double>(particles()));
   return static_cast<double>(particles_.bytes_per_particle()) +
-         static_cast<double>(list_.bytes()) / n;
+         static_cast<double>(ranks::total(list_.bytes())) / n;
 }
 
 }  // namespace kerf

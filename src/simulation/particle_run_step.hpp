@@ -22,16 +22,39 @@ void ParticleRun<D, P, Traits>::renew_neighbours(double horizon) {
 
 template <int D, class P, class Traits>
 bool ParticleRun<D, P, Traits>::refresh_list(double horizon) {
-  const bool have_come = particles_.size() > list_.listed();
+  const bool have_come = next_id_ > next_listed_;
+  if (!list_.holds_by_notes(horizon)) update_ghosts();
   const bool have_moved = list_.is_outdated(particles_, horizon);
   if (!have_come && !have_moved) return true;
-  const Index outside =
-      count_indices(particles_.size(), HasFlag<D, P>{particles_.view(), flag::outside});
-  if (outside > particles_.size() / 100) return false;  // they would be listed for nothing
+  const auto outside = ranks::total(
+      count_indices(particles_.owned(), HasFlag<D, P>{particles_.view(), flag::outside}));
+  if (outside > particles() / 100) return false;  // they would be listed for nothing
+  if (ranks::are_several()) return refresh_with_ghosts(horizon, have_moved);
   if (!list_.refresh(particles_, horizon, have_moved)) return false;
+  next_listed_ = next_id_;
   if (have_come) exit_pressure_.find_columns(particles_, nozzles_, first_jet());
   after_refresh();
   return true;
+}
+
+// Finds all lists: those that a refresh would keep are the same then, but name other ghosts.
+template <int D, class P, class Traits>
+bool ParticleRun<D, P, Traits>::refresh_with_ghosts(double horizon, bool have_moved) {
+  if (!list_.mark_for_refresh(particles_, have_moved)) return false;
+  list_.move_marked(particles_);
+  drop_ghosts();
+  list_particles();
+  if (!list_.is_usable(particles_, horizon)) return false;
+  note_order();
+  return true;
+}
+
+template <int D, class P, class Traits>
+void ParticleRun<D, P, Traits>::list_particles() {
+  if constexpr (ranks::exist)
+    if (ranks::are_several()) decomposition_.fetch_ghosts(particles_, list_.grids());
+  list_.build(particles_);
+  next_listed_ = next_id_;
 }
 
 template <int D, class P, class Traits>
@@ -43,6 +66,7 @@ void ParticleRun<D, P, Traits>::refresh_fractured() {
 
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::renew_list() {
+  drop_ghosts();
   remove_marked();
   rebuild_list();
   list_is_due_ = false;
@@ -50,8 +74,8 @@ void ParticleRun<D, P, Traits>::renew_list() {
 
 template <int D, class P, class Traits>
 bool ParticleRun<D, P, Traits>::any_has(std::uint8_t flags) const {
-  return reduce_unordered(particles_.size(), HasFlag<D, P>{particles_.view(), flags}, false,
-                          Either{});
+  return ranks::any(reduce_unordered(particles_.owned(), HasFlag<D, P>{particles_.view(), flags},
+                                     false, Either{}));
 }
 
 template <int D, class P, class Traits>
@@ -74,8 +98,12 @@ void ParticleRun<D, P, Traits>::inject_inflow() {
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::rebuild_list() {
   particles_.build_position = particles_.position;
+  if (ranks::are_several()) {
+    particles_.sorted_cell = list_.cell_numbers(particles_);
+    distribute();
+  }
   sort_particles(particles_, list_.cell_numbers(particles_));
-  list_.build(particles_);
+  list_particles();
   note_order();
 }
 
@@ -83,6 +111,25 @@ template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::note_order() {
   exit_pressure_.find_columns(particles_, nozzles_, first_jet());
   after_reorder();
+}
+
+// A limit of the step, and the particle that sets it, for those who do not have that.
+template <int D, class P, class Traits>
+struct ParticleRun<D, P, Traits>::ParticleStep {
+  double dt;  // s
+  Limit limit;
+  std::uint32_t id = 0;
+  std::uint16_t medium = 0;
+  Position position{};
+};
+
+template <int D, class P, class Traits>
+typename ParticleRun<D, P, Traits>::ParticleStep ParticleRun<D, P, Traits>::step_of(
+    const StepLimit& limit) const {
+  const bool by_particle = limit.limit != Limit::end_of_run && limit.limit != Limit::maximum_step;
+  if (!by_particle) return {limit.dt, limit.limit};
+  const Index i = limit.particle;
+  return {limit.dt, limit.limit, particles_.id[i], particles_.source[i], particles_.position[i]};
 }
 
 template <int D, class P, class Traits>
@@ -94,27 +141,29 @@ double ParticleRun<D, P, Traits>::choose_step(StepRates rates, const StepLimit& 
   const ParticleStepLimit<D, P> limit{
       particles_.view(), settings_.courant, largest_compression(settings_.courant),
       runaway_speed_,    longest,           rates};
-  StepLimit chosen{longest, longest < remaining ? Limit::maximum_step : Limit::end_of_run, 0};
-  if (other.dt < longest) chosen = other;
-  const StepLimit least = reduce_unordered(particles_.size(), limit, chosen, SmallerStep{});
-  if (least.dt < chosen.dt) chosen = least;
+  StepLimit own{longest, longest < remaining ? Limit::maximum_step : Limit::end_of_run, 0};
+  if (other.dt < longest) own = other;
+  const StepLimit least =
+      reduce_unordered(particles_.size(), limit, own, SmallerStep{pointer(particles_.id)});
+  if (least.dt < own.dt) own = least;
+  const auto smaller = [](const ParticleStep& a, const ParticleStep& b) {
+    return b.dt < a.dt || (b.dt == a.dt && b.id < a.id) ? b : a;
+  };
+  const ParticleStep chosen = ranks::combined(step_of(own), smaller);
   const bool collapsed = chosen.dt < shortest_step_ && chosen.limit != Limit::end_of_run;
   if (chosen.dt < 0.0 || collapsed) fail(chosen);
-  const std::uint32_t id = particles_.size() > 0 ? particles_.id[chosen.particle] : 0u;
-  last_step_ = {chosen.dt, limit_name(chosen.limit), id};
+  last_step_ = {chosen.dt, limit_name(chosen.limit), chosen.id};
   return chosen.dt;
 }
 
 template <int D, class P, class Traits>
-void ParticleRun<D, P, Traits>::fail(const StepLimit& cause) const {
+void ParticleRun<D, P, Traits>::fail(const ParticleStep& cause) const {
   RunFailure failure;
   failure.time = time_;
   failure.step = step_;
-  failure.particle = particles_.id[cause.particle];
-  const std::uint16_t medium = particles_.source[cause.particle];
-  failure.owner = settings_.source_names[settings_.origins[medium].source];
-  const Position x = particles_.position[cause.particle];
-  for (int a = 0; a < D; ++a) failure.position[static_cast<std::size_t>(a)] = x[a];
+  failure.particle = cause.id;
+  failure.owner = settings_.source_names[settings_.origins[cause.medium].source];
+  for (int a = 0; a < D; ++a) failure.position[static_cast<std::size_t>(a)] = cause.position[a];
   failure.fault = cause.dt < 0.0;
   failure.dt = cause.dt;
   failure.cause = limit_name(cause.limit);

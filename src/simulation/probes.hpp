@@ -6,7 +6,6 @@
 
 #include "kernels/cubic_spline.hpp"
 #include "model/point.hpp"
-#include "parallel/ordered_sum.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -89,8 +88,8 @@ class Probes {
   void sample_point(Particles<D, P>& particles, const Point& position,
                     std::vector<double>& values) {
     using Sum = PointSum<D, P>;
-    const auto sum =
-        point_sum_(particles.size(), Sum{particles.view(), Vector<D, double>::from(position)});
+    const auto sum = point_sum_(particles.sum_groups.view(), particles.size(),
+                                Sum{particles.view(), Vector<D, double>::from(position)});
     const double weight = sum.value[Sum::weight];
     values.push_back(weight > 0.0 ? sum.value[Sum::pressure] / weight : 0.0);
     for (int a = 0; a < 3; ++a)
@@ -99,13 +98,14 @@ class Probes {
 
   // Returns the total force of the particles' accelerations, three components.
   void sum_force(Particles<D, P>& particles, std::vector<double>& values) {
-    const auto sum = force_sum_(particles.size(), ForceSum<D, P>{particles.view()});
+    const auto sum =
+        force_sum_(particles.sum_groups.view(), particles.size(), ForceSum<D, P>{particles.view()});
     for (int a = 0; a < 3; ++a) values.push_back(a < D ? sum.value[a] : 0.0);
   }
 
  private:
-  OrderedSum<PointSum<D, P>::slots> point_sum_;
-  OrderedSum<D> force_sum_;
+  GroupSum<Terms<PointSum<D, P>::slots>> point_sum_;
+  GroupSum<Terms<D>> force_sum_;
 };
 
 }  // namespace kerf

@@ -75,6 +75,7 @@ void restore_fields(const Archive& archive, Particles<D, P>& particles) {
                       exit_files);
     to_device(unflat<Entry>(numbers), field);
   });
+  particles.regroup();
 }
 
 }  // namespace kerf

@@ -146,7 +146,7 @@ class StandardRates {
   }
 
   static void update_pressures(const LoopInput& input) {
-    for_each_index(input.count, FluidPressure<D, P>{input.view});
+    for_each_index(input.count + input.view.ghosts.count, FluidPressure<D, P>{input.view});
   }
 
   // The loop over the forces, and over `more` terms of the same pairs.

@@ -37,10 +37,10 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     rates_.set_pair_correction(solid_.pair_correction());
     if (rates_.separates_fluids()) list_.sort_neighbours_by_class();
     Run::open([this] {
-      rates_.record_initial_overlap(particles_.view(), particles_.size(), list_.view());
+      rates_.record_initial_overlap(particles_.view(), particles_.owned(), list_.view());
     });
     evaluate();  // the first rates
-    for_each_index(particles_.size(), UpdateSurfaceFlags<D, P>{particles_.view()});
+    for_each_index(particles_.owned(), UpdateSurfaceFlags<D, P>{particles_.view()});
   }
 
   void advance() override {
@@ -49,6 +49,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     const double dt = Run::choose_step(StepRates::pending, solid_limit());
     Run::renew_neighbours(0.5 * dt);  // the pairs are summed in the middle of the step
     drift_half(dt);
+    Run::update_ghosts();
     deform(dt);
     break_bonds();
     evaluate();
@@ -104,7 +105,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     Run::load_prescribed_motions(time_ + 0.5 * dt);
     solid_.set_time(time_ + 0.5 * dt);
     for_each_index(
-        particles_.size(),
+        particles_.owned(),
         OfAwake(particles_.view(),
                 FusedKernel(SaveStepStart<D, P>{particles_.view()},
                             DriftHalf<D, P>{particles_.view(), pointer(prescribed_motions_), dt})));
@@ -128,9 +129,10 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 
   void compute_pair_forces() {
     const auto timer = timers_.stage("water and contact");
-    concentration_gradient_.resize(particles_.size());
-    rates_.evaluate(particles_.view(), particles_.size(), solid_.without_fully_bonded(list_.view()),
-                    solid_.bonds(), pointer(concentration_gradient_));
+    concentration_gradient_.resize(particles_.owned());
+    rates_.evaluate(particles_.view(), particles_.owned(),
+                    solid_.without_fully_bonded(list_.view()), solid_.bonds(),
+                    pointer(concentration_gradient_));
     pair_interactions_ += static_cast<double>(list_.pairs());
   }
 
@@ -188,7 +190,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 
   void after_reorder() override {
     solid_.relink(particles_, list_.view());
-    rates_.take_list(particles_.view(), particles_.size(), list_.view(), list_.used());
+    rates_.take_list(particles_.view(), particles_.owned(), list_.view(), list_.used());
     wake_listed_anew(nullptr);
   }
   void after_refresh() override {
@@ -218,7 +220,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 
   void evaluate_current() const override {
     clear_forces_asleep();
-    rates_.accelerate(particles_.view(), particles_.size(),
+    rates_.accelerate(particles_.view(), particles_.owned(),
                       solid_.without_fully_bonded(list_.view()), solid_.bonds());
     solid_.deform_to_current(particles_);
     solid_.set_time(time_);
@@ -228,7 +230,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 
   void accelerate_across(const AcrossPlane<D>& across) const override {
     clear_forces_asleep();
-    rates_.accelerate(particles_.view(), particles_.size(), list_.view(), solid_.bonds(), across,
+    rates_.accelerate(particles_.view(), particles_.owned(), list_.view(), solid_.bonds(), across,
                       BodyForce<D, P>{});
     solid_.deform_to_current(particles_);
     solid_.accelerate(particles_, across);

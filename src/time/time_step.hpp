@@ -70,10 +70,13 @@ struct StepLimit {
   Index particle;
 };
 
+// Of equal steps that of the particle with the lesser id.
 struct SmallerStep {
+  const std::uint32_t* id;  // of each particle
+
   KERF_FUNCTION StepLimit operator()(const StepLimit& a, const StepLimit& b) const {
     if (a.dt != b.dt) return a.dt < b.dt ? a : b;
-    return a.particle <= b.particle ? a : b;
+    return id[a.particle] <= id[b.particle] ? a : b;
   }
 };
 
@@ -101,6 +104,7 @@ struct ParticleStepLimit {
 
   KERF_FUNCTION StepLimit operator()(Index i) const {
     StepLimit result{unlimited, Limit::maximum_step, i};
+    if (particles.ghosts.has(i)) return result;
     const auto& medium = particles.medium(i);
     const double speed = norm(particles.velocity[i]);
     const bool known = rates == StepRates::known;

@@ -31,8 +31,11 @@ struct Ending {
 class Program {
  public:
   Program(const std::vector<std::string>& arguments, std::filesystem::path output)
+      : Program(KERF_PROGRAM, arguments, std::move(output)) {}
+  // Another program, found as a shell finds it.
+  Program(const char* name, const std::vector<std::string>& arguments, std::filesystem::path output)
       : output_(std::move(output)) {
-    std::vector<char*> words{const_cast<char*>(KERF_PROGRAM)};
+    std::vector<char*> words{const_cast<char*>(name)};
     for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
     process_ = fork();
@@ -41,7 +44,7 @@ class Program {
     const int file = open(output_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     dup2(file, STDOUT_FILENO);
     dup2(file, STDERR_FILENO);
-    execv(KERF_PROGRAM, words.data());
+    execvp(name, words.data());
     _exit(127);
   }
   ~Program() {
@@ -71,6 +74,7 @@ class Program {
     kill(process_, signal);
     return wait();
   }
+  pid_t process() const { return process_; }
 
  private:
   std::filesystem::path output_;

@@ -67,14 +67,15 @@ class SimdPairs {
     task_.unlike.gravity = gravity;
   }
 
-  // Computes the pressures and packs the particles.
+  // Computes the pressures and packs the particles, `count` and the ghosts.
   SimdPairsTask<D, Real> pack(const ParticleView<D, P>& view, Index count,
                               const NeighbourView& list) {
-    fluid_.resize(count);
-    if constexpr (simd_exists) make_room_for_unlike(list, count);
-    for_each_index(count, FusedKernel(FluidPressure<D, P>{view}, Pack{view, unit_, pointer(fluid_)},
-                                      PackUnlike{view, list.unlike, list.images, unit_,
-                                                 unlike_.empty() ? nullptr : pointer(unlike_)}));
+    const Index all = count + view.ghosts.count;
+    fluid_.resize(all);
+    if constexpr (simd_exists) make_room_for_unlike(list, count, all);
+    for_each_index(all, FusedKernel(FluidPressure<D, P>{view}, Pack{view, unit_, pointer(fluid_)},
+                                    PackUnlike{view, list.unlike, list.images, unit_,
+                                               unlike_.empty() ? nullptr : pointer(unlike_)}));
     auto task = task_;
     task.same_fluid.fluid = pointer(fluid_);
     task.same_fluid.source = view.source;
@@ -132,11 +133,11 @@ class SimdPairs {
 
  private:
   // Nothing is held as long as no particle has such a neighbour, as in water alone.
-  void make_room_for_unlike(const NeighbourView& list, Index count) {
-    if (unlike_.size() >= count) return;
+  void make_room_for_unlike(const NeighbourView& list, Index count, Index all) {
+    if (unlike_.size() >= all) return;
     const bool any = !unlike_.empty() ||
                      reduce_unordered(count, HasUnlike{list.unlike, list.images}, false, Either{});
-    if (any) unlike_.resize(count);
+    if (any) unlike_.resize(all);
   }
   static FluidLaw<Real> law_of(const Medium<double>& medium, double kernel_gradient_normalisation) {
     const double h = medium.smoothing_length, alpha = WendlandC2<D>::scale(h);
@@ -187,7 +188,8 @@ class SimdPairs {
     PackedUnlike<D, Real>* packed;
 
     KERF_FUNCTION void operator()(Index i) const {
-      if (packed == nullptr || (neighbours[i] == 0 && images[i] == 0)) return;
+      if (packed == nullptr) return;
+      if (!particles.ghosts.has(i) && neighbours[i] == 0 && images[i] == 0) return;
       const auto& medium = particles.medium(i);
       const bool is_fluid = particles.is_fluid(i), is_water = medium.phase == Phase::water;
       PackedUnlike<D, Real>& to = packed[i];

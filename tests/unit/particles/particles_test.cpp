@@ -2,8 +2,10 @@
 // The table of fields, the order of particles and their outflow.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "core/precision.hpp"
 #include "particles/outflow.hpp"
@@ -79,7 +81,7 @@ TEST(Fields, RunsHoldTheFieldsOfTheirGroupsOnly) {
   EXPECT_EQ(particles.mirror_acceleration.size(), 0u);
 }
 
-TEST(Reorder, SortedParticlesKeepTheirStateAndTheOrderOfEqualKeys) {
+TEST(Reorder, SortedParticlesKeepTheirState) {
   auto particles = particles_of(numbered(5));
   Array<Index> key;
   to_device(std::vector<Index>{2, 1, 2, 0, 1}, key);
@@ -93,6 +95,48 @@ TEST(Reorder, SortedParticlesKeepTheirStateAndTheOrderOfEqualKeys) {
     EXPECT_EQ(v[0], 0.5 * id);
     EXPECT_EQ(std::uint32_t(particles.inlet_column[i]), 3.0 * id);
   }
+}
+
+// However they were ordered before.
+TEST(Reorder, SortedParticlesOfOneCellAreInTheOrderOfTheirIds) {
+  std::mt19937 engine(3);
+  const std::vector<Index> cell_of_id{4, 1, 4, 4, 0, 1, 4, 2};
+  std::vector<NewParticle> start = numbered(8);
+  for (int n = 0; n < 20; ++n) {
+    std::shuffle(start.begin(), start.end(), engine);
+    auto particles = particles_of(start);
+    std::vector<Index> cells;
+    for (const NewParticle& particle : start) cells.push_back(cell_of_id[particle.id]);
+    Array<Index> cell;
+    to_device(cells, cell);
+    sort_particles(particles, cell);
+    EXPECT_EQ(to_host(particles.id), (std::vector<std::uint32_t>{4, 1, 5, 7, 0, 2, 3, 6}));
+    EXPECT_EQ(to_host(particles.sorted_cell), (std::vector<Index>{0, 1, 1, 2, 4, 4, 4, 4}));
+  }
+}
+
+// The grids of two levels, the first with 3 rows of 25 cells, the second with rows of 4: pieces are
+// cells 0..11, 12..23 and 24 of each row.
+TEST(Groups, AreTheParticlesOfPiecesOfRows) {
+  ParticleGroups groups;
+  GridRows rows;
+  rows.levels = 2;
+  rows.first[1] = 75;
+  rows.first[2] = 83;
+  rows.across[0] = 25;
+  rows.across[1] = 4;
+  groups.set_rows(rows);
+  Array<Index> cell;
+  to_device(
+      std::vector<Index>{0, 0, 11, 12, 23, 24, 25, 36, 37, 74, 75, 78, 79, unsorted, unsorted},
+      cell);
+  groups.find(cell, 15);
+  const GroupView view = groups.view();
+  EXPECT_EQ(std::vector<Index>(view.begin, view.begin + view.count + 1),
+            (std::vector<Index>{0, 3, 5, 6, 8, 9, 10, 12, 13, 14, 15}));
+  groups.find(cell, 4);  // the others are ghosts
+  EXPECT_EQ(groups.view().count, 2u);
+  EXPECT_EQ(groups.view().begin[2], 4u);
 }
 
 TEST(Reorder, OutflowIsRemovedAndTheOthersKeepTheirOrder) {

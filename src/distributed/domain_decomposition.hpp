@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// DomainDecomposition gives each rank of a run its part of the particles, and its ghosts: copies of
+// the particles of other ranks that are near enough to act on its own (docs/mpi.md). What a rank
+// computes for a particle has the same bits whichever rank computes it:
+// - A rank has all particles of the patches (neighbours/patch_grids.hpp) around those of its own
+//   particles, so that the neighbours of a particle are found in the same order everywhere.
+// - The groups in which sums over particles are formed (particles/particle_groups.hpp) are never
+//   divided between ranks.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+
+#include "distributed/messages.hpp"
+#include "distributed/partition.hpp"
+#include "neighbours/patch_grids.hpp"
+#include "particles/reorder.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+class DomainDecomposition {
+ public:
+  // Whether a particle that joins at a position belongs to this rank; before the first distribution
+  // all belong to rank 0.
+  bool owns(const LevelGrids<D>& grids, const Vector<D, double>& position) const {
+    return owner(grids, grids.number(0, position)) == ranks::number();
+  }
+
+  // Gives every rank the particles of its part, without ghosts, in any order. The parts are made
+  // anew where the work is divided too unevenly.
+  void distribute(Particles<D, P>& particles, const LevelGrids<D>& grids) {
+    const std::vector<Index> cell = cells(particles, grids);
+    const auto work = [&](Index i) {
+      constexpr float of_rigid = 0.1f;  // no pairs are summed for it
+      return particles.media[particles.source[i]].phase == Phase::rigid ? of_rigid : 1.0f;
+    };
+    std::vector<PointOfWork> points;
+    for (Index i = 0; i < particles.size(); ++i) {
+      if (i == 0 || is_new_piece(grids, cell[i], cell[i - 1]))
+        points.push_back({centre(grids, cell[i]), 0.0f});
+      points.back().work += work(i);
+    }
+    divide(points);
+    std::vector<std::vector<Index>> to(size());
+    int rank = 0;
+    for (Index i = 0; i < particles.size(); ++i) {
+      if (i == 0 || is_new_piece(grids, cell[i], cell[i - 1])) rank = owner(grids, cell[i]);
+      to[static_cast<std::size_t>(rank)].push_back(i);
+    }
+    move(particles, to);
+  }
+
+  // Fetches the ghosts of the particles, which have none.
+  void fetch_ghosts(Particles<D, P>& particles, const LevelGrids<D>& grids) {
+    const auto patches = PatchGrids<D>::of(grids);
+    std::vector<Index> patch(particles.size());
+    for (Index i = 0; i < particles.size(); ++i)
+      patch[i] = patch_of(grids.grid[0], patches.grid[0], particles.build_position[i]);
+    find_receivers(patch, patches.grid[0]);
+    std::vector<ranks::Bytes> messages(size());
+    for (std::size_t r = 0; r < size(); ++r) pack<StateFields>(particles, send_[r], messages[r]);
+    const auto from = ranks::exchange(messages);
+    const Index own = particles.size();
+    const std::size_t bytes = bytes_in_message<StateFields>(particles);
+    const std::size_t paired = bytes_in_message<PairedFields>(particles);
+    std::size_t ghosts = 0;
+    for (std::size_t r = 0; r < size(); ++r) {
+      ghosts += from[r].size() / bytes;
+      received_[r].resize(from[r].size() / bytes * paired);
+    }
+    particles.resize(own + static_cast<Index>(ghosts));
+    Index first = own;
+    for (const ranks::Bytes& message : from) first = unpack<StateFields>(message, particles, first);
+    particles.ghosts = {own, static_cast<Index>(ghosts)};
+  }
+
+  // Sets the fields of the ghosts that pair loops read to those at their owners.
+  void update_ghosts(Particles<D, P>& particles) {
+    for (std::size_t r = 0; r < size(); ++r) pack<PairedFields>(particles, send_[r], sent_[r]);
+    ranks::exchange_known(sent_, received_);
+    Index first = particles.ghosts.first;
+    for (const ranks::Bytes& message : received_)
+      first = unpack<PairedFields>(message, particles, first);
+  }
+
+  static void drop_ghosts(Particles<D, P>& particles) {
+    const Ghosts ghosts = std::exchange(particles.ghosts, {});
+    if (ghosts.count == 0) return;
+    Array<Index> order(particles.size() - ghosts.count);
+    std::iota(order.begin(), order.begin() + ghosts.first, Index(0));
+    std::iota(order.begin() + ghosts.first, order.end(), ghosts.first + ghosts.count);
+    gather_particles(particles, order);
+  }
+
+  // Returns at rank 0 the particles of all ranks in the order of a run of one rank, with all
+  // fields; none at the others.
+  Particles<D, P> gathered(const Particles<D, P>& particles) const {
+    std::vector<Index> own(particles.owned());
+    std::iota(own.begin(), own.end(), Index(0));
+    std::vector<ranks::Bytes> messages(size());
+    pack<AllFields>(particles, own, messages.front());
+    const auto from = ranks::exchange(messages);
+    Particles<D, P> whole;
+    whole.groups = particles.groups;
+    whole.media = particles.media;
+    whole.mirrors = particles.mirrors;
+    std::size_t bytes = 0;
+    for (const ranks::Bytes& message : from) bytes += message.size();
+    whole.resize(static_cast<Index>(bytes / bytes_in_message<AllFields>(particles)));
+    Index first = 0;
+    for (const ranks::Bytes& message : from) first = unpack<AllFields>(message, whole, first);
+    Array<Index> order(whole.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::sort(order.begin(), order.end(),
+              ComesBefore{pointer(whole.sorted_cell), pointer(whole.id)});
+    for_each_chosen<AllFields>(whole, [&](auto& field) { gather_in_place(order, field); });
+    return whole;
+  }
+
+ private:
+  static std::size_t size() { return static_cast<std::size_t>(ranks::count()); }
+
+  // The cells by which the particles are distributed: those in which they were sorted, so that
+  // groups stay whole.
+  static std::vector<Index> cells(const Particles<D, P>& particles, const LevelGrids<D>& grids) {
+    std::vector<Index> cell(particles.size());
+    for (Index i = 0; i < particles.size(); ++i)
+      cell[i] = particles.sorted_cell[i] != unsorted ? particles.sorted_cell[i]
+                                                     : grids.number(0, particles.build_position[i]);
+    return cell;
+  }
+  static bool is_new_piece(const LevelGrids<D>& grids, Index cell, Index before) {
+    return cell != before && grids.rows().piece(cell) != grids.rows().piece(before);
+  }
+  // The centre of the piece of a row (particles/particle_groups.hpp) to which a cell belongs, m.
+  static std::array<double, 3> centre(const LevelGrids<D>& grids, Index cell) {
+    const Grid<D>& grid = grids.grid[0];
+    std::array<double, 3> point{};
+    for (int a = 0; a < D; ++a) {
+      const auto across = static_cast<Index>(grid.cells[a]);
+      const Index at = cell % across, length = a == 0 ? GridRows::cells_of_piece : 1;
+      point[static_cast<std::size_t>(a)] =
+          grid.origin[a] + grid.cell * (double(at - at % length) + 0.5 * double(length));
+      cell /= across;
+    }
+    return point;
+  }
+  int owner(const LevelGrids<D>& grids, Index cell) const {
+    return partition_ ? partition_->owner(centre(grids, cell)) : 0;
+  }
+
+  // Makes the parts anew if the work is divided more unevenly than by the last ones.
+  void divide(const std::vector<PointOfWork>& points) {
+    constexpr double tolerance = 1.1, drift = 1.05;
+    const double now = imbalance(points, [](const PointOfWork&) { return ranks::number(); });
+    if (partition_ && now <= std::max(tolerance, drift * reached_)) return;
+    partition_ = make_partition(points, D);
+    reached_ = imbalance(
+        points, [this](const PointOfWork& point) { return partition_->owner(point.position); });
+  }
+  // The largest work of a rank over the mean, where `of(point)` has the work of a point.
+  template <class RankOf>
+  static double imbalance(const std::vector<PointOfWork>& points, const RankOf& of) {
+    std::vector<double> work(size(), 0.0);
+    for (const PointOfWork& point : points)
+      work[static_cast<std::size_t>(of(point))] += double(point.work);
+    const std::vector<double> parts = ranks::collected(work);
+    for (std::size_t r = 0; r < size(); ++r) {
+      work[r] = 0.0;
+      for (std::size_t k = r; k < parts.size(); k += size()) work[r] += parts[k];
+    }
+    const double all = std::accumulate(work.begin(), work.end(), 0.0);
+    return all > 0.0 ? *std::max_element(work.begin(), work.end()) * double(size()) / all : 1.0;
+  }
+
+  // Sends particles to[r] to rank r.
+  static void move(Particles<D, P>& particles, const std::vector<std::vector<Index>>& to) {
+    const auto own = static_cast<std::size_t>(ranks::number());
+    std::vector<ranks::Bytes> messages(size());
+    for (std::size_t r = 0; r < size(); ++r)
+      if (r != own) pack<StateFields>(particles, to[r], messages[r]);
+    const auto from = ranks::exchange(messages);
+    gather_particles(particles, Array<Index>(to[own].begin(), to[own].end()));
+    std::size_t bytes = 0;
+    for (const ranks::Bytes& message : from) bytes += message.size();
+    Index first = particles.size();
+    particles.resize(first + static_cast<Index>(bytes / bytes_in_message<StateFields>(particles)));
+    for (const ranks::Bytes& message : from) first = unpack<StateFields>(message, particles, first);
+    particles.regroup();
+  }
+
+  static Index patch_of(const Grid<D>& cells, const Grid<D>& patches, const Vector<D, double>& x) {
+    int at[D];
+    for (int a = 0; a < D; ++a) at[a] = cells.coordinate(x[a], a) / PatchGrids<D>::cells_across;
+    return patches.number(at);
+  }
+  // Marks the patches around each patch of the list.
+  static void mark_around(const std::vector<Index>& list, const Grid<D>& patches,
+                          std::vector<std::uint8_t>& marks) {
+    for (const Index number : list) {
+      Index rest = number;
+      int low[D], high[D];
+      for (int a = 0; a < D; ++a) {
+        const auto across = static_cast<Index>(patches.cells[a]);
+        const auto at = static_cast<int>(rest % across);
+        low[a] = std::max(at - 1, 0);
+        high[a] = std::min(at + 1, patches.cells[a] - 1);
+        rest /= across;
+      }
+      patches.for_each_row(low, high, [&](Index first, Index last) {
+        std::fill(marks.begin() + first, marks.begin() + last + 1, std::uint8_t(1));
+      });
+    }
+  }
+  // Finds which particles every other rank needs: those of the patches around its own particles.
+  // `patch`: of each particle.
+  void find_receivers(const std::vector<Index>& patch, const Grid<D>& patches) {
+    std::vector<Index> occupied = patch;
+    std::sort(occupied.begin(), occupied.end());
+    occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
+    ranks::Bytes message(occupied.size() * sizeof(Index));
+    if (!occupied.empty()) std::memcpy(message.data(), occupied.data(), message.size());
+    const auto from = ranks::exchange(std::vector<ranks::Bytes>(size(), message));
+    for (auto* each : {&sent_, &received_}) each->assign(size(), {});
+    send_.assign(size(), {});
+    std::vector<std::uint8_t> needed(patches.count());
+    for (std::size_t r = 0; r < size(); ++r) {
+      if (r == static_cast<std::size_t>(ranks::number())) continue;
+      std::vector<Index> of_rank(from[r].size() / sizeof(Index));
+      if (!of_rank.empty()) std::memcpy(of_rank.data(), from[r].data(), from[r].size());
+      std::fill(needed.begin(), needed.end(), std::uint8_t(0));
+      mark_around(of_rank, patches, needed);
+      for (Index i = 0; i < patch.size(); ++i)
+        if (needed[patch[i]] != 0) send_[r].push_back(i);
+    }
+  }
+
+  std::shared_ptr<const Partition> partition_;
+  double reached_ = 1.0;                       // imbalance of the work by this partition
+  std::vector<std::vector<Index>> send_;       // particles that are ghosts of each rank
+  std::vector<ranks::Bytes> sent_, received_;  // messages of an update
+};
+
+}  // namespace kerf
