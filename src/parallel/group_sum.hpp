@@ -96,7 +96,8 @@ class GroupSum {
     return OrderedFold<Sum>()(count, value);
 #else
     if (count == 0 && !ranks::are_several()) return Sum::zero();
-    constexpr Index most_pieces = 64, shortest = 16;  // groups
+    constexpr Index shortest = 16;  // groups
+    const auto most_pieces = static_cast<Index>(4 * thread_count());
     const Index length = std::max(shortest, (groups.count + most_pieces - 1) / most_pieces);
     const Index pieces = (groups.count + length - 1) / length;
     if (pieces_.size() <= pieces) pieces_.resize(pieces + 1);
@@ -106,6 +107,10 @@ class GroupSum {
     add_over_ranks(pieces_[0]);
     return pieces_[0].result();
 #endif
+  }
+
+  std::size_t bytes() const {
+    return pieces_.size() * sizeof(GroupSumPiece<Sum>);
   }
 
  private:

@@ -24,6 +24,10 @@ void set_threads(int threads) {
                                                   static_cast<std::size_t>(wanted_threads));
 }
 
+int thread_count() {
+  return wanted_threads > 0 ? wanted_threads : tbb::info::default_concurrency();
+}
+
 #if defined(KERF_TSAN_THREADS)
 
 // ThreadSanitizer cannot analyse a TBB that was built without it: plain threads, each with every

@@ -10,6 +10,8 @@ using Index = std::uint32_t;
 
 // Sets how many threads all runs of this process use; 0 = every core.
 void set_threads(int threads);
+// Returns how many they are.
+int thread_count();
 
 // Calls block(body, begin, end) for blocks that together are 0 .. count - 1, in any order.
 using IndexBlock = void (*)(const void* body, Index begin, Index end);

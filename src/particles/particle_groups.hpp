@@ -62,6 +62,10 @@ class ParticleGroups {
     return {pointer(begin_), count_};
   }
 
+  std::size_t bytes() const {
+    return begin_.size() * sizeof(Index);
+  }
+
  private:
   GridRows rows_;
   Array<Index> begin_;

@@ -108,6 +108,9 @@ class BalanceAccumulator {
   double mass_of(std::size_t source) const { return mass_on_host_[source]; }
   const Balance& totals() const { return balance_; }
   void restore(const Balance& balance) { balance_ = balance; }
+  std::size_t bytes() const {
+    return change_sum_.bytes() + state_sum_.bytes() + outflow_sum_.bytes();
+  }
 
  private:
   Balance balance_;

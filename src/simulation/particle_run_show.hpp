@@ -74,7 +74,9 @@ template <int D, class P, class Traits>
 double ParticleRun<D, P, Traits>::bytes_per_particle() const {
   const double n = std::max<double>(1.0, static_cast<double>(particles()));
   return static_cast<double>(particles_.bytes_per_particle()) +
-         static_cast<double>(ranks::total(list_.bytes())) / n;
+         static_cast<double>(
+             ranks::total(list_.bytes() + particles_.sum_groups.bytes() + balance_.bytes())) /
+             n;
 }
 
 }  // namespace kerf

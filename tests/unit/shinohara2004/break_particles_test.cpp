@@ -98,7 +98,8 @@ void expect_broken_stays_broken(int dimension) {
     before = now;
   }
   EXPECT_FALSE(before.empty());
-  EXPECT_EQ(simulation->balance().mass_now, simulation->balance().mass_initial);
+  // Sums of the same numbers, in other groups (parallel/group_sum.hpp): four roundings.
+  EXPECT_DOUBLE_EQ(simulation->balance().mass_now, simulation->balance().mass_initial);
 }
 TEST(Fracture, FracturedParticlesCarryCompressionOnly2D) {
   expect_broken_stays_broken(2);
