@@ -77,11 +77,19 @@ KERF_FUNCTION T wave_stiffening(const ElasticSolid<T>& solid, const Vector<3, T>
   const T modulus = ElasticLawSet<T>::visit(solid, solid.elasticity, WaveModulus<T>{solid, green});
   return modulus / (solid.bulk_modulus + T(4) / T(3) * solid.shear_modulus);
 }
+template <class T>
+struct HasWaveModulus {
+  template <class Law>
+  KERF_FUNCTION bool operator()(const Law& law) const {
+    return requires(const ElasticSolid<T>& solid, const Vector<3, T>& green) {
+      law.largest_modulus(solid, green);
+    };
+  }
+};
 // Whether waves become faster with stretch.
 template <class T>
 KERF_FUNCTION bool stiffens_with_stretch(const ElasticSolid<T>& solid) {
-  const Vector<3, T> none{};
-  return wave_stiffening(solid, none) > T(0);
+  return ElasticLawSet<T>::visit(solid, solid.elasticity, HasWaveModulus<T>{});
 }
 
 // First Piola-Kirchhoff stress P = F S at the displacement gradient H = F - 1, Pa.

@@ -52,32 +52,33 @@ void add_texts(std::string_view chosen_by, std::vector<LawText>& texts) {
   });
 }
 
-// The plastic laws for which `holds`, as words separated by blanks.
-template <class Condition>
-std::string plastic_laws(const Condition& holds) {
+// The laws of a set for which `holds`, as words separated by blanks.
+template <class Set, class Condition>
+std::string words_of_laws(const Condition& holds) {
   std::string words;
-  using Set = PlasticLawSet<double>;
   Set::for_each([&]<auto law>(std::string_view word) {
-    if (word == word_of(PlasticLaw::none, plastic_law_words) || !holds(LawOf<Set, law>{})) return;
+    if (!holds(LawOf<Set, law>{})) return;
     if (!words.empty()) words += ' ';
     words += word;
   });
   return words;
+}
+template <class Condition>
+std::string plastic_laws(const Condition& holds) {
+  return words_of_laws<PlasticLawSet<double>>([&]<class Law>(const Law& law) {
+    return !std::is_same_v<Law, NoPlasticity<double>> && holds(law);
+  });
 }
 
 // Returns the keys of the fracture criteria, and of the rate of strain, on which the limits of
 // those depend that have no law of it of their own.
 std::vector<Key> keys_of_criteria() {
   using Set = BondCriterionSet<double>;
-  static const std::string with_limits = [] {
-    std::string words;
-    Set::for_each([&]<auto law>(std::string_view word) {
-      if constexpr (requires { LawOf<Set, law>::has_own_rate; }) return;
-      words += words.empty() ? "" : " ";
-      words += word;
-    });
-    return words;
-  }();
+  static const std::string with_limits = words_of_laws<Set>([]<class Law>(const Law&) {
+    return !requires {
+      Law::has_own_rate;
+    };
+  });
   std::vector<Key> keys = keys_of_laws<Set, OfMaterial>();
   add_rows<OfMaterial<&MaterialLaws::strength_rate>>(StrengthRate<double>::rows(), with_limits,
                                                      keys);

@@ -75,10 +75,7 @@ struct SumGroups {
     const Index last = std::min(groups.count, (number + 1) * length);
     for (Index g = number * length; g < last; ++g) {
       Sum sum = Sum::zero();
-      if constexpr (requires { value.add_all(Index(), Index(), sum); })
-        value.add_all(groups.begin[g], groups.begin[g + 1], sum);
-      else
-        for (Index i = groups.begin[g]; i < groups.begin[g + 1]; ++i) value.add(i, sum);
+      add_range(value, groups.begin[g], groups.begin[g + 1], sum);
       piece.take(sum);
     }
   }

@@ -24,6 +24,16 @@ struct Terms {
   }
 };
 
+// Adds the values of begin .. end - 1 in their order: value.add(i, sum), or value.add_all() at
+// once.
+template <class Sum, class Value>
+KERF_FUNCTION void add_range(const Value& value, Index begin, Index end, Sum& sum) {
+  if constexpr (requires { value.add_all(begin, end, sum); })
+    value.add_all(begin, end, sum);
+  else
+    for (Index i = begin; i < end; ++i) value.add(i, sum);
+}
+
 template <class Sum, class Value>
 struct SumBlock {
   static constexpr Index length = 512;
@@ -35,10 +45,7 @@ struct SumBlock {
     Sum sum = Sum::zero();
     const Index begin = block * length;
     const Index end = begin + length < count ? begin + length : count;
-    if constexpr (requires { value.add_all(begin, end, sum); })
-      value.add_all(begin, end, sum);
-    else
-      for (Index i = begin; i < end; ++i) value.add(i, sum);
+    add_range(value, begin, end, sum);
     partial[block] = sum;
   }
 };

@@ -11,16 +11,6 @@
 
 namespace kerf {
 
-// Returns the strain that determines softening, that of the current gradient included. Where breaks
-// have left a share s of the elastic energy (solid/limit_break_energy.hpp), it is that of s psi_t,
-// so that what softening dissipates remains a function of this strain.
-template <int D, class P>
-KERF_FUNCTION typename P::Real largest_strain(const SolidView<D, P>& solid, Index i,
-                                              const Matrix<D, typename P::Real>& h) {
-  const auto strain = std::sqrt(solid.elastic_share[i]) * tensile_strain(solid.medium(i), h);
-  const auto before = solid.strain_start[i];
-  return strain > before ? strain : before;
-}
 // Returns the elastic stress of a particle that softening or damage reduces, for the share s = 1.
 template <int D, class P>
 KERF_FUNCTION SymmetricTensor<D, typename P::Real> elastic_stress(
@@ -31,19 +21,32 @@ KERF_FUNCTION SymmetricTensor<D, typename P::Real> elastic_stress(
   return second_piola(softened(medium, green, undamaged_share(medium, solid.softening_strain(i))),
                       green);
 }
-// Takes the loading of a particle to the gradient H, `dt` after the start of the step, s. The
-// largest strain of a solid that softens must be known.
+// Takes the loading of a particle to the tensile strain k, `dt` after the start of the step, s.
 template <int D, class P>
-KERF_FUNCTION void follow_loading(const SolidView<D, P>& solid, Index i,
-                                  const Matrix<D, typename P::Real>& h, typename P::Real dt) {
+KERF_FUNCTION void follow_loading(const SolidView<D, P>& solid, Index i, typename P::Real strain,
+                                  typename P::Real dt) {
   const auto& medium = solid.medium(i);
   const auto& law = medium.strength_rate;
   const auto& start = solid.loading_start[i];
   const auto slow = medium.slow_failure_strain();
-  const auto strain = std::sqrt(solid.elastic_share[i]) * tensile_strain(medium, h);
   solid.loading_now[i] = solid.softens(i)
                              ? law.advance_softening(start, strain, dt, slow, solid.strain_start[i])
                              : law.advance(start, strain, dt, slow);
+}
+// Takes the tensile strain at the gradient H, where softening or strength depends on it. Where
+// breaks have left a share s of the elastic energy (solid/limit_break_energy.hpp), it is that of s
+// psi_t, so that what softening dissipates remains a function of this strain.
+template <int D, class P>
+KERF_FUNCTION void follow_strain(const SolidView<D, P>& solid, Index i,
+                                 const Matrix<D, typename P::Real>& h, typename P::Real dt) {
+  const bool softens = solid.softens(i), depends_on_rate = solid.depends_on_rate(i);
+  if (!softens && !depends_on_rate) return;
+  const auto strain = std::sqrt(solid.elastic_share[i]) * tensile_strain(solid.medium(i), h);
+  if (softens) {
+    const auto before = solid.strain_start[i];
+    solid.current_strain[i] = strain > before ? strain : before;
+  }
+  if (depends_on_rate) follow_loading(solid, i, strain, dt);
 }
 
 // The stress responses for Deform: the second Piola-Kirchhoff stress at the gradient H for the
@@ -54,8 +57,7 @@ struct ElasticResponse {
   Real dt;  // s, since the start of the step
   KERF_FUNCTION SymmetricTensor<D, Real> stress(const SolidView<D, P>& solid, Index i,
                                                 const Matrix<D, Real>& h) const {
-    if (solid.softens(i)) solid.current_strain[i] = largest_strain(solid, i, h);
-    if (solid.depends_on_rate(i)) follow_loading(solid, i, h, dt);
+    follow_strain(solid, i, h, dt);
     return elastic_stress(solid, i, h);
   }
 };

@@ -135,9 +135,9 @@ struct SolidOnTrial {
     for (auto& x : position)
       for (int a = 0; a < D; ++a) x[a] += uniform(engine);
   }
-  void deform() {
+  void deform(double dt = 0.0) {
     to_device(position, device_position);
-    solid.deform(device_position);
+    solid.deform(device_position, dt);
   }
   void evaluate() {
     deform();

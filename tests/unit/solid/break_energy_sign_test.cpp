@@ -103,8 +103,7 @@ void deform(SolidOnTrial<D, P>& trial, double squeeze, double opening, double no
     const Column<D> y = map * x + opening * 1e-3 * std::clamp(across, -0.5, 0.5) * normal;
     for (int a = 0; a < D; ++a) trial.position[i][a] = y[a] + noise * 1e-3 * uniform(engine);
   }
-  to_device(trial.position, trial.device_position);
-  trial.solid.deform(trial.device_position, 1e-2);  // s, where strength depends on the rate
+  trial.deform(1e-2);  // s, where strength depends on the rate
 }
 
 template <class Chosen>

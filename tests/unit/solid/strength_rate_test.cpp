@@ -24,8 +24,7 @@ void stretch_in_step(SolidOnTrial<D, P>& trial, double strain, double dt) {
   Square<D> map = Square<D>::Identity();
   map(0, 0) += strain;
   trial.map(map);
-  to_device(trial.position, trial.device_position);
-  trial.solid.deform(trial.device_position, dt);
+  trial.deform(dt);
 }
 template <int D, class P>
 void end_step(SolidOnTrial<D, P>& trial) {
