@@ -10,6 +10,7 @@
 #include "geometry/lattice_angle.hpp"
 #include "geometry/plane_turn.hpp"
 #include "geometry/shapes.hpp"
+#include "geometry/surface_fit.hpp"
 
 namespace kerf {
 
@@ -55,7 +56,6 @@ Axis make_axis(double low, double high, double step, bool centred) {
   const bool whole = std::abs(length - static_cast<double>(axis.count)) < slack;
   axis.centre =
       whole || centred ? 0.5 * (low + high) : low + 0.5 * static_cast<double>(axis.count) * step;
-  axis.first = 0;
   axis.last = axis.count - 1;
   return axis;
 }
@@ -252,13 +252,13 @@ std::vector<Point> fill(const Body& body, int dimension) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<Point> particles;
   LatticeVisit request;
-  request.window.minimum = {-infinity, -infinity, -infinity};
-  request.window.maximum = {infinity, infinity, infinity};
+  request.window = {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
   request.visit = [&](const Point& point) {
     particles.push_back(point);
     return true;
   };
   visit_along_axes(straight, dimension, request);
+  if (straight.body_fitted) fit_to_surface(straight, dimension, particles);
   jitter(straight, dimension, particles);
   if (body.lattice_angle != 0.0) {
     const PlaneTurn turn(body.lattice_angle);

@@ -36,6 +36,10 @@ class Directions {
         return add(shape.parts.front());
       case Shape::Kind::mesh:
         return false;
+      case Shape::Kind::disc:
+      case Shape::Kind::ring:
+        add_cylinder(shape);
+        return true;
       default:
         return true;
     }
@@ -69,6 +73,12 @@ class Directions {
       const double length = std::hypot(x, y);
       if (length > 0.0) add_edge(std::remainder(std::atan2(y, x), quarter), length);
     }
+  }
+  // Seen along z, a cylinder whose axis is at right angles to z is a rectangle.
+  void add_cylinder(const Shape& shape) {
+    if (std::abs(shape.axis[2]) > rounding) return;
+    const double angle = std::remainder(std::atan2(shape.axis[1], shape.axis[0]), quarter);
+    add_edge(angle, 2.0 * shape.length + 4.0 * shape.radius);
   }
   void add_edge(double angle, double length) {
     if (angle < rounding - 0.5 * quarter) angle += quarter;

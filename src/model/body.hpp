@@ -51,11 +51,12 @@ struct Body {
   double lattice_angle = 0.0;          // rad, about z, counterclockwise, of the lattice
   bool lattice_follows_faces = false;  // whether the angle follows from the shape
   std::string
-      lattice_of;       // name of the body whose angle the lattice has; empty = joined_to, or own
-  Point offset{};       // m, shift of the lattice origin, along the axes of the lattice
-  Grading grading;      // `spacing` is the finest
-  double jitter = 0.0;  // the largest displacement from the lattice over the spacing
-  std::uint64_t seed = 1;                              // of the random numbers of this body
+      lattice_of;   // name of the body whose angle the lattice has; empty = joined_to, or own
+  Point offset{};   // m, shift of the lattice origin, along the axes of the lattice
+  Grading grading;  // `spacing` is the finest
+  bool body_fitted = false;  // the outermost particles lie along slanted and round faces
+  double jitter = 0.0;       // the largest displacement from the lattice over the spacing
+  std::uint64_t seed = 1;    // of the random numbers of this body
   std::array<std::string, 3> velocity{"0", "0", "0"};  // m/s, expressions in x, y, z (m)
   double pressure = 0.0;                               // Pa, initial, of water
   bool fixed = false;

@@ -126,6 +126,24 @@ TEST(LatticeAngle, SymmetricShapesKeepTheAxes) {
   EXPECT_EQ(angle_of_faces(disc), 0.0);
 }
 
+TEST(LatticeAngle, ACylinderAcrossZHasItsAxisAlongTheLattice) {
+  Shape cylinder;
+  cylinder.kind = Shape::Kind::disc;
+  cylinder.radius = 0.004;
+  cylinder.length = 0.020;
+  cylinder.axis = {0.0, 1.0, 0.0};
+  EXPECT_EQ(angle_of_faces(cylinder), 0.0);
+  const auto straight = fill(oriented(cylinder, 3), 3);
+  const PlaneTurn turn(97.0 * degree);
+  cylinder.axis = turn(cylinder.axis);
+  EXPECT_NEAR(angle_of_faces(cylinder), 7.0 * degree, 1e-12);
+  const auto points = turned_back(fill(oriented(cylinder, 3), 3), 97.0 * degree);
+  ASSERT_EQ(points.size(), straight.size());
+  EXPECT_LT(farthest_from(points, straight), 1e-9 * plate_spacing);
+  cylinder.axis = {0.0, 0.0, 1.0};
+  EXPECT_EQ(angle_of_faces(cylinder), 0.0);
+}
+
 TEST(LatticeAngle, APlateWithAHoleHasTheLatticeOfThePlate) {
   Shape hole;
   hole.kind = Shape::Kind::disc;
