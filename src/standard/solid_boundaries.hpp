@@ -65,6 +65,7 @@ class SolidBoundaries {
 
   // Adds the impulses and work of the step that has ended.
   void end_step(Particles<D, P>& particles, const SolidIndexView& link, double dt) {
+    collect_absorbing(link);
     const Terms<D> absorbed =
         absorbed_sum_(size(absorbing_), AbsorbingForce<D>{pointer(absorbing_)});
     using Sum = LoadSum<D, P>;
@@ -117,6 +118,22 @@ class SolidBoundaries {
   }
 
  private:
+  // Tells all ranks the forces on the particles that each of them has.
+  void collect_absorbing([[maybe_unused]] const SolidIndexView& link) {
+    if constexpr (ranks::exist) {
+      if (!ranks::are_several()) return;
+      struct SiteForce {
+        Index site;
+        Vector<D, double> force;
+      };
+      std::vector<SiteForce> own;
+      for (Index k = 0; k < size(absorbing_); ++k)
+        if (link.particle_of[absorbing_[k].particle] != no_index)
+          own.push_back({k, absorbing_[k].force});
+      for (const SiteForce& of : ranks::collected(own)) absorbing_[of.site].force = of.force;
+    }
+  }
+
   template <class T>
   static Index size(const Array<T>& sites) {
     return static_cast<Index>(sites.size());
