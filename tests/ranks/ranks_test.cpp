@@ -106,9 +106,6 @@ TEST_F(Ranks, WhatIsNotDividedIsRefusedOnceWithTheReason) {
        {std::pair{
             with(wide, "material =", "grading = { levels = 1, width = \"2 mm\" }\nmaterial ="),
             "the body 'plate' is graded"},
-        std::pair{deformable + "[[load]]\nname = \"push\"\nbody = \"plate\"\nkind = "
-                               "\"body_force\"\nacceleration = [\"0 m/s2\", \"-9.81 m/s2\"]\n",
-                  "given loads"},
         std::pair{with(deformable, "[time]\n", "[time]\nrelax = \"1 ms\"\n"), "time.relax"},
         std::pair{read_file(fs::path(KERF_SOURCE_DIR) / "cases" / "column-on-wall.toml"),
                   "'shinohara2004'"},

@@ -69,9 +69,18 @@ spacing = "0.4 mm"
 name = "base"
 material = "concrete"
 joined_to = "rock"
-absorbing = ["y-"]
+absorbing = ["x+"]
 shape = { type = "box", minimum = ["-12.8 mm", "-8 mm"], maximum = ["12.8 mm", "-4 mm"] }
 spacing = "0.4 mm"
+[[load]]
+kind = "pressure"
+body = "base"
+shape = { type = "box", minimum = ["-13 mm", "-8.2 mm"], maximum = ["13 mm", "-7.8 mm"] }
+pressure = "20 MPa"
+[[load]]
+kind = "body_force"
+body = "rock"
+acceleration = ["0 m/s2", "-9.81 m/s2"]
 [[body]]
 name = "ball"
 material = "aluminium-6061"

@@ -25,7 +25,6 @@ std::string problem_of(const Case& description) {
            "not exchanged between ranks";
   if (description.time.relax > 0.0)
     return "the motion that time.relax takes from solids is not summed over ranks";
-  if (!description.loads.empty()) return "given loads on bodies are not divided among ranks";
   if (travelling_frame(description))
     return "a window that travels with the nozzle is not divided among ranks";
   return "";
