@@ -2,6 +2,7 @@
 // Results of several ranks have the same bits as those of one, also when ranks go on with the
 // checkpoint of another number of ranks. What cannot be divided is refused once, with the reason.
 #include "ranks/rank_runs.hpp"
+#include "support/travelling.hpp"
 
 namespace kerf::test {
 namespace {
@@ -106,6 +107,7 @@ TEST_F(Ranks, WhatIsNotDividedIsRefusedOnceWithTheReason) {
        {std::pair{
             with(wide, "material =", "grading = { levels = 1, width = \"2 mm\" }\nmaterial ="),
             "the body 'plate' is graded"},
+        std::pair{TravellingText{}.text(), "a window that travels"},
         std::pair{with(deformable, "[time]\n", "[time]\nrelax = \"1 ms\"\n"), "time.relax"},
         std::pair{read_file(fs::path(KERF_SOURCE_DIR) / "cases" / "column-on-wall.toml"),
                   "'shinohara2004'"},
