@@ -137,10 +137,11 @@ typename ParticleRun<D, P, Traits>::ParticleStep ParticleRun<D, P, Traits>::step
 }
 
 // The same, where one of the ranks has the particle. If it has left, the first particle of all
-// stands for it.
+// stands for it, if there is any.
 template <int D, class P, class Traits>
 typename ParticleRun<D, P, Traits>::ParticleStep ParticleRun<D, P, Traits>::step_at_any_rank(
     const StepLimit& limit) const {
+  if (particles() == 0) return {limit.dt, limit.limit};
   if (!ranks::are_several() || !is_of_particle(limit)) return step_of(limit);
   struct Candidate {
     Index cell;  // none: at no rank

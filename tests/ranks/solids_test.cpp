@@ -171,6 +171,39 @@ frame_interval = "0.4 ms"
 series_interval = "0.1 ms"
 )";
 
+// A block slides on another, pressed by a load that turns with its surface; the contact crosses the
+// border of the ranks.
+std::string block_on_block(const char* pressure) {
+  return R"(title = "A block is pressed onto another"
+dimension = 2
+[time]
+end = "3 ms"
+[domain]
+minimum = ["-40 mm", "-20 mm"]
+maximum = ["40 mm", "30 mm"]
+[[body]]
+name = "lower"
+material = "rubber"
+shape = { type = "box", minimum = ["-20 mm", "-10 mm"], maximum = ["20 mm", "0 mm"] }
+spacing = "1 mm"
+[[body]]
+name = "upper"
+material = "rubber"
+shape = { type = "box", minimum = ["-20 mm", "0 mm"], maximum = ["20 mm", "10 mm"] }
+spacing = "1 mm"
+velocity = ["0.5 m/s", "-1 m/s"]
+[[load]]
+kind = "pressure"
+body = "upper"
+shape = { type = "box", minimum = ["-21 mm", "9.5 mm"], maximum = ["21 mm", "10.5 mm"] }
+pressure = ")" +
+         std::string(pressure) + R"("
+[output]
+frame_interval = "1 ms"
+series_interval = "0.1 ms"
+)";
+}
+
 class SolidsOnRanks : public Ranks {
  protected:
   // What the case is for: some of the solid is debris at the end.
@@ -195,6 +228,16 @@ TEST_F(SolidsOnRanks, GrowingFlawsHaveTheSameBits) {
 }
 TEST_F(SolidsOnRanks, PiercedBlockInSpaceHasTheSameBits) {
   expect_same_with_debris(jet_on_block_in_space, {2, 3});
+}
+TEST_F(SolidsOnRanks, BlocksInContactHaveTheSameBits) {
+  write_case(block_on_block("20 kPa"));
+  expect_same_for({2, 3});
+}
+// The load drives all of the solid out of the domain.
+TEST_F(SolidsOnRanks, ARunGoesOnWithoutParticles) {
+  write_case(block_on_block("400 kPa"));
+  expect_same_for({2});
+  EXPECT_EQ(result_without_clock(folder("alone")).at("particles"), 0);
 }
 TEST_F(SolidsOnRanks, AnotherNumberGoesOnWithTheSameBits) {
   write_case(jet_on_block);
