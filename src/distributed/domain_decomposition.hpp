@@ -84,6 +84,43 @@ class DomainDecomposition {
       first = unpack<PairedFields>(message, particles, first);
   }
 
+  // Sets one field of the ghosts to that at their owners.
+  template <class T>
+  void update_ghosts(const Particles<D, P>& particles, Array<T>& field) const {
+    std::vector<ranks::Bytes> to(size()), from(size());
+    for (std::size_t r = 0; r < size(); ++r) {
+      to[r] = entries(field, send_[r]);
+      from[r].resize(ghosts_of(particles, r) * sizeof(T));
+    }
+    ranks::exchange_known(to, from);
+    Index first = particles.ghosts.first;
+    for (const ranks::Bytes& message : from) {
+      if (!message.empty())
+        std::memcpy(static_cast<void*>(&field[first]), message.data(), message.size());
+      first += static_cast<Index>(message.size() / sizeof(T));
+    }
+  }
+  // Sets a field of particles to merge(own, ghost) for each of their ghosts.
+  template <class T, class Merge>
+  void merge_ghosts(const Particles<D, P>& particles, Array<T>& field, const Merge& merge) const {
+    std::vector<ranks::Bytes> to(size()), from(size());
+    Index first = particles.ghosts.first;
+    for (std::size_t r = 0; r < size(); ++r) {
+      const std::size_t ghosts = ghosts_of(particles, r);
+      to[r].resize(ghosts * sizeof(T));
+      if (ghosts > 0) std::memcpy(to[r].data(), &field[first], to[r].size());
+      first += static_cast<Index>(ghosts);
+      from[r].resize(send_[r].size() * sizeof(T));
+    }
+    ranks::exchange_known(to, from);
+    for (std::size_t r = 0; r < size(); ++r)
+      for (std::size_t n = 0; n < send_[r].size(); ++n) {
+        T ghost;
+        std::memcpy(&ghost, from[r].data() + n * sizeof(T), sizeof(T));
+        field[send_[r][n]] = merge(field[send_[r][n]], ghost);
+      }
+  }
+
   static void drop_ghosts(Particles<D, P>& particles) {
     const Ghosts ghosts = std::exchange(particles.ghosts, {});
     if (ghosts.count == 0) return;
@@ -119,6 +156,18 @@ class DomainDecomposition {
   }
 
  private:
+  // How many of the ghosts are those of particles of a rank.
+  std::size_t ghosts_of(const Particles<D, P>& particles, std::size_t rank) const {
+    return received_[rank].size() / bytes_in_message<PairedFields>(particles);
+  }
+  template <class T>
+  static ranks::Bytes entries(const Array<T>& field, const std::vector<Index>& which) {
+    ranks::Bytes bytes(which.size() * sizeof(T));
+    for (std::size_t n = 0; n < which.size(); ++n)
+      std::memcpy(bytes.data() + n * sizeof(T), &field[which[n]], sizeof(T));
+    return bytes;
+  }
+
   static std::size_t size() { return static_cast<std::size_t>(ranks::count()); }
 
   // The cells by which the particles are distributed: those in which they were sorted, so that

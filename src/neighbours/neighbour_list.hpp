@@ -143,7 +143,7 @@ class NeighbourList {
       cells_.build(particles, grids_);
       validity_.restart(cells_.view());
     }
-    entries_.list_anew(find(particles), n, listed_anew_);
+    entries_.list_anew(find(particles), particles.owned(), listed_anew_);
     listed_as_ = particles.fractured;
   }
 

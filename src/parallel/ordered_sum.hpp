@@ -4,6 +4,7 @@
 // one after the other; on a GPU both in trees of a fixed shape (parallel/gpu_loops.hpp).
 #pragma once
 
+#include "parallel/index_share.hpp"
 #include "parallel/loops.hpp"
 
 namespace kerf {
@@ -72,7 +73,30 @@ class OrderedFold {
 #endif
   }
 
+  // The sum over all numbers, of which each rank adds those of its share: block by block, so that
+  // it is the same for any number of ranks.
+  template <class Value>
+  Sum operator()(const IndexShare& share, const Value& value) {
+    if constexpr (ranks::exist) {
+      if (share.is_part) return over_ranks(share, value);
+    }
+    return (*this)(share.last, value);
+  }
+
  private:
+  template <class Value>
+  Sum over_ranks(const IndexShare& share, const Value& value) {
+    using Block = SumBlock<Sum, Value>;
+    static_assert(IndexShare::block == Block::length);
+    const IndexShare blocks{share.first / Block::length,
+                            (share.last + Block::length - 1) / Block::length};
+    std::vector<Sum> own(blocks.size());
+    for_each_index(blocks, Block{share.last, value, own.data() - blocks.first});
+    Sum total = Sum::zero();
+    for (const Sum& block : ranks::collected(own)) total.join(block);
+    return total;
+  }
+
   Array<Sum> partial_;
 };
 

@@ -50,7 +50,7 @@ namespace kerf {
   STATE(std::uint32_t, id, start.id, always, hidden)                 /* unique, never reused */    \
   STATE(Index, sorted_cell, unsorted, always, hidden)                /* when they were sorted */   \
   STATE(std::uint16_t, source, start.source, always, hidden)         /* simulation/media_order.hpp */   \
-  STATE(std::uint8_t, fractured, 0, always, hidden) /* 1 = bears compression only */               \
+  PAIRED(std::uint8_t, fractured, 0, always, hidden) /* 1 = bears compression only */              \
   PAIRED(std::uint8_t, flags, start.flags, always, hidden) /* particles/new_particle.hpp */         \
   STATE(std::uint8_t, asleep, 0, sleep, hidden) /* 1 = solid at rest that is not computed */        \
   STATE(std::uint8_t, moving, medium.phase == Phase::water, sleep, hidden) /* standard/sleep.hpp */ \

@@ -3,7 +3,7 @@
 // thread is free, and after each block the loop that uses its results, while they are in the cache.
 #pragma once
 
-#include "parallel/loops.hpp"
+#include "parallel/index_share.hpp"
 
 namespace kerf {
 
@@ -40,12 +40,20 @@ struct RunInBlocks {
   }
 };
 
-// Calls loop(i) for all particles, each after the kernel computed its block.
+// Calls loop(i) for all particles of a share, each after the kernel computed its block.
+template <class Result, class Task, class Loop>
+void run_in_blocks(const Task& task, void (*kernel)(const Task&, Index, Index),
+                   const IndexShare& share, const Loop& loop) {
+  using Block = RunInBlocks<Task, Result, Loop>;
+  static_assert(IndexShare::block % Block::length == 0);
+  for_each_index(
+      IndexShare{share.first / Block::length, (share.last + Block::length - 1) / Block::length},
+      Block{task, kernel, loop, share.last});
+}
 template <class Result, class Task, class Loop>
 void run_in_blocks(const Task& task, void (*kernel)(const Task&, Index, Index), Index count,
                    const Loop& loop) {
-  using Block = RunInBlocks<Task, Result, Loop>;
-  for_each_index((count + Block::length - 1) / Block::length, Block{task, kernel, loop, count});
+  run_in_blocks<Result>(task, kernel, IndexShare::whole(count), loop);
 }
 
 }  // namespace kerf

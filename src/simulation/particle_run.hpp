@@ -78,7 +78,19 @@ class ParticleRun : public Simulation {
     if constexpr (ranks::exist)
       if (ranks::are_several()) decomposition_.update_ghosts(particles_);
   }
-  // `other`: a limit besides those of the particles.
+  // Gives them one field, or gives particles what merge(own, ghost) makes of those of their ghosts.
+  template <class T>
+  void update_ghosts([[maybe_unused]] Array<T>& field) const {
+    if constexpr (ranks::exist)
+      if (ranks::are_several()) decomposition_.update_ghosts(particles_, field);
+  }
+  template <class T, class Merge>
+  void merge_ghosts([[maybe_unused]] Array<T>& field, [[maybe_unused]] const Merge& merge) const {
+    if constexpr (ranks::exist)
+      if (ranks::are_several()) decomposition_.merge_ghosts(particles_, field, merge);
+  }
+  // `other`: a limit besides those of the particles, of the same step at all ranks. A particle that
+  // is not at this rank has an index beyond all.
   double choose_step(StepRates rates, const StepLimit& other = {1e300, Limit::end_of_run, 0});
   void load_prescribed_motions(double now);
   // Moves the domain to its place after some shifts of a travelling frame. The list must be
@@ -138,6 +150,7 @@ class ParticleRun : public Simulation {
   std::size_t first_jet() const { return settings_.source_names.size() - nozzles_.size(); }
   struct ParticleStep;
   ParticleStep step_of(const StepLimit& limit) const;
+  ParticleStep step_at_any_rank(const StepLimit& limit) const;
   [[noreturn]] void fail(const ParticleStep& cause) const;
   void refresh() const;
 

@@ -60,6 +60,7 @@ void ParticleRun<D, P, Traits>::list_particles() {
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::refresh_fractured() {
   const auto timer = timers_.stage("neighbours");
+  update_ghosts();
   list_.refresh_fractured(particles_);
   after_refresh();
 }
@@ -123,13 +124,42 @@ struct ParticleRun<D, P, Traits>::ParticleStep {
   Position position{};
 };
 
+inline bool is_of_particle(const StepLimit& limit) {
+  return limit.limit != Limit::end_of_run && limit.limit != Limit::maximum_step;
+}
+
 template <int D, class P, class Traits>
 typename ParticleRun<D, P, Traits>::ParticleStep ParticleRun<D, P, Traits>::step_of(
     const StepLimit& limit) const {
-  const bool by_particle = limit.limit != Limit::end_of_run && limit.limit != Limit::maximum_step;
-  if (!by_particle) return {limit.dt, limit.limit};
+  if (!is_of_particle(limit)) return {limit.dt, limit.limit};
   const Index i = limit.particle;
   return {limit.dt, limit.limit, particles_.id[i], particles_.source[i], particles_.position[i]};
+}
+
+// The same, where one of the ranks has the particle. If it has left, the first particle of all
+// stands for it, if there is any.
+template <int D, class P, class Traits>
+typename ParticleRun<D, P, Traits>::ParticleStep ParticleRun<D, P, Traits>::step_at_any_rank(
+    const StepLimit& limit) const {
+  if (particles() == 0) return {limit.dt, limit.limit};
+  if (!ranks::are_several() || !is_of_particle(limit)) return step_of(limit);
+  struct Candidate {
+    Index cell;  // none: at no rank
+    ParticleStep step;
+  };
+  constexpr Index none = ~Index(0);
+  const bool is_here = limit.particle < particles_.size();
+  const bool has_left = !ranks::any(is_here);
+  Candidate own{none, {limit.dt, limit.limit}};
+  if (is_here || (has_left && particles_.owned() > 0)) {
+    const Index i = is_here ? limit.particle : 0;
+    own = {has_left ? particles_.sorted_cell[i] : 0, step_of({limit.dt, limit.limit, i})};
+  }
+  const auto first = [](const Candidate& a, const Candidate& b) {
+    if (a.cell != b.cell) return a.cell < b.cell ? a : b;
+    return a.step.id <= b.step.id ? a : b;
+  };
+  return ranks::combined(own, first).step;
 }
 
 template <int D, class P, class Traits>
@@ -141,15 +171,16 @@ double ParticleRun<D, P, Traits>::choose_step(StepRates rates, const StepLimit& 
   const ParticleStepLimit<D, P> limit{
       particles_.view(), settings_.courant, largest_compression(settings_.courant),
       runaway_speed_,    longest,           rates};
-  StepLimit own{longest, longest < remaining ? Limit::maximum_step : Limit::end_of_run, 0};
-  if (other.dt < longest) own = other;
+  ParticleStep own{longest, longest < remaining ? Limit::maximum_step : Limit::end_of_run};
+  if (other.dt < longest) own = step_at_any_rank(other);
   const StepLimit least =
-      reduce_unordered(particles_.size(), limit, own, SmallerStep{pointer(particles_.id)});
-  if (least.dt < own.dt) own = least;
+      reduce_unordered(particles_.size(), limit, StepLimit{own.dt, own.limit, 0},
+                       SmallerStep{pointer(particles_.id)});
+  if (least.dt < own.dt) own = step_of(least);
   const auto smaller = [](const ParticleStep& a, const ParticleStep& b) {
     return b.dt < a.dt || (b.dt == a.dt && b.id < a.id) ? b : a;
   };
-  const ParticleStep chosen = ranks::combined(step_of(own), smaller);
+  const ParticleStep chosen = ranks::combined(own, smaller);
   const bool collapsed = chosen.dt < shortest_step_ && chosen.limit != Limit::end_of_run;
   if (chosen.dt < 0.0 || collapsed) fail(chosen);
   last_step_ = {chosen.dt, limit_name(chosen.limit), chosen.id};

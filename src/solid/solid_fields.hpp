@@ -10,7 +10,7 @@
 #include "core/mirror_planes.hpp"
 #include "core/precision.hpp"
 #include "model/medium.hpp"
-#include "parallel/loops.hpp"
+#include "parallel/index_share.hpp"
 #include "solid/bond_ends.hpp"
 #include "solid/bond_table.hpp"
 #include "solid/bond_terms.hpp"
@@ -33,6 +33,7 @@ struct SolidView {
   using LoadingState = Loading<Real>;
 
   Index count;
+  IndexShare share;  // that the loops of this rank compute
   bool any_flows;    // whether there is a medium that flows
   bool any_softens;  // or softens
   bool any_flaws;    // or has flaws
@@ -189,6 +190,7 @@ struct SolidFields {
   using Flaws = typename View::Flaws;
   using LoadingState = typename View::LoadingState;
 
+  IndexShare share;
   bool any_flows = false, any_softens = false, any_flaws = false, any_rate = false;
   Array<Medium<Real>> media;
   Array<std::uint16_t> medium_index;
@@ -212,6 +214,7 @@ struct SolidFields {
   // Allocates the fields that are not given at set-up; all bonds are intact. `most`: bonds of a
   // particle.
   void make_room(Index most) {
+    share = IndexShare::whole(size());
     words = (most + bonds_per_word - 1) / bonds_per_word;
     bond_intact.assign(words * reference.size(), ~std::uint32_t(0));
 #define KERF_FIELD(type, name) name.resize(reference.size());
@@ -235,6 +238,14 @@ struct SolidFields {
 #undef KERF_FIELD
   }
 
+  // Calls visit(array) for all fields with one entry per particle; some are empty.
+  template <class Visit>
+  void for_each_field(const Visit& visit) {
+#define KERF_FIELD(type, name) visit(name);
+    KERF_SOLID_FIELDS(KERF_FIELD)
+#undef KERF_FIELD
+  }
+
   std::size_t bytes() const {
     std::size_t sum = bytes_of(media) + bytes_of(medium_index) + bytes_of(reference) +
                       bytes_of(bond_begin) + bytes_of(bond_entry) + bytes_of(bond_count) +
@@ -249,6 +260,7 @@ struct SolidFields {
   View view() {
     View view;
     view.count = size();
+    view.share = share;
     view.any_flows = any_flows;
     view.any_softens = any_softens;
     view.any_flaws = any_flaws;

@@ -15,6 +15,7 @@
 #include "solid/bond_force.hpp"
 #include "solid/break_bonds.hpp"
 #include "solid/deformation_gradient.hpp"
+#include "solid/divided_solid.hpp"
 #include "solid/gradient_correction_levels.hpp"
 #include "solid/hold_clamped.hpp"
 #include "solid/limit_break_energy.hpp"
@@ -32,7 +33,9 @@
 namespace kerf {
 
 template <int D, class P>
-class TotalLagrangian {
+class TotalLagrangian : public DividedSolid<D, P> {
+  using Divided = DividedSolid<D, P>;
+
  public:
   using Real = typename P::Real;
   using Positions = Array<Vector<D, double>>;
@@ -82,6 +85,7 @@ class TotalLagrangian {
   void deform(double dt = 0.0) {
     dt_ = dt;
     respond([&](const auto& loop) { simd_.sum_gradients(view(), loop); });
+    Divided::update_ghosts(fields_.ends);
   }
   void deform(const Positions& position, double dt = 0.0) {
     require(position.size() == size(), "positions of every particle of the solid");
@@ -92,8 +96,8 @@ class TotalLagrangian {
   // Ends a step: the next one starts from the current plastic state. Returns the plastic work, J.
   double keep_flow() {
     if (!fields_.any_flows) return 0.0;
-    for_each_index(size(), UpdatePlasticity<D, P>{view()});
-    return power_sum_(size(), FlowLossTerm<D, P>{view()}).value[0];
+    for_each_index(share(), UpdatePlasticity<D, P>{view()});
+    return power_sum_(share(), FlowLossTerm<D, P>{view()}).value[0];
   }
   // Ends a step of media whose strength depends on the rate of strain; before keep_softening().
   void keep_loading() {
@@ -105,24 +109,24 @@ class TotalLagrangian {
     if (!fields_.any_softens) return 0.0;
     scratch_.resize(size());
     unchanged_.resize(size());
-    for_each_index(size(), UpdateSoftening<D, P>{view(), pointer(unchanged_)});
+    for_each_index(share(), UpdateSoftening<D, P>{view(), pointer(unchanged_)});
     simd_.sum_misfits(view(), {view(), pointer(scratch_), pointer(unchanged_)});
-    for_each_index(size(), SoftenHourglass<D, P>{view(), pointer(unchanged_), pointer(scratch_)});
-    return power_sum_(size(), SofteningLossTerm<D, P>{view()}).value[0];
+    for_each_index(share(), SoftenHourglass<D, P>{view(), pointer(unchanged_), pointer(scratch_)});
+    return power_sum_(share(), SofteningLossTerm<D, P>{view()}).value[0];
   }
   // Returns the energy dissipated by softening since the start, J.
   double softening_work() {
-    return fields_.any_softens ? power_sum_(size(), SofteningTerm<D, P>{view()}).value[0] : 0.0;
+    return fields_.any_softens ? power_sum_(share(), SofteningTerm<D, P>{view()}).value[0] : 0.0;
   }
   // Ends a step: flaws grow for its time at the current deformation. Returns what is released, J.
   double keep_damage(double dt) {
     if (!fields_.any_flaws) return 0.0;
-    for_each_index(size(), UpdateDamage<D, P>{view(), static_cast<Real>(dt)});
-    return power_sum_(size(), DamageLossTerm<D, P>{view()}).value[0];
+    for_each_index(share(), UpdateDamage<D, P>{view(), static_cast<Real>(dt)});
+    return power_sum_(share(), DamageLossTerm<D, P>{view()}).value[0];
   }
   // Returns the plastic work from the last keep_flow() to the current deformation, J.
   double flow_work() {
-    return fields_.any_flows ? power_sum_(size(), FlowWorkTerm<D, P>{view()}).value[0] : 0.0;
+    return fields_.any_flows ? power_sum_(share(), FlowWorkTerm<D, P>{view()}).value[0] : 0.0;
   }
 
   // Computes acceleration and viscous power of the current deformation by the bonds that `filter`
@@ -130,7 +134,8 @@ class TotalLagrangian {
   template <class Filter = EveryBond, class Then = NoOp>
   void accelerate(const Filter& filter = {}, const Then& then = {}) {
     if (fields_.any_flows) {
-      for_each_index(size(), RateTraction<D, P>{view()});
+      for_each_index(share(), RateTraction<D, P>{view()});
+      Divided::update_ghosts(fields_.rate_traction, fields_.hourglass_viscosity);
       accelerate_with(FlowViscosity<D, P>{}, filter, then);
     } else if (traits_.is_viscous) {
       accelerate_with(BondViscosity<D, P>{}, filter, then);
@@ -159,9 +164,11 @@ class TotalLagrangian {
     if (!traits_.can_break) return {};
     half_step_ = half_step;
     scratch_.resize(size());
-    for_each_index(size(), PrepareCriterion<D, P>{view(), pointer(scratch_)});
+    for_each_index(share(), PrepareCriterion<D, P>{view(), pointer(scratch_)});
+    if (!Divided::prepare_break_test(scratch_)) return {};
     const BondTest<D, P> test{view(), pointer(scratch_)};
-    for_each_index(size(), MarkBreaking<D, P>{test});
+    for_each_index(share(), MarkBreaking<D, P>{test});
+    Divided::flags_to_owners(fields_.changed);
     if (!any_changed()) return {};
     return apply_breaks(BreakMarked<D, P>{test, records()});
   }
@@ -169,7 +176,7 @@ class TotalLagrangian {
   // Breaks bonds before the run: a notch. See CutBonds.
   template <class Separates>
   void cut(const Separates& separates) {
-    for_each_index(size(), CutBonds<D, P, Separates>{view(), separates});
+    for_each_index(share(), CutBonds<D, P, Separates>{view(), separates});
     update_corrections({});
   }
 
@@ -184,30 +191,33 @@ class TotalLagrangian {
   WaveTime wave_time(double courant) {
     using Shortest = WaveTimeLimit<D, P>;
     const Shortest shortest{view(), courant};
-    return reduce_unordered(Shortest::blocks(size()), shortest, WaveTime{1e300, 0}, ShorterWave{});
+    Divided::update_ghosts_of_joints();
+    const auto own =
+        reduce_unordered(shortest.blocks(), shortest, WaveTime{1e300, 0}, ShorterWave{});
+    return share().is_part ? ranks::combined(own, ShorterWave{}) : own;
   }
 
   // W, the current power that the viscosity of the bonds dissipates.
   double viscous_power() {
-    return traits_.is_viscous ? power_sum_(size(), PowerTerm<D, P>{view()}).value[0] : 0.0;
+    return traits_.is_viscous ? power_sum_(share(), PowerTerm<D, P>{view()}).value[0] : 0.0;
   }
   // Returns the stored energy at the current deformation.
   SolidEnergy energy() {
     scratch_.resize(size());
     simd_.sum_misfits(view(), KeepMisfit<D, P>{view(), pointer(scratch_)});
-    return SolidEnergy::of(sum_(size(), EnergyTerms<D, P>{view(), pointer(scratch_)}));
+    return SolidEnergy::of(sum_(share(), EnergyTerms<D, P>{view(), pointer(scratch_)}));
   }
 
   // What particles held before the last break.
   BreakRecords<D, P> records() { return {pointer(break_records_), half_step_}; }
   Index size() const { return fields_.size(); }
+  using Divided::share;
   const SolidFields<D, P>& fields() const { return fields_; }
   SolidView<D, P> view() { return fields_.view(); }
   std::pair<std::uint64_t, Index> count() {  // intact bonds, detached particles
-    const Terms<2> sum = sum_(size(), CountTerms<D, P>{view()});
+    const Terms<2> sum = sum_(share(), CountTerms<D, P>{view()});
     return {static_cast<std::uint64_t>(sum.value[0] / 2.0), static_cast<Index>(sum.value[1])};
   }
-  std::uint64_t entries() const { return entries_; }  // bonds, broken or not, from both ends
   std::size_t bytes() const {
     return fields_.bytes() + simd_.bytes() + correct_.bytes() +
            break_records_.size() * sizeof(BondBreakRecord);
@@ -219,7 +229,9 @@ class TotalLagrangian {
   // Restores a state saved by a solid of the same layout. deform() must follow.
   void restore(const SolidState<D, P>& state) {
     restore_state(state, fields_);
+    const IndexShare own = std::exchange(fields_.share, IndexShare::whole(size()));
     correct_all();
+    fields_.share = own;
   }
 
  private:
@@ -239,20 +251,22 @@ class TotalLagrangian {
     if constexpr (std::is_same_v<Filter, EveryBond> && Viscosity::in_simd)
       simd_.sum_forces(view(), loop, Viscosity::acts);
     else
-      for_each_index(size(), loop);
+      for_each_index(share(), loop);
   }
 
   // Breaks bonds by `breaker` and computes the deformation of the particles that lost some.
   template <class Breaker>
   FractureResult apply_breaks(const Breaker& breaker) {
-    for_each_index(size(), breaker);
+    for_each_index(share(), breaker);
     do {
       update_corrections(records());
       respond([&]<class Loop>(const Loop& loop) {
-        for_each_index(size(), LimitBreakEnergy<D, P, Loop>{loop, records()});
+        for_each_index(share(), LimitBreakEnergy<D, P, Loop>{loop, records()});
       });
     } while (any_changed());
-    const Terms<3> sum = break_sum_(size(), BreakTerms<D, P>{view(), records()});
+    const auto broken = Divided::recorded();
+    const Terms<3> sum = break_sum_(share(), BreakTerms<D, P>{view(), records()});
+    Divided::publish(broken);
     const auto [bonds, detached, energy] = sum.value;
     return {static_cast<std::uint64_t>(bonds / 2.0), static_cast<Index>(detached), energy};
   }
@@ -260,21 +274,22 @@ class TotalLagrangian {
   void correct_all() {
     thrust::fill(fields_.detached.begin(), fields_.detached.end(), std::uint8_t(0));
     thrust::fill(fields_.changed.begin(), fields_.changed.end(), std::uint8_t(1));
-    for_each_index(size(), SetHourglassModulus<D, P>{view()});
+    for_each_index(share(), SetHourglassModulus<D, P>{view()});
     update_corrections({});
   }
 
-  void update_corrections(const BreakRecords<D, P>& records) { correct_(view(), records); }
+  void update_corrections(const BreakRecords<D, P>& records) {
+    correct_(fields_, Divided::halo(), records);
+  }
   bool any_changed() { return correct_.any_changed(view()); }
 
-  SolidFields<D, P> fields_;
+  using Divided::fields_, Divided::break_records_, Divided::entries_;
+
   SimdBondSums<D, P> simd_;
   std::vector<std::uint8_t> fitted_;
-  std::uint64_t entries_ = 0;
   OrderedSum<2> sum_;
   OrderedSum<1> power_sum_;
   OrderedSum<3> break_sum_;
-  Array<BondBreakRecord> break_records_;
   Array<Real> scratch_;  // as `unchanged_`, of one call
   Array<std::uint8_t> unchanged_;
   CorrectionUpdate<D, P> correct_;

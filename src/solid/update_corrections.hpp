@@ -3,6 +3,7 @@
 // particle that becomes detached takes bonds from others, which may become detached in turn.
 #pragma once
 
+#include "solid/bond_halo.hpp"
 #include "solid/gradient_correction.hpp"
 
 namespace kerf {
@@ -37,18 +38,27 @@ struct BreakBesideDetached {
 template <int D, class P>
 class CorrectionUpdate {
  public:
-  void operator()(const SolidView<D, P>& solid, const BreakRecords<D, P>& records) {
+  // `halo`: of several ranks.
+  void operator()(SolidFields<D, P>& fields, const BondHalo<D>& halo,
+                  const BreakRecords<D, P>& records) {
+    const SolidView<D, P> solid = fields.view();
     beside_.resize(solid.count, std::uint8_t(0));
-    for_each_index(solid.count, Correct<D, P>{solid});
+    for_each_index(solid.share, Correct<D, P>{solid});
     while (any_changed(solid)) {
-      for_each_index(solid.count, MarkBesideDetached<D, P>{solid, pointer(beside_)});
-      for_each_index(solid.count,
+      for_each_index(solid.share, MarkBesideDetached<D, P>{solid, pointer(beside_)});
+      if constexpr (ranks::exist)
+        if (solid.share.is_part) {
+          halo.to_owners(beside_);
+          halo.to_ghosts(fields.detached);
+        }
+      for_each_index(solid.share,
                      BreakBesideDetached<D, P>{{solid, solid.detached, records}, pointer(beside_)});
-      for_each_index(solid.count, Correct<D, P>{solid});
+      for_each_index(solid.share, Correct<D, P>{solid});
     }
   }
   static bool any_changed(const SolidView<D, P>& solid) {
-    return reduce_unordered(solid.count, IsSet{solid.changed}, false, Either{});
+    const bool own = reduce_unordered(solid.share, IsSet{solid.changed}, false, Either{});
+    return solid.share.is_part ? ranks::any(own) : own;
   }
   std::size_t bytes() const { return beside_.size(); }
 

@@ -39,12 +39,12 @@ struct WaveTimeLimit {
   SolidView<D, P> solid;
   double courant;  // by which the time is multiplied
 
-  static Index blocks(Index count) { return (count + length - 1) / length; }
+  Index blocks() const { return (solid.share.size() + length - 1) / length; }
 
   KERF_FUNCTION WaveTime operator()(Index block) const {
     WaveTime shortest{1e300, 0};
-    const Index first = block * length;
-    const Index last = first + length < solid.count ? first + length : solid.count;
+    const Index first = solid.share.first + block * length;
+    const Index last = first + length < solid.share.last ? first + length : solid.share.last;
     for (Index i = first; i < last; ++i) {
       const WaveTime own = of_particle(i, shortest.time);
       if (own.time < shortest.time) shortest = own;

@@ -82,12 +82,19 @@ class StandardRates {
         simd_pairs_.graded().take(view, count, list, entries, fluid_pair_.correction, listed_anew);
   }
 
+  // Finds the contacts of the surfaces of solids, which all evaluations need. Returns whether there
+  // may be any.
+  bool find_contacts(const ParticleView<D, P>& view, Index count, const NeighbourView& list) const {
+    const bool may_be = may_touch(view);
+    if (may_be) sum_surface_overlaps(view, count, list, {contacts()});
+    return may_be;
+  }
+
   // Evaluates what a step needs in one pair loop: pressures, the accelerations by gravity and all
   // pairs, the rates of compression, the kernel sums and the concentration gradients.
   template <class Bonds>
   void evaluate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                 const Bonds& bonds, ConcentrationGradient<D, Real>* concentration_gradient) const {
-    if (may_touch(view)) sum_surface_overlaps(view, count, list, {contacts()});
     const LoopInput input{view, count, list};
     if (fluid_pair_.scheme == WaterScheme::riemann) {
       sum_pairs(input, bonds, FluidContinuity<D, P>{fluid_pair_}, RigidWalls{}, KernelSum{},
@@ -107,7 +114,6 @@ class StandardRates {
   template <class Bonds>
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                   const Bonds& bonds) const {
-    if (may_touch(view)) sum_surface_overlaps(view, count, list, {contacts()});
     sum_pairs({view, count, list}, bonds);
   }
   // Evaluates the accelerations by the pairs that `filter` selects and by the body force given.
@@ -115,7 +121,6 @@ class StandardRates {
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                   const Bonds& bonds, const Filter& filter,
                   const BodyForce<D, P>& body_force) const {
-    if (may_touch(view)) sum_surface_overlaps(view, count, list, {contacts()});
     update_pressures({view, count, list});
     run_loop({view, count, list}, bonds, filter, body_force);
   }

@@ -72,12 +72,17 @@ struct MarkReached {
     if (load_flag(particles.reached[j]) == activity::none)
       store_flag(particles.reached[j], activity::newly);
   }
+  // Of a particle and its ghost.
+  static std::uint8_t merged(std::uint8_t own, std::uint8_t ghost) {
+    return own == activity::none && ghost == activity::newly ? ghost : own;
+  }
 };
 template <int D, class P>
 struct WakeParticle {
   ParticleView<D, P> particles;
   KERF_FUNCTION bool spreads_from(Index i) const { return particles.reached[i] == activity::newly; }
   KERF_FUNCTION void operator()(Index j) const { store_flag(particles.asleep[j], 0); }
+  static std::uint8_t merged(std::uint8_t own, std::uint8_t ghost) { return std::min(own, ghost); }
 };
 
 // Apply an action to the particles from which it spreads and to their neighbours.
@@ -101,13 +106,25 @@ struct SpreadToBondEnds {
   SolidView<D, P> solid;
 
   KERF_FUNCTION void operator()(Index s) const {
+    if (spreads_from(s)) from(s);
+  }
+  KERF_FUNCTION bool spreads_from(Index s) const {
     const Index i = link.particle_of[s];
-    if (i == no_index || !action.spreads_from(i)) return;
+    return i != no_index && action.spreads_from(i);
+  }
+  KERF_FUNCTION void from(Index s) const {
     for (Index k = solid.bonds.first(s); k < solid.bonds.last(s); ++k) {
       const Index j = link.particle_of[solid.bond_end(s, k).particle];
       if (j != no_index) action(j);
     }
   }
+};
+
+// From which particles of a solid an action spreads.
+template <int D, class P, template <int, class> class Action>
+struct SpreadsFrom {
+  const SpreadToBondEnds<D, P, Action>& spread;
+  bool operator()(Index s) const { return spread.spreads_from(s); }
 };
 
 // What is newly moving or reached is so since before from now on.
@@ -159,30 +176,13 @@ struct WakeListedAnew {
   }
 };
 
-// Lets particles fall asleep, at the end of a step, all of whose forces are known.
+// Whether a particle of a solid is exactly undeformed.
 template <int D, class P>
-struct FallAsleep {
+struct IsUndeformed {
   using Real = typename P::Real;
-  ParticleView<D, P> particles;
-  NeighbourView list;
-  SolidIndexView link;
   SolidView<D, P> solid;
 
-  KERF_FUNCTION void operator()(Index s) const {
-    const Index i = link.particle_of[s];
-    if (i == no_index || particles.asleep[i] != 0) return;
-    if (is_at_rest(i) && is_undeformed(s) &&
-        !any_neighbour(particles, list, i, particles.reached) && !has_reached_bond_end(s))
-      particles.asleep[i] = 1;
-  }
-
- private:
-  KERF_FUNCTION bool is_at_rest(Index i) const {
-    return particles.reached[i] == 0 && is_zero(particles.velocity[i]) &&
-           is_zero(particles.acceleration[i]) && particles.compression_rate[i] == Real(0) &&
-           !particles.is_constrained(i) && particles.fractured[i] == 0;
-  }
-  KERF_FUNCTION bool is_undeformed(Index s) const {
+  KERF_FUNCTION bool operator()(Index s) const {
     if (solid.detached[s] != 0) return false;
     const auto& own = solid.ends[s];
     bool zero = is_zero(own.displacement) && is_zero(own.remainder);
@@ -196,10 +196,42 @@ struct FallAsleep {
     for (int a = 0; a < D; ++a) zero = zero && v[a] == Real(0);
     return zero;
   }
+};
+
+// Lets particles fall asleep, at the end of a step, all of whose forces are known.
+template <int D, class P>
+struct FallAsleep {
+  using Real = typename P::Real;
+  ParticleView<D, P> particles;
+  NeighbourView list;
+  SolidIndexView link;
+  SolidView<D, P> solid;
+  // Of all particles of a solid that ranks divide: whether it is undeformed, or reached.
+  const std::uint8_t *undeformed = nullptr, *reached = nullptr;
+
+  KERF_FUNCTION void operator()(Index s) const {
+    const Index i = link.particle_of[s];
+    if (i == no_index || particles.asleep[i] != 0) return;
+    if (is_at_rest(i) && is_undeformed(s) &&
+        !any_neighbour(particles, list, i, particles.reached) && !has_reached_bond_end(s))
+      particles.asleep[i] = 1;
+  }
+
+ private:
+  KERF_FUNCTION bool is_at_rest(Index i) const {
+    return particles.reached[i] == 0 && IsUndeformed<D, P>::is_zero(particles.velocity[i]) &&
+           IsUndeformed<D, P>::is_zero(particles.acceleration[i]) &&
+           particles.compression_rate[i] == Real(0) && !particles.is_constrained(i) &&
+           particles.fractured[i] == 0;
+  }
+  KERF_FUNCTION bool is_undeformed(Index s) const {
+    return undeformed != nullptr ? undeformed[s] != 0 : IsUndeformed<D, P>{solid}(s);
+  }
   KERF_FUNCTION bool has_reached_bond_end(Index s) const {
     for (Index k = solid.bonds.first(s); k < solid.bonds.last(s); ++k) {
-      const Index j = link.particle_of[solid.bond_end(s, k).particle];
-      if (j != no_index && particles.reached[j] != 0) return true;
+      const Index end = solid.bond_end(s, k).particle, j = link.particle_of[end];
+      if (reached != nullptr ? reached[end] != 0 : j != no_index && particles.reached[j] != 0)
+        return true;
     }
     return false;
   }

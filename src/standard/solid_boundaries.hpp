@@ -12,6 +12,13 @@
 
 namespace kerf {
 
+// The terms of each site, for a sum.
+template <class Sum>
+struct KnownTerms {
+  const Sum* of;
+  KERF_FUNCTION void add(Index k, Sum& sum) const { sum.join(of[k]); }
+};
+
 template <int D, class P>
 class SolidBoundaries {
  public:
@@ -51,6 +58,8 @@ class SolidBoundaries {
   void turn(const SolidFields<D, P>& solid) {
     for_each_index(size(loaded_),
                    TurnLoads<D, P>{pointer(solid.gradient), pointer(loaded_), pointer(shares_)});
+    if constexpr (ranks::exist)
+      if (solid.share.is_part) collect_turned(solid.share);
   }
 
   // Adds the accelerations by absorbing faces and loads.
@@ -65,11 +74,13 @@ class SolidBoundaries {
 
   // Adds the impulses and work of the step that has ended.
   void end_step(Particles<D, P>& particles, const SolidIndexView& link, double dt) {
+    collect_absorbing(link);
     const Terms<D> absorbed =
         absorbed_sum_(size(absorbing_), AbsorbingForce<D>{pointer(absorbing_)});
     using Sum = LoadSum<D, P>;
-    const auto load = load_sum_(
-        size(loaded_), Sum{particles.view(), link.particle_of, no_index, pointer(loaded_)});
+    const Sum of_particles{particles.view(), link.particle_of, no_index, pointer(loaded_)};
+    const auto load =
+        ranks::are_several() ? sum_loads(of_particles) : load_sum_(size(loaded_), of_particles);
     for (int a = 0; a < D; ++a) {
       const auto axis = static_cast<std::size_t>(a);
       impulse_absorbed_[axis] += dt * absorbed.value[a];
@@ -117,6 +128,54 @@ class SolidBoundaries {
   }
 
  private:
+  // Tells all ranks the forces on the particles that each of them has.
+  void collect_absorbing([[maybe_unused]] const SolidIndexView& link) {
+    if constexpr (ranks::exist) {
+      if (!ranks::are_several()) return;
+      struct SiteForce {
+        Index site;
+        Vector<D, double> force;
+      };
+      std::vector<SiteForce> own;
+      for (Index k = 0; k < size(absorbing_); ++k)
+        if (link.particle_of[absorbing_[k].particle] != no_index)
+          own.push_back({k, absorbing_[k].force});
+      for (const SiteForce& of : ranks::collected(own)) absorbing_[of.site].force = of.force;
+    }
+  }
+
+  // Tells all ranks the loads on the particles whose deformation each of them knows.
+  void collect_turned(const IndexShare& share) {
+    struct Turned {
+      Index number;
+      Vector<D, double> force;
+    };
+    std::vector<Turned> own;
+    for (const LoadSite<D>& site : loaded_)
+      for (Index n = site.first; share.has(site.particle) && n < site.last; ++n)
+        if (shares_[n].follows) own.push_back({n, shares_[n].turned});
+    for (const Turned& of : ranks::collected(own)) shares_[of.number].turned = of.force;
+  }
+  // The sum over the particles of all ranks, in the order of the sites.
+  Terms<LoadSum<D, P>::slots> sum_loads([[maybe_unused]] const LoadSum<D, P>& of_particles) {
+    using Sum = Terms<LoadSum<D, P>::slots>;
+    std::vector<Sum> of_site(loaded_.size(), Sum::zero());
+    if constexpr (ranks::exist) {
+      struct SiteSum {
+        Index site;
+        Sum sum;
+      };
+      std::vector<SiteSum> own;
+      for (Index k = 0; k < size(loaded_); ++k) {
+        if (of_particles.particle_of[loaded_[k].particle] == no_index) continue;
+        own.push_back({k, Sum::zero()});
+        of_particles.add(k, own.back().sum);
+      }
+      for (const SiteSum& of : ranks::collected(own)) of_site[of.site] = of.sum;
+    }
+    return load_sum_(size(loaded_), KnownTerms<Sum>{of_site.data()});
+  }
+
   template <class T>
   static Index size(const Array<T>& sites) {
     return static_cast<Index>(sites.size());

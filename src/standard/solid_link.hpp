@@ -32,7 +32,7 @@ struct LinkSolids {
 
   KERF_FUNCTION void operator()(Index i) const {
     const Index number = link.number(particles.id[i]);
-    if (number != no_index) link.particle_of[number] = i;
+    if (number != no_index && !particles.ghosts.has(i)) link.particle_of[number] = i;
   }
 };
 
@@ -44,16 +44,29 @@ struct MotionOfParticles {
   SolidIndexView link;
   double prediction_time = 0.0;
 
+  struct Motion {
+    Vector<D, double> position;
+    Vector<D, typename P::Real> velocity;
+    std::uint8_t asleep;
+
+    KERF_FUNCTION void set(const SolidView<D, P>& solid, Index s) const {
+      solid.asleep[s] = asleep;
+      if (asleep) return;
+      set_displacement(solid, s, position);
+      solid.ends[s].velocity = velocity;
+    }
+  };
+  KERF_FUNCTION Motion of(Index i) const {
+    auto position = particles.position[i];
+    if (prediction_time > 0.0)
+      position += prediction_time * Vector<D, double>::from(particles.velocity[i]);
+    return {position, particles.velocity[i], particles.is_asleep(i)};
+  }
   KERF_FUNCTION void take(const SolidView<D, P>& solid, Index s) const {
     const Index i = link.particle_of[s];
     if (i == no_index) return;
     solid.asleep[s] = particles.is_asleep(i);
-    if (solid.asleep[s]) return;
-    auto position = particles.position[i];
-    if (prediction_time > 0.0)
-      position += prediction_time * Vector<D, double>::from(particles.velocity[i]);
-    set_displacement(solid, s, position);
-    solid.ends[s].velocity = particles.velocity[i];
+    if (!solid.asleep[s]) of(i).set(solid, s);
   }
 };
 
@@ -71,7 +84,19 @@ struct AddSolidAcceleration {
   }
 };
 
-// Adds the pressure by bonds, - tr sigma / 3, to the pressure of particles that are not detached.
+// The mean stress tr sigma / 3 of a particle of a solid by its bonds, Pa.
+template <int D, class P>
+struct MeanStress {
+  using Real = typename P::Real;
+  SolidView<D, P> solid;
+
+  KERF_FUNCTION Real operator()(Index s) const {
+    if (solid.detached[s] || solid.asleep[s]) return Real(0);
+    return trace(cauchy_now(solid, s)) / Real(3);
+  }
+};
+
+// Adds the pressure by bonds, to the pressure of particles that are not detached.
 template <int D, class P>
 struct ShowPressure {
   using Real = typename P::Real;
@@ -79,10 +104,12 @@ struct ShowPressure {
   SolidIndexView link;
   SolidView<D, P> solid;
 
+  const Real* mean_stress = nullptr;  // of each particle, where ranks divide the solid
+
   KERF_FUNCTION void operator()(Index s) const {
     const Index i = link.particle_of[s];
-    if (i == no_index || solid.detached[s] || solid.asleep[s]) return;
-    particles.pressure[i] -= trace(cauchy_now(solid, s)) / Real(3);
+    if (i == no_index) return;
+    particles.pressure[i] -= mean_stress != nullptr ? mean_stress[s] : MeanStress<D, P>{solid}(s);
   }
 };
 
@@ -222,6 +249,19 @@ struct BondFilter {
   KERF_FUNCTION bool operator()(Index a, const End& b) const {
     const Index i = link.particle_of[a], j = link.particle_of[b.particle];
     return i != no_index && j != no_index && filter(particles, i, j, b.mirror);
+  }
+};
+
+// The same to bonds, given a view of particles whose positions are in the order of the solid. The
+// bonds of particles that have left are broken.
+template <int D, class P, class Filter>
+struct FilterByNumber {
+  ParticleView<D, P> by_number;
+  Filter filter;
+
+  template <class End>
+  KERF_FUNCTION bool operator()(Index a, const End& b) const {
+    return filter(by_number, a, b.particle, b.mirror);
   }
 };
 

@@ -33,12 +33,10 @@ struct SolidMembers {
   }
 
   // Those of the particles of the start, which are in the order of their ids.
-  template <class P>
-  static SolidMembers at_start(const Particles<D, P>& particles,
+  static SolidMembers at_start(const std::vector<Vector<D, double>>& position,
+                               const std::vector<std::uint16_t>& source,
                                const std::vector<Medium<double>>& media) {
     SolidMembers members;
-    const auto position = to_host(particles.position);
-    const auto source = to_host(particles.source);
     for (std::size_t i = 0; i < source.size(); ++i)
       if (media[source[i]].phase == Phase::solid)
         members.add(position[i], source[i], static_cast<std::uint32_t>(i));

@@ -16,6 +16,7 @@
 #include "solid/total_lagrangian.hpp"
 #include "standard/sleep.hpp"
 #include "standard/solid_boundaries.hpp"
+#include "standard/solid_exchange.hpp"
 #include "standard/solid_link.hpp"
 #include "standard/solid_members.hpp"
 #include "standard/solid_show.hpp"
@@ -81,14 +82,19 @@ class SolidPart {
   // Lets solid at rest fall asleep, at the end of a step (standard/sleep.hpp).
   void fall_asleep(Particles<D, P>& particles, const NeighbourView& list) {
     if (!solid_) return;
-    for_each_index(solid_->size(),
-                   FallAsleep<D, P>{particles.view(), list, link(), solid_->view()});
+    FallAsleep<D, P> fall{particles.view(), list, link(), solid_->view()};
+    if (is_divided()) share_state_at_rest(fall);
+    for_each_index(solid_->size(), fall);
   }
   // Applies an action that spreads from particles to the other ends of their bonds.
   template <template <int, class> class Action>
   void spread_to_bond_ends(const Action<D, P>& action) {
     if (!solid_) return;
-    for_each_index(solid_->size(), SpreadToBondEnds<D, P, Action>{action, link(), solid_->view()});
+    const SpreadToBondEnds<D, P, Action> spread{action, link(), solid_->view()};
+    if (is_divided())
+      for (const Index s : numbers_at_all_ranks(SpreadsFrom<D, P, Action>{spread})) spread.from(s);
+    else
+      for_each_index(solid_->size(), spread);
   }
 
   // Whether the current step is the first substep of a step of the solid (time/subcycling.hpp).
@@ -118,20 +124,13 @@ class SolidPart {
 
   // Adds the accelerations by all bonds, which in later substeps are those of the first one, and by
   // absorbing faces and loads.
-  void accelerate(Particles<D, P>& particles) {
-    if (!solid_) return;
-    const AddSolidAcceleration<D, P> add{particles.view(), link(), solid_->view()};
-    if (cycle_.is_first_substep())
-      solid_->accelerate(EveryBond{}, add);
-    else
-      for_each_index(solid_->size(), add);
-    boundaries_.accelerate(particles, link(), solid_->fields());
-  }
+  void accelerate(Particles<D, P>& particles);
   // Adds the accelerations by the bonds that `filter` selects, at the current deformation.
   template <class Filter>
   void accelerate(Particles<D, P>& particles, const Filter& filter) {
     if (!solid_) return;
     solid_->keeping_accelerations([&] {
+      if (is_divided()) return accelerate_divided(particles, filter);
       solid_->accelerate(BondFilter<D, P, Filter>{particles.view(), link(), filter},
                          AddSolidAcceleration<D, P>{particles.view(), link(), solid_->view()});
     });
@@ -140,21 +139,17 @@ class SolidPart {
   // Adds the pressure of the solid at the current deformation to its particles, for output.
   void show_pressure(Particles<D, P>& particles) {
     if (!solid_) return;
-    for_each_index(solid_->size(), ShowPressure<D, P>{particles.view(), link(), solid_->view()});
+    ShowPressure<D, P> show{particles.view(), link(), solid_->view()};
+    if (is_divided()) show.mean_stress = mean_stress_divided();
+    for_each_index(solid_->size(), show);
   }
 
   // Breaks the bonds of particles that are about to be removed, at the end of a step.
-  void remove_outflow(Particles<D, P>& particles) {
-    if (!solid_) return;
-    for_each_index(solid_->size(), MarkBondedOutflow<D, P>{particles.view(), link(), solid_->view(),
-                                                           pointer(outflow_)});
-    if (!reduce_unordered(solid_->size(), IsSet{pointer(outflow_)}, false, Either{})) return;
-    if (!cycle_.was_first_substep()) deform_to_current(particles);
-    take(solid_->break_all_bonds_of(outflow_), particles, false);
-    if (!cycle_.is_first_substep()) solid_->accelerate();  // by the bonds that are left
-  }
+  void remove_outflow(Particles<D, P>& particles);
 
-  // Whether particles were detached since the last call.
+  // Whether particles were detached since the last take_detached(), at any rank.
+  bool has_detached() const { return has_detached_; }
+  // The same since the last call.
   bool take_detached() { return std::exchange(has_detached_, false); }
 
   IntactBonds<D, P> bonds() {
@@ -178,14 +173,7 @@ class SolidPart {
   }
   // The limit by the waves of the solid for the next step, from its deformation in the middle of
   // its last one. None of its steps is longer than `most`, s.
-  StepLimit step_limit(double most) {
-    const Limit limit = wave_.of_joint ? Limit::joint : Limit::acoustic_solid;
-    if (!solid_) return {wave_.time, limit, 0};
-    const bool is_known = wave_.time < unknown_wave.time;
-    longest_step_ = is_known ? std::min(courant_ * wave_.time, most) : 0.0;
-    const Index particle = particle_of_[wave_.particle];
-    return cycle_.limit({courant_ * wave_.time, limit, particle == no_index ? 0 : particle});
-  }
+  StepLimit step_limit(double most);
   void record_losses(Balance& balance) {
     balance.dissipated_artificial += losses_.viscous;
     balance.dissipated_fracture += losses_.released;
@@ -198,8 +186,12 @@ class SolidPart {
     balance.elastic_strain = energy.elastic;
     balance.hourglass = energy.hourglass;
   }
+  // Gives rank 0 the whole solid, for frames and checkpoints.
+  void gather() {
+    if (solid_) solid_->gather();
+  }
   void add_columns(FrameContent content, Frame& frame) const {
-    if (solid_) show_solid(solid_->fields(), number_of_id_, content, frame);
+    if (solid_ && ranks::number() == 0) show_solid(solid_->fields(), number_of_id_, content, frame);
   }
 
   std::uint64_t bond_entries() const { return solid_ ? solid_->entries() : 0; }
@@ -227,7 +219,11 @@ class SolidPart {
 
   // `dt` after the last finish_solid_step().
   void deform(Particles<D, P>& particles, double dt, double prediction_time) {
-    solid_->take(MotionOfParticles<D, P>{particles.view(), link(), prediction_time});
+    const MotionOfParticles<D, P> motion{particles.view(), link(), prediction_time};
+    if (is_divided())
+      exchange_.send(motion, *solid_);
+    else
+      solid_->take(motion);
     solid_->deform(dt);
   }
   void take(const FractureResult& result, Particles<D, P>& particles, bool in_step) {
@@ -246,14 +242,33 @@ class SolidPart {
   void find_particles(Particles<D, P>& particles) {
     thrust::fill(particle_of_.begin(), particle_of_.end(), no_index);
     for_each_index(particles.size(), LinkSolids<D, P>{particles.view(), link()});
+    if (is_divided()) exchange_.relink(link(), *solid_);
     mark_detached(particles, false);
   }
   void mark_detached(Particles<D, P>& particles, bool in_step) {
     const MarkDetached<D, P> mark{particles.view(), link(), solid_->view(), solid_->records(),
                                   in_step};
-    losses_.released -= detached_sum_(solid_->size(), mark).value[0];
+    losses_.released -=
+        is_divided() ? sum_divided(mark) : detached_sum_(solid_->size(), mark).value[0];
   }
 
+  // Whether several ranks divide the solid among them; what they do then
+  // (standard/solid_part_divided.hpp).
+  static bool is_divided() { return ranks::are_several(); }
+  template <class Chosen>
+  std::vector<Index> numbers_at_all_ranks(const Chosen& chosen) const;
+  void mark_at_all_ranks(Array<std::uint8_t>& marks) const;
+  void share_state_at_rest(FallAsleep<D, P>& fall);
+  void accelerate_divided(const AddSolidAcceleration<D, P>& add);
+  template <class Filter>
+  void accelerate_divided(Particles<D, P>& particles, const Filter& filter);
+  const Real* mean_stress_divided();
+  double sum_divided(const MarkDetached<D, P>& mark) const;
+
+  SolidExchange<D, P> exchange_;
+  // Of all particles, where they are divided.
+  std::vector<std::uint8_t> undeformed_, reached_;
+  Array<Real> mean_stress_;
   std::unique_ptr<TotalLagrangian<D, P>> solid_;
   SolidMembers<D> members_;
   Array<Index> number_of_id_, particle_of_;
@@ -272,4 +287,6 @@ class SolidPart {
 
 }  // namespace kerf
 
+#include "standard/solid_part_divided.hpp"
 #include "standard/solid_part_set_up.hpp"
+#include "standard/solid_part_stages.hpp"

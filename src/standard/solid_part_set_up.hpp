@@ -27,9 +27,9 @@ template <int D, class P>
 SolidPart<D, P>::SolidPart(const RunSettings& settings, const std::vector<Medium<double>>& media,
                            Particles<D, P>& particles)
     : cycle_(settings.subcycles), courant_(settings.courant) {
-  const auto position = to_host(particles.position);
-  const auto source = to_host(particles.source);
-  build(settings, media, particles, SolidMembers<D>::at_start(particles, media));
+  const auto position = ranks::collected(to_host(particles.position));  // rank 0 has them
+  const auto source = ranks::collected(to_host(particles.source));
+  build(settings, media, particles, SolidMembers<D>::at_start(position, source, media));
   if (!solid_) return;
   const HasUnlikeWaves at_joint{pointer(solid_->fields().unlike_media)};
   if (reduce_unordered(solid_->size(), at_joint, false, Either{}))
@@ -38,6 +38,7 @@ SolidPart<D, P>::SolidPart(const RunSettings& settings, const std::vector<Medium
   if (!settings.window) members_ = {};  // only shifts of a window need them again
   number.resize(source.size(), no_index);
   boundaries_.set_up(settings, media, position, source, number, to_host(solid_->fields().detached));
+  if (is_divided()) solid_->divide();
 }
 
 template <int D, class P>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `standard` formulation: water by Riemann SPH, solids by total Lagrangian SPH over bonds, and
 // contact between them at their current positions. `advance` is the order of a step;
-// standard/follow_nozzle.hpp moves the window of a frame that travels.
+// standard/follow_nozzle.hpp moves the window of a frame that travels, standard/wake_and_sleep.hpp
+// lets solid sleep.
 #pragma once
 
 #include <algorithm>
@@ -84,6 +85,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   }
   void save(Archive& archive) const override {
     Run::save(archive);
+    solid_.gather();
     solid_.save(archive);
     archive.arrays["damping"] = damping_.save();
     if (settings_.window) archive.arrays["solid/ids"] = solid_.members().id;
@@ -120,6 +122,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   void break_bonds() {
     const auto timer = timers_.stage("fracture");
     solid_.break_bonds(particles_);
+    if (solid_.has_detached()) Run::update_ghosts();  // they are fluid from now on
   }
 
   void evaluate() {
@@ -130,6 +133,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   void compute_pair_forces() {
     const auto timer = timers_.stage("water and contact");
     concentration_gradient_.resize(particles_.owned());
+    find_contacts();
     rates_.evaluate(particles_.view(), particles_.owned(),
                     solid_.without_fully_bonded(list_.view()), solid_.bonds(),
                     pointer(concentration_gradient_));
@@ -163,22 +167,12 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   }
 
   // Wakes what interacts with newly moving particles, and lets solid at rest fall asleep.
-  void wake_and_sleep() {
-    if (!particles_.groups.sleep) return;
-    const auto timer = timers_.stage("integrate");
-    constexpr std::uint64_t interval = 64;  // steps
-    const Index n = particles_.size();
-    const auto view = particles_.view();
-    if (reduce_unordered(n, MarkNewlyMoving<D, P>{view, waking_speed_}, false, Either{})) {
-      spread(MarkReached<D, P>{view});
-      wake_beside_newly_reached();
-    }
-    if (Run::step() % interval == 0) solid_.fall_asleep(particles_, list_.view());
-  }
+  void wake_and_sleep();
 
  private:
   Frame frame_with(FrameContent content) const {
     Frame frame = Run::frame();
+    solid_.gather();
     solid_.add_columns(content, frame);
     return frame;
   }
@@ -195,31 +189,25 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   }
   void after_refresh() override {
     solid_.mark_fully_bonded(particles_, list_.view(), list_.listed_anew());
-    rates_.take_list(particles_.view(), particles_.size(), list_.view(), list_.used(),
+    rates_.take_list(particles_.view(), particles_.owned(), list_.view(), list_.used(),
                      list_.listed_anew());
     wake_listed_anew(list_.listed_anew());
   }
-  void wake_listed_anew(const std::uint8_t* listed_anew) {
-    if (!particles_.groups.sleep) return;
-    const Index n = particles_.size();
-    const auto view = particles_.view();
-    const ReachListedAnew<D, P> reach{view, list_.view(), listed_anew};
-    if (reduce_unordered(n, reach, false, Either{})) wake_beside_newly_reached();
-    for_each_index(n, WakeListedAnew<D, P>{view, list_.view(), listed_anew});
-  }
-  void wake_beside_newly_reached() {
-    spread(WakeParticle<D, P>{particles_.view()});
-    for_each_index(particles_.size(), KeepActivity<D, P>{particles_.view()});
-  }
-  // Applies an action that spreads from particles to those with which they interact.
+  // The stages of sleep (standard/wake_and_sleep.hpp).
+  void wake_listed_anew(const std::uint8_t* listed_anew);
+  void wake_beside_newly_reached();
   template <template <int, class> class Action>
-  void spread(const Action<D, P>& action) {
-    for_each_index(particles_.size(), SpreadToNeighbours<D, P, Action>{action, list_.view()});
-    solid_.spread_to_bond_ends(action);
+  void spread(const Action<D, P>& action, Array<std::uint8_t>& marks);
+
+  // Finds the contacts of solids, also of ghosts.
+  void find_contacts() const {
+    if (rates_.find_contacts(particles_.view(), particles_.owned(), list_.view()))
+      Run::update_ghosts(particles_.solid_contact);
   }
 
   void evaluate_current() const override {
     clear_forces_asleep();
+    find_contacts();
     rates_.accelerate(particles_.view(), particles_.owned(),
                       solid_.without_fully_bonded(list_.view()), solid_.bonds());
     solid_.deform_to_current(particles_);
@@ -230,6 +218,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 
   void accelerate_across(const AcrossPlane<D>& across) const override {
     clear_forces_asleep();
+    find_contacts();
     rates_.accelerate(particles_.view(), particles_.owned(), list_.view(), solid_.bonds(), across,
                       BodyForce<D, P>{});
     solid_.deform_to_current(particles_);
@@ -260,3 +249,4 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 }  // namespace kerf
 
 #include "standard/follow_nozzle.hpp"
+#include "standard/wake_and_sleep.hpp"

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Results of several ranks have the same bits as those of one, also when ranks go on with the
 // checkpoint of another number of ranks. What cannot be divided is refused once, with the reason.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <csignal>
-#include <cstdlib>
-
-#include "output/checkpoint.hpp"
-#include "ranks/mpi_program.hpp"
-#include "support/results.hpp"
-#include "support/runs.hpp"
-#include "support/temporary_folder.hpp"
+#include "ranks/rank_runs.hpp"
+#include "support/travelling.hpp"
 
 namespace kerf::test {
 namespace {
-
-namespace fs = std::filesystem;
 
 // The water leaves the step, runs along the floor and meets the wall; it is divided anew as it
 // spreads.
@@ -83,72 +72,6 @@ std::string jet_on_plate(int dimension) {
          "\n[output]\nframe_interval = \"0.5 ms\"\nseries_interval = \"0.1 ms\"\n";
 }
 
-class Ranks : public testing::Test {
- protected:
-  fs::path folder(const std::string& name) const { return folder_.path() / name; }
-  void write_case(const std::string& text) const { write_file(folder("case.toml"), text); }
-  // Runs the case with so many ranks; 0: without mpirun.
-  Ending run(int ranks, const std::string& name,
-             const std::vector<std::string>& options = {}) const {
-    const auto words = words_of_run(name, options);
-    if (ranks == 0) return Program(words, folder(name + ".log")).wait();
-    return Program("mpirun", words_of_mpirun(ranks, words), folder(name + ".log")).wait();
-  }
-  void expect_same(const std::string& a, const std::string& b) const {
-    expect_same_results(folder(a), folder(b));
-    const auto state = [&](const std::string& name) {
-      return read_checkpoint(folder(name) / "checkpoint.h5",
-                             read_file(folder(name) / "case.used.toml"))
-          .simulation;
-    };
-    expect_same_state(state(a), state(b));
-  }
-  void expect_same_for(const std::vector<int>& numbers) const {
-    ASSERT_EQ(run(0, "alone").exit_code, 0);
-    for (const int ranks : numbers) {
-      const std::string name = "ranks-" + std::to_string(ranks);
-      const Ending ending = run(ranks, name);
-      ASSERT_EQ(ending.exit_code, 0) << ending.output;
-      expect_same("alone", name);
-    }
-  }
-  // Sends a signal to a rank after a while and goes on with other numbers of ranks.
-  void expect_same_resumed(const std::vector<int>& numbers, int signal, int rank) const {
-    ASSERT_EQ(run(0, "alone").exit_code, 0);
-    for (std::size_t n = 0; n < numbers.size(); ++n) {
-      std::vector<std::string> options;
-      if (n > 0) options.push_back("--resume");
-      if (n + 1 < numbers.size())
-        signal_after_frames(numbers[n], 2 * n + 2, options, signal, rank);
-      else
-        ASSERT_EQ(run(numbers[n], "resumed", options).exit_code, 0);
-    }
-    expect_same("alone", "resumed");
-  }
-
- private:
-  std::vector<std::string> words_of_run(const std::string& name,
-                                        const std::vector<std::string>& options) const {
-    std::vector<std::string> words{
-        "run", folder("case.toml").string(), "--out", folder(name).string(), "--threads", "1"};
-    words.insert(words.end(), options.begin(), options.end());
-    return words;
-  }
-  void signal_after_frames(int ranks, std::size_t frames, const std::vector<std::string>& options,
-                           int signal, int rank) const {
-    Program program("mpirun", words_of_mpirun(ranks, words_of_run("resumed", options)),
-                    folder("resumed.log"));
-    const fs::path written = folder("resumed") / "frames";
-    ASSERT_TRUE(wait_for([&] { return fs::exists(written) && names_in(written).size() > frames; }));
-    ASSERT_EQ(kill(process_of_rank(program.process(), rank), signal), 0);
-    const Ending ending = program.wait();
-    EXPECT_EQ(ending.exit_code, 128 + signal) << ending.output;
-    ASSERT_FALSE(fs::exists(folder("resumed") / "result.json")) << "it had ended before";
-  }
-
-  TemporaryFolder folder_;
-};
-
 TEST_F(Ranks, DamBreakHasTheSameBits) {
   write_case(dam_break);
   expect_same_for({1, 2, 3});
@@ -174,10 +97,18 @@ TEST_F(Ranks, AKilledRankEndsAllAndTheRunGoesOnWithTheSameBits) {
 TEST_F(Ranks, WhatIsNotDividedIsRefusedOnceWithTheReason) {
   const std::string jet = jet_on_plate(2);
   const std::string plate = "role = \"rigid\"", block = "material = \"tofu\"";
-  std::string deformable = jet;
-  deformable.replace(deformable.find(plate), plate.size(), block);
+  const auto with = [](std::string text, const std::string& old, const std::string& other) {
+    return text.replace(text.find(old), old.size(), other);
+  };
+  const std::string deformable = with(jet, plate, block);
+  const std::string wide =  // whole coarse cells on either side of the plane of symmetry
+      with(with(deformable, "[\"-10 mm\"", "[\"-12 mm\""), "[\"10 mm\"", "[\"12 mm\"");
   for (const auto& [text, reason] :
-       {std::pair{deformable, "the body 'plate' deforms"},
+       {std::pair{
+            with(wide, "material =", "grading = { levels = 1, width = \"2 mm\" }\nmaterial ="),
+            "the body 'plate' is graded"},
+        std::pair{TravellingText{}.text(), "a window that travels"},
+        std::pair{with(deformable, "[time]\n", "[time]\nrelax = \"1 ms\"\n"), "time.relax"},
         std::pair{read_file(fs::path(KERF_SOURCE_DIR) / "cases" / "column-on-wall.toml"),
                   "'shinohara2004'"},
         std::pair{jet + "[numerics]\nwater = \"delta_sph\"\n", "numerics.water"}}) {
@@ -200,13 +131,6 @@ TEST_F(Ranks, OtherCommandsAndOptionsAreRefused) {
   EXPECT_NE(ending.output.find("only 'kerf run'"), std::string::npos) << ending.output;
 }
 
-// More ranks than a small machine has cores: ctest -C scheduled -R ranks
-class ManyRanks : public Ranks {
- protected:
-  void SetUp() override {
-    if (std::getenv("KERF_SCHEDULED") == nullptr) GTEST_SKIP() << "a scheduled test";
-  }
-};
 TEST_F(ManyRanks, DamBreakHasTheSameBits) {
   write_case(dam_break);
   expect_same_for({5, 8});

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "engine/lead.hpp"
+#include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 #include "parallel/ranks.hpp"
 
@@ -13,21 +14,19 @@ namespace {
 std::string problem_of(const Case& description) {
   if (description.formulation != Formulation::standard)
     return "the formulation 'shinohara2004' is not divided among ranks";
-  for (const Body& body : description.bodies) {
-    if (body.role == Role::elastic)
-      return fmt::format(
-          "the body '{}' deforms, and the bonds of solids are not divided among ranks", body.name);
+  for (const Body& body : description.bodies)
     if (body.grading.levels > 0)
       return fmt::format(
           "the body '{}' is graded, and the grids of several spacings are not "
           "divided among ranks",
           body.name);
-  }
   if (description.numerics.water != WaterScheme::riemann)
     return "the density gradients that numerics.water = \"delta_sph\" needs of the neighbours are "
            "not exchanged between ranks";
   if (description.time.relax > 0.0)
-    return "time.relax settles solids, which are not divided among ranks";
+    return "the motion that time.relax takes from solids is not summed over ranks";
+  if (travelling_frame(description))
+    return "a window that travels with the nozzle is not divided among ranks";
   return "";
 }
 
@@ -37,9 +36,10 @@ void refuse_undistributed(const Case& description) {
   const std::string problem = problem_of(description);
   if (problem.empty()) return;
   throw UserError(
-      fmt::format("mpirun with {} ranks: {}. Allowed with several ranks: water, rigid bodies and "
-                  "jets in the formulation 'standard'. Run this case without mpirun.",
-                  ranks::count(), problem),
+      fmt::format(
+          "mpirun with {} ranks: {}. Allowed with several ranks: water, rigid and "
+          "elastic bodies and jets in the formulation 'standard'. Run this case without mpirun.",
+          ranks::count(), problem),
       exit_bad_input);
 }
 

@@ -142,7 +142,7 @@ class SimdBondSums {
     task.unit = static_cast<Real>(unit_.unit);
     using Sum = Result<D, Real>;
     if constexpr (simd_exists) {
-      run_in_blocks<Sum>(task, kernel, solid.count, loop);
+      run_in_blocks<Sum>(task, kernel, solid.share, loop);
     } else {
       using PackedLoop = PackedBondLoop<D, Real>;
       constexpr std::uint32_t parts = std::is_same_v<Sum, BondForceSum<D, Real>>

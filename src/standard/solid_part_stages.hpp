@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Some stages of a step of SolidPart: the accelerations by bonds, outflow, and the limit of the
+// next step.
+#pragma once
+
+#include "standard/solid_part.hpp"
+
+namespace kerf {
+
+template <int D, class P>
+void SolidPart<D, P>::accelerate(Particles<D, P>& particles) {
+  if (!solid_) return;
+  const AddSolidAcceleration<D, P> add{particles.view(), link(), solid_->view()};
+  if (is_divided())
+    accelerate_divided(add);
+  else if (cycle_.is_first_substep())
+    solid_->accelerate(EveryBond{}, add);
+  else
+    for_each_index(solid_->size(), add);
+  boundaries_.accelerate(particles, link(), solid_->fields());
+}
+
+template <int D, class P>
+void SolidPart<D, P>::remove_outflow(Particles<D, P>& particles) {
+  if (!solid_) return;
+  for_each_index(solid_->size(), MarkBondedOutflow<D, P>{particles.view(), link(), solid_->view(),
+                                                         pointer(outflow_)});
+  if (is_divided()) mark_at_all_ranks(outflow_);
+  if (!reduce_unordered(solid_->size(), IsSet{pointer(outflow_)}, false, Either{})) return;
+  if (!cycle_.was_first_substep()) deform_to_current(particles);
+  take(solid_->break_all_bonds_of(outflow_), particles, false);
+  if (!cycle_.is_first_substep()) solid_->accelerate();  // by the bonds that are left
+}
+
+template <int D, class P>
+StepLimit SolidPart<D, P>::step_limit(double most) {
+  const Limit limit = wave_.of_joint ? Limit::joint : Limit::acoustic_solid;
+  if (!solid_) return {wave_.time, limit, 0};
+  const bool is_known = wave_.time < unknown_wave.time;
+  longest_step_ = is_known ? std::min(courant_ * wave_.time, most) : 0.0;
+  const Index particle = particle_of_[wave_.particle];
+  const bool has_left = particle == no_index && !is_divided();
+  return cycle_.limit({courant_ * wave_.time, limit, has_left ? 0 : particle});
+}
+
+}  // namespace kerf
