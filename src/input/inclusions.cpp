@@ -43,9 +43,9 @@ void cut_out(Shape& around, const Shape& room) {
   around.parts.push_back(room);
 }
 
-// Returns the shift of the lattice of `body` onto that of `around`, m: each node of the common
-// lattice then has a particle of one of the two bodies, also at the interface.
-void align(Body& body, const Body& around, int dimension) {
+// Shifts the lattice of `body` onto that of `around`, where both can have one: each of its nodes
+// then has a particle of one of the two bodies, also at the interface. These bodies keep to it.
+void align(Body& body, Body& around, int dimension) {
   constexpr double rounding = 1e-9;  // of a spacing
   const double d = body.spacing;
   if (std::abs(around.spacing - d) > rounding * d || body.lattice != Lattice::square ||
@@ -57,6 +57,7 @@ void align(Body& body, const Body& around, int dimension) {
     const double shift = std::remainder(other.minimum[a] + around.offset[a] - own.minimum[a], d);
     body.offset[a] = std::abs(shift) > rounding * d ? shift : 0.0;
   }
+  body.body_fitted = around.body_fitted = false;
 }
 
 // Turns the lattices of the bodies that have no angle of their own; those of the paper's
