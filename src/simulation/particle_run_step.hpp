@@ -153,7 +153,8 @@ typename ParticleRun<D, P, Traits>::ParticleStep ParticleRun<D, P, Traits>::step
   Candidate own{none, {limit.dt, limit.limit}};
   if (is_here || (has_left && particles_.owned() > 0)) {
     const Index i = is_here ? limit.particle : 0;
-    own = {has_left ? particles_.sorted_cell[i] : 0, step_of({limit.dt, limit.limit, i})};
+    const Index cell = particles_.sorted_cell[i];
+    own = {has_left ? cell : Index(0), step_of({limit.dt, limit.limit, i})};
   }
   const auto first = [](const Candidate& a, const Candidate& b) {
     if (a.cell != b.cell) return a.cell < b.cell ? a : b;

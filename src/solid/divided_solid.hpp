@@ -83,7 +83,7 @@ class DividedSolid {
     Numbers numbers;
     if constexpr (ranks::exist)
       for (Index s = share().first; share().is_part && s < share().last; ++s)
-        if (break_records_[s].is_recorded) numbers.push_back(s);
+        if (pointer(break_records_)[s].is_recorded) numbers.push_back(s);
     return numbers;
   }
   // Tells all ranks what has become of particles of this share.

@@ -85,6 +85,7 @@ void evaluate_standard(const ReferenceState& state, LoadedStandard<D, P>& loaded
   thrust::fill(particles.solid_initial_overlap.begin(), particles.solid_initial_overlap.end(), 1);
   thrust::fill(particles.rigid_initial_overlap.begin(), particles.rigid_initial_overlap.end(), 1);
   Array<ConcentrationGradient<D, typename P::Real>> concentration_gradient(particles.size());
+  rates.find_contacts(particles.view(), particles.size(), loaded.list.view());
   rates.evaluate(particles.view(), particles.size(), loaded.list.view(), MixtureBonds<D, P>{},
                  pointer(concentration_gradient));
   particles.wall_normal = particles.next_wall_normal;
