@@ -7,6 +7,7 @@
 #include "core/random.hpp"
 #include "geometry/fill.hpp"
 #include "geometry/kernel_gradients.hpp"
+#include "geometry/point_vectors.hpp"
 #include "geometry/shapes.hpp"
 
 namespace kerf {
@@ -36,13 +37,12 @@ class Relaxation {
         volume_(particle_volume(body, D)),
         farthest_(body.jitter * body.spacing) {
     for (const Point& node : nodes) {
-      Position position, free;
+      Position free;
       for (int a = 0; a < D; ++a) {
         const auto axis = static_cast<std::size_t>(a);
-        position[a] = node[axis];
         free[a] = is_inside_along(body.shape, node, axis, body.spacing, D) ? 1.0 : 0.0;
       }
-      position_.push_back(position);
+      position_.push_back(vector_of<D>(node));
       free_.push_back(free);
     }
     node_ = position_;
@@ -82,8 +82,7 @@ void relaxed(const Body& body, std::vector<Point>& nodes) {
   Relaxation<D> relaxation(body, nodes);
   for (int n = 0; n < relaxing_steps; ++n) relaxation.step();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    Point moved{};
-    for (int a = 0; a < D; ++a) moved[static_cast<std::size_t>(a)] = relaxation.positions()[i][a];
+    const Point moved = point_of<D>(relaxation.positions()[i]);
     if (contains(body.shape, moved, D)) nodes[i] = moved;
   }
 }

@@ -10,6 +10,7 @@
 #include "geometry/fill.hpp"
 #include "geometry/kernel_gradients.hpp"
 #include "geometry/nearest_face.hpp"
+#include "geometry/point_vectors.hpp"
 #include "geometry/shapes.hpp"
 #include "geometry/surface_elements.hpp"
 
@@ -36,19 +37,6 @@ struct Element {
   double area = 0.0;  // m^(D-1)
   int axis = -1;      // along which the normal points; -1: none
 };
-
-template <int D>
-Vector<D, double> vector_of(const Point& point) {
-  Vector<D, double> x;
-  for (int a = 0; a < D; ++a) x[a] = point[static_cast<std::size_t>(a)];
-  return x;
-}
-template <int D>
-Point point_of(const Vector<D, double>& x) {
-  Point point{};
-  for (int a = 0; a < D; ++a) point[static_cast<std::size_t>(a)] = x[a];
-  return point;
-}
 
 int axis_of(const Point& normal) {
   for (std::size_t a = 0; a < 3; ++a)

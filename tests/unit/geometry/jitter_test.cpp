@@ -8,7 +8,7 @@
 
 #include "geometry/fill.hpp"
 #include "geometry/shapes.hpp"
-#include "kernels/wendland_c2.hpp"
+#include "support/kernel_sum.hpp"
 
 namespace kerf {
 namespace {
@@ -26,7 +26,7 @@ Body block(double width, double jitter, Lattice lattice = Lattice::square) {
 
 // Standard deviation of sum V W over the mean, of particles whose kernels are inside the body.
 double filling_spread(const Body& body, const std::vector<Point>& points, int dimension) {
-  const double h = 1.3 * spacing, volume = particle_volume(body, dimension);
+  const double h = 1.3 * spacing;
   const Box box = bounding_box(body.shape, dimension);
   double sum = 0.0, square = 0.0, count = 0.0;
   for (const Point& x : points) {
@@ -34,12 +34,7 @@ double filling_spread(const Body& body, const std::vector<Point>& points, int di
     for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
       inside = inside && x[a] > box.minimum[a] + 2.5 * h && x[a] < box.maximum[a] - 2.5 * h;
     if (!inside) continue;
-    double kernel_sum = 0.0;
-    for (const Point& y : points) {
-      const double r = std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
-      kernel_sum +=
-          volume * (dimension == 2 ? WendlandC2<2>::value(r, h) : WendlandC2<3>::value(r, h));
-    }
+    const double kernel_sum = test::kernel_sum(body, points, x, dimension);
     sum += kernel_sum, square += kernel_sum * kernel_sum, count += 1.0;
   }
   const double mean = sum / count;

@@ -10,8 +10,8 @@
 #include "geometry/fill.hpp"
 #include "geometry/nearest_face.hpp"
 #include "geometry/shapes.hpp"
-#include "kernels/wendland_c2.hpp"
 #include "model/body.hpp"
+#include "support/kernel_sum.hpp"
 #include "support/shapes.hpp"
 
 namespace kerf {
@@ -88,17 +88,15 @@ struct Filling {
   double least = 1e300, most = 0.0, closest = 1e300;
 };
 Filling filling_of(const Body& body, const std::vector<Point>& points, int dimension) {
-  const double h = 1.3 * fit_spacing, volume = particle_volume(body, dimension);
   const double lattice = dimension == 2 ? 1.0105 : 1.0095;
   Filling result;
   for (const Point& x : points) {
-    double sum = 0.0;
     for (const Point& y : points) {
       const double r = std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
       if (r > 0.0) result.closest = std::min(result.closest, r / fit_spacing);
-      sum += volume * (dimension == 2 ? WendlandC2<2>::value(r, h) : WendlandC2<3>::value(r, h));
     }
     if (nearest_face(body.shape, {}, x, 2.5 * fit_spacing, dimension)) continue;
+    const double sum = test::kernel_sum(body, points, x, dimension);
     result.least = std::min(result.least, sum / lattice);
     result.most = std::max(result.most, sum / lattice);
   }

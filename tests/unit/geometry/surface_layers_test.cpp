@@ -11,8 +11,8 @@
 #include "geometry/fill.hpp"
 #include "geometry/point_vectors.hpp"
 #include "geometry/shapes.hpp"
-#include "kernels/wendland_c2.hpp"
 #include "model/body.hpp"
+#include "support/kernel_sum.hpp"
 #include "support/shapes.hpp"
 
 namespace kerf {
@@ -55,17 +55,6 @@ Layout lay(const Body& body, int dimension, std::vector<Shape> others = {}) {
   return layout;
 }
 
-// The sum of V W over a layout at a point.
-double kernel_sum(const Layout& layout, const Body& body, const Point& x, int dimension) {
-  const double h = 1.3 * wall_spacing, volume = particle_volume(body, dimension);
-  double sum = 0.0;
-  for (const Point& y : layout.points) {
-    const double r = std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
-    sum += volume * (dimension == 2 ? WendlandC2<2>::value(r, h) : WendlandC2<3>::value(r, h));
-  }
-  return sum;
-}
-
 // Half a spacing above a plane face, as far as the row of water at rest, the wall fills the same
 // share of the kernel as the layers of a lattice in line with the face, at any angle, place along
 // the face and place of the lattice.
@@ -74,7 +63,7 @@ TEST(SurfaceLayers, AnInclinedPlateFillsTheKernelAsOneInLineWithItsLattice) {
   const Layout aligned{fill(straight, 2), {}};
   double expected = 0.0;
   for (int k = 0; k < 20; ++k)
-    expected += kernel_sum(aligned, straight, {0.05e-3 * k, 3.5e-3, 0.0}, 2) / 20.0;
+    expected += test::kernel_sum(straight, aligned.points, {0.05e-3 * k, 3.5e-3, 0.0}, 2) / 20.0;
   for (const double degrees : {0.0, 3.0, 17.0, 30.0, 45.0, 58.0, 90.0, 151.0})
     for (const double shift : {0.0, 0.3e-3}) {
       const double angle = degrees / 180.0 * std::numbers::pi;
@@ -84,7 +73,7 @@ TEST(SurfaceLayers, AnInclinedPlateFillsTheKernelAsOneInLineWithItsLattice) {
       for (double along = -20e-3; along < 20e-3; along += 0.1e-3) {
         const Point x{shift + along * std::cos(angle) - 3.5e-3 * std::sin(angle),
                       0.7 * shift + along * std::sin(angle) + 3.5e-3 * std::cos(angle), 0.0};
-        const double sum = kernel_sum(layout, body, x, 2);
+        const double sum = test::kernel_sum(body, layout.points, x, 2);
         least = std::min(least, sum), most = std::max(most, sum);
       }
       EXPECT_GT(least, 0.995 * expected) << degrees;
