@@ -14,6 +14,7 @@
 #include "distributed/messages.hpp"
 #include "distributed/partition.hpp"
 #include "neighbours/patch_grids.hpp"
+#include "parallel/entry_messages.hpp"
 #include "particles/reorder.hpp"
 
 namespace kerf {
@@ -89,7 +90,7 @@ class DomainDecomposition {
   void update_ghosts(const Particles<D, P>& particles, Array<T>& field) const {
     std::vector<ranks::Bytes> to(size()), from(size());
     for (std::size_t r = 0; r < size(); ++r) {
-      to[r] = entries(field, send_[r]);
+      put_entries(field, send_[r], to[r]);
       from[r].resize(ghosts_of(particles, r) * sizeof(T));
     }
     ranks::exchange_known(to, from);
@@ -159,13 +160,6 @@ class DomainDecomposition {
   // How many of the ghosts are those of particles of a rank.
   std::size_t ghosts_of(const Particles<D, P>& particles, std::size_t rank) const {
     return received_[rank].size() / bytes_in_message<PairedFields>(particles);
-  }
-  template <class T>
-  static ranks::Bytes entries(const Array<T>& field, const std::vector<Index>& which) {
-    ranks::Bytes bytes(which.size() * sizeof(T));
-    for (std::size_t n = 0; n < which.size(); ++n)
-      std::memcpy(bytes.data() + n * sizeof(T), &field[which[n]], sizeof(T));
-    return bytes;
   }
 
   static std::size_t size() { return static_cast<std::size_t>(ranks::count()); }
@@ -268,16 +262,14 @@ class DomainDecomposition {
     std::vector<Index> occupied = patch;
     std::sort(occupied.begin(), occupied.end());
     occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
-    ranks::Bytes message(occupied.size() * sizeof(Index));
-    if (!occupied.empty()) std::memcpy(message.data(), occupied.data(), message.size());
-    const auto from = ranks::exchange(std::vector<ranks::Bytes>(size(), message));
+    const auto from = ranks::exchange(std::vector<ranks::Bytes>(size(), ranks::to_bytes(occupied)));
     for (auto* each : {&sent_, &received_}) each->assign(size(), {});
     send_.assign(size(), {});
     std::vector<std::uint8_t> needed(patches.count());
     for (std::size_t r = 0; r < size(); ++r) {
       if (r == static_cast<std::size_t>(ranks::number())) continue;
-      std::vector<Index> of_rank(from[r].size() / sizeof(Index));
-      if (!of_rank.empty()) std::memcpy(of_rank.data(), from[r].data(), from[r].size());
+      std::vector<Index> of_rank;
+      ranks::append_entries(from[r], of_rank);
       std::fill(needed.begin(), needed.end(), std::uint8_t(0));
       mark_around(of_rank, patches, needed);
       for (Index i = 0; i < patch.size(); ++i)

@@ -110,20 +110,30 @@ std::uint64_t total(Whole own) {
                   [](std::uint64_t a, std::uint64_t b) { return a + b; });
 }
 
+// Returns the entries as a message.
+template <class T>
+Bytes to_bytes(const std::vector<T>& entries) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  Bytes message(entries.size() * sizeof(T));
+  if (!entries.empty()) std::memcpy(message.data(), entries.data(), message.size());
+  return message;
+}
+// Appends the entries of a message.
+template <class T>
+void append_entries(const Bytes& message, std::vector<T>& entries) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  const std::size_t before = entries.size();
+  entries.resize(before + message.size() / sizeof(T));
+  if (!message.empty()) std::memcpy(entries.data() + before, message.data(), message.size());
+}
+
 // Returns the entries of all ranks, one rank after the other.
 template <class T>
 std::vector<T> collected(const std::vector<T>& own) {
-  static_assert(std::is_trivially_copyable_v<T>);
   if (!are_several()) return own;
-  Bytes message(own.size() * sizeof(T));
-  if (!own.empty()) std::memcpy(message.data(), own.data(), message.size());
   std::vector<T> result;
-  const std::vector<Bytes> to(static_cast<std::size_t>(count()), message);
-  for (const Bytes& bytes : exchange(to)) {
-    const std::size_t before = result.size();
-    result.resize(before + bytes.size() / sizeof(T));
-    if (!bytes.empty()) std::memcpy(result.data() + before, bytes.data(), bytes.size());
-  }
+  const std::vector<Bytes> to(static_cast<std::size_t>(count()), to_bytes(own));
+  for (const Bytes& message : exchange(to)) append_entries(message, result);
   return result;
 }
 

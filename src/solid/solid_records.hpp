@@ -23,8 +23,7 @@ struct SolidRecords {
 
  private:
   void put(const typename BondHalo<D>::Numbers& which, ranks::Bytes& message) const {
-    message.resize(which.size() * sizeof(Index));
-    if (!which.empty()) std::memcpy(message.data(), which.data(), message.size());
+    message = ranks::to_bytes(which);
     fields.for_each_field([&](const auto& field) { put_entries(field, which, message); });
     put_entries(breaks, which, message);
     put_entries(fields.bond_intact, words_of(which), message);

@@ -52,10 +52,10 @@ class SolidExchange {
       awaited_[static_cast<std::size_t>(halo.owner(s))].push_back(s);
     }
     std::vector<ranks::Bytes> to(all);
-    for (std::size_t r = 0; r < all; ++r) to[r] = bytes_of(sent_[r]);
+    for (std::size_t r = 0; r < all; ++r) to[r] = ranks::to_bytes(sent_[r]);
     const auto from = ranks::exchange(to);
     for (std::size_t r = 0; r < all; ++r) {
-      received_[r] = numbers_of(from[r]);
+      ranks::append_entries(from[r], received_[r]);
       for (const Index s : received_[r])
         if (solid.share().has(s)) returned_[r].push_back(s);
     }
@@ -75,17 +75,6 @@ class SolidExchange {
     for (std::size_t r = 0; r < sent_.size(); ++r)
       for_each_index(static_cast<Index>(received_[r].size()),
                      Take{solid.view(), received_[r].data(), from[r].data(), position});
-  }
-
-  static ranks::Bytes bytes_of(const Numbers& numbers) {
-    ranks::Bytes bytes(numbers.size() * sizeof(Index));
-    if (!numbers.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
-    return bytes;
-  }
-  static Numbers numbers_of(const ranks::Bytes& bytes) {
-    Numbers numbers(bytes.size() / sizeof(Index));
-    if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
-    return numbers;
   }
 
   struct Put {
