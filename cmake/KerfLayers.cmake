@@ -2,8 +2,8 @@
 # The folders of src/ from the lowest to the highest. A file may include files of its own folder and of
 # folders before it in this list; tests/harness/check_layers.py checks the includes and docs/flow.md.
 set(KERF_LAYERS
-  core kernels materials fracture model geometry machine input
-  parallel simd particles neighbours distributed pairs solid fluid contact time
+  core parallel kernels materials fracture model geometry machine input
+  simd particles neighbours distributed pairs solid fluid contact time
   simulation shinohara2004 standard engine
   analysis output report verification study app library python)
 

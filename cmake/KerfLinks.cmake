@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # The libraries that each library links to, from the lowest layer to the highest (KerfLayers.cmake).
 target_link_libraries(kerf_model PUBLIC fmt::fmt PRIVATE PkgConfig::muparser Boost::headers)
-target_link_libraries(kerf_geometry PUBLIC kerf_model PRIVATE Boost::headers assimp::assimp)
+target_link_libraries(kerf_parallel PUBLIC kerf_flags kerf_thrust)
+target_link_libraries(kerf_geometry PUBLIC kerf_model
+  PRIVATE kerf_parallel Boost::headers assimp::assimp)
 target_link_libraries(kerf_machine PUBLIC kerf_geometry PRIVATE Boost::headers)
 target_link_libraries(kerf_input PUBLIC kerf_machine
   PRIVATE tomlplusplus::tomlplusplus udunits2 Boost::headers)
-target_link_libraries(kerf_parallel PUBLIC kerf_flags kerf_thrust)
 target_link_libraries(kerf_simd PUBLIC kerf_parallel)
 target_link_libraries(kerf_simulation PUBLIC kerf_input kerf_parallel kerf_thrust Eigen3::Eigen
   PRIVATE Boost::headers)

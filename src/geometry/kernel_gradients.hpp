@@ -7,6 +7,7 @@
 
 #include "geometry/cell_grid.hpp"
 #include "kernels/wendland_c2.hpp"
+#include "parallel/threads.hpp"
 
 namespace kerf {
 
@@ -23,13 +24,14 @@ std::vector<Vector<D, double>> kernel_gradients(const std::vector<Vector<D, doub
   const double reach = WendlandC2<D>::support * h;
   const CellGrid<D> grid(points, reach);
   std::vector<Vector<D, double>> sums(count, Vector<D, double>::zero());
-  for (std::size_t i = 0; i < count; ++i)
+  for_each_on_threads(static_cast<Index>(count), [&](Index i) {
     grid.visit_near(points[i], [&](std::size_t j) {
       const auto apart = points[j] - points[i];  // of itself: 0
       const double square = dot(apart, apart);
       if (square < reach * reach)
         sums[i] += (volume * WendlandC2<D>::slope_per_distance(std::sqrt(square), h)) * apart;
     });
+  });
   return sums;
 }
 

@@ -165,26 +165,45 @@ void add_polygon(const Shape& shape, int dimension, double size, Elements& eleme
   if (dimension == 3) add_polygon_ends(shape, size, elements);
 }
 
-// Each triangle in n^2 similar ones.
+// Triangles are halved at their longest edge until it is no longer than the diagonal of a square of
+// `size`: long thin ones give few elements.
+void add_triangle(const std::array<Point, 3>& corners, const Point& normal, double area,
+                  double size, Elements& elements) {
+  struct Part {
+    std::array<Point, 3> corners;
+    double area;
+  };
+  std::vector<Part> rest{{corners, area}};
+  while (!rest.empty()) {
+    const auto [at, share] = rest.back();
+    rest.pop_back();
+    std::size_t longest = 0;
+    std::array<double, 3> edge;
+    for (std::size_t k = 0; k < 3; ++k) {
+      edge[k] = length_of(sum(at[(k + 1) % 3], -1.0, at[k]));
+      if (edge[k] > edge[longest]) longest = k;
+    }
+    const Point &a = at[longest], &b = at[(longest + 1) % 3], &c = at[(longest + 2) % 3];
+    if (edge[longest] <= std::numbers::sqrt2 * size) {
+      elements.push_back(
+          {sum(sum(a, 1.0 / 3.0, sum(b, -1.0, a)), 1.0 / 3.0, sum(c, -1.0, a)), normal, share});
+      continue;
+    }
+    const Point middle = sum(a, 0.5, sum(b, -1.0, a));
+    rest.push_back({{middle, b, c}, 0.5 * share});
+    rest.push_back({{a, middle, c}, 0.5 * share});
+  }
+}
+
 void add_mesh(const TriangleMesh& mesh, double size, Elements& elements) {
   for (const auto& triangle : mesh.triangles) {
-    const Point& a = mesh.corners[triangle[0]];
-    const Point ab = sum(mesh.corners[triangle[1]], -1.0, a);
-    const Point ac = sum(mesh.corners[triangle[2]], -1.0, a);
-    Point normal = cross(ab, ac);
+    const std::array<Point, 3> corners{mesh.corners[triangle[0]], mesh.corners[triangle[1]],
+                                       mesh.corners[triangle[2]]};
+    Point normal = cross(sum(corners[1], -1.0, corners[0]), sum(corners[2], -1.0, corners[0]));
     const double twice = length_of(normal);
     if (!(twice > 0.0)) continue;
     for (double& component : normal) component /= twice;
-    const int n =
-        pieces(std::max({length_of(ab), length_of(ac), length_of(sum(ab, -1.0, ac))}), size);
-    for (int k = 0; k < n * n; ++k) {
-      // Row i has 2 (n - i) - 1 triangles, which point up and down in turn.
-      int i = 0, j = k;
-      for (; j >= 2 * (n - i) - 1; ++i) j -= 2 * (n - i) - 1;
-      const double third = j % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
-      const double along = (j / 2 + third) / n, up = (i + third) / n;
-      elements.push_back({sum(sum(a, along, ab), up, ac), normal, 0.5 * twice / n / n});
-    }
+    add_triangle(corners, normal, 0.5 * twice, size, elements);
   }
 }
 

@@ -6,13 +6,16 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/cell_grid.hpp"
 #include "geometry/closed_surface.hpp"
 #include "geometry/fill.hpp"
 #include "geometry/kernel_gradients.hpp"
 #include "geometry/nearest_face.hpp"
+#include "geometry/nearest_point.hpp"
 #include "geometry/point_vectors.hpp"
 #include "geometry/shapes.hpp"
 #include "geometry/surface_elements.hpp"
+#include "parallel/threads.hpp"
 
 namespace kerf {
 
@@ -24,7 +27,8 @@ constexpr double zone = 5.0;             // spacings from a slanted face within 
 constexpr double longest_step = 0.1;     // spacings
 constexpr double layer_depth = 0.5;      // spacings, of the outermost layer
 constexpr double lowest_of_layer = 0.8;  // spacings, of particles that are taken into it
-constexpr double alignment = 1e-6;       // of a normal with an axis
+constexpr double deep = 1.8;  // spacings from the nearest element: no face is nearer than a spacing
+constexpr double alignment = 1e-6;         // of a normal with an axis
 constexpr double least_plane_share = 0.3;  // of spacing^(D-1), area of a plane face that is near
 // With this smoothing length of the elements, in spacings, the two outermost rows of a lattice that
 // is in line with its surface are at rest within 0.01 h.
@@ -58,23 +62,21 @@ class BodySurface {
       elements_.push_back({vector_of<D>(element.normal), element.area, axis_of(element.normal)});
       if (elements_.back().axis < 0) slanted_.push_back(middle_.back());
     }
-    near_.emplace(middle_, WendlandC2<D>::support * smoothing_length_);
-    near_slanted_.emplace(slanted_, zone_reach(spacing));
+    near_.emplace(middle_, reach());
+    nearest_.emplace(middle_);
+    nearest_slanted_.emplace(slanted_);
   }
 
   // How far particles are taken into account, m.
   static double zone_reach(double spacing) {
     return (zone + WendlandC2<D>::support * relaxing_smoothing_ratio + 1.0) * spacing;
   }
-  // Returns the distance from the nearest slanted element; infinity beyond zone_reach().
-  double slanted_distance(const Position& x) const {
-    double square = std::numeric_limits<double>::infinity();
-    near_slanted_->visit_near(x, [&](std::size_t e) {
-      const Position apart = slanted_[e] - x;
-      square = std::min(square, dot(apart, apart));
-    });
-    return std::sqrt(square);
-  }
+  // How far elements act on particles, m.
+  double reach() const { return WendlandC2<D>::support * smoothing_length_; }
+  // Return the distance from the nearest element and from the nearest slanted one; infinity where
+  // there is none.
+  double distance(const Position& x) const { return nearest_->distance(x); }
+  double slanted_distance(const Position& x) const { return nearest_slanted_->distance(x); }
   // Returns 1 for the axes along which a particle may move: no plane face across them is nearer
   // than a spacing. Single elements of round faces do not count.
   Position free_axes(const Position& x, double spacing) const {
@@ -92,11 +94,11 @@ class BodySurface {
   // Returns sum_e A_e W n_e, 1/m: the kernel gradients of the space outside.
   Position outside_gradient(const Position& x) const {
     auto sum = Position::zero();
-    const double reach = WendlandC2<D>::support * smoothing_length_;
+    const double square_of_reach = reach() * reach();
     near_->visit_near(x, [&](std::size_t e) {
       const Position apart = middle_[e] - x;
       const double square = dot(apart, apart);
-      if (square < reach * reach)
+      if (square < square_of_reach)
         sum += (elements_[e].area * WendlandC2<D>::value(std::sqrt(square), smoothing_length_)) *
                elements_[e].normal;
     });
@@ -107,7 +109,8 @@ class BodySurface {
   double smoothing_length_;  // m
   std::vector<Position> middle_, slanted_;
   std::vector<Element<D>> elements_;
-  std::optional<CellGrid<D>> near_, near_slanted_;
+  std::optional<CellGrid<D>> near_;
+  std::optional<NearestPoint<D>> nearest_, nearest_slanted_;
 };
 
 template <int D>
@@ -117,32 +120,40 @@ class SurfaceFit {
 
   SurfaceFit(const Body& body, const std::vector<Point>& nodes)
       : body_(body), spacing_(body.spacing), surface_(body.shape, body.spacing) {
+    std::vector<double> slanted_distance(nodes.size());
+    for_each_on_threads(static_cast<Index>(nodes.size()), [&](Index i) {
+      slanted_distance[i] = surface_.slanted_distance(vector_of<D>(nodes[i]));
+    });
     std::vector<std::size_t> still;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const double distance = surface_.slanted_distance(vector_of<D>(nodes[i]));
-      if (distance < zone * spacing_)
+      if (slanted_distance[i] < zone * spacing_)
         node_.push_back(i);
-      else if (distance < surface_.zone_reach(spacing_))
+      else if (slanted_distance[i] < surface_.zone_reach(spacing_))
         still.push_back(i);
     }
     moving_ = node_.size();
     node_.insert(node_.end(), still.begin(), still.end());
     for (const std::size_t i : node_) position_.push_back(vector_of<D>(nodes[i]));
-    for (std::size_t k = 0; k < moving_; ++k)
-      free_.push_back(surface_.free_axes(position_[k], spacing_));
+    free_.resize(moving_);
+    distance_.resize(moving_);
+    for_each_on_threads(static_cast<Index>(moving_), [&](Index k) {
+      free_[k] = surface_.free_axes(position_[k], spacing_);
+      distance_[k] = surface_.distance(position_[k]);
+    });
   }
 
   void step(bool keeps_layer) {
     const double h = relaxing_smoothing_ratio * spacing_;
     const auto inside = kernel_gradients<D>(position_, moving_, particle_volume(body_, D), h);
-    for (std::size_t k = 0; k < moving_; ++k) {
-      Position shift =
-          (-relaxing_share * h * h) * (inside[k] + surface_.outside_gradient(position_[k]));
+    for_each_on_threads(static_cast<Index>(moving_), [&](Index k) {
+      Position sum = inside[k];
+      if (distance_[k] < surface_.reach()) sum += surface_.outside_gradient(position_[k]);
+      Position shift = (-relaxing_share * h * h) * sum;
       for (int a = 0; a < D; ++a) shift[a] *= free_[k][a];
       const double length = norm(shift), longest = longest_step * spacing_;
       if (length > longest) shift = (longest / length) * shift;
-      position_[k] = bounded(k, position_[k] + shift, keeps_layer);
-    }
+      move(k, position_[k] + shift, keeps_layer);
+    });
   }
 
   void put_into(std::vector<Point>& nodes) const {
@@ -150,6 +161,11 @@ class SurfaceFit {
   }
 
  private:
+  void move(std::size_t k, const Position& x, bool keeps_layer) {
+    const Position ago = position_[k];
+    position_[k] = distance_[k] < deep * spacing_ ? bounded(k, x, keeps_layer) : x;
+    distance_[k] -= norm(position_[k] - ago);
+  }
   // Returns the position, moved to the depth of the outermost layer where it is less deep, and
   // where it is in that layer; the old position where the new one is outside.
   Position bounded(std::size_t k, const Position& x, bool keeps_layer) const {
@@ -170,7 +186,8 @@ class SurfaceFit {
   std::vector<std::size_t> node_;  // numbers of those taken, first those that move
   std::size_t moving_ = 0;
   std::vector<Position> position_;
-  std::vector<Position> free_;  // of those that move: 1 along axes on which they may
+  std::vector<Position> free_;    // of those that move: 1 along axes on which they may
+  std::vector<double> distance_;  // m, of those that move: no element is nearer
 };
 
 template <int D>

@@ -82,17 +82,9 @@ T reduce_in_groups(Index count, const Body& body, T initial, const Combine& comb
 
 #else
 
-// The algorithms of Thrust are templates that instantiate the scheduler of TBB for each body, which
-// took half of all compile time. Here a body is a pointer for all but one small function.
 template <class Body>
 void for_each_index(Index count, const Body& body) {
-  for_each_block(
-      count,
-      [](const void* any, Index begin, Index end) {
-        const Body& of_block = *static_cast<const Body*>(any);
-        for (Index i = begin; i < end; ++i) of_block(i);
-      },
-      &body);
+  for_each_on_threads(count, body);
 }
 
 // The values of one of at most `most` pieces of a loop, combined.
