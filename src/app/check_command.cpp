@@ -21,6 +21,7 @@
 #include "geometry/closed_surface.hpp"
 #include "geometry/fill.hpp"
 #include "geometry/particle_estimate.hpp"
+#include "geometry/surface_fit.hpp"
 #include "input/read.hpp"
 #include "input/schema.hpp"
 #include "machine/machine_jet.hpp"
@@ -147,9 +148,12 @@ void print_meshes(const Case& description) {
     if (body.shape.kind != Shape::Kind::mesh) continue;
     const ClosedSurface& surface = *body.shape.mesh.surface;
     const double volume = surface.volume(), filled = filled_volume(description, body);
+    const std::string shares = body.role != Role::rigid && is_fitted(body, 3)
+                                   ? std::string("its particles share this volume")
+                                   : fmt::format("particles fill {:.4g} m3 ({:+.2f}%)", filled,
+                                                 100.0 * (filled / volume - 1.0));
     row(body.name,
-        fmt::format("{:.4g} m3 in {} triangles; particles fill {:.4g} m3 ({:+.2f}%)", volume,
-                    surface.triangles(), filled, 100.0 * (filled / volume - 1.0)));
+        fmt::format("{:.4g} m3 in {} triangles; {}", volume, surface.triangles(), shares));
   }
 }
 

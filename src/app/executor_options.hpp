@@ -20,6 +20,7 @@ inline constexpr const char* this_program = "/proc/self/exe";
 struct ExecutorOptions {
   int jobs = 0;         // 0 = by the cores
   int cores = 0;        // 0 = all
+  int ranks = 1;        // of each run; more than one with Slurm only
   double memory = 0.0;  // GiB; 0 = four fifths of the free memory
   std::string where = "local";
   Device device = Device::cpu;
@@ -29,6 +30,11 @@ struct ExecutorOptions {
 
 // Adds --jobs, --cores, --memory, --on, --device, --retry and --quiet. `options` must live as long
 // as the command.
+// Adds --ranks, of runs on Slurm.
+void add_ranks_option(CLI::App& command, int& ranks);
+// Throws UserError where runs cannot have so many ranks; `where`: the value of --on.
+void check_ranks(int ranks, const std::string& where);
+
 void add_executor_options(CLI::App& command, ExecutorOptions& options);
 
 // Returns the executor of the options; `folder` is that of the runs. Throws UserError when the

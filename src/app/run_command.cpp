@@ -9,6 +9,7 @@
 #include "app/commands.hpp"
 #include "app/converge.hpp"
 #include "app/cost_advice.hpp"
+#include "app/executor_options.hpp"
 #include "app/run_json.hpp"
 #include "app/run_loop.hpp"
 #include "app/slurm_run.hpp"
@@ -37,6 +38,7 @@ struct RunOptions {
   int layouts = 3;
   bool ignore_memory = false;
   std::string where = "local";
+  int ranks = 1;
 };
 
 // Returns a word quoted for a shell, where it must be.
@@ -63,6 +65,7 @@ std::string resume_command(const RunOptions& options, const fs::path& folder) {
   std::string command = "kerf";
   for (const std::string& word : arguments_of(options, folder)) command += " " + shell_word(word);
   if (options.where == "slurm") command += " --on slurm";
+  if (options.ranks > 1) command += fmt::format(" --ranks {}", options.ranks);
   return command + " --resume";
 }
 
@@ -122,7 +125,9 @@ int run_by_slurm(RunOptions options) {
   const Case description = parse_case(case_text(options.case_file), options.case_file);
   SlurmRun run;
   run.resources = {options.machine.threads, derive(description).memory,
-                   std::string(word_of(options.machine.device))};
+                   std::string(word_of(options.machine.device)), options.ranks};
+  if constexpr (ranks::exist)
+    if (options.ranks > 1) refuse_undistributed(description);
   fs::path folder =
       options.folder.empty() ? default_folder(options.case_file) : fs::path(options.folder);
   if (!folder.has_filename()) folder = folder.parent_path();
@@ -147,7 +152,8 @@ void refuse_for_ranks(const RunOptions& options) {
                                 ranks::count(), option, reason),
                     exit_bad_input);
   };
-  if (options.where == "slurm") refuse("--on slurm", "starts a run of one rank");
+  if (options.where == "slurm") refuse("--on slurm", "starts a run of its own");
+  if (options.ranks > 1) refuse("--ranks", "is for runs on Slurm");
   if (options.converge) refuse("--converge", "starts runs of one rank each");
   if (options.machine.device != Device::cpu) refuse("--device gpu", "computes with one rank only");
 }
@@ -181,6 +187,7 @@ void run_with_ranks(const RunOptions& options) {
 void run(const RunOptions& options) {
   if constexpr (ranks::exist)
     if (ranks::are_several()) return run_with_ranks(options);
+  check_ranks(options.ranks, options.where);
   if (options.where == "slurm") {
     if (const int code = run_by_slurm(options); code != 0) throw CLI::RuntimeError(code);
     return;
@@ -223,11 +230,13 @@ void add_run_command(CLI::App& program) {
   command->add_flag("--ignore-memory", options->ignore_memory,
                     "run a case whose estimated memory is more than this machine has free");
   command
-      ->add_option("--on", options->where,
-                   "where the run is computed: this machine, or Slurm, which gives it the cores of "
-                   "--threads (1)")
+      ->add_option(
+          "--on", options->where,
+          "where the run is computed: this machine, or Slurm, which gives each rank the cores "
+          "of --threads (1)")
       ->check(CLI::IsMember({"local", "slurm"}))
       ->capture_default_str();
+  add_ranks_option(*command, options->ranks);
   command->callback([options] { run(*options); });
 }
 

@@ -102,7 +102,8 @@ class FollowedRun {
 int run_on_slurm(const SlurmRun& run) {
   const fs::path output = run.folder + ".txt";
   if (output.has_parent_path()) make_folder(output.parent_path());
-  JobRequest request{run.name, {fs::read_symlink(this_program).string()}, output, run.resources};
+  JobRequest request{run.name, start_words(run.resources, fs::read_symlink(this_program)), output,
+                     run.resources};
   request.command.insert(request.command.end(), run.arguments.begin(), run.arguments.end());
   return FollowedRun(run, output, request).follow();
 }

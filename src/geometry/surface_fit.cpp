@@ -10,6 +10,7 @@
 #include "geometry/closed_surface.hpp"
 #include "geometry/fill.hpp"
 #include "geometry/kernel_gradients.hpp"
+#include "geometry/lattice_angle.hpp"
 #include "geometry/nearest_face.hpp"
 #include "geometry/nearest_point.hpp"
 #include "geometry/point_vectors.hpp"
@@ -42,6 +43,11 @@ struct Element {
   int axis = -1;      // along which the normal points; -1: none
 };
 
+// Of the elements of a surface, m.
+double element_size(double spacing, int dimension) {
+  return (dimension == 2 ? 0.125 : 0.5) * spacing;
+}
+
 int axis_of(const Point& normal) {
   for (std::size_t a = 0; a < 3; ++a)
     if (std::abs(normal[a]) > 1.0 - alignment) return static_cast<int>(a);
@@ -56,8 +62,7 @@ class BodySurface {
 
   BodySurface(const Shape& shape, double spacing)
       : smoothing_length_(surface_smoothing_ratio * spacing) {
-    const double size = (D == 2 ? 0.125 : 0.5) * spacing;
-    for (const SurfaceElement& element : surface_elements(shape, D, size)) {
+    for (const SurfaceElement& element : surface_elements(shape, D, element_size(spacing, D))) {
       middle_.push_back(vector_of<D>(element.position));
       elements_.push_back({vector_of<D>(element.normal), element.area, axis_of(element.normal)});
       if (elements_.back().axis < 0) slanted_.push_back(middle_.back());
@@ -197,6 +202,16 @@ void fit(const Body& body, std::vector<Point>& nodes) {
   surface.put_into(nodes);
 }
 
+bool has_slanted_triangle(const TriangleMesh& mesh) {
+  return std::any_of(
+      mesh.triangles.begin(), mesh.triangles.end(), [&](const std::array<std::uint32_t, 3>& of) {
+        const Point& a = mesh.corners[of[0]];
+        Point normal = cross(sum(mesh.corners[of[1]], -1.0, a), sum(mesh.corners[of[2]], -1.0, a));
+        const double twice = std::sqrt(dot(normal, normal));
+        return twice > 0.0 && axis_of(sum({}, 1.0 / twice, normal)) < 0;
+      });
+}
+
 bool has_slanted_edge(const Shape& polygon) {
   for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
     const auto& a = polygon.vertices[i];
@@ -219,9 +234,25 @@ bool has_slanted_face(const Shape& shape, int dimension) {
     case Shape::Kind::difference:
       return std::any_of(shape.parts.begin(), shape.parts.end(),
                          [&](const Shape& part) { return has_slanted_face(part, dimension); });
+    case Shape::Kind::mesh:
+      return has_slanted_triangle(shape.mesh.surface->mesh());
     default:
-      return true;  // round faces; a mesh is looked at by element
+      return true;  // round faces
   }
+}
+
+bool is_fitted(const Body& body, int dimension) {
+  return body.body_fitted && body.grading.levels == 0 &&
+         has_slanted_face(along_lattice(body).shape, dimension);
+}
+
+double fitted_volume(const Body& body, int dimension) {
+  const Point origin = bounding_box(body.shape, dimension).minimum;  // near, so that little cancels
+  double flux = 0.0;                                                 // of x - origin
+  for (const SurfaceElement& element :
+       surface_elements(body.shape, dimension, element_size(body.spacing, dimension)))
+    flux += element.area * dot(sum(element.position, -1.0, origin), element.normal);
+  return flux / dimension;
 }
 
 void fit_to_surface(const Body& body, int dimension, std::vector<Point>& nodes) {

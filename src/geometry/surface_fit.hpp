@@ -19,6 +19,14 @@ struct Shape;
 // Returns whether a face of the shape is round or slanted to the axes.
 bool has_slanted_face(const Shape& shape, int dimension);
 
+// Returns whether particles of the body are moved to such faces.
+bool is_fitted(const Body& body, int dimension);
+
+// Returns the volume of a fitted body, m^3 (2D: m^2), from the elements of its surface by the
+// divergence theorem. Its particles have equal shares of it, which differ from a cell of the
+// lattice because a round shape holds some more or fewer nodes than cells.
+double fitted_volume(const Body& body, int dimension);
+
 // `nodes`: positions of the nodes of the lattice inside the shape, in the axes of the lattice, in
 // order, m. Those less than five spacings from a round or slanted face are moved; the outermost
 // come to lie half a spacing below it.

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "geometry/fill.hpp"
 #include "geometry/graded_fill.hpp"
+#include "geometry/surface_fit.hpp"
 #include "model/case.hpp"
 #include "model/material_laws.hpp"
 #include "simulation/media_order.hpp"
@@ -80,7 +81,16 @@ std::vector<std::uint16_t> pieces_of(const std::vector<Body>& bodies) {
   return piece;
 }
 
-Medium<double> body_medium(const Case& description, const Body& body, std::uint16_t piece) {
+// Returns the volume of a particle of a body that has so many, m^3 (2D: m^2). Rigid bodies fill
+// cells of their lattice, since they act by sums over the water that they displace.
+double volume_of_each(const Body& body, int dimension, std::size_t particles) {
+  const bool shares = body.role != Role::rigid && particles > 0 && is_fitted(body, dimension);
+  return shares ? fitted_volume(body, dimension) / static_cast<double>(particles)
+                : particle_volume(body, dimension);
+}
+
+Medium<double> body_medium(const Case& description, const Body& body, std::size_t particles,
+                           std::uint16_t piece) {
   Medium<double> medium;
   if (body.role == Role::rigid) {
     medium.phase = Phase::rigid;
@@ -93,7 +103,7 @@ Medium<double> body_medium(const Case& description, const Body& body, std::uint1
     medium.failure_strain = limits.end;
     medium.softening_strain = limits.softens() ? limits.start : 0.0;
   }
-  medium.volume = particle_volume(body, description.dimension);
+  medium.volume = volume_of_each(body, description.dimension, particles);
   if (body.role != Role::rigid) derive_parameters(medium, description.dimension, body.seed);
   if (body.pressure > 0.0) {
     medium.initial_compression = medium.tait.compression(body.pressure);
@@ -118,16 +128,16 @@ Medium<double> jet_medium(const Case& description, const Jet& jet, const Nozzle&
 
 }  // namespace
 
-std::vector<Medium<double>> make_media(const Case& description,
-                                       const std::vector<Nozzle>& nozzles) {
+std::vector<Medium<double>> make_media(const Case& description, const std::vector<Nozzle>& nozzles,
+                                       const std::vector<std::size_t>& particles) {
   require(nozzles.size() == description.jets.size(), "one nozzle per jet");
   std::vector<Medium<double>> media;
   const auto pieces = pieces_of(description.bodies);
   const std::size_t bodies = description.bodies.size();
   for (const auto [source, level] : medium_origins(description)) {
     if (source < bodies) {
-      media.push_back(
-          body_medium(description, at_level(description.bodies[source], level), pieces[source]));
+      media.push_back(body_medium(description, at_level(description.bodies[source], level),
+                                  particles[source], pieces[source]));
       media.back().level = static_cast<std::uint8_t>(level);
     } else {
       media.push_back(

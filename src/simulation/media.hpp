@@ -11,7 +11,8 @@ namespace kerf {
 
 struct Case;
 
-// The media in the order of simulation/media_order.hpp.
-std::vector<Medium<double>> make_media(const Case& description, const std::vector<Nozzle>& nozzles);
+// The media in the order of simulation/media_order.hpp. `particles`: how many each body has.
+std::vector<Medium<double>> make_media(const Case& description, const std::vector<Nozzle>& nozzles,
+                                       const std::vector<std::size_t>& particles);
 
 }  // namespace kerf

@@ -74,9 +74,11 @@ Layout lay_out(const Case& description, std::size_t number, std::uint64_t shifts
   return layout;
 }
 
+// Returns how many particles the body has, with those beyond symmetry planes and the domain.
 // `levels`: the media of its levels; `shifts`: of a travelling frame.
-void add_body(const Case& description, std::size_t number, const std::vector<std::uint16_t>& levels,
-              std::vector<NewParticle>& particles, std::uint64_t shifts = 0) {
+std::size_t add_body(const Case& description, std::size_t number,
+                     const std::vector<std::uint16_t>& levels, std::vector<NewParticle>& particles,
+                     std::uint64_t shifts = 0) {
   const Body& body = description.bodies[number];
   const int dimension = description.dimension;
   const Layout layout = lay_out(description, number, shifts);
@@ -99,22 +101,22 @@ void add_body(const Case& description, std::size_t number, const std::vector<std
             velocity[static_cast<std::size_t>(a)](particle.position);
     particles.push_back(particle);
   }
+  return layout.points.size();
 }
 
 }  // namespace
 
-std::vector<NewParticle> initial_particles(const Case& description,
-                                           const std::vector<Nozzle>& nozzles) {
-  std::vector<NewParticle> particles;
+InitialParticles initial_particles(const Case& description, const std::vector<Nozzle>& nozzles) {
+  InitialParticles result;
   const auto levels = media_of_levels(description);
   for (std::size_t b = 0; b < description.bodies.size(); ++b)
-    add_body(description, b, levels[b], particles);
+    result.of_body.push_back(add_body(description, b, levels[b], result.particles));
   for (std::size_t j = 0; j < nozzles.size(); ++j) {
     for (const NewParticle& particle : inlet_particles(nozzles[j].standing_water(), nozzles[j],
                                                        description.bodies.size() + j, 0.0))
-      particles.push_back(particle);
+      result.particles.push_back(particle);
   }
-  return particles;
+  return result;
 }
 
 std::vector<NewParticle> window_particles(const Case& description, std::uint64_t shifts) {

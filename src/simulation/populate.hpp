@@ -11,8 +11,12 @@ namespace kerf {
 
 struct Case;
 
-std::vector<NewParticle> initial_particles(const Case& description,
-                                           const std::vector<Nozzle>& nozzles);
+struct InitialParticles {
+  std::vector<NewParticle> particles;
+  std::vector<std::size_t> of_body;  // how many each body has, with those beyond symmetry planes
+};
+
+InitialParticles initial_particles(const Case& description, const std::vector<Nozzle>& nozzles);
 
 // Returns the particles of the workpiece in its window after some shifts of a travelling frame.
 std::vector<NewParticle> window_particles(const Case& description, std::uint64_t shifts);

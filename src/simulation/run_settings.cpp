@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "geometry/fill.hpp"
 #include "geometry/gauge_face.hpp"
 #include "model/case.hpp"
@@ -101,10 +103,11 @@ RunSettings run_settings(const Case& description) {
   settings.nozzles = make_nozzles(description);
   settings.motion = Motion(description);
   settings.origins = medium_origins(description);
-  settings.media = make_media(description, settings.nozzles);
+  InitialParticles laid = initial_particles(description, settings.nozzles);
+  settings.particles = std::move(laid.particles);
+  settings.media = make_media(description, settings.nozzles, laid.of_body);
   settings.absorbing = absorbing_sides(description);
   settings.window = moving_window(description);
-  settings.particles = initial_particles(description, settings.nozzles);
   settings.loads = run_loads(description, settings.particles, settings.origins);
   if (description.dimension == 2)
     join_mirrors(mirror_planes<2>(settings), settings.particles, settings.media);

@@ -23,16 +23,19 @@ constexpr std::size_t longest_array = 1000;  // Slurm's default MaxArraySize is 
 
 std::string script_of(const fs::path& study_folder, const fs::path& list,
                       const ArrayRequest& request) {
+  std::string program;
+  for (const std::string& word : start_words(request.resources, request.program))
+    program += quoted_for_shell(word) + " ";
   const std::string start = fmt::format(
       R"(#!/bin/sh
 # Made by kerf study: each task is one run of the list.
 cd {} || exit 1
 exec > "slurm/${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID.txt" 2>&1
 id=$(sed -n "$((SLURM_ARRAY_TASK_ID + 1))p" {})
-{} run "runs/$id.toml" --out "runs/$id" --threads "${{SLURM_CPUS_PER_TASK:-1}}" --device {} --resume \
+{}run "runs/$id.toml" --out "runs/$id" --threads "${{SLURM_CPUS_PER_TASK:-1}}" --device {} --resume \
   > "runs/$id.txt" 2>&1)",
-      quoted_for_shell(study_folder.string()), quoted_for_shell(list.string()),
-      quoted_for_shell(request.program.string()), request.resources.device);
+      quoted_for_shell(study_folder.string()), quoted_for_shell(list.string()), program,
+      request.resources.device);
   return with_exit_code(start, "\"slurm/$id.exit\"");
 }
 

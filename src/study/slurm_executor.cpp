@@ -137,7 +137,8 @@ class SlurmQueue {
 
 void SlurmExecutor::run(const std::vector<Job>& jobs, JobWatcher& watcher) {
   SlurmArrays arrays(study_folder_);
-  SlurmQueue(arrays, {program_, budget_.jobs, {budget_.cores, 0.0, budget_.device}}, watcher, jobs)
+  SlurmQueue(arrays, {program_, budget_.jobs, {budget_.cores, 0.0, budget_.device, budget_.ranks}},
+             watcher, jobs)
       .run(std::chrono::duration<double>(budget_.poll_pause));
 }
 

@@ -10,7 +10,8 @@ namespace kerf {
 
 struct SlurmBudget {
   int jobs = 16;               // at the same time at most
-  int cores = 1;               // of each run
+  int cores = 1;               // of each rank
+  int ranks = 1;               // of each run
   double poll_pause = 2.0;     // s, between two polls of Slurm
   std::string device = "cpu";  // of kerf run; "gpu" requests one GPU for each
 };

@@ -34,12 +34,21 @@ std::optional<int> written_exit_code(const std::filesystem::path& file) {
   return std::atoi(read_file(file).c_str());
 }
 
+std::vector<std::string> start_words(const SlurmResources& resources,
+                                     const std::filesystem::path& program) {
+  if (resources.ranks == 1) return {program.string()};
+  // Slurm confines the job to its cores; mpirun would bind all threads of a rank to one of them.
+  return {"mpirun", "-n", std::to_string(resources.ranks), "--bind-to", "none", program.string()};
+}
+
 std::string submit_to_slurm(const SlurmResources& resources,
                             const std::vector<std::string>& words) {
   constexpr double mebibyte = 1024.0 * 1024.0, spare = 256.0, factor = 1.5;
   std::vector<std::string> all{
-      "--parsable", fmt::format("--cpus-per-task={}", resources.cores),
-      fmt::format("--mem={:.0f}M", std::ceil(factor * resources.memory / mebibyte + spare)),
+      "--parsable", fmt::format("--ntasks={}", resources.ranks),
+      fmt::format("--cpus-per-task={}", resources.cores),
+      fmt::format("--mem={:.0f}M",  // of each node, which may have all ranks
+                  resources.ranks * std::ceil(factor * resources.memory / mebibyte + spare)),
       "--output=/dev/null"};
   if (resources.device == "gpu") all.push_back("--gres=gpu:1");
   all.insert(all.end(), words.begin(), words.end());

@@ -10,10 +10,15 @@
 namespace kerf {
 
 struct SlurmResources {
-  int cores = 1;               // of each run
-  double memory = 0.0;         // bytes, of each run, as estimated
+  int cores = 1;               // of each rank
+  double memory = 0.0;         // bytes, of each rank, as estimated for a run of one
   std::string device = "cpu";  // of kerf run; "gpu" requests one GPU
+  int ranks = 1;               // of each run (docs/mpi.md)
 };
+
+// Returns the words with which a job starts its ranks, or the program itself where it has one.
+std::vector<std::string> start_words(const SlurmResources& resources,
+                                     const std::filesystem::path& program);
 
 // Returns a text as one word of a shell, whatever it holds.
 std::string quoted_for_shell(const std::string& text);

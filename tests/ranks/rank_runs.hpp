@@ -32,6 +32,13 @@ class Ranks : public testing::Test {
     if (ranks == 0) return Program(words, folder(name + ".log")).wait();
     return Program("mpirun", words_of_mpirun(ranks, words), folder(name + ".log")).wait();
   }
+  std::vector<std::string> words_of_run(const std::string& name,
+                                        const std::vector<std::string>& options) const {
+    std::vector<std::string> words{
+        "run", folder("case.toml").string(), "--out", folder(name).string(), "--threads", "1"};
+    words.insert(words.end(), options.begin(), options.end());
+    return words;
+  }
   void expect_same(const std::string& a, const std::string& b) const {
     expect_same_results(folder(a), folder(b));
     const auto state = [&](const std::string& name) {
@@ -65,13 +72,6 @@ class Ranks : public testing::Test {
   }
 
  private:
-  std::vector<std::string> words_of_run(const std::string& name,
-                                        const std::vector<std::string>& options) const {
-    std::vector<std::string> words{
-        "run", folder("case.toml").string(), "--out", folder(name).string(), "--threads", "1"};
-    words.insert(words.end(), options.begin(), options.end());
-    return words;
-  }
   void signal_after_frames(int ranks, std::size_t frames, const std::vector<std::string>& options,
                            int signal, int rank) const {
     Program program("mpirun", words_of_mpirun(ranks, words_of_run("resumed", options)),

@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "parallel/ranks.hpp"
+
 namespace kerf {
 namespace {
 
@@ -61,6 +63,16 @@ TEST(RefuseProgram, MisspelledArgumentsAreGuessed) {
 }
 
 // A verification case that is named is not left out: the message has its reason and what it allows.
+TEST(RefuseProgram, RanksNeedAProgramThatHasThem) {
+  const Outcome here = run("run my.toml --ranks 3", true);
+  EXPECT_EQ(here.code, 1);
+  EXPECT_NE(here.output.find("mpirun -n 3 kerf run"), std::string::npos) << here.output;
+  if (ranks::exist) return;
+  const Outcome cluster = run("run my.toml --on slurm --ranks 3", true);
+  EXPECT_EQ(cluster.code, 1);
+  EXPECT_NE(cluster.output.find("preset mpi"), std::string::npos) << cluster.output;
+}
+
 TEST(RefuseProgram, MovesThatACaseDoesNotAllowAreNamedWithTheReason) {
   const Outcome moved =
       run("verify standard-wall-beside-jet --turned '20 deg' --mirrored --moved 0.3", true);

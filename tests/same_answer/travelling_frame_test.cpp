@@ -57,7 +57,7 @@ TEST(TravellingFrame, WindowsAreThoseOfALongBlock) {
   const auto simulation = run_to_shift(travelling, 4);
   const auto window = frame.window(4);
   std::vector<Place> block, there;
-  for (const NewParticle& particle : initial_particles(whole, {})) {
+  for (const NewParticle& particle : initial_particles(whole, {}).particles) {
     block.push_back(particle.position);
     const double x = particle.position[0];
     if (x > window.minimum[0] && x < window.maximum[0]) there.push_back(particle.position);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "simulation/run_settings.hpp"
 #include "support/small_cases.hpp"
@@ -62,6 +63,51 @@ TEST(Media, OnlyNearlyIncompressibleSolidsOfTheStandardFormulationHaveABulkModul
   EXPECT_NEAR(solid.bulk_modulus, 5.0 * shear, 1e-9 * shear);
   EXPECT_NEAR(solid.total_bulk_modulus, 29.0 / 3.0 * shear, 1e-9 * shear);
   EXPECT_TRUE(solid.cavitates);
+}
+
+// A lattice has more or fewer nodes in a round shape than cells: 161 for 154 in a disc of 7 d.
+TEST(Media, FittedBodiesHaveTheMassOfTheirShape) {
+  constexpr double pi = std::numbers::pi, d = 1e-3;
+  const auto round = [](Shape::Kind kind, double radius, double inner) {
+    Shape shape;
+    shape.kind = kind;
+    shape.centre = {0.0013, 0.0007, 0.0};
+    shape.radius = radius;
+    shape.inner_radius = inner;
+    shape.axis = {0.0, 0.6, 0.8};
+    shape.length = 8.3e-3;
+    return shape;
+  };
+  Shape wedge;
+  wedge.kind = Shape::Kind::polygon;
+  wedge.vertices = {{0.0, 0.0}, {0.02, 0.0}, {0.0, 0.01}};
+  wedge.depth_maximum = 5e-3;
+  Shape drilled;
+  drilled.kind = Shape::Kind::difference;
+  drilled.parts = {box({-0.01, -0.01, 0.0}, {0.01, 0.01, 0.0}),
+                   round(Shape::Kind::disc, 5.3e-3, 0.0)};
+  const auto check = [&](const Shape& shape, int dimension, double volume, double tolerance) {
+    for (const Role role : {Role::elastic, Role::water}) {
+      Case c = empty_case(dimension, PrecisionKind::double_precision);
+      c.formulation = Formulation::standard;
+      c.bodies = {body("part", role, shape, d)};
+      c.bodies[0].body_fitted = true;
+      const RunSettings settings = run_settings(c);
+      const double density = c.materials[static_cast<std::size_t>(c.bodies[0].material)].density;
+      const double mass = settings.media[0].mass * static_cast<double>(settings.particles.size());
+      EXPECT_NEAR(mass, density * volume, tolerance * density * volume);
+      const double cell = dimension == 2 ? d * d : d * d * d;
+      EXPECT_NEAR(settings.media[0].volume, cell, 0.1 * cell);
+    }
+  };
+  for (const double radius : {7e-3, 7.3e-3, 11.8e-3})
+    check(round(Shape::Kind::disc, radius, 0.0), 2, pi * radius * radius, 1e-9);
+  check(round(Shape::Kind::ring, 9e-3, 4e-3), 2, pi * 65e-6, 1e-9);
+  check(wedge, 2, 1e-4, 1e-9);
+  check(drilled, 2, 4e-4 - pi * 5.3e-3 * 5.3e-3, 2e-3);
+  check(round(Shape::Kind::sphere, 6e-3, 0.0), 3, 4.0 / 3.0 * pi * 216e-9, 1e-9);
+  check(round(Shape::Kind::disc, 5e-3, 0.0), 3, pi * 25e-6 * 8.3e-3, 1e-9);
+  check(wedge, 3, 5e-7, 1e-9);
 }
 
 TEST(Media, JoinedBodiesAreOnePiece) {
