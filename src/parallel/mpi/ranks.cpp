@@ -2,9 +2,13 @@
 #include "parallel/ranks.hpp"
 
 #include <mpi.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
+#include <set>
+#include <string>
 
 namespace kerf::ranks {
 namespace {
@@ -22,13 +26,26 @@ void in_parts(Address* bytes, std::size_t length, const Post& post) {
          static_cast<int>(part));
 }
 
+std::set<std::string> environment_names() {
+  std::set<std::string> names;
+  for (char** entry = environ; *entry != nullptr; ++entry)
+    names.emplace(*entry, std::strcspn(*entry, "="));
+  return names;
+}
+
 }  // namespace
 
+// Open MPI adds variables to the environment of a process that mpirun has not started. The programs
+// that it starts, such as mpirun in a job of Slurm, would take themselves for a part of its run.
 Session::Session(int& argc, char**& argv) {
+  const std::set<std::string> before = environment_names();
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
   MPI_Comm_size(MPI_COMM_WORLD, &rank_count);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_number);
+  if (rank_count > 1) return;
+  for (const std::string& name : environment_names())
+    if (!before.contains(name)) unsetenv(name.c_str());
 }
 
 Session::~Session() {
