@@ -171,7 +171,8 @@ void run_with_ranks(const RunOptions& options) {
     refuse_for_ranks(options);
     take_machine(options.machine);
     settings = settings_of(options);
-    refuse_undistributed(settings.description);
+    refuse_undistributed(settings.description, fmt::format("mpirun with {} ranks", ranks::count()),
+                         "Run this case without mpirun.");
   });
   if (ranks::number() != 0) return follow(settings.description);
   const Lead lead;
