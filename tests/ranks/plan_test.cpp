@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "input/read.hpp"
+#include "model/case.hpp"
 #include "ranks/rank_runs.hpp"
+#include "simulation/run_settings.hpp"
 #include "standard/standard.hpp"
 
 namespace kerf::test {
@@ -17,6 +19,10 @@ end = "1 ms"
 [domain]
 minimum = ["-60 mm", "-20 mm"]
 maximum = ["150 mm", "100 mm"]
+[materials.slow]
+base = "water"
+sound_speed = "15 m/s"
+source = "a test"
 [[body]]
 name = "block"
 material = "tofu"
@@ -24,7 +30,7 @@ shape = { type = "box", minimum = ["-50 mm", "0 mm"], maximum = ["0 mm", "50 mm"
 spacing = "1 mm"
 [[body]]
 name = "pool"
-material = "water"
+material = "slow"
 shape = { type = "box", minimum = ["1 mm", "0 mm"], maximum = ["101 mm", "40 mm"] }
 spacing = "1 mm"
 [[body]]
@@ -38,7 +44,8 @@ std::string water_cube(int across) {
   const std::string side = "\"" + std::to_string(across) + " mm\"";
   return "title = \"Cube of water\"\ndimension = 3\n[time]\nend = \"1 ms\"\n[domain]\nminimum = "
          "[\"-5 mm\", \"-5 mm\", \"-5 mm\"]\nmaximum = [\"105 mm\", \"105 mm\", \"105 mm\"]\n"
-         "[[body]]\nname = \"cube\"\nmaterial = \"water\"\nspacing = \"1 mm\"\nshape = { type = "
+         "[materials.slow]\nbase = \"water\"\nsound_speed = \"15 m/s\"\nsource = \"a test\"\n"
+         "[[body]]\nname = \"cube\"\nmaterial = \"slow\"\nspacing = \"1 mm\"\nshape = { type = "
          "\"box\", minimum = [\"0 mm\", \"0 mm\", \"0 mm\"], maximum = [" +
          side + ", " + side + ", " + side + "] }\n";
 }
