@@ -90,8 +90,10 @@ std::string RankPlan::text() const {
         100.0 * estimate.efficiency);
   text +=
       "  Particles, ghosts, memory and what is sent in a step are those of the rank that has most, "
-      "at the start of the run. While it lays the case out, and rank 0 while it writes a frame, a "
-      "rank needs the memory of one.\n";
+      "at "
+      "the start.\n  While it lays the case out, and rank 0 while it writes a frame, a rank needs "
+      "the "
+      "memory of one.\n";
   if (refinement != 1.0)
     text += fmt::format(
         "  A layout of {} particles was divided; its parts were scaled as volumes and its ghosts "

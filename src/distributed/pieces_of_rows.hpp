@@ -54,7 +54,8 @@ class PiecesOfRows {
     return ranks;
   }
 
-  // The centre of the piece of a row to which a cell belongs, m.
+  // The centre of the piece of a row to which a cell belongs, m, moved a little along each axis by
+  // its place along the next one: a cut of an axis thus divides the pieces of one layer of cells.
   static std::array<double, 3> centre(const LevelGrids<D>& grids, Index cell) {
     const Grid<D>& grid = grids.grid[0];
     std::array<double, 3> point{};
@@ -65,10 +66,20 @@ class PiecesOfRows {
           grid.origin[a] + grid.cell * (double(at - at % length) + 0.5 * double(length));
       cell /= across;
     }
-    return point;
+    std::array<double, 3> moved = point;
+    constexpr double tilt = 1e-3;
+    for (int a = 0; a < D; ++a) {
+      const auto axis = static_cast<std::size_t>(a), next = static_cast<std::size_t>((a + 1) % D),
+                 last = static_cast<std::size_t>((a + 2) % D);
+      moved[axis] += tilt * point[next];
+      if (D == 3) moved[axis] += golden * tilt * point[last];
+    }
+    return moved;
   }
 
  private:
+  static constexpr double golden = 0.618;  // no two pieces of a layer are moved alike
+
   bool is_new_piece(Index i) const {
     return i == 0 || (cell_[i] != cell_[i - 1] &&
                       grids_.rows().piece(cell_[i]) != grids_.rows().piece(cell_[i - 1]));

@@ -14,6 +14,7 @@ namespace {
 // Water beside a block that is bonded, on a rigid plate; the water moves to other cells at once.
 constexpr const char* planned_case = R"(title = "Water beside a block"
 dimension = 2
+gravity = ["0 m/s2", "-9.81 m/s2"]
 [time]
 end = "1 ms"
 [domain]
