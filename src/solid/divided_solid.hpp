@@ -68,7 +68,7 @@ class DividedSolid {
   }
   StepWaits waits() const {
     StepWaits waits = StepWaits::of_solid();
-    if (can_break()) waits = waits + StepWaits::of_breaking();
+    if (can_break()) waits = waits + StepWaits::of_breaking() + StepWaits::of_changes();
     if (fields_.any_flows) waits = waits + StepWaits::of_flow();
     if (fields_.any_softens) waits = waits + StepWaits::of_loss();
     if (fields_.any_flaws) waits = waits + StepWaits::of_loss();

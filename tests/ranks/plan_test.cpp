@@ -107,6 +107,24 @@ class PlannedRanks : public Ranks {
     if (seconds != nullptr) *seconds = ending.processor_time;
     return nlohmann::json::parse(ending.output).at("ranks");
   }
+  std::vector<Counts> counts_in(const std::string& name) const {
+    std::istringstream text(read_file(folder(name)));
+    std::vector<Counts> all;
+    for (Counts at{}; text >> at.particles >> at.ghosts;) all.push_back(at);
+    return all;
+  }
+  static void expect_alike(const std::vector<Counts>& a, const std::vector<Counts>& b,
+                           double tolerance) {
+    ASSERT_EQ(a.size(), b.size());
+    std::uint64_t of_a = 0, of_b = 0;
+    for (std::size_t r = 0; r < a.size(); ++r) {
+      of_a += a[r].particles;
+      of_b += b[r].particles;
+      EXPECT_NEAR(double(a[r].particles), double(b[r].particles), tolerance) << r;
+      EXPECT_NEAR(double(a[r].ghosts), double(b[r].ghosts), tolerance) << r;
+    }
+    EXPECT_EQ(of_a, of_b);
+  }
   void expect_refused(const std::vector<std::string>& options,
                       const std::vector<std::string>& parts) const {
     std::vector<std::string> words{"check", folder("case.toml").string(), "--no-timing"};
@@ -118,12 +136,15 @@ class PlannedRanks : public Ranks {
   }
 };
 
+// One cut is the same. Of several ranks each of the later ones may lie on the other side of a piece
+// of a row, 12 cells of at most four particles: Zoltan seeks the median in another order there.
 TEST_F(PlannedRanks, MatchTheRanksOfARun) {
+  constexpr double of_piece = 48.0;
   write_case(planned_case);
   for (const int ranks : {2, 3}) {
     count_with(1, ranks);
     count_with(ranks, ranks);
-    EXPECT_EQ(read_file(folder("planned")), read_file(folder("have"))) << ranks;
+    expect_alike(counts_in("planned"), counts_in("have"), ranks == 2 ? 0.0 : of_piece);
   }
 }
 
