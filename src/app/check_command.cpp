@@ -17,6 +17,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/run_cost.hpp"
+#include "core/error.hpp"
 #include "engine/device.hpp"
 #include "geometry/closed_surface.hpp"
 #include "geometry/fill.hpp"
@@ -38,6 +39,8 @@ struct CheckOptions {
   std::string file;
   bool keys = false, metrics = false, schema = false;  // references to be printed instead
   bool no_timing = false, json = false;
+  int ranks = 0;  // 0: no plan of ranks
+  double latency = 1e6 * Network{}.latency, bandwidth = 1e-9 * Network{}.bandwidth;  // us, GB/s
   MachineOptions machine;
 };
 
@@ -177,6 +180,7 @@ void print_numbers(const CheckedCase& checked) {
 
 void print_cost_and_warnings(const CheckedCase& checked) {
   print_cost(checked.costed.description, checked.costed.numbers, checked.costed.pace);
+  if (checked.ranks) fmt::print("{}", checked.ranks->text());
   fmt::print("{}", advice_text(checked.costed, checked.memory));
   if (!checked.warnings.empty()) fmt::print("\nWarnings\n");
   for (const auto& warning : checked.warnings) fmt::print("  - {}\n", warning);
@@ -185,12 +189,51 @@ void print_cost_and_warnings(const CheckedCase& checked) {
 void check(const CheckOptions& options) {
   take_machine(options.machine);
   CheckedCase checked = checked_case(case_text(options.file), options.file);
+  if (options.ranks > 0 && options.machine.device == Device::gpu)
+    throw UserError(fmt::format("--ranks {}: ranks do not compute on GPUs. Allowed: --device cpu. "
+                                "Leave one of the options out.",
+                                options.ranks),
+                    exit_bad_input);
+  if (options.ranks > 0) refuse_unplanned(checked.costed.description, options.file, options.ranks);
   if (!options.json) print_numbers(checked);
   checked.costed.pace = pace_of(options, checked.costed);
+  if (options.ranks > 0)
+    checked.ranks = rank_plan(checked.costed, options.ranks, threads_of(options.machine),
+                              {1e-6 * options.latency, 1e9 * options.bandwidth});
   if (options.json)
     fmt::print("{}", check_json(checked));
   else
     print_cost_and_warnings(checked);
+}
+
+// Adds an option that takes a number between two others.
+template <class Number>
+CLI::Option* add_bounded(CLI::App& command, const std::string& name, Number& value, Number least,
+                         Number most, const std::string& description) {
+  const auto problem = [least, most](const std::string& text) {
+    Number number{};
+    if (CLI::detail::lexical_cast(text, number) && number >= least && number <= most)
+      return std::string();
+    return fmt::format(
+        "\"{}\" is not a number from {} to {}. Allowed: {} to {}. Give one of these.", text, least,
+        most, least, most);
+  };
+  const CLI::Validator is_bounded(problem, fmt::format("in [{} - {}]", least, most));
+  return command.add_option(name, value, description)->check(is_bounded);
+}
+
+void add_rank_options(CLI::App& command, CheckOptions& options) {
+  CLI::Option* ranks = add_bounded(command, "--ranks", options.ranks, 1, most_planned_ranks,
+                                   "Plan the run for 1, 2, 4 ... ranks up to this number; needs a "
+                                   "program of the preset mpi (docs/mpi.md)");
+  add_bounded(command, "--latency", options.latency, 0.01, 1e6,
+              "Time of a short message between ranks, in us")
+      ->needs(ranks)
+      ->capture_default_str();
+  add_bounded(command, "--bandwidth", options.bandwidth, 1e-3, 1e5,
+              "Rate at which a rank sends, in GB/s")
+      ->needs(ranks)
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -204,6 +247,7 @@ void add_check_command(CLI::App& program) {
   command->add_flag("--no-timing", options->no_timing, "Estimate the run time without a pilot run");
   command->add_flag("--json", options->json, "Print JSON, in SI units, for programs");
   add_machine_options(*command, options->machine);
+  add_rank_options(*command, *options);
   auto* keys =
       command->add_flag("--keys", options->keys, "Print the reference of all keys instead");
   auto* metrics = command->add_flag("--metrics", options->metrics,

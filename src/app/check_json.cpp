@@ -38,14 +38,16 @@ Json cost_object(const DerivedNumbers& numbers, const Pace& pace) {
 
 Json check_object(const CheckedCase& checked) {
   const CostedCase& costed = checked.costed;
-  return {{"case", costed.file},
-          {"title", costed.description.title},
-          {"dimension", costed.description.dimension},
-          {"simulated", checked.piece},
-          {"numbers", object_of(DerivedNumbers::metrics(), costed.numbers)},
-          {"cost", cost_object(costed.numbers, costed.pace)},
-          {"advice", advice_json(checked)},
-          {"warnings", checked.warnings}};
+  Json json = {{"case", costed.file},
+               {"title", costed.description.title},
+               {"dimension", costed.description.dimension},
+               {"simulated", checked.piece},
+               {"numbers", object_of(DerivedNumbers::metrics(), costed.numbers)},
+               {"cost", cost_object(costed.numbers, costed.pace)},
+               {"advice", advice_json(checked)},
+               {"warnings", checked.warnings}};
+  if (checked.ranks) json["ranks"] = checked.ranks->json();
+  return json;
 }
 
 std::string check_json(const CheckedCase& checked) {

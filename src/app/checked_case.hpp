@@ -7,15 +7,17 @@
 #include <vector>
 
 #include "app/cost_advice.hpp"
+#include "app/rank_plan.hpp"
 
 namespace kerf {
 
 // A case that was checked, with what is printed of it.
 struct CheckedCase {
   CostedCase costed;
-  std::vector<std::string> piece;     // what is simulated and why, a sentence each
-  std::vector<std::string> warnings;  // a sentence each
-  double memory = 0.0;                // bytes, of this machine
+  std::vector<std::string> piece;      // what is simulated and why, a sentence each
+  std::vector<std::string> warnings;   // a sentence each
+  double memory = 0.0;                 // bytes, of this machine
+  std::optional<RankPlan> ranks = {};  // where it is asked for
 };
 
 // Returns everything but the pace, which takes seconds. Throws the CaseError of a case that is not

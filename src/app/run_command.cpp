@@ -127,7 +127,9 @@ int run_by_slurm(RunOptions options) {
   run.resources = {options.machine.threads, derive(description).memory,
                    std::string(word_of(options.machine.device)), options.ranks};
   if constexpr (ranks::exist)
-    if (options.ranks > 1) refuse_undistributed(description);
+    if (options.ranks > 1)
+      refuse_undistributed(description, fmt::format("--ranks {}", options.ranks),
+                           "Leave the option out.");
   fs::path folder =
       options.folder.empty() ? default_folder(options.case_file) : fs::path(options.folder);
   if (!folder.has_filename()) folder = folder.parent_path();
@@ -177,7 +179,8 @@ void run_with_ranks(const RunOptions& options) {
     refuse_for_ranks(options);
     take_machine(options.machine);
     settings = settings_of(options);
-    refuse_undistributed(settings.description);
+    refuse_undistributed(settings.description, fmt::format("mpirun with {} ranks", ranks::count()),
+                         "Run this case without mpirun.");
   });
   if (ranks::number() != 0) return follow(settings.description);
   const Lead lead;

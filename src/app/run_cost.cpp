@@ -63,8 +63,18 @@ double processor_time() {
 }
 
 struct PilotRun {
-  double seconds = 0.0, particle_steps = 0.0, steps = 0.0, simulated = 0.0;
+  double seconds = 0.0, particle_steps = 0.0, steps = 0.0, simulated = 0.0, bond_share = 0.0;
 };
+
+// Returns the share of bonds and fracture in the time of all stages of a run.
+double bond_share(const Simulation& simulation) {
+  double bonds = 0.0, all = 0.0;
+  for (const StageTime& stage : simulation.stage_times()) {
+    all += stage.seconds;
+    if (stage.name == "solid" || stage.name == "fracture") bonds += stage.seconds;
+  }
+  return all > 0.0 ? bonds / all : 0.0;
+}
 
 PilotRun make_pilot_run(const Case& description) {
   PilotRun run;
@@ -80,6 +90,7 @@ PilotRun make_pilot_run(const Case& description) {
     run.seconds = processor_time() - start;
   }
   run.simulated = simulation->time() - first_time;
+  run.bond_share = bond_share(*simulation);
   return run;
 }
 
@@ -95,10 +106,10 @@ std::optional<Pace> pace_of_pilot(const Case& description, const DerivedNumbers&
     set_threads(1);
     const PilotRun run = make_pilot_run(pilot);
     if (run.particle_steps == 0.0) return {};
-    return Pace{
-        run.seconds / run.particle_steps, run.steps * coarse.time_step / run.simulated,
-        fmt::format("by a pilot run of {} particles over {:.0f}% of the time",
-                    coarse.particles_initial, 100.0 * run.simulated / description.time.end)};
+    return Pace{run.seconds / run.particle_steps, run.steps * coarse.time_step / run.simulated,
+                fmt::format("by a pilot run of {} particles over {:.0f}% of the time",
+                            coarse.particles_initial, 100.0 * run.simulated / description.time.end),
+                run.bond_share};
   } catch (const UserError&) {
     return {};
   }
@@ -111,8 +122,6 @@ Pace typical_pace(const Case& description, int threads) {
           "by the typical speed of a core"};
 }
 
-namespace {
-
 Case with_coarser_particles(const Case& description, double factor) {
   Case pilot = description;
   for (Body& body : pilot.bodies) body.spacing *= factor;
@@ -122,8 +131,6 @@ Case with_coarser_particles(const Case& description, double factor) {
   }
   return pilot;
 }
-
-}  // namespace
 
 Case pilot_case(const Case& description, const DerivedNumbers& numbers, double stretch) {
   double factor = stretch * coarsening(description, numbers);

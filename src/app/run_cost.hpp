@@ -19,6 +19,8 @@ struct Pace {
   double particle_step = 0.0;  // s, on all threads of the run
   double step_factor = 1.0;    // steps that are made over those of the estimate
   std::string source;          // how it was found
+  // Of the time of cases with solids, what bonds and their fracture take (docs/performance.md).
+  double bond_share = 0.5;
 };
 
 struct RunCost {
@@ -38,6 +40,9 @@ Pace measured_pace(const Case& description, const DerivedNumbers& numbers, int t
 // Returns the case of the pilot run: with its bodies and jets coarsened, `stretch` times as much as
 // is needed.
 Case pilot_case(const Case& description, const DerivedNumbers& numbers, double stretch = 1.0);
+
+// Returns the case at a spacing that is `factor` times as wide; jets stay two particles wide.
+Case with_coarser_particles(const Case& description, double factor);
 
 RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace);
 

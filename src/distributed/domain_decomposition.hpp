@@ -12,8 +12,8 @@
 #include <numeric>
 
 #include "distributed/messages.hpp"
-#include "distributed/partition.hpp"
-#include "neighbours/patch_grids.hpp"
+#include "distributed/patches_around.hpp"
+#include "distributed/pieces_of_rows.hpp"
 #include "parallel/entry_messages.hpp"
 #include "particles/reorder.hpp"
 
@@ -31,33 +31,18 @@ class DomainDecomposition {
   // Gives every rank the particles of its part, without ghosts, in any order. The parts are made
   // anew where the work is divided too unevenly.
   void distribute(Particles<D, P>& particles, const LevelGrids<D>& grids) {
-    const std::vector<Index> cell = cells(particles, grids);
-    const auto work = [&](Index i) {
-      constexpr float of_rigid = 0.1f;  // no pairs are summed for it
-      return particles.media[particles.source[i]].phase == Phase::rigid ? of_rigid : 1.0f;
-    };
-    std::vector<PointOfWork> points;
-    for (Index i = 0; i < particles.size(); ++i) {
-      if (i == 0 || is_new_piece(grids, cell[i], cell[i - 1]))
-        points.push_back({centre(grids, cell[i]), 0.0f});
-      points.back().work += work(i);
-    }
-    divide(points);
+    const PiecesOfRows<D, P> pieces(particles, grids);
+    divide(pieces.points());
+    const std::vector<int> rank = pieces.owners(partition_.get());
     std::vector<std::vector<Index>> to(size());
-    int rank = 0;
-    for (Index i = 0; i < particles.size(); ++i) {
-      if (i == 0 || is_new_piece(grids, cell[i], cell[i - 1])) rank = owner(grids, cell[i]);
-      to[static_cast<std::size_t>(rank)].push_back(i);
-    }
+    for (Index i = 0; i < particles.size(); ++i) to[static_cast<std::size_t>(rank[i])].push_back(i);
     move(particles, to);
   }
 
   // Fetches the ghosts of the particles, which have none.
   void fetch_ghosts(Particles<D, P>& particles, const LevelGrids<D>& grids) {
     const auto patches = PatchGrids<D>::of(grids);
-    std::vector<Index> patch(particles.size());
-    for (Index i = 0; i < particles.size(); ++i)
-      patch[i] = patch_of(grids.grid[0], patches.grid[0], particles.build_position[i]);
+    const std::vector<Index> patch = patches_of_particles(particles, grids, patches);
     find_receivers(patch, patches.grid[0]);
     std::vector<ranks::Bytes> messages(size());
     for (std::size_t r = 0; r < size(); ++r) pack<StateFields>(particles, send_[r], messages[r]);
@@ -164,33 +149,8 @@ class DomainDecomposition {
 
   static std::size_t size() { return static_cast<std::size_t>(ranks::count()); }
 
-  // The cells by which the particles are distributed: those in which they were sorted, so that
-  // groups stay whole.
-  static std::vector<Index> cells(const Particles<D, P>& particles, const LevelGrids<D>& grids) {
-    std::vector<Index> cell(particles.size());
-    for (Index i = 0; i < particles.size(); ++i)
-      cell[i] = particles.sorted_cell[i] != unsorted ? particles.sorted_cell[i]
-                                                     : grids.number(0, particles.build_position[i]);
-    return cell;
-  }
-  static bool is_new_piece(const LevelGrids<D>& grids, Index cell, Index before) {
-    return cell != before && grids.rows().piece(cell) != grids.rows().piece(before);
-  }
-  // The centre of the piece of a row (particles/particle_groups.hpp) to which a cell belongs, m.
-  static std::array<double, 3> centre(const LevelGrids<D>& grids, Index cell) {
-    const Grid<D>& grid = grids.grid[0];
-    std::array<double, 3> point{};
-    for (int a = 0; a < D; ++a) {
-      const auto across = static_cast<Index>(grid.cells[a]);
-      const Index at = cell % across, length = a == 0 ? GridRows::cells_of_piece : 1;
-      point[static_cast<std::size_t>(a)] =
-          grid.origin[a] + grid.cell * (double(at - at % length) + 0.5 * double(length));
-      cell /= across;
-    }
-    return point;
-  }
   int owner(const LevelGrids<D>& grids, Index cell) const {
-    return partition_ ? partition_->owner(centre(grids, cell)) : 0;
+    return partition_ ? partition_->owner(PiecesOfRows<D, P>::centre(grids, cell)) : 0;
   }
 
   // Makes the parts anew if the work is divided more unevenly than by the last ones.
@@ -198,7 +158,7 @@ class DomainDecomposition {
     constexpr double tolerance = 1.1, drift = 1.05;
     const double now = imbalance(points, [](const PointOfWork&) { return ranks::number(); });
     if (partition_ && now <= std::max(tolerance, drift * reached_)) return;
-    partition_ = make_partition(points, D);
+    partition_ = make_partition(points, D, ranks::count());
     reached_ = imbalance(
         points, [this](const PointOfWork& point) { return partition_->owner(point.position); });
   }
@@ -233,28 +193,13 @@ class DomainDecomposition {
     particles.regroup();
   }
 
-  static Index patch_of(const Grid<D>& cells, const Grid<D>& patches, const Vector<D, double>& x) {
-    int at[D];
-    for (int a = 0; a < D; ++a) at[a] = cells.coordinate(x[a], a) / PatchGrids<D>::cells_across;
-    return patches.number(at);
-  }
   // Marks the patches around each patch of the list.
   static void mark_around(const std::vector<Index>& list, const Grid<D>& patches,
                           std::vector<std::uint8_t>& marks) {
-    for (const Index number : list) {
-      Index rest = number;
-      int low[D], high[D];
-      for (int a = 0; a < D; ++a) {
-        const auto across = static_cast<Index>(patches.cells[a]);
-        const auto at = static_cast<int>(rest % across);
-        low[a] = std::max(at - 1, 0);
-        high[a] = std::min(at + 1, patches.cells[a] - 1);
-        rest /= across;
-      }
-      patches.for_each_row(low, high, [&](Index first, Index last) {
+    for (const Index number : list)
+      for_each_row_around(number, patches, [&](Index first, Index last) {
         std::fill(marks.begin() + first, marks.begin() + last + 1, std::uint8_t(1));
       });
-    }
   }
   // Finds which particles every other rank needs: those of the patches around its own particles.
   // `patch`: of each particle.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A partition of space into one part for each rank, by recursive coordinate bisection.
+// A partition of space into parts, one for each rank, by recursive coordinate bisection.
 #pragma once
 
 #include <array>
@@ -21,9 +21,10 @@ class Partition {
   virtual int owner(const std::array<double, 3>& point) const = 0;
 };
 
-// Divides the points of all ranks so that each part has about the same work. A build with MPI has
-// this function (distributed/mpi/).
+// Divides the points of all ranks into so many parts that each has about the same work: as many as
+// there are ranks, or, for a plan, as there would be. A build with MPI has this function
+// (distributed/mpi/).
 std::shared_ptr<const Partition> make_partition(const std::vector<PointOfWork>& points,
-                                                int dimension);
+                                                int dimension, int parts);
 
 }  // namespace kerf

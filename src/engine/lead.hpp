@@ -6,14 +6,16 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "simulation/simulation.hpp"
 
 namespace kerf {
 
 // Throws UserError (exit_bad_input), the same at every rank, if a case has what several ranks
-// cannot compute.
-void refuse_undistributed(const Case& description);
+// cannot compute. `asked`: what wants them, "mpirun with 2 ranks"; `remedy`: a sentence.
+void refuse_undistributed(const Case& description, const std::string& asked,
+                          const std::string& remedy);
 
 // Does the work at every rank. What it throws at one of them is thrown at all: the UserError of the
 // lowest rank.

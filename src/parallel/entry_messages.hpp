@@ -33,13 +33,19 @@ void take_entries(const std::byte*& from, const std::vector<Index>& which, Array
   }
 }
 
+// How many bytes an entry of each of the fields has in a message. Empty fields are left out.
+template <class... T>
+std::size_t bytes_of_entries(const Array<T>&... field) {
+  return ((field.empty() ? 0 : sizeof(T)) + ...);
+}
+
 // Sends entries to[r] of the fields to rank r, and takes those that it sends, awaited[r]. Empty
 // fields are left out.
 template <class... T>
 void exchange_entries(const std::vector<std::vector<Index>>& to,
                       const std::vector<std::vector<Index>>& awaited, Array<T>&... field) {
   std::vector<ranks::Bytes> messages(to.size()), from(to.size());
-  const std::size_t bytes = ((field.empty() ? 0 : sizeof(T)) + ...);
+  const std::size_t bytes = bytes_of_entries(field...);
   for (std::size_t r = 0; r < to.size(); ++r) {
     (put_entries(field, to[r], messages[r]), ...);
     from[r].resize(awaited[r].size() * bytes);

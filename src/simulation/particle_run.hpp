@@ -7,6 +7,7 @@
 
 #include "core/timers.hpp"
 #include "distributed/domain_decomposition.hpp"
+#include "distributed/planned_particles.hpp"
 #include "neighbours/neighbour_list.hpp"
 #include "particles/outflow.hpp"
 #include "particles/reorder.hpp"
@@ -61,6 +62,11 @@ class ParticleRun : public Simulation {
   // Called when some lists of neighbours are new (NeighbourList::listed_anew), of particles in the
   // same order.
   virtual void after_refresh() {}
+
+  // Returns what ranks would have of the particles. add_more(rank, loads, messages) adds what else
+  // they have, where `rank` has that of each particle.
+  template <class AddMore>
+  RankLoads planned(int count, const AddMore& add_more) const;
 
   // The start of a run and the stages of a step, in their order.
   // `lay_out` is called after the first list is built, before the first forces.

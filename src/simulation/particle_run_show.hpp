@@ -79,4 +79,21 @@ double ParticleRun<D, P, Traits>::bytes_per_particle() const {
              n;
 }
 
+template <int D, class P, class Traits>
+template <class AddMore>
+RankLoads ParticleRun<D, P, Traits>::planned([[maybe_unused]] int count,
+                                             [[maybe_unused]] const AddMore& add_more) const {
+  RankLoads loads;
+  if constexpr (ranks::exist) {
+    loads.of.resize(static_cast<std::size_t>(count));
+    loads.waits = StepWaits::of_particles();
+    PlannedMessages messages(loads.of);
+    const PlannedParticles<D, P> particles(particles_, list_.grids(), count);
+    particles.add_to(loads.of, messages);
+    add_more(particles.ranks(), loads, messages);
+    messages.count_partners();
+  }
+  return loads;
+}
+
 }  // namespace kerf

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/timers.hpp"
+#include "distributed/rank_load.hpp"
 #include "simulation/archive.hpp"
 #include "simulation/balance.hpp"
 #include "simulation/field_span.hpp"
@@ -55,6 +56,9 @@ class Simulation {
   virtual double neighbours_per_particle() const = 0;
   virtual double bytes_per_particle() const = 0;  // fields and neighbour list, now
   virtual std::vector<StageTime> stage_times() const = 0;
+  // What each of so many ranks would have of the present state of a run of one rank; nothing where
+  // the build has no ranks, or they cannot divide the run (engine/lead.hpp).
+  virtual RankLoads rank_loads(int /*count*/) const { return {}; }
 
   // A run that is restored from a saved state continues bit for bit.
   virtual void save(Archive& archive) const = 0;

@@ -4,12 +4,10 @@
 // which those of its share have bonds. Since bonds are found once, so is what is exchanged.
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "parallel/entry_messages.hpp"
-#include "parallel/index_share.hpp"
-#include "solid/bond_table.hpp"
+#include "solid/bond_holders.hpp"
 
 namespace kerf {
 
@@ -23,35 +21,16 @@ class BondHalo {
     const auto all = static_cast<std::size_t>(ranks::count());
     ghosts_.assign(all, {});
     sent_.assign(all, {});
-    for (int r = 0; r < ranks::count(); ++r)
-      shares_.push_back(IndexShare::of(count, r, ranks::count()));
-    first_holder_.assign(1, 0);
-    for (Index s = 0; s < count; ++s) {
-      const std::size_t before = holder_.size();
-      holder_.push_back(owner(s));
-      for (Index k = bonds.first(s); k < bonds.last(s); ++k) {
-        const Index end = bonds.mirrors.particle(bonds.end(s, k));
-        if (shares_[static_cast<std::size_t>(holder_[before])].has(end)) continue;
-        const int other = owner(end);
-        if (std::find(holder_.begin() + static_cast<std::ptrdiff_t>(before), holder_.end(),
-                      other) == holder_.end())
-          holder_.push_back(other);
-      }
-      first_holder_.push_back(static_cast<Index>(holder_.size()));
-      note_ghost(s);
-    }
+    holders_.find(bonds, count, ranks::count());
+    for (Index s = 0; s < count; ++s) note_ghost(s);
   }
 
-  const IndexShare& share() const { return shares_[static_cast<std::size_t>(ranks::number())]; }
-  int owner(Index s) const {
-    int rank = 0;
-    while (!shares_[static_cast<std::size_t>(rank)].has(s)) ++rank;
-    return rank;
-  }
+  const IndexShare& share() const { return holders_.share(ranks::number()); }
+  int owner(Index s) const { return holders_.owner(s); }
   // Calls act(rank) for all ranks that compute a particle or have a ghost of it.
   template <class Act>
   void for_each_holder(Index s, const Act& act) const {
-    for (Index k = first_holder_[s]; k < first_holder_[s + 1]; ++k) act(holder_[k]);
+    holders_.for_each(s, act);
   }
   // The numbers of the share.
   Numbers own() const {
@@ -80,12 +59,9 @@ class BondHalo {
         if (from[r][n] != std::byte(0)) flags[sent_[r][n]] = 1;
   }
 
-  std::size_t bytes() const {
-    return (holder_.capacity() + first_holder_.capacity()) * sizeof(Index);
-  }
+  std::size_t bytes() const { return holders_.bytes(); }
 
  private:
-  // `s`: the particle whose holders were found last.
   void note_ghost(Index s) {
     const int own = ranks::number(), of = owner(s);
     for_each_holder(s, [&](int rank) {
@@ -94,9 +70,7 @@ class BondHalo {
     });
   }
 
-  std::vector<IndexShare> shares_;
-  std::vector<Index> first_holder_;     // of each particle, in the list of
-  std::vector<int> holder_;             // the ranks that have it, its owner first
+  BondHolders<D> holders_;
   std::vector<Numbers> ghosts_, sent_;  // of each rank: ghosts of its particles here, and of the
                                         // particles here at that rank
 };

@@ -5,6 +5,7 @@
 // bond is known everywhere.
 #pragma once
 
+#include "distributed/rank_load.hpp"
 #include "solid/solid_records.hpp"
 
 namespace kerf {
@@ -50,6 +51,30 @@ class DividedSolid {
 
   std::uint64_t entries() const { return entries_; }  // bonds of the share, from both ends
 
+  // What a plan of ranks (standard/planned_solid.hpp) needs: the bytes that a ghost gets in a step,
+  // and those of the acceleration of a particle; how often ranks wait for others.
+  std::size_t bytes_to_ghost() {
+    std::size_t bytes = bytes_of_entries(fields_.ends);
+    if (can_break())
+      with_fields_of_test([&](auto&... field) {
+        bytes += sizeof(typename P::Real) + sizeof(std::uint8_t) + bytes_of_entries(field...);
+      });
+    if (fields_.any_flows)
+      bytes += bytes_of_entries(fields_.rate_traction, fields_.hourglass_viscosity);
+    return bytes;
+  }
+  std::size_t bytes_of_acceleration() const {
+    return bytes_of_entries(fields_.acceleration, fields_.mirror_acceleration);
+  }
+  StepWaits waits() const {
+    StepWaits waits = StepWaits::of_solid();
+    if (can_break()) waits = waits + StepWaits::of_breaking() + StepWaits::of_changes();
+    if (fields_.any_flows) waits = waits + StepWaits::of_flow();
+    if (fields_.any_softens) waits = waits + StepWaits::of_loss();
+    if (fields_.any_flaws) waits = waits + StepWaits::of_loss();
+    return waits;
+  }
+
  protected:
   // Sets fields of the ghosts to those of their owners.
   template <class... T>
@@ -73,8 +98,7 @@ class DividedSolid {
       if (!share().is_part) return true;
       const IsSet strained{pointer(fields_.strained)};
       if (!ranks::any(reduce_unordered(share(), strained, false, Either{}))) return false;
-      halo_.to_ghosts(fields_.gradient, fields_.criterion, gradient_norm, fields_.current_strain,
-                      fields_.loading_now, fields_.current_flow, fields_.flaws);
+      with_fields_of_test([&](auto&... field) { halo_.to_ghosts(gradient_norm, field...); });
     }
     return true;
   }
@@ -99,6 +123,14 @@ class DividedSolid {
   std::uint64_t entries_ = 0;
 
  private:
+  bool can_break() const { return !break_records_.empty(); }
+  // Calls use(field...) with what a test of the bonds reads of their other ends, but for the norms.
+  template <class Use>
+  void with_fields_of_test(const Use& use) {
+    use(fields_.gradient, fields_.criterion, fields_.current_strain, fields_.loading_now,
+        fields_.current_flow, fields_.flaws);
+  }
+
   bool has_joints_ = false;
 };
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "distributed/planned_messages.hpp"
 #include "simulation/balance.hpp"
 #include "simulation/media.hpp"
 #include "simulation/run_settings.hpp"
@@ -193,6 +194,9 @@ class SolidPart {
   void add_columns(FrameContent content, Frame& frame) const {
     if (solid_ && ranks::number() == 0) show_solid(solid_->fields(), number_of_id_, content, frame);
   }
+
+  // Adds what ranks would have of the solids (standard/planned_solid.hpp).
+  void plan(const std::vector<int>& rank, RankLoads& loads, PlannedMessages& messages) const;
 
   std::uint64_t bond_entries() const { return solid_ ? solid_->entries() : 0; }
   std::size_t bytes() const {

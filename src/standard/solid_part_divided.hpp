@@ -2,6 +2,7 @@
 // What SolidPart does where several ranks divide the solid among them (docs/mpi.md).
 #pragma once
 
+#include "standard/planned_solid.hpp"
 #include "standard/solid_part.hpp"
 
 namespace kerf {
@@ -105,6 +106,18 @@ double SolidPart<D, P>::sum_divided(const MarkDetached<D, P>& mark) const {
     of_block += taken.value;
   }
   return total + of_block;
+}
+
+template <int D, class P>
+void SolidPart<D, P>::plan(const std::vector<int>& rank, RankLoads& loads,
+                           PlannedMessages& messages) const {
+  if constexpr (ranks::exist) {
+    if (!solid_) return;
+    plan_solid(*solid_, link(), rank, loads.of, messages);
+    loads.waits = loads.waits + solid_->waits();
+    loads.solid = solid_->size();
+    loads.solid_bytes = static_cast<double>(solid_->bytes());
+  }
 }
 
 }  // namespace kerf

@@ -83,6 +83,12 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
         concentration_gradient_.size() * sizeof(ConcentrationGradient<D, typename P::Real>);
     return Run::bytes_per_particle() + static_cast<double>(beside) / n;
   }
+  RankLoads rank_loads(int count) const override {
+    return Run::planned(
+        count, [this](const std::vector<int>& rank, RankLoads& loads, PlannedMessages& messages) {
+          solid_.plan(rank, loads, messages);
+        });
+  }
   void save(Archive& archive) const override {
     Run::save(archive);
     solid_.gather();

@@ -116,6 +116,31 @@ TEST(RefuseProgram, WrongUseEndsWithTwo) {
   EXPECT_EQ(run("check --threads -3 case.toml").code, 2);
 }
 
+TEST(RefuseProgram, NumbersOfRanksAndNetworksBeyondTheirRange) {
+  const std::string words = "check --no-timing " KERF_SOURCE_DIR "/cases/tofu-5ms.toml ";
+  for (const auto& [option, range] : {std::pair{"--ranks 0", "1 to 10000"},
+                                      {"--ranks 10001", "1 to 10000"},
+                                      {"--ranks many", "1 to 10000"},
+                                      {"--ranks 8 --latency 0", "0.01 to 1000000"},
+                                      {"--ranks 8 --bandwidth -1", "0.001 to 100000"}}) {
+    const Outcome outcome = run(words + option, true);
+    EXPECT_EQ(outcome.code, 2) << option;
+    EXPECT_NE(outcome.output.find(std::string("Allowed: ") + range), std::string::npos)
+        << outcome.output;
+  }
+  EXPECT_EQ(run(words + "--latency 2").code, 2);  // of no ranks
+}
+
+// Without MPI a case cannot be divided.
+TEST(RefuseProgram, RanksOfABuildWithoutThem) {
+  if (ranks::exist) GTEST_SKIP() << "a build with MPI";
+  const Outcome outcome =
+      run("check --no-timing --ranks 8 " KERF_SOURCE_DIR "/cases/tofu-5ms-standard.toml", true);
+  EXPECT_EQ(outcome.code, 1);
+  for (const char* part : {"tofu-5ms-standard.toml: --ranks 8", "Allowed", "--preset mpi"})
+    EXPECT_NE(outcome.output.find(part), std::string::npos) << outcome.output;
+}
+
 // Names become part of JSON, which is UTF-8.
 TEST(RefuseProgram, NamesInOtherEncodingsEndWithTwo) {
   const Outcome outcome = run("check 'b\xe4r.toml'", true);

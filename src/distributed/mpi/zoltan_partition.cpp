@@ -4,6 +4,7 @@
 #include <zoltan.h>
 
 #include <cstddef>
+#include <string>
 
 #include "core/error.hpp"
 #include "distributed/partition.hpp"
@@ -39,7 +40,7 @@ void list_points(void* data, int, int, ZOLTAN_ID_PTR global, ZOLTAN_ID_PTR local
 // Zoltan holds a partition for each object of its library.
 class ZoltanPartition : public Partition {
  public:
-  ZoltanPartition(const Points& points, int dimension)
+  ZoltanPartition(const Points& points, int dimension, int parts)
       : points_(points), dimension_(dimension), zoltan_(Zoltan_Create(MPI_COMM_WORLD)) {
     require(zoltan_ != nullptr, "memory for Zoltan");
     for (const auto& [name, value] : {std::pair{"DEBUG_LEVEL", "0"},
@@ -50,6 +51,7 @@ class ZoltanPartition : public Partition {
                                       {"NUM_LID_ENTRIES", "1"},
                                       {"OBJ_WEIGHT_DIM", "1"}})
       Zoltan_Set_Param(zoltan_, name, value);
+    Zoltan_Set_Param(zoltan_, "NUM_GLOBAL_PARTS", std::to_string(parts).c_str());
     Zoltan_Set_Num_Obj_Fn(zoltan_, number_of_points, &points_);
     Zoltan_Set_Obj_List_Fn(zoltan_, list_points, &points_);
     Zoltan_Set_Num_Geom_Fn(zoltan_, number_of_coordinates, this);
@@ -66,7 +68,7 @@ class ZoltanPartition : public Partition {
     int rank = 0, part = 0;
     const int code = Zoltan_LB_Point_PP_Assign(zoltan_, coordinates.data(), &rank, &part);
     require(code == ZOLTAN_OK, "the part of a point");
-    return rank;
+    return part;
   }
 
  private:
@@ -107,13 +109,13 @@ class ZoltanPartition : public Partition {
 }  // namespace
 
 std::shared_ptr<const Partition> make_partition(const std::vector<PointOfWork>& points,
-                                                int dimension) {
+                                                int dimension, int parts) {
   static const int version_read = [] {
     float version = 0.0f;
     return Zoltan_Initialize(0, nullptr, &version);
   }();
   require(version_read == ZOLTAN_OK, "Zoltan");
-  return std::make_shared<const ZoltanPartition>(points, dimension);
+  return std::make_shared<const ZoltanPartition>(points, dimension, parts);
 }
 
 }  // namespace kerf

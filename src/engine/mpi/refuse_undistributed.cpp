@@ -5,7 +5,6 @@
 #include "engine/lead.hpp"
 #include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
-#include "parallel/ranks.hpp"
 
 namespace kerf {
 namespace {
@@ -32,15 +31,14 @@ std::string problem_of(const Case& description) {
 
 }  // namespace
 
-void refuse_undistributed(const Case& description) {
+void refuse_undistributed(const Case& description, const std::string& asked,
+                          const std::string& remedy) {
   const std::string problem = problem_of(description);
   if (problem.empty()) return;
-  throw UserError(
-      fmt::format(
-          "mpirun with {} ranks: {}. Allowed with several ranks: water, rigid and "
-          "elastic bodies and jets in the formulation 'standard'. Run this case without mpirun.",
-          ranks::count(), problem),
-      exit_bad_input);
+  throw UserError(fmt::format("{}: {}. Allowed with several ranks: water, rigid and elastic bodies "
+                              "and jets in the formulation 'standard'. {}",
+                              asked, problem, remedy),
+                  exit_bad_input);
 }
 
 }  // namespace kerf
