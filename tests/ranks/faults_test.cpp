@@ -95,7 +95,8 @@ class KilledRanks : public ManyRanks {
     Program program("mpirun",
                     words_of_mpirun(ranks, words_of_run(name, {goes_on ? "--resume" : "--force"})),
                     folder("killed.log"));
-    std::this_thread::sleep_for(std::chrono::duration<double>(uniform(0.0, longest)));
+    const auto moment = Clock::now() + std::chrono::duration<double>(uniform(0.0, longest));
+    wait_for([&] { return Clock::now() > moment || has_ended(program.process()); });
     pid_t process = 0;
     wait_for([&] {
       process = process_of_rank(program.process(), victim);
