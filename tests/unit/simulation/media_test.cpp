@@ -65,7 +65,7 @@ TEST(Media, OnlyNearlyIncompressibleSolidsOfTheStandardFormulationHaveABulkModul
   EXPECT_TRUE(solid.cavitates);
 }
 
-// A lattice has more or fewer nodes in a round shape than cells: 161 for 154 in a disc of 7 d.
+// A lattice has more or fewer nodes in a round shape than cells: 177 for 167 in a disc of 7.3 d.
 TEST(Media, FittedBodiesHaveTheMassOfTheirShape) {
   constexpr double pi = std::numbers::pi, d = 1e-3;
   const auto round = [](Shape::Kind kind, double radius, double inner) {
