@@ -108,7 +108,10 @@ class KilledRanks : public ManyRanks {
     if (ending.exit_code == 0) return false;  // the signal came when all was done
     EXPECT_TRUE(killed) << ending.output;
     EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 5.0);
-    EXPECT_EQ(count_of(ending.output, "signal 9"), 1) << ending.output;
+    // The second is what mpirun says of a process that had not begun with MPI.
+    const int told = count_of(ending.output, "signal 9");
+    const int early = count_of(ending.output, "1 process returned");
+    EXPECT_TRUE(told == 1 || (told == 0 && early == 1)) << ending.output;
     EXPECT_EQ(processes_with(folder(name).string()), 0);
     return true;
   }
@@ -124,8 +127,8 @@ TEST_F(KilledRanks, AtRandomMomentsChangeNoBit) {
   const double longest = 1.1 * std::chrono::duration<double>(Clock::now() - start).count();
   const int wanted = number_from("KERF_KILLS", 200);
   std::printf("KERF_SEED=%u, %d kills, each within %.1f s\n", seed_, wanted, longest);
-  int completed = 0;
-  for (int kills = 0; kills < wanted && !HasFailure();) {
+  int completed = 0, kills = 0;
+  while (kills < wanted && !HasFailure()) {
     if (kill_one_of("killed", longest)) {
       ++kills;
       continue;
@@ -139,7 +142,7 @@ TEST_F(KilledRanks, AtRandomMomentsChangeNoBit) {
     expect_same("alone", "killed");
     ++completed;
   }
-  std::printf("%d runs completed with the same bits\n", completed);
+  std::printf("%d kills; %d runs completed with the same bits\n", kills, completed);
   EXPECT_GT(completed, 0);
 }
 
