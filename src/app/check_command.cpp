@@ -151,7 +151,7 @@ void print_meshes(const Case& description) {
     if (body.shape.kind != Shape::Kind::mesh) continue;
     const ClosedSurface& surface = *body.shape.mesh.surface;
     const double volume = surface.volume(), filled = filled_volume(description, body);
-    const std::string shares = body.role != Role::rigid && is_fitted(body, 3)
+    const std::string shares = shares_volume(body, 3)
                                    ? std::string("its particles share this volume")
                                    : fmt::format("particles fill {:.4g} m3 ({:+.2f}%)", filled,
                                                  100.0 * (filled / volume - 1.0));

@@ -28,7 +28,7 @@ void warn_of_misfits(const Case& description, std::vector<std::string>& warnings
     const ParticleEstimate estimate = estimate_particles(body, description.dimension, everywhere);
     const bool is_counted = estimate.is_exact || body.shape.kind == Shape::Kind::box;
     if (!is_counted) continue;  // many particles in a round or composed shape fit well
-    if (body.role != Role::rigid && is_fitted(body, description.dimension)) continue;
+    if (shares_volume(body, description.dimension)) continue;
     const double filled =
         estimate.uniform(description.dimension) * particle_volume(body, description.dimension);
     const double misfit = filled / volume_estimate(body.shape, description.dimension) - 1.0;

@@ -258,7 +258,7 @@ std::vector<Point> fill(const Body& body, int dimension) {
     return true;
   };
   visit_along_axes(straight, dimension, request);
-  if (straight.body_fitted) fit_to_surface(straight, dimension, particles);
+  fit_to_surface(straight, dimension, particles);
   jitter(straight, dimension, particles);
   if (body.lattice_angle != 0.0) {
     const PlaneTurn turn(body.lattice_angle);

@@ -246,6 +246,10 @@ bool is_fitted(const Body& body, int dimension) {
          has_slanted_face(along_lattice(body).shape, dimension);
 }
 
+bool shares_volume(const Body& body, int dimension) {
+  return body.role != Role::rigid && is_fitted(body, dimension);
+}
+
 double fitted_volume(const Body& body, int dimension) {
   const Point origin = bounding_box(body.shape, dimension).minimum;  // near, so that little cancels
   double flux = 0.0;                                                 // of x - origin
@@ -256,7 +260,7 @@ double fitted_volume(const Body& body, int dimension) {
 }
 
 void fit_to_surface(const Body& body, int dimension, std::vector<Point>& nodes) {
-  if (nodes.empty() || !has_slanted_face(body.shape, dimension)) return;
+  if (nodes.empty() || !is_fitted(body, dimension)) return;
   if (dimension == 2)
     fit<2>(body, nodes);
   else

@@ -22,6 +22,11 @@ bool has_slanted_face(const Shape& shape, int dimension);
 // Returns whether particles of the body are moved to such faces.
 bool is_fitted(const Body& body, int dimension);
 
+// Returns whether the particles of the body have equal shares of its fitted_volume(). Those of
+// rigid bodies fill cells of their lattice, since they act by sums over the water that they
+// displace.
+bool shares_volume(const Body& body, int dimension);
+
 // Returns the volume of a fitted body, m^3 (2D: m^2), from the elements of its surface by the
 // divergence theorem. Its particles have equal shares of it, which differ from a cell of the
 // lattice because a round shape holds some more or fewer nodes than cells.

@@ -81,12 +81,11 @@ std::vector<std::uint16_t> pieces_of(const std::vector<Body>& bodies) {
   return piece;
 }
 
-// Returns the volume of a particle of a body that has so many, m^3 (2D: m^2). Rigid bodies fill
-// cells of their lattice, since they act by sums over the water that they displace.
+// Returns the volume of a particle of a body that has so many, m^3 (2D: m^2).
 double volume_of_each(const Body& body, int dimension, std::size_t particles) {
-  const bool shares = body.role != Role::rigid && particles > 0 && is_fitted(body, dimension);
-  return shares ? fitted_volume(body, dimension) / static_cast<double>(particles)
-                : particle_volume(body, dimension);
+  return particles > 0 && shares_volume(body, dimension)
+             ? fitted_volume(body, dimension) / static_cast<double>(particles)
+             : particle_volume(body, dimension);
 }
 
 Medium<double> body_medium(const Case& description, const Body& body, std::size_t particles,
