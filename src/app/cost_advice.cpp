@@ -27,6 +27,16 @@ std::string as_text(const toml::table& table) {
   return text.str();
 }
 
+// Returns the pace of a changed case: it differs as those of typical cases do.
+Pace pace_of_changed(const CostedCase& costed, const Case& changed) {
+  const Pace before = typical_pace(costed.description, 1), after = typical_pace(changed, 1);
+  Pace pace = costed.pace;
+  pace.particle_step *= after.particle_step / before.particle_step;
+  pace.particle_row *= after.particle_row / before.particle_row;
+  pace.rows = after.rows;
+  return pace;
+}
+
 // Returns the case with the change; nothing if the reader refuses it, or it gains nothing.
 std::optional<Advice> advised(const CostedCase& costed, const CaseChange& change) {
   Advice advice;
@@ -37,10 +47,7 @@ std::optional<Advice> advised(const CostedCase& costed, const CaseChange& change
     const std::string base = change.to_plane ? as_text(as_plane_case(written)) : costed.text;
     advice.text = overlay(base, change.changes);
     const Case changed = parse_case(advice.text, costed.file, quick_look);
-    Pace pace = costed.pace;
-    pace.particle_step *=
-        typical_pace(changed, 1).particle_step / typical_pace(costed.description, 1).particle_step;
-    advice.after = run_cost(derive(changed), pace);
+    advice.after = run_cost(derive(changed), pace_of_changed(costed, changed));
   } catch (const UserError&) {
     return {};
   } catch (const toml::parse_error&) {
@@ -79,9 +86,10 @@ std::optional<Advice> all_together(const CostedCase& costed) {
     const auto step = advised(current, *change);
     if (!step) return;
     current.text = step->text;
-    current.description = parse_case(current.text, current.file, quick_look);
-    current.numbers = derive(current.description);
-    current.pace.particle_step = step->after.seconds / (step->after.particles * step->after.steps);
+    const Case changed = parse_case(current.text, current.file, quick_look);
+    current.pace = pace_of_changed(current, changed);
+    current.description = changed;
+    current.numbers = derive(changed);
     for (const std::string& line : step->lines) {
       std::erase_if(all.lines, [&](const std::string& before) {
         return key_of_line(before) == key_of_line(line);

@@ -8,6 +8,7 @@
 #include <ctime>
 #include <optional>
 
+#include "analysis/cut.hpp"
 #include "core/error.hpp"
 #include "engine/device.hpp"
 #include "model/case.hpp"
@@ -18,10 +19,11 @@ namespace kerf {
 namespace {
 
 constexpr double most_pilot_particles = 1e4;
-constexpr double most_graded_pilot = 1.2e3;  // of graded bodies, which take long to set up
-constexpr double longest_pilot = 2.8;        // s
-constexpr double least_across_pilot = 2.0;   // particles across a jet
-constexpr double thread_efficiency = 0.95;   // docs/performance.md, of each thread after the first
+constexpr double most_graded_pilot = 3e3;   // of graded bodies, which take long to set up
+constexpr double longest_pilot = 2.8;       // s
+constexpr double least_across_pilot = 2.0;  // particles across a jet
+constexpr double typical_row = 0.5;         // of the time of a step, for a row of series.csv
+constexpr double thread_efficiency = 0.95;  // docs/performance.md, of each thread after the first
 
 double mean_particles(const DerivedNumbers& numbers) {
   return 0.5 * static_cast<double>(numbers.particles_initial + numbers.particles_expected);
@@ -32,6 +34,10 @@ double typical_particle_step(const Case& description) {
   const bool plane = description.dimension == 2;
   if (description.formulation == Formulation::standard) return plane ? 0.35e-6 : 0.7e-6;
   return plane ? 1.9e-6 : 4.0e-6;
+}
+
+double rows_of(const Case& description) {
+  return description.time.end / description.output.series_interval;
 }
 
 double on_threads(double seconds, int threads) {
@@ -64,6 +70,7 @@ double processor_time() {
 
 struct PilotRun {
   double seconds = 0.0, particle_steps = 0.0, steps = 0.0, simulated = 0.0, bond_share = 0.0;
+  double particle_row = 0.0;
 };
 
 // Returns the share of bonds and fracture in the time of all stages of a run.
@@ -76,9 +83,20 @@ double bond_share(const Simulation& simulation) {
   return all > 0.0 ? bonds / all : 0.0;
 }
 
+// Returns the time that a row of series.csv takes for each particle, s: the balance needs the
+// forces at the end of a step, and the verdict the pieces.
+double particle_row(const Simulation& simulation, CutMonitor& cut) {
+  constexpr int rows = 3;
+  const double start = processor_time();
+  for (int row = 0; row < rows; ++row)
+    cut.observe(simulation.frame_of_cut(), simulation.balance().impulse_water);
+  return (processor_time() - start) / (rows * static_cast<double>(simulation.particles()));
+}
+
 PilotRun make_pilot_run(const Case& description) {
   PilotRun run;
   const auto simulation = make_simulation(description);
+  CutMonitor cut(description, simulation->frame());
   if (!simulation->finished())
     simulation->advance();  // the first step also builds the neighbour lists
   const double start = processor_time();
@@ -91,6 +109,7 @@ PilotRun make_pilot_run(const Case& description) {
   }
   run.simulated = simulation->time() - first_time;
   run.bond_share = bond_share(*simulation);
+  run.particle_row = particle_row(*simulation, cut);
   return run;
 }
 
@@ -106,7 +125,10 @@ std::optional<Pace> pace_of_pilot(const Case& description, const DerivedNumbers&
     set_threads(1);
     const PilotRun run = make_pilot_run(pilot);
     if (run.particle_steps == 0.0) return {};
-    return Pace{run.seconds / run.particle_steps, run.steps * coarse.time_step / run.simulated,
+    return Pace{run.seconds / run.particle_steps,
+                run.particle_row,
+                rows_of(description),
+                run.steps * coarse.time_step / run.simulated,
                 fmt::format("by a pilot run of {} particles over {:.0f}% of the time",
                             coarse.particles_initial, 100.0 * run.simulated / description.time.end),
                 run.bond_share};
@@ -118,8 +140,8 @@ std::optional<Pace> pace_of_pilot(const Case& description, const DerivedNumbers&
 }  // namespace
 
 Pace typical_pace(const Case& description, int threads) {
-  return {on_threads(typical_particle_step(description), threads), 1.0,
-          "by the typical speed of a core"};
+  const double step = on_threads(typical_particle_step(description), threads);
+  return {step, typical_row * step, rows_of(description), 1.0, "by the typical speed of a core"};
 }
 
 Case with_coarser_particles(const Case& description, double factor) {
@@ -153,6 +175,7 @@ Pace measured_pace(const Case& description, const DerivedNumbers& numbers, int t
     if (const auto pace = pace_of_pilot(description, numbers, stretch)) {
       Pace result = *pace;
       result.particle_step = on_threads(pace->particle_step, threads);
+      result.particle_row = on_threads(pace->particle_row, threads);
       set_threads(threads);
       return result;
     }
@@ -165,7 +188,7 @@ RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace) {
   cost.particles = mean_particles(numbers);
   cost.steps = pace.step_factor * numbers.steps;
   cost.memory = numbers.memory;
-  cost.seconds = pace.particle_step * cost.particles * cost.steps;
+  cost.seconds = cost.particles * (pace.particle_step * cost.steps + pace.particle_row * pace.rows);
   return cost;
 }
 

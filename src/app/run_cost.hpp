@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a run will cost: particles, steps, memory and time, estimated before anything is laid out.
 //
-// The time is particles x steps x the pace, the time of one step of one particle. A pilot run
-// measures the pace: the case itself at a spacing at which its whole run takes a second or two. It
-// has the geometry and the physics of the run, so that it counts the costly debris and contacts of
-// later times, and the steps that squeezed particles shorten.
+// The time is particles x (steps x pace + rows of series.csv x their pace): the time of one step or
+// row for one particle. A pilot run measures both: the case itself at a spacing at which its whole
+// run takes a second or two. It has the geometry and the physics of the run, so that it counts the
+// costly debris and contacts of later times, and the steps that squeezed particles shorten.
 #pragma once
 
 #include <string>
@@ -17,6 +17,8 @@ struct Case;
 
 struct Pace {
   double particle_step = 0.0;  // s, on all threads of the run
+  double particle_row = 0.0;   // s, the same for a row of series.csv
+  double rows = 0.0;           // of the run
   double step_factor = 1.0;    // steps that are made over those of the estimate
   std::string source;          // how it was found
   // Of the time of cases with solids, what bonds and their fracture take (docs/performance.md).

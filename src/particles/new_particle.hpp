@@ -9,12 +9,12 @@
 namespace kerf {
 
 namespace flag {
-inline constexpr std::uint8_t repelling = 1;   // repels, eq. (43) of Shinohara et al. (2004)
-inline constexpr std::uint8_t upstream = 2;    // jet water still inside its nozzle
-inline constexpr std::uint8_t outside = 4;     // has left the domain: to be removed
-inline constexpr std::uint8_t erased = 8;      // flowed back towards its nozzle: to be removed
-inline constexpr std::uint8_t fitted = 16;     // beside a jump of the spacing of its body
-inline constexpr std::uint8_t surface = 32;    // its kernel sum is not full: near a free surface
+inline constexpr std::uint8_t repelling = 1;  // repels, eq. (43) of Shinohara et al. (2004)
+inline constexpr std::uint8_t upstream = 2;   // jet water still inside its nozzle
+inline constexpr std::uint8_t outside = 4;    // has left the domain: to be removed
+inline constexpr std::uint8_t erased = 8;     // flowed back towards its nozzle: to be removed
+inline constexpr std::uint8_t fitted = 16;   // its pairs have factors: beside a jump of the spacing
+inline constexpr std::uint8_t surface = 32;  // its kernel sum is not full: near a free surface
 inline constexpr std::uint8_t in_corner = 64;  // fluid in a corner between rigid walls
 inline constexpr std::uint8_t at_edge = 128;   // fluid beyond the end of a rigid face
 }  // namespace flag

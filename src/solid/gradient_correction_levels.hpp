@@ -44,6 +44,7 @@ class LevelFit {
   using Row = std::array<double, rows>;
   using Rows = Blocks<rows>;
   using Position = Vector<D, double>;
+  using Seen = std::array<std::vector<Index>, std::size_t(1) << (2 * D)>;
 
  public:
   // `accuracy`: of the solution, as a share of what the sums lack with factors of 1.
@@ -63,7 +64,7 @@ class LevelFit {
       fit.of_bond = factors(wanted);
     }
     fit.fitted.assign(layout_.reference.size(), 0);
-    for (const Entry& pair : pairs_) fit.fitted[pair.i] = fit.fitted[particle(pair.end)] = 1;
+    for (const Index i : particle_of_) fit.fitted[i] = 1;
     return fit;
   }
 
@@ -75,9 +76,10 @@ class LevelFit {
   static constexpr int rounds = 3;              // a fourth does not improve the balance
 
   struct Entry {
-    Index i, end;      // i and j, or the image of j
-    Index bond, back;  // in the lists of i and of j
+    Index own, other;  // rows of i and j
+    Index bond, back;  // in the lists of i and of j; the first names j, or its image
     double weight;     // w_ij
+    Position apart;    // R, m
     Position matched;  // (C_i + C_j) R / 2, m
   };
 
@@ -93,6 +95,14 @@ class LevelFit {
   double weight(Index i, Index end) const {
     return scales_(layout_.medium_index[i], layout_.medium_index[particle(end)])
         .weight(norm(bond(i, end)));
+  }
+  bool has_finest_spacing(Index i) const {
+    const auto& media = layout_.media;
+    for (std::size_t m = 0; m < media.size(); ++m)
+      if (layout_.body[m] == layout_.body[layout_.medium_index[i]] &&
+          media[m].spacing < medium(i).spacing)
+        return false;
+    return true;
   }
   bool same_body(Index i, Index end) const {
     return layout_.body[layout_.medium_index[i]] ==
@@ -115,19 +125,30 @@ class LevelFit {
 
   // Finds the pairs that may change, and their particles.
   void list_pairs() {
-    row_of_.assign(layout_.reference.size(), none);
+    std::vector<Index> row_of(layout_.reference.size(), none);
+    for_each_pair_at_jumps([&](Index i, Index) {
+      if (row_of[i] != none) return;
+      row_of[i] = static_cast<Index>(particle_of_.size());
+      particle_of_.push_back(i);
+    });
+    for_each_pair_at_jumps([&](Index i, Index k) {
+      const Index end = bonds_.neighbour[k], j = particle(end);
+      if (i > j) return;
+      const Position apart = bond(i, end);
+      pairs_.push_back(
+          {row_of[i], row_of[j], k, entry_of(j, i | code(end)), weight(i, end), apart, apart});
+    });
+  }
+  // Calls visit(i, k) for entry k of the bonds of i, where one of its ends is at a jump.
+  template <class Visit>
+  void for_each_pair_at_jumps(const Visit& visit) const {
     for (Index i = 0; i < static_cast<Index>(at_jump_.size()); ++i)
       for (Index k = bonds_.begin[i]; k < bonds_.begin[i + 1]; ++k) {
-        const Index end = bonds_.neighbour[k], j = particle(end);
-        if (!same_body(i, j) || !(at_jump_[i] || at_jump_[j])) continue;
-        if (row_of_[i] == none) {
-          row_of_[i] = static_cast<Index>(particle_of_.size());
-          particle_of_.push_back(i);
-        }
-        if (i <= j)
-          pairs_.push_back({i, end, k, entry_of(j, i | code(end)), weight(i, end), bond(i, end)});
+        const Index j = particle(bonds_.neighbour[k]);
+        if (same_body(i, j) && (at_jump_[i] || at_jump_[j])) visit(i, k);
       }
   }
+  MirrorCode code(const Entry& pair) const { return code(bonds_.neighbour[pair.bond]); }
   Index entry_of(Index i, Index end) const {
     const auto first = bonds_.neighbour.begin() + bonds_.begin[i];
     const auto last = bonds_.neighbour.begin() + bonds_.begin[i + 1];
@@ -160,7 +181,7 @@ class LevelFit {
   // Returns the sums that each particle should have.
   Rows resampled_sums() {
     Rows sums(particle_of_.size());
-    std::vector<Index> seen(layout_.reference.size(), none);
+    Seen seen;
     for (std::size_t r = 0; r < sums.size(); ++r) {
       const Index i = particle_of_[r];
       visit_around(i, seen, [&](Index end) { add_resampled(i, end, sums[r]); });
@@ -206,33 +227,29 @@ class LevelFit {
       auto match = second_moment(wanted[r]);
       if (divide(match, second_moment(own_sums(i, factor)), 1e-6)) match_[i] = match;
     }
-    for (Entry& pair : pairs_) pair.matched = matched(pair.i, pair.end);
+    for (Entry& pair : pairs_)
+      pair.matched = matched(particle_of_[pair.own], bonds_.neighbour[pair.bond]);
   }
 
-  // Finds the neighbours of i in its body and their neighbours: all within its own kernel. `seen`
-  // holds the last particle that visited each.
+  // Visits all of its body within the own kernel of i: its neighbours, and smaller particles beyond
+  // the shorter reach of a pair, which are neighbours of those of its neighbours at a jump. `seen`
+  // holds, for each image, the last particle that visited it.
   template <class Visit>
-  void visit_around(Index i, std::vector<Index>& seen, const Visit& visit) {
-    images_.clear();
+  void visit_around(Index i, Seen& seen, const Visit& visit) const {
     const auto visit_neighbours = [&](Index of) {
       const Index middle = particle(of);
       for (Index k = bonds_.begin[middle]; k < bonds_.begin[middle + 1]; ++k) {
         Index end = bonds_.neighbour[k];
         if (!same_body(i, end) || !see_in(code(of), end)) continue;
-        if (code(end) != 0) {
-          images_.push_back(end);
-        } else if (seen[end] != i) {
-          seen[end] = i;
-          visit(end);
-        }
+        auto& last = seen[code(end) >> MirrorPlanes<D>::shift];
+        if (last.empty()) last.assign(layout_.reference.size(), none);
+        if (std::exchange(last[particle(end)], i) != i) visit(end);
       }
     };
     visit_neighbours(i);
+    if (has_finest_spacing(i)) return;
     for (Index k = bonds_.begin[i]; k < bonds_.begin[i + 1]; ++k)
-      visit_neighbours(bonds_.neighbour[k]);
-    std::sort(images_.begin(), images_.end());
-    images_.erase(std::unique(images_.begin(), images_.end()), images_.end());
-    for (const Index end : images_) visit(end);
+      if (at_jump_[particle(bonds_.neighbour[k])]) visit_neighbours(bonds_.neighbour[k]);
   }
   // Turns an end into its image in these planes; false where that is an image in two opposite
   // planes, which is out of reach.
@@ -289,12 +306,11 @@ class LevelFit {
     return x;
   }
   Row pair_row(const Entry& pair) const {
-    const Position apart = bond(pair.i, pair.end), first = pair.matched;
     Row row;
     std::size_t n = 0;
-    for (int a = 0; a < D; ++a) row[n++] = pair.weight * first[a];
+    for (int a = 0; a < D; ++a) row[n++] = pair.weight * pair.matched[a];
     for (int a = 0; a < D; ++a)
-      for (int b = a; b < D; ++b) row[n++] = pair.weight * apart[a] * apart[b];
+      for (int b = a; b < D; ++b) row[n++] = pair.weight * pair.apart[a] * pair.apart[b];
     return row;
   }
   // The conditions of the image of a particle.
@@ -310,8 +326,8 @@ class LevelFit {
   }
   // Returns s - 1 of the pair of this row.
   double change(const Entry& pair, const Row& row, const Rows& multipliers) const {
-    const Row& own = multipliers[row_of_[pair.i]];
-    const Row other = image(code(pair.end), multipliers[row_of_[particle(pair.end)]]);
+    const Row& own = multipliers[pair.own];
+    const Row other = image(code(pair), multipliers[pair.other]);
     double sum = 0.0;
     for (std::size_t n = 0; n < D; ++n) sum += row[n] * (own[n] - other[n]);
     for (std::size_t n = D; n < rows; ++n) sum += row[n] * (own[n] + other[n]);
@@ -323,13 +339,12 @@ class LevelFit {
     const Rows from = scaled(x);
     Rows result(x.size());
     for (const Entry& pair : pairs_) {
-      const Index i = row_of_[pair.i], j = row_of_[particle(pair.end)];
       Row row = pair_row(pair);
       const double s = change(pair, row, from);
-      add(result[i], row, s);
-      if (i == j) continue;
+      add(result[pair.own], row, s);
+      if (pair.own == pair.other) continue;
       for (std::size_t n = 0; n < D; ++n) row[n] = -row[n];
-      add(result[j], image(code(pair.end), row), s);
+      add(result[pair.other], image(code(pair), row), s);
     }
     result = scaled(std::move(result));
     add_blocks(result, x, softness);
@@ -340,7 +355,7 @@ class LevelFit {
     Rows diagonal(particle_of_.size());
     for (const Entry& pair : pairs_) {
       const Row row = pair_row(pair);
-      const Index i = row_of_[pair.i], j = row_of_[particle(pair.end)];
+      const Index i = pair.own, j = pair.other;
       for (std::size_t n = 0; n < rows; ++n) diagonal[i][n] += row[n] * row[n];
       for (std::size_t n = 0; n < rows && j != i; ++n) diagonal[j][n] += row[n] * row[n];
     }
@@ -357,8 +372,7 @@ class LevelFit {
   double accuracy_;
   std::vector<std::uint8_t> at_jump_;
   std::vector<Entry> pairs_;
-  std::vector<Index> row_of_, particle_of_;
-  std::vector<Index> images_;             // scratch of visit_around()
+  std::vector<Index> particle_of_;        // of each row
   std::vector<Matrix<D, double>> match_;  // C, per particle
   Rows solution_;                         // lambda of the last round, with which the next begins
 };

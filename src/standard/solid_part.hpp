@@ -160,7 +160,7 @@ class SolidPart {
 
   // The gradient correction where the spacing of a nearly incompressible body jumps.
   PairCorrection<D, P> pair_correction() {
-    if (!solid_ || solid_->fitted().empty()) return {};
+    if (!has_pair_factors_) return {};
     const auto solid = solid_->view();
     return {solid.pair_correction, pointer(number_of_id_), solid.bonds};
   }
@@ -209,7 +209,8 @@ class SolidPart {
   void restore(const Archive& archive);
 
  private:
-  void mark_fitted(Particles<D, P>& particles);
+  // Marks the particles whose pairs have factors: those of nearly incompressible solids.
+  void mark_fitted(const std::vector<Medium<double>>& media, Particles<D, P>& particles);
   // Records the losses of the first substep and applies plastic flow, softening and damage for the
   // step of the solid.
   void finish_solid_step() {
@@ -287,6 +288,7 @@ class SolidPart {
   static constexpr WaveTime unknown_wave{1e300, 0};
   WaveTime wave_ = unknown_wave;
   bool has_detached_ = false;
+  bool has_pair_factors_ = false;  // where the spacing of a nearly incompressible solid jumps
 };
 
 }  // namespace kerf

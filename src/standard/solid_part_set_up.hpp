@@ -45,13 +45,14 @@ template <int D, class P>
 void SolidPart<D, P>::build(const RunSettings& settings, const std::vector<Medium<double>>& media,
                             Particles<D, P>& particles, SolidMembers<D> members) {
   members_ = std::move(members);
+  has_pair_factors_ = false;
   to_device(members_.number_of_id(), number_of_id_);
   particle_of_.assign(members_.size(), no_index);
   if (members_.size() == 0) return;
   solid_ = std::make_unique<TotalLagrangian<D, P>>(
       solid_layout(settings, media, particles.mirrors, members_));
   outflow_.assign(members_.size(), std::uint8_t(0));
-  mark_fitted(particles);
+  mark_fitted(media, particles);
 }
 
 template <int D, class P>
@@ -77,15 +78,20 @@ void SolidPart<D, P>::settle(Particles<D, P>& particles, const SolidLosses& held
 }
 
 template <int D, class P>
-void SolidPart<D, P>::mark_fitted(Particles<D, P>& particles) {
+void SolidPart<D, P>::mark_fitted(const std::vector<Medium<double>>& media,
+                                  Particles<D, P>& particles) {
   if (solid_->fitted().empty()) return;
   auto flags = to_host(particles.flags);
   const auto id = to_host(particles.id);
   const auto number = members_.number_of_id();
   for (std::size_t i = 0; i < id.size(); ++i) {
     if (id[i] >= number.size() || number[id[i]] == no_index) continue;
+    const Index s = number[id[i]];
     flags[i] = static_cast<std::uint8_t>(flags[i] & ~flag::fitted);
-    if (solid_->fitted()[number[id[i]]] != 0) flags[i] |= flag::fitted;
+    if (solid_->fitted()[s] == 0 || media[members_.medium_index[s]].excess_bulk_modulus == 0.0)
+      continue;
+    flags[i] |= flag::fitted;
+    has_pair_factors_ = true;
   }
   to_device(flags, particles.flags);
 }

@@ -5,7 +5,8 @@
 // lengths. A pair keeps both, so they are found once for each list.
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <bit>
 #include <vector>
 
 #include "fluid/simd/packed_fluid.hpp"
@@ -62,9 +63,9 @@ class GradedPairs {
     End* ends;
 
     KERF_FUNCTION void operator()(Index i) const {
-      ends[i] = {
-          particles.has(i, flag::fitted) ? of_pair.solid_index_of_id[particles.id[i]] : no_bond,
-          particles.medium(i).smoothing_length};
+      const bool has_factors = particles.has(i, flag::fitted) && !particles.fractured[i];
+      ends[i] = {has_factors ? of_pair.solid_index_of_id[particles.id[i]] : no_bond,
+                 particles.medium(i).smoothing_length};
     }
   };
   struct Fill {
@@ -81,55 +82,56 @@ class GradedPairs {
       const End own = ends[i];
       const auto& mirrors = particles.mirrors;
       graded[i] = sums_over_levels(particles, i) ? 1 : 0;
+      if (graded[i] == 0 && list.images[i] == 0) return;
       thread_local FactorTable factors;
       factors.set(of_pair, own.solid);
       for (Index k = list.end[i] - list.images[i]; k < list.end[i]; ++k) {
         const Index j = list.neighbour[k];
-        correction[k] = factors.of(ends[mirrors.particle(j)].solid, mirrors.code(j));
+        correction[k] = factors.of(ends[mirrors.particle(j)].solid | mirrors.code(j));
       }
       for (Index k = list.begin[i]; graded[i] != 0 && k < list.begin[i] + list.same_fluid[i]; ++k) {
         const End other = ends[list.neighbour[k]];
-        correction[k] = factors.of(other.solid, 0);
+        correction[k] = factors.of(other.solid);
         length_ratio[k] = other.length / own.length;
       }
-      factors.reset(of_pair, own.solid);
     }
   };
-  // The factors of the bonds of one particle, by the number of the other end and the code of its
-  // image: one look each, where a search in the list of bonds would take seven.
+  // The factors of the bonds of one particle by their other ends, in a table of few kilobytes: a
+  // search in the list of bonds would take seven looks.
   class FactorTable {
    public:
     void set(const PairCorrection<D, P>& of_pair, Index own) {
-      for_each_bond(of_pair, own, [&](Index other, MirrorCode code, Index bond) {
-        auto& factors = factors_[number(code)];
-        if (factors.size() <= other) factors.resize(other + other / 2 + 1, Real(1));
-        factors[other] = of_pair.factor[bond];
-      });
-    }
-    void reset(const PairCorrection<D, P>& of_pair, Index own) {
-      for_each_bond(of_pair, own, [&](Index other, MirrorCode code, Index) {
-        factors_[number(code)][other] = Real(1);
-      });
-    }
-    Real of(Index other, MirrorCode code) const {
-      const auto& factors = factors_[number(code)];
-      return other < factors.size() ? factors[other] : Real(1);
-    }
-
-   private:
-    template <class Visit>
-    static void for_each_bond(const PairCorrection<D, P>& of_pair, Index own, const Visit& visit) {
-      if (own == no_bond) return;
       const auto& bonds = of_pair.bonds;
-      for (Index k = bonds.first(own); k < bonds.last(own); ++k) {
+      const Index first = own == no_bond ? 0 : bonds.first(own);
+      const Index last = own == no_bond ? 0 : bonds.last(own);
+      const int bits = std::bit_width(2 * (last - first) + 1);
+      shift_ = 32 - bits;
+      mask_ = (Index(1) << bits) - 1;
+      if (entries_.size() <= mask_) entries_.resize(mask_ + 1);
+      std::fill_n(entries_.begin(), mask_ + 1, Entry{});
+      for (Index k = first; k < last; ++k) {
         const Index end = bonds.end(own, k);
-        visit(bonds.mirrors.particle(end), bonds.mirrors.code(end), k);
+        entries_[place(end)] = {end, of_pair.factor[k]};
       }
     }
-    static Index number(MirrorCode code) { return code >> MirrorPlanes<D>::shift; }
+    // `end`: its number among those of solids, with the code of its image.
+    Real of(Index end) const { return entries_[place(end)].factor; }
 
-    // By the code; 1 between calls.
-    std::array<std::vector<Real>, std::size_t(1) << (2 * D)> factors_;
+   private:
+    struct Entry {
+      Index end = no_bond;  // none
+      Real factor = Real(1);
+    };
+    // Where this end is, or would be. At least half of the entries are free.
+    Index place(Index end) const {
+      Index at = (end * 0x9E3779B1u) >> shift_;
+      while (entries_[at].end != end && entries_[at].end != no_bond) at = (at + 1) & mask_;
+      return at;
+    }
+
+    std::vector<Entry> entries_;
+    Index mask_ = 0;
+    int shift_ = 31;
   };
 
  private:

@@ -198,6 +198,27 @@ TEST(RunCost, SymmetryPlanesHalveTheParticles) {
   EXPECT_NEAR(water(before.numbers) / water(quarter.numbers), 4.0, 0.01);
 }
 
+// Fifty times as many rows of series.csv: the rows that are added take what a pilot run says of
+// each.
+TEST(RunCost, RowsOfTheSeriesCount) {
+  Piece small;
+  small.length = small.height = 2e-3;
+  const std::string text = piece_text(small, 2);
+  const CostedCase few = costed(text + "[output]\nseries_interval = \"0.1 us\"\n"),
+                   many = costed(text + "[output]\nseries_interval = \"0.002 us\"\n");
+  const Pace pace = measured_pace(many.description, many.numbers, 1);
+  EXPECT_GT(pace.particle_row, 0.01 * pace.particle_step);
+  EXPECT_LT(pace.particle_row, 10.0 * pace.particle_step);
+  const double rows = many.description.time.end * (1.0 / 2e-9 - 1.0 / 1e-7);
+  const auto seconds_with = [&](const CostedCase& costed) {
+    Pace same = pace;
+    same.rows = costed.pace.rows;
+    return run_cost(costed.numbers, same).seconds;
+  };
+  const double added = rows * pace.particle_row * run_cost(many.numbers, pace).particles;
+  EXPECT_NEAR(seconds_with(many) - seconds_with(few), added, 1e-6 * added);
+}
+
 TEST(RunCost, PilotsAreSmall) {
   for (const double spacing : {1e-4, 1e-5, 1e-6}) {
     Piece piece;
