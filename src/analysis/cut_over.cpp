@@ -3,11 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
+
+namespace {
+
+// Returns when the workpiece was cut through first, s.
+double time_of_cut(const std::vector<CutState>& history) {
+  return std::find_if(history.begin(), history.end(),
+                      [](const CutState& state) { return state.cut_through; })
+      ->time;
+}
+
+}  // namespace
 
 bool may_end_early(const Case& description) {
   return std::isfinite(description.time.after_cut) || std::isfinite(last_front_depth(description));
@@ -17,9 +29,21 @@ bool is_cut_over(const Case& description, const std::vector<CutState>& history, 
   if (history.empty()) return false;
   if (history.back().front_depth >= last_front_depth(description)) return true;
   if (!history.back().cut_through) return false;
-  const auto cut = std::find_if(history.begin(), history.end(),
-                                [](const CutState& state) { return state.cut_through; });
-  return time >= cut->time + description.time.after_cut;
+  return time >= time_of_cut(history) + description.time.after_cut;
+}
+
+double expected_end(const Case& description, const std::vector<CutState>& history) {
+  const double end = description.time.end, after_cut = description.time.after_cut;
+  if (history.empty() || !may_end_early(description)) return end;
+  const CutState& last = history.back();
+  if (last.cut_through) return std::min(end, time_of_cut(history) + after_cut);
+  if (!(last.front_depth > 0.0)) return end;
+  const double per_depth = last.time / last.front_depth;
+  const double at_part = per_depth * last_front_depth(description);
+  const double after = description.workpiece
+                           ? per_depth * description.workpiece->size[1] + after_cut
+                           : std::numeric_limits<double>::infinity();
+  return std::max(last.time, std::min({end, at_part, after}));
 }
 
 }  // namespace kerf

@@ -17,4 +17,8 @@ bool may_end_early(const Case& description);
 // `after_cut` has passed since the workpiece was cut through. `time` in s.
 bool is_cut_over(const Case& description, const std::vector<CutState>& history, double time);
 
+// Returns when the run will end, s, if the front goes on at its mean speed so far; at the end of
+// its time where it does not end early.
+double expected_end(const Case& description, const std::vector<CutState>& history);
+
 }  // namespace kerf

@@ -42,11 +42,18 @@ void check_ranks(int number, const std::string& where) {
                                 "slurm). Here start them with: mpirun -n {0} kerf run my.toml",
                                 number),
                     exit_bad_input);
-  if (!ranks::exist)
-    throw UserError(fmt::format("--ranks {}: this program was built for one rank. Build the preset "
-                                "mpi and use build/mpi/kerf, or leave the option out.",
-                                number),
-                    exit_bad_input);
+  refuse_without_ranks(fmt::format("--ranks {}", number));
+}
+
+void refuse_without_ranks(const std::string& asked) {
+  if (ranks::exist) return;
+  throw UserError(
+      fmt::format("{}: this program was built without MPI and the library that divides a case. "
+                  "Allowed: the same without the option, or a program of the preset mpi. Build "
+                  "that: scripts/setup mpi; cmake --preset mpi && cmake --build --preset mpi; then "
+                  "start build/mpi/kerf (docs/mpi.md).",
+                  asked),
+      exit_bad_input);
 }
 
 std::unique_ptr<Executor> make_executor(const ExecutorOptions& options,

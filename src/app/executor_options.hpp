@@ -28,13 +28,15 @@ struct ExecutorOptions {
   bool quiet = false;
 };
 
-// Adds --jobs, --cores, --memory, --on, --device, --retry and --quiet. `options` must live as long
-// as the command.
 // Adds --ranks, of runs on Slurm.
 void add_ranks_option(CLI::App& command, int& ranks);
 // Throws UserError where runs cannot have so many ranks; `where`: the value of --on.
 void check_ranks(int ranks, const std::string& where);
+// Throws UserError where this program knows one rank only; `asked` names the option and its value.
+void refuse_without_ranks(const std::string& asked);
 
+// Adds --jobs, --cores, --memory, --on, --device, --retry and --quiet. `options` must live as long
+// as the command.
 void add_executor_options(CLI::App& command, ExecutorOptions& options);
 
 // Returns the executor of the options; `folder` is that of the runs. Throws UserError when the

@@ -28,7 +28,7 @@ class Bar {
 
 struct ProgressNumbers {
   double time = 0.0;  // s
-  double end = 0.0;   // s
+  double end = 0.0;   // s, expected
   std::uint64_t step = 0;
   StepInfo last_step;
   CutState cut;               // at the last row of the series

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/executor_options.hpp"
 #include "core/error.hpp"
 #include "engine/device.hpp"
 #include "engine/lead.hpp"
@@ -124,16 +125,9 @@ nlohmann::ordered_json RankPlan::json() const {
 void refuse_unplanned([[maybe_unused]] const Case& description, const std::string& file,
                       int ranks) {
   const std::string asked = fmt::format("{}: --ranks {}", file, ranks);
+  refuse_without_ranks(asked);
   if constexpr (ranks::exist)
     refuse_undistributed(description, asked, "Leave the option out: one rank computes the case.");
-  else
-    throw UserError(
-        fmt::format("{}: this program was built without MPI and the library that divides a case. "
-                    "Allowed: kerf check without the option, or a program of the preset mpi. Build "
-                    "that: scripts/setup mpi; cmake --preset mpi && cmake --build --preset mpi; "
-                    "then start build/mpi/kerf (docs/mpi.md).",
-                    asked),
-        exit_bad_input);
 }
 
 RankPlan rank_plan(const CostedCase& costed, int ranks, int threads, const Network& network) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analysis/cut_over.hpp"
 #include "analysis/derived.hpp"
 #include "app/run_loop.hpp"
 #include "machine/travelling_frame.hpp"
@@ -55,7 +56,7 @@ RunRecord RunLoop::record(bool finished) const {
 ProgressNumbers RunLoop::numbers() const {
   ProgressNumbers numbers;
   numbers.time = simulation_->time();
-  numbers.end = settings_.description.time.end;
+  numbers.end = expected_end(settings_.description, cut_->history());
   numbers.step = simulation_->step();
   numbers.last_step = simulation_->last_step();
   if (!cut_->history().empty()) numbers.cut = cut_->history().back();

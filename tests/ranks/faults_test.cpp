@@ -14,41 +14,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 // A jet splits a soft block; a second of one core.
-constexpr const char* jet_on_strip = R"(title = "Jet on a strip"
-dimension = 2
-[time]
-end = "16 ms"
-[domain]
-minimum = ["-60 mm", "-20 mm"]
-maximum = ["60 mm", "60 mm"]
-[materials.curd]
-base = "tofu"
-criterion = "crack_band"
-failure_strain = 0.05
-fracture_energy = "2 J/m2"
-[[body]]
-name = "block"
-material = "curd"
-shape = { type = "box", minimum = ["-30 mm", "0 mm"], maximum = ["30 mm", "16 mm"] }
-spacing = "1 mm"
-[[body]]
-name = "plate"
-role = "rigid"
-shape = { type = "box", minimum = ["-40 mm", "-6 mm"], maximum = ["40 mm", "0 mm"] }
-spacing = "1 mm"
-[[jet]]
-name = "jet"
-material = "water"
-speed = "6 m/s"
-width = "6 mm"
-position = ["0 mm", "16 mm"]
-standoff = "6 mm"
-spacing = "1 mm"
-[output]
-frame_interval = "2 ms"
-series_interval = "0.5 ms"
-checkpoint_interval = "0.05 s"
-)";
+std::string jet_on_strip() {
+  return read_file(fs::path(KERF_SOURCE_DIR) / "tests/ranks/jet_on_strip.toml");
+}
 
 int count_of(const std::string& text, const std::string& part) {
   int count = 0;
@@ -122,7 +90,7 @@ class KilledRanks : public ManyRanks {
 };
 
 TEST_F(KilledRanks, AtRandomMomentsChangeNoBit) {
-  write_case(jet_on_strip);
+  write_case(jet_on_strip());
   const auto start = Clock::now();
   ASSERT_EQ(run(2, "alone").exit_code, 0);
   const double longest = 1.1 * std::chrono::duration<double>(Clock::now() - start).count();
@@ -148,7 +116,7 @@ TEST_F(KilledRanks, AtRandomMomentsChangeNoBit) {
 }
 
 TEST_F(Ranks, AFullDiskIsToldOnceAndOtherRanksGoOn) {
-  write_case(jet_on_strip);
+  write_case(jet_on_strip());
   ASSERT_EQ(run(0, "alone").exit_code, 0);
   std::size_t size = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder("alone")))
