@@ -64,20 +64,21 @@ class ListEntries {
     }
     sum_up(count);
   }
-  // Finds those of the particles that are marked with 1; the lists that are elsewhere then get the
-  // mark too.
+  // Finds those of the particles that are marked with 1, and marks others whose lists it finds too.
   void list_anew(const Find& find, Index count, Array<std::uint8_t>& marks) {
     if constexpr (simd_exists) {
       make_room(count);
-      list_in_blocks(find, count, {pointer(marks)});
+      no_room_.assign(capacity_.size(), std::uint8_t(0));
+      ListMarks of{pointer(marks), no_room_.data()};
+      list_in_blocks(find, count, of);
       if (used_ > neighbour_.size()) {
-        compact(count, pointer(marks));
-        list_in_blocks(find, count, {pointer(marks), ListMarks::no_room});
-        thrust::fill(marks.begin(), marks.end(), ListMarks::listed);
+        compact(count);
+        of.again = true;
+        list_in_blocks(find, count, of);
       }
       sum_up(count);
     } else {
-      thrust::fill(marks.begin(), marks.end(), ListMarks::listed);
+      thrust::fill(marks.begin(), marks.end(), std::uint8_t(1));
       list(find, count);
     }
   }
@@ -88,10 +89,9 @@ class ListEntries {
             pointer(images_),     Skips::nothing,   nullptr};
   }
   Index pairs() const { return pairs_; }  // list entries, each pair twice
-  Index used() const { return used_; }    // where the last of them may be
   std::size_t entries() const {           // of all arrays
     return neighbour_.size() + begin_.size() + end_.size() + same_fluid_.size() + unlike_.size() +
-           same_body_.size() + images_.size() + capacity_.size();
+           same_body_.size() + images_.size() + capacity_.size() + no_room_.size() / sizeof(Index);
   }
 
  private:
@@ -117,11 +117,11 @@ class ListEntries {
     used_ = used;
   }
   // Makes room for the blocks that had none.
-  void compact(Index count, const std::uint8_t* marks) {
+  void compact(Index count) {
     const ListBlocks blocks{count, Block::length};
     Index wanted = 0;
     for (Index block = 0; block < blocks.number(); ++block)
-      if (marks[blocks.first(block)] == ListMarks::no_room) wanted += capacity_[block];
+      if (no_room_[block] != 0) wanted += capacity_[block];
     std::atomic<Index> none = 0;
     used_ = compact_lists(blocks, ranges(), memory(none));
     if (used_ + wanted > neighbour_.size()) neighbour_.resize(used_ + wanted + used_ / 16);
@@ -142,6 +142,7 @@ class ListEntries {
 
   Index pairs_ = 0, used_ = 0;
   Array<Index> begin_, end_, same_fluid_, unlike_, same_body_, images_, neighbour_, capacity_;
+  std::vector<std::uint8_t> no_room_;  // of each block, scratch
 };
 
 }  // namespace kerf

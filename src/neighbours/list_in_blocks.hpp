@@ -33,19 +33,23 @@ struct ListBlocks {
   Index last(Index block) const { return std::min(count, (block + 1) * length); }
 };
 
-// Which lists are found: all, or those of blocks that have particles of a mark. All particles of
-// such a block get `listed`, since their lists are elsewhere then, or `no_room`, without a list.
+// Which lists are found: all, or those of the particles that are marked. The others of their blocks
+// keep theirs, at another place of the memory. Where there is no room for a block all its particles
+// get the mark, and no list: they are found again once there is.
 struct ListMarks {
-  static constexpr std::uint8_t listed = 1, no_room = 2;
-  std::uint8_t* of = nullptr;  // null: all lists are found
-  std::uint8_t wanted = listed;
+  std::uint8_t* of = nullptr;       // 1: the list of the particle is found; null: all are
+  std::uint8_t* no_room = nullptr;  // of each block, out: 1 where there was none
+  bool again = false;               // only the blocks without room
 
-  bool any(Index first, Index last) const {
-    return of == nullptr || std::find(of + first, of + last, wanted) != of + last;
+  bool any(Index block, Index first, Index last) const {
+    if (again) return no_room[block] != 0;
+    return of == nullptr || std::find(of + first, of + last, std::uint8_t(1)) != of + last;
   }
-  bool is_wanted(Index i) const { return of == nullptr || of[i] == wanted; }
-  void set(Index first, Index last, std::uint8_t mark) const {
-    if (of != nullptr) std::fill(of + first, of + last, mark);
+  bool is_wanted(Index i) const { return of == nullptr || of[i] != 0; }
+  void set_room(Index block, Index first, Index last, bool there) const {
+    if (of == nullptr) return;
+    no_room[block] = there ? 0 : 1;
+    if (!there) std::fill(of + first, of + last, std::uint8_t(1));
   }
 };
 
@@ -61,7 +65,7 @@ struct ListBlock {
 
   void operator()(Index number) const {
     const Block block{number, blocks.first(number), blocks.last(number)};
-    if (!marks.any(block.first, block.last)) return;
+    if (!marks.any(number, block.first, block.last)) return;
     thread_local GrownSections found;
     thread_local SearchMemory of_cells;
     const Index before = ranges.begin[block.first];
@@ -101,14 +105,13 @@ struct ListBlock {
   void place(const GrownSections& found, const Block& block, Index before) const {
     Index& capacity = memory.capacity[block.number];
     Index at = before;
-    const bool fits =
-        marks.of != nullptr && marks.wanted == ListMarks::listed && found.size() <= capacity;
+    const bool fits = marks.of != nullptr && !marks.again && found.size() <= capacity;
     if (!fits) {
       capacity = found.size() + found.size() / 16;
       at = memory.used->fetch_add(capacity);
     }
     const bool has_room = at + found.size() <= memory.room;
-    marks.set(block.first, block.last, has_room ? ListMarks::listed : ListMarks::no_room);
+    marks.set_room(block.number, block.first, block.last, has_room);
     if (has_room) std::copy_n(found.begin(), found.size(), memory.neighbour + at);
     for (Index i = block.first; i < block.last; ++i) {
       ranges.begin[i] = has_room ? ranges.begin[i] + at : 0;

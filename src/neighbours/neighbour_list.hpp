@@ -94,7 +94,7 @@ class NeighbourList {
                    MarkFractured<D, P>{particles.view(), pointer(listed_as_), pointer(moved_)});
     refresh_marked(particles, false);
   }
-  // 1 for the particles whose list the last refresh has changed or moved.
+  // 1 for the particles whose list the last refresh has found again.
   const std::uint8_t* listed_anew() const { return pointer(listed_anew_); }
   // How many particles are listed.
   Index listed() const { return static_cast<Index>(listed_as_.size()); }
@@ -110,8 +110,6 @@ class NeighbourList {
 
   NeighbourView view() const { return entries_.view(); }
   Index pairs() const { return entries_.pairs(); }  // list entries, each pair twice
-  // How many entries `neighbour` has; some of them are of no list.
-  Index used() const { return entries_.used(); }
   std::size_t bytes() const {
     std::size_t entries =
         entries_.entries() + cells_.entries() + unmoved_.entries() + packed_kind_.size();

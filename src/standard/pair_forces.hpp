@@ -73,13 +73,13 @@ class StandardRates {
     fluid_pair_.correction = correction;
   }
 
-  // Must be called for each new list, of `entries` entries; given `listed_anew`, only the lists of
-  // the particles marked there are new.
+  // Must be called for each new list; given `listed_anew`, only the lists of the particles marked
+  // there are new.
   void take_list(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
-                 Index entries, const std::uint8_t* listed_anew = nullptr) {
+                 const std::uint8_t* listed_anew = nullptr) {
     if constexpr (simd_exists)
       if (separates_fluids())
-        simd_pairs_.graded().take(view, count, list, entries, fluid_pair_.correction, listed_anew);
+        simd_pairs_.graded().take(view, count, list, fluid_pair_.correction, listed_anew);
   }
 
   // Finds the contacts of the surfaces of solids, which all evaluations need. Returns whether there

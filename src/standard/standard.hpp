@@ -190,13 +190,12 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 
   void after_reorder() override {
     solid_.relink(particles_, list_.view());
-    rates_.take_list(particles_.view(), particles_.owned(), list_.view(), list_.used());
+    rates_.take_list(particles_.view(), particles_.owned(), list_.view());
     wake_listed_anew(nullptr);
   }
   void after_refresh() override {
     solid_.mark_fully_bonded(particles_, list_.view(), list_.listed_anew());
-    rates_.take_list(particles_.view(), particles_.owned(), list_.view(), list_.used(),
-                     list_.listed_anew());
+    rates_.take_list(particles_.view(), particles_.owned(), list_.view(), list_.listed_anew());
     wake_listed_anew(list_.listed_anew());
   }
   // The stages of sleep (standard/wake_and_sleep.hpp).

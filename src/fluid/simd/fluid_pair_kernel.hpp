@@ -62,8 +62,7 @@ class FluidPairKernel {
   // The neighbours of a particle that are still to be loaded.
   struct Row {
     const Index* list;
-    Index left, self;
-    Index entry;  // of the first of them in the whole list
+    Index left, self, entry;  // the last: of the first of them in the numbers of graded pairs
   };
   // Loads the next of them; the last batch is padded with the particle itself, which adds nothing.
   [[gnu::always_inline]] void load_batch(Row& row, T (&slot)[slots]) const {
@@ -108,7 +107,8 @@ class FluidPairKernel {
            (task_.asleep == nullptr || task_.asleep[i] == 0);
   }
   Row row_of(Index i) const {
-    return {task_.neighbour + task_.begin[i], task_.same_fluid[i], i, task_.begin[i]};
+    return {task_.neighbour + task_.begin[i], task_.same_fluid[i], i,
+            graded ? task_.graded_begin[i] : 0};
   }
 
   // The next batch of neighbours is loaded before the current one is computed, because most of the

@@ -5,11 +5,11 @@
 // lengths. A pair keeps both, so they are found once for each list.
 #pragma once
 
-#include <algorithm>
-#include <bit>
+#include <array>
 #include <vector>
 
 #include "fluid/simd/packed_fluid.hpp"
+#include "fluid/simd/packed_unlike.hpp"
 #include "neighbours/neighbour_list.hpp"
 #include "solid/pair_correction.hpp"
 
@@ -20,34 +20,42 @@ class GradedPairs {
  public:
   using Real = typename P::Real;
 
-  // Takes a new list, of `entries` entries, of particles in their current order; given
-  // `listed_anew`, of the particles marked there alone.
-  void take(const ParticleView<D, P>& view, Index count, const NeighbourView& list, Index entries,
+  // Takes a new list, of particles in their current order; given `listed_anew`, of the particles
+  // marked there alone.
+  void take(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
             const PairCorrection<D, P>& correction, const std::uint8_t* listed_anew) {
     if (correction.factor == nullptr) return;
-    constexpr std::size_t beyond = 16;  // entries that a load may read past the end
     graded_.resize(count);
     ends_.resize(count);
-    for_each_index(count, PackEnds{view, correction, ends_.data()});
-    if (correction_.size() < entries + beyond)
-      for (auto* numbers : {&correction_, &length_ratio_})
-        numbers->resize(entries + entries / 8 + beyond, Real(1));
-    for_each_index(count, Fill{view, list, correction, ends_.data(), listed_anew, graded_.data(),
-                               correction_.data(), length_ratio_.data()});
+    for_each_index(count, PackEnds{view, correction, ends_.data(), graded_.data()});
+    begin_.resize(count + 1, begin_.empty() ? 0 : begin_.back());  // newcomers have no factors
+    const Wanted wanted{list, ends_.data(), graded_.data()};
+    const bool lacks_room =
+        listed_anew == nullptr ||
+        reduce_unordered(count, LacksRoom{wanted, begin_.data()}, false, Either{});
+    if (lacks_room) make_room(wanted, count);
+    for_each_index(count,
+                   Fill{view, list, correction, ends_.data(), lacks_room ? nullptr : listed_anew,
+                        graded_.data(), begin_.data(), correction_.data(), length_ratio_.data()});
   }
 
-  // The factors of pairs with images; null: 1.
-  const Real* correction() const { return graded_.empty() ? nullptr : correction_.data(); }
-
+  // Gives the numbers of the pairs to the kernels of a fluid and of what is unlike it.
   void give(FluidKernelTask<D, Real>& task) const {
     if (graded_.empty()) return;
     task.graded = graded_.data();
+    task.graded_begin = begin_.data();
     task.correction = correction_.data();
     task.length_ratio = length_ratio_.data();
   }
+  void give(UnlikeKernelTask<D, Real>& task) const {
+    if (graded_.empty()) return;
+    task.graded = graded_.data();
+    task.graded_begin = begin_.data();
+    task.correction = correction_.data();
+  }
 
   std::size_t bytes() const {
-    return graded_.size() + ends_.size() * sizeof(End) +
+    return graded_.size() + ends_.size() * sizeof(End) + begin_.size() * sizeof(Index) +
            (correction_.size() + length_ratio_.size()) * sizeof(Real);
   }
 
@@ -61,12 +69,31 @@ class GradedPairs {
     ParticleView<D, P> particles;
     PairCorrection<D, P> of_pair;
     End* ends;
+    std::uint8_t* graded;
 
     KERF_FUNCTION void operator()(Index i) const {
       const bool has_factors = particles.has(i, flag::fitted) && !particles.fractured[i];
       ends[i] = {has_factors ? of_pair.solid_index_of_id[particles.id[i]] : no_bond,
                  particles.medium(i).smoothing_length};
+      graded[i] = sums_over_levels(particles, i) ? 1 : 0;
     }
+  };
+  // How many pairs of a particle have factors: those with images, and of a graded one the others of
+  // its class before them.
+  struct Wanted {
+    NeighbourView list;
+    const End* ends;
+    const std::uint8_t* graded;
+
+    Index operator()(Index i) const {
+      if (ends[i].solid == no_bond) return 0;
+      return list.images[i] + (graded[i] != 0 ? list.same_fluid[i] : 0);
+    }
+  };
+  struct LacksRoom {
+    Wanted wanted;
+    const Index* begin;
+    bool operator()(Index i) const { return wanted(i) > begin[i + 1] - begin[i]; }
   };
   struct Fill {
     ParticleView<D, P> particles;
@@ -74,70 +101,85 @@ class GradedPairs {
     PairCorrection<D, P> of_pair;
     const End* ends;
     const std::uint8_t* listed_anew;
-    std::uint8_t* graded;
+    const std::uint8_t* graded;
+    const Index* begin;
     Real *correction, *length_ratio;
 
     void operator()(Index i) const {
-      if (listed_anew != nullptr && listed_anew[i] == 0) return;
       const End own = ends[i];
-      const auto& mirrors = particles.mirrors;
-      graded[i] = sums_over_levels(particles, i) ? 1 : 0;
-      if (graded[i] == 0 && list.images[i] == 0) return;
+      if (own.solid == no_bond || (listed_anew != nullptr && listed_anew[i] == 0)) return;
       thread_local FactorTable factors;
       factors.set(of_pair, own.solid);
-      for (Index k = list.end[i] - list.images[i]; k < list.end[i]; ++k) {
-        const Index j = list.neighbour[k];
-        correction[k] = factors.of(ends[mirrors.particle(j)].solid | mirrors.code(j));
-      }
+      Index n = begin[i];
       for (Index k = list.begin[i]; graded[i] != 0 && k < list.begin[i] + list.same_fluid[i]; ++k) {
         const End other = ends[list.neighbour[k]];
-        correction[k] = factors.of(other.solid);
-        length_ratio[k] = other.length / own.length;
+        correction[n] = factors.of(other.solid, 0);
+        length_ratio[n++] = other.length / own.length;
       }
+      const auto& mirrors = particles.mirrors;
+      for (Index k = list.end[i] - list.images[i]; k < list.end[i]; ++k) {
+        const Index j = list.neighbour[k];
+        correction[n++] = factors.of(ends[mirrors.particle(j)].solid, mirrors.code(j));
+      }
+      factors.reset(of_pair, own.solid);
     }
   };
-  // The factors of the bonds of one particle by their other ends, in a table of few kilobytes: a
-  // search in the list of bonds would take seven looks.
+  // The factors of the bonds of one particle, by the number of the other end and the code of its
+  // image: one look each, where a search in the list of bonds would take seven. A hash table of the
+  // bonds of the particle alone takes several times as long: its branches are hard to predict.
   class FactorTable {
    public:
     void set(const PairCorrection<D, P>& of_pair, Index own) {
-      const auto& bonds = of_pair.bonds;
-      const Index first = own == no_bond ? 0 : bonds.first(own);
-      const Index last = own == no_bond ? 0 : bonds.last(own);
-      const int bits = std::bit_width(2 * (last - first) + 1);
-      shift_ = 32 - bits;
-      mask_ = (Index(1) << bits) - 1;
-      if (entries_.size() <= mask_) entries_.resize(mask_ + 1);
-      std::fill_n(entries_.begin(), mask_ + 1, Entry{});
-      for (Index k = first; k < last; ++k) {
-        const Index end = bonds.end(own, k);
-        entries_[place(end)] = {end, of_pair.factor[k]};
-      }
+      for_each_bond(of_pair, own, [&](Index other, MirrorCode code, Index bond) {
+        auto& factors = factors_[number(code)];
+        if (factors.size() <= other) factors.resize(other + other / 2 + 1, Real(1));
+        factors[other] = of_pair.factor[bond];
+      });
     }
-    // `end`: its number among those of solids, with the code of its image.
-    Real of(Index end) const { return entries_[place(end)].factor; }
+    void reset(const PairCorrection<D, P>& of_pair, Index own) {
+      for_each_bond(of_pair, own, [&](Index other, MirrorCode code, Index) {
+        factors_[number(code)][other] = Real(1);
+      });
+    }
+    Real of(Index other, MirrorCode code) const {
+      const auto& factors = factors_[number(code)];
+      return other < factors.size() ? factors[other] : Real(1);
+    }
 
    private:
-    struct Entry {
-      Index end = no_bond;  // none
-      Real factor = Real(1);
-    };
-    // Where this end is, or would be. At least half of the entries are free.
-    Index place(Index end) const {
-      Index at = (end * 0x9E3779B1u) >> shift_;
-      while (entries_[at].end != end && entries_[at].end != no_bond) at = (at + 1) & mask_;
-      return at;
+    template <class Visit>
+    static void for_each_bond(const PairCorrection<D, P>& of_pair, Index own, const Visit& visit) {
+      const auto& bonds = of_pair.bonds;
+      for (Index k = bonds.first(own); k < bonds.last(own); ++k) {
+        const Index end = bonds.end(own, k);
+        visit(bonds.mirrors.particle(end), bonds.mirrors.code(end), k);
+      }
     }
+    static Index number(MirrorCode code) { return code >> MirrorPlanes<D>::shift; }
 
-    std::vector<Entry> entries_;
-    Index mask_ = 0;
-    int shift_ = 31;
+    // By the code; 1 between calls.
+    std::array<std::vector<Real>, std::size_t(1) << (2 * D)> factors_;
   };
 
  private:
-  std::vector<End> ends_;                        // per particle, scratch
-  std::vector<std::uint8_t> graded_;             // per particle
-  std::vector<Real> correction_, length_ratio_;  // per entry of the list
+  // Gives each particle room for a list that grows.
+  void make_room(const Wanted& wanted, Index count) {
+    constexpr std::size_t beyond = 16;  // entries that a load may read past the end
+    for (Index i = 0; i < count; ++i) {
+      const Index now = wanted(i);
+      begin_[i + 1] = begin_[i] + now + now / 8;
+    }
+    for (auto* numbers : {&correction_, &length_ratio_})
+      numbers->resize(begin_[count] + beyond, Real(1));
+  }
+
+  std::vector<End> ends_;  // per particle, scratch
+  std::vector<std::uint8_t>
+      graded_;                // per particle: 1 where its neighbours may have other spacings
+  std::vector<Index> begin_;  // of each particle, its numbers below
+  // Per pair in the order of the list, those of the same fluid and then the images; lists that move
+  // in memory leave them as they are.
+  std::vector<Real> correction_, length_ratio_;
 };
 
 }  // namespace kerf

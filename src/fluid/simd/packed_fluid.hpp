@@ -80,8 +80,10 @@ struct FluidKernelTask {
   FluidSums<D, Real>* results = nullptr;  // out, of the first particle and those after it
   Real unit = 1;                          // m, of the fixed-point coordinates
   // Where the spacing of a nearly incompressible solid jumps (fluid/simd/graded_pairs.hpp): 1 for
-  // particles whose neighbours may have another spacing, and per neighbour s_ij and h_j / h_i.
+  // particles whose neighbours may have another spacing, and per neighbour, from graded_begin[i]
+  // on, s_ij and h_j / h_i.
   const std::uint8_t* graded = nullptr;  // null: there are no such particles
+  const std::uint32_t* graded_begin = nullptr;
   const Real *correction = nullptr, *length_ratio = nullptr;
 };
 

@@ -41,7 +41,11 @@ struct UnlikeKernelTask {
   Real unit = 1;                          // m, of the fixed-point coordinates
   Real kernel_gradient_normalisation = 1;  // k, 1 (fluid/lattice_sums.hpp)
   Vector<D, Real> gravity;                 // m/s^2
-  const Real* correction = nullptr;        // s_ij of images in one solid, per entry; null: 1
+  // s_ij of the images of particles with graded_begin[i] < graded_begin[i + 1], from there on;
+  // where graded[i] is set, after those of its same_fluid[i] neighbours. Null, or of others: 1.
+  const Real* correction = nullptr;
+  const std::uint32_t* graded_begin = nullptr;
+  const std::uint8_t* graded = nullptr;
   MirrorPlanes<D> mirrors;
   // Twice the coordinates of the planes at the lower and the upper faces.
   typename PackedNumber<Real>::Position twice_plane[2][D] = {};

@@ -86,7 +86,7 @@ class SimdPairs {
     task.unlike.unlike = list.unlike;
     task.unlike.images = list.images;
     task.unlike.mirrors = view.mirrors;
-    task.unlike.correction = graded_.correction();
+    graded_.give(task.unlike);
     for (int a = 0; a < D && view.mirrors.faces != 0; ++a) {
       task.unlike.twice_plane[0][a] = unit_.pack(2.0 * view.mirrors.low[a]);
       task.unlike.twice_plane[1][a] = unit_.pack(2.0 * view.mirrors.high[a]);

@@ -59,11 +59,11 @@ class UnlikePairKernel {
     constexpr std::uint32_t most = 256;
     std::uint32_t neighbours[most];
     const std::uint32_t* entry = task_.neighbour + task_.end[i] - task_.images[i];
-    const std::uint32_t* const end = task_.neighbour + task_.end[i];
+    const std::uint32_t *const first = entry, *const end = task_.neighbour + task_.end[i];
+    const Real* const factors = factors_of_images(i);
     while (entry < end) {
       const MirrorCode code = task_.mirrors.code(*entry);
-      const Real* const correction =
-          task_.correction == nullptr ? nullptr : task_.correction + (entry - task_.neighbour);
+      const Real* const correction = factors == nullptr ? nullptr : factors + (entry - first);
       std::uint32_t count = 0;
       for (; entry < end && count < most && task_.mirrors.code(*entry) == code; ++entry)
         neighbours[count++] = task_.mirrors.particle(*entry);
@@ -72,6 +72,12 @@ class UnlikePairKernel {
       own.code = code;
       run_over<true>(own, neighbours, count, sums, correction);
     }
+  }
+  const Real* factors_of_images(std::uint32_t i) const {
+    if (task_.correction == nullptr || task_.graded_begin[i] == task_.graded_begin[i + 1])
+      return nullptr;
+    return task_.correction + task_.graded_begin[i] +
+           (task_.graded[i] != 0 ? task_.same_fluid[i] : 0);
   }
   Packed mirrored(Packed packed, MirrorCode code) const {
     for (int a = 0; a < D; ++a) {

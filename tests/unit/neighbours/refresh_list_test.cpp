@@ -101,10 +101,12 @@ class Refreshed {
     }
   }
 
-  // Where each list begins in memory.
-  std::vector<Index> places_of_lists() const {
-    const Index* const begin = loaded.list.view().begin;
-    return {begin, begin + size()};
+  std::vector<std::vector<Index>> lists() const {
+    const auto view = loaded.list.view();
+    std::vector<std::vector<Index>> all;
+    for (Index i = 0; i < size(); ++i)
+      all.emplace_back(view.neighbour + view.begin[i], view.neighbour + view.end[i]);
+    return all;
   }
   Index size() const { return loaded.particles.size(); }
 
@@ -171,12 +173,12 @@ TYPED_TEST(RefreshedLists, AreThoseOfANewListBesidePlanes) {
 TYPED_TEST(RefreshedLists, AreThoseOfANewListWithNewcomers) {
   Refreshed<TestFixture::D> run(5, "", true);
   for (int round = 0; round < 25; ++round) {
-    const auto before = run.places_of_lists();
+    const auto before = run.lists();
     run.append(run.random_point(), 20);
     run.move_around(run.random_point(), 0.1 * domain, 1e-2 * skin_of_list);
     ASSERT_TRUE(run.loaded.list.refresh(run.loaded.particles, 0.0, false)) << round;
-    // What others keep of an entry of a list stays valid unless the list is marked.
-    const auto after = run.places_of_lists();
+    // What others keep of the neighbours of a particle stays valid unless its list is marked.
+    const auto after = run.lists();
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (run.loaded.list.listed_anew()[i] == 0) {
         ASSERT_EQ(after[i], before[i]) << round;
