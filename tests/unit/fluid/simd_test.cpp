@@ -149,10 +149,10 @@ FluidLaw<Real> law_of(const Matter& matter, double kernel_scale) {
 template <int D, class Real>
 struct SimdCloud {
   std::vector<PackedFluid<D, Real>> fluid;
-  std::vector<std::uint32_t> begin, same_fluid, neighbour;
+  std::vector<std::uint32_t> begin, same_fluid, neighbour, graded_begin;
   std::vector<std::uint16_t> source;
   std::vector<std::uint8_t> graded;
-  std::vector<Real> correction, length;  // per neighbour
+  std::vector<Real> correction, length;  // per neighbour of a graded particle
   FluidLaw<Real> law{};
   bool by_loop = false;  // sums by the loop that takes the place of the kernel on GPUs
   SimdCloud(const std::vector<Drop>& drops, const Matter& matter)
@@ -166,6 +166,8 @@ struct SimdCloud {
     source.push_back(0);
     graded.push_back(is_graded ? 1 : 0);
     neighbour.insert(neighbour.end(), list.begin(), list.end());
+    graded_begin.push_back(static_cast<std::uint32_t>(correction.size()));
+    if (!is_graded) return;
     for (const std::uint32_t j : list) {
       correction.push_back(Real(drops[j].correction));
       length.push_back(Real(drops[j].length));
@@ -187,6 +189,7 @@ struct SimdCloud {
     task.results = results.data();
     task.unit = static_cast<Real>(FixedPointScale<Real>::of_spacing(spacing).unit);
     task.graded = graded.data();
+    task.graded_begin = graded_begin.data();
     task.correction = correction.data();
     task.length_ratio = length.data();
     if (!by_loop) fluid_kernels().get<D, Real>()(task, first, last);
