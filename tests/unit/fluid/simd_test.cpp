@@ -168,17 +168,14 @@ struct SimdCloud {
     neighbour.insert(neighbour.end(), list.begin(), list.end());
     graded_begin.push_back(static_cast<std::uint32_t>(correction.size()));
     if (!is_graded) return;
-    for (const std::uint32_t j : list) {
-      correction.push_back(Real(drops[j].correction));
-      length.push_back(Real(drops[j].length));
-    }
+    for (const std::uint32_t j : list) correction.push_back(Real(drops[j].correction));
+    for (const std::uint32_t j : list) length.push_back(Real(drops[j].length));
   }
   // A register may be loaded beyond the end of a list.
   std::vector<FluidSums<D, Real>> sums(std::uint32_t first, std::uint32_t last) {
     std::vector<FluidSums<D, Real>> results(last - first);
     neighbour.resize(neighbour.size() + 64);
-    correction.resize(correction.size() + 64, Real(1));
-    length.resize(length.size() + 64, Real(1));
+    for (auto* numbers : {&correction, &length}) numbers->resize(numbers->size() + 64, Real(1));
     FluidKernelTask<D, Real> task;
     task.fluid = fluid.data();
     task.begin = begin.data();
