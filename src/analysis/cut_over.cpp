@@ -34,7 +34,7 @@ bool is_cut_over(const Case& description, const std::vector<CutState>& history, 
 
 double expected_end(const Case& description, const std::vector<CutState>& history) {
   const double end = description.time.end, after_cut = description.time.after_cut;
-  if (history.empty() || !may_end_early(description)) return end;
+  if (history.empty()) return end;
   const CutState& last = history.back();
   if (last.cut_through) return std::min(end, time_of_cut(history) + after_cut);
   if (!(last.front_depth > 0.0)) return end;

@@ -41,7 +41,7 @@ def short_case() -> str:
     """Returns the case of so few steps."""
     text = CASE
     for before, after in SHORTER.items():
-        if text.count(before) < 1:
+        if before not in text:
             fail(f"jet_on_strip.toml has no {before}")
         text = text.replace(before, after)
     return text
