@@ -31,8 +31,7 @@ double fractured_mass(const Workpiece& workpiece, const Frame& frame,
   return sum;
 }
 
-// Returns whether a body has left the domain, for the most part and hardly broken: then its bonds
-// can no longer be judged.
+// Returns whether a body is leaving the domain whole (BodyCut::left).
 bool has_left(const WorkpieceBody& body, const KerfView& view) {
   constexpr double least_present = 0.5, most_fractured = 0.05;  // of its mass
   double laid_out = 0.0, present = 0.0, fractured = 0.0;
@@ -51,16 +50,17 @@ bool has_left(const WorkpieceBody& body, const KerfView& view) {
 BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pieces,
               const KerfAxes& axes, double front) {
   BodyCut cut;
-  if (!body.can_break || !body.is_in_way || body.below > 0.0) return cut;
+  if (!body.is_in_way) return cut;
+  if (has_left(body, view)) return {.left = true};
+  if (!body.can_break || body.below > 0.0) return cut;
   bool is_joined = false;
   for (const BodySides& sides : body.sides) {
     const Joint joint = joint_of(sides, view.workpiece, pieces.body_piece);
-    if (joint == Joint::parted) return {true, true};
+    if (joint == Joint::parted) return {.through = true, .severed = true};
     is_joined = is_joined || joint == Joint::joined;
   }
   // In the plane a chain of bonds between the sides crosses the axis of the jet.
   if (is_joined && view.workpiece.dimension == 2) return cut;
-  if (has_left(body, view)) return cut;
   const KerfPath path{{}, axes.way(view.frame.time)};
   const UnbrokenThickness thickness = measure_unbroken(view, axes, path);
   const bool is_past = front >= bottom_depth(view.workpiece, body, view.frame, view.rows) -
@@ -79,7 +79,7 @@ void judge_bodies(const Workpiece& workpiece, const Frame& frame,
   for (std::size_t n = 0; n < workpiece.bodies.size(); ++n) {
     const WorkpieceBody& body = workpiece.bodies[n];
     view.body = body.body;
-    if (!state.bodies[n].through)
+    if (!state.bodies[n].through && !state.bodies[n].left)
       state.bodies[n] = judge(body, view, pieces, axes, state.front_depth);
     all = all && (state.bodies[n].through || !body.is_in_way);
   }

@@ -24,6 +24,9 @@ struct Workpiece;
 struct BodyCut {
   bool through = false;
   bool severed = false;  // no piece of it joins the two sides of the jet; else it has a hole
+  // More than half of it has left the domain, hardly broken: pushed out, not cut. What happens to
+  // its last rows there, which lose their neighbours, is not judged.
+  bool left = false;
 };
 
 // The state of a cut at one instant.

@@ -10,7 +10,7 @@ namespace kerf {
 struct CutMargin {
   // 1; the share of the run after the cut-through, else minus the share of the thickness that is
   // unbroken in the way of the jet.
-  double value = 0.0;
+  double value = -1.0;
   double unbroken =
       0.0;  // m, that thickness, of all bodies that are not cut through; 0 after a cut
 

@@ -87,6 +87,14 @@ std::vector<KerfLayer> measure_layers(KerfView view, const KerfAxes& axes, const
   return layers;
 }
 
+// Bodies that were pushed out of the domain stand as they were laid out.
+void keep_what_left(const Workpiece& workpiece, const std::vector<BodyVerdict>& bodies,
+                    std::vector<std::uint8_t>& standing) {
+  for (const BodyVerdict& verdict : bodies)
+    for (std::size_t slot = 0; verdict.cut.left && slot < standing.size(); ++slot)
+      if (workpiece.body[slot] == verdict.body) standing[slot] = 1;
+}
+
 }  // namespace
 
 KerfConditions kerf_conditions(const Case& description, const CutSummary& summary) {
@@ -117,7 +125,8 @@ Kerf measure_kerf(const Workpiece& workpiece, const Frame& part, const KerfCondi
   const std::vector<std::uint32_t> rows = locate(workpiece, frame);
   const Pieces pieces = find_pieces(workpiece, frame, rows);
   if (!workpiece.jet) return kerf;
-  const auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
+  auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
+  keep_what_left(workpiece, conditions.bodies, standing);
   const KerfAxes axes(*workpiece.jet, conditions.traverse, frame.dimension);
   const KerfPath path = find_path(axes, conditions, frame.time);
   const KerfView view{workpiece, frame, rows, standing};

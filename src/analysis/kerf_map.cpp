@@ -41,9 +41,12 @@ Solids gather_solids(const KerfView& view, const KerfAxes& axes, const Limits& l
     SolidPoint point{axes.local(workpiece.position[slot]), workpiece.volume[slot],
                      workpiece.size[slot]};
     if (limits.hold(point.position)) solids.original.push_back(point);
-    if (!is_intact(view.frame, view.rows[slot])) continue;
-    if (view.positions == KerfPositions::current)
-      point.position = axes.local(view.frame.position[view.rows[slot]]);
+    const std::uint32_t row = view.rows[slot];
+    if (!view.standing[slot] && !is_intact(view.frame, row)) continue;
+    if (view.positions == KerfPositions::current) {
+      if (row == Workpiece::none) continue;
+      point.position = axes.local(view.frame.position[row]);
+    }
     if (!limits.hold(point.position)) continue;
     (view.standing[slot] ? solids.standing : solids.fragments).push_back(point);
   }

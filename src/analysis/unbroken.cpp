@@ -80,10 +80,12 @@ bool is_outside(const Columns& columns, const SolidPoint& point, int dimension) 
   return false;
 }
 
-// Returns whether each particle of a frame is torn, by row.
+// Returns whether each particle of a frame is torn, by row. A layer whose glue has broken is whole.
 std::vector<std::uint8_t> find_torn(const Frame& frame) {
   std::vector<std::uint8_t> torn(frame.id.size(), 0);
-  if (const Column* damage = find_column(frame, "damage"))
+  const Column* damage = find_column(frame, "body_damage");
+  if (damage == nullptr) damage = find_column(frame, "damage");
+  if (damage != nullptr)
     for (std::size_t row = 0; row < torn.size(); ++row)
       torn[row] = static_cast<double>(damage->values[row]) > torn_share ? 1 : 0;
   return torn;
@@ -124,7 +126,8 @@ UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
     add(columns, point, dimension, columns.laid_out);
     if (!view.standing[slot]) continue;
     add(columns, point, dimension, columns.standing);
-    if (!torn[view.rows[slot]]) add(columns, point, dimension, columns.unbroken);
+    const std::uint32_t row = view.rows[slot];
+    if (!is_intact(view.frame, row) || !torn[row]) add(columns, point, dimension, columns.unbroken);
   }
   const auto laid_out = window_means(columns, columns.laid_out);
   const auto standing = window_means(columns, columns.standing);

@@ -11,8 +11,9 @@
 
 namespace kerf {
 
-// A particle is torn if it has lost more than this share of its bonds (the column "damage"): one
-// beside a clean crack has lost 0.4 of them in 2D and in 3D, one in the row behind it 0.15.
+// A particle is torn if it has lost more than this share of its bonds within its body (the column
+// "body_damage", or "damage" where no body is joined to another): one beside a clean crack has lost
+// 0.4 of them in 2D and in 3D, one in the row behind it 0.15.
 inline constexpr double torn_share = 0.3;
 
 // Lengths along the jet, m, means over the window across the jet with the least share of unbroken

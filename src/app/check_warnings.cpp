@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "analysis/jet_axis.hpp"
 #include "geometry/fill.hpp"
+#include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
 #include "geometry/shapes.hpp"
 #include "geometry/surface_fit.hpp"
@@ -107,6 +110,56 @@ void warn_of_nothing_to_cut(const Case& description, std::vector<std::string>& w
         "there is a jet but nothing that it can cut: add a [[body]] with a solid material");
 }
 
+// Points of the water of a jet beside a body, as far aside as the analysis counts a body as in its
+// way (analysis/workpiece.hpp).
+bool is_in_way(const Jet& jet, const Body& body, int dimension) {
+  constexpr int most_steps = 300, around = 8;
+  const JetAxis axis(jet, dimension);
+  const Box box = bounding_box(body.shape, dimension);
+  double deepest = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    Point x = box.minimum;
+    for (std::size_t a = 0; a < 3; ++a)
+      if ((corner >> a) % 2 == 1) x[a] = box.maximum[a];
+    deepest = std::max(deepest, axis.depth(x));
+  }
+  const double reach = std::max(jet.width / 2.0, body.spacing);
+  const double way = deepest + jet.standoff, step = std::max(body.spacing / 2.0, way / most_steps);
+  for (double depth = -jet.standoff; depth <= deepest; depth += step)
+    for (int n = 0; n < 2 * around + 1; ++n) {
+      const double aside = n == 0 ? 0.0 : n <= around ? reach / 2.0 : reach;
+      const double turn = 2.0 * std::numbers::pi * n / around;
+      Point x = axis.aim;
+      for (std::size_t a = 0; a < 3; ++a)
+        x[a] += depth * axis.along[a] +
+                aside * (std::cos(turn) * axis.across[a] + std::sin(turn) * axis.sideways[a]);
+      if (contains(body.shape, x, dimension)) return true;
+    }
+  return false;
+}
+
+// Warns of a first jet whose water reaches no body that it could cut, by where and when it flows.
+void warn_of_aim(const Case& description, std::vector<std::string>& warnings) {
+  if (description.jets.empty()) return;
+  const Jet& jet = description.jets.front();
+  if (jet.start >= description.time.end)
+    warnings.push_back(
+        fmt::format("the jet \"{}\" opens at {:.4g} s, when the run has ended ({:.4g} s): it emits "
+                    "no water. Give it an earlier start, or the run a later end",
+                    jet.name, jet.start, description.time.end));
+  const auto is_target = [](const Body& body) { return body.role == Role::elastic && !body.fixed; };
+  const auto& bodies = description.bodies;
+  const bool may_meet_later = traverse_speed(jet) > 0.0 || fastest_body(description) > 0.0 ||
+                              description.gravity != Point{};
+  if (may_meet_later || std::none_of(bodies.begin(), bodies.end(), is_target)) return;
+  for (const Body& body : bodies)
+    if (is_target(body) && is_in_way(jet, body, description.dimension)) return;
+  warnings.push_back(
+      fmt::format("the jet \"{}\" passes beside all bodies that it could cut: none is within half "
+                  "its width of its axis. Correct its position or its angle",
+                  jet.name));
+}
+
 void warn_of_materials(const Case& description, std::vector<std::string>& warnings) {
   for (const Body& body : description.bodies) {
     if (body.role != Role::elastic) continue;
@@ -145,6 +198,7 @@ std::vector<std::string> check_warnings(const Case& description, const DerivedNu
   if (description.back_flow_removal)
     warnings.emplace_back("the back-flow removal removes mass and momentum");
   warn_of_nothing_to_cut(description, warnings);
+  warn_of_aim(description, warnings);
   warn_of_materials(description, warnings);
   if (std::string need = calibration_need(description); !need.empty())
     warnings.push_back(std::move(need));

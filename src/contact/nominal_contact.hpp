@@ -16,10 +16,17 @@ struct NominalContact {
 };
 
 // Returns the sums over a lattice of `spacing` whose first layer is `gap` away, with a particle
-// opposite (offset = 0) or half a spacing aside (1/2).
+// opposite (offset = 0) or half a spacing aside (1/2). A lattice of more layers than `most` in the
+// support is as good as continuous: the same half space is summed over so many.
 template <int D, class Kernel>
 NominalContact half_space_sums(double gap, double spacing, double h, double offset) {
-  const int layers = static_cast<int>(std::ceil(Kernel::support * h / spacing)) + 1;
+  constexpr double most = 64.0;
+  const double reach = Kernel::support * h;
+  if (reach > most * spacing) {
+    gap += 0.5 * (reach / most - spacing);
+    spacing = reach / most;
+  }
+  const int layers = static_cast<int>(std::ceil(reach / spacing)) + 1;
   NominalContact sum;
   for (int n = 0; n < layers; ++n)
     for (int k = -layers; k <= layers; ++k)

@@ -108,7 +108,7 @@ void check_jets(Draft& draft) {
     const std::vector<InletParticle> standing = nozzle.standing_water();
     const std::size_t before = draft.reading.problems.count();
     check_start(draft, path, standing);
-    check_traverse(draft, path, nozzle);
+    if (draft.reading.problems.count() == before) check_traverse(draft, path, nozzle);
     if (draft.reading.problems.count() > before || result.bodies.empty()) continue;
     if (anything_moves(result) || hits_a_body(result, nozzle, standing)) continue;
     draft.reading.problems.add({path + ".position", "the jet points away from every body",

@@ -8,7 +8,7 @@ namespace kerf {
 std::string fate_of(const KerfLayer& layer) {
   if (!layer.verdict.is_in_way) return "not under the jet";
   if (layer.verdict.cut.through) return layer.shape.through_share > 0.0 ? "cut through" : "parted";
-  return layer.fractured_mass > 0.0 ? "cut in part" : "whole";
+  return layer.fractured_mass > 0.0 && !layer.verdict.cut.left ? "cut in part" : "whole";
 }
 
 const MetricList<NamedLayer>& NamedLayer::metrics() {

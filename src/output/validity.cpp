@@ -9,6 +9,7 @@
 #include "model/calibration_need.hpp"
 #include "model/case.hpp"
 #include "output/result.hpp"
+#include "output/tension_flag.hpp"
 
 namespace kerf {
 namespace {
@@ -204,6 +205,7 @@ void add_of_jet(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
 
 void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   const Case& description = outcome.description;
+  if (const auto flag = tension_flag(description)) flags.push_back(*flag);
   if (breaks_at_a_strain(description))
     flags.push_back({"length_scale",
                      State::warning,

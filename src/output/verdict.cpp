@@ -77,7 +77,19 @@ std::string dent_sentence(const RunOutcome& outcome) {
                      end, readable(outcome.cut.last.front_depth, "m"));
 }
 
+// Names the bodies that the jet has pushed out of the domain.
+std::string left_clause(const RunOutcome& outcome) {
+  std::vector<std::string> names;
+  for (const BodyVerdict& verdict : outcome.cut.bodies)
+    if (verdict.cut.left)
+      names.push_back(outcome.description.bodies.at(std::size_t(verdict.body)).name);
+  if (names.empty()) return "";
+  return fmt::format("; it has pushed {} out of the domain, whole", join(names));
+}
+
 std::string depth_sentence(const RunOutcome& outcome) {
+  if (outcome.kerf && outcome.kerf->shape.thickness == 0.0 && outcome.kerf->layers.empty())
+    return "The jet aims at no body that it could cut.";
   if (breaks_nothing(outcome)) return dent_sentence(outcome);
   const std::string end = readable(outcome.time, "s");
   const std::string front = readable(outcome.cut.last.front_depth, "m");
@@ -85,8 +97,8 @@ std::string depth_sentence(const RunOutcome& outcome) {
     return fmt::format(
         "The front of the jet has come to the end of the depth that is simulated, {}, after {}{}.",
         readable(outcome.description.workpiece->depth, "m"), end, layers_clause(outcome));
-  return fmt::format("The jet does not cut through within {}{}; its front is {} deep{}.", end,
-                     layers_clause(outcome), front, unbroken_clause(outcome));
+  return fmt::format("The jet does not cut through within {}{}; its front is {} deep{}{}.", end,
+                     layers_clause(outcome), front, unbroken_clause(outcome), left_clause(outcome));
 }
 
 // With a moving nozzle one hole is not a cut, so the cut share of its path is stated.

@@ -37,15 +37,20 @@ std::vector<BodyFate> fates_of(const Json& result, const Case& description) {
   if (!fates.empty()) return fates;
   const bool through = result.at("cut_through").get<bool>();
   // Bonds may break without a particle that is fractured: then a part of the thickness is broken,
-  // and the margin is above -1.
+  // and the margin is above -1. Of a body that was pushed out of the domain nothing is removed.
   constexpr double rounding = 1e-6;
   const Json* margin = find_value(result, "kerf.margin");
-  const bool is_whole = !(value_of(result.at("fractured_fraction")) > 0.0) &&
+  const Json* thickness = find_value(result, "kerf.thickness");
+  const bool is_aside = thickness != nullptr && value_of(*thickness) == 0.0;
+  const Json* removed = find_value(result, "kerf.removed_volume");
+  const bool is_left_out = removed != nullptr && value_of(*removed) == 0.0;
+  const bool is_whole = (is_left_out || !(value_of(result.at("fractured_fraction")) > 0.0)) &&
                         !(margin != nullptr && value_of(*margin) > -1.0 + rounding);
   for (const Body& body : description.bodies)
     if (body.role == Role::elastic)
       fates.push_back({body.name,
                        through    ? (is_parted(result) ? "parted" : "cut through")
+                       : is_aside ? "not under the jet"
                        : is_whole ? "whole"
                                   : "cut in part",
                        through ? value_of(result.at("cut_through_time")) : std::nan("")});

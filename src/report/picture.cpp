@@ -65,7 +65,7 @@ std::vector<LegendEntry> legend_of(const Case& description) {
     entries.push_back({"water", palette::water});
   if (any_body(Role::elastic)) entries.push_back({"solid", palette::solid});
   if (breaks) entries.push_back({"fractured", palette::fractured});
-  if (any_body(Role::rigid)) entries.push_back({"plate", palette::plate});
+  if (any_body(Role::rigid)) entries.push_back({"rigid", palette::plate});
   return entries;
 }
 

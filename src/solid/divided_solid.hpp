@@ -43,6 +43,12 @@ class DividedSolid {
     }
   }
 
+  // The same to all ranks.
+  void gather_at_all_ranks() {
+    if constexpr (ranks::exist)
+      if (share().is_part) publish(halo_.own());
+  }
+
   // Sends the accelerations of the particles to[r] to rank r, and takes those that it sends.
   void exchange_accelerations(const std::vector<Numbers>& to, const std::vector<Numbers>& awaited) {
     if constexpr (ranks::exist)

@@ -19,18 +19,12 @@
 #include "standard/solid_boundaries.hpp"
 #include "standard/solid_exchange.hpp"
 #include "standard/solid_link.hpp"
+#include "standard/solid_losses.hpp"
 #include "standard/solid_members.hpp"
 #include "standard/solid_show.hpp"
 #include "time/subcycling.hpp"
 
 namespace kerf {
-
-// The losses of the solids since the start, J (2D: J/m).
-struct SolidLosses {
-  double viscous = 0.0;   // by the viscosity of bonds
-  double released = 0.0;  // by bonds that broke, and by damage
-  double plastic = 0.0;   // by plastic flow
-};
 
 template <int D, class P>
 class SolidPart {
@@ -49,6 +43,10 @@ class SolidPart {
   // the state of the earlier solid holds.
   SolidLosses exchange(const RunSettings& settings, const std::vector<Medium<double>>& media,
                        Particles<D, P>& particles, SolidMembers<D> members);
+  // Lets all ranks share the work of a solid that each has built. No-op with one.
+  void divide() {
+    if (solid_ && is_divided()) solid_->divide();
+  }
   // Moves the absorbing faces to those of the present window.
   void move_boundaries(const RunSettings& settings, const std::vector<Medium<double>>& media) {
     boundaries_.move(settings, media, members_.reference, members_.medium_index);
@@ -192,7 +190,8 @@ class SolidPart {
     if (solid_) solid_->gather();
   }
   void add_columns(FrameContent content, Frame& frame) const {
-    if (solid_ && ranks::number() == 0) show_solid(solid_->fields(), number_of_id_, content, frame);
+    if (solid_ && ranks::number() == 0)
+      show_solid(solid_->fields(), body_of_medium_, number_of_id_, content, frame);
   }
 
   // Adds what ranks would have of the solids (standard/planned_solid.hpp).
@@ -276,6 +275,7 @@ class SolidPart {
   Array<Real> mean_stress_;
   std::unique_ptr<TotalLagrangian<D, P>> solid_;
   SolidMembers<D> members_;
+  std::vector<std::uint16_t> body_of_medium_;
   Array<Index> number_of_id_, particle_of_;
   Array<std::uint8_t> outflow_, fully_bonded_;
   OrderedSum<1> detached_sum_;

@@ -38,13 +38,15 @@ SolidPart<D, P>::SolidPart(const RunSettings& settings, const std::vector<Medium
   if (!settings.window) members_ = {};  // only shifts of a window need them again
   number.resize(source.size(), no_index);
   boundaries_.set_up(settings, media, position, source, number, to_host(solid_->fields().detached));
-  if (is_divided()) solid_->divide();
+  divide();
 }
 
 template <int D, class P>
 void SolidPart<D, P>::build(const RunSettings& settings, const std::vector<Medium<double>>& media,
                             Particles<D, P>& particles, SolidMembers<D> members) {
   members_ = std::move(members);
+  body_of_medium_.clear();
+  for (const MediumOrigin& origin : settings.origins) body_of_medium_.push_back(origin.source);
   has_pair_factors_ = false;
   to_device(members_.number_of_id(), number_of_id_);
   particle_of_.assign(members_.size(), no_index);
@@ -61,9 +63,11 @@ SolidLosses SolidPart<D, P>::exchange(const RunSettings& settings,
                                       Particles<D, P>& particles, SolidMembers<D> members) {
   const SolidLosses held{0.0, solid_->softening_work(), solid_->flow_work()};
   const std::vector<Index> earlier = members_.numbers_of(members.reference);
+  solid_->gather_at_all_ranks();
   const auto before = std::move(solid_);
   build(settings, media, particles, std::move(members));
   solid_->restore(carry_over(*before, *solid_, earlier));
+  divide();
   move_boundaries(settings, media);
   find_particles(particles);  // those that the cut at the rear detaches have further neighbours
   return held;
@@ -84,14 +88,14 @@ void SolidPart<D, P>::mark_fitted(const std::vector<Medium<double>>& media,
   auto flags = to_host(particles.flags);
   const auto id = to_host(particles.id);
   const auto number = members_.number_of_id();
+  const auto has_factors = [&](Index s) {
+    return solid_->fitted()[s] != 0 && media[members_.medium_index[s]].excess_bulk_modulus != 0.0;
+  };
+  for (Index s = 0; s < solid_->size(); ++s) has_pair_factors_ |= has_factors(s);
   for (std::size_t i = 0; i < id.size(); ++i) {
     if (id[i] >= number.size() || number[id[i]] == no_index) continue;
-    const Index s = number[id[i]];
     flags[i] = static_cast<std::uint8_t>(flags[i] & ~flag::fitted);
-    if (solid_->fitted()[s] == 0 || media[members_.medium_index[s]].excess_bulk_modulus == 0.0)
-      continue;
-    flags[i] |= flag::fitted;
-    has_pair_factors_ = true;
+    if (has_factors(number[id[i]])) flags[i] |= flag::fitted;
   }
   to_device(flags, particles.flags);
 }

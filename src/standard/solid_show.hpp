@@ -4,6 +4,7 @@
 // particle that is broken.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -21,7 +22,8 @@ class SolidOnHost {
  public:
   using Real = typename P::Real;
 
-  explicit SolidOnHost(const SolidFields<D, P>& fields)
+  // `body_of_medium`: the body of each medium, as an index into Case::bodies.
+  SolidOnHost(const SolidFields<D, P>& fields, const std::vector<std::uint16_t>& body_of_medium)
       : media_(to_host(fields.media)),
         medium_index_(to_host(fields.medium_index)),
         begin_(to_host(fields.bond_begin)),
@@ -41,6 +43,7 @@ class SolidOnHost {
     const std::vector<PlasticState<D, Real>> start = to_host(fields.flow_start);
     for (std::size_t s = 0; s < flow_.size(); ++s)
       if (detached_[s]) flow_[s] = start[s];
+    for (const std::uint16_t medium : medium_index_) body_.push_back(body_of_medium[medium]);
     view_.any_flows = fields.any_flows;
     view_.any_softens = fields.any_softens;
     view_.any_flaws = fields.any_flaws;
@@ -102,8 +105,33 @@ class SolidOnHost {
     const Index broken = all - view_.intact_bonds(s);
     return all > 0 ? static_cast<float>(broken) / static_cast<float>(all) : 1.0f;
   }
+  // Whether any particle has bonds to another body.
+  bool has_joints() const {
+    const auto is_first = [this](std::uint16_t body) { return body == body_.front(); };
+    if (std::all_of(body_.begin(), body_.end(), is_first)) return false;
+    for (Index s = 0; s < size(); ++s)
+      for (Index k = view_.bonds.first(s); k < view_.bonds.last(s); ++k)
+        if (leaves_body(s, k)) return true;
+    return false;
+  }
+  // The same share of the bonds within its body.
+  float body_damage(Index s) const {
+    if (!has_broken_bonds_[s] && !detached_[s]) return 0.0f;
+    Index all = 0, broken = 0;
+    for (Index k = view_.bonds.first(s); k < view_.bonds.last(s); ++k) {
+      if (leaves_body(s, k)) continue;
+      ++all;
+      broken += view_.is_intact(s, k) ? 0 : 1;
+    }
+    return all > 0 ? static_cast<float>(broken) / static_cast<float>(all) : damage(s);
+  }
+  // The body of each particle.
+  const std::vector<std::uint16_t>& bodies() const { return body_; }
 
  private:
+  bool leaves_body(Index s, Index k) const {
+    return body_[view_.bonds.mirrors.particle(view_.bonds.end(s, k))] != body_[s];
+  }
   ElasticStrain<D, Real> whole_strain(Index s) const {
     return ElasticStrain<D, Real>::of(gradient_[s], SymmetricTensor<D, Real>::zero());
   }
@@ -120,6 +148,7 @@ class SolidOnHost {
   std::vector<PlasticState<D, Real>> flow_;
   std::vector<FlawState<Real>> flaws_;
   std::vector<Loading<Real>> loading_;
+  std::vector<std::uint16_t> body_;
   SolidView<D, P> view_{};
 };
 
@@ -137,9 +166,12 @@ constexpr auto shown_solid_fields() {
   constexpr auto flows = [](const Solid& solid) { return solid.any_flows(); };
   constexpr auto flaws = [](const Solid& solid) { return solid.any_flaws(); };
   constexpr auto rate = [](const Solid& solid) { return solid.any_rate(); };
-  return std::array<ShownSolidField<Solid>, 7>{{
+  constexpr auto joints = [](const Solid& solid) { return solid.has_joints(); };
+  return std::array<ShownSolidField<Solid>, 8>{{
       {"damage", "damage", "1", always,
        [](const Solid& solid, Index s) { return solid.damage(s); }},
+      {"body_damage", "damage within the body", "1", joints,
+       [](const Solid& solid, Index s) { return solid.body_damage(s); }},
       {"elastic_share", "elastic share", "1", always,
        [](const Solid& solid, Index s) { return solid.elastic_share(s); }},
       {"equivalent_strain", "equivalent strain", "1", always,
@@ -159,14 +191,10 @@ constexpr auto shown_solid_fields() {
 // solid number of each row, or no_index.
 template <int D, class P>
 void show_pieces(const SolidOnHost<D, P>& solid, const std::vector<Index>& solid_of, Frame& frame) {
-  std::vector<std::uint16_t> body(solid.size(), 0);
   std::vector<std::uint32_t> id(solid.size(), 0);
-  for (std::size_t i = 0; i < solid_of.size(); ++i) {
-    if (solid_of[i] == no_index) continue;
-    body[solid_of[i]] = frame.source[i];
-    id[solid_of[i]] = frame.id[i];
-  }
-  const SolidPieces pieces = find_solid_pieces<D>(solid, body);
+  for (std::size_t i = 0; i < solid_of.size(); ++i)
+    if (solid_of[i] != no_index) id[solid_of[i]] = frame.id[i];
+  const SolidPieces pieces = find_solid_pieces<D>(solid, solid.bodies());
   frame.piece = frame.body_piece = frame.id;
   if (solid.view().has_mirrors()) frame.joined_planes.assign(frame.id.size(), 0);
   for (std::size_t i = 0; i < solid_of.size(); ++i) {
@@ -207,10 +235,10 @@ void show_tensors(const SolidOnHost<D, P>& solid, const std::vector<Index>& soli
 // cut the pieces and the damage alone. Other particles have zeros. `solid_index_of_id`: solid
 // number of a particle's id, or no_index.
 template <int D, class P>
-void show_solid(const SolidFields<D, P>& fields, const Array<Index>& solid_index_of_id,
-                FrameContent content, Frame& frame) {
+void show_solid(const SolidFields<D, P>& fields, const std::vector<std::uint16_t>& body_of_medium,
+                const Array<Index>& solid_index_of_id, FrameContent content, Frame& frame) {
   const bool is_whole = content == FrameContent::everything;
-  const SolidOnHost<D, P> solid(fields);
+  const SolidOnHost<D, P> solid(fields, body_of_medium);
   const std::vector<Index> number = to_host(solid_index_of_id);
   std::vector<Index> solid_of(frame.id.size(), no_index);
   for (std::size_t i = 0; i < frame.id.size(); ++i)
@@ -218,7 +246,8 @@ void show_solid(const SolidFields<D, P>& fields, const Array<Index>& solid_index
   show_pieces(solid, solid_of, frame);
   if (is_whole) show_tensors(solid, solid_of, frame);
   for (const auto& shown : shown_solid_fields<D, P>()) {
-    if (!shown.exists(solid) || (!is_whole && std::string_view(shown.name) != "damage")) continue;
+    const bool tells_damage = std::string_view(shown.name).ends_with("damage");
+    if ((!is_whole && !tells_damage) || !shown.exists(solid)) continue;
     Column column{shown.name, shown.unit, 1, {}, shown.label};
     for (const Index s : solid_of)
       column.values.push_back(s == no_index ? 0.0f : shown.value(solid, s));

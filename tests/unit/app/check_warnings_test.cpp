@@ -63,6 +63,59 @@ TEST(CheckWarnings, WarnOfAJetWithoutAWorkpiece) {
   EXPECT_THAT(warnings_of(block_of("tofu")), Not(Contains(nothing)));
 }
 
+// The table below stops the jet. The block begins or ends within half the jet's width of its axis,
+// or beyond it.
+TEST(CheckWarnings, WarnOfAJetThatPassesBesideAllBodies) {
+  const auto beside = HasSubstr("passes beside all bodies that it could cut");
+  const auto at = [](double left) {
+    return fmt::format(R"([[body]]
+name = "block"
+material = "tofu"
+spacing = "0.5 mm"
+shape = {{ type = "box", minimum = ["{} mm", "-4 mm"], maximum = ["{} mm", "5 mm"] }}
+[[body]]
+name = "table"
+role = "rigid"
+spacing = "0.5 mm"
+shape = {{ type = "box", minimum = ["-30 mm", "-8 mm"], maximum = ["30 mm", "-6 mm"] }}
+)",
+                       left, left + 20.0);
+  };
+  EXPECT_THAT(warnings_of(at(0.4)), Not(Contains(beside)));
+  EXPECT_THAT(warnings_of(at(-20.4)), Not(Contains(beside)));
+  EXPECT_THAT(warnings_of(at(1.5)), Contains(beside));
+  EXPECT_THAT(warnings_of(at(-21.5)), Contains(beside));
+  std::string moving = at(1.5);
+  moving.replace(moving.find("[[body]]"), 8, "[[body]]\nvelocity = [\"-1 m/s\", \"0 m/s\"]");
+  EXPECT_THAT(warnings_of(moving), Not(Contains(beside)));
+}
+
+TEST(CheckWarnings, WarnOfAJetThatOpensAfterTheEnd) {
+  const auto late = HasSubstr("it emits no water");
+  const auto with_start = [](const char* start) {
+    const Case description = parse_case(fmt::format(R"(
+title = "a late jet"
+dimension = 2
+[time]
+end = "1 ms"
+[[jet]]
+name = "jet"
+speed = "10 m/s"
+width = "2 mm"
+position = ["0 mm", "6 mm"]
+standoff = "4 mm"
+spacing = "0.5 mm"
+start = "{}"
+)",
+                                                    start) +
+                                            block_of("tofu"),
+                                        "my.toml");
+    return check_warnings(description, derive(description));
+  };
+  EXPECT_THAT(with_start("0.5 ms"), Not(Contains(late)));
+  EXPECT_THAT(with_start("2 ms"), Contains(late));
+}
+
 // E = 1 kPa: a crack opens by 2 Gc / (E e_0) = 40 or 10 mm in a body of 20 mm.
 TEST(CheckWarnings, WarnOfCracksThatOpenWiderThanTheBody) {
   const auto tissue = [](const std::string& energy) {

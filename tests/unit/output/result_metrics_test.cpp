@@ -64,6 +64,7 @@ TEST(ResultMetrics, AreNamedByTheirLabels) {
 
 RunOutcome outcome_with_kerf() {
   RunOutcome outcome;
+  outcome.description.materials.resize(1);
   outcome.description.bodies.resize(2);
   outcome.description.bodies[1].name = "plate";
   Kerf& kerf = outcome.kerf.emplace();

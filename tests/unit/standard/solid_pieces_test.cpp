@@ -79,7 +79,7 @@ class SolidPiecesOf : public testing::Test {
     return label;
   }
   static SolidPieces pieces_of(const Solid& solid, const std::vector<std::uint16_t>& body) {
-    const SolidOnHost<dimension, P> host(solid.fields());
+    const SolidOnHost<dimension, P> host(solid.fields(), std::vector<std::uint16_t>(8, 0));
     return find_solid_pieces<dimension>(host, body);
   }
 };
@@ -101,6 +101,47 @@ TYPED_TEST(SolidPiecesOf, EqualThoseOfASearchOverAllPairs) {
     EXPECT_EQ(pieces.body_piece, this->spread(graph, [&](Index i, Index j) {
       return body[i] == body[j];
     })) << seed;
+  }
+}
+
+// The damage of a body is the share of its own bonds that are broken, whatever joins it to others.
+TYPED_TEST(SolidPiecesOf, ShowTheDamageWithinABody) {
+  constexpr int D = TypeParam::D;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    auto layout = this->layout(seed);
+    layout.media.push_back(layout.media[0]);
+    const auto body = [&](Index i) { return layout.reference[i][1] < 4e-3 ? 0 : 1; };
+    for (Index i = 0; i < layout.reference.size(); ++i)
+      layout.medium_index[i] = static_cast<std::uint16_t>(body(i));
+    TotalLagrangian<D, typename TypeParam::P> solid(layout);
+    std::mt19937 engine(seed);
+    std::bernoulli_distribution breaks(0.3);
+    const auto graph = this->break_bonds(
+        solid, [&](Index i, Index j) { return body(i) != body(j) || breaks(engine); });
+    const auto view = solid.view();
+    const auto is_broken = [&](Index i, Index j) {
+      return graph.bonds[std::min(i, j)].count(std::max(i, j)) == 0;
+    };
+    // The bonds of a particle within its body, and how many of them are broken.
+    const auto count = [&](Index i) {
+      std::pair<int, int> bonds{0, 0};
+      for (Index k = view.bonds.first(i); k < view.bonds.last(i); ++k)
+        if (const Index j = view.bonds.end(i, k); body(i) == body(j)) {
+          ++bonds.first;
+          bonds.second += is_broken(i, j) ? 1 : 0;
+        }
+      return bonds;
+    };
+    for (Index i = 0; i < solid.size(); ++i) view.has_broken_bonds[i] = 1;
+    const SolidOnHost<D, typename TypeParam::P> host(solid.fields(), {5, 7});
+    EXPECT_TRUE(host.has_joints());
+    for (Index i = 0; i < solid.size(); ++i) {
+      const auto [all, broken] = count(i);
+      const double share = all > 0 ? double(broken) / all : host.damage(i);
+      EXPECT_NEAR(host.body_damage(i), share, 1e-6) << seed << ' ' << i;
+    }
+    const SolidOnHost<D, typename TypeParam::P> one_body(solid.fields(), {5, 5});
+    EXPECT_FALSE(one_body.has_joints());
   }
 }
 

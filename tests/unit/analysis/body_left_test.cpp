@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bodies that lose bonds or particles without a crack in them are whole.
+#include <gtest/gtest.h>
+
+#include "analysis/cut.hpp"
+#include "analysis/kerf.hpp"
+#include "bonded_layout.hpp"
+
+namespace kerf {
+namespace {
+
+using namespace layout;
+
+Case breakable() {
+  Case made = make_case(2);
+  made.materials[1].failure_strain = 0.1;
+  return made;
+}
+
+// Most of a block has left the domain with its bonds, layer by layer: it was pushed out, not cut.
+TEST(BodyCut, ABlockThatIsPushedOutIsWhole) {
+  for (const double share_left : {0.9, 0.6, 0.3, 0.05, 0.0}) {
+    const Case description = breakable();
+    Frame initial = make_block(2), moved = initial;
+    bond(initial, moved);
+    bond(initial, initial);
+    for (Position& x : moved.position) x[1] -= 60.0 * mm;
+    const auto stays = [&](std::size_t k) {
+      return initial.position[k][1] > -share_left * thickness;
+    };
+    Frame frame = select(moved, rows_of(moved), stays);
+    for (std::size_t k = 0; k < moved.id.size(); ++k) {
+      if (!stays(k)) continue;
+      frame.piece.push_back(moved.piece[k]);
+      frame.body_piece.push_back(moved.body_piece[k]);
+    }
+    const std::size_t solids = frame.id.size();
+    add_water(frame, description, 60.0 * mm, jet_width);
+    for (std::size_t k = solids; k < frame.id.size(); ++k)
+      frame.id[k] += static_cast<std::uint32_t>(initial.id.size());
+    frame.piece.resize(frame.id.size(), 0);
+    frame.body_piece.resize(frame.id.size(), 0);
+    CutMonitor monitor(description, initial);
+    monitor.observe(frame);
+    const CutSummary summary = monitor.summary();
+    EXPECT_FALSE(summary.cut_through) << share_left;
+    if (share_left > 0.5) continue;
+    const Kerf kerf =
+        measure_kerf(monitor.workpiece(), frame, kerf_conditions(description, summary));
+    EXPECT_EQ(kerf.shape.depth, 0.0) << share_left;
+    EXPECT_NEAR(kerf.of<CutMargin>().value, -1.0, 1e-9) << share_left;
+  }
+}
+
+// A layer that has lost its bonds to its neighbours and none of its own is whole.
+TEST(BodyCut, ALayerWhoseGlueBreaksIsWhole) {
+  for (const bool tells_of_body : {false, true}) {
+    const Case description = breakable();
+    Frame initial = make_block(2), frame = initial;
+    bond(initial, frame);
+    bond(initial, initial);
+    const std::vector<float> none(frame.id.size(), 0.0f), torn(frame.id.size(), 0.6f);
+    frame.columns.push_back({"damage", "1", 1, torn, {}});
+    if (tells_of_body) frame.columns.push_back({"body_damage", "1", 1, none, {}});
+    CutMonitor monitor(description, initial);
+    monitor.observe(frame);
+    const Kerf kerf =
+        measure_kerf(monitor.workpiece(), frame, kerf_conditions(description, monitor.summary()));
+    EXPECT_NEAR(kerf.of<CutMargin>().value, tells_of_body ? -1.0 : 0.0, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace kerf
