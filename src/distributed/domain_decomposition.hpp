@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "distributed/listed_ghosts.hpp"
 #include "distributed/messages.hpp"
 #include "distributed/patches_around.hpp"
 #include "distributed/pieces_of_rows.hpp"
@@ -43,7 +44,7 @@ class DomainDecomposition {
   void fetch_ghosts(Particles<D, P>& particles, const LevelGrids<D>& grids) {
     const auto patches = PatchGrids<D>::of(grids);
     const std::vector<Index> patch = patches_of_particles(particles, grids, patches);
-    find_receivers(patch, patches.grid[0]);
+    find_receivers(patch, grids, patches);
     std::vector<ranks::Bytes> messages(size());
     for (std::size_t r = 0; r < size(); ++r) pack<StateFields>(particles, send_[r], messages[r]);
     const auto from = ranks::exchange(messages);
@@ -61,7 +62,16 @@ class DomainDecomposition {
     particles.ghosts = {own, static_cast<Index>(ghosts)};
   }
 
-  // Sets the fields of the ghosts that pair loops read to those at their owners.
+  // Must be called for new lists of neighbours.
+  void take_lists(const Particles<D, P>& particles, const NeighbourView& list) {
+    std::vector<std::size_t> ghosts;
+    for (std::size_t r = 0; r < size(); ++r) ghosts.push_back(ghosts_of(particles, r));
+    listed_.find(particles, list, send_, ghosts);
+  }
+  // Sets the fields that pair loops read of the ghosts in lists to those at their owners.
+  void update_listed_ghosts(Particles<D, P>& particles) { listed_.update(particles); }
+
+  // The same of all ghosts.
   void update_ghosts(Particles<D, P>& particles) {
     for (std::size_t r = 0; r < size(); ++r) pack<PairedFields>(particles, send_[r], sent_[r]);
     ranks::exchange_known(sent_, received_);
@@ -194,16 +204,17 @@ class DomainDecomposition {
   }
 
   // Marks the patches around each patch of the list.
-  static void mark_around(const std::vector<Index>& list, const Grid<D>& patches,
-                          std::vector<std::uint8_t>& marks) {
+  static void mark_around(const std::vector<Index>& list, const LevelGrids<D>& grids,
+                          const PatchGrids<D>& patches, std::vector<std::uint8_t>& marks) {
     for (const Index number : list)
-      for_each_row_around(number, patches, [&](Index first, Index last) {
+      for_each_row_around(number, grids, patches, [&](Index first, Index last) {
         std::fill(marks.begin() + first, marks.begin() + last + 1, std::uint8_t(1));
       });
   }
   // Finds which particles every other rank needs: those of the patches around its own particles.
   // `patch`: of each particle.
-  void find_receivers(const std::vector<Index>& patch, const Grid<D>& patches) {
+  void find_receivers(const std::vector<Index>& patch, const LevelGrids<D>& grids,
+                      const PatchGrids<D>& patches) {
     std::vector<Index> occupied = patch;
     std::sort(occupied.begin(), occupied.end());
     occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
@@ -216,7 +227,7 @@ class DomainDecomposition {
       std::vector<Index> of_rank;
       ranks::append_entries(from[r], of_rank);
       std::fill(needed.begin(), needed.end(), std::uint8_t(0));
-      mark_around(of_rank, patches, needed);
+      mark_around(of_rank, grids, patches, needed);
       for (Index i = 0; i < patch.size(); ++i)
         if (needed[patch[i]] != 0) send_[r].push_back(i);
     }
@@ -226,6 +237,7 @@ class DomainDecomposition {
   double reached_ = 1.0;                       // imbalance of the work by this partition
   std::vector<std::vector<Index>> send_;       // particles that are ghosts of each rank
   std::vector<ranks::Bytes> sent_, received_;  // messages of an update
+  ListedGhosts<D, P> listed_;
 };
 
 }  // namespace kerf

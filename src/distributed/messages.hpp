@@ -73,4 +73,18 @@ Index unpack(const ranks::Bytes& message, Particles<D, P>& particles, Index firs
   return first + static_cast<Index>(count);
 }
 
+// Sets the fields of these particles, as many as the message has.
+template <class Chosen, int D, class P>
+void unpack(const ranks::Bytes& message, Particles<D, P>& particles,
+            const std::vector<Index>& which) {
+  const std::byte* from = message.data();
+  for_each_chosen<Chosen>(particles, [&](auto& field) {
+    constexpr std::size_t size = entry_size<decltype(field)>;
+    for (const Index i : which) {
+      std::memcpy(static_cast<void*>(&field[i]), from, size);
+      from += size;
+    }
+  });
+}
+
 }  // namespace kerf

@@ -3,7 +3,6 @@
 // the patches around those of its own particles.
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "neighbours/patch_grids.hpp"
@@ -17,27 +16,26 @@ std::vector<Index> patches_of_particles(const Particles<D, P>& particles,
                                         const LevelGrids<D>& grids, const PatchGrids<D>& patches) {
   std::vector<Index> patch(particles.size());
   for (Index i = 0; i < particles.size(); ++i) {
+    const int level = particles.media[particles.source[i]].level;
     int at[D];
     for (int a = 0; a < D; ++a)
-      at[a] =
-          grids.grid[0].coordinate(particles.build_position[i][a], a) / PatchGrids<D>::cells_across;
-    patch[i] = patches.grid[0].number(at);
+      at[a] = grids.grid[level].coordinate(particles.build_position[i][a], a) /
+              PatchGrids<D>::cells_across;
+    patch[i] = patches.first[level] + patches.grid[level].number(at);
   }
   return patch;
 }
 
-// Calls visit(first, last) for each row of the patches around one, itself too.
+// Calls visit(first, last) for each row of the patches of all levels adjacent to one, which is
+// among them.
 template <int D, class Visit>
-void for_each_row_around(Index number, const Grid<D>& patches, const Visit& visit) {
-  int low[D], high[D];
-  for (int a = 0; a < D; ++a) {
-    const auto across = static_cast<Index>(patches.cells[a]);
-    const auto at = static_cast<int>(number % across);
-    low[a] = std::max(at - 1, 0);
-    high[a] = std::min(at + 1, patches.cells[a] - 1);
-    number /= across;
-  }
-  patches.for_each_row(low, high, visit);
+void for_each_row_around(Index number, const LevelGrids<D>& grids, const PatchGrids<D>& patches,
+                         const Visit& visit) {
+  const auto patch = patches.find(number);
+  for (int level = 0; level < patches.levels; ++level)
+    for_each_adjacent_row(grids, patches, patch, level, [&](Index first, Index last) {
+      visit(patches.first[level] + first, patches.first[level] + last);
+    });
 }
 
 }  // namespace kerf

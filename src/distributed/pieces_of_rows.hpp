@@ -22,7 +22,8 @@ class PiecesOfRows {
     for (Index i = 0; i < particles.size(); ++i)
       cell_[i] = particles.sorted_cell[i] != unsorted
                      ? particles.sorted_cell[i]
-                     : grids.number(0, particles.build_position[i]);
+                     : grids.number(particles.media[particles.source[i]].level,
+                                    particles.build_position[i]);
   }
 
   // The work of a particle, 1.
@@ -57,7 +58,9 @@ class PiecesOfRows {
   // The centre of the piece of a row to which a cell belongs, m, moved a little along each axis by
   // its place along the next one: a cut of an axis thus divides the pieces of one layer of cells.
   static std::array<double, 3> centre(const LevelGrids<D>& grids, Index cell) {
-    const Grid<D>& grid = grids.grid[0];
+    const int level = grids.level_of(cell);
+    const Grid<D>& grid = grids.grid[level];
+    cell -= grids.first[level];
     std::array<double, 3> point{};
     for (int a = 0; a < D; ++a) {
       const auto across = static_cast<Index>(grid.cells[a]);

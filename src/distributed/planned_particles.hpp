@@ -81,15 +81,16 @@ class PlannedParticles {
     const Shares shares = shares_of(patches);
     for (Index p = 0; p < patches.count(); ++p) {
       if (shares.begin[p] == shares.begin[p + 1]) continue;
-      const std::vector<int> around = ranks_around(p, patches.grid[0], shares);
+      const std::vector<int> around = ranks_around(p, patches, shares);
       for (std::size_t k = shares.begin[p]; k < shares.begin[p + 1]; ++k)
         for (const int at : around) visit(shares.of[k].rank, at, shares.of[k].count);
     }
   }
   // Returns the ranks that have particles of the patches around one.
-  static std::vector<int> ranks_around(Index patch, const Grid<D>& patches, const Shares& shares) {
+  std::vector<int> ranks_around(Index patch, const PatchGrids<D>& patches,
+                                const Shares& shares) const {
     std::vector<int> around;
-    for_each_row_around(patch, patches, [&](Index first, Index last) {
+    for_each_row_around(patch, grids_, patches, [&](Index first, Index last) {
       for (std::size_t k = shares.begin[first]; k < shares.begin[last + 1]; ++k)
         around.push_back(shares.of[k].rank);
     });

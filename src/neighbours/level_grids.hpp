@@ -68,6 +68,12 @@ struct LevelGrids {
     return first[level] + grid[level].number(x);
   }
   Index count() const { return first[levels]; }
+  // The level to which a cell belongs.
+  int level_of(Index cell) const {
+    int level = 0;
+    while (cell >= first[level + 1]) ++level;
+    return level;
+  }
   GridRows rows() const {
     GridRows rows;
     rows.levels = levels;

@@ -17,10 +17,6 @@
 
 namespace kerf {
 
-// Patches within this many cutoffs of one another are adjacent, so that the slack is half a cutoff
-// and the skin. It is a little less than the width of a patch, so that rounding adds no patch.
-inline constexpr double patch_margin = 1.5 * (1.0 - 1e-6);
-
 // Marks the patches that have particles.
 template <int D>
 struct MarkOccupied {
@@ -141,15 +137,9 @@ struct LargestRelativeDisplacement {
   };
   KERF_FUNCTION void include_level(Index own, const typename PatchGrids<D>::Patch& patch, int level,
                                    const Visited& visited) const {
-    const double margin = patch_margin * cells.limit[patch.level][level];
-    Vector<D, double> minimum, maximum;
-    for (int a = 0; a < D; ++a) {
-      minimum[a] = patches.low_side(patch, a) - margin;
-      maximum[a] = patches.high_side(patch, a) + margin;
-    }
     const Index least = level == patch.level ? own : 0;  // each pair of one level once
-    patches.grid[level].for_each_row(minimum, maximum,
-                                     VisitRow{bounds, own, least, patches.first[level], visited});
+    for_each_adjacent_row(cells, patches, patch, level,
+                          VisitRow{bounds, own, least, patches.first[level], visited});
   }
 };
 

@@ -56,6 +56,25 @@ struct PatchGrids {
   }
 };
 
+// Patches within this many cutoffs of one another are adjacent. It is a little less than the width
+// of a patch, so that rounding adds no patch.
+inline constexpr double patch_margin = 1.5 * (1.0 - 1e-6);
+
+// Calls visit(first, last) for each row of the patches of a level that are adjacent to a patch, of
+// which it is one; they are numbered within their level. `cells`: the grids of the patches.
+template <int D, class Visit>
+KERF_FUNCTION void for_each_adjacent_row(const LevelGrids<D>& cells, const PatchGrids<D>& patches,
+                                         const typename PatchGrids<D>::Patch& patch, int level,
+                                         const Visit& visit) {
+  const double margin = patch_margin * cells.limit[patch.level][level];
+  Vector<D, double> minimum, maximum;
+  for (int a = 0; a < D; ++a) {
+    minimum[a] = patches.low_side(patch, a) - margin;
+    maximum[a] = patches.high_side(patch, a) + margin;
+  }
+  patches.grid[level].for_each_row(minimum, maximum, visit);
+}
+
 // Calls take(begin, end) for each run of places (neighbours/cell_order.hpp) of a patch.
 // `cell_begin`: where each cell begins.
 template <int D, class Take>

@@ -79,7 +79,12 @@ class ParticleRun : public Simulation {
   void renew_list();         // and removes outflow
   void refresh_fractured();  // renews the list around particles that have become fluid
   void rebuild_list();
-  // Gives the ghosts, of several ranks, the state that the particles have now.
+  // Gives the ghosts that are in lists, of several ranks, the state that the particles have now.
+  void update_listed_ghosts();
+  void drop_ghosts() {
+    if constexpr (ranks::exist) decomposition_.drop_ghosts(particles_);
+  }
+  // The same of all ghosts.
   void update_ghosts() const {
     if constexpr (ranks::exist)
       if (ranks::are_several()) decomposition_.update_ghosts(particles_);
@@ -136,9 +141,7 @@ class ParticleRun : public Simulation {
   bool refresh_with_ghosts(double horizon, bool have_moved);
   // Fetches the ghosts, of several ranks, and finds all lists, of particles in their order.
   void list_particles();
-  void drop_ghosts() {
-    if constexpr (ranks::exist) decomposition_.drop_ghosts(particles_);
-  }
+  void note_listed_ghosts();
   // Gives every rank its part of the particles.
   void distribute() {
     if constexpr (ranks::exist) decomposition_.distribute(particles_, list_.grids());

@@ -54,7 +54,23 @@ void ParticleRun<D, P, Traits>::list_particles() {
   if constexpr (ranks::exist)
     if (ranks::are_several()) decomposition_.fetch_ghosts(particles_, list_.grids());
   list_.build(particles_);
+  note_listed_ghosts();
   next_listed_ = next_id_;
+}
+
+template <int D, class P, class Traits>
+void ParticleRun<D, P, Traits>::note_listed_ghosts() {
+  if constexpr (ranks::exist)
+    if (ranks::are_several()) decomposition_.take_lists(particles_, list_.view());
+}
+
+template <int D, class P, class Traits>
+void ParticleRun<D, P, Traits>::update_listed_ghosts() {
+  if constexpr (ranks::exist) {
+    if (!ranks::are_several()) return;
+    const auto timer = timers_.stage("exchange");
+    decomposition_.update_listed_ghosts(particles_);
+  }
 }
 
 template <int D, class P, class Traits>
@@ -62,6 +78,7 @@ void ParticleRun<D, P, Traits>::refresh_fractured() {
   const auto timer = timers_.stage("neighbours");
   update_ghosts();
   list_.refresh_fractured(particles_);
+  note_listed_ghosts();
   after_refresh();
 }
 
@@ -71,6 +88,7 @@ void ParticleRun<D, P, Traits>::renew_list() {
   remove_marked();
   rebuild_list();
   list_is_due_ = false;
+  fresh_ = false;  // the particles have left their forces
 }
 
 template <int D, class P, class Traits>

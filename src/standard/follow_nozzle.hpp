@@ -31,6 +31,7 @@ void Standard<D, P>::shift_window(std::uint64_t shifts) {
   Run::remove_marked();
   Run::renew_list();  // the balance needs the forces of the particles that are left
   const Balance before = balance();
+  Run::drop_ghosts();
   const std::vector<NewParticle> layout = settings_.window->solid(shifts);
   const SolidMembers<D>& old = solid_.members();
   std::vector<std::uint32_t> id;
@@ -71,6 +72,7 @@ void Standard<D, P>::restore_window(const Archive& archive) {
   solid_.build(settings_, Run::media_, particles_,
                SolidMembers<D>::of(settings_.window->solid(shifts),
                                    find_array<std::uint32_t>(archive, "solid/ids")));
+  solid_.divide();
   solid_.move_boundaries(settings_, Run::media_);
   rates_.set_pair_correction(solid_.pair_correction());
 }

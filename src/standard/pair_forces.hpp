@@ -90,6 +90,17 @@ class StandardRates {
     return may_be;
   }
 
+  // Finds the density gradients of water, where evaluate() needs them. Returns whether it does.
+  bool find_density_gradients(const ParticleView<D, P>& view, Index count,
+                              const NeighbourView& list) {
+    if (fluid_pair_.scheme != WaterScheme::delta_sph) return false;
+    density_gradient_.resize(count + view.ghosts.count);
+    for_each_index(count, PairLoop<D, P, ContactPairs, DensityGradient<D, P>>(
+                              view, list, {}, {pointer(density_gradient_)}));
+    return true;
+  }
+  Array<Vector<D, Real>>& density_gradients() { return density_gradient_; }  // 1/m
+
   // Evaluates what a step needs in one pair loop: pressures, the accelerations by gravity and all
   // pairs, the rates of compression, the kernel sums and the concentration gradients.
   template <class Bonds>
@@ -102,9 +113,6 @@ class StandardRates {
       return;
     }
     update_pressures(input);
-    density_gradient_.resize(count);
-    for_each_index(count, PairLoop<D, P, ContactPairs, DensityGradient<D, P>>(
-                              view, list, {}, {pointer(density_gradient_)}));
     run_loop(input, bonds, EveryPair{}, gravity_, FluidContinuity<D, P>{fluid_pair_}, RigidWalls{},
              KernelSum{}, ConcentrationGradientSum<D, P>{concentration_gradient},
              DensityDiffusion<D, P>{pointer(density_gradient_)});
@@ -196,8 +204,8 @@ class StandardRates {
   FluidPair<D, P> fluid_pair_{};
   Index media_ = 0;
   Array<ContactOfMedia<Real>> contacts_;
-  mutable Array<Vector<D, Real>> density_gradient_;  // 1/m, scratch of delta-SPH alone
-  bool has_bodies_apart_ = false;     // a solid and another body that it is not joined to
+  Array<Vector<D, Real>> density_gradient_;  // 1/m, scratch of delta-SPH alone
+  bool has_bodies_apart_ = false;            // a solid and another body that it is not joined to
   MirrorCode apart_from_images_ = 0;  // planes whose images of a solid are not one piece with it
   mutable SimdPairs<D, P> simd_pairs_;
 };

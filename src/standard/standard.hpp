@@ -50,7 +50,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     const double dt = Run::choose_step(StepRates::pending, solid_limit());
     Run::renew_neighbours(0.5 * dt);  // the pairs are summed in the middle of the step
     drift_half(dt);
-    Run::update_ghosts();
+    Run::update_listed_ghosts();
     deform(dt);
     break_bonds();
     evaluate();
@@ -128,7 +128,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   void break_bonds() {
     const auto timer = timers_.stage("fracture");
     solid_.break_bonds(particles_);
-    if (solid_.has_detached()) Run::update_ghosts();  // they are fluid from now on
+    if (solid_.has_detached()) Run::update_listed_ghosts();  // they are fluid from now on
   }
 
   void evaluate() {
@@ -140,6 +140,8 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     const auto timer = timers_.stage("water and contact");
     concentration_gradient_.resize(particles_.owned());
     find_contacts();
+    if (rates_.find_density_gradients(particles_.view(), particles_.owned(), list_.view()))
+      Run::update_ghosts(rates_.density_gradients());
     rates_.evaluate(particles_.view(), particles_.owned(),
                     solid_.without_fully_bonded(list_.view()), solid_.bonds(),
                     pointer(concentration_gradient_));

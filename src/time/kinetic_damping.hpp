@@ -9,7 +9,6 @@
 #include <array>
 #include <vector>
 
-#include "parallel/ordered_sum.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -50,7 +49,7 @@ class KineticDamping {
   // peak.
   void end_step(Particles<D, P>& particles) {
     using Sum = SolidMotionSum<D, P>;
-    const auto sum = sum_(particles.size(), Sum{particles.view()});
+    const auto sum = sum_(particles.sum_groups.view(), particles.owned(), Sum{particles.view()});
     const double energy = sum.value[Sum::energy];
     if (energy >= last_) {
       last_ = energy;
@@ -82,7 +81,7 @@ class KineticDamping {
   double last_ = 0.0;  // J, at the end of the last step
   double peak_ = 0.0, dissipated_ = 0.0;
   std::array<double, 3> impulse_{};
-  OrderedSum<SolidMotionSum<D, P>::slots> sum_;
+  GroupSum<Terms<SolidMotionSum<D, P>::slots>> sum_;
 };
 
 }  // namespace kerf

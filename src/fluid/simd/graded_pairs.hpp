@@ -20,14 +20,15 @@ class GradedPairs {
  public:
   using Real = typename P::Real;
 
-  // Takes a new list, of particles in their current order; given `listed_anew`, of the particles
-  // marked there alone.
+  // Takes a new list, of particles in their current order, the first `count` of which have lists;
+  // given `listed_anew`, of the particles marked there alone.
   void take(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
             const PairCorrection<D, P>& correction, const std::uint8_t* listed_anew) {
     if (correction.factor == nullptr) return;
-    graded_.resize(count);
-    ends_.resize(count);
-    for_each_index(count, PackEnds{view, correction, ends_.data(), graded_.data()});
+    const Index all = count + view.ghosts.count;
+    graded_.resize(all);
+    ends_.resize(all);
+    for_each_index(all, PackEnds{view, correction, ends_.data(), graded_.data()});
     begin_.resize(count + 1, begin_.empty() ? 0 : begin_.back());  // newcomers have no factors
     const Wanted wanted{list, ends_.data(), graded_.data()};
     const bool lacks_room =
