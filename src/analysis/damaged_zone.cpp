@@ -91,8 +91,8 @@ void fill(Layer& layer, const KerfView& view, const KerfMap& map, const KerfAxes
     const double volume = volume_in_layer(layer, map, point);
     if (volume <= 0.0) continue;
     spread(layer, point, volume, layer.all);
-    const std::uint32_t row = view.rows[slot];
-    if (!view.standing[slot] || (is_intact(view.frame, row) && damaged[row]))
+    if (view.standing[slot] == stands_as_laid_out) continue;
+    if (!view.standing[slot] || damaged[view.rows[slot]])
       spread(layer, point, volume, layer.damaged);
   }
   add_up(layer.all);

@@ -92,7 +92,7 @@ void keep_what_left(const Workpiece& workpiece, const std::vector<BodyVerdict>& 
                     std::vector<std::uint8_t>& standing) {
   for (const BodyVerdict& verdict : bodies)
     for (std::size_t slot = 0; verdict.cut.left && slot < standing.size(); ++slot)
-      if (workpiece.body[slot] == verdict.body) standing[slot] = 1;
+      if (workpiece.body[slot] == verdict.body) standing[slot] = stands_as_laid_out;
 }
 
 }  // namespace

@@ -18,6 +18,10 @@ namespace kerf {
 // displaced without fracture.
 enum class KerfPositions { initial, current };
 
+// In the marks of standing solid: that of a body that was pushed out of the domain, which stands as
+// it was laid out whatever has become of its bonds there.
+inline constexpr std::uint8_t stands_as_laid_out = 2;
+
 // Marks the solid that stands, by slot: intact and in a counted piece, or intact and in no piece of
 // the initial layout either.
 std::vector<std::uint8_t> find_standing(const Workpiece& workpiece, const Frame& frame,

@@ -126,8 +126,8 @@ UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
     add(columns, point, dimension, columns.laid_out);
     if (!view.standing[slot]) continue;
     add(columns, point, dimension, columns.standing);
-    const std::uint32_t row = view.rows[slot];
-    if (!is_intact(view.frame, row) || !torn[row]) add(columns, point, dimension, columns.unbroken);
+    if (view.standing[slot] == stands_as_laid_out || !torn[view.rows[slot]])
+      add(columns, point, dimension, columns.unbroken);
   }
   const auto laid_out = window_means(columns, columns.laid_out);
   const auto standing = window_means(columns, columns.standing);

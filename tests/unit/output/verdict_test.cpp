@@ -55,6 +55,27 @@ TEST(Verdict, NamesWhatIsCutThroughAndWhatIsWhole) {
       "cut through, vessel is parted; at the end the workpiece is in 3 pieces.");
 }
 
+TEST(Verdict, TellsWhatWasPushedOutOrMissed) {
+  RunOutcome outcome;
+  outcome.description.jets.emplace_back();
+  outcome.description.materials.resize(1);
+  outcome.description.bodies.resize(1);
+  outcome.description.bodies[0].name = "gel";
+  outcome.description.bodies[0].material = 0;
+  outcome.time = 0.03;
+  outcome.kerf.emplace();
+  EXPECT_EQ(verdict_of(outcome), "The jet aims at no body that it could cut.");
+  outcome.kerf->shape.thickness = 8e-3;
+  outcome.kerf->of<CutMargin>().unbroken = 8e-3;
+  outcome.cut.last.front_depth = 0.04;
+  outcome.cut.last.fractured_mass = 1.0;
+  outcome.cut.bodies.push_back(
+      {.body = 0, .is_in_way = true, .can_break = true, .cut = {.left = true}});
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet does not cut through within 30 ms; its front is 40 mm deep, and 8 mm of the "
+            "thickness is unbroken; it has pushed gel out of the domain, whole.");
+}
+
 // A jet that does nothing is said to do nothing, in place of a dent of 0 m.
 TEST(Verdict, NoDentIsNoNumber) {
   RunOutcome outcome;

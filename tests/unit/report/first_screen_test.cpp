@@ -62,6 +62,20 @@ TEST_F(FirstScreen, NamesTheOnlyBodyToo) {
   EXPECT_THAT(screen(), AllOf(HasSubstr("whole"), Not(HasSubstr("cut in part"))));
 }
 
+TEST_F(FirstScreen, NamesABodyThatWasPushedOutOrMissed) {
+  result_["kerf"]["layers"] = nlohmann::ordered_json::array();
+  result_["cut_through"] = false;
+  result_["fractured_fraction"] = 1.0;  // fractured or gone
+  result_["kerf"]["margin"] = -1.0;
+  result_["kerf"]["removed_volume"] = 0.0;
+  EXPECT_THAT(screen(), HasSubstr("whole"));
+  result_["kerf"]["removed_volume"] = 1e-9;
+  EXPECT_THAT(screen(), HasSubstr("cut in part"));
+  result_["kerf"]["thickness"] = 0.0;
+  EXPECT_THAT(screen(), HasSubstr("<b>·</b>"));
+  EXPECT_THAT(screen(), HasSubstr("not under the jet"));
+}
+
 TEST_F(FirstScreen, AnswersHowFastTheNozzleMayGo) {
   EXPECT_THAT(screen(), Not(HasSubstr("How fast")));
   set_feeds(0.05, 0.08);
