@@ -4,12 +4,15 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "distributed/messages.hpp"
 #include "distributed/patches_around.hpp"
 #include "distributed/pieces_of_rows.hpp"
 #include "distributed/planned_messages.hpp"
+#include "neighbours/list_entries.hpp"
 
 namespace kerf {
 
@@ -29,22 +32,39 @@ class PlannedParticles {
   // The rank of each particle.
   const std::vector<int>& ranks() const { return rank_; }
 
-  // Adds the particles and ghosts of each rank, and the updates of the ghosts in a step.
-  void add_to(std::vector<RankLoad>& loads, PlannedMessages& messages) const {
+  // Adds the particles and ghosts of each rank, and the updates of the ghosts in a step, which are
+  // those in lists (distributed/listed_ghosts.hpp).
+  void add_to(std::vector<RankLoad>& loads, PlannedMessages& messages,
+              const NeighbourView& list) const {
     for (Index i = 0; i < particles_.size(); ++i) {
       RankLoad& load = loads[static_cast<std::size_t>(rank_[i])];
       load.work += double(pieces_.work(i));
       ++load.particles;
     }
-    const double bytes = static_cast<double>(bytes_in_message<PairedFields>(particles_));
     for_each_ghosts([&](int of, int at, Index count) {
-      if (of == at) return;
-      loads[static_cast<std::size_t>(at)].ghosts += count;
-      messages.add(of, at, bytes * double(count));
+      if (of != at) loads[static_cast<std::size_t>(at)].ghosts += count;
     });
+    const double bytes = static_cast<double>(bytes_in_message<PairedFields>(particles_));
+    for_each_listed_ghost(list, [&](int of, int at) { messages.add(of, at, bytes); });
   }
 
  private:
+  // Calls visit(of, at) for each ghost at a rank that is in a list there.
+  template <class Visit>
+  void for_each_listed_ghost(const NeighbourView& list, const Visit& visit) const {
+    std::vector<Index> by_rank(rank_.size());
+    std::iota(by_rank.begin(), by_rank.end(), Index(0));
+    std::stable_sort(by_rank.begin(), by_rank.end(),
+                     [this](Index i, Index j) { return rank_[i] < rank_[j]; });
+    std::vector<int> last_reader(rank_.size(), -1);  // the last rank that has it in a list
+    for (const Index i : by_rank)
+      for (Index k = list.begin[i]; k < list.end[i]; ++k) {
+        const Index j = particles_.mirrors.particle(list.neighbour[k]);
+        if (std::exchange(last_reader[j], rank_[i]) != rank_[i] && rank_[j] != rank_[i])
+          visit(rank_[j], rank_[i]);
+      }
+  }
+
   struct Share {
     int rank;
     Index count;

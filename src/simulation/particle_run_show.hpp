@@ -89,7 +89,7 @@ RankLoads ParticleRun<D, P, Traits>::planned([[maybe_unused]] int count,
     loads.waits = StepWaits::of_particles();
     PlannedMessages messages(loads.of);
     const PlannedParticles<D, P> particles(particles_, list_.grids(), count);
-    particles.add_to(loads.of, messages);
+    particles.add_to(loads.of, messages, list_.view());
     add_more(particles.ranks(), loads, messages);
     messages.count_partners();
   }

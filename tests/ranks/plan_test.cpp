@@ -41,6 +41,30 @@ shape = { type = "box", minimum = ["-52 mm", "-8 mm"], maximum = ["130 mm", "0 m
 spacing = "1 mm"
 )";
 
+// A jet above a block whose spacing is doubled twice away from it.
+constexpr const char* planned_graded_case = R"(title = "A graded block under a jet"
+dimension = 2
+[time]
+end = "1 ms"
+[domain]
+minimum = ["-150 mm", "-20 mm"]
+maximum = ["150 mm", "100 mm"]
+[[body]]
+name = "block"
+material = "tofu"
+shape = { type = "box", minimum = ["-64 mm", "0 mm"], maximum = ["64 mm", "48 mm"] }
+spacing = "1 mm"
+grading = { levels = 2, width = "16 mm" }
+[[jet]]
+name = "jet"
+material = "water"
+speed = "8 m/s"
+width = "10 mm"
+position = ["0 mm", "48 mm"]
+standoff = "20 mm"
+spacing = "1 mm"
+)";
+
 std::string water_cube(int across) {
   const std::string side = "\"" + std::to_string(across) + " mm\"";
   return "title = \"Cube of water\"\ndimension = 3\n[time]\nend = \"1 ms\"\n[domain]\nminimum = "
@@ -140,11 +164,13 @@ class PlannedRanks : public Ranks {
 // of a row, 12 cells of at most four particles: Zoltan seeks the median in another order there.
 TEST_F(PlannedRanks, MatchTheRanksOfARun) {
   constexpr double of_piece = 48.0;
-  write_case(planned_case);
-  for (const int ranks : {2, 3}) {
-    count_with(1, ranks);
-    count_with(ranks, ranks);
-    expect_alike(counts_in("planned"), counts_in("have"), ranks == 2 ? 0.0 : of_piece);
+  for (const char* text : {planned_case, planned_graded_case}) {
+    write_case(text);
+    for (const int ranks : {2, 3}) {
+      count_with(1, ranks);
+      count_with(ranks, ranks);
+      expect_alike(counts_in("planned"), counts_in("have"), ranks == 2 ? 0.0 : of_piece);
+    }
   }
 }
 
@@ -193,9 +219,9 @@ TEST_F(PlannedRanks, TenThousandArePlannedInSeconds) {
 }
 
 TEST_F(PlannedRanks, AreRefusedWhereACaseIsNotDivided) {
-  write_case(std::string(planned_case) + "[numerics]\nwater = \"delta_sph\"\n");
+  write_case(read_file(fs::path(KERF_SOURCE_DIR) / "cases" / "column-on-wall.toml"));
   expect_refused({"--ranks", "8"},
-                 {"case.toml: --ranks 8", "numerics.water", "Allowed", "Leave the option out"});
+                 {"case.toml: --ranks 8", "'shinohara2004'", "Allowed", "Leave the option out"});
 }
 
 }  // namespace

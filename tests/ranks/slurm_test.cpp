@@ -55,10 +55,10 @@ TEST_F(SlurmRanks, TheRunsOfAStudyHaveThem) {
 }
 
 TEST_F(SlurmRanks, WhatIsNotDividedIsRefusedBeforeItIsSubmitted) {
-  write_case(small_study_case + std::string("\n[numerics]\nwater = \"delta_sph\"\n"));
+  write_case(read_file(fs::path(KERF_SOURCE_DIR) / "cases" / "column-on-wall.toml"));
   const Ending ending = run(0, "refused", {"--on", "slurm", "--ranks", "2"});
   EXPECT_NE(ending.exit_code, 0);
-  EXPECT_THAT(ending.output, testing::HasSubstr("numerics.water"));
+  EXPECT_THAT(ending.output, testing::HasSubstr("'shinohara2004'"));
   EXPECT_EQ(ending.output.find("job 1 of Slurm"), std::string::npos);
 }
 
