@@ -31,27 +31,41 @@ double fractured_mass(const Workpiece& workpiece, const Frame& frame,
   return sum;
 }
 
+// Notes which slots stand and which have left the domain since they stood.
+void note(const std::vector<std::uint32_t>& rows, const std::vector<std::uint8_t>& standing,
+          std::vector<std::uint8_t>& traces) {
+  for (std::size_t slot = 0; slot < rows.size(); ++slot) {
+    const bool has_left = rows[slot] == Workpiece::none && traces[slot] != 0;
+    traces[slot] = has_left ? slot_trace::left_whole : standing[slot] != 0 ? slot_trace::stood : 0;
+  }
+}
+
 // Returns whether a body is leaving the domain whole (BodyCut::left).
-bool has_left(const WorkpieceBody& body, const KerfView& view) {
-  constexpr double least_present = 0.5, most_fractured = 0.05;  // of its mass
-  double laid_out = 0.0, present = 0.0, fractured = 0.0;
-  for (std::size_t slot = 0; slot < view.rows.size(); ++slot) {
+bool has_left(const WorkpieceBody& body, const KerfView& view,
+              const std::vector<std::uint8_t>& traces) {
+  constexpr double most_near = 0.25, most = 0.5;  // of the mass; the lips of a cut may leave, too
+  const JetAxis& jet = *view.workpiece.jet;
+  const double reach = std::max(jet.width, 2.0 * view.workpiece.axis_spacing);
+  double near = 0.0, near_left = 0.0, all = 0.0, left = 0.0;
+  for (std::size_t slot = 0; slot < traces.size(); ++slot) {
     if (view.workpiece.body[slot] != body.body) continue;
     const double mass = view.workpiece.mass[slot];
-    laid_out += mass;
-    if (view.rows[slot] == Workpiece::none) continue;
-    present += mass;
-    if (!is_intact(view.frame, view.rows[slot])) fractured += mass;
+    const double gone = (traces[slot] & slot_trace::left_whole) != 0 ? mass : 0.0;
+    all += mass;
+    left += gone;
+    if (jet.distance(jet.swept(view.workpiece.position[slot], view.frame.time)) > reach) continue;
+    near += mass;
+    near_left += gone;
   }
-  return present < least_present * laid_out && fractured < most_fractured * laid_out;
+  return near_left > most_near * near || left > most * all;
 }
 
 // Returns whether a body is cut through in a frame that the water has entered.
 BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pieces,
-              const KerfAxes& axes, double front) {
+              const KerfAxes& axes, double front, const std::vector<std::uint8_t>& traces) {
   BodyCut cut;
   if (!body.is_in_way) return cut;
-  if (has_left(body, view)) return {.left = true};
+  if (has_left(body, view, traces)) return {.left = true};
   if (!body.can_break || body.below > 0.0) return cut;
   bool is_joined = false;
   for (const BodySides& sides : body.sides) {
@@ -70,17 +84,15 @@ BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pie
 }
 
 // Adds the verdict of a frame to that of the frames before it.
-void judge_bodies(const Workpiece& workpiece, const Frame& frame,
-                  const std::vector<std::uint32_t>& rows, const Pieces& pieces,
-                  const KerfAxes& axes, CutState& state) {
-  const auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
-  KerfView view{workpiece, frame, rows, standing};
+void judge_bodies(KerfView view, const Pieces& pieces, const KerfAxes& axes,
+                  const std::vector<std::uint8_t>& traces, CutState& state) {
+  const Workpiece& workpiece = view.workpiece;
   bool all = true;
   for (std::size_t n = 0; n < workpiece.bodies.size(); ++n) {
     const WorkpieceBody& body = workpiece.bodies[n];
     view.body = body.body;
     if (!state.bodies[n].through && !state.bodies[n].left)
-      state.bodies[n] = judge(body, view, pieces, axes, state.front_depth);
+      state.bodies[n] = judge(body, view, pieces, axes, state.front_depth, traces);
     all = all && (state.bodies[n].through || !body.is_in_way);
   }
   state.cut_through = all;
@@ -103,6 +115,8 @@ void CutMonitor::take(const Case& description, const Frame& initial) {
   const SymmetryImages images = symmetry_images(description);
   workpiece_ = std::make_shared<const Workpiece>(
       make_workpiece(description, WholeFrame(initial, images).get()));
+  // Of the layout at the start all stands; of a later window it is not known.
+  traces_.assign(workpiece_->position.size(), history_.empty() ? slot_trace::stood : 0);
   if (workpiece_->jet)
     axes_.emplace(*workpiece_->jet, description.jets.front().traverse, description.dimension);
 }
@@ -123,8 +137,9 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
     state.fractured_mass = fractured_mass(workpiece, frame, rows);
     state.fractured_fraction = state.fractured_mass / workpiece.total_mass;
     state.front_depth = front_depth(workpiece, frame);
+    const auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
+    note(rows, standing, traces_);
     if (has_wake_ && axes_) {
-      const auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
       state.wake = measure_wake({workpiece, frame, rows, standing}, *axes_);
       state.water_impulse = KerfAxes::dot(water_impulse, axes_->jet.along);
     }
@@ -132,7 +147,8 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
       const double half = state.front_depth / 2.0;
       state.fractured_width = fractured_width(workpiece, frame, rows, half);
       state.kerf_width = opening_width(workpiece, frame, rows, pieces.in_piece, half);
-      if (!state.cut_through) judge_bodies(workpiece, frame, rows, pieces, *axes_, state);
+      if (!state.cut_through)
+        judge_bodies({workpiece, frame, rows, standing}, pieces, *axes_, traces_, state);
     }
     fragments_ = std::move(pieces.fragments);
   }
@@ -180,8 +196,10 @@ void CutMonitor::add_verdicts(CutSummary& summary) const {
   summary.cut_through_place = workpiece_->jet->point_at(through->front_depth, through->time);
 }
 
-void CutMonitor::restore(std::vector<CutState> history, const Frame& last) {
+void CutMonitor::restore(std::vector<CutState> history, const std::vector<std::uint8_t>& traces,
+                         const Frame& last) {
   history_ = std::move(history);
+  if (traces.size() == traces_.size()) traces_ = traces;
   for (const CutState& state : history_)
     require(state.bodies.size() == workpiece_->bodies.size(), "every row has all bodies");
   if (workpiece_->empty()) return;

@@ -24,8 +24,8 @@ struct Workpiece;
 struct BodyCut {
   bool through = false;
   bool severed = false;  // no piece of it joins the two sides of the jet; else it has a hole
-  // More than half of it has left the domain, hardly broken: pushed out, not cut. What happens to
-  // its last rows there, which lose their neighbours, is not judged.
+  // Much of it beside the jet, or half of it, has left the domain unbroken: it is pushed out, not
+  // cut. What happens to the rows there, which lose their neighbours, is not judged.
   bool left = false;
 };
 
@@ -46,6 +46,12 @@ struct CutState {
 
   static const MetricList<CutState>& metrics();
 };
+
+namespace slot_trace {
+inline constexpr std::uint8_t stood = 1;  // in the last frame
+inline constexpr std::uint8_t left_whole =
+    2;  // it has left the domain after a frame in which it stood
+}  // namespace slot_trace
 
 // The verdict on a body of the workpiece.
 struct BodyVerdict {
@@ -86,7 +92,11 @@ class CutMonitor {
   // The history, from which a resumed run continues its measurements.
   const std::vector<CutState>& history() const { return history_; }
   const Workpiece& workpiece() const { return *workpiece_; }
-  void restore(std::vector<CutState> history, const Frame& last);
+  // What is known of each slot since the frames before: bits of slot_trace. A resumed run continues
+  // with them too.
+  const std::vector<std::uint8_t>& traces() const { return traces_; }
+  void restore(std::vector<CutState> history, const std::vector<std::uint8_t>& traces,
+               const Frame& last);
 
  private:
   void add_verdicts(CutSummary& summary) const;
@@ -97,6 +107,7 @@ class CutMonitor {
   double contact_depth_ = 0.0;                  // m, one spacing of the first jet
   bool has_wake_ = false;                       // whether a frame travels
   std::vector<CutState> history_;
+  std::vector<std::uint8_t> traces_;
   std::vector<Fragment> fragments_;  // of the last frame observed
 };
 

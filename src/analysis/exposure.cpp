@@ -213,6 +213,7 @@ const MetricList<Exposure>& Exposure::metrics() {
 std::optional<Exposure> exposure_of(const Case& description, const std::vector<CutState>& history,
                                     const CutSummary& cut) {
   if (!stands_for_traverse(description) || std::isnan(cut.contact_time)) return std::nullopt;
+  if (description.machine->is_pulsed()) return std::nullopt;  // a moving nozzle pauses elsewhere
   const Machine& machine = *description.machine;
   const Entry entry = entry_of(description);
   const DepthHistory since = history_since(history, cut.contact_time, entry);
@@ -231,6 +232,8 @@ std::optional<Exposure> exposure_of(const Case& description, const std::vector<C
                : depths_after(since, time);
   };
   const auto within = [&](double depth) { return std::min(depth, exposure.thickness); };
+  // A front that has passed the far face of a workpiece that is not cut tells no depth of a cut.
+  if (!cut.cut_through && since.depths.back() >= exposure.thickness) return exposure;
   if (cut.cut_through)
     add_feeds_of_cut(since, extent, exposure);
   else if (exposure.longest > exposure.simulated)

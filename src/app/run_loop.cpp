@@ -164,7 +164,7 @@ void RunLoop::resume(const Archive& state) {
     simulation_->restore(state);
     frame_.reset();
     follow_window();
-    cut_->restore(before_.cut_history, frame());
+    cut_->restore(before_.cut_history, before_.cut_traces, frame());
   });
   saved_time_ = simulation_->time();
   judge_motion();

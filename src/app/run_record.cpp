@@ -104,6 +104,7 @@ Archive to_archive(const RunRecord& record) {
   for (const StageTime& stage : record.stage_times)
     archive.texts[stage_prefix + stage.name] = fmt::format("{}", stage.seconds);
   save_history(record.cut_history, archive);
+  archive.arrays["cut/traces"] = record.cut_traces;
   return archive;
 }
 
@@ -127,6 +128,7 @@ RunRecord record_from(const Archive& archive) {
           {name.substr(std::string(stage_prefix).size()), std::stod(text)});
   }
   record.cut_history = restore_history(archive);
+  record.cut_traces = find<std::uint8_t>(archive, "cut/traces");
   return record;
 }
 

@@ -24,6 +24,7 @@ struct RunRecord {
   std::map<std::string, std::uint64_t> limits;  // number of steps that each limit set
   std::vector<StageTime> stage_times;           // of all parts of the run
   std::vector<CutState> cut_history;
+  std::vector<std::uint8_t> cut_traces;  // CutMonitor::traces()
 };
 
 Archive to_archive(const RunRecord& record);

@@ -50,6 +50,7 @@ RunRecord RunLoop::record(bool finished) const {
   record.limits = limits_;
   record.stage_times = stage_times();
   record.cut_history = cut_->history();
+  record.cut_traces = cut_->traces();
   return record;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/jet_direction.hpp"
 #include "geometry/nozzle.hpp"
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
@@ -113,7 +114,10 @@ void check_jets(Draft& draft) {
     if (anything_moves(result) || hits_a_body(result, nozzle, standing)) continue;
     draft.reading.problems.add({path + ".position", "the jet points away from every body",
                                 "a position and an angle whose line meets a body",
-                                "Aim the jet at the workpiece: angle 0 is straight down"});
+                                traverse_speed(jet) > 0.0
+                                    ? "Begin where the jet meets the workpiece, if only its edge: "
+                                      "that is where the cut is judged"
+                                    : "Aim the jet at the workpiece: angle 0 is straight down"});
   }
 }
 

@@ -41,6 +41,7 @@ struct Machine {
   double duty = 1.0;             // 1, part of a pulse in which water flows
   double spacing = 0.0;          // m, of the water's particles
   int material = -1;             // index into Case::materials
+  bool is_pulsed() const { return pulse_frequency > 0.0 && duty < 1.0; }
   bool operator==(const Machine&) const = default;
 };
 

@@ -213,13 +213,13 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
                      {},
                      "Fracture is decided by a strain that has no length scale: the energy that "
                      "cracks take depends on the spacing."});
+  const auto note = [&](const char* name, const std::string& sentence) {
+    flags.push_back({name, State::note, {}, {}, sentence});
+  };
   if (description.dimension == 2)
-    flags.push_back({"two_dimensions",
-                     State::note,
-                     {},
-                     {},
-                     "Two dimensions: the model is a slot of infinite depth, and water cannot "
-                     "escape sideways."});
+    note(
+        "two_dimensions",
+        "Two dimensions: the model is a slot of infinite depth, and water cannot escape sideways.");
   if (description.machine)
     flags.push_back(standoff_flag(*description.machine));
   else if (const double standoff = longest_standoff(description); standoff > 0.0)
@@ -231,6 +231,9 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
   if (const std::string need = calibration_need(description); !need.empty())
     flags.push_back({"uncalibrated", State::warning, {}, {}, need});
   if (description.jets.empty()) return;
+  if (description.jets.size() > 1)
+    note("several_jets", fmt::format("The verdict and the kerf are those of the first jet, {}.",
+                                     description.jets.front().name));
   if (const Material* material = unbreakable_material(description))
     flags.push_back({"unbreakable",
                      State::warning,
@@ -240,7 +243,7 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
                                  "Give the material a failure_strain, fracture_energy or "
                                  "tensile_strength.",
                                  material->name)});
-  flags.push_back({"abrasive", State::note, {}, {}, "Abrasive is not modelled."});
+  note("abrasive", "Abrasive is not modelled.");
 }
 
 }  // namespace

@@ -84,7 +84,8 @@ std::string left_clause(const RunOutcome& outcome) {
     if (verdict.cut.left)
       names.push_back(outcome.description.bodies.at(std::size_t(verdict.body)).name);
   if (names.empty()) return "";
-  return fmt::format("; it has pushed {} out of the domain, whole", join(names));
+  return fmt::format("; it has pushed {} out of the domain unbroken, where nothing is known of it",
+                     join(names));
 }
 
 std::string depth_sentence(const RunOutcome& outcome) {
@@ -146,6 +147,12 @@ std::string exposure_sentence(const RunOutcome& outcome) {
         "carried on to that.",
         feed,
         readable(exposure_time(machine, description.jets.back(), description.dimension), "s"));
+  if (machine.is_pulsed())
+    return fmt::format(
+        " The pauses of a pulsed jet leave gaps along its path, which a nozzle that stands does "
+        "not "
+        "show: this says nothing about a feed of {}; motion = \"travelling\" simulates it.",
+        feed);
   if (!outcome.exposure) return "";
   const Exposure& exposure = *outcome.exposure;
   const char* verdict = exposure.cuts()      ? "cuts through"

@@ -2,6 +2,8 @@
 // Bodies that lose bonds or particles without a crack in them are whole.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "analysis/cut.hpp"
 #include "analysis/kerf.hpp"
 #include "bonded_layout.hpp"
@@ -50,6 +52,25 @@ TEST(BodyCut, ABlockThatIsPushedOutIsWhole) {
     EXPECT_EQ(kerf.shape.depth, 0.0) << share_left;
     EXPECT_NEAR(kerf.of<CutMargin>().value, -1.0, 1e-9) << share_left;
   }
+}
+
+// What a resumed run knows of the particles that have left continues.
+TEST(BodyCut, AResumedRunKnowsWhatHasLeft) {
+  const Case description = breakable();
+  Frame initial = make_block(2);
+  bond(initial, initial);
+  CutMonitor monitor(description, initial), resumed(description, initial);
+  Frame rest = select(initial, rows_of(initial),
+                      [&](std::size_t k) { return initial.position[k][1] > -20.0 * mm; });
+  rest.piece.assign(rest.id.size(), rest.id.front());
+  rest.body_piece = rest.piece;
+  monitor.observe(initial);
+  monitor.observe(rest);
+  resumed.restore(monitor.history(), monitor.traces(), rest);
+  EXPECT_EQ(resumed.traces(), monitor.traces());
+  const auto left =
+      std::count(monitor.traces().begin(), monitor.traces().end(), slot_trace::left_whole);
+  EXPECT_EQ(static_cast<std::size_t>(left), initial.id.size() - rest.id.size());
 }
 
 // A layer that has lost its bonds to its neighbours and none of its own is whole.

@@ -113,7 +113,7 @@ TEST(CutMonitor, ResumedMonitorGivesTheSameMeasurements) {
   for (int n = 0; n < 30; ++n) {
     const Frame frame = make_cut(description, 2.0 * n * mm, 12.0 * mm, n * 1e-3);
     whole.observe(frame);
-    if (n == 15) after.restore(before.history(), frame);
+    if (n == 15) after.restore(before.history(), before.traces(), frame);
     (n < 15 ? before : after).observe(frame);
   }
   const CutSummary a = whole.summary(), b = after.summary();

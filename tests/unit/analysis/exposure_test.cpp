@@ -59,6 +59,23 @@ CutSummary summary_from(double cut_time = std::numeric_limits<double>::quiet_NaN
   return cut;
 }
 
+// Where the front has passed a workpiece that is not cut, and where the jet pauses, no feed is
+// told.
+TEST(Exposure, NothingIsCarriedBeyondTheFarFaceNorOverPauses) {
+  const auto depth = [](double t) { return 1.2 * slab_thickness * std::pow(t / 1e-4, 1e-3); };
+  const auto history = front_of(depth, 1e-4);
+  const auto beyond = exposure_of(feeding_case(0.5), history, summary_from()).value();
+  EXPECT_TRUE(std::isnan(beyond.depth));
+  EXPECT_TRUE(std::isnan(beyond.greatest_feed));
+  EXPECT_FALSE(beyond.cuts());
+  EXPECT_FALSE(beyond.may_cut());
+  Case pulsed = feeding_case(0.5);
+  pulsed.machine->pulse_frequency = 100.0;
+  EXPECT_TRUE(exposure_of(pulsed, history, summary_from()).has_value());  // it never pauses
+  pulsed.machine->duty = 0.1;
+  EXPECT_FALSE(exposure_of(pulsed, history, summary_from()).has_value());
+}
+
 TEST(Exposure, PowerLawIsCarriedExactly) {
   for (const double n : {0.18, 0.5, 1.0}) {
     const auto depth = [n](double t) { return 1e-3 * std::pow(t / 1e-4, n); };

@@ -126,9 +126,13 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
       {0.1, 0.2, 3, 0.4, 0.5, 0.6, 0.7, true, {{true, true}, {true, false}}, {0.8, 0.9, 1.1}, 1.2},
       {}};
   record.cut_history[1].bodies.resize(2);
+  record.cut_history[1].bodies[0].left = true;
+  record.cut_traces = {1, 0, 2};
   const RunRecord back = record_from(to_archive(record));
   EXPECT_EQ(back.case_name, record.case_name);
   EXPECT_TRUE(back.finished);
+  EXPECT_EQ(back.cut_traces, record.cut_traces);
+  EXPECT_TRUE(back.cut_history.at(1).bodies.at(0).left);
   EXPECT_EQ(back.wall_time, record.wall_time);
   EXPECT_EQ(back.frame_times, record.frame_times);
   EXPECT_EQ(back.picture_times, record.picture_times);

@@ -71,9 +71,11 @@ TEST(Verdict, TellsWhatWasPushedOutOrMissed) {
   outcome.cut.last.fractured_mass = 1.0;
   outcome.cut.bodies.push_back(
       {.body = 0, .is_in_way = true, .can_break = true, .cut = {.left = true}});
-  EXPECT_EQ(verdict_of(outcome),
-            "The jet does not cut through within 30 ms; its front is 40 mm deep, and 8 mm of the "
-            "thickness is unbroken; it has pushed gel out of the domain, whole.");
+  EXPECT_EQ(
+      verdict_of(outcome),
+      "The jet does not cut through within 30 ms; its front is 40 mm deep, and 8 mm of the "
+      "thickness is unbroken; it has pushed gel out of the domain unbroken, where nothing is known "
+      "of it.");
 }
 
 // A jet that does nothing is said to do nothing, in place of a dent of 0 m.
