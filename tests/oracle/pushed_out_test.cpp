@@ -6,6 +6,7 @@
 #include "analysis/cut.hpp"
 #include "analysis/kerf.hpp"
 #include "input/read.hpp"
+#include "model/case.hpp"
 #include "support/runs.hpp"
 
 namespace kerf::test {
