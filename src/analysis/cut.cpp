@@ -50,7 +50,7 @@ bool has_left(const WorkpieceBody& body, const KerfView& view,
   for (std::size_t slot = 0; slot < traces.size(); ++slot) {
     if (view.workpiece.body[slot] != body.body) continue;
     const double mass = view.workpiece.mass[slot];
-    const double gone = (traces[slot] & slot_trace::left_whole) != 0 ? mass : 0.0;
+    const double gone = traces[slot] == slot_trace::left_whole ? mass : 0.0;
     all += mass;
     left += gone;
     if (jet.distance(jet.swept(view.workpiece.position[slot], view.frame.time)) > reach) continue;

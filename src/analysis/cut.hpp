@@ -47,10 +47,10 @@ struct CutState {
   static const MetricList<CutState>& metrics();
 };
 
+// What a particle of the workpiece did: it stood in the last frame, or it has left the domain after
+// a frame in which it stood; else 0.
 namespace slot_trace {
-inline constexpr std::uint8_t stood = 1;  // in the last frame
-inline constexpr std::uint8_t left_whole =
-    2;  // it has left the domain after a frame in which it stood
+inline constexpr std::uint8_t stood = 1, left_whole = 2;
 }  // namespace slot_trace
 
 // The verdict on a body of the workpiece.
@@ -92,8 +92,7 @@ class CutMonitor {
   // The history, from which a resumed run continues its measurements.
   const std::vector<CutState>& history() const { return history_; }
   const Workpiece& workpiece() const { return *workpiece_; }
-  // What is known of each slot since the frames before: bits of slot_trace. A resumed run continues
-  // with them too.
+  // The slot_trace of each slot, with which a resumed run continues too.
   const std::vector<std::uint8_t>& traces() const { return traces_; }
   void restore(std::vector<CutState> history, const std::vector<std::uint8_t>& traces,
                const Frame& last);
