@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "parallel/ranks.hpp"
+#include "parallel/entry_messages.hpp"
 #include "particles/fields.hpp"
 
 namespace kerf {
@@ -78,13 +78,7 @@ template <class Chosen, int D, class P>
 void unpack(const ranks::Bytes& message, Particles<D, P>& particles,
             const std::vector<Index>& which) {
   const std::byte* from = message.data();
-  for_each_chosen<Chosen>(particles, [&](auto& field) {
-    constexpr std::size_t size = entry_size<decltype(field)>;
-    for (const Index i : which) {
-      std::memcpy(static_cast<void*>(&field[i]), from, size);
-      from += size;
-    }
-  });
+  for_each_chosen<Chosen>(particles, [&](auto& field) { take_entries(from, which, field); });
 }
 
 }  // namespace kerf

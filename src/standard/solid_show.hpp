@@ -36,6 +36,7 @@ class SolidOnHost {
         detached_(to_host(fields.detached)),
         held_(to_host(fields.held)),
         has_broken_bonds_(to_host(fields.has_broken_bonds)),
+        several_bodies_(to_host(fields.several_bodies)),
         flow_(to_host(fields.current_flow)),
         flaws_(to_host(fields.flaws)),
         loading_(to_host(fields.loading_now)) {
@@ -110,7 +111,7 @@ class SolidOnHost {
     const auto is_first = [this](std::uint16_t body) { return body == body_.front(); };
     if (std::all_of(body_.begin(), body_.end(), is_first)) return false;
     for (Index s = 0; s < size(); ++s)
-      for (Index k = view_.bonds.first(s); k < view_.bonds.last(s); ++k)
+      for (Index k = view_.bonds.first(s); several_bodies_[s] && k < view_.bonds.last(s); ++k)
         if (leaves_body(s, k)) return true;
     return false;
   }
@@ -144,7 +145,7 @@ class SolidOnHost {
   std::vector<std::uint32_t> intact_;
   std::vector<Matrix<D, Real>> gradient_;
   std::vector<Real> share_, strain_;
-  std::vector<std::uint8_t> detached_, held_, has_broken_bonds_;
+  std::vector<std::uint8_t> detached_, held_, has_broken_bonds_, several_bodies_;
   std::vector<PlasticState<D, Real>> flow_;
   std::vector<FlawState<Real>> flaws_;
   std::vector<Loading<Real>> loading_;

@@ -4,6 +4,7 @@
 
 #include "input/read.hpp"
 #include "model/case.hpp"
+#include "ranks/graded_block.hpp"
 #include "ranks/rank_runs.hpp"
 #include "simulation/run_settings.hpp"
 #include "standard/standard.hpp"
@@ -38,30 +39,6 @@ spacing = "1 mm"
 name = "plate"
 role = "rigid"
 shape = { type = "box", minimum = ["-52 mm", "-8 mm"], maximum = ["130 mm", "0 mm"] }
-spacing = "1 mm"
-)";
-
-// A jet above a block whose spacing is doubled twice away from it.
-constexpr const char* planned_graded_case = R"(title = "A graded block under a jet"
-dimension = 2
-[time]
-end = "1 ms"
-[domain]
-minimum = ["-150 mm", "-20 mm"]
-maximum = ["150 mm", "100 mm"]
-[[body]]
-name = "block"
-material = "tofu"
-shape = { type = "box", minimum = ["-64 mm", "0 mm"], maximum = ["64 mm", "48 mm"] }
-spacing = "1 mm"
-grading = { levels = 2, width = "16 mm" }
-[[jet]]
-name = "jet"
-material = "water"
-speed = "8 m/s"
-width = "10 mm"
-position = ["0 mm", "48 mm"]
-standoff = "20 mm"
 spacing = "1 mm"
 )";
 
@@ -164,7 +141,7 @@ class PlannedRanks : public Ranks {
 // of a row, 12 cells of at most four particles: Zoltan seeks the median in another order there.
 TEST_F(PlannedRanks, MatchTheRanksOfARun) {
   constexpr double of_piece = 48.0;
-  for (const char* text : {planned_case, planned_graded_case}) {
+  for (const char* text : {planned_case, jet_on_graded_block}) {
     write_case(text);
     for (const int ranks : {2, 3}) {
       count_with(1, ranks);

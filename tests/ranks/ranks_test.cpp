@@ -75,6 +75,10 @@ TEST_F(Ranks, DamBreakHasTheSameBits) {
   write_case(dam_break);
   expect_same_for({1, 2, 3});
 }
+TEST_F(Ranks, DamBreakByDeltaSphHasTheSameBits) {
+  write_case(dam_break + std::string("[numerics]\nwater = \"delta_sph\"\n"));
+  expect_same_for({2, 3});
+}
 TEST_F(Ranks, JetHasTheSameBits) {
   write_case(jet_on_plate(2));
   expect_same_for({2, 3});

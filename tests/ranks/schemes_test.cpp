@@ -1,52 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Graded bodies, windows that travel, settling under a load and delta-SPH have the same bits for
-// any number of ranks.
+// Graded bodies, windows that travel and settling under a load have the same bits for any number of
+// ranks.
+#include "ranks/graded_block.hpp"
 #include "ranks/rank_runs.hpp"
 #include "support/travelling.hpp"
 
 namespace kerf::test {
 namespace {
 
-// A jet splits a soft block whose spacing is doubled twice away from the jet; the pairs beside the
-// jumps have factors, since most of its stiffness is in its density.
-constexpr const char* jet_on_graded_block = R"(title = "Jet on a graded block"
-dimension = 2
-[time]
-end = "16 ms"
-[domain]
-minimum = ["-150 mm", "-20 mm"]
-maximum = ["150 mm", "100 mm"]
-[materials.curd]
-base = "tofu"
-poisson_ratio = 0.493
-criterion = "crack_band"
-failure_strain = 0.05
-fracture_energy = "10 J/m2"
-[[body]]
-name = "block"
-material = "curd"
-shape = { type = "box", minimum = ["-64 mm", "0 mm"], maximum = ["64 mm", "48 mm"] }
-spacing = "2 mm"
-grading = { levels = 2, width = "24 mm" }
-[[body]]
-name = "plate"
-role = "rigid"
-shape = { type = "box", minimum = ["-80 mm", "-8 mm"], maximum = ["80 mm", "0 mm"] }
-spacing = "2 mm"
-[[jet]]
-name = "jet"
-material = "water"
-speed = "8 m/s"
-width = "10 mm"
-position = ["0 mm", "48 mm"]
-standoff = "20 mm"
-spacing = "2 mm"
-[output]
-frame_interval = "1 ms"
-series_interval = "0.5 ms"
-)";
-
-// The same in space, beside two planes of symmetry.
+// A jet on a graded block in space, beside two planes of symmetry.
 constexpr const char* jet_on_graded_block_in_space = R"(title = "Jet on a graded block in space"
 dimension = 3
 [time]
@@ -107,41 +69,6 @@ frame_interval = "10 ms"
 series_interval = "2 ms"
 )";
 
-// Water falls into a tank.
-constexpr const char* dam_break_by_delta_sph = R"(title = "Dam break by delta-SPH"
-dimension = 2
-gravity = ["0 m/s2", "-9.81 m/s2"]
-[numerics]
-water = "delta_sph"
-[time]
-end = "40 ms"
-[domain]
-minimum = ["-20 mm", "-20 mm"]
-maximum = ["220 mm", "160 mm"]
-[[body]]
-name = "water"
-material = "slow-water"
-shape = { type = "box", minimum = ["0 mm", "0 mm"], maximum = ["60 mm", "60 mm"] }
-spacing = "2 mm"
-[[body]]
-name = "tank"
-role = "rigid"
-spacing = "2 mm"
-[body.shape]
-type = "difference"
-parts = [
-  { type = "box", minimum = ["-8 mm", "-8 mm"], maximum = ["208 mm", "120 mm"] },
-  { type = "box", minimum = ["0 mm", "0 mm"], maximum = ["200 mm", "130 mm"] },
-]
-[materials."slow-water"]
-base = "water"
-sound_speed = "15 m/s"
-source = "water of the library with the speed of sound of ten times its fastest motion"
-[output]
-frame_interval = "20 ms"
-series_interval = "2 ms"
-)";
-
 class SchemesOnRanks : public Ranks {
  protected:
   static constexpr const char* outputs =
@@ -175,10 +102,6 @@ TEST_F(SchemesOnRanks, AnotherNumberGoesOnInATravellingWindow) {
 }
 TEST_F(SchemesOnRanks, ABeamSettlesWithTheSameBits) {
   write_case(sagging_beam);
-  expect_same_for({2, 3});
-}
-TEST_F(SchemesOnRanks, DeltaSphHasTheSameBits) {
-  write_case(dam_break_by_delta_sph);
   expect_same_for({2, 3});
 }
 
