@@ -60,6 +60,21 @@ bool has_left(const WorkpieceBody& body, const KerfView& view,
   return near_left > most_near * near || left > most * all;
 }
 
+// Returns whether a body is parted where a nozzle that crosses the section has been since it began
+// (2D): its sides are those beside a place of the path where all is torn.
+bool is_parted_on_path(const KerfView& view, const Pieces& pieces, const KerfAxes& axes,
+                       const KerfPath& path) {
+  const auto body = static_cast<std::uint16_t>(view.body);
+  for (const double place : torn_places(view, axes, path)) {
+    KerfAxes there = axes;
+    for (std::size_t a = 0; a < 3; ++a) there.jet.aim[a] += place * axes.unit_crosswise[a];
+    for (const BodySides& sides :
+         find_sides(view.workpiece, body, there, view.workpiece.initial_body_piece))
+      if (joint_of(sides, view.workpiece, pieces.body_piece) == Joint::parted) return true;
+  }
+  return false;
+}
+
 // Returns whether a body is cut through in a frame that the water has entered.
 BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pieces,
               const KerfAxes& axes, double front, const std::vector<std::uint8_t>& traces) {
@@ -73,9 +88,13 @@ BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pie
     if (joint == Joint::parted) return {.through = true, .severed = true};
     is_joined = is_joined || joint == Joint::joined;
   }
-  // In the plane a chain of bonds between the sides crosses the axis of the jet.
-  if (is_joined && view.workpiece.dimension == 2) return cut;
   const KerfPath path{{}, axes.way(view.frame.time)};
+  if (view.workpiece.dimension == 2) {
+    if (axes.moves() && is_parted_on_path(view, pieces, axes, path))
+      return {.through = true, .severed = true};
+    // In the plane a chain of bonds between the sides crosses the axis of the jet.
+    if (is_joined) return cut;
+  }
   const UnbrokenThickness thickness = measure_unbroken(view, axes, path);
   const bool is_past = front >= bottom_depth(view.workpiece, body, view.frame, view.rows) -
                                     view.workpiece.axis_spacing;

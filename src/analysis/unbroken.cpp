@@ -20,6 +20,11 @@ struct Columns {
   std::vector<double> laid_out, standing, unbroken;
 };
 
+// Means over the window that begins at each column.
+struct Windows {
+  std::vector<double> laid_out, standing, unbroken;
+};
+
 Columns make_columns(const KerfView& view, const KerfAxes& axes, const KerfPath& path) {
   const double spacing = view.workpiece.axis_spacing, width = axes.jet.width;
   const double breadth = std::max(depth_breadth_fraction * width, 2.0 * spacing);
@@ -91,7 +96,7 @@ std::vector<std::uint8_t> find_torn(const Frame& frame) {
   return torn;
 }
 
-// Returns the means of the lengths over the window that begins at each column.
+// Returns the means of the lengths over the windows.
 std::vector<double> window_means(const Columns& columns, const std::vector<double>& lengths) {
   const auto [rows, aside] = columns.count;
   const auto [high, broad] = columns.window;
@@ -110,11 +115,8 @@ std::vector<double> window_means(const Columns& columns, const std::vector<doubl
   return means;
 }
 
-}  // namespace
-
-UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
-                                   const KerfPath& path) {
-  Columns columns = make_columns(view, axes, path);
+// Fills the columns with the body `view.body`.
+void fill(const KerfView& view, const KerfAxes& axes, Columns& columns) {
   const std::vector<std::uint8_t> torn = find_torn(view.frame);
   const Workpiece& workpiece = view.workpiece;
   const int dimension = view.frame.dimension;
@@ -129,9 +131,21 @@ UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
     if (view.standing[slot] == stands_as_laid_out || !torn[view.rows[slot]])
       add(columns, point, dimension, columns.unbroken);
   }
-  const auto laid_out = window_means(columns, columns.laid_out);
-  const auto standing = window_means(columns, columns.standing);
-  const auto unbroken = window_means(columns, columns.unbroken);
+}
+
+Windows windows_of(const Columns& columns) {
+  return {window_means(columns, columns.laid_out), window_means(columns, columns.standing),
+          window_means(columns, columns.unbroken)};
+}
+
+}  // namespace
+
+UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
+                                   const KerfPath& path) {
+  Columns columns = make_columns(view, axes, path);
+  fill(view, axes, columns);
+  const auto [laid_out, standing, unbroken] = windows_of(columns);
+  const Workpiece& workpiece = view.workpiece;
   const double spacing = workpiece.axis_spacing, none = nothing * spacing;
   UnbrokenThickness least;
   double share = 2.0;
@@ -151,6 +165,24 @@ UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
     for (double* length : {&least.laid_out, &least.standing, &least.unbroken}) *length += below;
   }
   return least;
+}
+
+std::vector<double> torn_places(const KerfView& view, const KerfAxes& axes, const KerfPath& path) {
+  Columns columns = make_columns(view, axes, path);
+  fill(view, axes, columns);
+  const Windows windows = windows_of(columns);
+  const double spacing = view.workpiece.axis_spacing, none = nothing * spacing;
+  const auto is_torn = [&](std::size_t n) {
+    return windows.laid_out[n] >= spacing / 2.0 && windows.unbroken[n] <= none;
+  };
+  std::vector<double> places;
+  for (std::size_t n = 0, first = 0; n < windows.laid_out.size(); first = ++n) {
+    if (!is_torn(n)) continue;
+    while (n + 1 < windows.laid_out.size() && is_torn(n + 1)) ++n;
+    const double middle = static_cast<double>(first + n + columns.window[0]) / 2.0;
+    places.push_back(columns.low[0] + middle * columns.step);
+  }
+  return places;
 }
 
 }  // namespace kerf

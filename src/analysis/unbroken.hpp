@@ -30,4 +30,8 @@ struct UnbrokenThickness {
 UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
                                    const KerfPath& path);
 
+// Returns the places across the jet, m local, of windows without unbroken solid: the middle of each
+// row of them. In 2D, where a nozzle moves across the section.
+std::vector<double> torn_places(const KerfView& view, const KerfAxes& axes, const KerfPath& path);
+
 }  // namespace kerf

@@ -66,6 +66,23 @@ double find_bottom(const Workpiece& workpiece, std::uint16_t body) {
   return bottom;
 }
 
+// Measures depths from the face of the workpiece where the jet aims at a point before or behind it:
+// moves the aim along the axis to the face if that is farther away than half a jet width.
+void aim_at_face(Workpiece& workpiece) {
+  JetAxis& jet = *workpiece.jet;
+  double face = std::numeric_limits<double>::infinity();
+  for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
+    const double size = workpiece.size[slot], depth = jet.depth(workpiece.position[slot]);
+    if (depth >= -jet.standoff && jet.distance(workpiece.position[slot]) <= size)
+      face = std::min(face, depth - size / 2.0);
+  }
+  if (!(std::abs(face) > std::max(jet.width / 2.0, 2.0 * workpiece.axis_spacing)) ||
+      std::isinf(face))
+    return;
+  for (std::size_t a = 0; a < 3; ++a) jet.aim[a] += face * jet.along[a];
+  jet.standoff += face;
+}
+
 // Returns the largest spacing beside the axis; a graded body is finer there.
 double find_axis_spacing(const Workpiece& workpiece) {
   double largest = 0.0;
@@ -161,6 +178,7 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
   if (initial.piece.empty()) workpiece.bonds = find_bonds(workpiece);
   Pieces pieces = find_pieces(workpiece, initial, locate(workpiece, initial));
   workpiece.initially_in_piece = pieces.in_piece;
+  workpiece.initial_body_piece = pieces.body_piece;
   if (!description.jets.empty()) {
     const Jet& jet = description.jets.front();
     workpiece.jet.emplace(jet, description.dimension);
@@ -168,6 +186,7 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
     workpiece.jet_density =
         description.materials.at(static_cast<std::size_t>(jet.material)).density;
     workpiece.axis_spacing = find_axis_spacing(workpiece);
+    aim_at_face(workpiece);
   }
   describe_bodies(workpiece, description, pieces);
   return workpiece;

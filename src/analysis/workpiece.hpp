@@ -61,7 +61,9 @@ struct Workpiece {
   double spacing = 0.0;            // m, the largest
   double axis_spacing = 0.0;       // m, the largest beside the axis of the jet
   double bottom = 0.0;             // m, depth at which the axis leaves
-  std::vector<std::uint8_t> initially_in_piece;  // as Pieces::in_piece, of the first layout
+  // As Pieces::in_piece and Pieces::body_piece, of the first layout.
+  std::vector<std::uint8_t> initially_in_piece;
+  std::vector<std::uint32_t> initial_body_piece;
 
   // Returns the thickness of a body, by its index into Case::bodies, or of all (-1) beyond the part
   // that is simulated, along the jet, m.

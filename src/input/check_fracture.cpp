@@ -82,6 +82,23 @@ void check_smallness(Draft& draft, const Material& material, const FractureLimit
        fmt::format("{:.3g} Pa or more", least), "Correct the value or its unit"});
 }
 
+// Criteria but those of strain take strengths and energies by Young's modulus, which is that of
+// small strains: a solid that stiffens with stretch would break several times too late.
+void check_stiffening(Draft& draft, const Material& material) {
+  const bool judges_strain = material.criterion == BondCriterion::principal_strain ||
+                             material.criterion == BondCriterion::equivalent_strain;
+  const double exponent = material.laws->ogden.exponent;
+  if (material.elasticity != ElasticLaw::ogden || judges_strain || !(exponent > 2.0)) return;
+  draft.reading.problems.add(
+      {fmt::format("materials.{}.criterion", material.name),
+       fmt::format("{} takes limits by Young's modulus at small strains, which this solid (ogden, "
+                   "exponent {:g}) leaves behind as it stiffens: it would break at several times "
+                   "its strength",
+                   bond_criterion_words[static_cast<std::size_t>(material.criterion)], exponent),
+       "principal_strain, equivalent_strain",
+       "Give the strain at which a tensile test fails, ln(1 + elongation), as failure_strain"});
+}
+
 }  // namespace
 
 void check_fracture(Draft& draft) {
@@ -91,6 +108,7 @@ void check_fracture(Draft& draft) {
     const Material& material = draft.result.materials[static_cast<std::size_t>(body.material)];
     if (!material.can_break() || !told.insert(material.name).second) continue;
     const FractureLimits limits = fracture_limits(material, body.spacing);
+    check_stiffening(draft, material);
     check_smallness(draft, material, limits);
     check_opening(draft, material, limits, body.spacing);
   }

@@ -8,6 +8,7 @@
 
 #include "model/calibration_need.hpp"
 #include "model/case.hpp"
+#include "output/moving_workpiece_flag.hpp"
 #include "output/result.hpp"
 #include "output/tension_flag.hpp"
 
@@ -234,6 +235,7 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
   if (description.jets.size() > 1)
     note("several_jets", fmt::format("The verdict and the kerf are those of the first jet, {}.",
                                      description.jets.front().name));
+  if (const auto moves = moving_workpiece_flag(description)) flags.push_back(*moves);
   if (const Material* material = unbreakable_material(description))
     flags.push_back({"unbreakable",
                      State::warning,

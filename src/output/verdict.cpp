@@ -46,13 +46,35 @@ std::string layers_clause(const RunOutcome& outcome) {
   return text;
 }
 
+// Returns the least length that means anything beside the spacing of the particles, m.
+double least_length(const RunOutcome& outcome) {
+  constexpr double least = 1e-3;  // of the finest spacing
+  double finest = std::numeric_limits<double>::infinity();
+  for (const Body& body : outcome.description.bodies) finest = std::min(finest, body.spacing);
+  return std::isfinite(finest) ? least * finest : 0.0;
+}
+
+// The verdict is on the first jet (docs/metrics.md).
+std::string the_jet(const RunOutcome& outcome) {
+  const std::size_t jets = outcome.description.jets.size();
+  return jets > 1 ? fmt::format("The first of {} jets", jets) : std::string("The jet");
+}
+
+// Returns when the first water can reach the point at which the jet aims, s.
+double arrival_time(const Jet& jet) {
+  return jet.start + jet.standoff / jet.speed;
+}
+
 // Returns the thickness that the jet has left, where it has broken a part.
 std::string unbroken_clause(const RunOutcome& outcome) {
   if (!outcome.kerf) return "";
   const double unbroken = outcome.kerf->of<CutMargin>().unbroken;
-  return unbroken > 0.0
-             ? fmt::format(", and {} of the thickness is unbroken", readable(unbroken, "m"))
-             : "";
+  if (unbroken > least_length(outcome))
+    return fmt::format(", and {} of the thickness is unbroken", readable(unbroken, "m"));
+  const auto& bodies = outcome.cut.bodies;
+  const bool is_left = std::any_of(bodies.begin(), bodies.end(),
+                                   [](const BodyVerdict& body) { return body.cut.left; });
+  return is_left ? "" : ", and none of the thickness is unbroken";
 }
 
 // Whether the front has come to the end of a part that ends within the workpiece.
@@ -62,19 +84,21 @@ bool is_at_end_of_part(const RunOutcome& outcome) {
 
 // Whether the front has moved by more than the positions of particles are known.
 bool is_measurable(const RunOutcome& outcome) {
-  constexpr double least = 1e-3;  // of the finest spacing
-  double finest = std::numeric_limits<double>::infinity();
-  for (const Body& body : outcome.description.bodies) finest = std::min(finest, body.spacing);
   const double depth = outcome.cut.last.front_depth;
-  return depth > 0.0 && !(depth < least * finest && std::isfinite(finest));
+  return depth > 0.0 && !(depth < least_length(outcome));
 }
 
 std::string dent_sentence(const RunOutcome& outcome) {
   const std::string end = readable(outcome.time, "s");
+  const Jet& jet = outcome.description.jets.front();
+  if (outcome.cut.last.front_depth == 0.0 && !(arrival_time(jet) < outcome.time))
+    return fmt::format("No water has come to the workpiece within {}: it would come after {}.", end,
+                       readable(arrival_time(jet), "s"));
   if (!is_measurable(outcome))
-    return fmt::format("The jet breaks nothing within {} and makes no measurable dent.", end);
-  return fmt::format("The jet breaks nothing within {}; its front presses {} into the workpiece.",
-                     end, readable(outcome.cut.last.front_depth, "m"));
+    return fmt::format("{} breaks nothing within {} and makes no measurable dent.",
+                       the_jet(outcome), end);
+  return fmt::format("{} breaks nothing within {}; its front presses {} into the workpiece.",
+                     the_jet(outcome), end, readable(outcome.cut.last.front_depth, "m"));
 }
 
 // Names the bodies that the jet has pushed out of the domain.
@@ -98,8 +122,9 @@ std::string depth_sentence(const RunOutcome& outcome) {
     return fmt::format(
         "The front of the jet has come to the end of the depth that is simulated, {}, after {}{}.",
         readable(outcome.description.workpiece->depth, "m"), end, layers_clause(outcome));
-  return fmt::format("The jet does not cut through within {}{}; its front is {} deep{}{}.", end,
-                     layers_clause(outcome), front, unbroken_clause(outcome), left_clause(outcome));
+  return fmt::format("{} does not cut through within {}{}; its front is {} deep{}{}.",
+                     the_jet(outcome), end, layers_clause(outcome), front, unbroken_clause(outcome),
+                     left_clause(outcome));
 }
 
 // With a moving nozzle one hole is not a cut, so the cut share of its path is stated.
@@ -115,7 +140,8 @@ std::string deed(const RunOutcome& outcome) {
   const std::string time = readable(outcome.cut.cut_through_time, "s");
   const bool removed =
       !outcome.kerf || outcome.kerf->shape.through || outcome.kerf->shape.through_share > 0.0;
-  if (removed) return fmt::format("The jet cuts through after {}{}", time, way_clause(outcome));
+  if (removed)
+    return fmt::format("{} cuts through after {}{}", the_jet(outcome), time, way_clause(outcome));
   const double depth = outcome.kerf->shape.depth;
   const std::string below = depth > 0.0 ? fmt::format("below a cut of {}", readable(depth, "m"))
                                         : std::string("without loss of material in its way");

@@ -18,6 +18,7 @@ struct RunFailure {
   bool fault = false;          // the state is broken, not only the step too short
   double dt = 0.0;             // s, the step it would need
   std::string cause;           // the limit, or the fault
+  bool never_breaks = false;   // the particle is of a solid without a strength
   double courant = 0.0;        // of the run
 };
 

@@ -76,6 +76,30 @@ TEST(SolidValidity, TellsHowSoftSolidsAreInTension) {
   EXPECT_THAT(validity_of(outcome), Not(any_of_name("tension")));
 }
 
+TEST(SolidValidity, FlagsAWorkpieceThatCrossesTheJet) {
+  RunOutcome outcome = outcome_with_solid();
+  Case& description = outcome.description;
+  description.materials.resize(1);
+  description.bodies.resize(1);
+  description.bodies[0].role = Role::elastic;
+  description.bodies[0].material = 0;
+  description.bodies[0].name = "block";
+  description.jets.resize(1);
+  description.jets[0].width = 6e-3;
+  description.jets[0].speed = 8.0;
+  description.time.end = 0.01;
+  for (const auto& [along_x, along_y, is_told] :
+       {std::tuple{"-0.4", "0", true}, std::tuple{"0.2", "0", false},
+        std::tuple{"0", "-5", false}}) {
+    description.bodies[0].velocity = {along_x, along_y, "0"};
+    if (is_told)
+      EXPECT_THAT(validity_of(outcome),
+                  flag_of("moving_workpiece", State::warning, "block crosses the jet"));
+    else
+      EXPECT_THAT(validity_of(outcome), Not(any_of_name("moving_workpiece")));
+  }
+}
+
 TEST(SolidValidity, FlagsUncalibratedMaterials) {
   RunOutcome outcome = outcome_with_solid();
   outcome.description.materials.resize(2);

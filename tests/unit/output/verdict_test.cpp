@@ -78,10 +78,43 @@ TEST(Verdict, TellsWhatWasPushedOutOrMissed) {
       "of it.");
 }
 
+Jet arriving_jet() {
+  Jet jet;
+  jet.speed = 5.0;
+  jet.standoff = 0.01;
+  jet.start = 0.001;
+  return jet;
+}
+
+// A jet whose water is still on its way is not said to do nothing.
+TEST(Verdict, WaterOnItsWayIsTold) {
+  RunOutcome outcome;
+  outcome.description.jets.push_back(arriving_jet());
+  outcome.description.bodies.emplace_back();
+  outcome.time = 0.002;
+  EXPECT_EQ(verdict_of(outcome),
+            "No water has come to the workpiece within 2 ms: it would come after 3 ms.");
+}
+
+// The verdict is on the first of several jets.
+TEST(Verdict, TheFirstOfSeveralJetsIsNamed) {
+  RunOutcome outcome;
+  outcome.description.jets = {arriving_jet(), arriving_jet()};
+  outcome.description.bodies.emplace_back();
+  outcome.time = 0.06;
+  outcome.kerf.emplace();
+  outcome.kerf->shape.thickness = 8e-3;
+  outcome.cut.last.front_depth = 3e-3;
+  outcome.cut.last.fractured_mass = 1.0;
+  EXPECT_EQ(verdict_of(outcome),
+            "The first of 2 jets does not cut through within 60 ms; its front is 3 mm deep, and "
+            "none of the thickness is unbroken.");
+}
+
 // A jet that does nothing is said to do nothing, in place of a dent of 0 m.
 TEST(Verdict, NoDentIsNoNumber) {
   RunOutcome outcome;
-  outcome.description.jets.emplace_back();
+  outcome.description.jets.push_back(arriving_jet());
   outcome.description.bodies.emplace_back();
   outcome.description.bodies.front().spacing = 2e-3;
   outcome.time = 0.06;

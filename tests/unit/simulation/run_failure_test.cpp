@@ -37,6 +37,8 @@ TEST(RunFailure, MessageHasTimePlaceCauseAndRemedy) {
   failure.fault = true;
   failure.cause = "a density of zero or less";
   EXPECT_NE(text_of(failure).find("m has a density of zero or less; lower"), std::string::npos);
+  failure.never_breaks = true;
+  EXPECT_NE(text_of(failure).find("zero or less; its material never breaks"), std::string::npos);
 }
 
 }  // namespace
