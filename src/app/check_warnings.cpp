@@ -138,15 +138,26 @@ bool is_in_way(const Jet& jet, const Body& body, int dimension) {
   return false;
 }
 
+// Warns of a jet that opens, or whose water arrives, when the run has ended at `end`, s.
+void warn_of_late_water(const Jet& jet, double end, std::vector<std::string>& warnings) {
+  const double arrival = jet.start + jet.standoff / jet.speed;
+  if (jet.start >= end)
+    warnings.push_back(
+        fmt::format("the jet \"{}\" opens at {:.4g} s, when the run has ended ({:.4g} s): it emits "
+                    "no water. Give it an earlier start, or the run a later end",
+                    jet.name, jet.start, end));
+  else if (arrival >= end)
+    warnings.push_back(
+        fmt::format("the water of the jet \"{}\" comes to the point at which it aims after {:.4g} "
+                    "s, when the run has ended ({:.4g} s). Give the run a later end",
+                    jet.name, arrival, end));
+}
+
 // Warns of a first jet whose water reaches no body that it could cut, by where and when it flows.
 void warn_of_aim(const Case& description, std::vector<std::string>& warnings) {
   if (description.jets.empty()) return;
   const Jet& jet = description.jets.front();
-  if (jet.start >= description.time.end)
-    warnings.push_back(
-        fmt::format("the jet \"{}\" opens at {:.4g} s, when the run has ended ({:.4g} s): it emits "
-                    "no water. Give it an earlier start, or the run a later end",
-                    jet.name, jet.start, description.time.end));
+  warn_of_late_water(jet, description.time.end, warnings);
   const auto is_target = [](const Body& body) { return body.role == Role::elastic && !body.fixed; };
   const auto& bodies = description.bodies;
   const bool may_meet_later = traverse_speed(jet) > 0.0 || fastest_body(description) > 0.0 ||
