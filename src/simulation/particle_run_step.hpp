@@ -218,7 +218,7 @@ void ParticleRun<D, P, Traits>::fail(const ParticleStep& cause) const {
   failure.dt = cause.dt;
   failure.cause = limit_name(cause.limit);
   failure.courant = settings_.courant;
-  const auto& medium = settings_.media[cause.medium];
+  const auto& medium = media_[cause.medium];
   failure.never_breaks = medium.phase == Phase::solid && !medium.can_break();
   report_run_failure(failure);
 }
