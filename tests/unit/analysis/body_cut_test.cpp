@@ -50,12 +50,7 @@ struct Trial {
       return {stretch * x[0], stretch * x[1], 0.0};
     });
     const Case made = description();
-    const std::size_t solids = after.id.size();
-    add_water(after, made, 20.0 * mm * stretch, jet_width);
-    for (std::size_t k = solids; k < after.id.size(); ++k) {
-      after.piece.push_back(after.id[k]);
-      after.body_piece.push_back(after.id[k]);
-    }
+    add_water_beside_bonds(after, made, 20.0 * mm * stretch);
     tilt(before, angle);
     tilt(after, angle);
     CutMonitor monitor(made, before);

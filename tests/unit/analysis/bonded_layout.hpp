@@ -92,6 +92,16 @@ inline void bond(const Frame& initial, Frame& frame, const Breaks& breaks = brea
   frame.body_piece = graph.pieces(true);
 }
 
+// Adds water as add_water does to a frame with pieces: each particle of it is one of its own.
+inline void add_water_beside_bonds(Frame& frame, const Case& description, double depth) {
+  const std::size_t solids = frame.id.size();
+  add_water(frame, description, depth, jet_width);
+  for (std::size_t k = solids; k < frame.id.size(); ++k) {
+    frame.piece.push_back(frame.id[k]);
+    frame.body_piece.push_back(frame.id[k]);
+  }
+}
+
 // The bonds that cross a line from the top face to the bottom one, x = at(y), break.
 inline Breaks crack(const std::function<double(double)>& at) {
   return

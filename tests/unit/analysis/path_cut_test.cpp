@@ -33,12 +33,9 @@ struct Crossing {
     if (has_bonds) {
       bond(initial, frame);
       bond(initial, initial);
-    }
-    const std::size_t solids = frame.id.size();
-    add_water(frame, description, 20.0 * mm, jet_width);
-    for (std::size_t k = solids; has_bonds && k < frame.id.size(); ++k) {
-      frame.piece.push_back(frame.id[k]);
-      frame.body_piece.push_back(frame.id[k]);
+      add_water_beside_bonds(frame, description, 20.0 * mm);
+    } else {
+      add_water(frame, description, 20.0 * mm, jet_width);
     }
     tilt(initial, angle);
     tilt(frame, angle);
