@@ -6,26 +6,24 @@
 // (docs/theory/balance.md).
 #pragma once
 
-#include "materials/equation_of_state.hpp"
-#include "particles/fields.hpp"
+#include "fluid/density_pressure.hpp"
 
 namespace kerf {
 
 // Returns the energy that particle i, which has a density, stores at the compression `after` less
 // that at `before`, J/kg: the integral of p / rho^2 d rho by the midpoint rule, since the changes
-// of a step are small. Opened matter stores nothing.
+// of a step are small, on either side of 0, where p(rho) may have a kink.
 template <int D, class P>
 KERF_FUNCTION typename P::Real stored_change(const ParticleView<D, P>& particles, Index i,
                                              typename P::Real before, typename P::Real after) {
   using Real = typename P::Real;
-  const auto& medium = particles.medium(i);
-  if (is_opened(medium, before)) before = Real(0);
-  if (is_opened(medium, after)) after = Real(0);
-  const Real middle = Real(0.5) * (before + after), ratio = Real(1) + middle;
-  const Real share = medium.phase == Phase::solid
-                         ? medium.template share_by_density<Real>(particles.is_fluid(i))
-                         : Real(1);
-  return share * pressure_at(medium, middle) / (medium.density * ratio * ratio) * (after - before);
+  const auto change = [&](Real from, Real to) {
+    const Real middle = Real(0.5) * (from + to), ratio = Real(1) + middle;
+    return pressure_by_density(particles, i, middle) /
+           (particles.medium(i).density * ratio * ratio) * (to - from);
+  };
+  if ((before < Real(0)) == (after < Real(0))) return change(before, after);
+  return change(before, Real(0)) + change(Real(0), after);
 }
 
 // The part of the work against pressure in a step that the continuity equation does not store; all

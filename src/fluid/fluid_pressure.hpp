@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "materials/equation_of_state.hpp"
-#include "particles/fields.hpp"
+#include "fluid/density_pressure.hpp"
 
 namespace kerf {
 
@@ -14,11 +13,8 @@ struct FluidPressure {
   ParticleView<D, P> particles;
 
   KERF_FUNCTION void operator()(Index i) const {
-    const auto& medium = particles.medium(i);
-    const bool fluid = particles.is_fluid(i);
     particles.pressure[i] = particles.has_density(i)
-                                ? medium.template share_by_density<Real>(fluid) *
-                                      pressure_at(medium, particles.compression[i])
+                                ? pressure_by_density(particles, i, particles.compression[i])
                                 : Real(0);
   }
 };

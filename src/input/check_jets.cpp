@@ -17,9 +17,12 @@ namespace kerf {
 
 namespace {
 
+// To rounding: the nozzle of a jet that leans along a symmetry plane is on it.
 bool inside(const Box& box, const Point& point, int dimension) {
-  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
-    if (point[a] < box.minimum[a] || point[a] > box.maximum[a]) return false;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+    const double slack = 1e-9 * (box.maximum[a] - box.minimum[a]);
+    if (point[a] < box.minimum[a] - slack || point[a] > box.maximum[a] + slack) return false;
+  }
   return true;
 }
 

@@ -3,10 +3,11 @@
 
 namespace kerf {
 
-JetAtWorkpiece jet_after(double standoff, double diameter, double speed, double coherent_length) {
-  if (!(standoff > coherent_length)) return {diameter, 1.0, 0.0};
+JetAtWorkpiece jet_after(const FreeJet& jet, double standoff, double coherent_length) {
+  if (!(standoff > coherent_length)) return {jet.diameter, 1.0, 0.0};
   const double spread = standoff / coherent_length;
-  return {diameter * spread, 1.0 / (spread * spread), speed / (drop_distance * diameter)};
+  const double section = jet.is_plane ? spread : spread * spread;
+  return {jet.diameter * spread, 1.0 / section, jet.speed / (drop_distance * jet.diameter)};
 }
 
 }  // namespace kerf

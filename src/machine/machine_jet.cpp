@@ -54,6 +54,11 @@ void aim(const Machine& machine, int dimension, Jet& jet) {
   jet.azimuth = jet.angle > 0.0 ? std::atan2(z, x) : 0.0;
 }
 
+JetAtWorkpiece arriving_jet(const Machine& machine, const MachineNumbers& numbers, int dimension) {
+  return jet_after({numbers.diameter, numbers.speed, dimension == 2}, machine.standoff,
+                   machine.coherent_length);
+}
+
 void pulse(const Machine& machine, const JetAtWorkpiece& arriving, Jet& jet) {
   jet.duty = machine.duty * arriving.water_share;
   jet.pulse_frequency =
@@ -83,8 +88,7 @@ MachineNumbers machine_numbers(const Machine& machine, const Material& water, in
   numbers.power = numbers.stagnation_pressure * numbers.flow_rate;
   numbers.hammer_pressure =
       water.density * (real_water_sound_speed + hugoniot_slope * numbers.speed) * numbers.speed;
-  const JetAtWorkpiece arriving =
-      jet_after(machine.standoff, numbers.diameter, numbers.speed, machine.coherent_length);
+  const JetAtWorkpiece arriving = arriving_jet(machine, numbers, dimension);
   numbers.diameter_at_workpiece = arriving.diameter;
   numbers.water_share_at_workpiece = arriving.water_share;
   if (flat && dimension == 3)  // the thickness of a sheet decreases as its length increases
@@ -109,8 +113,7 @@ Jet machine_jet(const Machine& machine, const Material& water, int dimension) {
     for (std::size_t a = 0; a < 3; ++a)
       jet.traverse[a] = machine.traverse_speed * machine.traverse_direction[a];
   jet.dwell = machine.dwell;
-  pulse(machine,
-        jet_after(machine.standoff, numbers.diameter, numbers.speed, machine.coherent_length), jet);
+  pulse(machine, arriving_jet(machine, numbers, dimension), jet);
   return jet;
 }
 

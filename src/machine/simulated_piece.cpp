@@ -109,6 +109,22 @@ void make_travelling(const PieceRequest& request, WorkpieceSetting& workpiece) {
   workpiece.shift = usual_shift(workpiece, frame.axis);
 }
 
+// Extends the domain to the nozzle and its path, which may lead past the edges of the workpiece.
+void hold_nozzle(const PieceRequest& request, const Faces& planes, Box& domain) {
+  const Jet& jet = request.jet;
+  const Point lean = lean_of(jet), extent = jet_extent(jet, request.dimension);
+  const double speed = std::hypot(jet.traverse[0], jet.traverse[2]);
+  for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
+    if (a == 2 && request.dimension == 2) continue;
+    const double start = jet.position[a] - lean[a] * jet.standoff * std::cos(jet.angle);
+    const double end = speed > 0.0 ? start + way_of(request) * jet.traverse[a] / speed : start;
+    const double room = extent[a] + domain_margin * jet.width;
+    if (!planes.minimum[a])
+      domain.minimum[a] = std::min(domain.minimum[a], std::min(start, end) - room);
+    domain.maximum[a] = std::max(domain.maximum[a], std::max(start, end) + room);
+  }
+}
+
 double particles_of(const PieceRequest& request, const Box& part, int levels) {
   Body body;
   body.shape.kind = Shape::Kind::box;
@@ -225,6 +241,9 @@ Box domain_around(const PieceRequest& request, const Box& part, const Faces& pla
   }
   domain.maximum[1] += request.jet.standoff * std::cos(request.jet.angle);
   domain.minimum[1] -= margin;
+  const bool is_whole = !(request.depth < request.size[1] * (1.0 - 1e-9));
+  if (is_whole) domain.minimum[1] -= room_below * request.depth;
+  hold_nozzle(request, planes, domain);
   return domain;
 }
 

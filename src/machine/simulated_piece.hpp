@@ -23,6 +23,11 @@ constexpr double window_reach(int dimension) {
 inline constexpr double traverse_widths = 4.0;
 // Water beyond the simulated part by this distance, in jet widths, is removed.
 inline constexpr double domain_margin = 2.0;
+// The domain below a workpiece, in its thicknesses: a bulge or a plug that the jet pushes out must
+// stay in it until the end, since what has left is not judged. It is slower than the water, which
+// comes three thicknesses below the workpiece in the time of passage_time(), and seven in twice
+// that.
+inline constexpr double room_below = 4.0;
 
 // A draft in 3D under a nozzle that stands simulates so much of a workpiece that is thicker than
 // `whole_depth`, both in jet widths: the law of the depth shows in it (docs/theory/exposure.md).

@@ -34,4 +34,13 @@ inline double bond_bulk_modulus(double bulk_modulus, double shear_modulus) {
   return bulk_modulus < most ? bulk_modulus : most;
 }
 
+inline constexpr double most_tensile_bulk = 50.0;  // K / G, nu = 0.49
+
+// The part of the bulk modulus that acts by the density where an undamaged solid expands, Pa.
+inline double tensile_excess_modulus(double bulk_modulus, double shear_modulus) {
+  const double most = most_tensile_bulk * shear_modulus;
+  return (bulk_modulus < most ? bulk_modulus : most) -
+         bond_bulk_modulus(bulk_modulus, shear_modulus);
+}
+
 }  // namespace kerf

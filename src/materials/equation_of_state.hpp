@@ -56,13 +56,17 @@ KERF_FUNCTION bool is_opened(const BarotropicMatter<T>& matter, Number compressi
   return matter.cavitates && compression < Number(0);
 }
 
-// Pressure, Pa.
+// Pressure by the law, whether the matter opens or not, Pa.
 template <class T>
-KERF_FUNCTION T pressure_at(const BarotropicMatter<T>& matter, T compression) {
-  if (is_opened(matter, compression)) return T(0);
+KERF_FUNCTION T unopened_pressure_at(const BarotropicMatter<T>& matter, T compression) {
   return EquationOfStateSet<T>::visit(matter, matter.equation_of_state, [&](const auto& law) {
     return law.pressure(matter, compression);
   });
+}
+// Pressure, Pa.
+template <class T>
+KERF_FUNCTION T pressure_at(const BarotropicMatter<T>& matter, T compression) {
+  return is_opened(matter, compression) ? T(0) : unopened_pressure_at(matter, compression);
 }
 
 // Sound speed at this density, m/s.
@@ -94,13 +98,17 @@ KERF_FUNCTION T impedance_speed_at(const BarotropicMatter<T>& matter, T compress
   return is_weakly_compressible(matter) ? matter.sound_speed : sound_speed_at(matter, compression);
 }
 
-// Stored energy, J/kg.
+// Energy stored by the law, whether the matter opens or not, J/kg.
 template <class T>
-KERF_FUNCTION double energy_at(const BarotropicMatter<T>& matter, double compression) {
-  if (is_opened(matter, compression)) return 0.0;
+KERF_FUNCTION double unopened_energy_at(const BarotropicMatter<T>& matter, double compression) {
   return EquationOfStateSet<T>::visit(matter, matter.equation_of_state, [&](const auto& law) {
     return law.energy(matter, compression);
   });
+}
+// Stored energy, J/kg.
+template <class T>
+KERF_FUNCTION double energy_at(const BarotropicMatter<T>& matter, double compression) {
+  return is_opened(matter, compression) ? 0.0 : unopened_energy_at(matter, compression);
 }
 
 // Whether no pressure reaches this density.

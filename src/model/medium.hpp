@@ -27,6 +27,7 @@ enum class Phase : std::uint8_t { water, solid, rigid };
   NUMBER(viscosity)            /* Pa s */                                          \
   NUMBER(total_bulk_modulus)   /* Pa, K; bonds carry bulk_modulus of it */         \
   NUMBER(excess_bulk_modulus)  /* Pa, the part of K that acts by the density */    \
+  NUMBER(tensile_excess)       /* Pa, that of an undamaged solid that expands */   \
   NUMBER(artificial_linear)    /* A of eq. (38), and of the bond viscosity */      \
   NUMBER(artificial_quadratic) /* B of eq. (38), and of the bond viscosity */      \
   NUMBER(artificial_softening) /* C of eq. (39) */                                 \
@@ -68,12 +69,6 @@ struct Medium : BarotropicMatter<T>, BondedSolid<T> {
   // Returns whether bonds can break, by the criterion or by ductile damage.
   KERF_FUNCTION bool can_break() const {
     return this->bonds_can_break() || plastic.can_break();
-  }
-
-  // Returns the share of K that acts by the density: 1 for detached particles. Solids only.
-  template <class Real>
-  KERF_FUNCTION Real share_by_density(bool is_detached) const {
-    return is_detached ? Real(1) : Real(excess_bulk_modulus) / Real(total_bulk_modulus);
   }
 
   // Returns whether particles of this medium and of `other`, or the mirror images of the latter

@@ -23,12 +23,14 @@ std::optional<ValidityFlag> tension_flag(const Case& description) {
   const double nu = softest->poisson_ratio;
   const double along =
       description.dimension == 2 ? (1.0 - pulled) / (1.0 - nu) : (1.0 + nu) / (1.0 + pulled);
+  const bool flows = softest->plasticity != PlasticLaw::none;
   return ValidityFlag{
       "tension", ValidityFlag::State::note, pulled, nu,
-      fmt::format(
-          "Where it is pulled, {} acts with a Poisson's ratio of {:.2f} for {:g}, so that a "
-          "bar of it stretches {:.0f}% farther; pressed it acts as given.",
-          softest->name, pulled, nu, 100.0 * (along - 1.0))};
+      fmt::format("Where it is {}, {} acts under tension with a Poisson's ratio of {:.2f} for "
+                  "{:g}, so that "
+                  "a bar of it stretches {:.0f}% farther{}.",
+                  flows ? "pulled" : "damaged", softest->name, pulled, nu, 100.0 * (along - 1.0),
+                  flows ? "; pressed it acts as given" : "")};
 }
 
 }  // namespace kerf

@@ -108,8 +108,10 @@ std::string left_clause(const RunOutcome& outcome) {
     if (verdict.cut.left)
       names.push_back(outcome.description.bodies.at(std::size_t(verdict.body)).name);
   if (names.empty()) return "";
-  return fmt::format("; it has pushed {} out of the domain unbroken, where nothing is known of it",
-                     join(names));
+  return fmt::format(
+      "; it has pushed {} out of the domain unbroken, where nothing is known of it: a larger "
+      "[domain] would tell",
+      join(names));
 }
 
 std::string depth_sentence(const RunOutcome& outcome) {

@@ -51,6 +51,8 @@ namespace kerf {
   STATE(Index, sorted_cell, unsorted, always, hidden)                /* when they were sorted */   \
   STATE(std::uint16_t, source, start.source, always, hidden)         /* simulation/media_order.hpp */   \
   PAIRED(std::uint8_t, fractured, 0, always, hidden) /* 1 = bears compression only */              \
+  PAIRED(std::uint8_t, undamaged, medium.tensile_excess > 0.0, contact, hidden)                    \
+  /* 1 = nearly incompressible solid whose density bears tension */                                \
   PAIRED(std::uint8_t, flags, start.flags, always, hidden) /* particles/new_particle.hpp */         \
   STATE(std::uint8_t, asleep, 0, sleep, hidden) /* 1 = solid at rest that is not computed */        \
   STATE(std::uint8_t, moving, medium.phase == Phase::water, sleep, hidden) /* standard/sleep.hpp */ \
@@ -145,6 +147,10 @@ struct ParticleView : FieldTypes<D, P> {
   // Whether its density determines its pressure, or a part of it.
   KERF_FUNCTION bool has_density(Index i) const {
     return is_fluid(i) || medium(i).excess_bulk_modulus > Real(0);
+  }
+  // Whether its density bears tension: that of nearly incompressible solid until it is damaged.
+  KERF_FUNCTION bool bears_tension(Index i) const {
+    return undamaged != nullptr && undamaged[i] != 0 && fractured[i] == 0;
   }
   // Whether its motion is prescribed, by a nozzle or as that of a body.
   KERF_FUNCTION bool is_constrained(Index i) const {

@@ -150,6 +150,10 @@ std::vector<Medium<double>> make_media(const Case& description, const std::vecto
           medium.total_bulk_modulus -
           bond_bulk_modulus(medium.total_bulk_modulus, medium.shear_modulus);
       medium.bulk_modulus = medium.total_bulk_modulus - medium.excess_bulk_modulus;
+      // The yield surface of a solid that flows bounds the tension that its bonds bear.
+      if (!medium.plastic.flows())
+        medium.tensile_excess =
+            tensile_excess_modulus(medium.total_bulk_modulus, medium.shear_modulus);
     }
     medium.cavitates =
         medium.phase != Phase::rigid && description.formulation == Formulation::standard;

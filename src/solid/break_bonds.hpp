@@ -53,9 +53,14 @@ struct CriterionParticle {
   KERF_FUNCTION Real tensile_strain() const {
     return view.softens(i) ? view.current_strain[i] : kerf::tensile_strain(solid, view.gradient[i]);
   }
-  // Pa, Kirchhoff's.
+  // Pa, Kirchhoff's, with the tension that the density of an undamaged particle bears.
   KERF_FUNCTION Real largest_stress() const {
-    if (!view.flows(i)) return ElasticParticle<D, Real>{solid, green}.largest_stress();
+    if (!view.flows(i)) {
+      BreakableSolid<Real> bearing = solid;
+      if (!view.has_broken_bonds[i] && is_expanded(solid, green))
+        bearing.bulk_modulus += view.medium(i).tensile_excess;
+      return ElasticParticle<D, Real>{bearing, green}.largest_stress();
+    }
     return std::sqrt(Real(1) + volume_square_less_one(green)) *
            largest_of(principal_values(undivided_cauchy(view, i)));
   }

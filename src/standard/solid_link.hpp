@@ -3,7 +3,7 @@
 // whose particles keep the numbers of the initial layout.
 #pragma once
 
-#include "materials/equation_of_state.hpp"
+#include "fluid/density_pressure.hpp"
 #include "neighbours/neighbour_list.hpp"
 #include "pairs/pair.hpp"
 #include "particles/fields.hpp"
@@ -128,14 +128,14 @@ struct MarkDetached {
   KERF_FUNCTION void add(Index s, Terms<1>& sum) const {
     const Index i = link.particle_of[s];
     if (i == no_index || !solid.detached[s] || particles.fractured[i]) return;
-    particles.fractured[i] = 1;
     const auto& medium = particles.medium(i);
-    const auto share = medium.template share_by_density<double>(false);
     const double mass = solid.medium(s).mass;
     const double by_bonds = records.of == nullptr ? 0.0 : records.of[s].energy.less() / mass;
     const Real before = in_step ? particles.start_compression[i] : particles.compression[i];
-    const double stored = share * energy_at(medium, double(before));
-    const Real compression = compression_with(s, medium, before, stored + by_bonds);
+    const double stored = energy_by_density(particles, i, double(before));
+    const Real by_density = pressure_by_density(particles, i, before);
+    particles.fractured[i] = 1;
+    const Real compression = compression_with(s, medium, by_density, stored + by_bonds);
     const double taken = energy_at(medium, double(compression)) - stored;
     particles.compression[i] = particles.start_compression[i] = compression;
     particles.pressure_work[i] += static_cast<Real>(taken);
@@ -143,11 +143,10 @@ struct MarkDetached {
   }
 
  private:
-  // The compression that continues the pressure, with no more energy than `available`, J/kg.
-  KERF_FUNCTION Real compression_with(Index s, const Medium<Real>& medium, Real before,
+  // The compression that continues the pressure, `by_density` and by bonds, with no more energy
+  // than `available`, J/kg.
+  KERF_FUNCTION Real compression_with(Index s, const Medium<Real>& medium, Real by_density,
                                       double available) const {
-    const Real by_density =
-        medium.template share_by_density<Real>(false) * pressure_at(medium, before);
     const Real by_bonds = -trace(cauchy_now(solid, s)) / Real(3);
     const Real equal = medium.tait.compression(by_density + by_bonds);
     const auto costs = [&](Real compression) {

@@ -15,6 +15,7 @@
 #include "simulation/state_io.hpp"
 #include "solid/pair_correction.hpp"
 #include "solid/total_lagrangian.hpp"
+#include "standard/open_damaged.hpp"
 #include "standard/sleep.hpp"
 #include "standard/solid_boundaries.hpp"
 #include "standard/solid_exchange.hpp"
@@ -165,7 +166,7 @@ class SolidPart {
 
   void end_step(Particles<D, P>& particles, double dt) {
     if (!solid_) return;
-    if (cycle_.is_first_substep()) finish_solid_step();
+    if (cycle_.is_first_substep()) finish_solid_step(particles);
     losses_.viscous += dt * viscous_power_;
     boundaries_.end_step(particles, link(), dt);
     cycle_.end_step(dt);
@@ -212,14 +213,7 @@ class SolidPart {
   void mark_fitted(const std::vector<Medium<double>>& media, Particles<D, P>& particles);
   // Records the losses of the first substep and applies plastic flow, softening and damage for the
   // step of the solid.
-  void finish_solid_step() {
-    viscous_power_ = solid_->viscous_power();
-    losses_.plastic += solid_->keep_flow();
-    solid_->keep_loading();
-    losses_.released += solid_->keep_softening();
-    losses_.released += solid_->keep_damage(cycle_.take_length());
-    wave_ = solid_->wave_time(courant_);
-  }
+  void finish_solid_step(Particles<D, P>& particles);
 
   // `dt` after the last finish_solid_step().
   void deform(Particles<D, P>& particles, double dt, double prediction_time) {
@@ -230,15 +224,8 @@ class SolidPart {
       solid_->take(motion);
     solid_->deform(dt);
   }
-  void take(const FractureResult& result, Particles<D, P>& particles, bool in_step) {
-    losses_.released += result.released;
-    if (result.bonds > 0)
-      for_each_index(solid_->size(),
-                     UnmarkBroken<D, P>{link(), solid_->view(), pointer(fully_bonded_)});
-    if (result.detached == 0) return;
-    has_detached_ = true;
-    mark_detached(particles, in_step);
-  }
+  // Takes over what breaks have changed, in the middle of a step or at its end.
+  void take(const FractureResult& result, Particles<D, P>& particles, bool in_step);
   SolidIndexView link() const {
     return {pointer(number_of_id_), static_cast<Index>(number_of_id_.size()),
             const_cast<Index*>(pointer(particle_of_))};
@@ -248,13 +235,11 @@ class SolidPart {
     for_each_index(particles.size(), LinkSolids<D, P>{particles.view(), link()});
     if (is_divided()) exchange_.relink(link(), *solid_);
     mark_detached(particles, false);
+    open_damaged(particles);
   }
-  void mark_detached(Particles<D, P>& particles, bool in_step) {
-    const MarkDetached<D, P> mark{particles.view(), link(), solid_->view(), solid_->records(),
-                                  in_step};
-    losses_.released -=
-        is_divided() ? sum_divided(mark) : detached_sum_(solid_->size(), mark).value[0];
-  }
+  // Lets the damaged particles open (standard/open_damaged.hpp).
+  void open_damaged(Particles<D, P>& particles);
+  void mark_detached(Particles<D, P>& particles, bool in_step);
 
   // Whether several ranks divide the solid among them; what they do then
   // (standard/solid_part_divided.hpp).
@@ -267,12 +252,21 @@ class SolidPart {
   template <class Filter>
   void accelerate_divided(Particles<D, P>& particles, const Filter& filter);
   const Real* mean_stress_divided();
-  double sum_divided(const MarkDetached<D, P>& mark) const;
+  const Real* damaged_divided();
+  template <class Value>
+  const Real* given_back(const Value& value);
+  // Applies an action to each particle of the solid; returns what it sums.
+  template <class Action>
+  double sum_of(const Action& action) {
+    return is_divided() ? sum_divided(action) : detached_sum_(solid_->size(), action).value[0];
+  }
+  template <class Action>
+  double sum_divided(const Action& action) const;
 
   SolidExchange<D, P> exchange_;
   // Of all particles, where they are divided.
   std::vector<std::uint8_t> undeformed_, reached_;
-  Array<Real> mean_stress_;
+  Array<Real> given_back_;
   std::unique_ptr<TotalLagrangian<D, P>> solid_;
   SolidMembers<D> members_;
   std::vector<std::uint16_t> body_of_medium_;
@@ -288,6 +282,7 @@ class SolidPart {
   static constexpr WaveTime unknown_wave{1e300, 0};
   WaveTime wave_ = unknown_wave;
   bool has_detached_ = false;
+  bool bears_tension_ = false;     // some of the solid, by its density
   bool has_pair_factors_ = false;  // where the spacing of a nearly incompressible solid jumps
 };
 

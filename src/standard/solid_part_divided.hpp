@@ -68,23 +68,33 @@ void SolidPart<D, P>::accelerate_divided(Particles<D, P>& particles, const Filte
   }
 }
 
-// Returns the mean stress of the particles of this rank.
+// Returns a value of the solid for the particles of this rank: value(s) of each, which its owner
+// computes.
 template <int D, class P>
-const typename P::Real* SolidPart<D, P>::mean_stress_divided() {
+template <class Value>
+const typename P::Real* SolidPart<D, P>::given_back([[maybe_unused]] const Value& value) {
   if constexpr (ranks::exist) {
     const IndexShare share = solid_->share();
-    const MeanStress<D, P> mean_stress{solid_->view()};
-    mean_stress_.resize(solid_->size());
-    for (Index s = share.first; s < share.last; ++s) mean_stress_[s] = mean_stress(s);
-    exchange_.send_back(mean_stress_);
+    given_back_.resize(solid_->size());
+    for (Index s = share.first; s < share.last; ++s) given_back_[s] = value(s);
+    exchange_.send_back(given_back_);
   }
-  return pointer(mean_stress_);
+  return pointer(given_back_);
+}
+template <int D, class P>
+const typename P::Real* SolidPart<D, P>::mean_stress_divided() {
+  return given_back(MeanStress<D, P>{solid_->view()});
+}
+template <int D, class P>
+const typename P::Real* SolidPart<D, P>::damaged_divided() {
+  return given_back(IsDamaged<D, P>{solid_->view()});
 }
 
 // The sum over particles each of which is at one of the ranks, in the order and the blocks of a sum
 // over the solid (parallel/ordered_sum.hpp).
 template <int D, class P>
-double SolidPart<D, P>::sum_divided(const MarkDetached<D, P>& mark) const {
+template <class Action>
+double SolidPart<D, P>::sum_divided(const Action& action) const {
   struct Taken {
     Index number;
     double value;
@@ -92,7 +102,7 @@ double SolidPart<D, P>::sum_divided(const MarkDetached<D, P>& mark) const {
   std::vector<Taken> own;
   for (Index s = 0; s < solid_->size(); ++s) {
     auto taken = Terms<1>::zero();
-    mark.add(s, taken);
+    action.add(s, taken);
     if (taken.value[0] != 0.0) own.push_back({s, taken.value[0]});
   }
   std::vector<Taken> all = ranks::collected(own);

@@ -54,6 +54,9 @@ void SolidPart<D, P>::build(const RunSettings& settings, const std::vector<Mediu
   solid_ = std::make_unique<TotalLagrangian<D, P>>(
       solid_layout(settings, media, particles.mirrors, members_));
   outflow_.assign(members_.size(), std::uint8_t(0));
+  bears_tension_ =
+      std::any_of(members_.medium_index.begin(), members_.medium_index.end(),
+                  [&](const auto medium) { return media[medium].tensile_excess > 0.0; });
   mark_fitted(media, particles);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Some stages of a step of SolidPart: the accelerations by bonds, outflow, and the limit of the
-// next step.
+// Some stages of a step of SolidPart: the accelerations by bonds, the end of a step of the solid,
+// outflow, and the limit of the next step.
 #pragma once
 
 #include "standard/solid_part.hpp"
@@ -18,6 +18,44 @@ void SolidPart<D, P>::accelerate(Particles<D, P>& particles) {
   else
     for_each_index(solid_->size(), add);
   boundaries_.accelerate(particles, link(), solid_->fields());
+}
+
+template <int D, class P>
+void SolidPart<D, P>::finish_solid_step(Particles<D, P>& particles) {
+  viscous_power_ = solid_->viscous_power();
+  losses_.plastic += solid_->keep_flow();
+  solid_->keep_loading();
+  losses_.released += solid_->keep_softening();
+  losses_.released += solid_->keep_damage(cycle_.take_length());
+  open_damaged(particles);
+  wave_ = solid_->wave_time(courant_);
+}
+
+template <int D, class P>
+void SolidPart<D, P>::take(const FractureResult& result, Particles<D, P>& particles, bool in_step) {
+  losses_.released += result.released;
+  if (result.bonds > 0)
+    for_each_index(solid_->size(),
+                   UnmarkBroken<D, P>{link(), solid_->view(), pointer(fully_bonded_)});
+  if (result.detached > 0) {
+    has_detached_ = true;
+    mark_detached(particles, in_step);
+  }
+  if (result.bonds > 0 && !in_step) open_damaged(particles);
+}
+
+template <int D, class P>
+void SolidPart<D, P>::open_damaged(Particles<D, P>& particles) {
+  if (!bears_tension_) return;
+  OpenDamaged<D, P> open{particles.view(), link(), solid_->view()};
+  if (is_divided()) open.damaged = damaged_divided();
+  losses_.released += sum_of(open);
+}
+
+template <int D, class P>
+void SolidPart<D, P>::mark_detached(Particles<D, P>& particles, bool in_step) {
+  losses_.released -= sum_of(
+      MarkDetached<D, P>{particles.view(), link(), solid_->view(), solid_->records(), in_step});
 }
 
 template <int D, class P>

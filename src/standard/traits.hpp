@@ -4,7 +4,7 @@
 // (standard/solid_part.hpp).
 #pragma once
 
-#include "materials/equation_of_state.hpp"
+#include "fluid/density_pressure.hpp"
 #include "neighbours/pair_range.hpp"
 #include "simulation/balance_sums.hpp"
 
@@ -25,10 +25,7 @@ struct StandardTraits {
   template <int D, class P>
   KERF_FUNCTION static SolidStorage stored_by_solid(const ParticleView<D, P>& particles, Index i,
                                                     double mass) {
-    const auto& medium = particles.medium(i);
-    const double compression = particles.compression[i];
-    const auto share = medium.template share_by_density<double>(particles.fractured[i] != 0);
-    return {mass * share * energy_at(medium, compression), 0.0};
+    return {mass * energy_by_density(particles, i, double(particles.compression[i])), 0.0};
   }
 };
 

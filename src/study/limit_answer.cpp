@@ -77,8 +77,9 @@ std::string without_limit(const LimitPlan& plan, bool holds) {
                                                : fmt::format("1/{:.3g} of", plan.stated / end),
                                       shown(plan, plan.stated))
                         : std::string();
-  return fmt::format("none in the range. {} at every {} {} {}{}. {}", verb(plan, holds),
-                     plan.quantity, is_upper ? "up to" : "down to", shown(plan, end), far,
+  return fmt::format("none in the range. {} at {} {} {} {}{}. {}", verb(plan, holds),
+                     holds ? "every" : "any", plan.quantity, is_upper ? "up to" : "down to",
+                     shown(plan, end), far,
                      is_upper ? "Raise --to to search further" : "Lower --from to search further");
 }
 

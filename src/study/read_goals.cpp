@@ -46,7 +46,7 @@ Condition read_condition(StudySection& section, int dimension) {
   const toml::table* table = section.table("where");
   if (!table) return condition;
   StudySection where(section.problems(), *table, section.path("where"));
-  condition.metric = where.text("metric");
+  condition.metric = where.metric("metric");
   condition.at_least = !where.has("at_most");
   condition.bound = metric_value(where, condition.at_least ? "at_least" : "at_most",
                                  {condition.metric, dimension});
@@ -80,7 +80,7 @@ void read_threshold(StudySection& section, AxisReader& reader, StudyPlan& plan) 
 void read_optimum(StudySection& section, StudyPlan& plan) {
   OptimumGoal goal;
   goal.least = section.text("find") == "minimum";
-  goal.metric = section.text("metric");
+  goal.metric = section.metric("metric");
   goal.condition = read_condition(section, plan.dimension);
   goal.tolerance = section.number("tolerance", 1e-4, 0.5, goal.tolerance);
   goal.draft = section.number("draft", 0.1, 1.0, goal.draft);
@@ -127,7 +127,7 @@ void read_calibration(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   if (!table) return;
   StudySection section(top.problems(), *table, "calibrate");
   CalibrationGoal goal;
-  goal.metric = section.text("metric");
+  goal.metric = section.metric("metric");
   if (goal.metric != "cut_through") {
     goal.measured = metric_value(section, "measured", {goal.metric, plan.dimension});
     goal.uncertainty = metric_value(section, "uncertainty", {goal.metric, plan.dimension}, 0.0);
@@ -156,7 +156,7 @@ void read_model(StudySection& top, StudyPlan& plan) {
   StudySection section(top.problems(), *table, "model");
   ModelGoal goal;
   goal.form = static_cast<ModelForm>(section.word("form", form_words, 2));
-  goal.metric = section.text("metric", goal.metric);
+  goal.metric = section.metric("metric", goal.metric);
   goal.drive = section.text("drive", "");
   goal.variables = section.texts("variables");
   goal.floor = metric_value(section, "floor", {goal.metric, plan.dimension}, 0.0);

@@ -165,7 +165,7 @@ StudyPlan parse_study(const std::string& text, const fs::path& file,
   plan.base = toml::parse(base);
   plan.refinement = top.number("refine", least_refinement, most_refinement, 1.0);
   plan.repeats = top.whole("repeats", 1, 1000, 1);
-  plan.metrics = top.texts("metrics");
+  plan.metrics = top.metrics("metrics");
   AxisReader reader(problems, plan.base);
   read_set(top, reader, plan);
   plan.dimension = plan.base["dimension"].value_or(plan.dimension);

@@ -44,6 +44,9 @@ class StudySection {
   std::size_t word(std::string_view name, std::span<const std::string_view> words,
                    std::optional<std::size_t> fallback = {});
   std::vector<std::string> texts(std::string_view name);
+  // A number of result.json by its path, and a list of them.
+  std::string metric(std::string_view name, std::optional<std::string> fallback = {});
+  std::vector<std::string> metrics(std::string_view name);
   // Returns a table inside this one, or null.
   const toml::table* table(std::string_view name);
   // Returns the tables of a list.
@@ -58,6 +61,7 @@ class StudySection {
 
  private:
   void missing(std::string_view name, const std::string& allowed);
+  void check_metric(std::string_view name, const std::string& metric);
 
   Problems& problems_;
   const toml::table& table_;

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "input/problems.hpp"
 #include "input/section.hpp"
+#include "output/result_metrics.hpp"
 
 namespace kerf {
 
@@ -33,6 +35,31 @@ std::string StudySection::path(std::string_view name) const {
 const toml::node* StudySection::node(std::string_view name) {
   known_.insert(std::string(name));
   return table_.get(name);
+}
+
+std::string StudySection::metric(std::string_view name, std::optional<std::string> fallback) {
+  std::string metric = text(name, std::move(fallback));
+  if (has(name)) check_metric(name, metric);
+  return metric;
+}
+
+std::vector<std::string> StudySection::metrics(std::string_view name) {
+  std::vector<std::string> list = texts(name);
+  for (const std::string& metric : list) check_metric(name, metric);
+  return list;
+}
+
+// An object of result.json has members that are in no table, such as those of "intervals".
+void StudySection::check_metric(std::string_view name, const std::string& metric) {
+  std::vector<std::string> known;
+  for (const ResultMetric& candidate : result_metrics()) {
+    if (metric == candidate.name || metric.starts_with(std::string(candidate.name) + ".")) return;
+    known.emplace_back(candidate.name);
+  }
+  const std::string guess = closest(metric, known);
+  refuse(name, fmt::format("there is no metric \"{}\"", metric),
+         "a number of result.json; docs/metrics.md has all of them",
+         guess.empty() ? "Correct it" : fmt::format("Did you mean \"{}\"?", guess));
 }
 
 void StudySection::missing(std::string_view name, const std::string& allowed) {

@@ -95,8 +95,8 @@ struct UpdateSurfaceFlags {
   }
 };
 
-// Integrates the density to the end of the step. The density of expanded matter is at least that of
-// its particle concentration (fluid/particle_concentration.hpp).
+// Integrates the density to the end of the step. The density of matter that opens as it expands is
+// at least that of its particle concentration (fluid/particle_concentration.hpp).
 template <int D, class P>
 struct FinalizeDensity {
   using Real = typename P::Real;
@@ -109,7 +109,8 @@ struct FinalizeDensity {
         limit_expansion(particles.start_compression[i] + Real(dt) * particles.compression_rate[i]);
     const Real least =
         particles.kernel_sum[i] < Real(1) ? particles.kernel_sum[i] - Real(1) : Real(0);
-    particles.compression[i] = compression < least ? least : compression;
+    const bool opens = compression < least && !particles.bears_tension(i);
+    particles.compression[i] = opens ? least : compression;
   }
 };
 

@@ -93,6 +93,8 @@ class Loaded {
       particles.id[k] = static_cast<std::uint32_t>(k);
       particles.source[k] = static_cast<std::uint16_t>(from.source);
       particles.fractured[k] = from.fractured ? 1 : 0;
+      if (particles.undamaged.size() > k)
+        particles.undamaged[k] = state.medium(k).tensile_excess > 0.0 ? 1 : 0;
       particles.flags[k] = from.repelling ? flag::repelling : std::uint8_t{0};
     }
   }

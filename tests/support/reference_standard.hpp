@@ -85,10 +85,13 @@ class ReferenceStandard {
   double density_pressure(std::size_t i) const {
     if (!flows(i) && !keeps_volume(i)) return 0.0;
     const auto& m = state_.medium(i);
-    const double modulus = keeps_volume(i)       ? m.excess_bulk_modulus
-                           : is(i, Phase::solid) ? m.total_bulk_modulus
-                                                 : m.sound_speed * m.sound_speed * m.density;
-    return std::max(0.0, modulus / 7.0 * (std::pow(1.0 + at(i).compression, 7.0) - 1.0));
+    const double compression = at(i).compression;
+    const double growth = (std::pow(1.0 + compression, 7.0) - 1.0) / 7.0;
+    if (keeps_volume(i))  // of a solid without damage
+      return (compression < 0.0 ? m.tensile_excess : m.excess_bulk_modulus) * growth;
+    const double modulus =
+        is(i, Phase::solid) ? m.total_bulk_modulus : m.sound_speed * m.sound_speed * m.density;
+    return std::max(0.0, modulus * growth);
   }
 
   // Computes the unit normal away from the walls near a fluid particle; zero where the walls nearly

@@ -50,6 +50,7 @@ inline ReferenceState standard_mixture(int dimension, unsigned seed, int per_sid
 inline void stiffen_volume(ReferenceState& state) {
   state.media[2].excess_bulk_modulus = 0.7 * state.media[2].total_bulk_modulus;
   state.media[3].excess_bulk_modulus = 0.4 * state.media[3].total_bulk_modulus;
+  state.media[3].tensile_excess = 0.25 * state.media[3].total_bulk_modulus;  // the other opens
 }
 
 // An arbitrary choice of intact bonds between particles of one piece, the same from both ends.

@@ -114,20 +114,22 @@ TEST(Machine, FlowRatePowerAndSizeOfAJet) {
   EXPECT_LE(jet.standoff, 2.0 * jet.width);
 }
 
-// Mass flow and momentum flux at the workpiece equal those at the orifice at any standoff.
+// Mass flow and momentum flux at the workpiece equal those at the orifice at any standoff, of round
+// jets and of those of a 2D case.
 TEST(Machine, StandoffKeepsMassAndMomentum) {
-  for (const double standoff : {1e-3, 10e-3, 40e-3}) {
-    Machine machine = plain_machine();
-    machine.coherent_length = 5e-3;
-    machine.standoff = standoff;
-    const auto numbers = machine_numbers(machine, water(), 3);
-    const Jet jet = machine_jet(machine, water(), 3);
-    EXPECT_NEAR(nozzle_area(jet, 3) * jet.speed * jet.duty, numbers.flow_rate,
-                1e-9 * numbers.flow_rate);
-    EXPECT_EQ(jet.pulse_frequency > 0.0, standoff > 5e-3);
-  }
+  for (const int dimension : {2, 3})
+    for (const double standoff : {1e-3, 10e-3, 40e-3}) {
+      Machine machine = plain_machine();
+      machine.coherent_length = 5e-3;
+      machine.standoff = standoff;
+      const auto numbers = machine_numbers(machine, water(), dimension);
+      const Jet jet = machine_jet(machine, water(), dimension);
+      EXPECT_NEAR(nozzle_area(jet, dimension) * jet.speed * jet.duty, numbers.flow_rate,
+                  1e-9 * numbers.flow_rate);
+      EXPECT_EQ(jet.pulse_frequency > 0.0, standoff > 5e-3);
+    }
   // Rajaratnam & Albers (1998): 2% after 200 diameters.
-  EXPECT_NEAR(jet_after(200.0, 1.0, 100.0, coherent_diameters).water_share, 0.02, 1e-12);
+  EXPECT_NEAR(jet_after({1.0, 100.0}, 200.0, coherent_diameters).water_share, 0.02, 1e-12);
 }
 
 TEST(Machine, FansKeepTheirFlowRate) {

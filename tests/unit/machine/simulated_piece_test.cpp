@@ -90,6 +90,47 @@ TEST(SimulatedPiece, WindowEndsAtPlanesAndAtEdges) {
   EXPECT_TRUE(continued_faces(edge.workpiece, edge.symmetry, 3).minimum[0]);
 }
 
+// The nozzle stays in the domain until the end, past the edges of the workpiece too, and so does
+// what it pushes out below.
+TEST(SimulatedPiece, DomainHoldsTheNozzleAndWhatIsPushedOut) {
+  Jet jet = round_jet();
+  jet.standoff = 20e-3;
+  jet.angle = 0.8;
+  jet.traverse = {0.0, 0.0, -150.0};
+  jet.position = {3e-3, 0.0, 2e-3};
+  const Point size{20e-3, 5e-3, 12e-3};
+  const Box domain = simulated_piece(request_for(jet, size)).domain;
+  const double way = 150.0 * passage_time(jet, size[1]);
+  EXPECT_GT(way, size[2]);
+  const double side = jet.standoff * std::sin(jet.angle);
+  EXPECT_LT(domain.minimum[0], jet.position[0] - side);
+  EXPECT_GT(domain.maximum[1], jet.standoff * std::cos(jet.angle));
+  EXPECT_LT(domain.minimum[2], jet.position[2] - way);
+  EXPECT_LT(domain.minimum[1], -5.0 * size[1]);
+}
+
+// The azimuth of a tilted jet is a right angle to rounding; its nozzle is on the symmetry plane.
+TEST(SimulatedPiece, JetsThatLeanAlongASymmetryPlaneAreAccepted) {
+  for (const char* angle : {"20 deg", "-20 deg", "5 deg"})
+    for (const char* key : {"tilt_angle", "lead_angle"}) {
+      const Case read = parse_case(fmt::format(R"(title = "tilt"
+dimension = 3
+quality = "draft"
+[machine]
+pressure = "100 MPa"
+orifice_diameter = "0.2 mm"
+standoff = "5 mm"
+{} = "{}"
+[workpiece]
+material = "tofu"
+size = ["100 mm", "2 mm", "100 mm"]
+)",
+                                               key, angle),
+                                   "test");
+      EXPECT_TRUE(read.symmetry.minimum[0] || read.symmetry.minimum[2]) << key << angle;
+    }
+}
+
 // A workpiece that is narrower than the window has 10.25 coarsest cells beside the plane, which
 // graded bodies exclude.
 TEST(SimulatedPiece, PlanesAndLevelsGoTogetherInWholeCells) {

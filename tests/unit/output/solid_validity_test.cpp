@@ -52,8 +52,8 @@ TEST(SolidValidity, FlagsSolidsThatDidNotComeToRest) {
   EXPECT_THAT(validity_of(outcome), flag_of("relaxation", State::warning, "did not come to rest"));
 }
 
-// A bar of nu = 0.49 acts as one of nu = 13 / 32 where it is pulled: E / (1 - nu^2) is 1.16 times
-// as large in plane strain as it should be, E in space 1.06 times, at the same shear modulus.
+// A damaged bar of nu = 0.49 acts as one of nu = 13 / 32 where it is pulled: E / (1 - nu^2) is 1.16
+// times as large in plane strain as it should be, E in space 1.06 times, at the same shear modulus.
 TEST(SolidValidity, TellsHowSoftSolidsAreInTension) {
   RunOutcome outcome = outcome_with_solid();
   Case& description = outcome.description;
@@ -65,8 +65,8 @@ TEST(SolidValidity, TellsHowSoftSolidsAreInTension) {
   description.bodies[0].role = Role::elastic;
   for (const auto& [dimension, poisson_ratio, part] :
        {std::tuple{2, 0.49,
-                   "gel acts with a Poisson's ratio of 0.41 for 0.49, so that a bar of it "
-                   "stretches 16% farther"},
+                   "Where it is damaged, gel acts under tension with a Poisson's ratio of 0.41 for "
+                   "0.49, so that a bar of it stretches 16% farther"},
         std::tuple{3, 0.49, "stretches 6% farther"}, std::tuple{2, 0.45, "stretches 8% farther"}}) {
     description.dimension = dimension;
     description.materials[0].poisson_ratio = poisson_ratio;

@@ -75,7 +75,7 @@ TEST(Verdict, TellsWhatWasPushedOutOrMissed) {
       verdict_of(outcome),
       "The jet does not cut through within 30 ms; its front is 40 mm deep, and 8 mm of the "
       "thickness is unbroken; it has pushed gel out of the domain unbroken, where nothing is known "
-      "of it.");
+      "of it: a larger [domain] would tell.");
 }
 
 Jet arriving_jet() {

@@ -94,7 +94,7 @@ TEST(Limit, SaysWhereThereIsNone) {
       EXPECT_THAT(finding, AllOf(HasSubstr("The jet cuts at every jet_speed down to 0.1562 m/s"),
                                  HasSubstr("Lower --from")));
     else
-      EXPECT_THAT(finding, AllOf(HasSubstr("does not cut at every jet_speed up to 160 m/s, 32 "
+      EXPECT_THAT(finding, AllOf(HasSubstr("does not cut at any jet_speed up to 160 m/s, 32 "
                                            "times the stated 5 m/s"),
                                  HasSubstr("Raise --to")));
   }

@@ -79,6 +79,19 @@ TEST(ReadStudy, GoalsAreChecked) {
       HasSubstr("\"J\" is not the unit of an energy per volume"));
 }
 
+TEST(ReadStudy, MetricsThatNoResultHasAreRefused) {
+  const auto is_refused =
+      AllOf(HasSubstr("there is no metric \"kerf.dept\""), HasSubstr("docs/metrics.md"),
+            HasSubstr("Did you mean \"kerf.depth\"?"));
+  EXPECT_THAT(complaint("metrics = [\"kerf.margin\", \"kerf.dept\"]\n" + vary), is_refused);
+  const std::string range = "[vary]\n\"jet.jet.speed\" = { from = \"1 m/s\", to = \"2 m/s\" }\n";
+  EXPECT_THAT(complaint(range + "[search]\nfind = \"minimum\"\nmetric = \"kerf.dept\"\n"),
+              AllOf(HasSubstr("search.metric"), is_refused));
+  EXPECT_THAT(complaint("[search]\nfind = \"least\"\nkey = \"jet.jet.speed\"\nfrom = \"1 m/s\"\n"
+                        "to = \"2 m/s\"\nwhere = { metric = \"kerf.dept\", at_least = 1 }\n"),
+              AllOf(HasSubstr("search.where.metric"), is_refused));
+}
+
 TEST(ReadStudy, AMissingBaseIsNamedWithASuggestion) {
   const EmbeddedText templates[] = {{"small", test::small_case}};
   EXPECT_THAT(test::message_of<UserError>(
