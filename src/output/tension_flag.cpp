@@ -27,8 +27,7 @@ std::optional<ValidityFlag> tension_flag(const Case& description) {
   return ValidityFlag{
       "tension", ValidityFlag::State::note, pulled, nu,
       fmt::format("Where it is {}, {} acts under tension with a Poisson's ratio of {:.2f} for "
-                  "{:g}, so that "
-                  "a bar of it stretches {:.0f}% farther{}.",
+                  "{:g}, so that a bar of it stretches {:.0f}% farther{}.",
                   flows ? "pulled" : "damaged", softest->name, pulled, nu, 100.0 * (along - 1.0),
                   flows ? "; pressed it acts as given" : "")};
 }

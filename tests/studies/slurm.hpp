@@ -3,11 +3,14 @@
 #pragma once
 
 #include <fcntl.h>
+#include <netinet/in.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <list>
@@ -47,6 +50,29 @@ class Daemon {
  private:
   pid_t process_ = -1;
 };
+
+// Whether a server of this machine could listen at the port.
+inline bool is_free(int port) {
+  const int server = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_ANY);
+  const auto* generic = reinterpret_cast<const sockaddr*>(&address);
+  const bool is_bound = bind(server, generic, sizeof(address)) == 0;
+  close(server);
+  return is_bound;
+}
+// Two free ports in a row, below those that the system gives to clients (32768 and above), which
+// may take one at any time.
+inline int two_free_ports() {
+  constexpr int first = 20000, pairs = 6000;
+  for (int k = 0; k < pairs; ++k) {
+    const int port = first + 2 * ((getpid() + k) % pairs);
+    if (is_free(port) && is_free(port + 1)) return port;
+  }
+  return first;
+}
 
 class SlurmOfOneNode {
  public:
@@ -100,7 +126,7 @@ class SlurmOfOneNode {
     std::filesystem::permissions(folder_.path(), std::filesystem::perms(0755));
     std::filesystem::create_directory(path("state"));
     std::filesystem::create_directory(path("spool"));
-    const int port = 20000 + 2 * (getpid() % 20000);
+    const int port = two_free_ports();
     write_file(path("slurm.conf"),
                "ClusterName=kerf\nSlurmctldHost=" + name_ +
                    "(127.0.0.1)\nSlurmUser=root\nSlurmdUser=root\nAuthType=auth/munge\n"
