@@ -8,17 +8,18 @@
 
 namespace kerf {
 
-// 1 for the damaged particles of a solid, else 0.
+// 1 for the damaged particles of a solid, else 0: by the state that the last step has kept, which
+// computing a deformation for output does not change.
 template <int D, class P>
 struct IsDamaged {
   using Real = typename P::Real;
   SolidView<D, P> solid;
 
   KERF_FUNCTION Real operator()(Index s) const {
-    const bool damaged =
-        solid.detached[s] || solid.has_broken_bonds[s] ||
-        (solid.softens(s) && solid.softening_strain(s) > solid.medium(s).softening_strain) ||
-        solid.damage(s) > Real(0);
+    const bool damaged = solid.detached[s] || solid.has_broken_bonds[s] ||
+                         (solid.softens(s) &&
+                          solid.softening_strain_at_start(s) > solid.medium(s).softening_strain) ||
+                         solid.damage(s) > Real(0);
     return damaged ? Real(1) : Real(0);
   }
 };
