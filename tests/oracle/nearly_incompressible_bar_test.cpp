@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bars of nearly incompressible solids under traction against Hooke's law in plane strain.
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <map>
+#include <utility>
 #include <vector>
 
+#include "analysis/line_slope.hpp"
 #include "materials/elastic_moduli.hpp"
 #include "support/runs.hpp"
 #include "support/small_cases.hpp"
@@ -54,43 +58,34 @@ Case bar(double angle, int rows, double poisson_ratio, double pressure) {
 struct Strains {
   double along, across;
 };
-double slope(const std::vector<double>& x, const std::vector<double>& y) {
-  double mean_x = 0.0, mean_y = 0.0, square = 0.0, product = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    mean_x += x[k] / double(x.size());
-    mean_y += y[k] / double(x.size());
-  }
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    square += (x[k] - mean_x) * (x[k] - mean_x);
-    product += (x[k] - mean_x) * (y[k] - mean_y);
-  }
-  return product / square;
-}
+// A particle of the bar: where it was laid out and how far it has moved, along the bar and across.
+struct Moved {
+  double along, across, stretch, growth;
+};
 Strains strains_of(const Case& c, double angle) {
   const auto simulation = make_simulation(c);
   const Frame before = simulation->frame();
   while (!simulation->finished()) simulation->advance();
   const Frame after = simulation->frame();
   EXPECT_LT(std::abs(simulation->balance().energy_drift()), 1e-3);
-  std::vector<double> along, across, stretch, growth;
-  for (std::size_t i = 0; i < before.id.size(); ++i)
-    for (std::size_t k = 0; k < after.id.size(); ++k) {
-      if (after.id[k] != before.id[i]) continue;
-      const auto &x = before.position[i], &y = after.position[k];
-      const auto turn = [&](const auto& p) {
-        return std::pair{p[0] * std::cos(angle) + p[1] * std::sin(angle),
-                         p[1] * std::cos(angle) - p[0] * std::sin(angle)};
-      };
-      const auto [s, q] = turn(x);
-      const auto [s_now, q_now] = turn(y);
-      if (s < 0.015 || s > 0.04) break;
-      along.push_back(s);
-      across.push_back(q);
-      stretch.push_back(s_now - s);
-      growth.push_back(q_now - q);
-      break;
-    }
-  return {slope(along, stretch), slope(across, growth)};
+  const auto turn = [&](const auto& p) {
+    return std::pair{p[0] * std::cos(angle) + p[1] * std::sin(angle),
+                     p[1] * std::cos(angle) - p[0] * std::sin(angle)};
+  };
+  std::map<std::uint32_t, std::size_t> row;
+  for (std::size_t k = 0; k < after.id.size(); ++k) row[after.id[k]] = k;
+  std::vector<Moved> middle;
+  for (std::size_t i = 0; i < before.id.size(); ++i) {
+    const auto [s, q] = turn(before.position[i]);
+    const auto [s_now, q_now] = turn(after.position[row.at(before.id[i])]);
+    if (s >= 0.015 && s <= 0.04) middle.push_back({s, q, s_now - s, q_now - q});
+  }
+  return {
+      line_slope(
+          middle, [](const Moved& p) { return p.along; }, [](const Moved& p) { return p.stretch; }),
+      line_slope(
+          middle, [](const Moved& p) { return p.across; },
+          [](const Moved& p) { return p.growth; })};
 }
 
 // In plane strain a bar stretches by sigma (1 - nu^2) / E and contracts by sigma nu (1 + nu) / E,
