@@ -155,15 +155,49 @@ void add_feeds_of_cut(const DepthHistory& history, double extent, Exposure& expo
   exposure.possible_feed = std::max(extent, width) / exposure.simulated;
 }
 
-// No cut in the run: the feed at which the law reaches the thickness.
+// The times after which the depths of carried() reach a depth, s; infinite = never.
+struct PassageRange {
+  double first = std::numeric_limits<double>::infinity();  // of the greatest depth
+  double last = 0.0;                                       // of the least depth
+};
+
+PassageRange passages_of(const DepthHistory& history, double depth) {
+  const double reached = history.depths.back(), end = history.times.back();
+  const double speed = last_speed(history);
+  PassageRange range;
+  double least_exponent = 1.0, greatest_exponent = 0.0;
+  for (const double share : fit_shares) {
+    const auto exponent = fit_exponent(history, share);
+    if (!exponent) continue;
+    // A division by zero is a front at rest, which is infinitely late.
+    const double by_law = end * std::pow(depth / reached, 1.0 / *exponent);
+    const double by_speed = end + (depth - reached) / speed;
+    range.first = std::min(range.first, std::max(by_law, by_speed));
+    range.last = std::max(range.last, std::max(by_law, by_speed));
+    least_exponent = std::min(least_exponent, *exponent);
+    greatest_exponent = std::max(greatest_exponent, *exponent);
+  }
+  if (range.last == 0.0 || greatest_exponent - least_exponent > same_exponent)
+    range.last = std::numeric_limits<double>::infinity();
+  return range;
+}
+
+// No cut in the run: the feeds at which the least and the greatest of the carried depths reach the
+// thickness, so that they agree with the depths at every feed.
 void add_carried_feeds(const DepthHistory& history, double extent, Exposure& exposure) {
   const auto exponent = fit_exponent(history, fit_shares[0]);
   if (!exponent || !(*exponent > 0.0)) return;
-  const double passage =
-      history.times.back() * std::pow(exposure.thickness / history.depths.back(), 1.0 / *exponent);
+  const PassageRange passage = passages_of(history, exposure.thickness);
+  if (std::isinf(passage.first)) return;  // the front has come to rest
   exposure.exponent = *exponent;
-  exposure.greatest_feed = extent / passage;
-  exposure.possible_feed = std::max(extent, history.widths.back()) / passage;
+  exposure.greatest_feed = extent / passage.last;
+  exposure.possible_feed = std::max(extent, history.widths.back()) / passage.first;
+}
+
+// The depth under a nozzle at rest tells nothing of one that moves faster than its water.
+void limit_to_jet(double speed, Exposure& exposure) {
+  if (exposure.greatest_feed > speed) exposure.greatest_feed = speed;
+  if (exposure.possible_feed > speed) exposure.possible_feed = speed;
 }
 
 }  // namespace
@@ -204,9 +238,13 @@ const MetricList<Exposure>& Exposure::metrics() {
       {"exponent", "1", "exponent of time, n",
        "Exponent n of the depth over time, which carries the depth beyond the run.", &E::exponent},
       {"greatest_feed", "m/s", "greatest traverse speed that cuts",
-       "Traverse speed at which the shortest exposure just cuts through.", &E::greatest_feed},
+       "Traverse speed at which the shortest exposure just cuts through, at most the speed of the "
+       "jet; 0 where no speed is certain to.",
+       &E::greatest_feed},
       {"possible_feed", "m/s", "greatest traverse speed that may cut",
-       "Traverse speed at which the longest exposure just cuts through.", &E::possible_feed}};
+       "Traverse speed at which the longest exposure just cuts through, at most the speed of the "
+       "jet.",
+       &E::possible_feed}};
   return list;
 }
 
@@ -238,6 +276,7 @@ std::optional<Exposure> exposure_of(const Case& description, const std::vector<C
     add_feeds_of_cut(since, extent, exposure);
   else if (exposure.longest > exposure.simulated)
     add_carried_feeds(since, extent, exposure);
+  limit_to_jet(entry.speed, exposure);
   exposure.depth_low = within(after(exposure.shortest).low);
   exposure.depth_high = within(after(exposure.longest).high);
   exposure.depth = std::sqrt(exposure.depth_low * exposure.depth_high);

@@ -29,7 +29,8 @@ struct Exposure {
   // geometric mean.
   double depth_low = none, depth_high = none, depth = none;
   double exponent = none;  // n; none where nothing is carried
-  // m/s, the traverse speeds up to which the cut is certain, and possible.
+  // m/s, the traverse speeds up to which the cut is certain, and possible: at most the speed of the
+  // jet. 0 = no speed at which it is certain.
   double greatest_feed = none, possible_feed = none;
 
   bool cuts() const { return depth_low >= thickness; }

@@ -20,8 +20,8 @@ const MetricList<MetricInterval>& MetricInterval::metrics() {
       {"order", "1", "observed order",
        "Observed order of convergence in the spacing, where the runs show one.", &M::order},
       {"rule", "1", "rule",
-       "How the part of the spacing was found: `grid convergence`, `two spacings`, `range`, "
-       "`constant` or `unknown` (docs/limits.md).",
+       "How the part of the spacing was found: `grid convergence`, `limited order`, `two "
+       "spacings`, `range`, `constant` or `unknown` (docs/limits.md).",
        &M::rule},
       {"runs", "1", "runs", "Number of runs that have the metric.", &M::runs}};
   return list;

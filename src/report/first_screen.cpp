@@ -89,8 +89,11 @@ std::string feed_answer(const Json& result) {
   const double certain = value_of(exposure->at("greatest_feed"));
   const double possible = value_of(exposure->at("possible_feed"));
   std::string answer;
+  // Beyond a run that ended before the cut the depth is carried on.
+  const bool is_carried = value_of(exposure->value("exponent", Json())) > 0.0;
   if (certain > 0.0)
-    answer = "The cut is certain up to <strong>" + feed_html(certain) + "</strong>";
+    answer = fmt::format("The cut is {} up to <strong>{}</strong>",
+                         is_carried ? "expected" : "certain", feed_html(certain));
   if (possible > 0.0)
     answer += fmt::format("{} possible up to <strong>{}</strong>",
                           answer.empty() ? "No feed is certain to cut; the cut is" : " and",

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "study/bisection.hpp"
 #include "study/least_squares.hpp"
+#include "study/metric_jump.hpp"
 
 namespace kerf {
 
@@ -96,12 +97,18 @@ class Calibrator {
     if (!answer_.problem.empty()) return;
     const auto miss = [&](double logarithm) { return metric_at(logarithm) - goal_.measured; };
     const auto is_narrow = [&](double a, double b) { return std::abs(b - a) <= goal_.tolerance; };
-    auto steps =
-        static_cast<std::uintmax_t>(std::max(2, goal_.most_runs - static_cast<int>(known_.size())));
-    const auto root =
+    // Half of the runs, since the method is slower than halving where the metric jumps.
+    auto steps = static_cast<std::uintmax_t>(std::max(2, runs_left() / 2));
+    auto root =
         boost::math::tools::toms748_solve(miss, low, high, miss(low), miss(high), is_narrow, steps);
+    while (!is_narrow(root.first, root.second) && runs_left() > 0) {
+      const double middle = 0.5 * (root.first + root.second);
+      const bool is_low = (miss(middle) > 0.0) == (miss(root.first) > 0.0);
+      (is_low ? root.first : root.second) = middle;
+    }
     set_answer(root.first, root.second);
   }
+  int runs_left() const { return goal_.most_runs - static_cast<int>(known_.size()); }
 
   double metric_at(double logarithm) {
     const auto found = known_.find(logarithm);
@@ -150,10 +157,22 @@ class Calibrator {
     return {};
   }
 
+  void set_jump(const MetricJump& jump) {
+    answer_.jump = jump;
+    answer_.low = jump.low;
+    answer_.high = jump.high;
+    answer_.value = std::sqrt(jump.low * jump.high);
+  }
+
   // Takes the root between the last two values and its interval from the line through the nearest
-  // runs.
+  // runs; across a jump these two values are the interval.
   void set_answer(double low, double high) {
     const double at_low = known_.at(low), at_high = known_.at(high);
+    const auto jump = find_jump(known_, low, high, goal_.measured);
+    if (jump && std::abs(at_high - at_low) > 2.0 * cover * goal_.uncertainty) {
+      set_jump(*jump);
+      return;
+    }
     const double share = at_high == at_low ? 0.5 : (goal_.measured - at_low) / (at_high - at_low);
     const double root = low + share * (high - low);
     const Fit line = nearest_line(root);
@@ -166,9 +185,11 @@ class Calibrator {
     const double scatter = student_factor(line.freedom, 0.95) * line.residual;
     const double uncertainty = std::hypot(cover * goal_.uncertainty, scatter);
     const double half = std::max(uncertainty / std::abs(answer_.sensitivity), 0.5 * (high - low));
+    const Bracket within =
+        supported_interval(known_, root, {root - half, root + half}, goal_.measured, uncertainty);
     answer_.value = std::exp(root);
-    answer_.low = std::exp(root - half);
-    answer_.high = std::exp(root + half);
+    answer_.low = std::max(goal_.axis.values.front(), std::exp(within.low));
+    answer_.high = std::min(goal_.axis.values.back(), std::exp(within.high));
     if (!has_slope(line, 1.0))
       answer_.problem = fmt::format("{} hardly depends on {} here and cannot determine it",
                                     goal_.metric, goal_.axis.name());
@@ -230,7 +251,7 @@ class Calibrator {
   const CalibrationGoal& goal_;
   double refinement_;
   Laboratory& laboratory_;
-  std::map<double, double> known_;  // the metric, by the logarithm of the key
+  MetricByKey known_;
   CalibrationAnswer answer_;
 };
 

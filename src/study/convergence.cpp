@@ -18,6 +18,8 @@ constexpr const char* headline_metrics[] = {
     "kerf.middle.width", "kerf.removed_volume", "kerf.removal_rate", "kerf.margin"};
 
 constexpr double usual_safety = 1.25, cautious_safety = 3.0;
+// Observed orders outside of this range are accidental; up to the slack the greatest is used.
+constexpr double least_order = 0.5, greatest_order = 2.0, order_slack = 0.1;
 
 SpacingEffect range_of(std::span<const double> values) {
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
@@ -27,12 +29,35 @@ SpacingEffect range_of(std::span<const double> values) {
 }
 
 SpacingEffect grid_convergence(double change, double order, double ratio) {
-  constexpr double least_order = 0.5, greatest_order = 2.0, slack = 1.1;
-  const bool is_plausible = order >= least_order && order <= slack * greatest_order;
-  const double safety = is_plausible ? usual_safety : cautious_safety;
-  const double used = std::clamp(order, least_order, is_plausible ? greatest_order : 1.0);
-  const double index = safety * std::abs(change) / (std::pow(ratio, used) - 1.0);
+  const double used = std::min(order, greatest_order);
+  const double index = usual_safety * std::abs(change) / (std::pow(ratio, used) - 1.0);
   return {index, index, order, SpacingRule::grid_convergence};
+}
+
+// The effect where the observed order is too high: first order, which is lower.
+SpacingEffect first_order_change(double change, double order, double ratio) {
+  const double index = cautious_safety * std::abs(change) / (ratio - 1.0);
+  return {index, index, order, SpacingRule::limited_order};
+}
+
+// The effect where the observed order is too low: that of the line f = f_0 + a h through the three
+// values by least squares, with h = 1, r, r^2.
+SpacingEffect first_order_fit(std::span<const double> values, double order, double ratio) {
+  const double spacings[] = {1.0, ratio, ratio * ratio};
+  double spacing = 0.0, mean = 0.0, squares = 0.0, products = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) spacing += spacings[i] / 3.0, mean += values[i] / 3.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    squares += (spacings[i] - spacing) * (spacings[i] - spacing);
+    products += (spacings[i] - spacing) * (values[i] - mean);
+  }
+  const double slope = products / squares;
+  const auto miss = [&](std::size_t i) {
+    return values[i] - mean - slope * (spacings[i] - spacing);
+  };
+  const double deviation = std::hypot(miss(0), miss(1), miss(2));  // one degree of freedom
+  const double width =
+      cautious_safety * std::abs(slope * spacings[0]) + deviation + std::abs(miss(0));
+  return {width, width, order, SpacingRule::limited_order};
 }
 
 const double* find_metric(const Outcome& outcome, const std::string& name) {
@@ -50,6 +75,7 @@ struct OtherRuns {
 // The values of a metric: by spacing, the finest first, and by layout, that of the case first.
 struct Samples {
   std::vector<double> by_spacing, by_layout;
+  double greatest = 0.0;  // of all runs
   int runs = 0;
 };
 
@@ -60,11 +86,13 @@ Samples samples_of(const std::string& name, const Outcome& run, const OtherRuns&
   double middle = 0.0;  // refinement at which the layouts were run
   for (const Trial& trial : trials) middle = std::max(middle, trial.refinement);
   samples.runs = 1;
+  samples.greatest = levels.front().second;
   std::vector<std::pair<int, double>> layouts;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const double* value = outcomes[i].failed ? nullptr : find_metric(outcomes[i], name);
     if (!value) continue;
     ++samples.runs;
+    samples.greatest = std::max(samples.greatest, *value);
     if (trials[i].repeat == 0) levels.emplace_back(trials[i].refinement, *value);
     if (trials[i].refinement == middle) layouts.emplace_back(trials[i].repeat, *value);
   }
@@ -92,7 +120,27 @@ std::string verdict_line(const MetricInterval& interval) {
                      interval.value > 0.5 ? "yes" : "no", interval.runs);
 }
 
-MetricInterval interval_of(const std::string& name, const Samples& samples, double ratio) {
+// Widens an interval to the values that were measured in the layouts, then cuts it to what the
+// metric can be. `thickness` is that of the workpiece; infinite = unknown.
+void limit_to_possible(MetricInterval& interval, const Samples& samples, double thickness) {
+  for (const double value : samples.by_layout) {
+    interval.low = std::min(interval.low, value);
+    interval.high = std::max(interval.high, value);
+  }
+  const std::string& name = interval.metric;
+  // All headline numbers but the margin are amounts.
+  const double least = name == "kerf.margin" ? -1.0 : 0.0;
+  double greatest = std::numeric_limits<double>::infinity();
+  if (name == "kerf.margin" || name == "cut_through") greatest = 1.0;
+  // The front is below the workpiece where it has passed it.
+  if ((name == "kerf.depth" || name == "front_depth") && samples.greatest <= thickness)
+    greatest = thickness;
+  if (interval.low < least) interval.low = least;
+  if (interval.high > greatest) interval.high = greatest;
+}
+
+MetricInterval interval_of(const std::string& name, const Samples& samples, double ratio,
+                           double thickness) {
   MetricInterval interval;
   interval.metric = name;
   interval.value = samples.by_spacing.front();
@@ -104,9 +152,7 @@ MetricInterval interval_of(const std::string& name, const Samples& samples, doub
       samples.by_layout.empty() ? SpacingEffect{} : range_of(samples.by_layout);
   interval.low = interval.value - std::hypot(spacing.below, layout.below);
   interval.high = interval.value + std::hypot(spacing.above, layout.above);
-  // All headline numbers but the margin are amounts.
-  if (name != "kerf.margin" && interval.low < 0.0) interval.low = 0.0;
-  if (name == "cut_through") interval.high = std::min(1.0, interval.high);
+  limit_to_possible(interval, samples, thickness);
   interval.spacing = std::max(spacing.below, spacing.above);
   interval.layout = std::max(layout.below, layout.above);
   interval.order = spacing.order;
@@ -140,7 +186,10 @@ SpacingEffect effect_of_spacing(std::span<const double> values, double ratio) {
     effect.rule = SpacingRule::range;
     return effect;
   }
-  return grid_convergence(near, std::log(far / near) / std::log(ratio), ratio);
+  const double order = std::log(far / near) / std::log(ratio);
+  if (order < least_order) return first_order_fit(values, order, ratio);
+  if (order > greatest_order + order_slack) return first_order_change(near, order, ratio);
+  return grid_convergence(near, order, ratio);
 }
 
 std::vector<Trial> convergence_trials(double ratio, int layouts) {
@@ -158,10 +207,14 @@ double convergence_ratio(const Case& description) {
 std::vector<MetricInterval> find_intervals(const Outcome& run, const std::vector<Trial>& trials,
                                            const std::vector<Outcome>& outcomes, double ratio,
                                            int dimension) {
+  const double* laid_out = find_metric(run, "kerf.thickness");
+  const double thickness =
+      laid_out && *laid_out > 0.0 ? *laid_out : std::numeric_limits<double>::infinity();
   std::vector<MetricInterval> intervals;
   for (const char* name : headline_metrics) {
     if (!find_metric(run, name)) continue;
-    intervals.push_back(interval_of(name, samples_of(name, run, {trials, outcomes, ratio}), ratio));
+    intervals.push_back(
+        interval_of(name, samples_of(name, run, {trials, outcomes, ratio}), ratio, thickness));
     const std::string unit = metric_unit(name, dimension);
     intervals.back().unit = unit.empty() ? "1" : unit;
   }
@@ -181,7 +234,11 @@ std::string interval_line(const MetricInterval& interval) {
                                               100.0 * spacing / all, 100.0 * (1.0 - spacing / all))
                                 : std::string("no change");
   const std::string order =
-      std::isfinite(interval.order) ? fmt::format(" of order {:.2f}", interval.order) : "";
+      !std::isfinite(interval.order) ? std::string()
+      : interval.rule == spacing_rules[static_cast<std::size_t>(SpacingRule::limited_order)]
+          ? fmt::format(" 1, observed {:.2f} is outside {:g} to {:g}", interval.order, least_order,
+                        greatest_order)
+          : fmt::format(" of order {:.2f}", interval.order);
   return fmt::format("{:<20} {} [{}, {}]  {}; {}{}, {} runs", interval.metric,
                      shown(interval.value), shown(interval.low), shown(interval.high), parts,
                      interval.rule, order, interval.runs);

@@ -9,13 +9,20 @@ namespace kerf {
 
 namespace {
 
-// Returns the feeds of a run; none where its jet broke nothing, or no law of the depth shows.
-std::optional<Bracket> feeds_of(const Outcome& outcome) {
+// Returns the feeds of a run; none where its jet broke nothing, or no law of the depth shows. No
+// feed is certain where the run denies it for the stated feed, and none exceeds that of the water.
+std::optional<Bracket> feeds_of(const Outcome& outcome, const LimitPlan& plan) {
   const auto certain = outcome.metrics.find(std::string(certain_feed));
   const auto possible = outcome.metrics.find(std::string(possible_feed));
   if (outcome.failed || certain == outcome.metrics.end() || possible == outcome.metrics.end())
     return std::nullopt;
-  return Bracket{certain->second, std::max(certain->second, possible->second)};
+  Bracket feeds{certain->second, std::max(certain->second, possible->second)};
+  const auto cuts = outcome.metrics.find("exposure.cuts");
+  const bool is_denied = cuts != outcome.metrics.end() && cuts->second == 0.0;
+  if (is_denied && feeds.low >= plan.stated) feeds.low = 0.0;
+  feeds.low = std::min(feeds.low, plan.jet_speed);
+  feeds.high = std::min(feeds.high, plan.jet_speed);
+  return feeds;
 }
 
 std::string problem_of(const Outcome& outcome) {
@@ -45,7 +52,7 @@ ThresholdAnswer feed_by_exposure(const LimitPlan& plan, Laboratory& laboratory) 
   answer.runs = goal.repeats;
   answer.draft_runs = has_draft ? 1 : 0;
   for (const Outcome& outcome : laboratory.run(trials)) {
-    const auto feeds = feeds_of(outcome);
+    const auto feeds = feeds_of(outcome, plan);
     if (!feeds) {
       answer.problem = problem_of(outcome);
       return answer;

@@ -3,6 +3,7 @@
 // which feed its cut is certain, and up to which it is possible (docs/theory/exposure.md).
 #pragma once
 
+#include "study/limit_answer.hpp"
 #include "study/limit_plan.hpp"
 #include "study/searches.hpp"
 
@@ -10,7 +11,11 @@ namespace kerf {
 
 // Runs the case in each layout that is asked, and at the coarser spacing of drafts. The bracket
 // goes from the least feed that is certain to the greatest that is possible; `problem` where a run
-// tells none.
+// tells none. No feed exceeds the speed of the jet, and none is certain that a run denies.
 ThresholdAnswer feed_by_exposure(const LimitPlan& plan, Laboratory& laboratory);
+
+// Adds the feeds that were found to the words: expected instead of certain where a run ended before
+// its jet was through.
+void describe_feeds(const LimitPlan& plan, const LimitAnswer& answer, LimitWords& words);
 
 }  // namespace kerf

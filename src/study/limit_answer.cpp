@@ -8,6 +8,7 @@
 
 #include "core/version.hpp"
 #include "study/bisection.hpp"
+#include "study/feed_by_exposure.hpp"
 #include "study/run_table.hpp"
 #include "study/study_answers.hpp"
 
@@ -113,7 +114,8 @@ std::vector<std::string> cause_notes(const LimitPlan& plan, const ThresholdAnswe
         shown(plan, answer.draft->middle()), answer.refinement / answer.draft_refinement,
         shown(plan, answer.extrapolated)));
   else
-    notes.emplace_back("The spacing was not examined (--converge).");
+    notes.emplace_back(
+        "The spacing was not examined: with a finer one the limit may lie outside (--converge).");
   notes.emplace_back("Material data have no intervals in a case, so their share is left out.");
   return notes;
 }
@@ -147,24 +149,6 @@ Json trial_json(const LimitPlan& plan, const RunRow& row) {
   json["report"] = report.empty() ? Json(nullptr) : Json(report);
   json["error"] = row.error;
   return json;
-}
-
-// Describes the feeds of runs with the nozzle at rest.
-void describe_feeds(const LimitPlan& plan, const ThresholdAnswer& found, LimitWords& words) {
-  words.finding = fmt::format("certain up to {}, possible up to {}", shown(plan, found.stated.low),
-                              shown(plan, found.stated.high));
-  words.notes.push_back(fmt::format("The stated {} {}.", shown(plan, plan.stated),
-                                    plan.stated <= found.stated.low ? "cuts"
-                                    : plan.stated <= found.stated.high
-                                        ? "may cut: it is within the interval"
-                                        : "does not cut"));
-  words.notes.emplace_back(
-      "The nozzle stands in the run, which answers for all feeds: the cut is certain while the jet "
-      "covers a point, and possible while it stays within its own hole.");
-  if (found.layouts.size() > 1 || found.draft)
-    words.notes.push_back(fmt::format("The interval is that of {} layout{}{}.",
-                                      found.layouts.size(), found.layouts.size() == 1 ? "" : "s",
-                                      found.draft ? " and of a coarser spacing" : ""));
 }
 
 }  // namespace
@@ -202,7 +186,7 @@ LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer) {
   LimitWords words;
   words.question = question_of(plan);
   if (plan.by_exposure && answer.threshold && answer.threshold->problem.empty()) {
-    describe_feeds(plan, *answer.threshold, words);
+    describe_feeds(plan, answer, words);
     words.notes.push_back(plan.held.front());
     return words;
   }

@@ -266,6 +266,7 @@ LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion
   const KeyPath end_path = find_key_path(std::string(end_key), study.base);
   set_number(study.base, end_path, plan.end.end);
   plan.by_exposure = is_feed && stands_for_traverse(asked.description);
+  if (plan.by_exposure) plan.jet_speed = asked.description.jets.back().speed;
   if (is_feed && !plan.by_exposure) {
     Axis end;
     end.path = end_path;

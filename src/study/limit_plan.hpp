@@ -53,6 +53,7 @@ struct LimitPlan {
   LimitEnd end;
   // Whether the feed of a nozzle that stands in the run is asked: one run answers for all feeds.
   bool by_exposure = false;
+  double jet_speed = 0.0;         // m/s, of the case; bounds the feeds of such a nozzle
   std::vector<std::string> held;  // sentences on what is the same in all runs
 };
 

@@ -11,19 +11,13 @@
 
 #include "study/design.hpp"
 #include "study/metrics.hpp"
+#include "study/optimum_runs.hpp"
 
 namespace kerf {
 
 namespace {
 
-using Shares = std::vector<double>;  // position in each range, from 0 to 1
-
-struct Tried {
-  Shares shares;
-  double refinement = 1.0;
-  double value = 0.0;   // of the metric; NaN where the run has none
-  double margin = 0.0;  // >= 0 where the condition holds
-};
+using Tried = TriedSetting;
 
 class OptimumSearch {
  public:
@@ -36,10 +30,12 @@ class OptimumSearch {
     spread();
     const int for_drafts = has_drafts ? (2 * goal_.most_runs) / 3 : goal_.most_runs - goal_.repeats;
     constexpr double wide = 0.2;
-    follow(wide, for_drafts);
+    follow(best(), wide, for_drafts);
+    follow_others(0.5 * wide, for_drafts);
     if (has_drafts) confirm();
     conclude();
     if (has_drafts && std::isfinite(answer_.value)) compare();
+    if (best().holds()) look_around();
     return answer_;
   }
 
@@ -52,7 +48,7 @@ class OptimumSearch {
 
   const Tried* known(const Shares& shares, double refinement) const {
     const auto found = std::find_if(tried_.begin(), tried_.end(), [&](const Tried& tried) {
-      return tried.refinement == refinement && tried.shares == shares;
+      return tried.refinement == refinement && is_same(tried.shares, shares);
     });
     return found == tried_.end() ? nullptr : &*found;
   }
@@ -89,17 +85,18 @@ class OptimumSearch {
   }
 
   bool is_better(const Tried& a, const Tried& b) const {
-    const bool a_holds = a.margin >= 0.0 && std::isfinite(a.value);
-    const bool b_holds = b.margin >= 0.0 && std::isfinite(b.value);
-    if (a_holds != b_holds) return a_holds;
-    if (!a_holds) return a.margin > b.margin;
+    if (a.holds() != b.holds()) return a.holds();
+    if (!a.holds()) return a.margin > b.margin;
     return goal_.least ? a.value < b.value : a.value > b.value;
+  }
+  std::vector<Tried> runs_at(double refinement) const {
+    std::vector<Tried> result = tried_;
+    std::erase_if(result, [&](const Tried& tried) { return tried.refinement != refinement; });
+    return result;
   }
   // Returns the runs at the current resolution, the best first.
   std::vector<Tried> ranking() const {
-    std::vector<Tried> result;
-    for (const Tried& tried : tried_)
-      if (tried.refinement == level_) result.push_back(tried);
+    std::vector<Tried> result = runs_at(level_);
     std::stable_sort(result.begin(), result.end(),
                      [&](const Tried& a, const Tried& b) { return is_better(a, b); });
     return result;
@@ -115,8 +112,7 @@ class OptimumSearch {
 
   // Follows Powell's COBYLA (Advances in Optimization and Numerical Analysis, 1994, p. 51): linear
   // models of objective and constraint over a simplex, without derivatives. Each step is one run.
-  void follow(double first_step, int until_runs) {
-    const Tried start = best();
+  void follow(const Tried& start, double first_step, int until_runs) {
     const double size = std::abs(start.value);
     Steps steps{*this, std::isfinite(size) && size > 0.0 ? size : 1.0, {}};
     const int most = until_runs - answer_.runs;
@@ -139,6 +135,13 @@ class OptimumSearch {
       std::rethrow_exception(steps.error);
     }
     pull_back(start_point, until_runs);
+  }
+
+  // Spends the runs that are left on the other optima of the first points, the best first.
+  void follow_others(double first_step, int until_runs) {
+    for (const Tried& other : local_optima(runs_at(level_), goal_.least))
+      if (greatest_distance(other.shares, best().shares) > first_step)
+        follow(other, first_step, until_runs);
   }
 
   // The search ends near the limit of the condition, often beyond it. Bisects from there towards
@@ -184,16 +187,21 @@ class OptimumSearch {
     }
   };
 
-  // Runs the best drafts at the full resolution at the same time, then searches on from the best.
+  // Runs the best drafts of each optimum, then the best of all, at the full resolution at the same
+  // time, and searches on from the best.
   void confirm() {
     const auto wanted = static_cast<std::size_t>(std::max(2, laboratory_.side_by_side()));
+    std::vector<Tried> drafts = local_optima(runs_at(level_), goal_.least);
+    for (const Tried& draft : ranking()) drafts.push_back(draft);
     std::vector<Shares> places;
-    for (const Tried& draft : ranking())
-      if (places.size() < wanted) places.push_back(draft.shares);
+    for (const Tried& draft : drafts)
+      if (places.size() < wanted &&
+          std::find(places.begin(), places.end(), draft.shares) == places.end())
+        places.push_back(draft.shares);
     level_ = refinement_;
     evaluate(places, level_);
     constexpr double steps_of_tolerance = 4.0;
-    follow(steps_of_tolerance * goal_.tolerance, goal_.most_runs - goal_.repeats - 1);
+    follow(best(), steps_of_tolerance * goal_.tolerance, goal_.most_runs - goal_.repeats - 1);
   }
 
   // Runs the best setting at the coarser resolution and extrapolates to spacing 0.
@@ -229,6 +237,43 @@ class OptimumSearch {
         answer_.problem = fmt::format("{} does not hold in every layout at the best setting",
                                       goal_.condition.text());
     }
+  }
+
+  // Finds between which runs the optimum lies, and the others that the runs show.
+  void look_around() {
+    const Tried found = best();
+    const std::vector<Tried> runs = runs_at(refinement_);
+    const auto neighbours = neighbours_of(found.shares, runs);
+    for (std::size_t i = 0; i < goal_.axes.size(); ++i) {
+      const auto key_at = [&](double share) {
+        Setting setting;
+        goal_.axes[i].put_share(share, setting);
+        return setting.numbers.at(goal_.axes[i].name());
+      };
+      const auto& [below, above] = neighbours[i];
+      answer_.neighbours.push_back(
+          {key_at(below ? below->shares[i] : 0.0), key_at(above ? above->shares[i] : 1.0)});
+    }
+    const Bracket between = between_neighbours(found, runs, goal_.least);
+    answer_.low = std::min(answer_.low, between.low);
+    answer_.high = std::max(answer_.high, between.high);
+    add_others(found.shares, local_optima(runs, goal_.least), 0.0);
+    if (goal_.draft >= 1.0) return;
+    const auto drafts = local_optima(runs_at(refinement_ * goal_.draft), goal_.least);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Tried& draft : drafts)
+      nearest = std::min(nearest, greatest_distance(draft.shares, found.shares));
+    add_others(found.shares, drafts, nearest);
+  }
+
+  // Adds optima that are further from the answer than its own, which lies at the distance `own`.
+  void add_others(const Shares& answer, const std::vector<Tried>& optima, double own) {
+    constexpr int most = 3;
+    int added = 0;
+    for (const Tried& other : optima)
+      if (greatest_distance(other.shares, answer) > std::max(own, goal_.tolerance) &&
+          added++ < most)
+        answer_.others.push_back({setting_of(other.shares), other.value, other.refinement});
   }
 
   const OptimumGoal& goal_;

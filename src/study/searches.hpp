@@ -32,7 +32,7 @@ struct ThresholdAnswer {
   double refinement = 0.0;
   double resolution_change = 0.0;  // SI, middle of the bracket minus that of the drafts
   double extrapolated = 0.0;       // SI, estimate for a spacing of 0
-  Bracket stated;                  // the bracket, extended to the extrapolated value
+  Bracket stated;                  // the bracket, extended to that of the extrapolated value
   int runs = 0, draft_runs = 0;    // number of runs made
   bool is_within_tolerance = false;
   double value() const { return bracket.middle(); }
@@ -42,17 +42,31 @@ struct ThresholdAnswer {
 // bracket. `at` sets the other keys.
 ThresholdAnswer find_threshold(const ThresholdGoal& goal, const Trial& at, Laboratory& laboratory);
 
+// A run that is better than those around it, but not the answer.
+struct OtherOptimum {
+  Setting setting;
+  double value = 0.0;  // of the metric, SI
+  double refinement = 1.0;
+};
+
 struct OptimumAnswer {
   std::string problem;  // why there is no answer; empty when there is one
-  Setting setting;
-  double value = 0.0;                  // of the metric, SI, at the first layout
-  double low = 0.0, high = 0.0;        // over the layouts, extended to `extrapolated`
+  Setting setting;      // of the best of all runs at the study's resolution
+  double value = 0.0;   // of the metric, SI, at the first layout
+  // Of the metric: between the neighbouring runs and over the layouts, extended to `extrapolated`.
+  double low = 0.0, high = 0.0;
+  // The neighbouring runs along each axis of the goal, SI; an end of the range where there is none.
+  std::vector<Bracket> neighbours;
+  // Where else the runs have an optimum, at most three of each resolution. Where there are any, the
+  // metric has several optima, and the answer is the best of those that were seen.
+  std::vector<OtherOptimum> others;
   std::optional<double> draft_value;   // of the draft at that setting, if the condition holds
   std::optional<double> extrapolated;  // estimate for a spacing of 0
   int runs = 0, draft_runs = 0;
 };
 
-// Finds the setting with the least or greatest metric among those at which the condition holds.
+// Finds the setting with the least or greatest metric among those at which the condition holds. The
+// search follows one optimum: better ones may exist between and beyond its runs.
 OptimumAnswer find_optimum(const OptimumGoal& goal, double refinement, Laboratory& laboratory);
 
 struct PredictedCut {
@@ -60,11 +74,20 @@ struct PredictedCut {
   double value = 0.0, low = 0.0, high = 0.0;  // of the metric, SI
 };
 
+// A jump of a metric between the keys of two neighbouring runs.
+struct MetricJump {
+  double low = 0.0, high = 0.0;        // of the key, SI
+  double at_low = 0.0, at_high = 0.0;  // of the metric, SI
+};
+
 struct CalibrationAnswer {
-  std::string problem;                        // why there is no answer; empty when there is one
-  double value = 0.0, low = 0.0, high = 0.0;  // of the key, SI; the interval covers it with 95%
-  double sensitivity = 0.0;                   // SI, change of the metric per factor e of the key
-  double scatter = 0.0;                       // SI, standard deviation of the runs about the fit
+  std::string problem;  // why there is no answer; empty when there is one
+  // Of the key, SI. The interval covers it with 95%, within the range that was searched and between
+  // the runs that contradict it; across a jump it is the bracket of the jump.
+  double value = 0.0, low = 0.0, high = 0.0;
+  std::optional<MetricJump> jump;  // across the measured value
+  double sensitivity = 0.0;  // SI, 0 across a jump; change of the metric per factor e of the key
+  double scatter = 0.0;      // SI, standard deviation of the runs about the fit
   int runs = 0;
   std::vector<PredictedCut> predictions;
 };

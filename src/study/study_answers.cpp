@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "study/answer_parts.hpp"
 #include "study/run_table.hpp"
 #include "study/setting_json.hpp"
 
@@ -14,26 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string metric_text(double value, const std::string& unit) {
-  if (unit == "m") return fmt::format("{:.4g} mm", 1e3 * value);
-  return unit.empty() ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, unit);
-}
-
-std::string plural(int count) {
-  return count == 1 ? "" : "s";
-}
-
 // What was not found is null.
 Json found(double value, const std::string& problem) {
   return problem.empty() ? Json(value) : Json(nullptr);
-}
-
-Json number_or_null(std::optional<double> value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-Json bracket_json(const Bracket& bracket) {
-  return {{"low", bracket.low}, {"high", bracket.high}};
 }
 
 Json threshold_members(const ThresholdGoal& goal, const ThresholdAnswer& answer) {
@@ -88,41 +72,12 @@ Answer describe(const ThresholdGoal& goal, const ThresholdAnswer& answer) {
   return result;
 }
 
-Answer describe(const StudyPlan& plan, const OptimumAnswer& answer) {
-  const OptimumGoal& goal = *plan.optimum;
-  const std::string unit = unit_of(plan, goal.metric);
-  Answer result{"search",
-                {{"find", goal.least ? "minimum" : "maximum"},
-                 {"metric", goal.metric},
-                 {"unit", unit},
-                 {"condition", goal.condition.text()},
-                 {"problem", answer.problem},
-                 {"setting", setting_json(answer.setting)},
-                 {"value", answer.value},
-                 {"low", answer.low},
-                 {"high", answer.high},
-                 {"draft_value", number_or_null(answer.draft_value)},
-                 {"extrapolated", number_or_null(answer.extrapolated)},
-                 {"runs", answer.runs},
-                 {"draft_runs", answer.draft_runs}}};
-  const auto shown = [&](double value) { return metric_text(value, unit); };
-  result.question = fmt::format("{} of {} with {}", goal.least ? "Minimum" : "Maximum", goal.metric,
-                                goal.condition.text());
-  result.finding = fmt::format("{} at {} ({} runs, {} of them drafts)", shown(answer.value),
-                               show(answer.setting, plan.axes), answer.runs, answer.draft_runs);
-  if (answer.low < answer.high)
-    result.notes.push_back(fmt::format("between {} and {}, over {} layout{}{}", shown(answer.low),
-                                       shown(answer.high), goal.repeats, plural(goal.repeats),
-                                       answer.extrapolated ? " and the change to spacing 0" : ""));
-  if (answer.extrapolated)
-    result.notes.push_back(
-        fmt::format("there at {:.3g} times the spacing: {}; for spacing 0 that makes {}",
-                    1.0 / goal.draft, shown(*answer.draft_value), shown(*answer.extrapolated)));
-  else if (answer.problem.empty() && answer.draft_runs > 0)
-    result.notes.push_back(fmt::format("at {:.3g} times the spacing {} does not hold there",
-                                       1.0 / goal.draft, goal.condition.text()));
-  if (!answer.problem.empty()) result.notes.push_back(fmt::format("but {}.", answer.problem));
-  return result;
+Json jump_json(const std::optional<MetricJump>& jump) {
+  if (!jump) return nullptr;
+  return {{"low", jump->low},
+          {"high", jump->high},
+          {"at_low", jump->at_low},
+          {"at_high", jump->at_high}};
 }
 
 Answer describe(const StudyPlan& plan, const CalibrationAnswer& answer) {
@@ -142,6 +97,7 @@ Answer describe(const StudyPlan& plan, const CalibrationAnswer& answer) {
                  {"high", found(answer.high, answer.problem)},
                  {"sensitivity", answer.sensitivity},
                  {"scatter", answer.scatter},
+                 {"jump", jump_json(answer.jump)},
                  {"runs", answer.runs},
                  {"predictions", Json::array()}},
                 goal.axis.name()};
@@ -158,6 +114,11 @@ Answer describe(const StudyPlan& plan, const CalibrationAnswer& answer) {
   }
   result.finding = fmt::format("{}, between {} and {} ({} runs)", shown(answer.value),
                                shown(answer.low), shown(answer.high), answer.runs);
+  if (answer.jump)
+    result.notes.push_back(
+        fmt::format("{} jumps from {} at {} to {} at {} across the measured {}: no value gives it",
+                    goal.metric, metric(answer.jump->at_low), shown(answer.jump->low),
+                    metric(answer.jump->at_high), shown(answer.jump->high), metric(goal.measured)));
   for (const PredictedCut& cut : answer.predictions)
     result.notes.push_back(fmt::format("at {}: {} {}, between {} and {}",
                                        show(cut.setting, all_axes(plan)), goal.metric,
@@ -206,7 +167,7 @@ Answer describe(const StudyPlan& plan, const ReducedModel& model) {
 std::vector<Answer> describe_answers(const StudyPlan& plan, const StudyAnswers& answers) {
   std::vector<Answer> result;
   if (answers.threshold) result.push_back(describe(*plan.threshold, *answers.threshold));
-  if (answers.optimum) result.push_back(describe(plan, *answers.optimum));
+  if (answers.optimum) result.push_back(describe_optimum(plan, *answers.optimum));
   if (answers.calibration) result.push_back(describe(plan, *answers.calibration));
   if (answers.model) result.push_back(describe(plan, *answers.model));
   return result;

@@ -122,12 +122,16 @@ class ThresholdSearch {
         answer_.bracket.half_width() <= goal_.tolerance * std::abs(answer_.bracket.middle());
   }
 
+  // Each threshold lies anywhere in its bracket, so that the value for spacing 0 has one too.
   void extrapolate(const Bracket& draft) {
-    const double fine = answer_.layouts.front().middle();
-    answer_.resolution_change = fine - draft.middle();
-    answer_.extrapolated = at_zero_spacing(fine, draft.middle(), 1.0 / goal_.draft);
-    answer_.stated.low = std::min(answer_.stated.low, answer_.extrapolated);
-    answer_.stated.high = std::max(answer_.stated.high, answer_.extrapolated);
+    const Bracket& fine = answer_.layouts.front();
+    const double ratio = 1.0 / goal_.draft;
+    answer_.resolution_change = fine.middle() - draft.middle();
+    answer_.extrapolated = at_zero_spacing(fine.middle(), draft.middle(), ratio);
+    const double low = at_zero_spacing(fine.low, draft.high, ratio);
+    answer_.stated.low = std::min(answer_.stated.low, range_.low >= 0.0 ? std::max(0.0, low) : low);
+    answer_.stated.high =
+        std::max(answer_.stated.high, at_zero_spacing(fine.high, draft.low, ratio));
   }
 
   const ThresholdGoal& goal_;

@@ -97,6 +97,42 @@ TEST(Exposure, PowerLawIsCarriedExactly) {
   }
 }
 
+// A front of 20 m/s through a hole of 60 mm: the hole would be left at 120 m/s, and the jet is at
+// 50 m/s.
+TEST(Exposure, NoFeedExceedsTheSpeedOfTheJet) {
+  auto history = front_of([](double t) { return 20.0 * t; }, 1e-4);
+  for (CutState& state : history) state.kerf_width = 60e-3;
+  Case description = feeding_case(1.0);
+  description.jets[0].speed = 50.0;
+  const auto carried = exposure_of(description, history, summary_from()).value();
+  EXPECT_EQ(carried.possible_feed, 50.0);
+  EXPECT_LT(carried.greatest_feed, 5.0);
+  const double cut_time = first_contact + 90e-6;
+  const auto cut = exposure_of(description, history, summary_from(cut_time)).value();
+  EXPECT_EQ(cut.possible_feed, 50.0);
+}
+
+// The front jumps at first and then creeps: fits of the later parts have other exponents, and the
+// front may as well have come to rest. What is not certain at a feed is not certain up to it.
+TEST(Exposure, FeedsAgreeWithTheDepthsAtEachFeed) {
+  const auto jump = [](double t) {
+    return t < 4e-5 ? 50.0 * t : t < 7e-5 ? 2e-3 + 10.0 * (t - 4e-5) : 2.3e-3 + 60.0 * (t - 7e-5);
+  };
+  const auto slow = [](double t) { return 4e-3 * std::pow(t / 1e-4, 0.3); };
+  for (const std::function<double(double)>& depth : {std::function<double(double)>(jump), {slow}}) {
+    const auto history = front_of(depth, 1e-4);
+    const auto found = exposure_of(feeding_case(0.5), history, summary_from()).value();
+    EXPECT_LE(found.greatest_feed, found.possible_feed);
+    for (double feed = 0.01; feed < 9.0; feed *= 1.1) {
+      const auto at = exposure_of(feeding_case(feed), history, summary_from()).value();
+      EXPECT_EQ(at.cuts(), feed <= found.greatest_feed) << feed;
+      EXPECT_EQ(at.may_cut(), feed <= found.possible_feed) << feed;
+    }
+  }
+  EXPECT_EQ(exposure_of(feeding_case(0.5), front_of(jump, 1e-4), summary_from())->greatest_feed,
+            0.0);
+}
+
 // A front that comes to rest follows no power law: the interval says so, and holds the truth.
 TEST(Exposure, IntervalHoldsAFrontThatSlowsDown) {
   const auto depth = [](double t) { return 2e-3 * (1.0 - std::exp(-t / 5e-5)); };

@@ -82,6 +82,8 @@ TEST_F(FirstScreen, AnswersHowFastTheNozzleMayGo) {
   EXPECT_THAT(screen(),
               HasSubstr("The cut is certain up to <strong>50\u202fmm/s (3000\u202fmm/min)</strong> "
                         "and possible up to <strong>80\u202fmm/s (4800\u202fmm/min)</strong>."));
+  result_["exposure"]["exponent"] = 0.9;  // of a depth that is carried on
+  EXPECT_THAT(screen(), HasSubstr("The cut is expected up to <strong>50"));
   set_feeds(nullptr, 0.08);
   EXPECT_THAT(screen(), HasSubstr("No feed is certain to cut; the cut is possible up to"));
   set_feeds(nullptr, nullptr);

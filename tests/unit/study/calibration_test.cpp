@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "study/metric_jump.hpp"
 #include "synthetic.hpp"
 
 namespace kerf {
@@ -144,6 +145,66 @@ TEST(Calibration, RunsWithoutTheMetricAreSkipped) {
   test::SyntheticLaboratory nothing([](const Trial&) { return std::map<std::string, double>(); },
                                     2);
   EXPECT_THAT(calibrate(goal, 1.0, nothing).problem, HasSubstr("fewer than two runs"));
+}
+
+// From an energy on the cut is some 4 mm deep; below it a crack parts the block, and nothing of it
+// is removed. No energy makes a depth of 2 mm.
+TEST(Calibration, AJumpIsTheInterval) {
+  for (const double threshold : {1.7, 6.0, 37.0}) {
+    CalibrationGoal goal = cut_goal(0.002, 0.0001);
+    test::SyntheticLaboratory laboratory(
+        [&](const Trial& trial) {
+          const double deep = 0.004 - 0.0002 * std::log(energy_of(trial));
+          return std::map<std::string, double>{
+              {"kerf.depth", energy_of(trial) < threshold ? 0.0 : deep}};
+        },
+        2);
+    const CalibrationAnswer answer = calibrate(goal, 1.0, laboratory);
+    ASSERT_EQ(answer.problem, "") << threshold;
+    ASSERT_TRUE(answer.jump.has_value()) << threshold;
+    EXPECT_EQ(answer.jump->at_low, 0.0);
+    EXPECT_NEAR(answer.jump->at_high, 0.004, 0.001);
+    EXPECT_EQ(answer.low, answer.jump->low);
+    EXPECT_EQ(answer.high, answer.jump->high);
+    EXPECT_LT(answer.low, threshold);
+    EXPECT_GE(answer.high, threshold);
+    EXPECT_LE(std::log(answer.high / answer.low), goal.tolerance);
+    EXPECT_GT(answer.value, answer.low);
+    EXPECT_LT(answer.value, answer.high);
+    EXPECT_LE(answer.runs, goal.most_runs + 3);
+  }
+}
+
+// A depth that hardly changes determines its energy poorly; the range is known nevertheless.
+TEST(Calibration, TheIntervalIsWithinTheRangeAndWhatTheRunsDeny) {
+  CalibrationGoal goal = cut_goal(0.01, 0.002);
+  goal.measured = depth(3.0, 5.0);
+  test::SyntheticLaboratory laboratory(
+      [](const Trial& trial) {
+        return std::map<std::string, double>{
+            {"kerf.depth", depth(energy_of(trial), speed_of(trial))}};
+      },
+      2);
+  for (const double uncertainty : {0.0005, 0.002, 0.008}) {
+    goal.uncertainty = uncertainty;
+    const CalibrationAnswer answer = calibrate(goal, 1.0, laboratory);
+    ASSERT_EQ(answer.problem, "");
+    EXPECT_FALSE(answer.jump.has_value());
+    EXPECT_GE(answer.low, 1.0);
+    EXPECT_LE(answer.high, 100.0);
+    EXPECT_LT(answer.low, 3.0);
+    EXPECT_GT(answer.high, 3.0);
+  }
+}
+
+TEST(Calibration, RunsThatMissEndAnInterval) {
+  const MetricByKey runs{{0.0, 9.0}, {1.0, 6.0}, {2.0, 4.0}, {2.1, 3.9}, {3.0, 3.5}, {4.0, 1.0}};
+  const Bracket all = supported_interval(runs, 2.05, {-5.0, 9.0}, 3.95, 1.0);
+  EXPECT_EQ(all.low, 1.0);
+  EXPECT_EQ(all.high, 4.0);
+  const Bracket inner = supported_interval(runs, 2.05, {1.9, 2.2}, 3.95, 1.0);
+  EXPECT_EQ(inner.low, 1.9);
+  EXPECT_EQ(inner.high, 2.2);
 }
 
 TEST(Calibration, ReportsAnUnreachableMeasurement) {

@@ -91,6 +91,31 @@ TEST(ThresholdSearch, SupportsOtherConditions) {
   EXPECT_GE(answer.bracket.high, 4.0);
 }
 
+// The threshold is 3% too high at the spacing of the study and 6% in drafts: within brackets of 5%
+// such a change is lost. The interval holds what finer runs would find.
+TEST(ThresholdSearch, TheIntervalHoldsTheLimitOfAFinerSpacing) {
+  const ThresholdGoal goal = threshold_of("find = \"least\"\ntolerance = 0.05\ndraft = 0.5\n");
+  for (double exact = 2.1; exact < 4.6; exact *= 1.03) {
+    const auto threshold = [&](double refinement) { return exact * (1.0 + 0.03 / refinement); };
+    test::SyntheticLaboratory laboratory(
+        [&](const Trial& trial) {
+          return std::map<std::string, double>{
+              {"cut_through", test::speed_of(trial) >= threshold(trial.refinement)}};
+        },
+        1);
+    const ThresholdAnswer answer = find_threshold(goal, {{}, 0, 1.0}, laboratory);
+    ASSERT_EQ(answer.problem, "");
+    for (const double finer : {1.0, 2.0, 4.0, 1e9}) {
+      EXPECT_LE(answer.stated.low, threshold(finer)) << exact;
+      EXPECT_GE(answer.stated.high, threshold(finer)) << exact;
+    }
+    for (const Bracket& layout : answer.layouts) {
+      EXPECT_LE(answer.stated.low, layout.low);
+      EXPECT_GE(answer.stated.high, layout.high);
+    }
+  }
+}
+
 // The extrapolation removes an error that is proportional to the spacing, t(d) = t0 + c d.
 TEST(ThresholdSearch, CoarseRunsFindTheRegionAndResolutionIsExtrapolated) {
   const ThresholdGoal goal =

@@ -4,7 +4,7 @@
 import { element } from "../dom.ts";
 import { formatNumber } from "../quantities.ts";
 import type { Quantities } from "./quantity.ts";
-import type { Calibration, Model, Search, StudyData } from "./study_data.ts";
+import type { Bracket, Calibration, Model, Search, StudyData } from "./study_data.ts";
 
 type Line = string | Node;
 
@@ -40,15 +40,30 @@ function thresholdAnswer(search: Search, quantities: Quantities): HTMLElement {
   return box("yes", sentence, remarks);
 }
 
+// Where the optimum lies, what was searched, and the other optima that the runs show.
+function surroundings(search: Search, quantities: Quantities): string[] {
+  const shown = (brackets: Record<string, Bracket>) => Object.entries(brackets).map(([key, { low, high }]) => `${quantities.get(key).label} ${quantities.showRange(key, low, high)}`).join(", ");
+  const remarks: string[] = [];
+  const { neighbours = {}, ranges = {}, others = [] } = search;
+  const better = search.find === "minimum" ? "lower" : "higher";
+  if (Object.keys(neighbours).length > 0) remarks.push(`Between the neighbouring runs: ${shown(neighbours)}.`);
+  if (Object.keys(ranges).length > 0) remarks.push(`Searched: ${shown(ranges)}. A ${better} value between the runs is not excluded.`);
+  for (const other of others) remarks.push(`Another local ${search.find}: ${quantities.show(search.metric!, other.value)} at ${quantities.showSetting(other.setting)}.`);
+  return remarks;
+}
+
 function optimumAnswer(search: Search, quantities: Quantities): HTMLElement {
   const metric = search.metric!;
-  const what = `${search.find === "minimum" ? "Least" : "Greatest"} ${quantities.get(metric).label} with ${search.condition}`;
-  const remarks = [runWords(search.runs, search.draft_runs)];
+  const others = search.others ?? [];
+  const extreme = search.find === "minimum" ? "minimum" : "maximum";
+  const kind = others.length > 0 ? `Local ${extreme} of the` : search.find === "minimum" ? "Least" : "Greatest";
+  const what = `${kind} ${quantities.get(metric).label} with ${search.condition}`;
+  const remarks = [...surroundings(search, quantities), runWords(search.runs, search.draft_runs)];
   const extrapolated = search.extrapolated ?? null;
   if (extrapolated !== null) remarks.unshift(`The same setting as a draft: ${quantities.show(metric, search.draft_value)}; both resolutions together make ${quantities.show(metric, extrapolated)} for a spacing of zero.`);
   else if (search.problem === "" && search.draft_runs > 0) remarks.unshift(`As a draft the same setting is not one with ${search.condition}.`);
   if (search.low !== null && search.high !== null && search.low !== search.high) {
-    const causes = extrapolated === null ? "the layouts" : "the layouts and the change to a spacing of zero";
+    const causes = extrapolated === null ? "the neighbouring runs and the layouts" : "the neighbouring runs, the layouts and the change to a spacing of zero";
     remarks.unshift(`Over ${causes}: ${quantities.showRange(metric, search.low, search.high)}.`);
   }
   if (search.problem !== "") remarks.unshift(`But ${search.problem}.`);
@@ -67,8 +82,10 @@ function calibrationAnswer(calibration: Calibration, quantities: Quantities): HT
   const predictions = calibration.predictions.map(
     (cut) => `Predicted at ${quantities.showSetting(cut.setting)}: ${label} ${quantities.show(metric, cut.value)}, between ${quantities.showRange(metric, cut.low, cut.high, "and")}.`,
   );
+  const { jump } = calibration;
+  const jumps = jump ? [`Jumps from ${quantities.show(metric, jump.at_low)} at ${quantities.show(key, jump.low)} to ${quantities.show(metric, jump.at_high)} at ${quantities.show(key, jump.high)} across the measured value: no value gives it.`] : [];
   const sentence = [`${capital(quantities.get(key).label)}: `, strong(quantities.show(key, value)), `, between ${quantities.showRange(key, low!, high!, "and")}.`];
-  return box("yes", sentence, [measured, ...predictions, runWords(calibration.runs, 0)]);
+  return box("yes", sentence, [measured, ...jumps, ...predictions, runWords(calibration.runs, 0)]);
 }
 
 // A parameter has the unit of its name, where it has one.

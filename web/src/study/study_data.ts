@@ -56,6 +56,10 @@ export interface Search {
   metric?: string;
   setting?: Setting;
   draft_value?: number | null;
+  local?: boolean;
+  ranges?: Record<string, Bracket>;
+  neighbours?: Record<string, Bracket>;
+  others?: { setting: Setting; value: number; refinement: number }[];
 }
 
 export interface Calibration {
@@ -68,6 +72,7 @@ export interface Calibration {
   value: number | null;
   low: number | null;
   high: number | null;
+  jump?: { low: number; high: number; at_low: number; at_high: number } | null;
   runs: number;
   predictions: { setting: Setting; value: number; low: number; high: number }[];
 }

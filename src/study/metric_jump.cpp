@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/metric_jump.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "study/least_squares.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::size_t most_of_side = 4;  // runs of a side that tell its slope and scatter
+constexpr double least_share = 0.25, least_scatters = 3.0, least_slopes = 2.0;
+
+struct Side {
+  double slope = 0.0;    // of the metric over the logarithm of the key
+  double scatter = 0.0;  // standard deviation about the line; 0 from fewer than three runs
+};
+
+// Describes the runs of a side, the nearest first.
+Side side_of(std::vector<std::pair<double, double>> runs) {
+  runs.resize(std::min(runs.size(), most_of_side));
+  Side side;
+  if (runs.size() < 2) return side;
+  if (runs.size() == 2) {
+    side.slope = (runs[1].second - runs[0].second) / (runs[1].first - runs[0].first);
+    return side;
+  }
+  const auto count = static_cast<Eigen::Index>(runs.size());
+  Eigen::MatrixXd matrix(count, 2);
+  Eigen::VectorXd metrics(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    matrix.row(i) << 1.0, runs[static_cast<std::size_t>(i)].first - runs.front().first;
+    metrics[i] = runs[static_cast<std::size_t>(i)].second;
+  }
+  const Fit line = fit_linear(matrix, metrics);
+  if (!line.problem.empty()) return side;
+  return {line.parameters[1], line.residual};
+}
+
+// Returns whether all of the runs are on the same side of the target, which is `above` it.
+bool all_beside(const std::vector<std::pair<double, double>>& runs, double target, bool above) {
+  return std::all_of(runs.begin(), runs.end(), [&](const auto& run) {
+    return above ? run.second >= target : run.second <= target;
+  });
+}
+
+}  // namespace
+
+std::optional<MetricJump> find_jump(const MetricByKey& runs, double low, double high,
+                                    double target) {
+  const double at_low = runs.at(low), at_high = runs.at(high);
+  const double change = std::abs(at_high - at_low);
+  std::vector<std::pair<double, double>> left(runs.begin(), std::next(runs.find(low)));
+  std::reverse(left.begin(), left.end());
+  const std::vector<std::pair<double, double>> right(runs.find(high), runs.end());
+  const bool rises = at_high > at_low;
+  if (!all_beside(left, target, !rises) || !all_beside(right, target, rises)) return std::nullopt;
+  const auto [least, greatest] = std::minmax_element(
+      runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const Side before = side_of(left), after = side_of(right);
+  const double slope = std::max(std::abs(before.slope), std::abs(after.slope));
+  const bool is_jump = change > 0.0 && change >= least_share * (greatest->second - least->second) &&
+                       change >= least_scatters * std::max(before.scatter, after.scatter) &&
+                       change >= least_slopes * slope * (high - low);
+  if (!is_jump) return std::nullopt;
+  return MetricJump{std::exp(low), std::exp(high), at_low, at_high};
+}
+
+Bracket supported_interval(const MetricByKey& runs, double root, const Bracket& interval,
+                           double target, double uncertainty) {
+  const auto is_off = [&](const auto& run) { return std::abs(run.second - target) > uncertainty; };
+  Bracket result = interval;
+  for (auto run = runs.begin(); run != runs.end() && run->first < root && is_off(*run); ++run)
+    result.low = std::max(result.low, run->first);
+  for (auto run = runs.rbegin(); run != runs.rend() && run->first > root && is_off(*run); ++run)
+    result.high = std::min(result.high, run->first);
+  return result;
+}
+
+}  // namespace kerf

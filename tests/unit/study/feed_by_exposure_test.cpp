@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// The greatest feed of a nozzle that stands in the run, from made-up runs.
+#include "study/feed_by_exposure.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "output/files.hpp"
+#include "study/limit_answer.hpp"
+#include "support/temporary_folder.hpp"
+#include "synthetic.hpp"
+
+namespace kerf {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* standing_case = R"(title = "foam"
+dimension = 3
+quality = "draft"
+[machine]
+pressure = "30 MPa"
+orifice_diameter = "0.15 mm"
+standoff = "3 mm"
+traverse_speed = "35 m/s"
+[workpiece]
+material = "polyurethane-foam"
+size = ["300 mm", "5 mm", "200 mm"]
+)";
+
+LimitPlan feed_plan(bool converge = false) {
+  const test::TemporaryFolder folder;
+  write_file(folder / "foam.toml", standing_case);
+  LimitQuestion question;
+  question.of = "feed";
+  question.converge = converge;
+  return plan_limit(folder / "foam.toml", question);
+}
+
+using Metrics = std::map<std::string, double>;
+
+// Returns the answer of a search all of whose runs have these metrics.
+LimitAnswer answer_of(const LimitPlan& plan, const Metrics& metrics) {
+  test::SyntheticLaboratory laboratory([&](const Trial&) { return metrics; }, 1);
+  LimitAnswer answer;
+  answer.threshold = feed_by_exposure(plan, laboratory);
+  for (const Trial& trial : laboratory.asked) {
+    RunRow row;
+    row.state = RunState::done;
+    row.trial = trial;
+    row.metrics = metrics;
+    answer.runs.push_back(row);
+  }
+  return answer;
+}
+
+TEST(FeedByExposure, TheSpeedOfTheJetBoundsWhatIsPossible) {
+  const LimitPlan plan = feed_plan();
+  ASSERT_TRUE(plan.by_exposure);
+  // V = sqrt(2 p / rho) less the losses of the orifice and the compression of water.
+  EXPECT_NEAR(plan.jet_speed, std::sqrt(2.0 * 30e6 / 1000.0), 0.1 * plan.jet_speed);
+  const LimitAnswer answer = answer_of(plan, {{"exposure.greatest_feed", 41.0},
+                                              {"exposure.possible_feed", 794.0},
+                                              {"exposure.cuts", 1.0}});
+  EXPECT_EQ(answer.threshold->stated.low, 41.0);
+  EXPECT_EQ(answer.threshold->stated.high, plan.jet_speed);
+  const LimitWords words = describe_limit(plan, answer);
+  EXPECT_THAT(words.finding, HasSubstr("certain up to 41 m/s, possible up to 2"));
+  EXPECT_THAT(words.notes, testing::Contains(HasSubstr("bounded by the speed of the jet")));
+}
+
+TEST(FeedByExposure, WhatIsCarriedOnIsNotCertain) {
+  const LimitPlan plan = feed_plan(true);
+  const Metrics carried{{"exposure.greatest_feed", 41.0}, {"exposure.possible_feed", 80.0},
+                        {"exposure.cuts", 1.0},           {"exposure.exponent", 0.9},
+                        {"kerf.margin", -0.77},           {"cut_through", 0.0}};
+  const LimitWords words = describe_limit(plan, answer_of(plan, carried));
+  EXPECT_THAT(words.finding, AllOf(HasSubstr("expected up to 41 m/s, possible up to 80 m/s"),
+                                   Not(HasSubstr("certain"))));
+  EXPECT_THAT(words.notes, testing::Contains(HasSubstr("ended with 23% of the thickness broken")));
+  EXPECT_THAT(words.notes, testing::Contains("The stated 35 m/s is expected to cut."));
+}
+
+TEST(FeedByExposure, NoFeedIsCertainThatARunDenies) {
+  const LimitPlan plan = feed_plan();
+  const LimitAnswer answer = answer_of(
+      plan,
+      {{"exposure.greatest_feed", 41.0}, {"exposure.possible_feed", 80.0}, {"exposure.cuts", 0.0}});
+  EXPECT_EQ(answer.threshold->stated.low, 0.0);
+  const LimitWords words = describe_limit(plan, answer);
+  EXPECT_THAT(words.finding, HasSubstr("certain at no feed, possible up to 80 m/s"));
+  EXPECT_THAT(words.notes[0], HasSubstr("The stated 35 m/s may cut"));
+}
+
+}  // namespace
+}  // namespace kerf
