@@ -25,6 +25,7 @@ pressure = "30 MPa"
 orifice_diameter = "0.15 mm"
 standoff = "3 mm"
 traverse_speed = "35 m/s"
+motion = "standing"
 [workpiece]
 material = "polyurethane-foam"
 size = ["300 mm", "5 mm", "200 mm"]
