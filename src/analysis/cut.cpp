@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/cut_depth.hpp"
 #include "analysis/front.hpp"
 #include "analysis/kerf_map.hpp"
 #include "analysis/line_slope.hpp"
@@ -147,6 +148,7 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
   state.bodies.resize(workpiece.bodies.size());
   if (!history_.empty()) state.bodies = history_.back().bodies;
   if (!history_.empty()) state.cut_through = history_.back().cut_through;
+  if (!history_.empty()) state.cut_depth = history_.back().cut_depth;
   if (!workpiece.empty()) {
     const WholeFrame whole(part, workpiece.images);
     const Frame& frame = whole.get();
@@ -168,6 +170,9 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
       state.kerf_width = opening_width(workpiece, frame, rows, pieces.in_piece, half);
       if (!state.cut_through)
         judge_bodies({workpiece, frame, rows, standing}, pieces, *axes_, traces_, state);
+      state.cut_depth =
+          std::max(state.cut_depth,
+                   measure_cut_depth({workpiece, frame, rows, standing}, *axes_, state.bodies));
     }
     fragments_ = std::move(pieces.fragments);
   }

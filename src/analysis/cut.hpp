@@ -33,6 +33,7 @@ struct BodyCut {
 struct CutState {
   double time = 0.0;                // s
   double front_depth = 0.0;         // m, below the aimed point, along the jet; 0 before contact
+  double cut_depth = 0.0;           // m, of the cut so far (analysis/cut_depth.hpp)
   int pieces = 0;                   // connected pieces of intact solid > 5% of the workpiece
   double fractured_fraction = 0.0;  // fractured mass over the workpiece's, as at the start
   double fractured_mass = 0.0;      // kg, of the workpiece, fractured or gone from the domain

@@ -7,15 +7,11 @@
 
 namespace kerf {
 
-double share_after(double cut_through_time, double duration) {
-  return duration > 0.0 ? (duration - cut_through_time) / duration : 0.0;
-}
-
 const MetricList<CutMargin>& CutMargin::metrics() {
   static const MetricList<CutMargin> list{
       {"margin", share(), "margin of the cut",
-       "Share of the run that was left after the cut; below 0, minus the share of the thickness in "
-       "the way of the jet that is unbroken.",
+       "Share of the time that the case states (`end`) which was left after the cut; below 0, "
+       "minus the share of the thickness in the way of the jet that is unbroken.",
        &CutMargin::value},
       {"unbroken", "m", "unbroken thickness in the way of the jet",
        "Least thickness, as laid out, of solid that stands and has kept its bonds, over the bodies "
@@ -27,7 +23,7 @@ const MetricList<CutMargin>& CutMargin::metrics() {
 CutMargin CutMargin::measure(const KerfScene& scene) {
   const KerfConditions& conditions = scene.conditions;
   if (!std::isnan(conditions.cut_through_time))
-    return {share_after(conditions.cut_through_time, scene.view.frame.time), 0.0};
+    return {conditions.share_after(conditions.cut_through_time, scene.view.frame.time), 0.0};
   CutMargin margin;
   double laid_out = 0.0;
   KerfView view = scene.view;

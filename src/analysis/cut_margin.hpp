@@ -8,8 +8,8 @@
 namespace kerf {
 
 struct CutMargin {
-  // 1; the share of the run after the cut-through, else minus the share of the thickness that is
-  // unbroken in the way of the jet.
+  // 1; the share of the stated time after the cut-through, else minus the share of the thickness
+  // that is unbroken in the way of the jet.
   double value = -1.0;
   double unbroken =
       0.0;  // m, that thickness, of all bodies that are not cut through; 0 after a cut
@@ -17,8 +17,5 @@ struct CutMargin {
   static CutMargin measure(const KerfScene& scene);
   static const MetricList<CutMargin>& metrics();
 };
-
-// Returns the share of a run of this duration after the cut, 1.
-double share_after(double cut_through_time, double duration);
 
 }  // namespace kerf

@@ -8,6 +8,10 @@ const MetricList<CutState>& CutState::metrics() {
   static const MetricList<CutState> list{
       {"front_depth", "m", "depth of the water front",
        "Depth of the water front below the point aimed at, along the jet.", &CutState::front_depth},
+      {"cut_depth", "m", "depth of the cut",
+       "Greatest depth below the face so far to which solid is removed, detached or torn all along "
+       "a path from the face; 0 for a dent.",
+       &CutState::cut_depth},
       {"fractured_mass", extensive("kg"), "fractured mass",
        "Mass of the workpiece that is fractured or has left the domain.",
        &CutState::fractured_mass},

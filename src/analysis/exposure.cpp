@@ -22,7 +22,7 @@ constexpr double same_exponent = 0.1;
 // the surface to the front.
 struct DepthHistory {
   std::vector<double> times;     // s, of exposure
-  std::vector<double> depths;    // m, the deepest front after it
+  std::vector<double> depths;    // m, of the cut that the water has entered by then
   std::vector<double> contacts;  // s, the time since contact
   std::vector<double> widths;    // m, of the opening at that time
 };
@@ -62,7 +62,7 @@ DepthHistory history_since(const std::vector<CutState>& history, double contact,
   double deepest = 0.0, exposure = 0.0;
   for (const CutState& state : history) {
     if (state.time <= contact) continue;
-    deepest = std::max(deepest, state.front_depth);
+    deepest = std::max(deepest, std::min(state.front_depth, state.cut_depth));
     exposure = std::max(exposure, entry.exposure(state.time - contact, deepest));
     if (exposure == 0.0) continue;
     since.times.push_back(exposure);

@@ -4,8 +4,9 @@
 // u, W the width of the opening that it has made by then: so long it stays within its own hole. The
 // depth of the cut is between the depths that a jet at rest reaches by the water of these two
 // times, which goes on cutting until the last of it is at the front. Where the run is shorter, the
-// depth follows the law h = a t^n, t the exposure, fitted to the deepest front of the run. The
-// theory and the comparison with moving nozzles are in docs/theory/exposure.md.
+// depth follows the law h = a t^n, t the exposure, fitted to the depths of the run. The depth is
+// that of the cut which the water has entered: a dent below it does not count. The theory and the
+// comparison with moving nozzles are in docs/theory/exposure.md.
 #pragma once
 
 #include <limits>

@@ -51,7 +51,7 @@ void add_verdict(const KerfView& view, const KerfAxes& axes, const KerfPath& pat
   if (!verdict->cut.through) deny(layer.shape);
   if (!verdict->is_in_way) return;
   if (verdict->cut.through) {
-    layer.margin = share_after(verdict->time, view.frame.time);
+    layer.margin = conditions.share_after(verdict->time, view.frame.time);
     return;
   }
   const UnbrokenThickness thickness = measure_unbroken(view, axes, path);
@@ -101,6 +101,7 @@ KerfConditions kerf_conditions(const Case& description, const CutSummary& summar
   KerfConditions conditions;
   conditions.contact_time = summary.contact_time;
   conditions.cut_through_time = summary.cut_through_time;
+  if (description.time.end > 0.0) conditions.stated_end = description.time.end;
   conditions.front_depth = summary.last.front_depth;
   conditions.bodies = summary.bodies;
   if (description.jets.empty()) return conditions;

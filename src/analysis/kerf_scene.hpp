@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -20,9 +21,18 @@ struct KerfConditions {
   double on_time_factor = 1.0;       // 1, part of the time since contact in which water flowed
   double contact_time = std::numeric_limits<double>::quiet_NaN();      // s, nan before contact
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s, nan = not cut through
-  double front_depth = 0.0;                                            // m, of the water
+  // s, the end of the run as the case states it, which does not hang on when a run stops after its
+  // cut; nan where no case states it: the time of the frame.
+  double stated_end = std::numeric_limits<double>::quiet_NaN();
+  double front_depth = 0.0;         // m, of the water
   std::vector<BodyVerdict> bodies;  // on each body of the workpiece; empty = not judged
 
+  // Returns the share of the stated time that is left after a cut at `time`, s, of which a frame at
+  // `now` tells.
+  double share_after(double time, double now) const {
+    const double end = std::isnan(stated_end) ? now : stated_end;
+    return end > 0.0 ? (end - time) / end : 0.0;
+  }
   // Returns the verdict on a body; none without one.
   const BodyVerdict* verdict_on(int body) const {
     for (const BodyVerdict& verdict : bodies)

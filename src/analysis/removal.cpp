@@ -52,7 +52,7 @@ Removal Removal::measure(const KerfScene& scene) {
   Removal removal;
   removal.volume = volume;
   if (work.duration > 0.0) removal.rate = volume / work.duration;
-  if (volume > 0.0) removal.specific_energy = work.energy / volume;
+  if (volume > 0.0 && work.energy > 0.0) removal.specific_energy = work.energy / volume;
   return removal;
 }
 

@@ -85,17 +85,6 @@ bool is_outside(const Columns& columns, const SolidPoint& point, int dimension) 
   return false;
 }
 
-// Returns whether each particle of a frame is torn, by row. A layer whose glue has broken is whole.
-std::vector<std::uint8_t> find_torn(const Frame& frame) {
-  std::vector<std::uint8_t> torn(frame.id.size(), 0);
-  const Column* damage = find_column(frame, "body_damage");
-  if (damage == nullptr) damage = find_column(frame, "damage");
-  if (damage != nullptr)
-    for (std::size_t row = 0; row < torn.size(); ++row)
-      torn[row] = static_cast<double>(damage->values[row]) > torn_share ? 1 : 0;
-  return torn;
-}
-
 // Returns the means of the lengths over the windows.
 std::vector<double> window_means(const Columns& columns, const std::vector<double>& lengths) {
   const auto [rows, aside] = columns.count;
@@ -139,6 +128,16 @@ Windows windows_of(const Columns& columns) {
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> find_torn(const Frame& frame) {
+  std::vector<std::uint8_t> torn(frame.id.size(), 0);
+  const Column* damage = find_column(frame, "body_damage");
+  if (damage == nullptr) damage = find_column(frame, "damage");
+  if (damage != nullptr)
+    for (std::size_t row = 0; row < torn.size(); ++row)
+      torn[row] = static_cast<double>(damage->values[row]) > torn_share ? 1 : 0;
+  return torn;
+}
 
 UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
                                    const KerfPath& path) {

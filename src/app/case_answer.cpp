@@ -30,8 +30,7 @@ Json facts_of(const CheckedCase& checked) {
   const auto add = [&](const char* name, const std::string& value) {
     facts.push_back({{"name", name}, {"value", value}});
   };
-  add("Run time",
-      fmt::format("about {}, {}", duration_text(cost.seconds), checked.costed.pace.source));
+  add("Run time", run_time_text(cost, checked.costed.pace));
   add("Particles at the start", html::count(static_cast<double>(numbers.particles_initial)));
   add("Particles including jet water",
       html::count(static_cast<double>(numbers.particles_expected)));

@@ -134,7 +134,7 @@ void print_cost(const Case& description, const DerivedNumbers& numbers, const Pa
   row("steps", fmt::format("{:.0f}", cost.steps));
   row("memory", readable(cost.memory, "B"));
   row("speed on this machine", fmt::format("{:.3g} particle-steps/s", 1.0 / pace.particle_step));
-  row("run time", fmt::format("about {}, {}", duration_text(cost.seconds), pace.source));
+  row("run time", run_time_text(cost, pace));
 }
 
 // Returns the volume of the particles of a body, m^3.

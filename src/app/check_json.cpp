@@ -32,6 +32,7 @@ Json cost_object(const DerivedNumbers& numbers, const Pace& pace) {
                {"simulated_time", numbers.likely_end},
                {"time_step", numbers.time_step / pace.step_factor}};
   json.update(cost_json(run_cost(numbers, pace)));
+  json["run_time_threads"] = pace.threads;
   json["run_time_source"] = pace.source;
   return json;
 }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "analysis/derived.hpp"
 #include "app/command_line.hpp"
@@ -10,6 +11,7 @@
 #include "app/converge.hpp"
 #include "app/cost_advice.hpp"
 #include "app/executor_options.hpp"
+#include "app/later_end.hpp"
 #include "app/run_json.hpp"
 #include "app/run_loop.hpp"
 #include "app/slurm_run.hpp"
@@ -160,7 +162,8 @@ void refuse_for_ranks(const RunOptions& options) {
   if (options.machine.device != Device::cpu) refuse("--device gpu", "computes with one rank only");
 }
 
-void run_here(const RunOptions& options, const RunLoopSettings& settings) {
+void run_here(const RunOptions& options, RunLoopSettings settings) {
+  continue_to_later_end(settings);
   const ConvergeSettings further = converge_settings_of(options, settings);
   if (options.converge) check_convergence(settings.description, further);
   leave_if_stopped(RunLoop(settings, make_simulation).run().signal);
@@ -184,7 +187,7 @@ void run_with_ranks(const RunOptions& options) {
   });
   if (ranks::number() != 0) return follow(settings.description);
   const Lead lead;
-  run_here(options, settings);
+  run_here(options, std::move(settings));
 }
 
 void run(const RunOptions& options) {

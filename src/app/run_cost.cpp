@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "engine/device.hpp"
 #include "model/case.hpp"
+#include "output/readable.hpp"
 #include "parallel/threads.hpp"
 
 namespace kerf {
@@ -141,7 +142,9 @@ std::optional<Pace> pace_of_pilot(const Case& description, const DerivedNumbers&
 
 Pace typical_pace(const Case& description, int threads) {
   const double step = on_threads(typical_particle_step(description), threads);
-  return {step, typical_row * step, rows_of(description), 1.0, "by the typical speed of a core"};
+  Pace pace{step, typical_row * step, rows_of(description), 1.0, "by the typical speed of a core"};
+  pace.threads = threads;
+  return pace;
 }
 
 Case with_coarser_particles(const Case& description, double factor) {
@@ -176,11 +179,17 @@ Pace measured_pace(const Case& description, const DerivedNumbers& numbers, int t
       Pace result = *pace;
       result.particle_step = on_threads(pace->particle_step, threads);
       result.particle_row = on_threads(pace->particle_row, threads);
+      result.threads = threads;
       set_threads(threads);
       return result;
     }
   set_threads(threads);
   return typical_pace(description, threads);
+}
+
+std::string run_time_text(const RunCost& cost, const Pace& pace) {
+  return fmt::format("about {} on {} {}, {}", duration_text(cost.seconds), pace.threads,
+                     pace.threads == 1 ? "thread" : "threads", pace.source);
 }
 
 RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace) {

@@ -23,6 +23,7 @@ struct Pace {
   std::string source;          // how it was found
   // Of the time of cases with solids, what bonds and their fracture take (docs/performance.md).
   double bond_share = 0.5;
+  int threads = 1;  // of the run
 };
 
 struct RunCost {
@@ -47,5 +48,8 @@ Case pilot_case(const Case& description, const DerivedNumbers& numbers, double s
 Case with_coarser_particles(const Case& description, double factor);
 
 RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace);
+
+// Returns the run time with the number of threads for which it holds and how it was found.
+std::string run_time_text(const RunCost& cost, const Pace& pace);
 
 }  // namespace kerf

@@ -13,6 +13,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* key_metrics[] = {"cut_through_time",
                                        "front_speed",
                                        "front_depth",
+                                       "cut_depth",
                                        "kerf.depth",
                                        "kerf.margin",
                                        "kerf.middle.width",

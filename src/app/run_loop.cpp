@@ -13,11 +13,9 @@
 #include "core/version.hpp"
 #include "input/write_used.hpp"
 #include "model/case.hpp"
-#include "output/checkpoint.hpp"
 #include "output/readable.hpp"
 #include "output/result.hpp"
 #include "report/report.hpp"
-#include "simulation/saved_state.hpp"
 
 namespace kerf {
 namespace {
@@ -101,12 +99,20 @@ bool RunLoop::start() {
       write_file(folder_.used_case(), settings_.case_text);
       keep_meshes(settings_.description, folder_.path());
       start_log();
+      if (settings_.existing == Existing::resume)
+        tell(
+            fmt::format("{} has no checkpoint to continue from: the run starts from the beginning.",
+                        folder_.path().string()));
       return begin();
     }
     start_log();
-    const Checkpoint checkpoint = read_checkpoint(folder_.checkpoint(), settings_.case_text);
+    const bool is_continued = !settings_.continued_text.empty();
+    const bool has_later_end =
+        is_continued && settings_.continued_end < settings_.description.time.end;
+    const Checkpoint checkpoint = read_checkpoint(
+        folder_.checkpoint(), is_continued ? settings_.continued_text : settings_.case_text);
     using_checkpoint([&] { before_ = record_from(checkpoint.run); });
-    if (!already_finished()) return resume(checkpoint.simulation);
+    if (has_later_end || !already_finished()) return resume(checkpoint.simulation);
     has_steps = false;
     progress_.say(
         fmt::format("This run has finished already; its report is {}", folder_.report().string()));
@@ -127,20 +133,6 @@ bool RunLoop::already_finished() const {
          nlohmann::json::accept(read_file(folder_.result()));
 }
 
-// Adds the file to the message of an error by its content, whose checksum is right.
-void RunLoop::using_checkpoint(const std::function<void()>& work) const {
-  const std::string file = folder_.checkpoint().string();
-  try {
-    work();
-  } catch (const UserError& error) {
-    throw UserError(fmt::format("{}: {}", file, error.what()), error.exit_code());
-  } catch (const std::logic_error& error) {
-    throw UserError(
-        fmt::format("{} is damaged ({}). Start the run again with --force.", file, error.what()),
-        exit_files);
-  }
-}
-
 void RunLoop::begin() {
   simulation_ = maker_(settings_.description);
   cut_.emplace(settings_.description, frame());
@@ -150,37 +142,6 @@ void RunLoop::begin() {
   write_due();
 }
 
-void RunLoop::check_state(const Archive& state) const {
-  Archive fresh;
-  simulation_->save(fresh);
-  check_saved_state(state, fresh, settings_.description);
-}
-
-void RunLoop::resume(const Archive& state) {
-  simulation_ = maker_(settings_.description);
-  cut_.emplace(settings_.description, frame());
-  using_checkpoint([&] {
-    check_state(state);
-    simulation_->restore(state);
-    frame_.reset();
-    follow_window();
-    cut_->restore(before_.cut_history, before_.cut_traces, frame());
-  });
-  saved_time_ = simulation_->time();
-  judge_motion();
-  series_.cut_back(simulation_->step(), before_.rows);
-  frames_.restore(before_.frame_times);
-  pictures_.restore(before_.picture_times);
-  frames_due_.restore(before_.frames_due);
-  pictures_due_.restore(before_.pictures_due);
-  rows_due_.restore(before_.rows_due);
-  limits_ = before_.limits;
-  if (!before_.cut_history.empty()) row_time_ = before_.cut_history.back().time;
-  energy_drift_ = simulation_->balance().energy_drift();
-  tell(fmt::format("{}: continuing from {:.6g} ms, step {}", settings_.case_name,
-                   1e3 * simulation_->time(), simulation_->step()));
-}
-
 void RunLoop::advance(const std::function<bool()>& enough) {
   guarded([&] {
     while (!is_over() && !enough()) take_step();
@@ -188,12 +149,14 @@ void RunLoop::advance(const std::function<bool()>& enough) {
 }
 
 void RunLoop::take_step() {
+  keep_before_end();
   simulation_->advance();
   frame_.reset();
   ++limits_[simulation_->last_step().limit];
   write_due();
   const double interval = settings_.description.output.checkpoint_interval;
-  if (std::chrono::duration<double>(Clock::now() - saved_).count() >= interval) save_if_sound();
+  const bool is_due = std::chrono::duration<double>(Clock::now() - saved_).count() >= interval;
+  if (is_due && !simulation_->finished()) save_if_sound();
   progress_.update(numbers());
 }
 
@@ -207,19 +170,15 @@ bool RunLoop::is_over() const {
 
 void RunLoop::finish() {
   guarded([this] {
+    const auto last =
+        simulation_->finished() && before_end_ != nullptr ? before_end_ : saved_state(true);
+    before_end_.reset();
     write_last();
     write_file(folder_.result(), result().dump(2) + "\n");
     write_report(folder_.path(), settings_.description);
-    save_checkpoint(true);
+    submit(last);
     writing_.wait();
     log_->info("finished after {}", duration_text(wall_time()));
-  });
-}
-
-void RunLoop::save() {
-  guarded([this] {
-    save_if_sound();
-    writing_.wait();
   });
 }
 
@@ -234,32 +193,6 @@ RunEnd RunLoop::stop(int signal) {
   tell(fmt::format("Stopped by {} at {:.6g} ms. {}", signal_name(signal), 1e3 * simulation_->time(),
                    on));
   return {signal};
-}
-
-// Saves the state, unless the energy balance shows that the run has broken down: what was saved
-// before is kept then, so that a run goes on from a state that is safe.
-void RunLoop::save_if_sound() {
-  const Balance balance = simulation_->balance();
-  if (balance.energy_is_sound()) return save_checkpoint(false);
-  saved_ = Clock::now();
-  tell(
-      fmt::format("At {:.6g} ms the energy balance is off by {:.3g}%: this state is not saved, and "
-                  "the last checkpoint is kept.",
-                  1e3 * simulation_->time(), 100.0 * balance.energy_drift()));
-}
-
-void RunLoop::save_checkpoint(bool finished) {
-  writing_.wait();  // the checkpoint refers to the frames written
-  series_.sync();   // and to its rows
-  auto checkpoint = std::make_shared<Checkpoint>();
-  simulation_->save(checkpoint->simulation);
-  checkpoint->run = to_archive(record(finished));
-  saved_ = Clock::now();
-  writing_.submit([this, checkpoint, time = simulation_->time(), step = simulation_->step()] {
-    write_checkpoint(folder_.checkpoint(), settings_.case_text, *checkpoint);
-    saved_time_ = time;
-    log_->info("checkpoint at {:.6g} ms, step {}", 1e3 * time, step);
-  });
 }
 
 void RunLoop::tell(const std::string& line) {

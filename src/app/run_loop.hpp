@@ -22,6 +22,7 @@
 #include "app/signals.hpp"
 #include "model/case.hpp"
 #include "output/background.hpp"
+#include "output/checkpoint.hpp"
 #include "output/result.hpp"
 #include "output/series.hpp"
 #include "output/vtkhdf.hpp"
@@ -42,6 +43,10 @@ struct RunLoopSettings {
   int threads = 0;              // for the results
   std::string device;           // for the results
   std::string resume_command;   // the command that continues the run
+  // The case of the checkpoint and its end, s, where that or the output differs
+  // (app/later_end.hpp).
+  std::string continued_text{};
+  double continued_end = 0.0;
 };
 
 // Returns the settings that follow from a case and the name of its file. An empty folder is
@@ -79,6 +84,11 @@ class RunLoop {
 
  private:
   using Clock = std::chrono::steady_clock;
+  struct SavedState {
+    Checkpoint checkpoint;
+    double time = 0.0;  // s
+    std::uint64_t step = 0;
+  };
 
   void guarded(const std::function<void()>& work);
   int caught() const;  // the signal that asks to stop; 0 = none
@@ -86,6 +96,7 @@ class RunLoop {
   bool already_finished() const;
   void begin();
   void resume(const Archive& state);
+  void leave_earlier_end();
   void check_state(const Archive& state) const;
   void using_checkpoint(const std::function<void()>& work) const;
   void take_step();
@@ -97,7 +108,9 @@ class RunLoop {
   void write_last();
   RunEnd stop(int signal);
   void save_if_sound();
-  void save_checkpoint(bool finished);
+  std::shared_ptr<const SavedState> saved_state(bool finished);
+  void keep_before_end();
+  void submit(std::shared_ptr<const SavedState> state);
   void measure(RunOutcome& outcome);
 
   const std::shared_ptr<const Frame>& shared_frame();
@@ -126,6 +139,8 @@ class RunLoop {
   PictureWriter pictures_;
   Schedule frames_due_, pictures_due_, rows_due_;
   RunRecord before_;  // of the earlier parts of the run
+  // The state before the last step, which is shortened to the end; none before that.
+  std::shared_ptr<const SavedState> before_end_;
   std::map<std::string, std::uint64_t> limits_;
   double energy_drift_ = 0.0;
   double row_time_ = -1.0;    // s, of the last row of the series

@@ -16,9 +16,10 @@ struct HistoryColumn {
   const char* name;
   double& (*member)(CutState&);
 };
-constexpr std::array<HistoryColumn, 10> history_columns = {{
+constexpr std::array<HistoryColumn, 11> history_columns = {{
     {"time", [](CutState& state) -> double& { return state.time; }},
     {"front_depth", [](CutState& state) -> double& { return state.front_depth; }},
+    {"cut_depth", [](CutState& state) -> double& { return state.cut_depth; }},
     {"fractured_fraction", [](CutState& state) -> double& { return state.fractured_fraction; }},
     {"fractured_mass", [](CutState& state) -> double& { return state.fractured_mass; }},
     {"fractured_width", [](CutState& state) -> double& { return state.fractured_width; }},

@@ -82,7 +82,7 @@ nlohmann::ordered_json RunLoop::result() {
   outcome.stationary = stationary_;
   outcome.still_cutting = still_cutting(cut_->history());
   outcome.balance = simulation_->balance();
-  if (!breaks_nothing(outcome))
+  if (!cuts_nothing(outcome))
     outcome.exposure = exposure_of(settings_.description, cut_->history(), outcome.cut);
   outcome.time = simulation_->time();
   outcome.steps = simulation_->step();

@@ -5,6 +5,7 @@
 #include "input/draft.hpp"
 #include "input/sections.hpp"
 #include "input/toml_writer.hpp"
+#include "input/units.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -51,7 +52,7 @@ std::vector<Key> time_keys() {
       {"after_cut", quantity, "s", "none", not_negative, {}, "", "The run ends this time after the workpiece is cut through, if that is before `end`; with a [workpiece] under a standing nozzle the default is a flight of 20 jet widths", stored_in<&TimeControl::after_cut>},
       {"stop", word, "", "end", any, run_stop_words, "standard", "What ends the run: its end, or a [cut that is stationary](theory/travelling_frame.md) before it, where the frame of the [workpiece] travels", stored_in<&TimeControl::stop>},
       {"stop_tolerance", number, "", "0.03", {0.0, 1.0, true}, {}, "stationary", "Largest change of a stationary cut from one stretch of the path to the next, relative", stored_in<&TimeControl::stop_tolerance>},
-      {"relax", quantity, "s", "0 s", not_negative, {}, "standard", "Until this time solids are settled under their loads by dynamic relaxation: whenever their kinetic energy has passed a peak, they are stopped", stored_in<&TimeControl::relax>},
+      {"relax", quantity, "s", "0 s", not_negative, {}, "standard", "Until this time, at most the end, solids are settled under their loads by dynamic relaxation: whenever their kinetic energy has passed a peak, they are stopped", stored_in<&TimeControl::relax>},
   };
   // clang-format on
 }
@@ -133,6 +134,9 @@ void read_time(Draft& draft, Section& top) {
   if (!section.has("after_cut")) time.after_cut = draft.after_cut;
   section.refuse_unknown();
   check_travelling_time(draft, section);
+  if (time.relax > time.end && time.end > 0.0)
+    section.refuse("relax", "the run ends before it", "Shorten it, or choose a later time.end",
+                   "at most the end of the run, " + show_quantity(time.end, "s", Bound::most));
 }
 
 void read_domain(Draft& draft, Section& top) {

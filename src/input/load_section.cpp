@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "geometry/shapes.hpp"
 #include "geometry/surface_elements.hpp"
@@ -60,10 +62,49 @@ double element_size(const Body& body, int dimension, double most) {
   return std::max(0.25 * body.spacing, size);
 }
 
+// Returns a time within the run at which an expression is not finite, s. It is sampled, and where
+// its magnitude has a peak between samples this is followed up to a pole.
+std::optional<double> infinite_time(const Expression& expression, double end) {
+  constexpr int samples = 2000, divisions = 200;
+  constexpr double of_pole = 1e6;  // of the greatest sample
+  const auto magnitude = [&](double t) { return std::abs(expression.evaluate(t)); };
+  std::vector<double> values;
+  for (int k = 0; k <= samples; ++k) {
+    values.push_back(magnitude(k * end / samples));
+    if (!std::isfinite(values.back())) return k * end / samples;
+  }
+  const double most = of_pole * std::max(1.0, *std::max_element(values.begin(), values.end()));
+  for (std::size_t k = 1; k + 1 < values.size(); ++k) {
+    const bool is_peak = values[k] >= values[k - 1] && values[k] >= values[k + 1] &&
+                         (values[k] > values[k - 1] || values[k] > values[k + 1]);
+    if (!is_peak) continue;
+    double low = static_cast<double>(k - 1) * end / samples;
+    double high = static_cast<double>(k + 1) * end / samples;
+    for (int n = 0; n < divisions; ++n) {
+      const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+      const double at_a = magnitude(a), at_b = magnitude(b);
+      if (!(at_a <= most && at_b <= most)) return at_a <= most ? b : a;
+      (at_a < at_b ? low : high) = at_a < at_b ? a : b;
+    }
+  }
+  return std::nullopt;
+}
+
+void check_history(Draft& draft, const Load& load, const std::string& path) {
+  const double end = draft.result.time.end;
+  const auto time = infinite_time(Expression(load.history, {"t"}), end);
+  if (!time) return;
+  draft.reading.problems.add(
+      {path + ".history", fmt::format("the factor is not finite at t = {:.6g} s", *time),
+       fmt::format("an expression that is finite from t = 0 s to the end of the run, {:.6g} s",
+                   end),
+       "Correct it, such as \"min(t/1e-3, 1)\""});
+}
+
 }  // namespace
 
-// Refuses loads on bodies that do not exist or cannot move, and those whose region holds no part of
-// the body.
+// Refuses loads on bodies that do not exist or cannot move, those whose region holds no part of the
+// body, and those whose history is not finite.
 void check_loads(Draft& draft) {
   const Case& result = draft.result;
   std::vector<std::string> names;
@@ -72,6 +113,7 @@ void check_loads(Draft& draft) {
       names.push_back(body.name);
   for (std::size_t i = 0; i < result.loads.size(); ++i) {
     const Load& load = result.loads[i];
+    check_history(draft, load, indexed("load", i));
     const auto body = std::find_if(result.bodies.begin(), result.bodies.end(),
                                    [&](const Body& other) { return other.name == load.body; });
     if (std::find(names.begin(), names.end(), load.body) == names.end()) {

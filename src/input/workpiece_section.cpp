@@ -40,8 +40,20 @@ namespace {
 
 constexpr double widths_after_cut = 20.0;  // of flight of the jet
 
-// Refuses a part that is not inside the workpiece.
-void check_part(Section& section, const WorkpieceSetting& workpiece) {
+// Refuses a material that is not solid.
+void check_material(Draft& draft, Section& section) {
+  const MaterialDraft* entry = use_material(draft, section, draft.workpiece.material);
+  if (entry == nullptr || entry->material.kind == MaterialKind::elastic) return;
+  section.refuse("material", "this is water, which no jet cuts",
+                 "Name a solid: `kerf materials` lists those of the library, a [materials.NAME] "
+                 "describes another",
+                 "a material of the kind \"elastic\"");
+}
+
+// Refuses a part that is not inside the workpiece. Where no corner is written, a part that is empty
+// lies around a nozzle beside the workpiece.
+void check_part(Draft& draft, Section& section) {
+  const WorkpieceSetting& workpiece = draft.workpiece.setting;
   for (std::size_t a = 0; a < static_cast<std::size_t>(section.reading().dimension); ++a) {
     const bool is_depth = a == 1;
     const double high = is_depth ? 0.0 : 0.5 * workpiece.size[a];
@@ -49,11 +61,21 @@ void check_part(Section& section, const WorkpieceSetting& workpiece) {
     if (workpiece.part.minimum[a] >= low - slack && workpiece.part.maximum[a] <= high + slack &&
         workpiece.part.minimum[a] < workpiece.part.maximum[a])
       continue;
+    const std::string allowed = fmt::format("from {} to {}", show_quantity(low, "m", Bound::least),
+                                            show_quantity(high, "m", Bound::most));
+    if (!is_depth && !section.has("minimum") && !section.has("maximum")) {
+      draft.reading.problems.add(
+          {"machine.position",
+           fmt::format("with entry {} the jet passes beside the workpiece", a + 1),
+           fmt::format("entry {} {}, or a path of the nozzle that comes there in the run", a + 1,
+                       allowed),
+           "Correct the position, or enlarge workpiece.size; the middle of the workpiece is at 0"});
+      return;
+    }
     section.refuse(section.has("minimum") ? "minimum" : "maximum",
                    fmt::format("entry {} of the corners is not within the workpiece", a + 1),
                    "Correct the corners; the upper face is at y = 0, the middle at the origin",
-                   fmt::format("entries from {} to {}", show_quantity(low, "m", Bound::least),
-                               show_quantity(high, "m", Bound::most)));
+                   "entries " + allowed);
     return;
   }
 }
@@ -174,6 +196,8 @@ void read_workpiece(Draft& draft, Section& top) {
     top.refuse("workpiece", "there is no [machine] to cut it", "Add one, or write a [[body]]",
                "a case with a [machine]");
   if (draft.reading.problems.any()) return;
+  check_material(draft, section);
+  if (draft.reading.problems.any()) return;
   resolve_motion(draft);
   const bool travels = draft.workpiece.setting.frame == WorkpieceFrame::travelling;
   if (travels) check_travel(draft, top, section);
@@ -181,7 +205,8 @@ void read_workpiece(Draft& draft, Section& top) {
   choose_depth(draft, section);
   if (draft.reading.problems.any()) return;
   choose_part(draft, top, section);
-  check_part(section, draft.workpiece.setting);
+  check_part(draft, section);
+  if (draft.reading.problems.any()) return;
   if (travels) check_window(draft, section);
   draft.result.workpiece = draft.workpiece.setting;
   const Faces absorbing =

@@ -4,6 +4,7 @@
 #include "analysis/derived.hpp"
 #include "app/command_line.hpp"
 #include "app/cost_advice.hpp"
+#include "app/later_end.hpp"
 #include "app/run_loop.hpp"
 #include "core/error.hpp"
 #include "input/read.hpp"
@@ -29,6 +30,7 @@ RunLoopSettings loop_settings(const Case& description, const std::filesystem::pa
   settings.threads = threads_of(machine);
   settings.device = device_name();
   settings.resume_command = options.resume_words;
+  continue_to_later_end(settings);
   return settings;
 }
 

@@ -19,7 +19,7 @@ using hdf5::Handle;
 
 // The version of the format; it increases whenever the meaning or the layout of the content
 // changes.
-constexpr int format_version = 10;
+constexpr int format_version = 11;
 constexpr const char* kind = "checkpoint";
 constexpr const char* remedy = "Start the run again with --force.";
 
@@ -123,6 +123,15 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& case
     content = hdf5::bytes_of(file);
   }
   write_file(path, sealed(std::move(content), kind, format_version));
+}
+
+std::string case_of_checkpoint(const std::filesystem::path& path) {
+  check_seal(path);
+  try {
+    return read_text(hdf5::open(path), "case");
+  } catch (const hdf5::Error&) {
+    refuse_damaged(path);
+  }
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& case_text) {

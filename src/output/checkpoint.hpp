@@ -26,6 +26,9 @@ struct Checkpoint {
 void write_checkpoint(const std::filesystem::path& path, const std::string& case_text,
                       const Checkpoint& checkpoint);
 
+// Returns the text of the case of a checkpoint. Throws as read_checkpoint does.
+std::string case_of_checkpoint(const std::filesystem::path& path);
+
 // Reads a checkpoint. Throws UserError (exit_files) with one sentence for a file that is missing,
 // damaged, not a checkpoint, of another version of the format, or of a case other than `case_text`.
 Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& case_text);

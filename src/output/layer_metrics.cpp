@@ -36,8 +36,8 @@ const MetricList<NamedLayer>& NamedLayer::metrics() {
                               : std::nullopt;
          }},
         {"margin", share(), "margin of the cut of the layer",
-         "Share of the run that was left after the cut; below 0, minus the share of the body's "
-         "thickness in the way of the jet that is unbroken.",
+         "Share of the time that the case states (`end`) which was left after the cut; below 0, "
+         "minus the share of the body's thickness in the way of the jet that is unbroken.",
          [](const L& entry) { return entry.layer.margin; }},
         {"unbroken", "m", "unbroken thickness of the layer",
          "Least thickness of the body, as laid out, that stands and has kept its bonds in the way "

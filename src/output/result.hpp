@@ -60,12 +60,14 @@ struct RunOutcome {
   static const MetricList<RunOutcome>& file_metrics();
 };
 
-// Returns whether solid broke and the front went deeper in the last tenth of the history.
+// Returns whether there is a cut and the front went deeper in the last tenth of the history.
 bool still_cutting(const std::vector<CutState>& history);
 // Says what that means.
 std::string still_cutting_sentence(const RunOutcome& outcome);
 // Returns whether no bond has broken and nothing has come off.
 bool breaks_nothing(const RunOutcome& outcome);
+// Returns whether what has broken, if anything, opens no path from the face (CutState::cut_depth).
+bool cuts_nothing(const RunOutcome& outcome);
 
 // Returns one sentence: whether and when the jet cut through, its depth, or that nothing broke.
 std::string verdict_of(const RunOutcome& outcome);

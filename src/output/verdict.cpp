@@ -65,16 +65,20 @@ double arrival_time(const Jet& jet) {
   return jet.start + jet.standoff / jet.speed;
 }
 
+// Whether the jet has pushed a body out of the domain.
+bool has_left(const RunOutcome& outcome) {
+  const auto& bodies = outcome.cut.bodies;
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [](const BodyVerdict& body) { return body.cut.left; });
+}
+
 // Returns the thickness that the jet has left, where it has broken a part.
 std::string unbroken_clause(const RunOutcome& outcome) {
   if (!outcome.kerf) return "";
   const double unbroken = outcome.kerf->of<CutMargin>().unbroken;
   if (unbroken > least_length(outcome))
     return fmt::format(", and {} of the thickness is unbroken", readable(unbroken, "m"));
-  const auto& bodies = outcome.cut.bodies;
-  const bool is_left = std::any_of(bodies.begin(), bodies.end(),
-                                   [](const BodyVerdict& body) { return body.cut.left; });
-  return is_left ? "" : ", and none of the thickness is unbroken";
+  return has_left(outcome) ? "" : ", and none of the thickness is unbroken";
 }
 
 // Whether the front has come to the end of a part that ends within the workpiece.
@@ -114,19 +118,32 @@ std::string left_clause(const RunOutcome& outcome) {
       join(names));
 }
 
+// Says how deep the cut and the water in it are, or that the water is in a dent.
+std::string reach_clause(const RunOutcome& outcome) {
+  const std::string front = readable(outcome.cut.last.front_depth, "m");
+  if (!cuts_nothing(outcome))
+    return fmt::format("the cut is {} and its front {} deep",
+                       readable(outcome.cut.last.cut_depth, "m"), front);
+  if (has_left(outcome)) return fmt::format("its front is {} deep", front);
+  const std::string broken = "what has broken opens no path from the face";
+  return is_measurable(outcome)
+             ? fmt::format("its front presses a dent of {} into the workpiece; {}", front, broken)
+             : broken;
+}
+
 std::string depth_sentence(const RunOutcome& outcome) {
   if (outcome.kerf && outcome.kerf->shape.thickness == 0.0 && outcome.kerf->layers.empty())
     return "The jet aims at no body that it could cut.";
   if (breaks_nothing(outcome)) return dent_sentence(outcome);
   const std::string end = readable(outcome.time, "s");
-  const std::string front = readable(outcome.cut.last.front_depth, "m");
   if (is_at_end_of_part(outcome))
     return fmt::format(
         "The front of the jet has come to the end of the depth that is simulated, {}, after {}{}.",
         readable(outcome.description.workpiece->depth, "m"), end, layers_clause(outcome));
-  return fmt::format("{} does not cut through within {}{}; its front is {} deep{}{}.",
-                     the_jet(outcome), end, layers_clause(outcome), front, unbroken_clause(outcome),
-                     left_clause(outcome));
+  const bool is_dent = cuts_nothing(outcome) && !has_left(outcome);
+  return fmt::format("{} {} within {}{}; {}{}{}.", the_jet(outcome),
+                     is_dent ? "cuts nothing" : "does not cut through", end, layers_clause(outcome),
+                     reach_clause(outcome), unbroken_clause(outcome), left_clause(outcome));
 }
 
 // With a moving nozzle one hole is not a cut, so the cut share of its path is stated.
@@ -169,11 +186,9 @@ std::string exposure_sentence(const RunOutcome& outcome) {
   if (!stands_for_traverse(description)) return "";
   const Machine& machine = *description.machine;
   const std::string feed = readable(machine.traverse_speed, "m/s");
-  if (breaks_nothing(outcome))
+  if (cuts_nothing(outcome))
     return fmt::format(
-        " A feed of {} exposes each point for {} or more; a dent in which nothing breaks is not "
-        "carried on to that.",
-        feed,
+        " A feed of {} exposes each point for {} or more; a dent is not carried on to that.", feed,
         readable(exposure_time(machine, description.jets.back(), description.dimension), "s"));
   if (machine.is_pulsed())
     return fmt::format(
@@ -232,8 +247,12 @@ bool breaks_nothing(const RunOutcome& outcome) {
   return outcome.cut.last.fractured_mass == 0.0 && outcome.balance.dissipated_fracture == 0.0;
 }
 
+bool cuts_nothing(const RunOutcome& outcome) {
+  return outcome.cut.last.cut_depth == 0.0 && !outcome.cut.cut_through;
+}
+
 bool still_cutting(const std::vector<CutState>& history) {
-  if (history.empty() || history.back().cut_through || history.back().fractured_mass == 0.0)
+  if (history.empty() || history.back().cut_through || history.back().cut_depth == 0.0)
     return false;
   const double late = history.front().time + 0.9 * (history.back().time - history.front().time);
   const auto before = std::find_if(history.begin(), history.end(),
@@ -245,7 +264,9 @@ std::string still_cutting_sentence(const RunOutcome& outcome) {
   return is_at_end_of_part(outcome)
              ? "The run ended as the front came to the end of the depth that is simulated: a "
                "greater depth of the [workpiece] tells more."
-             : "The run ended while the jet was still cutting: choose a later end.";
+             : "The run ended while the jet was still cutting: set a later `end` in [time] of the "
+               "case and "
+               "continue the run with --resume.";
 }
 
 std::string verdict_of(const RunOutcome& outcome) {

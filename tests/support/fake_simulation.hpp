@@ -59,6 +59,7 @@ class FakeSimulation : public Simulation {
                           std::function<void(std::uint64_t)> before_step = {})
       : end_(description.time.end), before_step_(std::move(before_step)) {}
 
+  double cut_end = 0.0;        // s, at which the front is below the block; 0 = the end of the run
   double breaks_down = 1e300;  // s, from when on the kinetic energy is a hundred times too large
 
   void advance() override {
@@ -84,7 +85,7 @@ class FakeSimulation : public Simulation {
     Frame frame;
     frame.time = time_;
     frame.step = step_;
-    const double depth = 1.2e-2 * time_ / end_;
+    const double depth = 1.2e-2 * time_ / (cut_end > 0.0 ? cut_end : end_);
     for (int i = 0; i < 10; ++i) {
       for (int j = 0; j < 5; ++j) {
         const double x = 2e-3 * i - 9e-3, y = 2e-3 * j + 1e-3;

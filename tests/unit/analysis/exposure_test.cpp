@@ -43,7 +43,7 @@ std::vector<CutState> front_of(const std::function<double(double)>& depth, doubl
   std::vector<CutState> history;
   for (int k = 0; k <= 500; ++k) {
     CutState state;
-    state.front_depth = depth(k * end / 500.0);
+    state.front_depth = state.cut_depth = depth(k * end / 500.0);
     state.time = first_contact + since_contact(k * end / 500.0, state.front_depth);
     state.kerf_width = 3e-3;
     history.push_back(state);
@@ -178,7 +178,7 @@ TEST(Exposure, WaterOnItsWayGoesOnCutting) {
   for (int k = 0; k <= 500; ++k) {
     CutState state;
     state.time = first_contact + k * 0.2e-6;
-    state.front_depth = 100.0 * (state.time - first_contact);
+    state.front_depth = state.cut_depth = 100.0 * (state.time - first_contact);
     state.kerf_width = 1e-3;
     history.push_back(state);
   }
@@ -204,6 +204,19 @@ TEST(Exposure, CrackAheadOfTheWaterIsNoEarlyCut) {
   const auto exposure = exposure_of(description, history, summary_from(cut_time)).value();
   EXPECT_NEAR(exposure.simulated, 10e-6, 1e-9);
   EXPECT_NEAR(exposure.greatest_feed, 1e-3 / 10e-6, 1e-3 * 1e-3 / 10e-6);
+}
+
+// Of a front that presses a dent below a cut only the cut counts, and a dent alone has no law.
+TEST(Exposure, ADentIsNoDepthOfACut) {
+  const auto depth = [](double t) { return 20.0 * t; };
+  auto history = front_of(depth, 1e-4);
+  const auto of_cut = exposure_of(feeding_case(40.0), history, summary_from()).value();
+  for (CutState& state : history) state.front_depth = 3.0 * state.cut_depth;
+  const auto of_dent = exposure_of(feeding_case(40.0), history, summary_from()).value();
+  EXPECT_EQ(of_dent.depth_low, of_cut.depth_low);
+  EXPECT_EQ(of_dent.depth_high, of_cut.depth_high);
+  for (CutState& state : history) state.cut_depth = 0.0;
+  EXPECT_FALSE(exposure_of(feeding_case(40.0), history, summary_from()));
 }
 
 TEST(Exposure, OthersHaveNone) {

@@ -74,6 +74,20 @@ TEST_P(KerfAmounts, NothingRemovedHasNoSpecificEnergy) {
   EXPECT_TRUE(std::isnan(removal.specific_energy));
 }
 
+// What falls off before the water comes has cost the jet no energy.
+TEST_P(KerfAmounts, WhatIsRemovedBeforeContactHasNoSpecificEnergy) {
+  carving_.is_gone = [](const Position& x) { return slot(x, 12.0 * mm, 30.0 * mm); };
+  carving_.time = 7e-3;
+  carving_.conditions.jet_speed = 200.0;
+  for (const double contact : {std::nan(""), carving_.time}) {
+    carving_.conditions.contact_time = contact;
+    const Removal removal = carving_.measure(0).of<Removal>();
+    EXPECT_GT(removal.volume, 0.0);
+    EXPECT_EQ(removal.rate, 0.0);
+    EXPECT_TRUE(std::isnan(removal.specific_energy));
+  }
+}
+
 // A kerf 12 mm wide; the solid beside it is damaged up to 14 mm from the axis on the right and 10
 // mm on the left, so the mean zone is 6 mm.
 TEST_P(KerfAmounts, DamagedZoneIsMeasuredBesideTheKerf) {

@@ -145,6 +145,21 @@ TEST(Margin, IsTheRemainingShareOfTheRunOrOfTheUnbrokenThickness) {
   EXPECT_NEAR(carving.measure(0).of<CutMargin>().value, 0.25, 1e-12);
 }
 
+// A run that stops after its cut has the margin of one that goes on to the stated end.
+TEST(Margin, DoesNotHangOnWhenARunStopsAfterItsCut) {
+  Case description = make_case(2);
+  description.time.end = 60e-3;
+  CutSummary summary;
+  summary.cut_through_time = 15e-3;
+  Carving carving;
+  carving.is_gone = [](const Position& x) { return std::abs(x[0]) < 6.0 * mm; };
+  carving.conditions = kerf_conditions(description, summary);
+  for (const double stop : {16e-3, 20e-3, 60e-3}) {
+    carving.time = stop;
+    EXPECT_NEAR(carving.measure(0).of<CutMargin>().value, 0.75, 1e-12) << stop;
+  }
+}
+
 TEST(KerfConditionsOfACase, AreTakenFromTheFirstJetAndTheCut) {
   Case description = make_case(2);
   description.jets[0].traverse = {0.2, 0.0, 0.0};

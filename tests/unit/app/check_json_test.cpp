@@ -50,7 +50,19 @@ TEST(CheckJson, HasTheNumbersAndTheCost) {
   EXPECT_DOUBLE_EQ(cost.at("simulated_time"), 4e-3);
   EXPECT_NEAR(cost.at("steps").get<double>() * cost.at("time_step").get<double>(), 4e-3, 1e-5);
   EXPECT_GT(cost.at("run_time"), 0.0);
+  EXPECT_EQ(cost.at("run_time_threads"), 1);
   EXPECT_TRUE(json.at("advice").empty());
+}
+
+// The run time is told with the threads for which it holds.
+TEST(CheckJson, RunTimeNamesItsThreads) {
+  const CostedCase costed = checked(1e12).costed;
+  for (const int threads : {1, 8}) {
+    const Pace pace = typical_pace(costed.description, threads);
+    const std::string text = run_time_text(run_cost(costed.numbers, pace), pace);
+    EXPECT_NE(text.find(threads == 1 ? " on 1 thread, by" : " on 8 threads, by"), std::string::npos)
+        << text;
+  }
 }
 
 TEST(CheckJson, AdvisesWhereTheCostIsTooMuch) {

@@ -224,6 +224,14 @@ TEST_F(Run, ResumingWithoutACheckpointRestarts) {
   test::expect_same_results(folder_ / "full", folder_ / "a");
 }
 
+TEST_F(Run, SaysThatNothingIsThereToContinue) {
+  run(settings("a", Existing::resume));
+  EXPECT_THAT(read_file(folder_ / "a/log.txt"), HasSubstr("no checkpoint to continue from"));
+  run(settings("a", Existing::resume));
+  run(settings("b"));
+  EXPECT_THAT(read_file(folder_ / "b/log.txt"), testing::Not(HasSubstr("no checkpoint")));
+}
+
 TEST_F(Run, AFailureKeepsTheCheckpointAndNamesTheRemedy) {
   description_.output.checkpoint_interval = 1e-9;
   const auto fail = [](std::uint64_t now) {

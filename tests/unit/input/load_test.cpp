@@ -65,6 +65,26 @@ TEST(Load, IsReadAndWrittenBack) {
   EXPECT_EQ(parse_case(write_used(read), "case.used.toml"), read);
 }
 
+// A history that is infinite anywhere within the run is refused, also between samples.
+TEST(Load, IsRefusedWithAnInfiniteHistory) {
+  const auto refusal = [](const std::string& history) {
+    return refusal_of_load(
+        "[[load]]\nkind = \"body_force\"\nbody = \"block\"\nacceleration = "
+        "[\"1 m/s2\", \"0 m/s2\"]\nhistory = \"" +
+        history + "\"\n");
+  };
+  for (const char* finite : {"1", "sin(t/1e-5)", "1/(t+1e-4)", "t<0.005 ? 1 : -1",
+                             "exp(-((t-0.0033)/1e-9)^2)", "1/(t-0.02)", "1e6*t"})
+    EXPECT_EQ(refusal(finite), "accepted") << finite;
+  EXPECT_THAT(refusal("1/t"),
+              AllOf(HasSubstr("case.toml:"), HasSubstr("load[1].history = \"1/t\""),
+                    HasSubstr("not finite at t = 0 s. Allowed: an expression that is finite from"),
+                    HasSubstr("the end of the run, 0.01 s. Correct it")));
+  for (const char* infinite :
+       {"1/(t-0.005)", "1/(t-0.00333333)", "(t-0.0071234567)^(-2)", "log(0.003-t)", "sqrt(-t)"})
+    EXPECT_THAT(refusal(infinite), HasSubstr("load[1].history")) << infinite;
+}
+
 TEST(Load, IsRefusedWhereItCannotAct) {
   const std::string pressure = "pressure = \"1 kPa\"\n";
   const auto load = [&](const std::string& body, const std::string& shape,

@@ -122,8 +122,8 @@ TEST(Verdict, DescribesTheOutcome) {
   EXPECT_EQ(verdict_of(outcome),
             "The jet breaks nothing within 30 ms; its front presses 12.3 mm into the workpiece.");
   outcome.cut.last.fractured_mass = 1e-6;
-  EXPECT_EQ(verdict_of(outcome),
-            "The jet does not cut through within 30 ms; its front is 12.3 mm deep.");
+  outcome.cut.last.cut_depth = 0.012;
+  EXPECT_THAT(verdict_of(outcome), HasSubstr("; the cut is 12 mm and its front 12.3 mm deep."));
   outcome.cut.cut_through = true;
   outcome.cut.cut_through_time = 0.0221;
   outcome.cut.last.pieces = 2;
@@ -283,14 +283,14 @@ TEST(StillCutting, TestsTheLastTenth) {
   for (std::size_t i = 0; i < history.size(); ++i) {
     history[i].time = static_cast<double>(i);
     history[i].front_depth = std::min(80.0, static_cast<double>(i));
-    history[i].fractured_mass = 1.0;
+    history[i].cut_depth = 1.0;
   }
   EXPECT_FALSE(still_cutting(history));
   for (std::size_t i = 0; i < history.size(); ++i) history[i].front_depth = static_cast<double>(i);
   EXPECT_TRUE(still_cutting(history));
-  history.back().fractured_mass = 0.0;  // a dent without fracture
+  history.back().cut_depth = 0.0;  // a dent
   EXPECT_FALSE(still_cutting(history));
-  history.back().fractured_mass = 1.0;
+  history.back().cut_depth = 1.0;
   history.back().cut_through = true;
   EXPECT_FALSE(still_cutting(history));
   EXPECT_FALSE(still_cutting({}));

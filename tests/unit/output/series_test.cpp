@@ -51,10 +51,10 @@ std::vector<std::string> header_words(const Case& description) {
 TEST(SeriesColumns, CarryTheirUnits) {
   Case description;
   const std::vector<std::string> flat = header_words(description);
-  for (const char* name :
-       {"time_s", "step", "dt_s", "limit", "front_depth_m", "fractured_mass_kg_per_m",
-        "removed_mass_kg_per_m", "mass_in_kg_per_m", "momentum_now_x_N_s_per_m", "kinetic_J_per_m",
-        "force_rigid_y_N_per_m", "energy_drift", "momentum_error", "mass_error", "pieces"})
+  for (const char* name : {"time_s", "step", "dt_s", "limit", "front_depth_m", "cut_depth_m",
+                           "fractured_mass_kg_per_m", "removed_mass_kg_per_m", "mass_in_kg_per_m",
+                           "momentum_now_x_N_s_per_m", "kinetic_J_per_m", "force_rigid_y_N_per_m",
+                           "energy_drift", "momentum_error", "mass_error", "pieces"})
     EXPECT_EQ(std::count(flat.begin(), flat.end(), name), 1) << name;
   description.dimension = 3;
   const std::vector<std::string> solid = header_words(description);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "output/result.hpp"
@@ -28,11 +29,13 @@ TEST(Verdict, NamesWhatIsCutThroughAndWhatIsWhole) {
     outcome.kerf->layers.push_back(layer);
   }
   outcome.cut.last.fractured_mass = 1e-6;
+  outcome.cut.last.cut_depth = 0.0105;
   outcome.kerf->of<CutMargin>().unbroken = 2.5e-3;
   EXPECT_EQ(
       verdict_of(outcome),
       "The jet does not cut through within 30 ms; liver is cut through, vessel is whole, fat is "
-      "cut in part; its front is 12.3 mm deep, and 2.5 mm of the thickness is unbroken.");
+      "cut in part; the cut is 10.5 mm and its front 12.3 mm deep, and 2.5 mm of the thickness is "
+      "unbroken.");
   const auto layers = result_of(outcome).at("kerf").at("layers");
   EXPECT_EQ(layers.at(0).at("verdict"), "cut through");
   EXPECT_EQ(layers.at(1).at("verdict"), "whole");
@@ -104,11 +107,37 @@ TEST(Verdict, TheFirstOfSeveralJetsIsNamed) {
   outcome.time = 0.06;
   outcome.kerf.emplace();
   outcome.kerf->shape.thickness = 8e-3;
-  outcome.cut.last.front_depth = 3e-3;
+  outcome.cut.last.front_depth = outcome.cut.last.cut_depth = 3e-3;
   outcome.cut.last.fractured_mass = 1.0;
-  EXPECT_EQ(verdict_of(outcome),
-            "The first of 2 jets does not cut through within 60 ms; its front is 3 mm deep, and "
-            "none of the thickness is unbroken.");
+  EXPECT_EQ(
+      verdict_of(outcome),
+      "The first of 2 jets does not cut through within 60 ms; the cut is 3 mm and its front 3 mm "
+      "deep, and "
+      "none of the thickness is unbroken.");
+}
+
+// A dent in which bonds have broken without a path from the face is no cut, whatever its depth.
+TEST(Verdict, ADentWithBrokenBondsIsNoCut) {
+  RunOutcome outcome;
+  outcome.description.jets.push_back(arriving_jet());
+  outcome.description.bodies.emplace_back();
+  outcome.description.bodies.front().spacing = 2e-3;
+  outcome.description.machine.emplace().motion = NozzleMotion::standing;
+  outcome.description.machine->traverse_speed = 1.0;
+  outcome.description.workpiece.emplace();
+  outcome.time = 0.06;
+  outcome.kerf.emplace();
+  outcome.kerf->shape.thickness = 8e-3;
+  outcome.kerf->of<CutMargin>().unbroken = 8e-3;
+  outcome.cut.last.front_depth = 4e-3;
+  outcome.balance.dissipated_fracture = 1e-6;  // of one bond
+  const std::string verdict = verdict_of(outcome);
+  EXPECT_THAT(verdict,
+              testing::StartsWith(
+                  "The jet cuts nothing within 60 ms; its front presses a dent of 4 mm into the "
+                  "workpiece; what has broken opens no path from the face, and 8 mm of the "
+                  "thickness is unbroken. A feed of 1 m/s"));
+  EXPECT_THAT(verdict, testing::EndsWith("a dent is not carried on to that."));
 }
 
 // A jet that does nothing is said to do nothing, in place of a dent of 0 m.

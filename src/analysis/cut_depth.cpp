@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/cut_depth.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "analysis/unbroken.hpp"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t every_body = std::numeric_limits<std::size_t>::max();
+
+// A particle of the layout within the space of the jet.
+struct TubePoint {
+  std::array<double, 3> position{};  // m, local
+  double size = 0.0;                 // m
+  std::size_t body = 0;              // index into Workpiece::bodies
+  bool is_open = false;
+};
+
+using TubeColumn = std::tuple<std::size_t, long, long>;  // of a body, and its place across the jet
+using ColumnTops = std::map<TubeColumn, double>;         // m, the least depth of a column
+using TubeCell = std::array<long, 3>;
+
+double tube_edge(const TubePoint& point) {
+  return point.position[2] - point.size / 2.0;
+}
+
+TubeColumn tube_column(const TubePoint& point, std::size_t body, double spacing) {
+  return {body, std::lround(std::floor(point.position[0] / spacing)),
+          std::lround(std::floor(point.position[1] / spacing))};
+}
+
+std::vector<TubePoint> points_in_tube(const KerfView& view, const KerfAxes& axes,
+                                      const std::vector<BodyCut>& bodies) {
+  const Workpiece& workpiece = view.workpiece;
+  const double reach = std::max(axes.jet.width, workpiece.axis_spacing);
+  const std::vector<std::uint8_t> torn = find_torn(view.frame);
+  std::vector<TubePoint> points;
+  for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
+    const auto& x = workpiece.position[slot];
+    if (axes.jet.distance(axes.jet.swept(x, view.frame.time)) > reach) continue;
+    const auto body =
+        static_cast<std::size_t>(std::find_if(workpiece.bodies.begin(), workpiece.bodies.end(),
+                                              [&](const WorkpieceBody& other) {
+                                                return other.body == workpiece.body[slot];
+                                              }) -
+                                 workpiece.bodies.begin());
+    const bool is_out =
+        bodies[body].left;  // what becomes of a body beyond the domain is not judged
+    const bool is_open = !is_out && (!view.standing[slot] || torn[view.rows[slot]] != 0);
+    points.push_back({axes.local(x), workpiece.size[slot], body, is_open});
+  }
+  return points;
+}
+
+// Returns the tops of the columns of each body, and those of all together.
+ColumnTops find_tops(const std::vector<TubePoint>& points, double spacing) {
+  ColumnTops tops;
+  for (const TubePoint& point : points)
+    for (const std::size_t body : {point.body, every_body}) {
+      const double edge = tube_edge(point);
+      const auto [top, is_new] = tops.try_emplace(tube_column(point, body, spacing), edge);
+      if (!is_new) top->second = std::min(top->second, edge);
+    }
+  return tops;
+}
+
+// Returns whether the water can reach the face of each body: all bodies in the way that begin above
+// it are cut through.
+std::vector<std::uint8_t> find_bare(const Workpiece& workpiece, const ColumnTops& tops,
+                                    const std::vector<BodyCut>& bodies) {
+  const double rounding = workpiece.axis_spacing / 2.0;  // of faces at one level
+  std::vector<double> begin(bodies.size(), std::numeric_limits<double>::infinity());
+  for (const auto& [column, top] : tops)
+    if (const std::size_t body = std::get<0>(column); body != every_body)
+      begin[body] = std::min(begin[body], top);
+  std::vector<std::uint8_t> bare(bodies.size(), 1);
+  for (std::size_t n = 0; n < bodies.size(); ++n)
+    for (std::size_t above = 0; above < bodies.size(); ++above)
+      if (begin[above] + rounding < begin[n] && workpiece.bodies[above].is_in_way &&
+          !bodies[above].through)
+        bare[n] = 0;
+  return bare;
+}
+
+// The open particles by cells as wide as the longest step of a path.
+class OpenPaths {
+ public:
+  OpenPaths(const std::vector<TubePoint>& points) : points_(points), seen_(points.size(), 0) {
+    for (const TubePoint& point : points) width_ = std::max(width_, open_reach * point.size);
+    for (std::size_t n = 0; n < points.size(); ++n)
+      if (points[n].is_open) cells_[cell_of(points[n])].push_back(n);
+  }
+
+  // Calls visit(n) for each open particle to which a path leads from the particle `start`.
+  template <class Visit>
+  void follow(std::size_t start, const Visit& visit) {
+    std::vector<std::size_t> next;
+    if (seen_[start] == 0) next.push_back(start);
+    seen_[start] = 1;
+    while (!next.empty()) {
+      const std::size_t n = next.back();
+      next.pop_back();
+      visit(n);
+      add_neighbours(n, next);
+    }
+  }
+
+ private:
+  TubeCell cell_of(const TubePoint& point) const {
+    TubeCell cell{};
+    for (std::size_t a = 0; a < 3; ++a)
+      cell[a] = std::lround(std::floor(point.position[a] / width_));
+    return cell;
+  }
+  void add_neighbours(std::size_t n, std::vector<std::size_t>& next) {
+    const TubeCell own = cell_of(points_[n]);
+    for (int k = 0; k < 27; ++k) {
+      const auto found =
+          cells_.find({own[0] + k % 3 - 1, own[1] + k / 3 % 3 - 1, own[2] + k / 9 - 1});
+      if (found == cells_.end()) continue;
+      for (const std::size_t other : found->second) {
+        if (seen_[other] != 0 || !are_close(points_[n], points_[other])) continue;
+        seen_[other] = 1;
+        next.push_back(other);
+      }
+    }
+  }
+  static bool are_close(const TubePoint& a, const TubePoint& b) {
+    return std::hypot(a.position[0] - b.position[0], a.position[1] - b.position[1],
+                      a.position[2] - b.position[2]) < open_reach * std::max(a.size, b.size);
+  }
+
+  const std::vector<TubePoint>& points_;
+  std::vector<std::uint8_t> seen_;
+  std::map<TubeCell, std::vector<std::size_t>> cells_;
+  double width_ = 0.0;  // m
+};
+
+}  // namespace
+
+double measure_cut_depth(const KerfView& view, const KerfAxes& axes,
+                         const std::vector<BodyCut>& bodies) {
+  const std::vector<TubePoint> points = points_in_tube(view, axes, bodies);
+  const bool is_closed = std::none_of(points.begin(), points.end(),
+                                      [](const TubePoint& point) { return point.is_open; });
+  if (is_closed) return 0.0;
+  const double spacing = view.workpiece.axis_spacing;
+  const ColumnTops tops = find_tops(points, spacing);
+  const std::vector<std::uint8_t> bare = find_bare(view.workpiece, tops, bodies);
+  OpenPaths paths(points);
+  double deepest = 0.0;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const TubePoint& point = points[n];
+    if (!point.is_open || bare[point.body] == 0) continue;
+    const double top = tops.at(tube_column(point, point.body, spacing));
+    if (tube_edge(point) > top + point.size / 2.0) continue;  // not at the face
+    paths.follow(n, [&](std::size_t reached) {
+      const TubePoint& other = points[reached];
+      const double face = tops.at(tube_column(other, every_body, spacing));
+      deepest = std::max(deepest, tube_edge(other) + other.size - face);
+    });
+  }
+  return deepest;
+}
+
+}  // namespace kerf

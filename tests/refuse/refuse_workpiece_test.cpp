@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is wrong with a [workpiece] and its [machine] is told by the keys that the user wrote.
+#include "refuse/bad_case.hpp"
+
+namespace kerf {
+namespace {
+
+std::string workpiece_case(int dimension, const std::string& material, const std::string& machine,
+                           const std::string& time = "") {
+  return "title = \"slab\"\ndimension = " + std::to_string(dimension) + "\nquality = \"draft\"\n" +
+         time + "[machine]\npressure = \"30 MPa\"\norifice_diameter = \"0.15 mm\"\n" +
+         "standoff = \"3 mm\"\n" + machine + "[workpiece]\nmaterial = \"" + material + "\"\n" +
+         (dimension == 3 ? "size = [\"300 mm\", \"5 mm\", \"200 mm\"]\n"
+                         : "size = [\"300 mm\", \"5 mm\"]\n");
+}
+
+void expect_only(const std::string& message, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "wanted " << part << "\ngot " << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;  // one problem
+}
+
+TEST(RefuseWorkpiece, OfWater) {
+  EXPECT_EQ(message_of(workpiece_case(2, "tofu", "")), "(no error)");
+  expect_only(message_of(workpiece_case(2, "water", "")),
+              {"bad.toml:9: workpiece.material = \"water\": this is water",
+               "Allowed: a material of the kind \"elastic\"", "`kerf materials`"});
+}
+
+TEST(RefuseWorkpiece, BesideTheJet) {
+  expect_only(message_of(workpiece_case(2, "tofu", "position = [\"400 mm\", \"0 mm\"]\n")),
+              {"bad.toml:8: machine.position = [\"400 mm\", \"0 mm\"]: with entry 1 the jet passes "
+               "beside the workpiece",
+               "Allowed: entry 1 from -0.15 m to 0.15 m", "Correct the position"});
+  expect_only(
+      message_of(workpiece_case(3, "tofu", "position = [\"0 mm\", \"0 mm\", \"150 mm\"]\n")),
+      {"machine.position = ", "entry 3 from -0.1 m to 0.1 m", "enlarge workpiece.size"});
+  const std::string travelling =
+      workpiece_case(2, "tofu", "traverse_speed = \"10 m/s\"\nposition = [\"400 mm\", \"0 mm\"]\n");
+  expect_only(message_of(travelling), {"machine.position = "});
+}
+
+TEST(RefuseWorkpiece, ARelaxationBeyondTheEnd) {
+  const auto with = [](const std::string& time) {
+    return message_of(workpiece_case(2, "tofu", "", "[time]\n" + time));
+  };
+  EXPECT_EQ(with("end = \"1 ms\"\nrelax = \"1 ms\"\n"), "(no error)");
+  expect_only(with("end = \"1 ms\"\nrelax = \"1.5 ms\"\n"),
+              {"bad.toml:6: time.relax = \"1.5 ms\": the run ends before it",
+               "Allowed: at most the end of the run, 0.001 s", "choose a later time.end"});
+}
+
+}  // namespace
+}  // namespace kerf
