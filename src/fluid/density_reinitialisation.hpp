@@ -3,12 +3,11 @@
 // concentration. The continuity equation integrates rates, and its density drifts from what the
 // particles' positions imply: the pressure difference in U* diffuses density, and a particle that
 // approaches a wall is compressed as by a mirror image that approaches it, while the particles of
-// the wall stay. In a stagnation flow particles stay at the wall for long; in a plane jet their row
-// ended up a tenth sparser than those further in at about the same density, and its pressure 18%
-// too high. So the density relaxes to
+// the wall stay. In a stagnation flow particles stay at the wall for long. So the density relaxes
+// to
 //   rho_0 phi / phi_0,   phi = sum V W,  phi_0 that of the lattice (fluid/lattice_sums.hpp),
 // at a rate that follows the rearrangement of neighbours (fluid/particle_concentration.hpp):
-// d rho/dt = 4 max_relative_velocity (...). Not in a shock: phi is smoothed over 2 h there, and
+// d rho/dt = max_relative_velocity (...). Not in a shock: phi is smoothed over 2 h there, and
 // would take density away behind the front. Water at rest and sound waves are hardly affected, and
 // a uniform motion changes nothing. The row of a free surface, where phi is too small for lack of
 // neighbours, is left out; the density of the row beneath it relaxes to half a percent too little.
@@ -27,7 +26,7 @@ struct DensityReinitialisation {
   ParticleView<D, P> particles;
   double dt;                           // s
   double lattice_kernel_sum;           // phi_0
-  static constexpr double rate = 4.0;  // of `max_relative_velocity`; chosen: see docs/theory
+  static constexpr double rate = 1.0;  // of `max_relative_velocity`; chosen: see docs/theory
 
   KERF_FUNCTION void operator()(Index i) const {
     if (particles.medium(i).phase != Phase::water || particles.has(i, flag::upstream)) return;

@@ -10,12 +10,14 @@
 //   d, wall_volume_factor  g_i = sum_l d w_1(x_l) / sum_j V_j W_ij,            l = 0, 1, 2, ...
 // with the distance s_i of the particle from the surface, w_1(x) the integral of W and w_2(x) that
 // of x S over a plane at the distance x from i.
+// Water that follows a curved wall has a gradient of pressure across it (fluid/wall_curvature.hpp).
 // On water that passes the end of a face the wall acts along the line from the edge, so that the
 // water turns around it freely.
 #pragma once
 
 #include <cmath>
 
+#include "fluid/wall_curvature.hpp"
 #include "pairs/pair.hpp"
 
 namespace kerf {
@@ -85,13 +87,14 @@ struct RigidWallSum {
   // Sums over faces that look at the particle, weighted by a = V_j S_ij d_ij . n_j, 1/m; a foot is
   // the point of the surface nearest to j, relative to i.
   struct Sum {
-    RealVector normal{};         // 1/m, sum a n_j
-    RealVector foot{};           // 1, sum a foot_j
-    Real facing{};               // 1/m, sum a
-    Real height{};               // 1, sum a s_j, with the height s_j of i above the plane of j
-    Real all{};                  // 1/m, sum V_j S_ij r_ij over all rigid particles
-    Real force{}, volume{};      // 1/m, 1: what the factors scale
-    Real spacing{}, reach{};     // m, the largest ones
+    RealVector normal{};      // 1/m, sum a n_j
+    RealVector foot{};        // 1, sum a foot_j
+    Real facing{};            // 1/m, sum a
+    Real height{};            // 1, sum a s_j, with the height s_j of i above the plane of j
+    Real all{};               // 1/m, sum V_j S_ij r_ij over all rigid particles
+    Real force{}, volume{};   // 1/m, 1: what the factors scale
+    Real spacing{}, reach{};  // m, the largest ones
+    WallCurvature<D, Real> curvature{};
     Real distance = Real(1e30);  // m, from the nearest piece of the surface
     RealVector nearest{};        // m, from the nearest point of the surface to i
     bool is_passing = false;     // i lies beyond the end of that piece and does not come to it
@@ -126,6 +129,7 @@ struct RigidWallSum {
     sum.foot += share * foot;
     sum.facing += share;
     sum.height += share * height;
+    sum.curvature.add(share, foot, normal, pair.velocity);
   }
 
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
@@ -196,6 +200,7 @@ struct RigidWallSum {
     }
     wall.force_excess = part * limited_excess(force / sum.force);
     wall.volume_excess = part * limited_excess(volume / sum.volume);
+    wall.centripetal = part * sum.curvature.centripetal(sum.spacing);
   }
   KERF_FUNCTION static Real between(Real value, Real least, Real most) {
     return value < least ? least : value > most ? most : value;
