@@ -105,8 +105,10 @@ struct FluidPair {
     }
     const Real length = norm(wall.arm), parting = dot(wall.arm, pair.velocity);
     if (!(length > Real(0))) return {wall.arm, wall.arm, Real(0)};
-    const Real rise = -particles.density(pair.i) * dot(gravity, pair.separation);
-    const auto star = solve_riemann_at_wall(
+    const Real hydrostatic = maximum(-dot(gravity, pair.separation), Real(0));
+    const Real rise =
+        particles.density(pair.i) * (hydrostatic - particles.wall_centripetal[pair.i] * length);
+    const auto star = solve_riemann_at_mirror(
         side(particles, pair.i, *pair.medium_i, -parting / length), Real(0), rise);
     const Real factor = wall_force_factor(particles, pair.i);
     const Real damping = Real(1) - room_at_wall(particles, pair.i);

@@ -105,6 +105,16 @@ KERF_FORMULA T beyond_viscosity(T dissipation, T viscous) {
   return maximum(dissipation - viscous, T(0));
 }
 
+// Returns the solution between fluid and its mirror image behind a wall, whose pressure is higher
+// by `rise`, Pa, but not negative.
+template <class T>
+KERF_FORMULA RiemannStar<T> solve_riemann_at_mirror(const RiemannSide<T>& fluid, T wall_speed,
+                                                    T rise) {
+  const RiemannSide<T> mirror{fluid.impedance, maximum(fluid.pressure + rise, T(0)),
+                              T(2) * wall_speed - fluid.speed, fluid.sound_speed};
+  return solve_riemann(fluid, mirror);
+}
+
 // Returns the solution between fluid and a wall, which may be rigid, or a solid that moves. The
 // wall is the mirror image of the fluid: the same density, the pressure of the fluid continued to
 // the wall, and a speed with which the mean of both is that of the wall. `hydrostatic` is the rise
@@ -114,9 +124,7 @@ KERF_FORMULA T beyond_viscosity(T dissipation, T viscous) {
 template <class T>
 KERF_FORMULA RiemannStar<T> solve_riemann_at_wall(const RiemannSide<T>& fluid, T wall_speed,
                                                   T hydrostatic) {
-  const RiemannSide<T> mirror{fluid.impedance, fluid.pressure + maximum(hydrostatic, T(0)),
-                              T(2) * wall_speed - fluid.speed, fluid.sound_speed};
-  return solve_riemann(fluid, mirror);
+  return solve_riemann_at_mirror(fluid, wall_speed, maximum(hydrostatic, T(0)));
 }
 
 // Returns the dissipation of fluid that comes to a wall at the speed `into`, Pa.

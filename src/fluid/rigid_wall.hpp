@@ -10,12 +10,14 @@
 //   d, wall_volume_factor  g_i = sum_l d w_1(x_l) / sum_j V_j W_ij,            l = 0, 1, 2, ...
 // with the distance s_i of the particle from the surface, w_1(x) the integral of W and w_2(x) that
 // of x S over a plane at the distance x from i.
+// Water that follows a curved wall has a gradient of pressure across it (fluid/wall_curvature.hpp).
 // On water that passes the end of a face the wall acts along the line from the edge, so that the
 // water turns around it freely.
 #pragma once
 
 #include <cmath>
 
+#include "fluid/wall_curvature.hpp"
 #include "pairs/pair.hpp"
 
 namespace kerf {
@@ -48,6 +50,14 @@ template <int D, class P>
 KERF_FUNCTION typename P::Real room_at_wall(const ParticleView<D, P>& particles, Index i) {
   const bool is_free = has_smooth_walls(particles) && particles.has(i, flag::surface);
   return is_free ? particles.wall_room[i] : typename P::Real(0);
+}
+
+// Returns how complete a wall is whose feet lie aside of the particle by `aside`, smoothing
+// lengths: 1 beside its middle, 0 beyond the end of a face.
+template <class Real>
+KERF_FUNCTION Real complete_part(Real aside) {
+  const Real part = (Real(0.5) - aside) / Real(0.35);
+  return part < Real(0) ? Real(0) : part > Real(1) ? Real(1) : part;
 }
 
 // How a rigid particle j acts on a fluid particle i.
@@ -85,13 +95,14 @@ struct RigidWallSum {
   // Sums over faces that look at the particle, weighted by a = V_j S_ij d_ij . n_j, 1/m; a foot is
   // the point of the surface nearest to j, relative to i.
   struct Sum {
-    RealVector normal{};         // 1/m, sum a n_j
-    RealVector foot{};           // 1, sum a foot_j
-    Real facing{};               // 1/m, sum a
-    Real height{};               // 1, sum a s_j, with the height s_j of i above the plane of j
-    Real all{};                  // 1/m, sum V_j S_ij r_ij over all rigid particles
-    Real force{}, volume{};      // 1/m, 1: what the factors scale
-    Real spacing{}, reach{};     // m, the largest ones
+    RealVector normal{};      // 1/m, sum a n_j
+    RealVector foot{};        // 1, sum a foot_j
+    Real facing{};            // 1/m, sum a
+    Real height{};            // 1, sum a s_j, with the height s_j of i above the plane of j
+    Real all{};               // 1/m, sum V_j S_ij r_ij over all rigid particles
+    Real force{}, volume{};   // 1/m, 1: what the factors scale
+    Real spacing{}, reach{};  // m, the largest ones
+    WallCurvature<D, Real> curvature{};
     Real distance = Real(1e30);  // m, from the nearest piece of the surface
     RealVector nearest{};        // m, from the nearest point of the surface to i
     bool is_passing = false;     // i lies beyond the end of that piece and does not come to it
@@ -126,6 +137,7 @@ struct RigidWallSum {
     sum.foot += share * foot;
     sum.facing += share;
     sum.height += share * height;
+    sum.curvature.add(share, foot, normal, pair.velocity);
   }
 
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
@@ -186,7 +198,7 @@ struct RigidWallSum {
     // Near the end of a face the feet lie to one side, and the wall is not complete.
     const RealVector foot = (Real(1) / sum.facing) * sum.foot;
     const Real aside = norm(foot - dot(foot, wall.normal) * wall.normal);
-    const Real part = between((Real(0.5) - aside / sum.reach) / Real(0.35), Real(0), Real(1));
+    const Real part = complete_part(aside / sum.reach);
     const Real height = sum.height / sum.facing;
     Real force = Real(0), volume = Real(0);
     for (Real x = height + Real(0.5) * sum.spacing; x < Real(Kernel::support) * sum.reach;
@@ -196,6 +208,7 @@ struct RigidWallSum {
     }
     wall.force_excess = part * limited_excess(force / sum.force);
     wall.volume_excess = part * limited_excess(volume / sum.volume);
+    wall.centripetal = part * sum.curvature.centripetal(sum.spacing);
   }
   KERF_FUNCTION static Real between(Real value, Real least, Real most) {
     return value < least ? least : value > most ? most : value;

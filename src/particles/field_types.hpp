@@ -31,10 +31,11 @@ template <int D, class T>
 struct RigidWall {
   Vector<D, T> normal;                  // 1, into the fluid; 0: none, an edge or a corner
   T force_excess, volume_excess, room;  // 1
+  T centripetal;                        // m/s^2
   bool is_corner, is_edge;
 
   KERF_FUNCTION static RigidWall none() {
-    return {Vector<D, T>::zero(), T(0), T(0), T(0), false, false};
+    return {Vector<D, T>::zero(), T(0), T(0), T(0), T(0), false, false};
   }
 };
 

@@ -45,6 +45,7 @@ namespace kerf {
   STATE(Real, wall_force_excess, 0, rigid_walls, hidden)  /* 1, of fluid beside a rigid wall: */   \
   STATE(Real, wall_volume_excess, 0, rigid_walls, hidden) /* 1, fluid/rigid_wall.hpp */            \
   STATE(Real, wall_room, 0, rigid_walls, hidden)          /* 1 */                                  \
+  STATE(Real, wall_centripetal, 0, rigid_walls, hidden)   /* m/s^2 */                              \
   STATE(Real, pressure_work, medium.tait.energy(medium, medium.initial_compression), always, hidden)     \
   STATE(std::uint32_t, inlet_column, start.inlet_column, always, hidden) /* of its nozzle */       \
   STATE(std::uint32_t, id, start.id, always, hidden)                 /* unique, never reused */    \

@@ -12,6 +12,7 @@
 #include "fluid/fluid_continuity.hpp"
 #include "fluid/fluid_force.hpp"
 #include "fluid/fluid_pressure.hpp"
+#include "fluid/gradient_at_wall.hpp"
 #include "fluid/lattice_sums.hpp"
 #include "fluid/particle_concentration.hpp"
 #include "fluid/rigid_wall.hpp"
@@ -110,12 +111,14 @@ class StandardRates {
     if (fluid_pair_.scheme == WaterScheme::riemann) {
       sum_pairs(input, bonds, FluidContinuity<D, P>{fluid_pair_}, RigidWalls{}, KernelSum{},
                 ConcentrationGradientSum<D, P>{concentration_gradient});
+      complete_gradients(input);
       return;
     }
     update_pressures(input);
     run_loop(input, bonds, EveryPair{}, gravity_, FluidContinuity<D, P>{fluid_pair_}, RigidWalls{},
              KernelSum{}, ConcentrationGradientSum<D, P>{concentration_gradient},
              DensityDiffusion<D, P>{pointer(density_gradient_)});
+    complete_gradients(input);
   }
 
   // Evaluates pressures and accelerations only, for output.
@@ -123,6 +126,7 @@ class StandardRates {
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                   const Bonds& bonds) const {
     sum_pairs({view, count, list}, bonds);
+    complete_gradients({view, count, list});
   }
   // Evaluates the accelerations by the pairs that `filter` selects and by the body force given.
   template <class Bonds, class Filter>
@@ -189,6 +193,17 @@ class StandardRates {
     }
     update_pressures(input);
     run_loop(input, bonds, EveryPair{}, gravity_, more...);
+  }
+
+  // Adds what smooth rigid walls lack, after the sums over pairs.
+  void complete_gradients(const LoopInput& input) const {
+    if (!has_smooth_walls(input.view)) return;
+    using Loop = PairLoop<D, P, ContactPairs, GradientAtWall<D, P>>;
+    NeighbourView all = input.list;
+    all.skips = Skips::nothing;
+    const GradientAtWall<D, P> term{fluid_pair_.kernel_gradient_normalisation};
+    for_each_index(input.count,
+                   BesideRigidWalls<D, P, Loop>{input.view, all, Loop(input.view, all, {}, term)});
   }
 
   void sum_surface_overlaps(const ParticleView<D, P>& view, Index count, const NeighbourView& list,

@@ -87,6 +87,7 @@ struct UpdateSurfaceFlags {
       particles.wall_force_excess[i] = wall.force_excess;
       particles.wall_volume_excess[i] = wall.volume_excess;
       particles.wall_room[i] = wall.room;
+      particles.wall_centripetal[i] = wall.centripetal;
       flags &= ~(flag::in_corner | flag::at_edge);
       if (wall.is_corner) flags |= flag::in_corner;
       if (wall.is_edge) flags |= flag::at_edge;

@@ -122,9 +122,19 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
   record.rows = 4;
   record.limits = {{"acoustic (water)", 5}, {"end of run", 1}};
   record.stage_times = {{"rates", 0.1}};
-  record.cut_history = {
-      {0.1, 0.2, 3, 0.4, 0.5, 0.6, 0.7, true, {{true, true}, {true, false}}, {0.8, 0.9, 1.1}, 1.2},
-      {}};
+  record.cut_history = {{0.1,
+                         0.2,
+                         0.15,
+                         3,
+                         0.4,
+                         0.5,
+                         0.6,
+                         0.7,
+                         true,
+                         {{true, true}, {true, false}},
+                         {0.8, 0.9, 1.1},
+                         1.2},
+                        {}};
   record.cut_history[1].bodies.resize(2);
   record.cut_history[1].bodies[0].left = true;
   record.cut_traces = {1, 0, 2};
