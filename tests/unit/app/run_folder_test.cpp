@@ -109,6 +109,23 @@ TEST(Schedule, RepeatsAndResumes) {
   EXPECT_FALSE(never.due(1e9));
 }
 
+CutState written_state() {
+  CutState state;
+  state.time = 0.1;
+  state.front_depth = 0.2;
+  state.cut_depth = 0.15;
+  state.pieces = 3;
+  state.fractured_fraction = 0.4;
+  state.fractured_mass = 0.5;
+  state.fractured_width = 0.6;
+  state.kerf_width = 0.7;
+  state.cut_through = true;
+  state.bodies = {{true, true}, {true, false}};
+  state.wake = {0.8, 0.9, 1.1};
+  state.water_impulse = 1.2;
+  return state;
+}
+
 TEST(RunRecord, IsRestoredFromAnArchive) {
   RunRecord record;
   record.case_name = "tofu";
@@ -122,19 +139,7 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
   record.rows = 4;
   record.limits = {{"acoustic (water)", 5}, {"end of run", 1}};
   record.stage_times = {{"rates", 0.1}};
-  record.cut_history = {{0.1,
-                         0.2,
-                         0.15,
-                         3,
-                         0.4,
-                         0.5,
-                         0.6,
-                         0.7,
-                         true,
-                         {{true, true}, {true, false}},
-                         {0.8, 0.9, 1.1},
-                         1.2},
-                        {}};
+  record.cut_history = {written_state(), {}};
   record.cut_history[1].bodies.resize(2);
   record.cut_history[1].bodies[0].left = true;
   record.cut_traces = {1, 0, 2};
@@ -157,6 +162,7 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
   const CutState& state = back.cut_history[0];
   EXPECT_EQ(state.time, 0.1);
   EXPECT_EQ(state.front_depth, 0.2);
+  EXPECT_EQ(state.cut_depth, 0.15);
   EXPECT_EQ(state.pieces, 3);
   EXPECT_EQ(state.fractured_fraction, 0.4);
   EXPECT_EQ(state.fractured_mass, 0.5);
