@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <tuple>
 
 #include "analysis/unbroken.hpp"
+#include "geometry/cell_grid.hpp"
 
 namespace kerf {
 namespace {
@@ -26,15 +28,14 @@ struct TubePoint {
 
 using TubeColumn = std::tuple<std::size_t, long, long>;  // of a body, and its place across the jet
 using ColumnTops = std::map<TubeColumn, double>;         // m, the least depth of a column
-using TubeCell = std::array<long, 3>;
 
 double tube_edge(const TubePoint& point) {
   return point.position[2] - point.size / 2.0;
 }
 
 TubeColumn tube_column(const TubePoint& point, std::size_t body, double spacing) {
-  return {body, std::lround(std::floor(point.position[0] / spacing)),
-          std::lround(std::floor(point.position[1] / spacing))};
+  return {body, static_cast<long>(std::floor(point.position[0] / spacing)),
+          static_cast<long>(std::floor(point.position[1] / spacing))};
 }
 
 std::vector<TubePoint> points_in_tube(const KerfView& view, const KerfAxes& axes,
@@ -90,16 +91,14 @@ std::vector<std::uint8_t> find_bare(const Workpiece& workpiece, const ColumnTops
   return bare;
 }
 
-// The open particles by cells as wide as the longest step of a path.
+// The open particles, and the paths among them.
 class OpenPaths {
  public:
-  OpenPaths(const std::vector<TubePoint>& points) : points_(points), seen_(points.size(), 0) {
-    for (const TubePoint& point : points) width_ = std::max(width_, open_reach * point.size);
-    for (std::size_t n = 0; n < points.size(); ++n)
-      if (points[n].is_open) cells_[cell_of(points[n])].push_back(n);
-  }
+  explicit OpenPaths(const std::vector<TubePoint>& open)
+      : open_(open), seen_(open.size(), 0), near_(places_of(open), longest_step(open)) {}
 
-  // Calls visit(n) for each open particle to which a path leads from the particle `start`.
+  // Calls visit(n) for each open particle to which a path leads from the open particle `start`,
+  // and which was not visited before.
   template <class Visit>
   void follow(std::size_t start, const Visit& visit) {
     std::vector<std::size_t> next;
@@ -109,39 +108,35 @@ class OpenPaths {
       const std::size_t n = next.back();
       next.pop_back();
       visit(n);
-      add_neighbours(n, next);
+      near_.visit_near(place_of(open_[n]), [&](std::size_t other) {
+        if (seen_[other] != 0 || !are_close(open_[n], open_[other])) return;
+        seen_[other] = 1;
+        next.push_back(other);
+      });
     }
   }
 
  private:
-  TubeCell cell_of(const TubePoint& point) const {
-    TubeCell cell{};
-    for (std::size_t a = 0; a < 3; ++a)
-      cell[a] = std::lround(std::floor(point.position[a] / width_));
-    return cell;
+  using Place = CellGrid<3>::Position;
+
+  static Place place_of(const TubePoint& point) { return Place::from(point.position); }
+  static std::vector<Place> places_of(const std::vector<TubePoint>& open) {
+    std::vector<Place> places;
+    for (const TubePoint& point : open) places.push_back(place_of(point));
+    return places;
   }
-  void add_neighbours(std::size_t n, std::vector<std::size_t>& next) {
-    const TubeCell own = cell_of(points_[n]);
-    for (int k = 0; k < 27; ++k) {
-      const auto found =
-          cells_.find({own[0] + k % 3 - 1, own[1] + k / 3 % 3 - 1, own[2] + k / 9 - 1});
-      if (found == cells_.end()) continue;
-      for (const std::size_t other : found->second) {
-        if (seen_[other] != 0 || !are_close(points_[n], points_[other])) continue;
-        seen_[other] = 1;
-        next.push_back(other);
-      }
-    }
+  static double longest_step(const std::vector<TubePoint>& open) {
+    double longest = 0.0;
+    for (const TubePoint& point : open) longest = std::max(longest, open_reach * point.size);
+    return longest;
   }
   static bool are_close(const TubePoint& a, const TubePoint& b) {
-    return std::hypot(a.position[0] - b.position[0], a.position[1] - b.position[1],
-                      a.position[2] - b.position[2]) < open_reach * std::max(a.size, b.size);
+    return norm(place_of(a) - place_of(b)) < open_reach * std::max(a.size, b.size);
   }
 
-  const std::vector<TubePoint>& points_;
+  const std::vector<TubePoint>& open_;
   std::vector<std::uint8_t> seen_;
-  std::map<TubeCell, std::vector<std::size_t>> cells_;
-  double width_ = 0.0;  // m
+  CellGrid<3> near_;
 };
 
 }  // namespace
@@ -149,21 +144,22 @@ class OpenPaths {
 double measure_cut_depth(const KerfView& view, const KerfAxes& axes,
                          const std::vector<BodyCut>& bodies) {
   const std::vector<TubePoint> points = points_in_tube(view, axes, bodies);
-  const bool is_closed = std::none_of(points.begin(), points.end(),
-                                      [](const TubePoint& point) { return point.is_open; });
-  if (is_closed) return 0.0;
+  std::vector<TubePoint> open;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(open),
+               [](const TubePoint& point) { return point.is_open; });
+  if (open.empty()) return 0.0;
   const double spacing = view.workpiece.axis_spacing;
   const ColumnTops tops = find_tops(points, spacing);
   const std::vector<std::uint8_t> bare = find_bare(view.workpiece, tops, bodies);
-  OpenPaths paths(points);
+  OpenPaths paths(open);
   double deepest = 0.0;
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    const TubePoint& point = points[n];
-    if (!point.is_open || bare[point.body] == 0) continue;
+  for (std::size_t n = 0; n < open.size(); ++n) {
+    const TubePoint& point = open[n];
+    if (bare[point.body] == 0) continue;
     const double top = tops.at(tube_column(point, point.body, spacing));
     if (tube_edge(point) > top + point.size / 2.0) continue;  // not at the face
     paths.follow(n, [&](std::size_t reached) {
-      const TubePoint& other = points[reached];
+      const TubePoint& other = open[reached];
       const double face = tops.at(tube_column(other, every_body, spacing));
       deepest = std::max(deepest, tube_edge(other) + other.size - face);
     });

@@ -13,7 +13,8 @@
 // reaction.
 #pragma once
 
-#include "core/tensor.hpp"
+#include "core/matrix.hpp"
+#include "core/select.hpp"
 #include "fluid/rigid_wall.hpp"
 #include "neighbours/list_entries.hpp"
 
@@ -27,8 +28,7 @@ struct GradientAtWall {
   struct Sum {
     RealVector pressure{};             // Pa/m, sum V_j (p_j - p_i) S_ij d_ij over fluid
     Matrix<D, Real> motion{}, wall{};  // 1/s: sum V S d v^T over fluid; 1: M^w / f_i
-    RealVector normal{}, foot{};  // 1/m, sum a n_j with a = V_j S_ij d_ij . n_j; 1, sum a foot_j
-    Real facing{}, height{};      // 1/m, sum a; 1, sum a y_j
+    FacingFaces<D, Real> faces{};      // in front of which i lies
   };
   Real kernel_gradient_normalisation;
 
@@ -38,31 +38,31 @@ struct GradientAtWall {
     const RealVector& d = pair.separation;
     if (pair.medium_j->phase == Phase::rigid) {
       const Real weight = pair.medium_j->volume * pair.slope_per_distance;
-      add_product(sum.wall, weight * d, d);
+      add_outer(sum.wall, weight * d, d);
       const auto normal = pair.of_j(particles.face_normal[pair.j]);
       const Real along = dot(d, normal), height = along - particles.face_depth[pair.j];
       if (!(height > Real(0))) return;
-      sum.normal += (weight * along) * normal;
-      sum.facing += weight * along;
-      sum.height += weight * along * height;
-      sum.foot += (weight * along) * (particles.face_depth[pair.j] * normal - d);
+      const RealVector foot = particles.face_depth[pair.j] * normal - d;
+      sum.faces.add(weight * along, normal, foot, height);
     } else if (particles.is_fluid(pair.j)) {
       const Real weight = volume_of(particles, pair.j, *pair.medium_j) * pair.slope_per_distance;
       sum.pressure += (weight * (particles.pressure[pair.j] - particles.pressure[pair.i])) * d;
-      add_product(sum.motion, weight * d, pair.velocity);
+      add_outer(sum.motion, weight * d, pair.velocity);
     }
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
-    const Real length = norm(sum.normal);
+    const Real length = norm(sum.faces.normal);
     if (!(length > Real(0))) return;
-    const RealVector n = (Real(1) / length) * sum.normal;
-    if (!is_complete(particles, i, n, sum)) return;
+    const RealVector n = (Real(1) / length) * sum.faces.normal;
+    // The wall has to go on to all sides.
+    const Real aside = sum.faces.aside(n) / particles.medium(i).smoothing_length;
+    if (complete_part(aside) < Real(1)) return;
     const Real factor = wall_force_factor(particles, i);
     const Real across_wall = factor * across(sum.wall, n);
     const Real along_wall = (factor * sum.wall.trace() - across_wall) / Real(D - 1);
     const Real share = share_of(along_wall);
     push(particles, i, (share / particles.density(i)) * (sum.pressure - dot(sum.pressure, n) * n));
-    const Real missing = across_wall - Real(2) * factor * sum.height;
+    const Real missing = across_wall - Real(2) * factor * sum.faces.height;
     const Real share_across = share_of(across_wall) * missing / across_wall;
     const Real motion_across = across(sum.motion, n);
     const Real divergence =
@@ -71,31 +71,16 @@ struct GradientAtWall {
   }
 
  private:
-  KERF_FUNCTION static void add_product(Matrix<D, Real>& sum, const RealVector& a,
-                                        const RealVector& b) {
-    for (int r = 0; r < D; ++r)
-      for (int c = 0; c < D; ++c) sum(r, c) += a[r] * b[c];
-  }
   // Returns k m / (1/k - m) for the part m of the wall in a moment; half the moment is that of a
   // particle on the wall itself.
   KERF_FUNCTION Real share_of(Real moment) const {
     const Real k = kernel_gradient_normalisation, whole = Real(1) / k;
-    const Real part = moment < Real(0.6) * whole ? moment : Real(0.6) * whole;
+    const Real part = minimum(moment, Real(0.6) * whole);
     return k * part / (whole - part);
-  }
-  // Returns whether the wall goes on to all sides: the feet on a face that ends lie aside.
-  KERF_FUNCTION static bool is_complete(const ParticleView<D, P>& particles, Index i,
-                                        const RealVector& n, const Sum& sum) {
-    const RealVector foot = (Real(1) / sum.facing) * sum.foot;
-    const Real aside = norm(foot - dot(foot, n) * n) / particles.medium(i).smoothing_length;
-    return complete_part(aside) == Real(1);
   }
   // Returns n . m n.
   KERF_FUNCTION static Real across(const Matrix<D, Real>& m, const RealVector& n) {
-    Real sum = Real(0);
-    for (int r = 0; r < D; ++r)
-      for (int c = 0; c < D; ++c) sum += n[r] * m(r, c) * n[c];
-    return sum;
+    return dot(n, m * n);
   }
   KERF_FUNCTION static void push(const ParticleView<D, P>& particles, Index i,
                                  const RealVector& acceleration) {

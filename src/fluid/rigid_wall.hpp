@@ -17,6 +17,7 @@
 
 #include <cmath>
 
+#include "core/select.hpp"
 #include "fluid/wall_curvature.hpp"
 #include "pairs/pair.hpp"
 
@@ -56,8 +57,7 @@ KERF_FUNCTION typename P::Real room_at_wall(const ParticleView<D, P>& particles,
 // lengths: 1 beside its middle, 0 beyond the end of a face.
 template <class Real>
 KERF_FUNCTION Real complete_part(Real aside) {
-  const Real part = (Real(0.5) - aside) / Real(0.35);
-  return part < Real(0) ? Real(0) : part > Real(1) ? Real(1) : part;
+  return minimum(maximum((Real(0.5) - aside) / Real(0.35), Real(0)), Real(1));
 }
 
 // How a rigid particle j acts on a fluid particle i.
@@ -86,19 +86,37 @@ KERF_FUNCTION RigidWallArm<D, typename P::Real> rigid_wall_arm(const ParticleVie
   return {(along > Real(0) ? along : Real(0)) * normal, true};
 }
 
+// Sums over the faces of a wall that look at a fluid particle i, weighted by a = V_j S_ij d_ij .
+// n_j, 1/m; a foot is the point of the surface nearest to j, relative to i.
+template <int D, class Real>
+struct FacingFaces {
+  Vector<D, Real> normal{};  // 1/m, sum a n_j
+  Vector<D, Real> foot{};    // 1, sum a foot_j
+  Real all{};                // 1/m, sum a
+  Real height{};             // 1, sum a s_j, with the height s_j of i above the plane of j
+
+  KERF_FUNCTION void add(Real a, const Vector<D, Real>& of_face, const Vector<D, Real>& of_foot,
+                         Real above) {
+    normal += a * of_face;
+    foot += a * of_foot;
+    all += a;
+    height += a * above;
+  }
+  // Returns by how much the centroid of the feet lies aside of i, m, given the normal of the wall.
+  KERF_FUNCTION Real aside(const Vector<D, Real>& n) const {
+    const Vector<D, Real> centroid = (Real(1) / all) * foot;
+    return norm(centroid - dot(centroid, n) * n);
+  }
+};
+
 // Finds the rigid wall beside a fluid particle, for the next step.
 template <int D, class P, class Kernel>
 struct RigidWallSum {
   using Real = typename P::Real;
   using RealVector = Vector<D, Real>;
   static constexpr bool includes_rigid = false;
-  // Sums over faces that look at the particle, weighted by a = V_j S_ij d_ij . n_j, 1/m; a foot is
-  // the point of the surface nearest to j, relative to i.
   struct Sum {
-    RealVector normal{};      // 1/m, sum a n_j
-    RealVector foot{};        // 1, sum a foot_j
-    Real facing{};            // 1/m, sum a
-    Real height{};            // 1, sum a s_j, with the height s_j of i above the plane of j
+    FacingFaces<D, Real> faces{};
     Real all{};               // 1/m, sum V_j S_ij r_ij over all rigid particles
     Real force{}, volume{};   // 1/m, 1: what the factors scale
     Real spacing{}, reach{};  // m, the largest ones
@@ -133,10 +151,7 @@ struct RigidWallSum {
     if (dot(normal, normal) > Real(0)) find_nearest(pair, height * normal, foot, height, sum);
     if (!(along > Real(0)) || !(height > Real(-0.5) * spacing)) return;
     const Real share = weight * along;
-    sum.normal += share * normal;
-    sum.foot += share * foot;
-    sum.facing += share;
-    sum.height += share * height;
+    sum.faces.add(share, normal, foot, height);
     sum.curvature.add(share, foot, normal, pair.velocity);
   }
 
@@ -145,17 +160,17 @@ struct RigidWallSum {
     auto& wall = particles.next_rigid_wall[i];
     wall = RigidWall<D, Real>::none();
     if (!(sum.all > Real(0))) return;
-    wall.is_corner = !(sum.facing > Real(0.1) * sum.all);
+    wall.is_corner = !(sum.faces.all > Real(0.1) * sum.all);
     if (wall.is_corner) return;
-    const Real length = norm(sum.normal);
+    const Real length = norm(sum.faces.normal);
     wall.room = room(sum.distance / sum.spacing);
     const auto before = particles.face_normal[i];
     const bool was_plane = dot(before, before) > Real(0) && !particles.has(i, flag::at_edge);
     wall.is_edge = sum.is_passing;
     if (wall.is_edge)
       wall.normal = (Real(1) / norm(sum.nearest)) * sum.nearest;
-    else if (sum.facing * sum.reach > Real(least_wall) &&
-             length > Real(least_alignment) * sum.facing)
+    else if (sum.faces.all * sum.reach > Real(least_wall) &&
+             length > Real(least_alignment) * sum.faces.all)
       find_plane(sum, was_plane, wall);
     else
       wall.is_corner = is_concave(sum);
@@ -188,18 +203,17 @@ struct RigidWallSum {
   // Between two faces that look at each other's side their feet move apart against their normals:
   // the covariance of both is negative. At an edge it is positive.
   KERF_FUNCTION static bool is_concave(const Sum& sum) {
-    const Real inverse = Real(1) / sum.facing;
-    const Real covariance = -inverse * sum.height - inverse * inverse * dot(sum.foot, sum.normal);
+    const Real inverse = Real(1) / sum.faces.all;
+    const Real covariance =
+        -inverse * sum.faces.height - inverse * inverse * dot(sum.faces.foot, sum.faces.normal);
     return covariance < Real(-0.02) * sum.spacing;
   }
   KERF_FUNCTION void find_plane(const Sum& sum, bool was_plane, RigidWall<D, Real>& wall) const {
-    wall.normal = (Real(1) / norm(sum.normal)) * sum.normal;
+    wall.normal = (Real(1) / norm(sum.faces.normal)) * sum.faces.normal;
     if (!was_plane || !(sum.force * sum.reach > Real(least_wall))) return;
     // Near the end of a face the feet lie to one side, and the wall is not complete.
-    const RealVector foot = (Real(1) / sum.facing) * sum.foot;
-    const Real aside = norm(foot - dot(foot, wall.normal) * wall.normal);
-    const Real part = complete_part(aside / sum.reach);
-    const Real height = sum.height / sum.facing;
+    const Real part = complete_part(sum.faces.aside(wall.normal) / sum.reach);
+    const Real height = sum.faces.height / sum.faces.all;
     Real force = Real(0), volume = Real(0);
     for (Real x = height + Real(0.5) * sum.spacing; x < Real(Kernel::support) * sum.reach;
          x += sum.spacing) {

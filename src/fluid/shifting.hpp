@@ -36,6 +36,7 @@ struct ShiftParticles {
       return;
     const Real h = medium.smoothing_length;
     const Real part = Real(rate * dt) * rearrangement_rate(particles, i);
+    if (part == Real(0)) return;
     auto shift =
         (-(part < Real(most) ? part : Real(most)) * h * h) * concentration_gradient[i].gradient;
     const auto& wall = particles.wall_normal[i];

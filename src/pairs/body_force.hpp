@@ -17,7 +17,7 @@ struct BodyForce {
   KERF_FUNCTION void add(const ParticleView<D, P>&, const Pair<D, P>&, Sum&) const {}
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum&) const {
     particles.acceleration[i] = gravity;
-    particles.artificial_power[i] = Real(0);
+    if (particles.artificial_power != nullptr) particles.artificial_power[i] = Real(0);
     particles.repulsion_potential[i] = Real(0);
   }
 };

@@ -62,6 +62,7 @@ namespace kerf {
         shown<AsStored>("deviatoric_stress", "deviatoric stress", "Pa")) /* viscous in water */    \
   STATE(Real, solid_initial_overlap, 1, contact, hidden) /* 1, kernel sum over solids */           \
   STATE(Real, rigid_initial_overlap, 1, contact, hidden)             /* 1, over rigid bodies */    \
+  STATE(Real, contact_energy, 0, contact, hidden) /* J/kg, that ends with the contacts of solid */ \
   SCRATCH(Point, start_position, always, hidden)                 /* m, at the start of the step */ \
   SCRATCH(RealVector, start_velocity, always, hidden)            /* m/s */                         \
   SCRATCH(Real, start_compression, always, hidden)               /* 1 */                           \
@@ -78,7 +79,7 @@ namespace kerf {
   SCRATCH(Real, pressure_power, always, hidden)                  /* W/kg, done against pressure */ \
   SCRATCH(Real, continuity_loss, density_losses, hidden)         /* J/kg, in the step */           \
   SCRATCH(Real, reinitialisation_loss, density_losses, hidden)   /* J/kg, in the step */           \
-  SCRATCH(Real, artificial_power, always, hidden)                /* W/kg, by artificial terms */   \
+  SCRATCH(Real, artificial_power, rate_stress, hidden)           /* W/kg, by artificial terms */   \
   SCRATCH(Stress, start_shear, rate_stress, hidden)              /* Pa */                          \
   SCRATCH(Gradient, velocity_gradient, rate_stress, hidden)      /* 1/s, over the own phase */     \
   SCRATCH(Spin, spin, rate_stress, hidden) /* 1/s, its skew part, of solids */                     \

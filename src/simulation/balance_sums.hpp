@@ -97,7 +97,7 @@ struct StepChange {
         sum.value[constraint + a] += m * dt * double(particles.mirror_acceleration[i][a]);
     sum.value[mass] += m;
     sum.value[gravity_work] += m * dot(gravity, moved);
-    sum.value[artificial] += m * dt * double(particles.artificial_power[i]);
+    sum.value[artificial] += m * artificial_work(i, moved);
     if (particles.fracture_loss != nullptr)
       sum.value[fracture] += double(particles.fracture_loss[i]);
     if (medium.phase == Phase::water) {
@@ -117,6 +117,12 @@ struct StepChange {
   }
 
  private:
+  // What dissipative forces take in the step, J/kg: those of the `standard` formulation are known,
+  // artificial terms give their power.
+  KERF_FUNCTION double artificial_work(Index i, const Vector<D, double>& moved) const {
+    if (particles.artificial_power != nullptr) return dt * double(particles.artificial_power[i]);
+    return -dot(Vector<D, double>::from(particles.damping_acceleration[i]), moved);
+  }
   // What the densities do not store is no longer pressure work.
   KERF_FUNCTION void add_density_losses(Index i, double m, Terms<slots>& sum) const {
     particles.pressure_work[i] -= particles.continuity_loss[i] + particles.reinitialisation_loss[i];

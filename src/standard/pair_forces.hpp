@@ -111,13 +111,12 @@ class StandardRates {
     if (fluid_pair_.scheme == WaterScheme::riemann) {
       sum_pairs(input, bonds, FluidContinuity<D, P>{fluid_pair_}, RigidWalls{}, KernelSum{},
                 ConcentrationGradientSum<D, P>{concentration_gradient});
-      complete_gradients(input);
-      return;
+    } else {
+      update_pressures(input);
+      run_loop(input, bonds, EveryPair{}, gravity_, FluidContinuity<D, P>{fluid_pair_},
+               RigidWalls{}, KernelSum{}, ConcentrationGradientSum<D, P>{concentration_gradient},
+               DensityDiffusion<D, P>{pointer(density_gradient_)});
     }
-    update_pressures(input);
-    run_loop(input, bonds, EveryPair{}, gravity_, FluidContinuity<D, P>{fluid_pair_}, RigidWalls{},
-             KernelSum{}, ConcentrationGradientSum<D, P>{concentration_gradient},
-             DensityDiffusion<D, P>{pointer(density_gradient_)});
     complete_gradients(input);
   }
 

@@ -115,7 +115,7 @@ struct ShowPressure {
 
 // Marks the particles of detached solid as fractured. A detached particle continues as a fluid
 // whose density gives the pressure that it had, or less: it stores no more by its density than it
-// did by density and bonds. Sums what it took over from its bonds, J.
+// did by density and bonds. Sums what it took over from its bonds less what its contacts held, J.
 template <int D, class P>
 struct MarkDetached {
   using Real = typename P::Real;
@@ -139,7 +139,7 @@ struct MarkDetached {
     const double taken = energy_at(medium, double(compression)) - stored;
     particles.compression[i] = particles.start_compression[i] = compression;
     particles.pressure_work[i] += static_cast<Real>(taken);
-    sum.value[0] += mass * taken;
+    sum.value[0] += mass * (taken - particles.contact_energy[i]);
   }
 
  private:

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_energy.hpp"
 #include "fluid/density_reinitialisation.hpp"
 #include "fluid/shifting.hpp"
 #include "parallel/fused_kernel.hpp"
@@ -167,7 +168,8 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
         dt,
         OfAwake(view, FusedKernel(KickAndDrift<D, P>{view, pointer(prescribed_motions_), dt},
                                   ReflectAtSymmetry<D, P>{view, dt}, UpdateSurfaceFlags<D, P>{view},
-                                  FinalizeDensity<D, P>{view, dt}, ContinuityLoss<D, P>{view, dt},
+                                  KeepContactEnergy<D, P>{view}, FinalizeDensity<D, P>{view, dt},
+                                  ContinuityLoss<D, P>{view, dt},
                                   DensityReinitialisation<D, P>{view, dt, lattice_.kernel_sum})),
         OfAwake(view, FusedKernel(ShiftParticles<D, P>{view, concentration_gradient, dt},
                                   Run::mark_outflow())));

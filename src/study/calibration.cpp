@@ -205,8 +205,7 @@ class Calibrator {
     Fit fit;
     for (std::size_t count = std::min<std::size_t>(5, points.size()); count <= points.size();
          ++count) {
-      fit =
-          line_through({points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count)}, root);
+      fit = fit_line({points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count)}, root);
       if (fit.problem.empty() && has_slope(fit, 0.5)) break;
     }
     return fit;
@@ -215,17 +214,6 @@ class Calibrator {
   // Returns whether the half-width of the slope's interval is within this share of the slope.
   static bool has_slope(const Fit& line, double share) {
     return share * std::abs(line.parameters[1]) > line.half_interval(1, 0.95);
-  }
-
-  static Fit line_through(const std::vector<std::pair<double, double>>& points, double root) {
-    const auto count = static_cast<Eigen::Index>(points.size());
-    Eigen::MatrixXd matrix(count, 2);
-    Eigen::VectorXd metrics(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      matrix.row(i) << 1.0, points[static_cast<std::size_t>(i)].first - root;
-      metrics[i] = points[static_cast<std::size_t>(i)].second;
-    }
-    return fit_linear(matrix, metrics);
   }
 
   // Runs each setting with the key at its value and at both ends of its interval, within the range.

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "analysis/line_slope.hpp"
 #include "model/case.hpp"
 #include "output/result_metrics.hpp"
 
@@ -43,14 +45,12 @@ SpacingEffect first_order_change(double change, double order, double ratio) {
 // The effect where the observed order is too low: that of the line f = f_0 + a h through the three
 // values by least squares, with h = 1, r, r^2.
 SpacingEffect first_order_fit(std::span<const double> values, double order, double ratio) {
-  const double spacings[] = {1.0, ratio, ratio * ratio};
-  double spacing = 0.0, mean = 0.0, squares = 0.0, products = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) spacing += spacings[i] / 3.0, mean += values[i] / 3.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    squares += (spacings[i] - spacing) * (spacings[i] - spacing);
-    products += (spacings[i] - spacing) * (values[i] - mean);
-  }
-  const double slope = products / squares;
+  const std::array<double, 3> spacings{1.0, ratio, ratio * ratio};
+  constexpr std::array<std::size_t, 3> runs{0, 1, 2};
+  const double slope = line_slope(
+      runs, [&](std::size_t i) { return spacings[i]; }, [&](std::size_t i) { return values[i]; });
+  const double spacing = (spacings[0] + spacings[1] + spacings[2]) / 3.0;
+  const double mean = (values[0] + values[1] + values[2]) / 3.0;
   const auto miss = [&](std::size_t i) {
     return values[i] - mean - slope * (spacings[i] - spacing);
   };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/answer_parts.hpp"
 #include "study/feed_by_exposure.hpp"
 #include "study/run_table.hpp"
 #include "study/study_answers.hpp"
@@ -68,7 +69,8 @@ void describe_feeds(const LimitPlan& plan, const LimitAnswer& answer, LimitWords
                                       feed_text(plan, plan.jet_speed)));
   if (found.layouts.size() > 1 || found.draft)
     words.notes.push_back(fmt::format("The interval is that of {} layout{}{}.",
-                                      found.layouts.size(), found.layouts.size() == 1 ? "" : "s",
+                                      found.layouts.size(),
+                                      plural(static_cast<int>(found.layouts.size())),
                                       found.draft ? " and of a coarser spacing" : ""));
 }
 

@@ -91,6 +91,18 @@ Fit fit_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& data) {
   return fit;
 }
 
+Fit fit_line(const std::vector<std::pair<double, double>>& points, double origin) {
+  const auto count = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd matrix(count, 2);
+  Eigen::VectorXd data(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& [x, y] = points[static_cast<std::size_t>(i)];
+    matrix.row(i) << 1.0, x - origin;
+    data[i] = y;
+  }
+  return fit_linear(matrix, data);
+}
+
 Fit fit_model(const Model& model, const Eigen::VectorXd& data, const Eigen::VectorXd& start) {
   constexpr int most_steps = 200, most_halvings = 40;
   constexpr double tolerance = 1e-12;  // relative decrease of the sum of squares

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -31,6 +32,9 @@ double student_factor(int freedom, double coverage);
 
 // Fits data = matrix * parameters by a QR decomposition with column pivoting.
 Fit fit_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& data);
+
+// Fits y = parameters[0] + parameters[1] (x - origin) to points (x, y).
+Fit fit_line(const std::vector<std::pair<double, double>>& points, double origin);
 
 // The values of a model at some parameters and their derivatives, one row for each datum.
 struct ModelValue {

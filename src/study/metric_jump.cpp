@@ -28,14 +28,7 @@ Side side_of(std::vector<std::pair<double, double>> runs) {
     side.slope = (runs[1].second - runs[0].second) / (runs[1].first - runs[0].first);
     return side;
   }
-  const auto count = static_cast<Eigen::Index>(runs.size());
-  Eigen::MatrixXd matrix(count, 2);
-  Eigen::VectorXd metrics(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    matrix.row(i) << 1.0, runs[static_cast<std::size_t>(i)].first - runs.front().first;
-    metrics[i] = runs[static_cast<std::size_t>(i)].second;
-  }
-  const Fit line = fit_linear(matrix, metrics);
+  const Fit line = fit_line(runs, runs.front().first);
   if (!line.problem.empty()) return side;
   return {line.parameters[1], line.residual};
 }

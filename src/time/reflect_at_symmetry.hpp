@@ -11,6 +11,7 @@ namespace kerf {
 template <int D, class P>
 struct ReflectAtSymmetry {
   using Real = typename P::Real;
+  using Point = Vector<D, double>;
   ParticleView<D, P> particles;
   double dt;  // s, of the step
 
@@ -31,7 +32,21 @@ struct ReflectAtSymmetry {
     particles.velocity[i] = velocity;
     particles.conservative_acceleration[i] =
         mirrors.image(passed, particles.conservative_acceleration[i]);
+    const Point before = x;
     particles.position[i] = mirrors.image_position(passed, x);
+    keep_damping_work(i, before);
+  }
+
+ private:
+  // For the balance of energy: the damping did its work on the way to where the particle passed
+  // through the plane and behind it, `before`, not on that to its image.
+  KERF_FUNCTION void keep_damping_work(Index i, const Point& before) const {
+    const Point& start = particles.start_position[i];
+    const Point& now = particles.position[i];
+    auto& damping = particles.damping_acceleration[i];
+    for (int a = 0; a < D; ++a)
+      if (now[a] != before[a] && now[a] != start[a])
+        damping[a] *= static_cast<Real>((before[a] - start[a]) / (now[a] - start[a]));
   }
 };
 

@@ -65,9 +65,8 @@ struct KickAndDrift {
       particles.position[i] += 0.5 * dt * Vector<D, double>::from(particles.velocity[i]);
     }
     const auto moved = Vector<D, Real>::from(particles.position[i] - particles.start_position[i]);
-    const Real rate = Real(-1) / Real(dt);
-    particles.pressure_power[i] = rate * dot(particles.pressure_acceleration[i], moved);
-    particles.artificial_power[i] = rate * dot(particles.damping_acceleration[i], moved);
+    particles.pressure_power[i] =
+        Real(-1) / Real(dt) * dot(particles.pressure_acceleration[i], moved);
   }
 };
 

@@ -232,9 +232,12 @@ TEST(BalanceSums, StepSplitsThePressureWork) {
   for (Index i = 0; i < 4; ++i) {
     particles.start_position[i] = particles.position[i];
     particles.acceleration[i] = particles.repulsion[i] = Vector<2, double>::zero();
-    particles.pressure_power[i] = particles.artificial_power[i] = 0.0;
+    particles.damping_acceleration[i] = Vector<2, double>::zero();
+    particles.pressure_power[i] = 0.0;
     particles.continuity_loss[i] = particles.reinitialisation_loss[i] = 0.0;
   }
+  particles.position[1] += Vector<2, double>{0.3, -0.2};
+  particles.damping_acceleration[1] = Vector<2, double>{-2.0, 1.0};
   particles.pressure_work[0] = 0.5;
   particles.pressure_power[0] = 7.0;
   particles.continuity_loss[0] = 0.4;
@@ -248,6 +251,8 @@ TEST(BalanceSums, StepSplitsThePressureWork) {
   EXPECT_NEAR(sum.dissipated_reinitialisation, 2.0 * 0.25, 1e-14);
   EXPECT_NEAR(double(particles.pressure_work[0]), 0.5 + 0.7 - 0.4 - 0.25, 1e-14);
   EXPECT_NEAR(double(particles.pressure_work[3]), 0.1, 1e-14);
+  // Dissipative forces take minus force times displacement, of the same particle as above.
+  EXPECT_NEAR(sum.dissipated_artificial, 3.0 * (2.0 * 0.3 + 1.0 * 0.2), 1e-14);
 }
 
 TEST(BalanceSums, OutflowRemovesItsMassMomentumAndEnergy) {

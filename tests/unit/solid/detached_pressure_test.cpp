@@ -3,6 +3,7 @@
 // no more than it did.
 #include <gtest/gtest.h>
 
+#include "contact/contact_energy.hpp"
 #include "standard/solid_link.hpp"
 #include "support/solid_blocks.hpp"
 
@@ -59,6 +60,15 @@ class DetachedBlock {
     return sum(count(),
                MarkDetached<D, P>{particles_.view(), link, trial_.solid.view(), records, false})
         .value[0];
+  }
+  // Gives each particle contacts with half of this energy, J/kg, and with a rigid body, J.
+  void touch(double by_solids, double by_rigid) {
+    for (Index i = 0; i < count(); ++i) {
+      particles_.repulsion_potential[i] = static_cast<Real>(by_solids + by_rigid / bonded().mass);
+      particles_.rigid_contact[i] = ContactState<D, Real>::none();
+      particles_.rigid_contact[i].energy = static_cast<Real>(by_rigid);
+    }
+    for_each_index(count(), KeepContactEnergy<D, P>{particles_.view()});
   }
   static Medium<double> bonded() { return soft_solid(1e-3, D); }
   Index count() const { return static_cast<Index>(trial_.size()); }
@@ -129,6 +139,19 @@ TYPED_TEST(DetachedPressure, IsLowerWithoutEnergy) {
     EXPECT_LE(trial.stored_by_density(), before * (1.0 + 1e-12));
     EXPECT_NEAR(trial.stored_by_density(), before, std::max(1e-4, rounding) * before);
   }
+}
+
+// What the contacts of a particle held is lost, not taken over. The other side of a contact of two
+// solids held as much again; a rigid body held nothing.
+TYPED_TEST(DetachedPressure, ReleasesItsContacts) {
+  using Block = DetachedBlock<TypeParam::D, typename TypeParam::P>;
+  Block free(0.9), touching(0.9);
+  const double mass = Block::bonded().mass, by_solids = 3.0, by_rigid = 5.0 * mass;
+  touching.touch(by_solids, by_rigid);
+  const double lost = free.detach(true) - touching.detach(true);
+  const double expected = touching.count() * (2.0 * mass * by_solids + by_rigid);
+  EXPECT_NEAR(lost, expected, 100.0 * TypeParam::rounding * expected);
+  EXPECT_EQ(touching.pressure(0), free.pressure(0));
 }
 
 }  // namespace
