@@ -54,6 +54,8 @@ struct FindNeighbours {
       const double square = squared_distance<D, double>(DifferenceTo<D>{from.x, x});
       if (square >= from.limit * from.limit) continue;
       if (j == i && from.code == 0) continue;
+      // A solid particle may have crossed the plane: then one that sees its image is seen by it.
+      if (from.code != 0 && !particles.mirrors.is_near(from.code, x, from.limit)) continue;
       const double reach = Scheme::reach(particles, i, j, from.code);
       if (reach == 0.0 || square >= (reach + skin) * (reach + skin)) continue;
       PairClass pair_class = PairClass::other;

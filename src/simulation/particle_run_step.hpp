@@ -220,6 +220,8 @@ void ParticleRun<D, P, Traits>::fail(const ParticleStep& cause) const {
   failure.courant = settings_.courant;
   const auto& medium = media_[cause.medium];
   failure.never_breaks = medium.phase == Phase::solid && !medium.can_break();
+  failure.repels = std::any_of(media_.begin(), media_.end(),
+                               [](const auto& each) { return each.repulsion > 0; });
   report_run_failure(failure);
 }
 

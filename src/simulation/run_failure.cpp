@@ -21,10 +21,10 @@ void report_run_failure(const RunFailure& failure) {
   const Point& x = failure.position;
   throw UserError(
       fmt::format("the run broke down at t = {:.6g} s, step {}: particle {} of {} at "
-                  "({:.6g}, {:.6g}, {:.6g}) m {}; {}lower time.courant (now {}) or a repulsion, "
-                  "and look at the last frame",
+                  "({:.6g}, {:.6g}, {:.6g}) m {}; {}lower time.courant (now {}){}, and look at the "
+                  "last frame",
                   failure.time, failure.step, failure.particle, failure.owner, x[0], x[1], x[2],
-                  what, strength, failure.courant),
+                  what, strength, failure.courant, failure.repels ? " or a repulsion" : ""),
       exit_run_failed);
 }
 

@@ -19,6 +19,7 @@ struct RunFailure {
   double dt = 0.0;             // s, the step it would need
   std::string cause;           // the limit, or the fault
   bool never_breaks = false;   // the particle is of a solid without a strength
+  bool repels = false;         // a body has a `repulsion`
   double courant = 0.0;        // of the run
 };
 

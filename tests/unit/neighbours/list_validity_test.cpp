@@ -47,15 +47,27 @@ struct Flight {
     }
     loaded.list.note(notes ? moved.roots() : StepMotion{1e300, 1e300});
   }
-  // Returns the pairs within reach that are not in the list.
-  int missing() const {
+  using Entries = std::set<std::tuple<std::size_t, std::size_t, MirrorCode>>;
+
+  Entries entries() const {
     const auto id = to_host(loaded.particles.id);
     const NeighbourView view = loaded.list.view();
-    std::set<std::tuple<std::size_t, std::size_t, MirrorCode>> listed;
+    Entries listed;
     for (std::size_t i = 0; i < id.size(); ++i)
       for (Index n = view.begin[i]; n < view.end[i]; ++n)
         listed.insert(
             {id[i], id[mirrors.particle(view.neighbour[n])], mirrors.code(view.neighbour[n])});
+    return listed;
+  }
+  Entries listed_images() const {
+    Entries listed = entries();
+    std::erase_if(listed, [](const auto& entry) { return std::get<2>(entry) == 0; });
+    return listed;
+  }
+  // Returns the pairs within reach that are not in the list.
+  int missing() const {
+    const auto id = to_host(loaded.particles.id);
+    const Entries listed = entries();
     int result = 0;
     for (const MirrorCode code : images_of(mirrors))
       for (std::size_t i = 0; i < id.size(); ++i)
@@ -129,6 +141,24 @@ TYPED_TEST(ListValidity, IncludesMirrorImages) {
     EXPECT_LT(longest, 3.0 * list_skin) << angle;  // they approach at twice the speed
     EXPECT_EQ(longest, TestFixture::last(motion, 2e-5, false, "x- y+"));
   }
+}
+
+// Solid particles can cross a plane. Beyond it, too, one that has the image of another in its list
+// is in the list of that other.
+TYPED_TEST(ListValidity, ImagesSeeEachOtherAlsoBeyondAPlane) {
+  constexpr int dimension = TestFixture::D;
+  ReferenceState state = spread_mixture(dimension, 3, width);
+  double crossed = 0.0;
+  for (auto& particle : state.particles) {
+    particle.position[0] -= 0.1 * width;
+    crossed = std::min(crossed, particle.position[0]);
+  }
+  EXPECT_LT(crossed, -0.04 * width);
+  const Flight<dimension> flight(state, "x-");
+  const auto images = flight.listed_images();
+  EXPECT_GT(images.size(), 10u);
+  for (const auto& [i, j, code] : images)
+    EXPECT_EQ(images.count({j, i, code}), 1u) << i << " and " << j;
 }
 
 // Two bodies out of reach of one another when the list is built, one of them fast.

@@ -33,7 +33,9 @@ TEST(RunFailure, MessageHasTimePlaceCauseAndRemedy) {
   EXPECT_EQ(text_of(failure),
             "the run broke down at t = 0.0125 s, step 42: particle 7 of body 'plate' at "
             "(0.5, -0.25, 0) m needs a time step of 1e-12 s (acceleration); lower time.courant "
-            "(now 0.3) or a repulsion, and look at the last frame");
+            "(now 0.3), and look at the last frame");
+  failure.repels = true;
+  EXPECT_NE(text_of(failure).find("(now 0.3) or a repulsion, and look"), std::string::npos);
   failure.fault = true;
   failure.cause = "a density of zero or less";
   EXPECT_NE(text_of(failure).find("m has a density of zero or less; lower"), std::string::npos);
