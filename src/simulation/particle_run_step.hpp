@@ -3,6 +3,8 @@
 // the time step, failure, sums of the balance.
 #pragma once
 
+#include <algorithm>
+
 #include "simulation/inflow.hpp"
 #include "simulation/particle_run.hpp"
 #include "simulation/populate.hpp"
