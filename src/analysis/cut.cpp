@@ -218,6 +218,12 @@ void CutMonitor::add_verdicts(CutSummary& summary) const {
   if (!summary.cut_through) return;
   summary.cut_through_time = through->time;
   summary.cut_through_place = workpiece_->jet->point_at(through->front_depth, through->time);
+  const double bottom = workpiece_->bottom;
+  if (bottom > 0.0) summary.front_share_at_cut = through->front_depth / bottom;
+  const auto passed = std::find_if(through, history_.end(), [&](const CutState& state) {
+    return state.front_depth >= bottom - workpiece_->axis_spacing;
+  });
+  if (passed != history_.end()) summary.water_through_time = passed->time;
 }
 
 void CutMonitor::restore(std::vector<CutState> history, const std::vector<std::uint8_t>& traces,

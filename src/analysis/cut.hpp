@@ -69,11 +69,23 @@ struct CutSummary {
   bool severed = false;  // every body in the way is parted; else some have a hole
   // m, position of the front on the axis at that time
   std::array<double, 3> cut_through_place{};
+  // How deep the front was then, over the depth at which the axis leaves the workpiece as laid out.
+  double front_share_at_cut = 1.0;
+  // s, from then on the first time at which the front is within a spacing of that depth
+  double water_through_time = std::numeric_limits<double>::quiet_NaN();
   double contact_time = std::numeric_limits<double>::quiet_NaN();  // s, first with a front
   double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
   std::vector<BodyVerdict> bodies;
   CutState last;
   std::vector<Fragment> fragments;  // of the last frame, the heaviest first
+
+  // Whether a crack parted or pierced more of the thickness than the water had passed by then.
+  bool cracked_ahead() const { return cut_through && front_share_at_cut < 0.5; }
+  // Whether the jet had pressed the workpiece ahead by more than its thickness by then.
+  bool gave_way() const { return cut_through && front_share_at_cut > 2.0; }
+  // Whether a nozzle that moves may fail where this one, which stands, cuts through: it strikes but
+  // once, and edges that give way evade it (docs/theory/exposure.md).
+  bool holds_at_rest_only() const { return cracked_ahead() || gave_way(); }
 
   // Those of the summary alone; `last` has its own.
   static const MetricList<CutSummary>& metrics();

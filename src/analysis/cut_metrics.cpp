@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The metrics of a cut: at an instant, over the run so far, and of a fragment.
+#include <cmath>
+
 #include "analysis/cut.hpp"
 
 namespace kerf {
@@ -49,6 +51,28 @@ const MetricList<CutSummary>& CutSummary::metrics() {
        "Position of the water front on the axis of the jet when the workpiece was cut through.",
        [](const S& s) {
          return s.cut_through ? std::optional(s.cut_through_place) : std::nullopt;
+       }},
+      {"front_share_at_cut", "1", "depth of the front at the cut over the thickness",
+       "Depth of the water front when the workpiece was cut through, over the depth at which the "
+       "axis leaves the workpiece as laid out.",
+       [](const S& s) {
+         return s.cut_through ? std::optional(s.front_share_at_cut) : std::nullopt;
+       }},
+      {"cracked_ahead", "1", "cut through by a crack ahead of the water",
+       "Whether the front of the water had passed less than half of the thickness when the "
+       "workpiece was cut through.",
+       [](const S& s) { return s.cracked_ahead(); }},
+      {"gave_way", "1", "gave way by more than its thickness",
+       "Whether the front of the water was deeper than twice the thickness when the workpiece was "
+       "cut through: the jet had pressed it ahead by more than its thickness.",
+       [](const S& s) { return s.gave_way(); }},
+      {"water_through_time", "s", "time at which the water is through",
+       "First time, from the cut on, at which the water front is within one spacing of the far "
+       "face "
+       "as laid out.",
+       [](const S& s) {
+         return std::isnan(s.water_through_time) ? std::nullopt
+                                                 : std::optional(s.water_through_time);
        }},
       {"front_speed", "m/s", "speed of the water front",
        "Least-squares slope of the front depth over time, from contact to the far face.",

@@ -37,6 +37,7 @@ std::size_t row_at(const std::vector<double>& times, double time) {
 struct Entry {
   double speed;          // m/s, of the jet
   double fastest_front;  // m/s, that water drives; a crack may run ahead of it
+  double spacing;        // m, of its particles: the front is known to within one
 
   // Returns the exposure after a time since contact, s, that has made a cut of a depth, m.
   double exposure(double since_contact, double depth) const {
@@ -48,27 +49,32 @@ Entry entry_of(const Case& description) {
   const Jet& jet = description.jets.back();
   const auto piece = std::find_if(description.bodies.begin(), description.bodies.end(),
                                   [](const Body& body) { return body.name == workpiece_name; });
-  if (piece == description.bodies.end()) return {jet.speed, jet.speed};
+  if (piece == description.bodies.end()) return {jet.speed, jet.speed, jet.spacing};
   const auto density = [&](int material) {
     return description.materials[static_cast<std::size_t>(material)].density;
   };
   return {jet.speed,
-          hydrodynamic_front_speed(jet.speed, density(piece->material), density(jet.material))};
+          hydrodynamic_front_speed(jet.speed, density(piece->material), density(jet.material)),
+          jet.spacing};
 }
 
-DepthHistory history_since(const std::vector<CutState>& history, double contact,
-                           const Entry& entry) {
+// Returns the history since contact with a workpiece of the thickness, m. An opening that a crack
+// has made is none of the water.
+DepthHistory history_since(const std::vector<CutState>& history, const CutSummary& summary,
+                           double thickness, const Entry& entry) {
+  const double contact = summary.contact_time;
   DepthHistory since;
   double deepest = 0.0, exposure = 0.0;
   for (const CutState& state : history) {
     if (state.time <= contact) continue;
-    deepest = std::max(deepest, std::min(state.front_depth, state.cut_depth));
+    const double cut = state.cut_through ? thickness : state.cut_depth;
+    deepest = std::max(deepest, std::min(state.front_depth, cut));
     exposure = std::max(exposure, entry.exposure(state.time - contact, deepest));
     if (exposure == 0.0) continue;
     since.times.push_back(exposure);
     since.depths.push_back(deepest);
     since.contacts.push_back(state.time - contact);
-    since.widths.push_back(state.kerf_width);
+    since.widths.push_back(summary.cracked_ahead() ? 0.0 : state.kerf_width);
   }
   return since;
 }
@@ -137,11 +143,20 @@ double longest_exposure(const DepthHistory& history, double extent, double speed
   return std::max(extent, history.widths.back()) / speed;
 }
 
-// Returns the exposure that cuts through, from the time since contact that this took.
-double exposure_of_cut(const DepthHistory& history, const Entry& entry, double thickness,
-                       double since_contact) {
-  const double depth = history.depths[row_at(history.contacts, since_contact)];
-  return entry.exposure(since_contact, std::min(thickness, depth));
+// Returns the exposure after which the water is through a workpiece of the thickness (m) that is
+// cut through at a time since contact, within a spacing; none where the run ends before it.
+std::optional<double> exposure_of_passage(const DepthHistory& history, const Entry& entry,
+                                          double thickness, double since_contact) {
+  for (std::size_t k = row_at(history.contacts, since_contact); k < history.times.size(); ++k) {
+    if (history.depths[k] < thickness - entry.spacing) continue;
+    // The cut is at the time of a row, and a crack may be there before the contact.
+    const bool is_at_cut = k == row_at(history.contacts, since_contact);
+    const double time =
+        is_at_cut ? std::max(since_contact, history.contacts.front()) : history.contacts[k];
+    const double exposure = entry.exposure(time, std::min(thickness, history.depths[k]));
+    return exposure > 0.0 ? std::optional(exposure) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 double thickness_of(const Case& description) {
@@ -194,6 +209,22 @@ void add_carried_feeds(const DepthHistory& history, double extent, Exposure& exp
   exposure.possible_feed = std::max(extent, history.widths.back()) / passage.first;
 }
 
+// Returns the depth of the cut that the water had entered before the workpiece was cut through, m.
+double depth_before(const std::vector<CutState>& history, double cut_through_time) {
+  double deepest = 0.0;
+  for (const CutState& state : history)
+    if (state.time < cut_through_time)
+      deepest = std::max(deepest, std::min(state.front_depth, state.cut_depth));
+  return deepest;
+}
+
+// Of a cut that holds of a nozzle at rest only, the depth before it is what is certain.
+void deny_certainty(double depth, Exposure& exposure) {
+  exposure.is_uncertain = true;
+  if (!std::isnan(exposure.possible_feed)) exposure.greatest_feed = 0.0;
+  exposure.depth_low = std::fmin(exposure.depth_low, depth);
+}
+
 // The depth under a nozzle at rest tells nothing of one that moves faster than its water.
 void limit_to_jet(double speed, Exposure& exposure) {
   if (exposure.greatest_feed > speed) exposure.greatest_feed = speed;
@@ -202,84 +233,42 @@ void limit_to_jet(double speed, Exposure& exposure) {
 
 }  // namespace
 
-double Exposure::decades() const {
-  return simulated > 0.0 && !std::isnan(exponent) ? std::max(0.0, std::log10(longest / simulated))
-                                                  : 0.0;
-}
-
-const MetricList<Exposure>& Exposure::metrics() {
-  using E = Exposure;
-  static const MetricList<E> list{
-      {"shortest", "s", "shortest exposure, w / u",
-       "Time for which the jet covers a point of its path: its extent over the traverse speed.",
-       &E::shortest},
-      {"longest", "s", "longest exposure, W / u",
-       "Time for which the jet stays within the hole that it has made by then: the width of the "
-       "opening over the traverse speed.",
-       &E::longest},
-      {"simulated", "s", "simulated exposure",
-       "Time of the run since the jet met the workpiece, until the cut or the end, less the time "
-       "that water takes from the surface to the front.",
-       &E::simulated},
-      {"decades", "1", "decades of time carried",
-       "Decimal logarithm of the longest exposure over the simulated time; 0 where the run covers "
-       "the exposure, and after a cut.",
-       &E::decades},
-      {"cuts", "1", "certainly cut through at the traverse speed",
-       "Whether the shortest exposure cuts the workpiece through.", &E::cuts},
-      {"may_cut", "1", "possibly cut through at the traverse speed",
-       "Whether the longest exposure cuts the workpiece through.", &E::may_cut},
-      {"depth", "m", "depth at the traverse speed", "Geometric mean of the two following depths.",
-       &E::depth},
-      {"depth_low", "m", "least depth at the traverse speed",
-       "Depth after the shortest exposure, at most the thickness.", &E::depth_low},
-      {"depth_high", "m", "greatest depth at the traverse speed",
-       "Depth after the longest exposure, at most the thickness.", &E::depth_high},
-      {"exponent", "1", "exponent of time, n",
-       "Exponent n of the depth over time, which carries the depth beyond the run.", &E::exponent},
-      {"greatest_feed", "m/s", "greatest traverse speed that cuts",
-       "Traverse speed at which the shortest exposure just cuts through, at most the speed of the "
-       "jet; 0 where no speed is certain to.",
-       &E::greatest_feed},
-      {"possible_feed", "m/s", "greatest traverse speed that may cut",
-       "Traverse speed at which the longest exposure just cuts through, at most the speed of the "
-       "jet.",
-       &E::possible_feed}};
-  return list;
-}
-
 std::optional<Exposure> exposure_of(const Case& description, const std::vector<CutState>& history,
                                     const CutSummary& cut) {
   if (!stands_for_traverse(description) || std::isnan(cut.contact_time)) return std::nullopt;
   if (description.machine->is_pulsed()) return std::nullopt;  // a moving nozzle pauses elsewhere
   const Machine& machine = *description.machine;
   const Entry entry = entry_of(description);
-  const DepthHistory since = history_since(history, cut.contact_time, entry);
-  if (since.times.empty() || !(since.depths.back() > 0.0)) return std::nullopt;
   Exposure exposure;
+  exposure.thickness = thickness_of(description);
+  const DepthHistory since = history_since(history, cut, exposure.thickness, entry);
+  if (since.times.empty() || !(since.depths.back() > 0.0)) return std::nullopt;
   exposure.shortest = exposure_time(machine, description.jets.back(), description.dimension);
   const double extent = exposure.shortest * machine.traverse_speed;
   exposure.longest = longest_exposure(since, extent, machine.traverse_speed);
-  exposure.thickness = thickness_of(description);
-  exposure.simulated = cut.cut_through ? exposure_of_cut(since, entry, exposure.thickness,
-                                                         cut.cut_through_time - cut.contact_time)
-                                       : since.times.back();
-  const auto after = [&](double time) {
-    return cut.cut_through && time >= exposure.simulated
-               ? DepthRange{exposure.thickness, exposure.thickness}
-               : depths_after(since, time);
-  };
-  const auto within = [&](double depth) { return std::min(depth, exposure.thickness); };
+  const auto passage = cut.cut_through
+                           ? exposure_of_passage(since, entry, exposure.thickness,
+                                                 cut.cut_through_time - cut.contact_time)
+                           : std::nullopt;
+  exposure.simulated = passage.value_or(since.times.back());
   // A front that has passed the far face of a workpiece that is not cut tells no depth of a cut.
   if (!cut.cut_through && since.depths.back() >= exposure.thickness) return exposure;
-  if (cut.cut_through)
+  if (passage)
     add_feeds_of_cut(since, extent, exposure);
   else if (exposure.longest > exposure.simulated)
     add_carried_feeds(since, extent, exposure);
   limit_to_jet(entry.speed, exposure);
+  const auto after = [&](double time) {
+    return passage && time >= *passage ? DepthRange{exposure.thickness, exposure.thickness}
+                                       : depths_after(since, time);
+  };
+  const auto within = [&](double depth) { return std::min(depth, exposure.thickness); };
   exposure.depth_low = within(after(exposure.shortest).low);
   exposure.depth_high = within(after(exposure.longest).high);
-  exposure.depth = std::sqrt(exposure.depth_low * exposure.depth_high);
+  if (cut.holds_at_rest_only())
+    deny_certainty(depth_before(history, cut.cut_through_time), exposure);
+  else
+    exposure.depth = std::sqrt(exposure.depth_low * exposure.depth_high);
   return exposure;
 }
 

@@ -5,7 +5,8 @@
 // depth of the cut is between the depths that a jet at rest reaches by the water of these two
 // times, which goes on cutting until the last of it is at the front. Where the run is shorter, the
 // depth follows the law h = a t^n, t the exposure, fitted to the depths of the run. The depth is
-// that of the cut which the water has entered: a dent below it does not count. The theory and the
+// that of the cut which the water has entered: a dent below it does not count, nor does a crack
+// ahead of the water, and a workpiece is cut once its water is through. The theory and the
 // comparison with moving nozzles are in docs/theory/exposure.md.
 #pragma once
 
@@ -24,7 +25,7 @@ struct Exposure {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   double shortest = 0.0;   // s, w / u
   double longest = 0.0;    // s, W / u
-  double simulated = 0.0;  // s, the exposure until the cut or the end of the run
+  double simulated = 0.0;  // s, the exposure until the water is through or the run ends
   double thickness = 0.0;  // m, of the workpiece along the jet
   // m, of the cut at the traverse speed: after the shortest and the longest exposure, and their
   // geometric mean.
@@ -33,8 +34,10 @@ struct Exposure {
   // m/s, the traverse speeds up to which the cut is certain, and possible: at most the speed of the
   // jet. 0 = no speed at which it is certain.
   double greatest_feed = none, possible_feed = none;
+  // The cut holds of a nozzle at rest only (CutSummary::holds_at_rest_only): no feed is certain.
+  bool is_uncertain = false;
 
-  bool cuts() const { return depth_low >= thickness; }
+  bool cuts() const { return !is_uncertain && depth_low >= thickness; }
   bool may_cut() const { return depth_high >= thickness; }
   // Returns the decades of time over which the depth is carried; 0 = the run covers the exposure.
   double decades() const;

@@ -23,7 +23,7 @@ std::vector<Key> top_keys() {
       {"smoothing_ratio", number, "", "1.3", {1.0, 3.0}, {}, "standard", "Smoothing length over particle spacing, h / d", stored_in<&Case::smoothing_ratio>},
       {"gravity", vector, "m/s2", "0 m/s2", within(1e4), {}, "", "Acceleration on every particle that is not rigid", stored_in<&Case::gravity>},
       {"quality", word, "", "normal", any, quality_words, "", "Resolution of jets and bodies without a spacing: 8, 12 or 20 particles of water across a jet in 2D, 6, 8 or 12 in 3D", stored_in<&Draft::quality>},
-      {"time", table, "", "(with a [machine], long enough to cut through a weak workpiece)", any, {}, "", "Length and time steps of the run"},
+      {"time", table, "", "(with a [machine], the default of its `end`)", any, {}, "", "Length and time steps of the run"},
       {"domain", table, "", "(around all bodies and jets)", any, {}, "", "Region of the simulation"},
       {"materials", table, "", "(the library's)", any, {}, "", "Materials of this case, by name"},
       {"body", tables, "", "(none)", any, {}, "", "Bodies that consist of particles at the start"},
@@ -45,11 +45,11 @@ std::vector<Key> time_keys() {
   using enum ValueKind;
   // clang-format off
   return {
-      {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, twice that where a nozzle stands in place of a moving one, or 4 jet widths of traverse; where the frame of the [workpiece] travels, until its window is at the edge)", up_to(1e6), {}, "", "End time of the run", stored_in<&TimeControl::end>},
+      {"end", quantity, "s", "(must be given without a [machine]; else the jet's flight and 4 times the workpiece's height, at the jet's speed, twice that under a nozzle at rest over a [workpiece], or 4 jet widths of traverse; where the frame of the [workpiece] travels, until its window is at the edge)", up_to(1e6), {}, "", "End time of the run", stored_in<&TimeControl::end>},
       {"courant", number, "", "0.25", up_to(1.0), {}, "shinohara2004", "Factor of the acoustic limit of the time step", stored_in<&TimeControl::courant>},
       {"courant", number, "", "0.45", up_to(1.0), {}, "standard", "Factor of the acoustic limit of the time step", stored_in<&TimeControl::courant>},
       {"maximum_step", quantity, "s", "none", positive, {}, "", "Largest time step", stored_in<&TimeControl::maximum_step>},
-      {"after_cut", quantity, "s", "none", not_negative, {}, "", "The run ends this time after the workpiece is cut through, if that is before `end`; with a [workpiece] under a standing nozzle the default is a flight of 20 jet widths", stored_in<&TimeControl::after_cut>},
+      {"after_cut", quantity, "s", "none", not_negative, {}, "", "The run ends this time after the workpiece is cut through, if that is before `end`; with a [workpiece] under a nozzle at rest the default is a flight of 20 jet widths, without a traverse speed only where `end` is not stated", stored_in<&TimeControl::after_cut>},
       {"stop", word, "", "end", any, run_stop_words, "standard", "What ends the run: its end, or a [cut that is stationary](theory/travelling_frame.md) before it, where the frame of the [workpiece] travels", stored_in<&TimeControl::stop>},
       {"stop_tolerance", number, "", "0.03", {0.0, 1.0, true}, {}, "stationary", "Largest change of a stationary cut from one stretch of the path to the next, relative", stored_in<&TimeControl::stop_tolerance>},
       {"relax", quantity, "s", "0 s", not_negative, {}, "standard", "Until this time, at most the end, solids are settled under their loads by dynamic relaxation: whenever their kinetic energy has passed a peak, they are stopped", stored_in<&TimeControl::relax>},
@@ -131,7 +131,9 @@ void read_time(Draft& draft, Section& top) {
   if (time.end == 0.0 && !section.has("end") && !may_follow)
     section.refuse("end", "the key is missing", "Add it: the end time of the run");
   section.read(time);
-  if (!section.has("after_cut")) time.after_cut = draft.after_cut;
+  // Who states the end of a run without a feed wants it to that end.
+  const bool feeds = draft.result.machine && draft.result.machine->traverse_speed > 0.0;
+  if (!section.has("after_cut") && (feeds || !section.has("end"))) time.after_cut = draft.after_cut;
   section.refuse_unknown();
   check_travelling_time(draft, section);
   if (time.relax > time.end && time.end > 0.0)

@@ -127,8 +127,8 @@ double finest_jet_spacing(const Draft& draft) {
 
 // A jet penetrates a material without strength at half its speed. The end time is twice the time of
 // such a penetration, for workpieces with strength; for a moving nozzle it is the time for a
-// traverse of four jet widths. A nozzle that stands in place of a moving one has twice as long,
-// because its run ends soon after a cut, and a longer one carries the depth over fewer decades.
+// traverse of four jet widths. A nozzle at rest over a [workpiece] has twice as long, because its
+// run ends soon after a cut; in place of a moving one it then carries the depth over fewer decades.
 double standard_end(const Draft& draft) {
   if (!draft.result.machine) return 0.0;
   const WorkpieceSetting& workpiece = draft.workpiece.setting;
@@ -144,7 +144,8 @@ double standard_end(const Draft& draft) {
   }
   const double through = passage_time(jet, high - low);
   const Machine& machine = *draft.result.machine;
-  if (machine.motion == NozzleMotion::standing && machine.traverse_speed > 0.0)
+  const bool stands = machine.motion == NozzleMotion::standing && machine.traverse_speed > 0.0;
+  if (stands || (draft.result.workpiece && machine.traverse_speed == 0.0))
     return std::min(2.0 * through, jet.standoff / jet.speed +
                                        exposure_time(machine, jet, draft.reading.dimension));
   const double speed = std::hypot(jet.traverse[0], jet.traverse[2]);

@@ -214,7 +214,7 @@ void read_workpiece(Draft& draft, Section& top) {
   draft.workpiece.body = as_body(draft, absorbing);
   const Machine& machine = *draft.result.machine;
   const Jet& jet = draft.jets.back().jet;
-  if (machine.motion == NozzleMotion::standing)
+  if (machine.motion == NozzleMotion::standing || machine.traverse_speed == 0.0)
     draft.after_cut = widths_after_cut * jet.width / jet.speed;
 }
 

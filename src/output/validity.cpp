@@ -9,6 +9,7 @@
 #include "model/calibration_need.hpp"
 #include "model/case.hpp"
 #include "output/moving_workpiece_flag.hpp"
+#include "output/parting_flags.hpp"
 #include "output/result.hpp"
 #include "output/tension_flag.hpp"
 
@@ -207,16 +208,16 @@ void add_of_jet(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
 void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   const Case& description = outcome.description;
   if (const auto flag = tension_flag(description)) flags.push_back(*flag);
-  if (breaks_at_a_strain(description))
-    flags.push_back({"length_scale",
-                     State::warning,
-                     {},
-                     {},
-                     "Fracture is decided by a strain that has no length scale: the energy that "
-                     "cracks take depends on the spacing."});
-  const auto note = [&](const char* name, const std::string& sentence) {
-    flags.push_back({name, State::note, {}, {}, sentence});
+  const auto tell = [&](const char* name, State state, const std::string& sentence) {
+    flags.push_back({name, state, {}, {}, sentence});
   };
+  const auto note = [&](const char* name, const std::string& sentence) {
+    tell(name, State::note, sentence);
+  };
+  if (breaks_at_a_strain(description))
+    tell("length_scale", State::warning,
+         "Fracture is decided by a strain that has no length scale: the energy that cracks take "
+         "depends on the spacing.");
   if (description.dimension == 2)
     note(
         "two_dimensions",
@@ -237,14 +238,10 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
                                      description.jets.front().name));
   if (const auto moves = moving_workpiece_flag(description)) flags.push_back(*moves);
   if (const Material* material = unbreakable_material(description))
-    flags.push_back({"unbreakable",
-                     State::warning,
-                     {},
-                     {},
-                     fmt::format("{} has no strength and never breaks: the jet can only dent it. "
-                                 "Give the material a failure_strain, fracture_energy or "
-                                 "tensile_strength.",
-                                 material->name)});
+    tell("unbreakable", State::warning,
+         fmt::format("{} has no strength and never breaks: the jet can only dent it. Give the "
+                     "material a failure_strain, fracture_energy or tensile_strength.",
+                     material->name));
   note("abrasive", "Abrasive is not modelled.");
 }
 
@@ -293,6 +290,7 @@ std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
     flags.push_back(break_flag(outcome.balance.energy_from_breaks()));
   add_of_hourglass(outcome, flags);
   add_of_relaxation(outcome, flags);
+  add_parting_flags(outcome, flags);
   add_of_models(outcome, flags);
   return flags;
 }

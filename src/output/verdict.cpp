@@ -7,6 +7,7 @@
 
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
+#include "output/exposure_sentence.hpp"
 #include "output/layer_metrics.hpp"
 #include "output/readable.hpp"
 #include "output/result.hpp"
@@ -146,26 +147,47 @@ std::string depth_sentence(const RunOutcome& outcome) {
                      reach_clause(outcome), unbroken_clause(outcome), left_clause(outcome));
 }
 
-// With a moving nozzle one hole is not a cut, so the cut share of its path is stated.
+// With a moving nozzle one hole is not a cut, so the cut share of its path is stated, and the open
+// one where material has given way that is not removed.
 std::string way_clause(const RunOutcome& outcome) {
   const auto& travel = outcome.description.jets.front().traverse;
   if (travel == std::array<double, 3>{} || !outcome.kerf) return "";
-  return fmt::format(", and all the way down on {:.0f}% of its way so far",
-                     100.0 * outcome.kerf->shape.through_share);
+  const double removed = 100.0 * outcome.kerf->shape.through_share;
+  const double open = 100.0 * outcome.kerf->opening.through_share;
+  std::string text = fmt::format(", and all the way down on {:.0f}% of its way so far", removed);
+  if (open > removed + 5.0) text += fmt::format(" ({:.0f}% is open, as it lies at the end)", open);
+  return text;
 }
 
-// Says what the jet does, and how where it removes no material down to the far face.
+// Says when and how a crack parts or pierces the workpiece.
+std::string crack_clause(const RunOutcome& outcome) {
+  return fmt::format("The workpiece is {} after {} by a crack",
+                     outcome.cut.severed ? "parted" : "pierced",
+                     readable(outcome.cut.cut_through_time, "s"));
+}
+
+// Says what becomes of the water, of which a crack was ahead.
+std::string water_clause(const RunOutcome& outcome) {
+  if (!std::isnan(outcome.cut.water_through_time))
+    return fmt::format(" ahead of the water, which is through after {}{}",
+                       readable(outcome.cut.water_through_time, "s"), way_clause(outcome));
+  return fmt::format(" ahead of the water, which is {} deep at the end{}",
+                     readable(outcome.cut.last.front_depth, "m"), way_clause(outcome));
+}
+
+// Says what the jet does, and how where it removes no material down to the far face or a crack runs
+// ahead of its water.
 std::string deed(const RunOutcome& outcome) {
-  const std::string time = readable(outcome.cut.cut_through_time, "s");
   const bool removed =
       !outcome.kerf || outcome.kerf->shape.through || outcome.kerf->shape.through_share > 0.0;
+  if (removed && outcome.cut.cracked_ahead()) return crack_clause(outcome) + water_clause(outcome);
   if (removed)
-    return fmt::format("{} cuts through after {}{}", the_jet(outcome), time, way_clause(outcome));
+    return fmt::format("{} cuts through after {}{}", the_jet(outcome),
+                       readable(outcome.cut.cut_through_time, "s"), way_clause(outcome));
   const double depth = outcome.kerf->shape.depth;
-  const std::string below = depth > 0.0 ? fmt::format("below a cut of {}", readable(depth, "m"))
-                                        : std::string("without loss of material in its way");
-  return fmt::format("The workpiece is {} after {} by a crack {}",
-                     outcome.cut.severed ? "parted" : "pierced", time, below);
+  return crack_clause(outcome) + (depth > 0.0
+                                      ? fmt::format(" below a cut of {}", readable(depth, "m"))
+                                      : std::string(" without loss of material in its way"));
 }
 
 std::string cut_sentence(const RunOutcome& outcome) {
@@ -178,50 +200,6 @@ std::string cut_sentence(const RunOutcome& outcome) {
     return start + "; at the end one piece of the workpiece is larger than 5% of it.";
   return fmt::format("{}; at the end the workpiece is in {} {}.", start, pieces,
                      pieces == 1 ? "piece" : "pieces");
-}
-
-// Says what the run means for a nozzle that stands in it and moves at the machine.
-std::string exposure_sentence(const RunOutcome& outcome) {
-  const Case& description = outcome.description;
-  if (!stands_for_traverse(description)) return "";
-  const Machine& machine = *description.machine;
-  const std::string feed = readable(machine.traverse_speed, "m/s");
-  if (cuts_nothing(outcome))
-    return fmt::format(
-        " A feed of {} exposes each point for {} or more; a dent is not carried on to that.", feed,
-        readable(exposure_time(machine, description.jets.back(), description.dimension), "s"));
-  if (machine.is_pulsed())
-    return fmt::format(
-        " The pauses of a pulsed jet leave gaps along its path, which a nozzle that stands does "
-        "not "
-        "show: this says nothing about a feed of {}; motion = \"travelling\" simulates it.",
-        feed);
-  if (!outcome.exposure) return "";
-  const Exposure& exposure = *outcome.exposure;
-  const char* verdict = exposure.cuts()      ? "cuts through"
-                        : exposure.may_cut() ? "may cut through"
-                                             : "does not cut through";
-  if (std::isnan(exposure.depth))
-    return fmt::format(" No law of the depth shows that could be carried to a feed of {}.", feed);
-  if (outcome.cut.cut_through)
-    return fmt::format(
-        " A feed of {}, which exposes each point for {} or more, {}; the cut is certain up to {} "
-        "and possible up to {}.",
-        feed, readable(exposure.shortest, "s"), verdict, readable(exposure.greatest_feed, "m/s"),
-        readable(exposure.possible_feed, "m/s"));
-  const std::string carried =
-      exposure.decades() > 0.0
-          ? fmt::format(", carried over {:.1f} decades of time,", exposure.decades())
-          : std::string();
-  const std::string interval =
-      exposure.cuts() ? fmt::format("; by the same law it would up to {} at least and {} at most",
-                                    readable(exposure.greatest_feed, "m/s"),
-                                    readable(exposure.possible_feed, "m/s"))
-                      : fmt::format(": the cut is {} to {} deep", readable(exposure.depth_low, "m"),
-                                    readable(exposure.depth_high, "m"));
-  return fmt::format(" A feed of {} exposes each point for {} to {}{} and {}{}.", feed,
-                     readable(exposure.shortest, "s"), readable(exposure.longest, "s"), carried,
-                     verdict, interval);
 }
 
 // Says whether the cut under a nozzle with which a frame travels is the same all along its path.

@@ -33,6 +33,38 @@ const RunRow* least_cut(const std::vector<RunRow>& runs) {
   return least;
 }
 
+// Whether a metric is true of a run.
+bool holds_of(const RunRow& row, const char* metric) {
+  const double* value = find_number(row, metric);
+  return row.state == RunState::done && value && *value != 0.0;
+}
+
+// Adds what makes the cuts of the runs those of a nozzle at rest only (docs/theory/exposure.md).
+void add_doubts(const std::vector<RunRow>& runs, LimitWords& words) {
+  const auto any = [&](const char* metric) {
+    return std::any_of(runs.begin(), runs.end(),
+                       [&](const RunRow& row) { return holds_of(row, metric); });
+  };
+  if (any("cracked_ahead"))
+    words.notes.emplace_back(
+        "A crack parted the workpiece ahead of the water. A moving nozzle leaves the crack of its "
+        "first impact behind, so no feed is certain; the possible one is that of the water.");
+  if (any("gave_way"))
+    words.notes.emplace_back(
+        "The workpiece gave way by more than its thickness before it was cut through. What gives "
+        "way evades a moving nozzle, so no feed is certain; motion = \"travelling\" simulates it.");
+}
+
+// Says how far a run went that ended before its water was through.
+std::string carried_text(const RunRow& row) {
+  const double broken = 100.0 * broken_share(row);
+  const std::string how =
+      holds_of(row, "cut_through")
+          ? std::string("The run ended before the water was through the crack")
+          : fmt::format("The run ended with {:.3g}% of the thickness broken", broken);
+  return how + ". The rest is carried on by the law of its depth, so no feed is certain.";
+}
+
 std::string feeds_text(const LimitPlan& plan, const Bracket& feeds, bool is_carried) {
   const std::string possible = feed_text(plan, feeds.high);
   if (feeds.low <= 0.0) return fmt::format("certain at no feed, possible up to {}", possible);
@@ -55,12 +87,10 @@ void describe_feeds(const LimitPlan& plan, const LimitAnswer& answer, LimitWords
   const RunRow* carried = least_cut(answer.runs);
   words.finding = feeds_text(plan, found.stated, carried != nullptr);
   words.notes.push_back(stated_text(plan, found.stated, carried != nullptr));
+  add_doubts(answer.runs, words);
   if (carried)
-    words.notes.push_back(fmt::format(
-        "The run ended with {:.3g}% of the thickness broken. The rest is carried on by the law of "
-        "its depth, so no feed is certain.",
-        100.0 * broken_share(*carried)));
-  else
+    words.notes.push_back(carried_text(*carried));
+  else if (found.stated.low > 0.0)
     words.notes.emplace_back(
         "The nozzle stands in the run, which answers for all feeds: the cut is certain while the "
         "jet covers a point, and possible while it stays within its own hole.");

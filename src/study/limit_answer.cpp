@@ -215,6 +215,8 @@ std::string trial_verdict(const LimitPlan& plan, const RunRow& row) {
   if (row.state != RunState::done)
     return std::string(run_state_words[static_cast<std::size_t>(row.state)]);
   const bool holds = goal_of(plan).condition.holds(row.metrics);
+  const double* may_cut = find_number(row, "exposure.may_cut");
+  if (plan.by_exposure && !holds && may_cut && *may_cut != 0.0) return "may cut";
   if (is_cut(plan)) return holds ? "cuts" : "does not cut";
   return holds ? "holds" : "does not hold";
 }

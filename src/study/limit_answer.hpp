@@ -43,8 +43,9 @@ struct LimitWords {
 };
 LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer);
 
-// Returns whether a completed run cuts, in the words of the tables: "cuts" or "does not cut", of
-// another condition "holds" or "does not hold"; "failed" of a failed run.
+// Returns whether a completed run cuts, in the words of the tables: "cuts" or "does not cut", "may
+// cut" at a feed between the certain and the possible one; of another condition "holds" or "does
+// not hold"; "failed" of a failed run.
 std::string trial_verdict(const LimitPlan& plan, const RunRow& row);
 
 // Returns the heading of the table of trials and one line of it, of equal widths.

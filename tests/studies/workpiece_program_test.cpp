@@ -177,6 +177,46 @@ TEST_F(WorkpieceProgram, TheLeastPressureIsThatOfTheStatedFeed) {
   }
 }
 
+// The blow parts the granite before its water has gone in: the feed is that of the water, which
+// comes through later, and none is certain. It was "certain up to -665.4 m/s".
+TEST_F(WorkpieceProgram, ACrackAheadOfTheWaterTellsNoCertainFeed) {
+  write(R"(title = "Granite of 1 mm"
+dimension = 2
+quality = "draft"
+
+[machine]
+pressure = "200 MPa"
+orifice_diameter = "0.4 mm"
+standoff = "3 mm"
+spacing = "60 um"
+traverse_speed = "100 mm/s"
+
+[workpiece]
+material = "granite"
+size = ["20 mm", "1 mm"]
+)");
+  ASSERT_EQ(run().exit_code, 0);
+  const auto all = result();
+  ASSERT_EQ(all.at("cracked_ahead"), true);
+  EXPECT_LT(all.at("front_share_at_cut"), 0.1);
+  EXPECT_GT(all.at("water_through_time"), all.at("cut_through_time"));
+  const auto& exposure = all.at("exposure");
+  EXPECT_GT(exposure.at("simulated"), 0.0);
+  EXPECT_LT(exposure.at("simulated"), all.at("water_through_time"));
+  EXPECT_EQ(exposure.at("greatest_feed"), 0.0);
+  EXPECT_EQ(exposure.at("cuts"), false);
+  const double speed = all.at("machine").at("jet_speed");
+  EXPECT_GT(exposure.at("possible_feed"), 0.0);
+  EXPECT_LT(exposure.at("possible_feed"), 0.2 * speed);
+  EXPECT_THAT(all.at("verdict").get<std::string>(),
+              AllOf(HasSubstr("by a crack ahead of the water, which is through after"),
+                    HasSubstr("so no feed is certain"), Not(HasSubstr("cuts through"))));
+  const Ending ending = limit("feed");
+  EXPECT_THAT(ending.output, AllOf(HasSubstr("certain at no feed, possible up to"),
+                                   HasSubstr("A crack parted the workpiece ahead of the water")));
+  EXPECT_EQ(limit_answer().at("high"), exposure.at("possible_feed"));
+}
+
 // A jet that only presses a dent cuts at no feed, however long the nozzle would stand.
 TEST_F(WorkpieceProgram, ADentIsNotCarriedToACut) {
   std::string text = tofu_workpiece;

@@ -55,6 +55,31 @@ TEST(CutThrough, StatesItsKindAndPosition) {
   EXPECT_NEAR(monitor.summary().cut_through_place[1], -thickness, solid_spacing);
 }
 
+// The block is parted as the front has passed a quarter of it, and the water comes through later.
+TEST(CutThrough, TellsACrackAheadOfTheWater) {
+  const Case description = make_case(2);
+  CutMonitor monitor(description, make_block(2));
+  const auto parted = [&](double depth, double time) {
+    Frame frame = make_cut(description, depth, 4.0 * mm, time);
+    change(frame, Category::fractured, [](const Position& x) { return std::abs(x[0]) < 2.0 * mm; });
+    return frame;
+  };
+  monitor.observe(parted(0.25 * thickness, 1e-3));
+  EXPECT_TRUE(monitor.summary().cracked_ahead());
+  EXPECT_NEAR(monitor.summary().front_share_at_cut, 0.25, 0.1);
+  EXPECT_TRUE(std::isnan(monitor.summary().water_through_time));
+  monitor.observe(parted(0.75 * thickness, 2e-3));
+  EXPECT_TRUE(std::isnan(monitor.summary().water_through_time));
+  monitor.observe(parted(1.2 * thickness, 3e-3));
+  monitor.observe(parted(1.2 * thickness, 4e-3));
+  EXPECT_EQ(monitor.summary().water_through_time, 3e-3);
+  EXPECT_TRUE(monitor.summary().cracked_ahead());
+  EXPECT_FALSE(monitor.summary().gave_way());
+  CutMonitor late(description, make_block(2));
+  late.observe(parted(0.75 * thickness, 2e-3));
+  EXPECT_FALSE(late.summary().holds_at_rest_only());
+}
+
 TEST(CutThrough, IsKeptWhenTheBlockFragmentsFurther) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));

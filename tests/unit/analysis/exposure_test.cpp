@@ -5,59 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
-#include "model/case.hpp"
+#include "feeding.hpp"
 
 namespace kerf {
 namespace {
 
-constexpr double first_contact = 1e-6;    // s
-constexpr double slab_thickness = 10e-3;  // m
-
-// A round jet of 1 mm over a workpiece.
-Case feeding_case(double feed) {
-  Case description;
-  description.dimension = 3;
-  Machine machine;
-  machine.traverse_speed = feed;
-  machine.motion = NozzleMotion::standing;
-  description.machine = machine;
-  WorkpieceSetting workpiece;
-  workpiece.size = {0.1, slab_thickness, 0.1};
-  description.workpiece = workpiece;
-  Jet jet;
-  jet.width = 1e-3;
-  jet.speed = 200.0;
-  description.jets.push_back(jet);
-  return description;
-}
-
-// Returns the time since contact at which an exposure has reached the front at a depth, s.
-double since_contact(double exposure, double depth) {
-  return exposure + depth / feeding_case(1.0).jets[0].speed;
-}
-
-// A front whose depth follows from the exposure up to `end`.
-std::vector<CutState> front_of(const std::function<double(double)>& depth, double end) {
-  std::vector<CutState> history;
-  for (int k = 0; k <= 500; ++k) {
-    CutState state;
-    state.front_depth = state.cut_depth = depth(k * end / 500.0);
-    state.time = first_contact + since_contact(k * end / 500.0, state.front_depth);
-    state.kerf_width = 3e-3;
-    history.push_back(state);
-  }
-  return history;
-}
-
-CutSummary summary_from(double cut_time = std::numeric_limits<double>::quiet_NaN()) {
-  CutSummary cut;
-  cut.contact_time = first_contact;
-  cut.cut_through = cut_time == cut_time;
-  cut.cut_through_time = cut_time;
-  return cut;
-}
+using namespace feeding;
 
 // Where the front has passed a workpiece that is not cut, and where the jet pauses, no feed is
 // told.
@@ -144,22 +98,6 @@ TEST(Exposure, IntervalHoldsAFrontThatSlowsDown) {
   EXPECT_FALSE(exposure.may_cut());
 }
 
-TEST(Exposure, CutGivesTheGreatestFeed) {
-  const auto depth = [](double t) { return std::min(slab_thickness, 100.0 * t); };
-  const double cut_time = first_contact + since_contact(1e-4, slab_thickness);
-  const auto at = [&](double feed) {
-    return exposure_of(feeding_case(feed), front_of(depth, 1.2e-4), summary_from(cut_time)).value();
-  };
-  EXPECT_TRUE(at(1.0).cuts());
-  EXPECT_NEAR(at(1.0).greatest_feed, 10.0, 1e-9);
-  EXPECT_NEAR(at(1.0).possible_feed, 30.0, 1e-9);
-  EXPECT_EQ(at(1.0).decades(), 0.0);
-  EXPECT_EQ(at(1.0).depth, slab_thickness);
-  EXPECT_FALSE(at(20.0).cuts());
-  EXPECT_TRUE(at(20.0).may_cut());
-  EXPECT_FALSE(at(40.0).may_cut());
-}
-
 // The jet of 1 mm leaves its hole, 3 mm wide, after 75 us at 40 m/s.
 TEST(Exposure, RunThatCoversTheExposureCarriesNothing) {
   const auto depth = [](double t) { return 20.0 * t; };
@@ -185,25 +123,6 @@ TEST(Exposure, WaterOnItsWayGoesOnCutting) {
   const auto exposure = exposure_of(feeding_case(40.0), history, summary_from()).value();
   EXPECT_NEAR(exposure.depth_low, 5e-3, 0.01 * 5e-3);
   EXPECT_NEAR(exposure.simulated, 50e-6, 0.01 * 50e-6);
-}
-
-// A crack that runs ahead tells nothing of the water: a front that water drives has at most half of
-// its speed in a solid of its density.
-TEST(Exposure, CrackAheadOfTheWaterIsNoEarlyCut) {
-  Case description = feeding_case(1.0);
-  description.materials.resize(2);
-  description.materials[0].density = description.materials[1].density = 1000.0;
-  description.jets[0].material = 0;
-  Body body;
-  body.name = workpiece_name;
-  body.material = 1;
-  description.bodies.push_back(body);
-  const double cut_time = first_contact + 20e-6;  // the water is 4 mm deep at most
-  std::vector<CutState> history = front_of([](double) { return 0.9 * slab_thickness; }, 1e-4);
-  for (int k = 0; k < 500; ++k) history[k].time = first_contact + (k + 1) * 0.1e-6;
-  const auto exposure = exposure_of(description, history, summary_from(cut_time)).value();
-  EXPECT_NEAR(exposure.simulated, 10e-6, 1e-9);
-  EXPECT_NEAR(exposure.greatest_feed, 1e-3 / 10e-6, 1e-3 * 1e-3 / 10e-6);
 }
 
 // Of a front that presses a dent below a cut only the cut counts, and a dent alone has no law.

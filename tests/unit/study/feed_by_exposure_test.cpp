@@ -84,6 +84,29 @@ TEST(FeedByExposure, WhatIsCarriedOnIsNotCertain) {
   EXPECT_THAT(words.notes, testing::Contains("The stated 35 m/s is expected to cut."));
 }
 
+TEST(FeedByExposure, NoFeedIsCertainOfWhatHoldsAtRestOnly) {
+  const LimitPlan plan = feed_plan();
+  const char* reasons[] = {"cracked_ahead", "gave_way"};
+  const char* notes[] = {"A crack parted the workpiece ahead", "The workpiece gave way by more"};
+  for (const std::size_t n : {0u, 1u}) {
+    Metrics metrics{{"exposure.greatest_feed", 0.0},
+                    {"exposure.possible_feed", 80.0},
+                    {"exposure.cuts", 0.0},
+                    {"cracked_ahead", 0.0},
+                    {"gave_way", 0.0},
+                    {"cut_through", 1.0}};
+    metrics[reasons[n]] = 1.0;
+    metrics["exposure.may_cut"] = n == 0 ? 1.0 : 0.0;
+    const LimitAnswer answer = answer_of(plan, metrics);
+    EXPECT_EQ(trial_verdict(plan, answer.runs.front()), n == 0 ? "may cut" : "does not cut");
+    const LimitWords words = describe_limit(plan, answer);
+    EXPECT_THAT(words.finding, HasSubstr("certain at no feed, possible up to 80 m/s"));
+    EXPECT_THAT(words.notes, testing::Contains(HasSubstr(notes[n])));
+    EXPECT_THAT(words.notes, Not(testing::Contains(HasSubstr(notes[1 - n]))));
+    EXPECT_THAT(words.notes, Not(testing::Contains(HasSubstr("the cut is certain"))));
+  }
+}
+
 TEST(FeedByExposure, NoFeedIsCertainThatARunDenies) {
   const LimitPlan plan = feed_plan();
   const LimitAnswer answer = answer_of(
