@@ -47,7 +47,7 @@ class Problems {
   // Adds a problem. A key that is not written has the line of the innermost table that contains it.
   void add(Problem problem);
   // Whether the file has the key, and whether a problem of the key was added.
-  bool is_written(const std::string& key) const { return mentions_.count(key) != 0; }
+  bool is_written(const std::string& key) const;
   bool concern(const std::string& key) const;
   bool any() const { return !found_.empty(); }
   std::size_t count() const { return found_.size(); }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double most = 1e5;
 
-Body box(const Point& low, const Point& high) {
+Body block_from(const Point& low, const Point& high) {
   Body body;
   body.shape.kind = Shape::Kind::box;
   body.shape.box = {low, high};
@@ -30,8 +30,8 @@ Jet straight_down(double width) {
 }
 
 TEST(BesideJet, FindsTheNearestFace) {
-  const Body left = box({-4.0, -1.0, 0.0}, {-3.0, 0.0, 0.0}),
-             right = box({2.0, -1.0, 0.0}, {3.0, 0.0, 0.0});
+  const Body left = block_from({-4.0, -1.0, 0.0}, {-3.0, 0.0, 0.0}),
+             right = block_from({2.0, -1.0, 0.0}, {3.0, 0.0, 0.0});
   const BesideJet found = beside_jet(straight_down(1.0), {&left, &right}, 2, most);
   EXPECT_EQ(found.body, &right);
   EXPECT_NEAR(found.distance, 1.5, 1e-9);
@@ -41,13 +41,13 @@ TEST(BesideJet, FindsTheNearestFace) {
 TEST(BesideJet, OfALeaningJet) {
   Jet jet = straight_down(1.0);
   jet.angle = 0.25 * std::numbers::pi;
-  const Body right = box({3.0, 0.0, 0.0}, {4.0, 1.0, 0.0});
+  const Body right = block_from({3.0, 0.0, 0.0}, {4.0, 1.0, 0.0});
   const BesideJet found = beside_jet(jet, {&right}, 2, most);
   EXPECT_NEAR(found.distance, 3.0 / std::numbers::sqrt2 - 0.5, 0.1);  // within a spacing
 }
 
 TEST(BesideJet, OfNothingBehindTheNozzle) {
-  const Body above = box({0.0, 6.0, 0.0}, {1.0, 7.0, 0.0});
+  const Body above = block_from({0.0, 6.0, 0.0}, {1.0, 7.0, 0.0});
   EXPECT_EQ(beside_jet(straight_down(1.0), {&above}, 2, most).body, nullptr);
 }
 
@@ -55,8 +55,8 @@ TEST(BesideJet, OfNothingBehindTheNozzle) {
 TEST(BesideJet, OfASlot) {
   Jet jet = straight_down(1.0);
   jet.length = 6.0;
-  const Body beside = box({3.0, -1.0, -1.0}, {4.0, 0.0, 1.0}),
-             ahead = box({-1.0, -1.0, 5.0}, {1.0, 0.0, 6.0});
+  const Body beside = block_from({3.0, -1.0, -1.0}, {4.0, 0.0, 1.0}),
+             ahead = block_from({-1.0, -1.0, 5.0}, {1.0, 0.0, 6.0});
   EXPECT_NEAR(beside_jet(jet, {&beside}, 3, most).distance, 2.5, 0.02);
   EXPECT_NEAR(beside_jet(jet, {&ahead}, 3, most).distance, 2.0, 0.02);
 }
