@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "analysis/jet_axis.hpp"
+#include "geometry/beside_jet.hpp"
 #include "geometry/fill.hpp"
 #include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
 #include "geometry/shapes.hpp"
 #include "geometry/surface_fit.hpp"
+#include "kernels/wendland_c2.hpp"
 #include "machine/characteristic_speed.hpp"
 #include "model/calibration_need.hpp"
 #include "model/case.hpp"
@@ -89,6 +91,50 @@ void warn_of_fast_water(const Case& description, const DerivedNumbers& numbers,
                : fmt::format("sound_speed = \"{:g} m/s\"", real_water_sound_speed)));
 }
 
+// Warns of water that is faster than those shocks with which its equation of state is compared.
+void warn_of_extrapolated_water(const DerivedNumbers& numbers, std::vector<std::string>& warnings) {
+  if (numbers.water_sound_speed == 0.0 || numbers.jet_speed <= fastest_compared_water) return;
+  warnings.push_back(fmt::format(
+      "the fastest jet or body moves at {:.4g} m/s: shocks of water are compared with data "
+      "(IAPWS-95) up to {:g} m/s (docs/theory/water_equation_of_state.md), the pressures of faster "
+      "impacts are extrapolated. Lower the speed, or do not rely on them",
+      numbers.jet_speed, fastest_compared_water));
+}
+
+// Warns of plane probes within the reach of a rigid body that is not wholly on the side of the
+// normal: forces on rigid bodies are not among those that a plane measures.
+void warn_of_planes_at_walls(const Case& description, std::vector<std::string>& warnings) {
+  constexpr double most_tested = 1e5;  // particles of a body
+  double widest = 0.0;
+  for (const Jet& jet : description.jets) widest = std::max(widest, jet.spacing);
+  for (const Body& body : description.bodies) widest = std::max(widest, body.spacing);
+  const double reach = WendlandC2<2>::support * description.smoothing_ratio * widest;
+  for (const Probe& probe : description.probes)
+    for (const Body& body : description.bodies) {
+      if (!probe.is_plane() || body.role != Role::rigid) continue;
+      bool found = false;
+      LatticeVisit request;
+      request.window = bounding_box(body.shape, description.dimension);
+      request.visit = [&](const Point& point) {
+        double above = 0.0;
+        for (std::size_t a = 0; a < 3; ++a)
+          above += (point[a] - probe.position[a]) * probe.normal[a];
+        found = above <= 0.0 && above > -reach;
+        return !found;
+      };
+      visit_sample(body, description.dimension, request, most_tested);
+      if (!found) continue;
+      const auto index = &probe - description.probes.data();
+      warnings.push_back(fmt::format(
+          "probe[{}].normal (\"{}\"): the plane leaves out the forces on the rigid body \"{}\", "
+          "which is within {:.3g} m of it on the side away from the normal. For the force on the "
+          "body put the plane in its face, with the normal into the body; force_rigid in "
+          "series.csv "
+          "is that on all rigid bodies",
+          index + 1, probe.name, body.name, reach));
+    }
+}
+
 // Warns if a case with a jet has no body that can be cut.
 void warn_of_nothing_to_cut(const Case& description, std::vector<std::string>& warnings) {
   if (description.jets.empty()) return;
@@ -153,22 +199,30 @@ void warn_of_late_water(const Jet& jet, double end, std::vector<std::string>& wa
                     jet.name, arrival, end));
 }
 
-// Warns of a first jet whose water reaches no body that it could cut, by where and when it flows.
-void warn_of_aim(const Case& description, std::vector<std::string>& warnings) {
-  if (description.jets.empty()) return;
-  const Jet& jet = description.jets.front();
-  warn_of_late_water(jet, description.time.end, warnings);
-  const auto is_target = [](const Body& body) { return body.role == Role::elastic && !body.fixed; };
-  const auto& bodies = description.bodies;
-  const bool may_meet_later = traverse_speed(jet) > 0.0 || fastest_body(description) > 0.0 ||
-                              description.gravity != Point{};
-  if (may_meet_later || std::none_of(bodies.begin(), bodies.end(), is_target)) return;
-  for (const Body& body : bodies)
-    if (is_target(body) && is_in_way(jet, body, description.dimension)) return;
-  warnings.push_back(
-      fmt::format("the jet \"{}\" passes beside all bodies that it could cut: none is within half "
-                  "its width of its axis. Correct its position or its angle",
-                  jet.name));
+// Warns of each jet whose water reaches no body that it could cut, by where and when it flows.
+void warn_of_aims(const Case& description, std::vector<std::string>& warnings) {
+  constexpr double most_tested = 1e5;  // particles of a body
+  for (const Jet& jet : description.jets) warn_of_late_water(jet, description.time.end, warnings);
+  std::vector<const Body*> targets;
+  for (const Body& body : description.bodies)
+    if (body.role == Role::elastic && !body.fixed) targets.push_back(&body);
+  const bool may_meet_later = fastest_body(description) > 0.0 || description.gravity != Point{};
+  if (may_meet_later || targets.empty()) return;
+  for (const Jet& jet : description.jets) {
+    const auto meets = [&](const Body* body) {
+      return is_in_way(jet, *body, description.dimension);
+    };
+    if (traverse_speed(jet) > 0.0 || std::any_of(targets.begin(), targets.end(), meets)) continue;
+    const BesideJet beside = beside_jet(jet, targets, description.dimension, most_tested);
+    const std::string nearest = beside.body
+                                    ? fmt::format("its water is {:.3g} m from the nearest, \"{}\"",
+                                                  beside.distance, beside.body->name)
+                                    : std::string("all lie behind its nozzle");
+    warnings.push_back(fmt::format(
+        "the jet \"{}\" passes beside all bodies that it could cut: none is within half "
+        "its width of its axis, and {}. Correct its position or its angle",
+        jet.name, nearest));
+  }
 }
 
 void warn_of_materials(const Case& description, std::vector<std::string>& warnings) {
@@ -206,13 +260,15 @@ std::vector<std::string> check_warnings(const Case& description, const DerivedNu
                     "give it a higher sound speed",
                     numbers.mach));
   warn_of_fast_water(description, numbers, warnings);
+  warn_of_extrapolated_water(numbers, warnings);
   if (description.back_flow_removal)
     warnings.emplace_back("the back-flow removal removes mass and momentum");
   warn_of_nothing_to_cut(description, warnings);
-  warn_of_aim(description, warnings);
+  warn_of_aims(description, warnings);
   warn_of_materials(description, warnings);
   if (std::string need = calibration_need(description); !need.empty())
     warnings.push_back(std::move(need));
+  warn_of_planes_at_walls(description, warnings);
   warn_of_misfits(description, warnings);
   return warnings;
 }

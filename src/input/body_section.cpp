@@ -161,6 +161,14 @@ void check_layer(Section& section, const Body& body) {
                    "\"top\", \"bottom\", \"left\", \"right\" or \"all\" in 2D");
 }
 
+// Returns the key of the file that sets the width of the grading of a [workpiece].
+std::string key_of_workpiece_grading(const Draft& draft) {
+  for (const char* key :
+       {"workpiece.grading_width", "workpiece.levels", "workpiece.spacing", "machine.spacing"})
+    if (draft.reading.problems.is_written(key)) return key;
+  return "workpiece.grading_width";
+}
+
 void read_grading(Draft& draft, Section& section, Body& body) {
   const toml::table* written = section.table("grading");
   if (written == nullptr) return;
@@ -172,18 +180,19 @@ void read_grading(Draft& draft, Section& section, Body& body) {
   keys.refuse_unknown();
   if (draft.reading.problems.any()) return;
   const double coarsest = body.spacing * std::pow(2.0, grading.levels);
+  const bool is_workpiece = section.path("grading") == "workpiece.grading";
   // A smaller width could put a cell next to one that is four times as wide.
   if (grading.width < coarsest)
-    keys.refuse(
-        "width",
-        section.has("spacing")
-            ? "the width is less than the coarsest spacing"
-            : fmt::format("the width is less than the coarsest spacing; the finest one, {}, "
-                          "is that of the jet, which grows with the standoff",
-                          show_quantity(body.spacing, "m")),
-        section.has("spacing") ? "Choose a larger width or fewer levels"
-                               : "Check the standoff, or choose a larger width or a spacing",
-        fmt::format("at least {}", show_quantity(coarsest, "m", Bound::least)));
+    draft.reading.problems.add(
+        {is_workpiece ? key_of_workpiece_grading(draft) : keys.path("width"),
+         section.has("spacing") ? "the width of the grading is less than the coarsest spacing"
+                                : fmt::format("the width of the grading is less than the coarsest "
+                                              "spacing; the finest one, {}, "
+                                              "is that of the jet, which grows with the standoff",
+                                              show_quantity(body.spacing, "m")),
+         fmt::format("widths of at least {}", show_quantity(coarsest, "m", Bound::least)),
+         section.has("spacing") ? "Choose a larger width, a smaller spacing or fewer levels"
+                                : "Check the standoff, or choose a larger width or a spacing"});
   if (body.lattice != Lattice::square || body.offset != Point{})
     section.refuse("grading", "the lattice of the body is hexagonal or shifted",
                    "Remove the key lattice or offset, or the grading",

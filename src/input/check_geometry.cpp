@@ -116,14 +116,56 @@ void check_overlap(Draft& draft, std::size_t i, std::size_t j) {
   if (!found) found = particle_inside(second, first, dimension, most);
   if (!found) return;
   draft.reading.problems.add(
-      {indexed("body", j) + ".shape",
+      {body_key(draft, j, "shape"),
        fmt::format("the body \"{}\" overlaps the body \"{}\", for example at {}", second.name,
                    first.name, position_text(*found, dimension)),
        "bodies that touch at most",
        "Move one of them or cut it away with a shape of the type \"difference\""});
 }
 
+// Returns the key that sets the spacing of the [workpiece]: its own, that of the [machine], or the
+// length from which the width of the jet follows, which grows beyond the coherent length.
+std::string key_of_spacing(const Draft& draft) {
+  for (const char* key : {"workpiece.spacing", "machine.spacing"})
+    if (draft.reading.problems.is_written(key)) return key;
+  const Machine& machine = *draft.result.machine;
+  return machine.standoff > machine.coherent_length ? "machine.standoff"
+                                                    : "machine.orifice_diameter";
+}
+
+// Refuses a body in which no particle fits. The spacing of a [workpiece] follows from its jet.
+void add_no_particle(Draft& draft, std::size_t number) {
+  const Body& body = draft.result.bodies[number];
+  const std::string spacing = show_quantity(body.spacing, "m");
+  if (draft.bodies[number].path != "workpiece") {
+    draft.reading.problems.add(
+        {body_key(draft, number, "shape"),
+         fmt::format("no particle of the body \"{}\" fits into it", body.name),
+         fmt::format("a shape that contains a lattice point at {}", spacing),
+         "Choose a smaller spacing or correct the shape"});
+    return;
+  }
+  const std::string wide = fmt::format("a spacing of less than {}, which fits into the workpiece",
+                                       show_quantity(draft.workpiece.setting.size[1], "m"));
+  const std::string key = key_of_spacing(draft);
+  const bool is_written = key.ends_with(".spacing");
+  const std::string reason =
+      is_written ? ""
+                 : fmt::format(": it is that of the jet, which is {} wide at the workpiece",
+                               show_quantity(draft.jets.back().jet.width, "m"));
+  draft.reading.problems.add(
+      {key,
+       fmt::format("no particle fits into the workpiece at the spacing of {}{}", spacing, reason),
+       wide, is_written ? "Lower it" : "Correct this length or its unit"});
+}
+
 }  // namespace
+
+std::string body_key(const Draft& draft, std::size_t number, std::string_view key) {
+  const std::string& path = draft.bodies[number].path;
+  const bool is_size = path == "workpiece" && key == "shape";
+  return fmt::format("{}.{}", path, is_size ? "size" : key);
+}
 
 void check_counts(Draft& draft) {
   const Case& result = draft.result;
@@ -133,15 +175,14 @@ void check_counts(Draft& draft) {
   const auto count = [&](const std::string& path, double particles) {
     total += particles;
     if (total <= most) return;
-    draft.reading.problems.add({path + ".spacing",
-                                fmt::format("this makes {:.3g} particles", particles), allowed,
-                                "Choose a larger spacing or a smaller shape"});
+    draft.reading.problems.add({path, fmt::format("this makes {:.3g} particles", particles),
+                                allowed, "Choose a larger spacing or a smaller shape"});
     total = 0.0;
   };
   for (std::size_t i = 0; i < result.bodies.size(); ++i)
-    count(indexed("body", i), lattice_nodes(result.bodies[i], result.dimension));
+    count(body_key(draft, i, "spacing"), lattice_nodes(result.bodies[i], result.dimension));
   for (std::size_t i = 0; i < result.jets.size(); ++i)
-    count(draft.jets[i].path,
+    count(draft.jets[i].path + ".spacing",
           entering_particles(result.jets[i], result.dimension, longest_stay(result)) +
               10.0 * nozzle_columns(result.jets[i], result.dimension));
 }
@@ -152,7 +193,7 @@ void check_bodies(Draft& draft) {
   const Box domain = domain_of_bodies(result);
   for (std::size_t i = 0; i < result.bodies.size(); ++i) {
     const Body& body = result.bodies[i];
-    const std::string path = indexed("body", i) + ".shape";
+    const std::string path = body_key(draft, i, "shape");
     const Box around = bounding_box(body.shape, dimension);
     if (!box_within(around, domain, dimension))
       draft.reading.problems.add({path,
@@ -160,12 +201,7 @@ void check_bodies(Draft& draft) {
                                               body.name, box_text(around, dimension)),
                                   "shapes inside the domain, " + box_text(result.domain, dimension),
                                   "Move the body or enlarge the [domain]"});
-    if (!holds_a_particle(body, dimension, draft.effort.most_tested))
-      draft.reading.problems.add(
-          {path, fmt::format("no particle of the body \"{}\" fits into it", body.name),
-           fmt::format("a shape that contains a lattice point at {}",
-                       show_quantity(body.spacing, "m")),
-           "Choose a smaller spacing or correct the shape"});
+    if (!holds_a_particle(body, dimension, draft.effort.most_tested)) add_no_particle(draft, i);
   }
   draft.reading.problems.throw_if_any();
   for (std::size_t j = 1; j < result.bodies.size(); ++j)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/beside_jet.hpp"
 #include "geometry/jet_direction.hpp"
 #include "geometry/nozzle.hpp"
 #include "geometry/shapes.hpp"
@@ -98,10 +99,35 @@ void check_traverse(Draft& draft, const std::string& path, const Nozzle& nozzle)
                               "Enlarge the [domain], or let the run end earlier"});
 }
 
+// Says where the straight water of a jet flows that meets no body.
+std::string miss_text(const Draft& draft, const Jet& jet) {
+  std::vector<const Body*> bodies;
+  for (const Body& body : draft.result.bodies) bodies.push_back(&body);
+  const BesideJet beside =
+      beside_jet(jet, bodies, draft.result.dimension, draft.effort.most_tested);
+  if (beside.body == nullptr) return "the jet points away from every body";
+  return fmt::format(
+      "the jet passes beside every body: its water is {:.3g} m from the nearest, \"{}\"",
+      beside.distance, beside.body->name);
+}
+
+void add_miss(Draft& draft, std::size_t number) {
+  const Jet& jet = draft.result.jets[number];
+  draft.reading.problems.add({draft.jets[number].path + ".position", miss_text(draft, jet),
+                              "a position and an angle whose line meets a body",
+                              traverse_speed(jet) > 0.0
+                                  ? "Begin where the jet meets the workpiece, if only its edge: "
+                                    "that is where the cut is judged"
+                                  : "Aim the jet at the workpiece: angle 0 is straight down"});
+}
+
 }  // namespace
 
+// Of several jets one must hit; `kerf check` warns of the others.
 void check_jets(Draft& draft) {
   const Case& result = draft.result;
+  bool one_hits = result.bodies.empty() || anything_moves(result);
+  std::vector<std::size_t> misses;
   for (std::size_t i = 0; i < result.jets.size(); ++i) {
     const Jet& jet = result.jets[i];
     const std::string& path = draft.jets[i].path;
@@ -113,15 +139,12 @@ void check_jets(Draft& draft) {
     const std::size_t before = draft.reading.problems.count();
     check_start(draft, path, standing);
     if (draft.reading.problems.count() == before) check_traverse(draft, path, nozzle);
-    if (draft.reading.problems.count() > before || result.bodies.empty()) continue;
-    if (anything_moves(result) || hits_a_body(result, nozzle, standing)) continue;
-    draft.reading.problems.add({path + ".position", "the jet points away from every body",
-                                "a position and an angle whose line meets a body",
-                                traverse_speed(jet) > 0.0
-                                    ? "Begin where the jet meets the workpiece, if only its edge: "
-                                      "that is where the cut is judged"
-                                    : "Aim the jet at the workpiece: angle 0 is straight down"});
+    if (draft.reading.problems.count() > before || one_hits) continue;
+    one_hits = hits_a_body(result, nozzle, standing);
+    if (!one_hits) misses.push_back(i);
   }
+  if (one_hits) return;
+  for (const std::size_t number : misses) add_miss(draft, number);
 }
 
 }  // namespace kerf

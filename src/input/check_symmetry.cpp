@@ -87,7 +87,7 @@ void check_grading(Draft& draft, const Plane& plane, std::size_t number) {
   const double first = cells.centre(corner)[plane.axis] - 0.5 * width;
   if (is_whole(plane.at - first, width) && body.lattice_angle == 0.0) return;
   draft.reading.problems.add(
-      {indexed("body", number) + ".grading",
+      {body_key(draft, number, "grading"),
        fmt::format("the symmetry plane \"{}\" cuts cells of the coarsest spacing, {:.6g} m",
                    plane.name, width),
        "bodies with a straight lattice of which whole coarsest cells lie on either side of a plane",
@@ -105,7 +105,7 @@ void check_body(Draft& draft, const Plane& plane, std::size_t number) {
   if (absorbing[plane.axis] && (plane.inward > 0.0 ? window.minimum[plane.axis] <= plane.at
                                                    : window.maximum[plane.axis] >= plane.at))
     draft.reading.problems.add(
-        {indexed("body", number) + ".absorbing",
+        {body_key(draft, number, "absorbing"),
          fmt::format("that side of the body lies in the symmetry plane \"{}\"", plane.name),
          "sides that are not mirrored", "Take it out of one of the two lists"});
   const double reach = nearest * body.spacing;
@@ -120,7 +120,7 @@ void check_body(Draft& draft, const Plane& plane, std::size_t number) {
   visit_sample(body, draft.result.dimension, request, draft.effort.most_tested);
   if (!found) return;
   draft.reading.problems.add(
-      {indexed("body", number) + ".spacing",
+      {body_key(draft, number, "spacing"),
        fmt::format("particles of the body \"{}\" would lie on the symmetry plane \"{}\"", body.name,
                    plane.name),
        fmt::format(

@@ -107,6 +107,9 @@ void read_output(Draft& draft, Section& top);
 // speeds, repulsions, the domain.
 void finish(Draft& draft);
 
+// Returns the key of the file that `key` of a body is: of its own table, or of the [workpiece],
+// whose size is the shape.
+std::string body_key(const Draft& draft, std::size_t number, std::string_view key);
 // Refuses bodies and jets with more particles than any computer can hold. It must be called before
 // functions that visit particles.
 void check_counts(Draft& draft);
@@ -114,6 +117,8 @@ void check_counts(Draft& draft);
 // overlap; jets that start outside the domain or in a body, or miss every body; probes outside the
 // domain.
 void check_bodies(Draft& draft);
+// Refuses bodies that are joined to one that they do not touch.
+void check_joints(Draft& draft);
 // Refuses what is not symmetric about a symmetry plane.
 void check_symmetry(Draft& draft);
 void check_loads(Draft& draft);

@@ -18,20 +18,21 @@ namespace kerf {
 namespace {
 
 void check_names(Draft& draft) {
-  const auto check = [&](const std::string& list, const std::vector<std::string>& names) {
+  const auto check = [&](const std::vector<std::array<std::string, 2>>& names_and_paths) {
     std::set<std::string> seen;
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (!seen.insert(names[i]).second)
-        draft.reading.problems.add({indexed(list, i) + ".name", "the name is used already",
-                                    "a unique name", "Choose another name"});
+    for (const auto& [name, path] : names_and_paths)
+      if (!seen.insert(name).second)
+        draft.reading.problems.add(
+            {path + ".name", "the name is used already", "a unique name", "Choose another name"});
   };
-  std::vector<std::string> bodies, jets, probes;
-  for (const Body& body : draft.result.bodies) bodies.push_back(body.name);
-  for (const Jet& jet : draft.result.jets) jets.push_back(jet.name);
-  for (const Probe& probe : draft.result.probes) probes.push_back(probe.name);
-  check("body", bodies);
-  check("jet", jets);
-  check("probe", probes);
+  std::vector<std::array<std::string, 2>> bodies, jets, probes;
+  for (const BodyDraft& entry : draft.bodies) bodies.push_back({entry.body.name, entry.path});
+  for (const JetDraft& entry : draft.jets) jets.push_back({entry.jet.name, entry.path});
+  for (const Probe& probe : draft.result.probes)
+    probes.push_back({probe.name, indexed("probe", probes.size())});
+  check(bodies);
+  check(jets);
+  check(probes);
 }
 
 // Sorts the materials by name and sets the indices of bodies and jets.

@@ -23,9 +23,10 @@ void refuse_key(Section& section, const char* key, double value, const Material&
       fmt::format("nothing beside the criterion \"{}\"", word));
 }
 
+// A value that cannot be read, which has a problem, is 0 too.
 void require_key(Section& section, const char* key, double value, const Material& material) {
   const auto word = word_of(material.criterion, bond_criterion_words);
-  if (value == 0.0)
+  if (value == 0.0 && !section.reading().problems.concern(section.path(key)))
     section.refuse(key, fmt::format("the criterion \"{}\" needs it", word), "Add it",
                    "greater than 0");
 }
@@ -95,6 +96,9 @@ void resolve_strength_rate(Section& section, const Material& material) {
     section.refuse("strength_rate_exponent", "the material flows",
                    "Remove the key; the rate of a flowing material is that of johnson_cook",
                    "0 where plasticity is not \"none\"");
+  if (rate.reference_rate == 0.0 &&
+      section.reading().problems.concern(section.path("strength_reference_rate")))
+    return;
   if (rate.reference_rate == 0.0)
     section.refuse("strength_reference_rate", "a strength_rate_exponent needs it",
                    "Add the rate of strain of the tests that gave the limits",

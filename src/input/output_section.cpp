@@ -20,7 +20,7 @@ std::vector<Key> probe_keys() {
   // clang-format off
   return {
       {"name", name, "", "", any, {}, "", "Unique name of the probe", stored_in<&Probe::name>},
-      {"kind", word, "", "point", any, probe_words, "", "point = pressure and velocity at the position; plane = force of the side on which the normal points on the other side; gauge = mean pressure and velocity over a round face, as a pressure gauge in a wall measures (a strip in 2D), of values that the kernel averages within two smoothing lengths", stored_in<&Probe::kind>},
+      {"kind", word, "", "point", any, probe_words, "", "point = pressure and velocity at the position; plane = force that the side on which the normal points exerts, by pairs of particles across the plane, on water and elastic bodies of the other side, without the forces on rigid bodies and without the momentum that matter carries through the plane: the force between water and a rigid wall is that at a plane in its face with the normal into the wall; gauge = mean pressure and velocity over a round face, as a pressure gauge in a wall measures (a strip in 2D), of values that the kernel averages within two smoothing lengths", stored_in<&Probe::kind>},
       {"position", vector, "m", "", within(1e6), {}, "", "The point, a point of the plane, or the centre of the face", stored_in<&Probe::position>},
       {"normal", vector, "", "(0, 1, 0)", any, {}, "plane gauge", "Direction of the normal, of any length", stored_in<&Probe::normal>},
       {"diameter", quantity, "m", "", positive, {}, "gauge", "Diameter of the face of the gauge", stored_in<&Probe::diameter>},

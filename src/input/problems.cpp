@@ -34,7 +34,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 void Problems::mention(const std::string& key, int line, std::string value) {
-  mentions_[key] = {line, std::move(value)};
+  if (line > 0 || !is_written(key)) mentions_[key] = {line, std::move(value)};
 }
 
 int Problems::line_of(std::string key) const {
@@ -52,6 +52,16 @@ void Problems::add(Problem problem) {
   const int line = line_of(problem.key);
   found_.push_back({std::move(problem), line,
                     mention == mentions_.end() ? std::string() : mention->second.value});
+}
+
+bool Problems::is_written(const std::string& key) const {
+  const auto mention = mentions_.find(key);
+  return mention != mentions_.end() && mention->second.line > 0;
+}
+
+bool Problems::concern(const std::string& key) const {
+  return std::any_of(found_.begin(), found_.end(),
+                     [&](const FoundProblem& problem) { return problem.key == key; });
 }
 
 std::string Problems::message_of(const FoundProblem& problem) const {

@@ -41,10 +41,14 @@ class Problems {
  public:
   explicit Problems(std::string file_name) : file_name_(std::move(file_name)) {}
 
-  // Stores the line and the value of a key for later messages.
+  // Stores the line and the value of a key for later messages. A table that Kerf made has line 0:
+  // the file does not have its keys.
   void mention(const std::string& key, int line, std::string value);
   // Adds a problem. A key that is not written has the line of the innermost table that contains it.
   void add(Problem problem);
+  // Whether the file has the key, and whether a problem of the key was added.
+  bool is_written(const std::string& key) const;
+  bool concern(const std::string& key) const;
   bool any() const { return !found_.empty(); }
   std::size_t count() const { return found_.size(); }
   // Throws a CaseError with all of them, if there are any; its message has up to ten.

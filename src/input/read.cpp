@@ -71,6 +71,7 @@ Case parse_case(std::string_view text, std::string_view file_name, const ReadEff
   draft.reading.problems.throw_if_any();
   check_symmetry(draft);
   check_bodies(draft);
+  check_joints(draft);
   check_loads(draft);
   check_jets(draft);
   check_probes(draft);

@@ -7,6 +7,7 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "input/draft.hpp"
 #include "input/sections.hpp"
@@ -64,6 +65,44 @@ void check_round(Section& section, Shape& shape) {
                    "less than the radius");
 }
 
+using Vertex = std::array<double, 2>;
+using Edge = std::array<Vertex, 2>;
+
+// Returns twice the area of the triangle of an edge and a point, with its sign.
+double area_with(const Edge& edge, const Vertex& point) {
+  const auto& [a, b] = edge;
+  return (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]);
+}
+
+// Returns the point in which two edges cross, other than at their ends.
+std::optional<Vertex> crossing(const Edge& first, const Edge& second) {
+  const double a = area_with(first, second[0]), b = area_with(first, second[1]);
+  if (!(a * b < 0.0) || !(area_with(second, first[0]) * area_with(second, first[1]) < 0.0))
+    return {};
+  const double share = a / (a - b);
+  return Vertex{second[0][0] + share * (second[1][0] - second[0][0]),
+                second[0][1] + share * (second[1][1] - second[0][1])};
+}
+
+// Says where the outline crosses itself; empty if it does not, or has very many corners.
+std::string crossing_text(const Shape& shape) {
+  constexpr std::size_t most_compared = 10000;
+  const std::size_t n = shape.vertices.size();
+  const auto edge = [&](std::size_t i) {
+    return Edge{shape.vertices[i], shape.vertices[(i + 1) % n]};
+  };
+  if (n > most_compared) return {};
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n; ++j)
+      if (const auto place = crossing(edge(i), edge(j)))
+        return fmt::format(
+            "the outline crosses itself at ({:.6g} m, {:.6g} m), where the edge from corner {} to "
+            "{} "
+            "meets that from corner {} to {}",
+            (*place)[0], (*place)[1], i + 1, i + 2, j + 1, (j + 1) % n + 1);
+  return {};
+}
+
 // Checks that the outline is a simple polygon with an area, by Boost.Geometry.
 void check_outline(Section& section, const Shape& shape) {
   namespace geometry = boost::geometry;
@@ -73,9 +112,11 @@ void check_outline(Section& section, const Shape& shape) {
   geometry::correct(polygon);
   std::string reason;
   if (geometry::is_valid(polygon, reason)) return;
-  section.refuse("vertices", fmt::format("the outline is not a simple polygon: {}", reason),
-                 "Put the corners in order around the outline",
-                 "corners whose edges do not cross or touch");
+  const std::string crosses = crossing_text(shape);
+  section.refuse(
+      "vertices",
+      crosses.empty() ? fmt::format("the outline is not a simple polygon: {}", reason) : crosses,
+      "Put the corners in order around the outline", "corners whose edges do not cross or touch");
 }
 
 // Farther corners are refused by the range of the key, and would overflow the tests of the outline.

@@ -12,6 +12,9 @@ struct Case;
 inline constexpr double real_water_sound_speed = 1481.0;
 // Above this speed ten times the speed exceeds the sound speed of real water.
 inline constexpr double fast_water = 150.0;
+// Up to shocks that stop water of this speed the law of water is compared with data
+// (docs/theory/water_equation_of_state.md).
+inline constexpr double fastest_compared_water = 900.0;
 
 double fastest_jet(const Case& description);  // 0 without a jet
 // Returns the largest initial or prescribed speed of the bodies, sampled at particles and times.

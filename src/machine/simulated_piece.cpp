@@ -61,10 +61,18 @@ Box part_around(const PieceRequest& request) {
     const double shift = lean[a] * request.depth;
     const auto whole = [&](double length) { return unit * std::ceil(length / unit - 1e-9); };
     const double edge = 0.5 * request.size[a];
-    part.minimum[a] =
-        std::max(-edge, jet.position[a] - whole(half - std::min(0.0, path) - std::min(0.0, shift)));
-    part.maximum[a] =
-        std::min(edge, jet.position[a] + whole(half + std::max(0.0, path) + std::max(0.0, shift)));
+    const double low = jet.position[a] - whole(half - std::min(0.0, path) - std::min(0.0, shift));
+    const double high = jet.position[a] + whole(half + std::max(0.0, path) + std::max(0.0, shift));
+    part.minimum[a] = std::max(-edge, low);
+    part.maximum[a] = std::min(edge, high);
+    // A part that ends at one edge of the workpiece has whole cells from there on, at either edge:
+    // a lattice begins at the lowest corner, and parts at both edges are to be mirror images.
+    if (travels(request) || (low < -edge) == (high > edge)) continue;
+    const double length = whole(part.maximum[a] - part.minimum[a]);
+    if (high > edge)
+      part.minimum[a] = std::max(-edge, edge - length);
+    else
+      part.maximum[a] = std::min(edge, length - edge);
   }
   return part;
 }

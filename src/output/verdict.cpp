@@ -195,7 +195,9 @@ std::string cut_sentence(const RunOutcome& outcome) {
   const std::string start = deed(outcome) + layers_clause(outcome);
   const int pieces = cut.last.pieces;
   if (pieces == 0)
-    return start + "; at the end no piece of the workpiece is left that is larger than 5% of it.";
+    return start +
+           "; at the end no piece of the workpiece that is larger than 5% of it is in the domain: "
+           "what was larger has broken up or left it.";
   if (pieces == 1 && cut.severed)
     return start + "; at the end one piece of the workpiece is larger than 5% of it.";
   return fmt::format("{}; at the end the workpiece is in {} {}.", start, pieces,

@@ -31,6 +31,19 @@ TEST(Refuse, IncompleteSoftening) {
   });
 }
 
+// A limit that cannot be read has one problem.
+TEST(Refuse, ALimitThatIsNoNumber) {
+  std::string text = good_case;
+  text.replace(text.find(paper), paper.size(), "formulation = \"standard\"");
+  text.insert(text.find("[materials.gel]"),
+              "[materials.curd]\nbase = \"tofu\"\ncriterion = \"crack_band\"\n"
+              "failure_strain = \"5 %\"\nfracture_energy = \"2 J/m2\"\n");
+  const std::string message = message_of(text);
+  EXPECT_NE(message.find("failure_strain = \"5 %\": this is not what the key holds"),
+            std::string::npos);
+  EXPECT_EQ(message.find("needs it"), std::string::npos) << message;
+}
+
 // The valid case with a block of this material, 40 mm long with E = 60 kPa.
 std::string block_with(const std::string& keys) {
   std::string text = good_case;

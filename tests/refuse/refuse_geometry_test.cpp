@@ -25,10 +25,13 @@ TEST(Refuse, Shapes) {
   for (const BadCase& bad : {
            shape("two corners", polygon("[\"0 m\", \"0 m\"], [\"1 m\", \"0 m\"]"),
                  "body[1].shape.vertices", {"there are 2 corners", "3 to 100000 corners"}),
-           shape("bow tie",
-                 polygon("[\"0 mm\", \"0 mm\"], [\"9 mm\", \"9 mm\"], [\"9 mm\", \"0 mm\"], "
-                         "[\"0 mm\", \"9 mm\"]"),
-                 "body[1].shape.vertices", {"the outline is not a simple polygon"}),
+           shape(
+               "bow tie",
+               polygon("[\"0 mm\", \"0 mm\"], [\"9 mm\", \"9 mm\"], [\"9 mm\", \"0 mm\"], "
+                       "[\"0 mm\", \"9 mm\"]"),
+               "body[1].shape.vertices",
+               {"the outline crosses itself at (0.0045 m, 0.0045 m), where the edge from corner 1 "
+                "to 2 meets that from corner 3 to 4"}),
            shape("flat",
                  polygon("[\"0 mm\", \"0 mm\"], [\"9 mm\", \"0 mm\"], [\"5 mm\", \"0 mm\"]"),
                  "body[1].shape.vertices", {"the outline is not a simple polygon"}),
@@ -142,14 +145,6 @@ TEST(Refuse, Jets) {
        "jet[1].spacing = \"1 mm\": not one particle fits across the jet.",
        {"at most the width of the jet"}},
   });
-  std::string text = good_case;
-  text.replace(text.find("gravity"), text.find("[time]") - text.find("gravity"), "");
-  text.replace(text.find("position = [\"0 mm\", \"20 mm\"]"), 28,
-               "position = [\"80 mm\", \"20 mm\"]");
-  EXPECT_NE(message_of(text).find("jet[1].position = [\"80 mm\", \"20 mm\"]: the jet points away "
-                                  "from every body"),
-            std::string::npos)
-      << message_of(text);
 }
 
 TEST(Refuse, Expressions) {

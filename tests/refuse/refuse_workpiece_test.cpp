@@ -50,5 +50,42 @@ TEST(RefuseWorkpiece, ARelaxationBeyondTheEnd) {
                "Allowed: at most the end of the run, 0.001 s", "choose a later time.end"});
 }
 
+// The spacing follows from the jet, whose width is that of the orifice and grows with the standoff.
+TEST(RefuseWorkpiece, ASpacingIntoWhichItDoesNotFit) {
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string text = workpiece_case(2, "tofu", "");
+    text.replace(text.find(from), from.size(), to);
+    return message_of(text);
+  };
+  const std::string allowed = "Allowed: a spacing of less than 0.005 m";
+  expect_only(with("standoff = \"3 mm\"", "standoff = \"100 m\""),
+              {"bad.toml:7: machine.standoff = \"100 m\": no particle fits into the workpiece",
+               "that of the jet, which is", allowed, "Correct this length"});
+  expect_only(with("0.15 mm", "400 mm"),
+              {"bad.toml:6: machine.orifice_diameter = \"400 mm\": no particle fits", allowed});
+  expect_only(with("standoff =", "spacing = \"20 mm\"\nstandoff ="),
+              {"bad.toml:7: machine.spacing = \"20 mm\": the width of the grading is less",
+               "smaller spacing"});
+  expect_only(with("size =", "spacing = \"20 mm\"\nlevels = 0\nsize ="),
+              {"bad.toml:10: workpiece.spacing = \"20 mm\": no particle fits into the workpiece at "
+               "the spacing of 0.02 m. Allowed",
+               allowed, "Lower it"});
+}
+
+// The grading and the shape of a workpiece are keys of its table.
+TEST(RefuseWorkpiece, ByItsOwnKeys) {
+  std::string text = workpiece_case(2, "tofu", "");
+  text += "grading_width = \"0.01 mm\"\nlevels = 2\n";
+  expect_only(message_of(text),
+              {"bad.toml:11: workpiece.grading_width = \"0.01 mm\": the width of the grading is "
+               "less than the coarsest spacing"});
+  // A body beside the workpiece is the first [[body]] of the file.
+  text = workpiece_case(2, "tofu", "") +
+         "[[body]]\nname = \"far\"\nrole = \"rigid\"\nspacing = \"1 mm\"\n"
+         "shape = { type = \"box\", minimum = [\"0 mm\", \"-900 mm\"], maximum = [\"9 mm\", "
+         "\"-890 mm\"] }\n";
+  expect_only(message_of(text), {"bad.toml:15: body[1].shape: the body", "leaves the domain"});
+}
+
 }  // namespace
 }  // namespace kerf

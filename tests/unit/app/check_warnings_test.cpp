@@ -90,6 +90,59 @@ shape = {{ type = "box", minimum = ["-30 mm", "-8 mm"], maximum = ["30 mm", "-6 
   EXPECT_THAT(warnings_of(moving), Not(Contains(beside)));
 }
 
+// Jets of 2 mm, of which the first hits the block and the other may miss it.
+TEST(CheckWarnings, WarnOfOneOfTwoJetsThatMisses) {
+  const auto jet = [](const char* name, int at, int speed) {
+    return fmt::format(
+        "[[jet]]\nname = \"{}\"\nspeed = \"{} m/s\"\nwidth = \"2 mm\"\nposition = [\"{} mm\", \"6 "
+        "mm\"]\nstandoff = \"4 mm\"\nspacing = \"0.2 mm\"\n",
+        name, speed, at);
+  };
+  const auto of = [&](int at, int speed) {
+    const Case description =
+        parse_case("title = \"two jets\"\ndimension = 2\n[time]\nend = \"1 ms\"\n" +
+                       jet("one", at, 10) + jet("two", 0, speed) + block_of("tofu"),
+                   "my.toml");
+    return check_warnings(description, derive(description));
+  };
+  EXPECT_THAT(of(15, 10),
+              Contains(HasSubstr("the jet \"one\" passes beside all bodies that it could "
+                                 "cut: none is within half its width of its axis, and "
+                                 "its water is 0.004 m from the nearest, \"block\"")));
+  EXPECT_THAT(of(5, 10), Not(Contains(HasSubstr("passes beside"))));
+  const auto extrapolated = HasSubstr("pressures of faster impacts are extrapolated");
+  EXPECT_THAT(of(5, 900), Not(Contains(extrapolated)));
+  EXPECT_THAT(of(5, 901), Contains(extrapolated));
+}
+
+// A rigid table from y = -8 to -6 mm and a plane at y with the normal (0, up). Kernels reach 2.6
+// spacings of the widest, 0.5 mm.
+TEST(CheckWarnings, WarnOfPlanesThatLeaveOutARigidBody) {
+  const auto plane = [](double y, int up) {
+    return warnings_of(fmt::format(R"([[body]]
+name = "table"
+role = "rigid"
+spacing = "0.5 mm"
+shape = {{ type = "box", minimum = ["-30 mm", "-8 mm"], maximum = ["30 mm", "-6 mm"] }}
+[[probe]]
+name = "force"
+kind = "plane"
+position = ["0 mm", "{} mm"]
+normal = [0, {}]
+)",
+                                   y, up));
+  };
+  const auto left_out = HasSubstr(
+      "probe[1].normal (\"force\"): the plane leaves out the forces on "
+      "the rigid body \"table\"");
+  EXPECT_THAT(plane(-6.0, 1), Contains(left_out));   // in its face
+  EXPECT_THAT(plane(-7.0, 1), Contains(left_out));   // inside
+  EXPECT_THAT(plane(-7.0, -1), Contains(left_out));  // inside
+  EXPECT_THAT(plane(-5.0, 1), Contains(left_out));   // within the reach of its face
+  EXPECT_THAT(plane(-4.8, 1), Not(Contains(left_out)));
+  EXPECT_THAT(plane(-6.0, -1), Not(Contains(left_out)));  // reads the force on all of it
+}
+
 TEST(CheckWarnings, WarnOfAJetThatOpensAfterTheEnd) {
   const auto late = HasSubstr("it emits no water");
   const auto on_its_way = HasSubstr("comes to the point at which it aims after 0.0011 s");

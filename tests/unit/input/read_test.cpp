@@ -162,7 +162,7 @@ material = "rubber"
 joined_to = "tube"
 fixed = true
 spacing = "3 mm"
-shape = { type = "box", minimum = ["200 mm", "0 m", "0 m"], maximum = ["230 mm", "30 mm", "30 mm"] }
+shape = { type = "box", minimum = ["-63 mm", "-30 mm", "-30 mm"], maximum = ["-33 mm", "0 m", "0 m"] }
 [[body]]
 name = "piston"
 role = "rigid"
