@@ -64,6 +64,8 @@ struct BodyVerdict {
 
 // The numbers of a cut over the run so far.
 struct CutSummary {
+  // Of front_share_at_cut, where the cut is that of the water.
+  static constexpr double least_share = 0.5, greatest_share = 2.0;
   bool cut_through = false;
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s
   bool severed = false;  // every body in the way is parted; else some have a hole
@@ -80,9 +82,9 @@ struct CutSummary {
   std::vector<Fragment> fragments;  // of the last frame, the heaviest first
 
   // Whether a crack parted or pierced more of the thickness than the water had passed by then.
-  bool cracked_ahead() const { return cut_through && front_share_at_cut < 0.5; }
+  bool cracked_ahead() const { return cut_through && front_share_at_cut < least_share; }
   // Whether the jet had pressed the workpiece ahead by more than its thickness by then.
-  bool gave_way() const { return cut_through && front_share_at_cut > 2.0; }
+  bool gave_way() const { return cut_through && front_share_at_cut > greatest_share; }
   // Whether a nozzle that moves may fail where this one, which stands, cuts through: it strikes but
   // once, and edges that give way evade it (docs/theory/exposure.md).
   bool holds_at_rest_only() const { return cracked_ahead() || gave_way(); }
