@@ -41,6 +41,14 @@ void note(const std::vector<std::uint32_t>& rows, const std::vector<std::uint8_t
   }
 }
 
+// Solid that stood until it left the domain counts as closed: it was carried off, not cut.
+std::vector<std::uint8_t> closed_where_left(std::vector<std::uint8_t> standing,
+                                            const std::vector<std::uint8_t>& traces) {
+  for (std::size_t slot = 0; slot < standing.size(); ++slot)
+    if (traces[slot] == slot_trace::left_whole) standing[slot] = stands_as_laid_out;
+  return standing;
+}
+
 // Returns whether a body is leaving the domain whole (BodyCut::left).
 bool has_left(const WorkpieceBody& body, const KerfView& view,
               const std::vector<std::uint8_t>& traces) {
@@ -170,9 +178,10 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
       state.kerf_width = opening_width(workpiece, frame, rows, pieces.in_piece, half);
       if (!state.cut_through)
         judge_bodies({workpiece, frame, rows, standing}, pieces, *axes_, traces_, state);
+      const auto closed = closed_where_left(standing, traces_);
       state.cut_depth =
           std::max(state.cut_depth,
-                   measure_cut_depth({workpiece, frame, rows, standing}, *axes_, state.bodies));
+                   measure_cut_depth({workpiece, frame, rows, closed}, *axes_, state.bodies));
     }
     fragments_ = std::move(pieces.fragments);
   }
@@ -185,6 +194,7 @@ CutSummary CutMonitor::summary() const {
   if (history_.empty()) return summary;
   summary.last = history_.back();
   summary.fragments = fragments_;
+  summary.initial_pieces = workpiece_->initial_pieces;
   add_verdicts(summary);
   std::vector<CutState> cutting;
   for (const CutState& state : history_) {

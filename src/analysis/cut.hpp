@@ -70,6 +70,7 @@ struct CutSummary {
   // m, position of the front on the axis at that time
   std::array<double, 3> cut_through_place{};
   double contact_time = std::numeric_limits<double>::quiet_NaN();  // s, first with a front
+  int initial_pieces = 0;  // pieces as laid out: bodies that nothing joins are pieces of their own
   double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
   std::vector<BodyVerdict> bodies;
   CutState last;
