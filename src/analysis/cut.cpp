@@ -12,6 +12,7 @@
 #include "analysis/unbroken.hpp"
 #include "analysis/workpiece.hpp"
 #include "core/error.hpp"
+#include "geometry/cell_grid.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -41,11 +42,28 @@ void note(const std::vector<std::uint32_t>& rows, const std::vector<std::uint8_t
   }
 }
 
-// Solid that stood until it left the domain counts as closed: it was carried off, not cut.
-std::vector<std::uint8_t> closed_where_left(std::vector<std::uint8_t> standing,
+// Solid that stood until it left the domain counts as closed: it was carried off, not cut. So does
+// what stands beside it, whose bonds to it are gone.
+std::vector<std::uint8_t> closed_where_left(const Workpiece& workpiece,
+                                            std::vector<std::uint8_t> standing,
                                             const std::vector<std::uint8_t>& traces) {
+  using Place = CellGrid<3>::Position;
+  std::vector<Place> left;
   for (std::size_t slot = 0; slot < standing.size(); ++slot)
-    if (traces[slot] == slot_trace::left_whole) standing[slot] = stands_as_laid_out;
+    if (traces[slot] == slot_trace::left_whole) {
+      standing[slot] = stands_as_laid_out;
+      left.push_back(Place::from(workpiece.position[slot]));
+    }
+  if (left.empty()) return standing;
+  const double reach = workpiece.interaction_range * workpiece.spacing;
+  const CellGrid<3> near(left, reach);
+  for (std::size_t slot = 0; slot < standing.size(); ++slot) {
+    if (standing[slot] != 1) continue;
+    const Place place = Place::from(workpiece.position[slot]);
+    near.visit_near(place, [&](std::size_t other) {
+      if (norm(left[other] - place) < reach) standing[slot] = stands_as_laid_out;
+    });
+  }
   return standing;
 }
 
@@ -178,7 +196,7 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
       state.kerf_width = opening_width(workpiece, frame, rows, pieces.in_piece, half);
       if (!state.cut_through)
         judge_bodies({workpiece, frame, rows, standing}, pieces, *axes_, traces_, state);
-      const auto closed = closed_where_left(standing, traces_);
+      const auto closed = closed_where_left(workpiece, standing, traces_);
       state.cut_depth =
           std::max(state.cut_depth,
                    measure_cut_depth({workpiece, frame, rows, closed}, *axes_, state.bodies));

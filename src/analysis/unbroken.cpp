@@ -176,11 +176,13 @@ UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
       least.is_torn_through = least.is_torn_through || unbroken[n] <= none;
     }
     const double here = unbroken[n] / laid_out[n];
-    if (here > share || (here == share && laid_out[n] <= least.laid_out)) continue;
+    // Beyond the edge of a body there is no thickness that could be unbroken.
+    const double part = covered[n] > 0.0 ? covered[n] : 1.0;
+    if (here > share || (here == share && laid_out[n] / part <= least.laid_out)) continue;
     share = here;
-    least.laid_out = laid_out[n];
-    least.standing = standing[n];
-    least.unbroken = unbroken[n];
+    least.laid_out = laid_out[n] / part;
+    least.standing = standing[n] / part;
+    least.unbroken = unbroken[n] / part;
   }
   if (const double below = workpiece.below(view.body); below > 0.0) {
     least.is_open = least.is_torn_through = false;

@@ -23,7 +23,8 @@ bool tells_torn(const Frame& frame);
 std::vector<std::uint8_t> find_torn(const Frame& frame);
 
 // Lengths along the jet, m, means over the window across the jet with the least share of unbroken
-// solid. A window is as broad as that for the depth of a kerf (analysis/kerf_sections.hpp).
+// solid, where the body was laid out in it. A window is as broad as that for the depth of a kerf
+// (analysis/kerf_sections.hpp).
 struct UnbrokenThickness {
   double laid_out = 0.0;
   double standing = 0.0;         // the least of any window

@@ -80,9 +80,10 @@ std::string untouched_sentence(const RunOutcome& outcome) {
           ? fmt::format("The water has not touched the workpiece within {}", end)
           : fmt::format("No water has come to the workpiece within {}: it would come after {}", end,
                         readable(arrival, "s"));
-  // Solid that has left the domain is not known to be broken.
-  const Balance& balance = outcome.balance;
-  if (balance.mass_fractured > 0.0 || balance.dissipated_fracture > 0.0)
+  // Solid that leaves the domain takes bonds with it: nothing is known of these.
+  const double gone = outcome.cut.last.fractured_mass - outcome.balance.mass_fractured;
+  constexpr double rounding = 1e-6;
+  if (!breaks_nothing(outcome) && gone <= rounding * outcome.balance.mass_initial)
     text += "; solid has broken without it";
   const std::string motion = motion_clause(outcome);
   if (!motion.empty()) text += "; " + motion;

@@ -205,7 +205,7 @@ TEST(Verdict, WaterThatTouchesNothingIsTold) {
             "The water has not touched the workpiece within 60 ms; the workpiece has bent or moved "
             "by 90 mm.");
   outcome.time = 0.002;
-  outcome.balance.dissipated_fracture = 1.0;
+  outcome.cut.last.fractured_mass = outcome.balance.mass_fractured = 0.1;
   outcome.cut.cut_through = true;
   EXPECT_EQ(verdict_of(outcome),
             "No water has come to the workpiece within 2 ms: it would come after 3 ms; solid has "
