@@ -12,6 +12,7 @@
 #include "analysis/unbroken.hpp"
 #include "analysis/workpiece.hpp"
 #include "core/error.hpp"
+#include "geometry/cell_grid.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -39,6 +40,31 @@ void note(const std::vector<std::uint32_t>& rows, const std::vector<std::uint8_t
     const bool has_left = rows[slot] == Workpiece::none && traces[slot] != 0;
     traces[slot] = has_left ? slot_trace::left_whole : standing[slot] != 0 ? slot_trace::stood : 0;
   }
+}
+
+// Solid that stood until it left the domain counts as closed: it was carried off, not cut. So does
+// what stands beside it, whose bonds to it are gone.
+std::vector<std::uint8_t> closed_where_left(const Workpiece& workpiece,
+                                            std::vector<std::uint8_t> standing,
+                                            const std::vector<std::uint8_t>& traces) {
+  using Place = CellGrid<3>::Position;
+  std::vector<Place> left;
+  for (std::size_t slot = 0; slot < standing.size(); ++slot)
+    if (traces[slot] == slot_trace::left_whole) {
+      standing[slot] = stands_as_laid_out;
+      left.push_back(Place::from(workpiece.position[slot]));
+    }
+  if (left.empty()) return standing;
+  const double reach = workpiece.interaction_range * workpiece.spacing;
+  const CellGrid<3> near(left, reach);
+  for (std::size_t slot = 0; slot < standing.size(); ++slot) {
+    if (standing[slot] != 1) continue;
+    const Place place = Place::from(workpiece.position[slot]);
+    near.visit_near(place, [&](std::size_t other) {
+      if (norm(left[other] - place) < reach) standing[slot] = stands_as_laid_out;
+    });
+  }
+  return standing;
 }
 
 // Returns whether a body is leaving the domain whole (BodyCut::left).
@@ -170,9 +196,10 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
       state.kerf_width = opening_width(workpiece, frame, rows, pieces.in_piece, half);
       if (!state.cut_through)
         judge_bodies({workpiece, frame, rows, standing}, pieces, *axes_, traces_, state);
+      const auto closed = closed_where_left(workpiece, standing, traces_);
       state.cut_depth =
           std::max(state.cut_depth,
-                   measure_cut_depth({workpiece, frame, rows, standing}, *axes_, state.bodies));
+                   measure_cut_depth({workpiece, frame, rows, closed}, *axes_, state.bodies));
     }
     fragments_ = std::move(pieces.fragments);
   }
@@ -185,6 +212,7 @@ CutSummary CutMonitor::summary() const {
   if (history_.empty()) return summary;
   summary.last = history_.back();
   summary.fragments = fragments_;
+  summary.initial_pieces = workpiece_->initial_pieces;
   add_verdicts(summary);
   std::vector<CutState> cutting;
   for (const CutState& state : history_) {

@@ -76,6 +76,7 @@ struct CutSummary {
   // s, from then on the first time at which the front is within a spacing of that depth
   double water_through_time = std::numeric_limits<double>::quiet_NaN();
   double contact_time = std::numeric_limits<double>::quiet_NaN();  // s, first with a front
+  int initial_pieces = 0;  // pieces as laid out: bodies that nothing joins are pieces of their own
   double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
   std::vector<BodyVerdict> bodies;
   CutState last;

@@ -55,7 +55,10 @@ std::vector<TubePoint> points_in_tube(const KerfView& view, const KerfAxes& axes
                                  workpiece.bodies.begin());
     const bool is_out =
         bodies[body].left;  // what becomes of a body beyond the domain is not judged
-    const bool is_open = !is_out && (!view.standing[slot] || torn[view.rows[slot]] != 0);
+    const std::uint8_t standing = view.standing[slot];
+    const bool is_open =
+        !is_out &&
+        (standing == 0 || (standing != stands_as_laid_out && torn[view.rows[slot]] != 0));
     points.push_back({axes.local(x), workpiece.size[slot], body, is_open});
   }
   return points;

@@ -22,18 +22,25 @@ const MetricList<CutMargin>& CutMargin::metrics() {
 
 CutMargin CutMargin::measure(const KerfScene& scene) {
   const KerfConditions& conditions = scene.conditions;
-  if (!std::isnan(conditions.cut_through_time))
-    return {conditions.share_after(conditions.cut_through_time, scene.view.frame.time), 0.0};
   CutMargin margin;
-  double laid_out = 0.0;
+  double laid_out = 0.0, left = 0.0;
   KerfView view = scene.view;
   for (const WorkpieceBody& body : scene.view.workpiece.bodies) {
     if (!body.is_in_way) continue;
     view.body = body.body;
     const UnbrokenThickness thickness = measure_unbroken(view, scene.axes, scene.path);
     laid_out += thickness.laid_out;
+    left += thickness.unbroken;
     const BodyVerdict* verdict = conditions.verdict_on(body.body);
     if (verdict == nullptr || !verdict->cut.through) margin.unbroken += thickness.unbroken;
+  }
+  constexpr double rounding = 1e-6;
+  margin.is_whole =
+      tells_torn(scene.view.frame) && laid_out > 0.0 && left > (1.0 - rounding) * laid_out;
+  if (!std::isnan(conditions.cut_through_time)) {
+    margin.value = conditions.share_after(conditions.cut_through_time, scene.view.frame.time);
+    margin.unbroken = 0.0;
+    return margin;
   }
   if (laid_out > 0.0) margin.value = -margin.unbroken / laid_out;
   return margin;

@@ -13,6 +13,9 @@ struct CutMargin {
   double value = -1.0;
   double unbroken =
       0.0;  // m, that thickness, of all bodies that are not cut through; 0 after a cut
+  // Nothing in the way of the jet is removed or torn, also after a cut; false where that is not
+  // known.
+  bool is_whole = false;
 
   static CutMargin measure(const KerfScene& scene);
   static const MetricList<CutMargin>& metrics();

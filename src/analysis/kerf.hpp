@@ -10,6 +10,7 @@
 
 #include "analysis/cut_margin.hpp"
 #include "analysis/damaged_zone.hpp"
+#include "analysis/dent.hpp"
 #include "analysis/fragment_sizes.hpp"
 #include "analysis/leak.hpp"
 #include "analysis/removal.hpp"
@@ -20,7 +21,8 @@ namespace kerf {
 // Every measurement of a kerf besides its shape, in the order of result.json. A measurement is a
 // struct of the measured values with `static T measure(const KerfScene&)` and `static const
 // MetricList<T>& metrics()`.
-using KerfMeasurements = std::tuple<DamagedZone, Removal, CutMargin, Splash, Leak, FragmentSizes>;
+using KerfMeasurements =
+    std::tuple<DamagedZone, Removal, CutMargin, Dent, Splash, Leak, FragmentSizes>;
 
 // A body of a workpiece that is made of several bodies.
 struct KerfLayer {

@@ -9,7 +9,11 @@
 namespace kerf {
 namespace {
 
-constexpr double nothing = 1e-6;  // spacings, of rounding
+// Spacings, of rounding: the sizes of particles have single precision, over many particles.
+constexpr double nothing = 1e-4;
+// A window at the edge of a body, which has less than this share of the columns that others have,
+// is not judged: the outermost row of particles has few bonds, and water beside the body erodes it.
+constexpr double least_covered = 0.75;
 
 // A grid of columns across the jet, each with a length along it.
 struct Columns {
@@ -18,11 +22,12 @@ struct Columns {
   std::array<std::size_t, 2> window{1, 1};  // columns
   double step = 0.0;                        // m
   std::vector<double> laid_out, standing, unbroken;
+  std::vector<double> covered;  // 1 where the body was laid out, else 0
 };
 
 // Means over the window that begins at each column.
 struct Windows {
-  std::vector<double> laid_out, standing, unbroken;
+  std::vector<double> laid_out, standing, unbroken, covered;
 };
 
 Columns make_columns(const KerfView& view, const KerfAxes& axes, const KerfPath& path) {
@@ -85,6 +90,12 @@ bool is_outside(const Columns& columns, const SolidPoint& point, int dimension) 
   return false;
 }
 
+// Marks the columns in which the body was laid out.
+void mark_covered(const Columns& columns, double spacing, std::vector<double>& covered) {
+  for (const double length : columns.laid_out)
+    covered.push_back(length < spacing / 2.0 ? 0.0 : 1.0);
+}
+
 // Returns the means of the lengths over the windows.
 std::vector<double> window_means(const Columns& columns, const std::vector<double>& lengths) {
   const auto [rows, aside] = columns.count;
@@ -120,19 +131,28 @@ void fill(const KerfView& view, const KerfAxes& axes, Columns& columns) {
     if (view.standing[slot] == stands_as_laid_out || !torn[view.rows[slot]])
       add(columns, point, dimension, columns.unbroken);
   }
+  mark_covered(columns, workpiece.axis_spacing, columns.covered);
+}
+
+const Column* damage_column(const Frame& frame) {
+  const Column* damage = find_column(frame, "body_damage");
+  return damage != nullptr ? damage : find_column(frame, "damage");
 }
 
 Windows windows_of(const Columns& columns) {
   return {window_means(columns, columns.laid_out), window_means(columns, columns.standing),
-          window_means(columns, columns.unbroken)};
+          window_means(columns, columns.unbroken), window_means(columns, columns.covered)};
 }
 
 }  // namespace
 
+bool tells_torn(const Frame& frame) {
+  return damage_column(frame) != nullptr;
+}
+
 std::vector<std::uint8_t> find_torn(const Frame& frame) {
   std::vector<std::uint8_t> torn(frame.id.size(), 0);
-  const Column* damage = find_column(frame, "body_damage");
-  if (damage == nullptr) damage = find_column(frame, "damage");
+  const Column* damage = damage_column(frame);
   if (damage != nullptr)
     for (std::size_t row = 0; row < torn.size(); ++row)
       torn[row] = static_cast<double>(damage->values[row]) > torn_share ? 1 : 0;
@@ -143,21 +163,26 @@ UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
                                    const KerfPath& path) {
   Columns columns = make_columns(view, axes, path);
   fill(view, axes, columns);
-  const auto [laid_out, standing, unbroken] = windows_of(columns);
+  const auto [laid_out, standing, unbroken, covered] = windows_of(columns);
   const Workpiece& workpiece = view.workpiece;
   const double spacing = workpiece.axis_spacing, none = nothing * spacing;
   UnbrokenThickness least;
   double share = 2.0;
+  const double most_covered = *std::max_element(covered.begin(), covered.end());
   for (std::size_t n = 0; n < laid_out.size(); ++n) {
     if (laid_out[n] < spacing / 2.0) continue;
-    least.is_open = least.is_open || standing[n] <= none;
-    least.is_torn_through = least.is_torn_through || unbroken[n] <= none;
+    if (covered[n] > least_covered * most_covered) {
+      least.is_open = least.is_open || standing[n] <= none;
+      least.is_torn_through = least.is_torn_through || unbroken[n] <= none;
+    }
     const double here = unbroken[n] / laid_out[n];
-    if (here > share || (here == share && laid_out[n] <= least.laid_out)) continue;
+    // Beyond the edge of a body there is no thickness that could be unbroken.
+    const double part = covered[n] > 0.0 ? covered[n] : 1.0;
+    if (here > share || (here == share && laid_out[n] / part <= least.laid_out)) continue;
     share = here;
-    least.laid_out = laid_out[n];
-    least.standing = standing[n];
-    least.unbroken = unbroken[n];
+    least.laid_out = laid_out[n] / part;
+    least.standing = standing[n] / part;
+    least.unbroken = unbroken[n] / part;
   }
   if (const double below = workpiece.below(view.body); below > 0.0) {
     least.is_open = least.is_torn_through = false;

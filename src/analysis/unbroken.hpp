@@ -16,11 +16,15 @@ namespace kerf {
 // 0.4 of them in 2D and in 3D, one in the row behind it 0.15.
 inline constexpr double torn_share = 0.3;
 
+// Returns whether a frame tells which particles are torn: it has one of these columns.
+bool tells_torn(const Frame& frame);
+
 // Returns whether each particle of a frame is torn, by row. A layer whose glue has broken is whole.
 std::vector<std::uint8_t> find_torn(const Frame& frame);
 
 // Lengths along the jet, m, means over the window across the jet with the least share of unbroken
-// solid. A window is as broad as that for the depth of a kerf (analysis/kerf_sections.hpp).
+// solid, where the body was laid out in it. A window is as broad as that for the depth of a kerf
+// (analysis/kerf_sections.hpp).
 struct UnbrokenThickness {
   double laid_out = 0.0;
   double standing = 0.0;         // the least of any window

@@ -31,10 +31,9 @@ bool can_be_cut(const Body& body) {
   return body.role == Role::elastic && !body.fixed;
 }
 
-// Whether a particle is beside the axis: nearer than half a jet width, or one spacing if that is
-// more.
+// Whether a particle is beside the axis, in the way of the jet.
 bool is_beside_axis(const JetAxis& jet, const std::array<double, 3>& x, double size) {
-  return jet.distance(x) <= std::max(jet.width / 2.0, size);
+  return jet.distance(x) <= in_way_reach(jet.width, size);
 }
 
 // Returns the groups of joined bodies that the jet hits, by group number.
@@ -179,6 +178,7 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
   Pieces pieces = find_pieces(workpiece, initial, locate(workpiece, initial));
   workpiece.initially_in_piece = pieces.in_piece;
   workpiece.initial_body_piece = pieces.body_piece;
+  workpiece.initial_pieces = pieces.count;
   if (!description.jets.empty()) {
     const Jet& jet = description.jets.front();
     workpiece.jet.emplace(jet, description.dimension);

@@ -3,6 +3,7 @@
 // has the definition.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -22,6 +23,16 @@ struct Case;
 
 // Of the columns and sections by which a kerf is measured.
 inline constexpr double samples_per_spacing = 2.0;
+
+// Positions that differ by less than this part of a spacing are one: a lattice whose particles have
+// exactly the greatest distance from the axis is in the way of the jet at any angle.
+inline constexpr double place_tolerance = 0.05;
+
+// Returns the greatest distance from the axis, m, at which a particle of this size, m, is in the
+// way of a jet of this width, m: half the width, or one spacing if that is more.
+inline double in_way_reach(double width, double size) {
+  return std::max(width / 2.0, size) + place_tolerance * size;
+}
 
 // A body of the workpiece.
 struct WorkpieceBody {
@@ -61,9 +72,10 @@ struct Workpiece {
   double spacing = 0.0;            // m, the largest
   double axis_spacing = 0.0;       // m, the largest beside the axis of the jet
   double bottom = 0.0;             // m, depth at which the axis leaves
-  // As Pieces::in_piece and Pieces::body_piece, of the first layout.
+  // As Pieces::in_piece, Pieces::body_piece and Pieces::count, of the first layout.
   std::vector<std::uint8_t> initially_in_piece;
   std::vector<std::uint32_t> initial_body_piece;
+  int initial_pieces = 0;
 
   // Returns the thickness of a body, by its index into Case::bodies, or of all (-1) beyond the part
   // that is simulated, along the jet, m.

@@ -7,7 +7,10 @@ namespace kerf {
 
 std::string fate_of(const KerfLayer& layer) {
   if (!layer.verdict.is_in_way) return "not under the jet";
-  if (layer.verdict.cut.through) return layer.shape.through_share > 0.0 ? "cut through" : "parted";
+  if (layer.verdict.cut.through) {
+    if (layer.shape.through_share > 0.0) return "cut through";
+    return layer.verdict.cut.severed ? "parted" : "broken through";
+  }
   return layer.fractured_mass > 0.0 && !layer.verdict.cut.left ? "cut in part" : "whole";
 }
 
@@ -17,8 +20,9 @@ const MetricList<NamedLayer>& NamedLayer::metrics() {
     MetricList<L> all{
         {"name", "1", "body", "Name of the body.", &L::name},
         {"verdict", "1", "verdict on the layer",
-         "`cut through`; `parted`, cut through where not all of the thickness is removed; `cut in "
-         "part`; `whole`, without any fracture; or `not under the jet`.",
+         "`cut through`; `parted` by a crack, or `broken through` while its sides are not parted, "
+         "where not all of the thickness is removed; `cut in part`; `whole`, without any fracture; "
+         "or `not under the jet`.",
          [](const L& entry) { return fate_of(entry.layer); }},
         {"cut_through", "1", "layer cut through", "Whether the body has been cut through.",
          [](const L& entry) { return entry.layer.verdict.cut.through; }},

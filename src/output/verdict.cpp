@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
@@ -11,6 +9,7 @@
 #include "output/layer_metrics.hpp"
 #include "output/readable.hpp"
 #include "output/result.hpp"
+#include "output/verdict_parts.hpp"
 
 namespace kerf {
 namespace {
@@ -47,25 +46,6 @@ std::string layers_clause(const RunOutcome& outcome) {
   return text;
 }
 
-// Returns the least length that means anything beside the spacing of the particles, m.
-double least_length(const RunOutcome& outcome) {
-  constexpr double least = 1e-3;  // of the finest spacing
-  double finest = std::numeric_limits<double>::infinity();
-  for (const Body& body : outcome.description.bodies) finest = std::min(finest, body.spacing);
-  return std::isfinite(finest) ? least * finest : 0.0;
-}
-
-// The verdict is on the first jet (docs/metrics.md).
-std::string the_jet(const RunOutcome& outcome) {
-  const std::size_t jets = outcome.description.jets.size();
-  return jets > 1 ? fmt::format("The first of {} jets", jets) : std::string("The jet");
-}
-
-// Returns when the first water can reach the point at which the jet aims, s.
-double arrival_time(const Jet& jet) {
-  return jet.start + jet.standoff / jet.speed;
-}
-
 // Whether the jet has pushed a body out of the domain.
 bool has_left(const RunOutcome& outcome) {
   const auto& bodies = outcome.cut.bodies;
@@ -73,37 +53,57 @@ bool has_left(const RunOutcome& outcome) {
                      [](const BodyVerdict& body) { return body.cut.left; });
 }
 
+bool aims_at_nothing(const RunOutcome& outcome) {
+  return outcome.kerf && outcome.kerf->shape.thickness == 0.0 && outcome.kerf->layers.empty() &&
+         !outcome.cut.cut_through;
+}
+
+// Says that no body is in the way of the jet as laid out, and whether its water has met one since.
+std::string aimless_sentence(const RunOutcome& outcome) {
+  const std::string start = the_jet(outcome) + " aims at no body that it could cut";
+  if (!has_touched(outcome)) return start + ".";
+  const bool breaks =
+      outcome.balance.mass_fractured > 0.0 || outcome.balance.dissipated_fracture > 0.0;
+  return fmt::format(
+      "{} at the start; its water has met one beside its way or that moved into it{}.", start,
+      breaks ? ", and solid has broken" : "");
+}
+
+// Names the layers that are unbroken in part, where the jet has cut through others.
+std::string unbroken_names(const RunOutcome& outcome) {
+  std::vector<std::string> names;
+  bool has_cut = false;
+  for (const NamedLayer& layer : named_layers(*outcome.kerf, outcome.description)) {
+    has_cut = has_cut || layer.layer.verdict.cut.through;
+    if (layer.layer.verdict.is_in_way && layer.layer.unbroken > 0.0) names.push_back(layer.name);
+  }
+  return names.empty() || !has_cut ? "" : " of " + join(names);
+}
+
+// Whether the cut in the one body reaches solid that is whole on all lines along the jet: its path
+// leads past it.
+bool is_inclined(const RunOutcome& outcome) {
+  if (!outcome.kerf || !outcome.kerf->layers.empty()) return false;
+  const CutMargin& margin = outcome.kerf->of<CutMargin>();
+  if (!(margin.value < 0.0 && margin.unbroken > least_length(outcome))) return false;
+  const double thickness = -margin.unbroken / margin.value;
+  return outcome.cut.last.cut_depth + margin.unbroken > thickness + finest_spacing(outcome);
+}
+
 // Returns the thickness that the jet has left, where it has broken a part.
 std::string unbroken_clause(const RunOutcome& outcome) {
   if (!outcome.kerf) return "";
   const double unbroken = outcome.kerf->of<CutMargin>().unbroken;
   if (unbroken > least_length(outcome))
-    return fmt::format(", and {} of the thickness is unbroken", readable(unbroken, "m"));
+    return fmt::format(", and {} of the thickness{} is unbroken{}", readable(unbroken, "m"),
+                       unbroken_names(outcome),
+                       is_inclined(outcome) ? " on each line along the jet" : "");
   return has_left(outcome) ? "" : ", and none of the thickness is unbroken";
 }
 
 // Whether the front has come to the end of a part that ends within the workpiece.
 bool is_at_end_of_part(const RunOutcome& outcome) {
   return outcome.cut.last.front_depth >= last_front_depth(outcome.description);
-}
-
-// Whether the front has moved by more than the positions of particles are known.
-bool is_measurable(const RunOutcome& outcome) {
-  const double depth = outcome.cut.last.front_depth;
-  return depth > 0.0 && !(depth < least_length(outcome));
-}
-
-std::string dent_sentence(const RunOutcome& outcome) {
-  const std::string end = readable(outcome.time, "s");
-  const Jet& jet = outcome.description.jets.front();
-  if (outcome.cut.last.front_depth == 0.0 && !(arrival_time(jet) < outcome.time))
-    return fmt::format("No water has come to the workpiece within {}: it would come after {}.", end,
-                       readable(arrival_time(jet), "s"));
-  if (!is_measurable(outcome))
-    return fmt::format("{} breaks nothing within {} and makes no measurable dent.",
-                       the_jet(outcome), end);
-  return fmt::format("{} breaks nothing within {}; its front presses {} into the workpiece.",
-                     the_jet(outcome), end, readable(outcome.cut.last.front_depth, "m"));
 }
 
 // Names the bodies that the jet has pushed out of the domain.
@@ -119,22 +119,42 @@ std::string left_clause(const RunOutcome& outcome) {
       join(names));
 }
 
-// Says how deep the cut and the water in it are, or that the water is in a dent.
+// Says how deep the cut and the water in it are, or how deep the dent.
 std::string reach_clause(const RunOutcome& outcome) {
   const std::string front = readable(outcome.cut.last.front_depth, "m");
+  if (is_inclined(outcome))
+    return fmt::format("cracks reach {} deep along an inclined path and its front {}",
+                       readable(outcome.cut.last.cut_depth, "m"), front);
   if (!cuts_nothing(outcome))
     return fmt::format("the cut is {} and its front {} deep",
                        readable(outcome.cut.last.cut_depth, "m"), front);
   if (has_left(outcome)) return fmt::format("its front is {} deep", front);
   const std::string broken = "what has broken opens no path from the face";
-  return is_measurable(outcome)
-             ? fmt::format("its front presses a dent of {} into the workpiece; {}", front, broken)
-             : broken;
+  const std::string dent = dent_clause(outcome);
+  return dent.empty() ? broken : dent + "; " + broken;
+}
+
+// Says how far a workpiece that is cut has moved, if by more than the width of the jet: the cut is
+// elsewhere in it than where the jet aimed at first.
+std::string shift_clause(const RunOutcome& outcome) {
+  const double motion = outcome.kerf ? outcome.kerf->of<Dent>().motion : 0.0;
+  if (cuts_nothing(outcome) || has_left(outcome) ||
+      !(motion > outcome.description.jets.front().width))
+    return "";
+  return fmt::format("; the workpiece has bent or moved by {}", readable(motion, "m"));
+}
+
+// Says what several jets have broken together, because the verdict is on the first.
+std::string other_jets_sentence(const RunOutcome& outcome) {
+  const std::size_t jets = outcome.description.jets.size();
+  if (jets < 2 || breaks_nothing(outcome)) return "";
+  return fmt::format(
+      " The {} jets together have broken {:.2g}% of the workpiece; which of them "
+      "broke what is not told.",
+      jets, 100.0 * outcome.cut.last.fractured_fraction);
 }
 
 std::string depth_sentence(const RunOutcome& outcome) {
-  if (outcome.kerf && outcome.kerf->shape.thickness == 0.0 && outcome.kerf->layers.empty())
-    return "The jet aims at no body that it could cut.";
   if (breaks_nothing(outcome)) return dent_sentence(outcome);
   const std::string end = readable(outcome.time, "s");
   if (is_at_end_of_part(outcome))
@@ -144,7 +164,8 @@ std::string depth_sentence(const RunOutcome& outcome) {
   const bool is_dent = cuts_nothing(outcome) && !has_left(outcome);
   return fmt::format("{} {} within {}{}; {}{}{}.", the_jet(outcome),
                      is_dent ? "cuts nothing" : "does not cut through", end, layers_clause(outcome),
-                     reach_clause(outcome), unbroken_clause(outcome), left_clause(outcome));
+                     reach_clause(outcome), unbroken_clause(outcome),
+                     left_clause(outcome) + shift_clause(outcome));
 }
 
 // With a moving nozzle one hole is not a cut, so the cut share of its path is stated, and the open
@@ -185,6 +206,9 @@ std::string deed(const RunOutcome& outcome) {
     return fmt::format("{} cuts through after {}{}", the_jet(outcome),
                        readable(outcome.cut.cut_through_time, "s"), way_clause(outcome));
   const double depth = outcome.kerf->shape.depth;
+  if (outcome.kerf->of<CutMargin>().is_whole)
+    return fmt::format("{} beside the way of {}, where it is whole", crack_clause(outcome),
+                       the_jet(outcome, false));
   return crack_clause(outcome) + (depth > 0.0
                                       ? fmt::format(" below a cut of {}", readable(depth, "m"))
                                       : std::string(" without loss of material in its way"));
@@ -200,25 +224,10 @@ std::string cut_sentence(const RunOutcome& outcome) {
            "what was larger has broken up or left it.";
   if (pieces == 1 && cut.severed)
     return start + "; at the end one piece of the workpiece is larger than 5% of it.";
-  return fmt::format("{}; at the end the workpiece is in {} {}.", start, pieces,
-                     pieces == 1 ? "piece" : "pieces");
-}
-
-// Says whether the cut under a nozzle with which a frame travels is the same all along its path.
-std::string stationary_sentence(const RunOutcome& outcome) {
-  if (!outcome.stationary) return "";
-  const StationaryCut& cut = *outcome.stationary;
-  const std::string travelled = readable(cut.travelled, "m");
-  if (cut.reached)
-    return fmt::format(
-        " The cut is stationary after {} of travel: {} deep, and its front lags by {}.", travelled,
-        readable(cut.depth, "m"), readable(cut.lag, "m"));
-  if (std::isnan(cut.change))
-    return fmt::format(" The cut did not become stationary within {} of travel.", travelled);
-  return fmt::format(
-      " The cut did not become stationary within {} of travel: over the last {:g} jet widths it "
-      "changed by {:.1f}%.",
-      travelled, stretch_widths, 100.0 * cut.change);
+  const std::string before =
+      cut.initial_pieces > 1 ? fmt::format(", of {} at the start", cut.initial_pieces) : "";
+  return fmt::format("{}; at the end the workpiece is in {} {}{}.", start, pieces,
+                     pieces == 1 ? "piece" : "pieces", before);
 }
 
 }  // namespace
@@ -253,8 +262,10 @@ std::string verdict_of(const RunOutcome& outcome) {
   if (outcome.description.jets.empty())
     return fmt::format("The run reached {}; it has no jet, so there is nothing to cut.",
                        readable(outcome.time, "s"));
+  if (aims_at_nothing(outcome)) return aimless_sentence(outcome);
+  if (!has_touched(outcome)) return untouched_sentence(outcome);
   return (outcome.cut.cut_through ? cut_sentence(outcome) : depth_sentence(outcome)) +
-         exposure_sentence(outcome) + stationary_sentence(outcome);
+         other_jets_sentence(outcome) + exposure_sentence(outcome) + stationary_sentence(outcome);
 }
 
 }  // namespace kerf

@@ -61,7 +61,8 @@ std::vector<BodyFate> fates_of(const Json& result, const Case& description) {
 std::string body_list(const std::vector<BodyFate>& fates) {
   std::string text = "<h2>Verdict on each body</h2>\n<ul class=\"bodies\">\n";
   for (const BodyFate& body : fates) {
-    const bool cut = body.fate == "cut through" || body.fate == "parted";
+    const bool cut =
+        body.fate == "cut through" || body.fate == "parted" || body.fate == "broken through";
     const bool aside = body.fate == "not under the jet";
     text += fmt::format(
         "<li class=\"{}\"><b>{}</b><span><strong>{}</strong> {}{}</span></li>\n",

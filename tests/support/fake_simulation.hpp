@@ -108,6 +108,7 @@ class FakeSimulation : public Simulation {
     balance.energy_in = 1.0 + time_;
     balance.kinetic = (1.0 + time_) * (1.0 + 1e-3 * memory_) * (time_ < breaks_down ? 1.0 : 100.0);
     balance.force_rigid = {memory_, -time_, 0.0};
+    balance.impulse_water = {0.0, -time_, 0.0};
     return balance;
   }
   std::vector<double> probe_values() const override { return {1e5 * memory_, time_, 0.0, 0.0}; }

@@ -54,6 +54,51 @@ TEST(BodyCut, ABlockThatIsPushedOutIsWhole) {
   }
 }
 
+// A part of a plate has left the domain sideways before the water came: nothing is cut there.
+TEST(BodyCut, APlateThatSlidesOutIsNotCut) {
+  const Case description = breakable();
+  Frame initial = make_block(2);
+  bond(initial, initial);
+  const auto stays = [&](std::size_t k) { return initial.position[k][0] < 8.0 * mm; };
+  Frame frame = select(initial, rows_of(initial), stays);
+  for (std::size_t k = 0; k < initial.id.size(); ++k) {
+    if (!stays(k)) continue;
+    frame.piece.push_back(initial.piece[k]);
+    frame.body_piece.push_back(initial.body_piece[k]);
+  }
+  const std::size_t solids = frame.id.size();
+  add_water(frame, description, 30.0 * mm, jet_width);
+  for (std::size_t k = solids; k < frame.id.size(); ++k)
+    frame.id[k] += static_cast<std::uint32_t>(initial.id.size());
+  frame.piece.resize(frame.id.size(), 0);
+  frame.body_piece.resize(frame.id.size(), 0);
+  CutMonitor monitor(description, initial);
+  monitor.observe(frame);
+  EXPECT_GT(monitor.summary().last.front_depth, 0.0);
+  EXPECT_EQ(monitor.summary().last.cut_depth, 0.0);
+  EXPECT_FALSE(monitor.summary().cut_through);
+}
+
+// Water beside a body has torn its outermost row of particles, in the way of the jet: that is no
+// cut. Torn as far as a window is broad, it is one.
+TEST(BodyCut, ATornEdgeIsNoCut) {
+  for (const double torn : {3.0 * mm, 5.0 * mm}) {
+    const Case description = breakable();
+    Frame initial;
+    add_box(initial, solid(), {1.0 * mm, -thickness, 0.0}, {51.0 * mm, 0.0, 0.0});
+    bond(initial, initial);
+    Frame frame = initial;
+    add_water_beside_bonds(frame, description, thickness + 5.0 * mm);
+    Column damage{"damage", "1", 1, std::vector<float>(frame.id.size(), 0.0f)};
+    for (std::size_t row = 0; row < initial.id.size(); ++row)
+      if (frame.position[row][0] < torn) damage.values[row] = 0.5f;
+    frame.columns.push_back(damage);
+    CutMonitor monitor(description, initial);
+    monitor.observe(frame);
+    EXPECT_EQ(monitor.summary().cut_through, torn > 4.0 * mm) << torn;
+  }
+}
+
 // What a resumed run knows of the particles that have left continues.
 TEST(BodyCut, AResumedRunKnowsWhatHasLeft) {
   const Case description = breakable();

@@ -66,6 +66,7 @@ RunOutcome outcome_with_kerf() {
   RunOutcome outcome;
   outcome.description.materials.resize(1);
   outcome.description.bodies.resize(2);
+  for (Body& body : outcome.description.bodies) body.material = 0;
   outcome.description.bodies[1].name = "plate";
   Kerf& kerf = outcome.kerf.emplace();
   kerf.shape.middle.width = 1.0;

@@ -7,9 +7,17 @@
 namespace kerf {
 namespace {
 
+// The outcome of a run in which the water has come to the solids.
+RunOutcome touched_outcome() {
+  RunOutcome outcome;
+  outcome.balance.momentum_in = {0.0, -1.0, 0.0};
+  outcome.balance.impulse_water = {0.0, -0.5, 0.0};
+  return outcome;
+}
+
 // Bodies in the way of the jet are named by their fate.
 TEST(Verdict, NamesWhatIsCutThroughAndWhatIsWhole) {
-  RunOutcome outcome;
+  RunOutcome outcome = touched_outcome();
   outcome.description.jets.emplace_back();
   outcome.time = 0.03;
   outcome.cut.last.front_depth = 0.0123;
@@ -59,7 +67,7 @@ TEST(Verdict, NamesWhatIsCutThroughAndWhatIsWhole) {
 }
 
 TEST(Verdict, TellsWhatWasPushedOutOrMissed) {
-  RunOutcome outcome;
+  RunOutcome outcome = touched_outcome();
   outcome.description.jets.emplace_back();
   outcome.description.materials.resize(1);
   outcome.description.bodies.resize(1);
@@ -67,7 +75,14 @@ TEST(Verdict, TellsWhatWasPushedOutOrMissed) {
   outcome.description.bodies[0].material = 0;
   outcome.time = 0.03;
   outcome.kerf.emplace();
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet aims at no body that it could cut at the start; its water has met one beside "
+            "its way or that moved into it.");
+  outcome.balance.mass_fractured = 1.0;
+  EXPECT_THAT(verdict_of(outcome), testing::EndsWith("moved into it, and solid has broken."));
+  outcome.balance.impulse_water = {};
   EXPECT_EQ(verdict_of(outcome), "The jet aims at no body that it could cut.");
+  outcome.balance = touched_outcome().balance;
   outcome.kerf->shape.thickness = 8e-3;
   outcome.kerf->of<CutMargin>().unbroken = 8e-3;
   outcome.cut.last.front_depth = 0.04;
@@ -101,7 +116,7 @@ TEST(Verdict, WaterOnItsWayIsTold) {
 
 // The verdict is on the first of several jets.
 TEST(Verdict, TheFirstOfSeveralJetsIsNamed) {
-  RunOutcome outcome;
+  RunOutcome outcome = touched_outcome();
   outcome.description.jets = {arriving_jet(), arriving_jet()};
   outcome.description.bodies.emplace_back();
   outcome.time = 0.06;
@@ -109,16 +124,17 @@ TEST(Verdict, TheFirstOfSeveralJetsIsNamed) {
   outcome.kerf->shape.thickness = 8e-3;
   outcome.cut.last.front_depth = outcome.cut.last.cut_depth = 3e-3;
   outcome.cut.last.fractured_mass = 1.0;
+  outcome.cut.last.fractured_fraction = 0.12;
   EXPECT_EQ(
       verdict_of(outcome),
       "The first of 2 jets does not cut through within 60 ms; the cut is 3 mm and its front 3 mm "
-      "deep, and "
-      "none of the thickness is unbroken.");
+      "deep, and none of the thickness is unbroken. The 2 jets together have broken 12% of the "
+      "workpiece; which of them broke what is not told.");
 }
 
 // A dent in which bonds have broken without a path from the face is no cut, whatever its depth.
 TEST(Verdict, ADentWithBrokenBondsIsNoCut) {
-  RunOutcome outcome;
+  RunOutcome outcome = touched_outcome();
   outcome.description.jets.push_back(arriving_jet());
   outcome.description.bodies.emplace_back();
   outcome.description.bodies.front().spacing = 2e-3;
@@ -129,36 +145,135 @@ TEST(Verdict, ADentWithBrokenBondsIsNoCut) {
   outcome.kerf.emplace();
   outcome.kerf->shape.thickness = 8e-3;
   outcome.kerf->of<CutMargin>().unbroken = 8e-3;
-  outcome.cut.last.front_depth = 4e-3;
+  outcome.cut.last.front_depth = 0.03;  // the water beside the body
+  outcome.kerf->of<Dent>().depth = 4e-3;
   outcome.balance.dissipated_fracture = 1e-6;  // of one bond
   const std::string verdict = verdict_of(outcome);
-  EXPECT_THAT(verdict,
-              testing::StartsWith(
-                  "The jet cuts nothing within 60 ms; its front presses a dent of 4 mm into the "
-                  "workpiece; what has broken opens no path from the face, and 8 mm of the "
-                  "thickness is unbroken. A feed of 1 m/s"));
+  EXPECT_THAT(
+      verdict,
+      testing::StartsWith("The jet cuts nothing within 60 ms; it presses a dent of 4 mm into the "
+                          "workpiece; what has broken opens no path from the face, and 8 mm of the "
+                          "thickness is unbroken. A feed of 1 m/s"));
   EXPECT_THAT(verdict, testing::EndsWith("a dent is not carried on to that."));
 }
 
-// A jet that does nothing is said to do nothing, in place of a dent of 0 m.
-TEST(Verdict, NoDentIsNoNumber) {
-  RunOutcome outcome;
+// The outcome of a run that breaks nothing, whose water has come 30 mm deep.
+RunOutcome whole_outcome(double dent, double motion) {
+  RunOutcome outcome = touched_outcome();
   outcome.description.jets.push_back(arriving_jet());
   outcome.description.bodies.emplace_back();
   outcome.description.bodies.front().spacing = 2e-3;
   outcome.time = 0.06;
-  for (const double nothing : {0.0, 1e-6}) {
-    outcome.cut.last.front_depth = nothing;
-    EXPECT_EQ(verdict_of(outcome),
+  outcome.cut.last.front_depth = 0.03;
+  outcome.kerf.emplace();
+  outcome.kerf->shape.thickness = 8e-3;
+  outcome.kerf->of<CutMargin>().unbroken = 8e-3;
+  outcome.kerf->of<Dent>() = {dent, motion};
+  return outcome;
+}
+
+// The dent is what the jet has pressed, not where its water is, and a jet that does nothing is said
+// to do nothing.
+TEST(Verdict, TheDentIsThatOfTheSolid) {
+  for (const double nothing : {0.0, 1e-6})
+    EXPECT_EQ(verdict_of(whole_outcome(nothing, nothing)),
               "The jet breaks nothing within 60 ms and makes no measurable dent.");
-  }
-  outcome.cut.last.front_depth = 1e-4;
+  RunOutcome outcome = whole_outcome(1e-4, 5e-5);
   EXPECT_EQ(verdict_of(outcome),
-            "The jet breaks nothing within 60 ms; its front presses 100 um into the workpiece.");
+            "The jet breaks nothing within 60 ms; it presses a dent of 100 um into the workpiece.");
   outcome.time = 1200.0;
   EXPECT_EQ(verdict_of(outcome),
-            "The jet breaks nothing within 20 min 00 s; its front presses 100 um into the "
+            "The jet breaks nothing within 20 min 00 s; it presses a dent of 100 um into the "
             "workpiece.");
+}
+
+TEST(Verdict, AWorkpieceThatMovesIsNotDented) {
+  EXPECT_EQ(verdict_of(whole_outcome(0.0, 0.0195)),
+            "The jet breaks nothing within 60 ms and makes no measurable dent; the workpiece has "
+            "bent or moved by 19.5 mm.");
+  EXPECT_EQ(verdict_of(whole_outcome(1e-3, 0.0195)),
+            "The jet breaks nothing within 60 ms; it presses a dent of 1 mm into the workpiece; "
+            "the workpiece has bent or moved by 19.5 mm.");
+}
+
+// Water that exerts no force has touched nothing, wherever it is, and breaks nothing either.
+TEST(Verdict, WaterThatTouchesNothingIsTold) {
+  RunOutcome outcome = whole_outcome(0.0, 0.09);
+  outcome.balance.impulse_water = {0.0, 1e-8, 0.0};  // of rounding
+  outcome.cut.last.fractured_mass = 0.1;             // gone from the domain
+  EXPECT_EQ(verdict_of(outcome),
+            "The water has not touched the workpiece within 60 ms; the workpiece has bent or moved "
+            "by 90 mm.");
+  outcome.time = 0.002;
+  outcome.cut.last.fractured_mass = outcome.balance.mass_fractured = 0.1;
+  outcome.cut.cut_through = true;
+  EXPECT_EQ(verdict_of(outcome),
+            "No water has come to the workpiece within 2 ms: it would come after 3 ms; solid has "
+            "broken without it; the workpiece has bent or moved by 90 mm.");
+}
+
+// A crack that leads past solid which is whole on the lines along the jet is told as such.
+TEST(Verdict, TheCutAndTheUnbrokenThicknessDoNotContradict) {
+  RunOutcome outcome = whole_outcome(0.0, 0.0);
+  outcome.cut.last.fractured_mass = 1.0;
+  outcome.cut.last.cut_depth = 8e-3;
+  outcome.kerf->of<CutMargin>() = {-0.5, 4e-3};
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet does not cut through within 60 ms; cracks reach 8 mm deep along an inclined "
+            "path and its front 30 mm, and 4 mm of the thickness is unbroken on each line along "
+            "the jet.");
+  outcome.cut.last.cut_depth = 4e-3;
+  outcome.kerf->of<Dent>().motion = 0.027;
+  outcome.description.jets.front().width = 0.01;
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet does not cut through within 60 ms; the cut is 4 mm and its front 30 mm deep, "
+            "and 4 mm of the thickness is unbroken; the workpiece has bent or moved by 27 mm.");
+}
+
+// Bodies that were never joined are pieces from the start, and of those beside each other the one
+// that is unbroken is named.
+TEST(Verdict, PiecesAndLayersAreThoseOfTheStart) {
+  RunOutcome outcome = whole_outcome(0.0, 0.0);
+  outcome.description.materials.resize(1);
+  outcome.description.bodies.resize(2);
+  outcome.cut.last.fractured_mass = 1.0;
+  outcome.cut.last.cut_depth = 8e-3;
+  outcome.kerf->of<CutMargin>().unbroken = 3e-3;
+  for (const int body : {0, 1}) {
+    outcome.description.bodies[static_cast<std::size_t>(body)].name = body == 0 ? "left" : "right";
+    KerfLayer layer;
+    layer.body = body;
+    layer.verdict.is_in_way = true;
+    layer.verdict.cut.through = body == 1;
+    layer.fractured_mass = 0.5;
+    layer.unbroken = body == 0 ? 3e-3 : 0.0;
+    outcome.kerf->layers.push_back(layer);
+  }
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet does not cut through within 60 ms; left is cut in part, right is broken "
+            "through; the cut is 8 mm and its front 30 mm deep, and 3 mm of the thickness of left "
+            "is unbroken.");
+  outcome.kerf->layers[0].verdict.cut.through = true;
+  outcome.kerf->shape.through = true;
+  outcome.cut.cut_through = true;
+  outcome.cut.cut_through_time = 0.03;
+  outcome.cut.initial_pieces = outcome.cut.last.pieces = 2;
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet cuts through after 30 ms; left and right are broken through; at the end the "
+            "workpiece is in 2 pieces, of 2 at the start.");
+}
+
+// A crack aside of the way of the jet, as of another jet, is no cut of it.
+TEST(Verdict, ACrackBesideTheWayIsTold) {
+  RunOutcome outcome = whole_outcome(0.0, 0.0);
+  outcome.cut.last.fractured_mass = 1.0;
+  outcome.cut.cut_through = outcome.cut.severed = true;
+  outcome.cut.cut_through_time = 0.03;
+  outcome.cut.last.pieces = 2;
+  outcome.kerf->of<CutMargin>().is_whole = true;
+  EXPECT_EQ(verdict_of(outcome),
+            "The workpiece is parted after 30 ms by a crack beside the way of the jet, where it is "
+            "whole; at the end the workpiece is in 2 pieces.");
 }
 
 }  // namespace

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/case.hpp"
+#include "output/readable.hpp"
+#include "output/result.hpp"
+#include "output/verdict_parts.hpp"
+
+namespace kerf {
+namespace {
+
+// Returns when the first water can reach the point at which the jet aims, s.
+double arrival_time(const Jet& jet) {
+  return jet.start + jet.standoff / jet.speed;
+}
+
+double magnitude(const std::array<double, 3>& vector) {
+  return std::hypot(vector[0], vector[1], vector[2]);
+}
+
+double dent_of(const RunOutcome& outcome) {
+  return outcome.kerf ? outcome.kerf->of<Dent>().depth : 0.0;
+}
+
+// Says how far the workpiece has moved, if that is measurable and more than the dent.
+std::string motion_clause(const RunOutcome& outcome) {
+  const double motion = outcome.kerf ? outcome.kerf->of<Dent>().motion : 0.0;
+  if (!(motion > std::max(dent_of(outcome), least_length(outcome)))) return "";
+  return fmt::format("the workpiece has bent or moved by {}", readable(motion, "m"));
+}
+
+// Names the bodies that have left the domain.
+std::string gone_clause(const RunOutcome& outcome) {
+  std::string text;
+  for (const BodyVerdict& verdict : outcome.cut.bodies)
+    if (verdict.cut.left)
+      text += fmt::format("; {} has left the domain",
+                          outcome.description.bodies.at(std::size_t(verdict.body)).name);
+  return text;
+}
+
+}  // namespace
+
+std::string the_jet(const RunOutcome& outcome, bool begins_sentence) {
+  const std::size_t jets = outcome.description.jets.size();
+  const char* article = begins_sentence ? "The" : "the";
+  return jets > 1 ? fmt::format("{} first of {} jets", article, jets)
+                  : fmt::format("{} jet", article);
+}
+
+double finest_spacing(const RunOutcome& outcome) {
+  double finest = std::numeric_limits<double>::infinity();
+  for (const Body& body : outcome.description.bodies) finest = std::min(finest, body.spacing);
+  return finest;
+}
+
+double least_length(const RunOutcome& outcome) {
+  constexpr double least = 1e-3;  // of the finest spacing
+  const double finest = finest_spacing(outcome);
+  return std::isfinite(finest) ? least * finest : 0.0;
+}
+
+bool has_touched(const RunOutcome& outcome) {
+  // The impulse is the sum of the forces on the water, of which those within the water cancel but
+  // for rounding.
+  constexpr double rounding = 1e-6;
+  return magnitude(outcome.balance.impulse_water) >
+         rounding * magnitude(outcome.balance.momentum_in);
+}
+
+std::string untouched_sentence(const RunOutcome& outcome) {
+  const std::string end = readable(outcome.time, "s");
+  const double arrival = arrival_time(outcome.description.jets.front());
+  std::string text =
+      arrival < outcome.time
+          ? fmt::format("The water has not touched the workpiece within {}", end)
+          : fmt::format("No water has come to the workpiece within {}: it would come after {}", end,
+                        readable(arrival, "s"));
+  // Solid that leaves the domain takes bonds with it: nothing is known of these.
+  const double gone = outcome.cut.last.fractured_mass - outcome.balance.mass_fractured;
+  constexpr double rounding = 1e-6;
+  if (!breaks_nothing(outcome) && gone <= rounding * outcome.balance.mass_initial)
+    text += "; solid has broken without it";
+  const std::string motion = motion_clause(outcome);
+  if (!motion.empty()) text += "; " + motion;
+  return text + gone_clause(outcome) + ".";
+}
+
+bool makes_dent(const RunOutcome& outcome) {
+  return dent_of(outcome) > least_length(outcome);
+}
+
+std::string dent_clause(const RunOutcome& outcome) {
+  const std::string motion = motion_clause(outcome);
+  if (!makes_dent(outcome)) return motion;
+  const std::string dent =
+      fmt::format("it presses a dent of {} into the workpiece", readable(dent_of(outcome), "m"));
+  return motion.empty() ? dent : dent + "; " + motion;
+}
+
+std::string dent_sentence(const RunOutcome& outcome) {
+  const std::string start =
+      fmt::format("{} breaks nothing within {}{}", the_jet(outcome), readable(outcome.time, "s"),
+                  makes_dent(outcome) ? "" : " and makes no measurable dent");
+  const std::string dent = dent_clause(outcome);
+  return dent.empty() ? start + "." : start + "; " + dent + ".";
+}
+
+}  // namespace kerf

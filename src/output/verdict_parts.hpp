@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of the sentence that states the result of a run (verdict_of).
+#pragma once
+
+#include <string>
+
+namespace kerf {
+
+struct RunOutcome;
+
+// Names the jet that the verdict is on: the first one (docs/metrics.md).
+std::string the_jet(const RunOutcome& outcome, bool begins_sentence = true);
+// Returns the finest spacing of the bodies, m; infinite without any.
+double finest_spacing(const RunOutcome& outcome);
+// Returns the least length that means anything beside the spacing of the particles, m.
+double least_length(const RunOutcome& outcome);
+
+// Returns whether the water has exerted a force on the solids.
+bool has_touched(const RunOutcome& outcome);
+// Says that it has not, and what became of the workpiece meanwhile.
+std::string untouched_sentence(const RunOutcome& outcome);
+
+// Returns whether the jet has made the workpiece measurably thinner.
+bool makes_dent(const RunOutcome& outcome);
+// Says how deep the dent is, and how far the workpiece has moved if that is more; empty where there
+// is neither.
+std::string dent_clause(const RunOutcome& outcome);
+// Says that nothing breaks, and the dent.
+std::string dent_sentence(const RunOutcome& outcome);
+
+// Says whether the cut under a nozzle with which a frame travels is the same all along its path.
+std::string stationary_sentence(const RunOutcome& outcome);
+
+}  // namespace kerf
