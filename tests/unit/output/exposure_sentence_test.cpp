@@ -40,6 +40,7 @@ RunOutcome cut_plate(double share) {
   outcome.cut.last.front_depth = 0.4e-3;
   outcome.cut.last.fractured_mass = 1e-6;
   outcome.cut.last.pieces = 2;
+  outcome.balance.momentum_in = outcome.balance.impulse_water = {0.0, -1.0, 0.0};
   outcome.exposure.emplace();
   outcome.exposure->thickness = 1e-3;
   outcome.exposure->simulated = 5e-6;
