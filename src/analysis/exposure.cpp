@@ -147,12 +147,12 @@ double longest_exposure(const DepthHistory& history, double extent, double speed
 // cut through at a time since contact, within a spacing; none where the run ends before it.
 std::optional<double> exposure_of_passage(const DepthHistory& history, const Entry& entry,
                                           double thickness, double since_contact) {
-  for (std::size_t k = row_at(history.contacts, since_contact); k < history.times.size(); ++k) {
+  const std::size_t at_cut = row_at(history.contacts, since_contact);
+  for (std::size_t k = at_cut; k < history.times.size(); ++k) {
     if (history.depths[k] < thickness - entry.spacing) continue;
     // The cut is at the time of a row, and a crack may be there before the contact.
-    const bool is_at_cut = k == row_at(history.contacts, since_contact);
     const double time =
-        is_at_cut ? std::max(since_contact, history.contacts.front()) : history.contacts[k];
+        k == at_cut ? std::max(since_contact, history.contacts.front()) : history.contacts[k];
     const double exposure = entry.exposure(time, std::min(thickness, history.depths[k]));
     return exposure > 0.0 ? std::optional(exposure) : std::nullopt;
   }

@@ -91,6 +91,8 @@ void warn_of_fast_water(const Case& description, const DerivedNumbers& numbers,
                : fmt::format("sound_speed = \"{:g} m/s\"", real_water_sound_speed)));
 }
 
+constexpr double most_tested = 1e5;  // particles of a body, by a warning
+
 // Warns of water that is faster than those shocks with which its equation of state is compared.
 void warn_of_extrapolated_water(const DerivedNumbers& numbers, std::vector<std::string>& warnings) {
   if (numbers.water_sound_speed == 0.0 || numbers.jet_speed <= fastest_compared_water) return;
@@ -104,7 +106,6 @@ void warn_of_extrapolated_water(const DerivedNumbers& numbers, std::vector<std::
 // Warns of plane probes within the reach of a rigid body that is not wholly on the side of the
 // normal: forces on rigid bodies are not among those that a plane measures.
 void warn_of_planes_at_walls(const Case& description, std::vector<std::string>& warnings) {
-  constexpr double most_tested = 1e5;  // particles of a body
   double widest = 0.0;
   for (const Jet& jet : description.jets) widest = std::max(widest, jet.spacing);
   for (const Body& body : description.bodies) widest = std::max(widest, body.spacing);
@@ -201,7 +202,6 @@ void warn_of_late_water(const Jet& jet, double end, std::vector<std::string>& wa
 
 // Warns of each jet whose water reaches no body that it could cut, by where and when it flows.
 void warn_of_aims(const Case& description, std::vector<std::string>& warnings) {
-  constexpr double most_tested = 1e5;  // particles of a body
   for (const Jet& jet : description.jets) warn_of_late_water(jet, description.time.end, warnings);
   std::vector<const Body*> targets;
   for (const Body& body : description.bodies)

@@ -19,6 +19,24 @@ Case breakable() {
   return made;
 }
 
+// Returns the bonded particles that stay, with water down to a depth.
+template <class Stays>
+Frame with_water(const Case& description, const Frame& bonded, const Stays& stays, double depth) {
+  Frame frame = select(bonded, rows_of(bonded), stays);
+  for (std::size_t k = 0; k < bonded.id.size(); ++k) {
+    if (!stays(k)) continue;
+    frame.piece.push_back(bonded.piece[k]);
+    frame.body_piece.push_back(bonded.body_piece[k]);
+  }
+  const std::size_t solids = frame.id.size();
+  add_water(frame, description, depth, jet_width);
+  for (std::size_t k = solids; k < frame.id.size(); ++k)
+    frame.id[k] += static_cast<std::uint32_t>(bonded.id.size());
+  frame.piece.resize(frame.id.size(), 0);
+  frame.body_piece.resize(frame.id.size(), 0);
+  return frame;
+}
+
 // Most of a block has left the domain with its bonds, layer by layer: it was pushed out, not cut.
 TEST(BodyCut, ABlockThatIsPushedOutIsWhole) {
   for (const double share_left : {0.9, 0.6, 0.3, 0.05, 0.0}) {
@@ -30,18 +48,7 @@ TEST(BodyCut, ABlockThatIsPushedOutIsWhole) {
     const auto stays = [&](std::size_t k) {
       return initial.position[k][1] > -share_left * thickness;
     };
-    Frame frame = select(moved, rows_of(moved), stays);
-    for (std::size_t k = 0; k < moved.id.size(); ++k) {
-      if (!stays(k)) continue;
-      frame.piece.push_back(moved.piece[k]);
-      frame.body_piece.push_back(moved.body_piece[k]);
-    }
-    const std::size_t solids = frame.id.size();
-    add_water(frame, description, 60.0 * mm, jet_width);
-    for (std::size_t k = solids; k < frame.id.size(); ++k)
-      frame.id[k] += static_cast<std::uint32_t>(initial.id.size());
-    frame.piece.resize(frame.id.size(), 0);
-    frame.body_piece.resize(frame.id.size(), 0);
+    const Frame frame = with_water(description, moved, stays, 60.0 * mm);
     CutMonitor monitor(description, initial);
     monitor.observe(frame);
     const CutSummary summary = monitor.summary();
@@ -60,18 +67,7 @@ TEST(BodyCut, APlateThatSlidesOutIsNotCut) {
   Frame initial = make_block(2);
   bond(initial, initial);
   const auto stays = [&](std::size_t k) { return initial.position[k][0] < 8.0 * mm; };
-  Frame frame = select(initial, rows_of(initial), stays);
-  for (std::size_t k = 0; k < initial.id.size(); ++k) {
-    if (!stays(k)) continue;
-    frame.piece.push_back(initial.piece[k]);
-    frame.body_piece.push_back(initial.body_piece[k]);
-  }
-  const std::size_t solids = frame.id.size();
-  add_water(frame, description, 30.0 * mm, jet_width);
-  for (std::size_t k = solids; k < frame.id.size(); ++k)
-    frame.id[k] += static_cast<std::uint32_t>(initial.id.size());
-  frame.piece.resize(frame.id.size(), 0);
-  frame.body_piece.resize(frame.id.size(), 0);
+  const Frame frame = with_water(description, initial, stays, 30.0 * mm);
   CutMonitor monitor(description, initial);
   monitor.observe(frame);
   EXPECT_GT(monitor.summary().last.front_depth, 0.0);
