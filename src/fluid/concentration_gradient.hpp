@@ -6,7 +6,7 @@
 #pragma once
 
 #include "fluid/known_sums.hpp"
-#include "fluid/rigid_wall.hpp"
+#include "fluid/smooth_wall.hpp"
 #include "pairs/pair.hpp"
 
 namespace kerf {
@@ -35,10 +35,10 @@ struct ConcentrationGradientSum {
   }
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
-    if (pair.medium_j->phase == Phase::rigid && particles.is_fluid(pair.i))
+    if (is_at_smooth_wall(particles, pair))
       sum.gradient -=
           (pair.medium_j->volume * wall_force_factor(particles, pair.i) * pair.slope_per_distance) *
-          rigid_wall_arm(particles, pair).arm;
+          smooth_wall_arm(particles, pair).arm;
     else
       sum.gradient += pair.medium_j->volume * pair.gradient;
     sum.near_free_surface |= particles.is_fluid(pair.j) && particles.has(pair.j, flag::surface);

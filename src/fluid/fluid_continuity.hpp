@@ -18,7 +18,7 @@ struct FluidContinuity {
   static constexpr bool includes_rigid = false;
   struct Sum {
     Real compression_rate{};  // 1/s, minus the volumetric strain rate
-    Real by_rigid_walls{};    // 1/s, the part of rigid walls, beside it
+    Real by_smooth_walls{};   // 1/s, the part of smooth walls, beside it
     Vector<D, Real> wall{};   // 1/m, - sum V nabla W over the wall, along its normal
   };
   FluidPair<D, P> fluid_pair;
@@ -40,8 +40,8 @@ struct FluidContinuity {
     const Real weight = Real(2) * fluid_pair.gradient_factor(particles, pair) *
                         pair_weight(volume, pair.slope_per_distance);
     if (kind == PairInteraction::j_is_wall) sum.wall -= volume * pair.gradient;
-    if (kind == PairInteraction::j_is_wall && pair.medium_j->phase == Phase::rigid) {
-      sum.by_rigid_walls -= weight * fluid_pair.at_rigid_wall(particles, pair).parting;
+    if (is_at_smooth_wall(particles, pair)) {
+      sum.by_smooth_walls -= weight * fluid_pair.at_smooth_wall(particles, pair, kind).parting;
       return;
     }
     const auto star = fluid_pair(particles, pair, kind);
@@ -49,10 +49,10 @@ struct FluidContinuity {
     sum.compression_rate -= pair_strain_rate(weight, pair.distance, star.speed - u_i);
   }
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
-    const bool is_compressed = sum.by_rigid_walls > Real(0);
+    const bool is_compressed = sum.by_smooth_walls > Real(0);
     const Real share = Real(1) - (is_compressed ? room_at_wall(particles, i) : Real(0));
     particles.compression_rate[i] =
-        (Real(1) + particles.compression[i]) * (sum.compression_rate + share * sum.by_rigid_walls);
+        (Real(1) + particles.compression[i]) * (sum.compression_rate + share * sum.by_smooth_walls);
     const Real length = norm(sum.wall);
     const bool plain = length * particles.medium(i).smoothing_length > Real(least_wall);
     particles.next_wall_normal[i] = plain ? (Real(1) / length) * sum.wall : Vector<D, Real>::zero();

@@ -35,11 +35,12 @@ struct FluidForce {
         Real(2) * fluid_pair.gradient_factor(particles, pair) *
         volume_of(particles, pair.i, *pair.medium_i) *
         pair_weight(volume_of(particles, pair.j, *pair.medium_j), pair.slope_per_distance);
-    if (kind == PairInteraction::j_is_wall && pair.medium_j->phase == Phase::rigid) {
-      const auto star = fluid_pair.at_rigid_wall(particles, pair);
+    if (has_smooth_wall(particles, pair, kind)) {
+      const auto star = fluid_pair.at_smooth_wall(particles, pair, kind);
       sum.pressure_force += weight * star.pressure;
       sum.dissipative_force += weight * star.dissipation;
-      sum.wall_force += weight * (star.pressure + star.dissipation);
+      if (pair.medium_j->phase == Phase::rigid)
+        sum.wall_force += weight * (star.pressure + star.dissipation);
       return;
     }
     const auto star = fluid_pair(particles, pair, kind);
@@ -63,6 +64,15 @@ struct FluidForce {
     particles.damping_acceleration[i] = inverse * sum.dissipative_force;
     particles.acceleration[i] += inverse * (sum.pressure_force + sum.dissipative_force);
     particles.repulsion[i] = inverse * sum.wall_force;
+  }
+
+ private:
+  // Whether one of the two is of a smooth wall beside the other.
+  KERF_FUNCTION static bool has_smooth_wall(const ParticleView<D, P>& particles,
+                                            const Pair<D, P>& pair, PairInteraction kind) {
+    if (kind == PairInteraction::i_is_wall)
+      return is_smooth_wall(particles, pair.i, *pair.medium_i, *pair.medium_j);
+    return kind == PairInteraction::j_is_wall && is_at_smooth_wall(particles, pair);
   }
 };
 

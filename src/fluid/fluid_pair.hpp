@@ -8,7 +8,7 @@
 
 #include "fluid/delta_sph.hpp"
 #include "fluid/riemann.hpp"
-#include "fluid/rigid_wall.hpp"
+#include "fluid/smooth_wall.hpp"
 #include "fluid/water_viscosity.hpp"
 #include "materials/equation_of_state.hpp"
 #include "model/water_scheme.hpp"
@@ -30,10 +30,10 @@ KERF_FUNCTION PairInteraction interaction_of(const ParticleView<D, P>& particles
   return is_one_volume(particles, pair) ? PairInteraction::interior : PairInteraction::nothing;
 }
 
-// What a rigid particle does to a fluid particle, with the vector of fluid/rigid_wall.hpp in place
-// of d_ij.
+// What a fluid particle and one of a smooth wall do to each other, on i, with the vector of
+// fluid/smooth_wall.hpp in place of d_ij.
 template <int D, class Real>
-struct RigidWallStar {
+struct SmoothWallStar {
   Vector<D, Real> pressure;     // Pa m, P* times that vector
   Vector<D, Real> dissipation;  // Pa m, P_d times it
   Real parting;                 // m^2/s, in place of r (U* - U_i)
@@ -91,29 +91,29 @@ struct FluidPair {
     return star;
   }
 
-  // Returns what the rigid particle j does to the fluid particle i.
-  KERF_FUNCTION RigidWallStar<D, Real> at_rigid_wall(const ParticleView<D, P>& particles,
-                                                     const Pair<D, P>& pair) const {
-    const auto wall = rigid_wall_arm(particles, pair);
-    if (!wall.is_smooth) {
-      const auto kind = PairInteraction::j_is_wall;
-      const auto star = (*this)(particles, pair, kind);
-      const Real u_i = -dot(particles.velocity[pair.i], pair.separation) / pair.distance;
-      return {star.mean_pressure * pair.separation,
-              star.dissipation * damped_direction(particles, pair, kind),
-              pair.distance * (star.speed - u_i)};
-    }
-    const Real length = norm(wall.arm), parting = dot(wall.arm, pair.velocity);
+  // Returns what the two do to each other where one is of a smooth wall; `parting` is that of a
+  // fluid particle i.
+  KERF_FUNCTION SmoothWallStar<D, Real> at_smooth_wall(const ParticleView<D, P>& particles,
+                                                       const Pair<D, P>& pair,
+                                                       PairInteraction kind) const {
+    if (!has_smooth_walls(particles)) return along_centres(particles, pair, kind);
+    const bool fluid_i = kind == PairInteraction::j_is_wall;
+    const auto both = WallPair<D, P>::of(particles, pair, fluid_i);
+    const auto wall = smooth_wall_arm(particles, both);
+    if (!wall.is_smooth) return along_centres(particles, pair, kind);
+    const Real length = norm(wall.arm), parting = dot(wall.arm, both.velocity);
     if (!(length > Real(0))) return {wall.arm, wall.arm, Real(0)};
-    const Real hydrostatic = maximum(-dot(gravity, pair.separation), Real(0));
+    const Index fluid = both.fluid;
+    const Real hydrostatic = maximum(-dot(gravity, both.separation), Real(0));
     const Real rise =
-        particles.density(pair.i) * (hydrostatic - particles.wall_centripetal[pair.i] * length);
-    const auto star = solve_riemann_at_mirror(
-        side(particles, pair.i, *pair.medium_i, -parting / length), Real(0), rise);
-    const Real factor = wall_force_factor(particles, pair.i);
-    const Real damping = Real(1) - room_at_wall(particles, pair.i);
-    return {(factor * star.mean_pressure) * wall.arm,
-            (factor * damping * star.dissipation) * wall.arm,
+        particles.density(fluid) * (hydrostatic - particles.wall_centripetal[fluid] * length);
+    const auto& medium = fluid_i ? *pair.medium_i : *pair.medium_j;
+    const auto star =
+        solve_riemann_at_mirror(side(particles, fluid, medium, -parting / length), Real(0), rise);
+    const Real factor = wall_force_factor(particles, fluid);
+    const Real damping = Real(1) - room_at_wall(particles, fluid);
+    const auto arm = (fluid_i ? Real(1) : Real(-1)) * wall.arm;
+    return {(factor * star.mean_pressure) * arm, (factor * damping * star.dissipation) * arm,
             factor * (parting + pair.distance * star.speed)};
   }
 
@@ -132,6 +132,16 @@ struct FluidPair {
   }
 
  private:
+  // The same in a corner.
+  KERF_FUNCTION SmoothWallStar<D, Real> along_centres(const ParticleView<D, P>& particles,
+                                                      const Pair<D, P>& pair,
+                                                      PairInteraction kind) const {
+    const auto star = (*this)(particles, pair, kind);
+    const Real u_i = -dot(particles.velocity[pair.i], pair.separation) / pair.distance;
+    return {star.mean_pressure * pair.separation,
+            star.dissipation * damped_direction(particles, pair, kind),
+            pair.distance * (star.speed - u_i)};
+  }
   // Returns the normal of the wall beside the fluid of the two, into the fluid; zero where there is
   // none.
   KERF_FUNCTION static Vector<D, Real> wall_normal(const ParticleView<D, P>& particles,

@@ -1,34 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
-// GradientAtWall completes the pressure gradient and the divergence of fluid beside a smooth rigid
-// wall. Such a wall acts along its normal n only (fluid/rigid_wall.hpp), so that its particles have
+// GradientAtWall completes the pressure gradient and the divergence of fluid beside a smooth wall.
+// Such a wall acts along its normal n only (fluid/smooth_wall.hpp), so that its particles have
 // no part in what changes along it, and their part across it is that of a mirror image at the speed
 // of the particle. The missing parts follow from the fluid beside it. With the moments
-//   M^f = sum V_j S_ij d_ij d_ij^T over fluid,  M^w the same over the wall, times its factor f_i,
+//   M^f = sum V_j S_ij d_ij d_ij^T over fluid,  M^w the same over the layers of the wall,
 // k (M^f + M^w) = 1 within matter, the kernel gradient normalisation k, and t along the wall:
 //   a_i      += k s_t / rho_i sum V_j (p_j - p_i) S_ij d_t,   s_t = m_t / (1/k - m_t)
 //   div v_i  += k s_t sum V_j S_ij d_t . v_ij,                m_t = tr_t M^w / (D - 1)
 //   div v_i  += k (m_n - 2 f_i y sum_w V_j S_ij d_n) / (1/k - m_n) sum V_j S_ij d_n n.v_ij
 // with m_n = n.M^w n and the distance y of i from the wall, where no face ends beside it. All
-// vanish in uniform pressure and uniform motion (docs/theory/riemann_sph.md). The wall takes the
-// reaction.
+// vanish in uniform pressure and uniform motion (docs/theory/riemann_sph.md).
+//   Near an edge the arms a_ij of the wall (fluid/smooth_wall.hpp) lack a part of d_ij, so that
+// uniform pressure would drive water along the face. Water at rest gets it back,
+//   a_i      += 2 k p_i / rho_i max(1 - 5 rho_i v_iw^2 / p_i, 0) sum_w V_j S_ij (d_ij - a_ij),
+// with its speed v_iw past the wall; in motion it would take energy, for no compression belongs to
+// it. The faces beside i take the reaction: rigid ones here, those of solids in
+// fluid/wall_reaction.hpp.
 #pragma once
 
 #include "core/matrix.hpp"
 #include "core/select.hpp"
-#include "fluid/rigid_wall.hpp"
+#include "fluid/smooth_wall.hpp"
 #include "neighbours/list_entries.hpp"
 
 namespace kerf {
 
-template <int D, class P>
+template <int D, class P, class Kernel>
 struct GradientAtWall {
   using Real = typename P::Real;
   using RealVector = Vector<D, Real>;
   static constexpr bool includes_rigid = false;
   struct Sum {
-    RealVector pressure{};             // Pa/m, sum V_j (p_j - p_i) S_ij d_ij over fluid
-    Matrix<D, Real> motion{}, wall{};  // 1/s: sum V S d v^T over fluid; 1: M^w / f_i
-    FacingFaces<D, Real> faces{};      // in front of which i lies
+    RealVector pressure{};         // Pa/m, sum V_j (p_j - p_i) S_ij d_ij over fluid
+    Matrix<D, Real> motion{};      // 1/s, sum V S d v^T over fluid
+    FacingFaces<D, Real> faces{};  // in front of which i lies
+    RealVector velocity{};         // 1/s, of i relative to them, with their weights
+    RealVector lacking{};          // 1/m, sum V_j S_ij (d_ij - a_ij) over the wall
+    Real rigid{}, mirrored{};      // 1/m, the parts of rigid faces and of images of others
+    Real spacing{}, reach{};       // m, the largest ones of the wall
   };
   Real kernel_gradient_normalisation;
 
@@ -36,14 +45,10 @@ struct GradientAtWall {
                          Sum& sum) const {
     if (!(pair.distance > Real(0))) return;
     const RealVector& d = pair.separation;
-    if (pair.medium_j->phase == Phase::rigid) {
+    if (is_at_smooth_wall(particles, pair)) {
       const Real weight = pair.medium_j->volume * pair.slope_per_distance;
-      add_outer(sum.wall, weight * d, d);
-      const auto normal = pair.of_j(particles.face_normal[pair.j]);
-      const Real along = dot(d, normal), height = along - particles.face_depth[pair.j];
-      if (!(height > Real(0))) return;
-      const RealVector foot = particles.face_depth[pair.j] * normal - d;
-      sum.faces.add(weight * along, normal, foot, height);
+      sum.lacking += weight * (d - smooth_wall_arm(particles, pair).arm);
+      add_face(particles, pair, sum);
     } else if (particles.is_fluid(pair.j)) {
       const Real weight = volume_of(particles, pair.j, *pair.medium_j) * pair.slope_per_distance;
       sum.pressure += (weight * (particles.pressure[pair.j] - particles.pressure[pair.i])) * d;
@@ -53,24 +58,58 @@ struct GradientAtWall {
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     const Real length = norm(sum.faces.normal);
     if (!(length > Real(0))) return;
+    hold_at_rest(particles, i, sum);
     const RealVector n = (Real(1) / length) * sum.faces.normal;
     // The wall has to go on to all sides.
     const Real aside = sum.faces.aside(n) / particles.medium(i).smoothing_length;
-    if (complete_part(aside) < Real(1)) return;
-    const Real factor = wall_force_factor(particles, i);
-    const Real across_wall = factor * across(sum.wall, n);
-    const Real along_wall = (factor * sum.wall.trace() - across_wall) / Real(D - 1);
-    const Real share = share_of(along_wall);
-    push(particles, i, (share / particles.density(i)) * (sum.pressure - dot(sum.pressure, n) * n));
-    const Real missing = across_wall - Real(2) * factor * sum.faces.height;
-    const Real share_across = share_of(across_wall) * missing / across_wall;
+    if (particles.has(i, flag::at_edge) || complete_part(aside) < Real(1)) return;
+    complete(particles, i, sum, n);
+  }
+
+ private:
+  static constexpr double slowness = 5.0;  // of water that counts as at rest, see above
+
+  KERF_FUNCTION void hold_at_rest(const ParticleView<D, P>& particles, Index i,
+                                  const Sum& sum) const {
+    const Real p = particles.pressure[i], density = particles.density(i);
+    if (!(p > Real(0))) return;
+    const RealVector speed = (Real(1) / sum.faces.all) * sum.velocity;
+    const Real rest = Real(1) - Real(slowness) * density * dot(speed, speed) / p;
+    if (!(rest > Real(0))) return;
+    const Real factor = Real(2) * rest * kernel_gradient_normalisation * p / density;
+    push(particles, i, sum, factor * sum.lacking);
+  }
+  KERF_FUNCTION void complete(const ParticleView<D, P>& particles, Index i, const Sum& sum,
+                              const RealVector& n) const {
+    const Real height = sum.faces.height / sum.faces.all;
+    const auto wall = WallLayers<D, Real>::template at<Kernel>(height, sum.spacing, sum.reach);
+    if (!(wall.across > Real(0))) return;
+    const Real share = share_of(wall.along);
+    push(particles, i, sum,
+         (share / particles.density(i)) * (sum.pressure - dot(sum.pressure, n) * n));
+    const Real missing = wall.across - Real(2) * height * wall.force;
+    const Real share_across = share_of(wall.across) * missing / wall.across;
     const Real motion_across = across(sum.motion, n);
     const Real divergence =
         share * (sum.motion.trace() - motion_across) + share_across * motion_across;
     particles.compression_rate[i] -= (Real(1) + particles.compression[i]) * divergence;
   }
-
- private:
+  KERF_FUNCTION static void add_face(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
+                                     Sum& sum) {
+    const RealVector& d = pair.separation;
+    const auto normal = pair.of_j(particles.face_normal[pair.j]);
+    const Real along = dot(d, normal), height = along - particles.face_depth[pair.j];
+    if (!(height > Real(0))) return;
+    const Real share = pair.medium_j->volume * pair.slope_per_distance * along;
+    sum.spacing = maximum(sum.spacing, Real(pair.medium_j->spacing));
+    sum.reach = maximum(sum.reach, pair.smoothing_length);
+    sum.velocity += share * pair.velocity;
+    sum.faces.add(share, normal, particles.face_depth[pair.j] * normal - d, height);
+    if (pair.medium_j->phase == Phase::rigid)
+      sum.rigid += share;
+    else if (pair.mirror != 0)
+      sum.mirrored += share;
+  }
   // Returns k m / (1/k - m) for the part m of the wall in a moment; half the moment is that of a
   // particle on the wall itself.
   KERF_FUNCTION Real share_of(Real moment) const {
@@ -82,32 +121,36 @@ struct GradientAtWall {
   KERF_FUNCTION static Real across(const Matrix<D, Real>& m, const RealVector& n) {
     return dot(n, m * n);
   }
-  KERF_FUNCTION static void push(const ParticleView<D, P>& particles, Index i,
+  KERF_FUNCTION static void push(const ParticleView<D, P>& particles, Index i, const Sum& sum,
                                  const RealVector& acceleration) {
     particles.pressure_acceleration[i] += acceleration;
     particles.acceleration[i] += acceleration;
-    particles.repulsion[i] += acceleration;
+    const Real inverse = Real(1) / sum.faces.all;
+    particles.repulsion[i] += inverse * sum.rigid * acceleration;
+    if (particles.mirrors.faces != 0)
+      particles.mirror_acceleration[i] += inverse * sum.mirrored * acceleration;
+    auto& given = particles.wall_push[i];
+    given = {given.acceleration + acceleration, inverse};
   }
 };
 
-// A loop over the fluid particles beside smooth rigid walls. Those in a corner, and beyond the end
-// of a face, feel the wall along other lines (fluid/rigid_wall.hpp); those in a free surface have
-// too few neighbours.
+// A loop over the fluid particles beside smooth walls. Those in a corner feel the wall along other
+// lines (fluid/smooth_wall.hpp); those in a free surface have too few neighbours.
 template <int D, class P, class Loop>
-struct BesideRigidWalls {
+struct BesideSmoothWalls {
   ParticleView<D, P> particles;
   NeighbourView list;
   Loop loop;
 
   KERF_FUNCTION void operator()(Index i) const {
+    particles.wall_push[i] = WallPush<D, typename P::Real>::none();
     if (!particles.is_fluid(i) || particles.has(i, flag::in_corner) ||
-        particles.has(i, flag::at_edge) || particles.has(i, flag::surface))
+        particles.has(i, flag::surface))
       return;
-    for (Index k = list.begin[i] + list.same_fluid[i]; k < list.end[i]; ++k)
-      if (particles.medium(particles.mirrors.particle(list.neighbour[k])).phase == Phase::rigid) {
-        loop(i);
-        return;
-      }
+    for (Index k = list.begin[i] + list.same_fluid[i]; k < list.end[i]; ++k) {
+      const Index j = particles.mirrors.particle(list.neighbour[k]);
+      if (is_smooth_wall(particles, j, particles.medium(j), particles.medium(i))) return loop(i);
+    }
   }
 };
 

@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "fluid/known_sums.hpp"
+#include "fluid/smooth_wall.hpp"
 #include "pairs/pair.hpp"
 
 namespace kerf {
@@ -67,8 +68,7 @@ struct ParticleConcentration {
   KERF_FUNCTION static Real counted_volume(const ParticleView<D, P>& particles,
                                            const Pair<D, P>& pair) {
     const Real at_rest = pair.medium_j->volume;
-    if (pair.medium_j->phase == Phase::rigid)
-      return wall_volume_factor(particles, pair.i) * at_rest;
+    if (is_at_smooth_wall(particles, pair)) return wall_volume_factor(particles, pair.i) * at_rest;
     if (pair.medium_i->phase == pair.medium_j->phase) return at_rest;
     const Real current = volume_of(particles, pair.j, *pair.medium_j);
     return current < at_rest ? current : at_rest;

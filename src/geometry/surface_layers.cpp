@@ -44,46 +44,20 @@ class NearbyPoints {
   std::map<Cell, std::vector<Point>> cells_;
 };
 
-class PlaneLayers {
+Point moved_aside(const Point& point, const NearestFace& face, double way) {
+  return {point[0] - way * face.normal[1], point[1] + way * face.normal[0], 0.0};
+}
+
+// The surface of a body as deep as whole layers of its lattice.
+CoveredShape region_of(const SurfaceLayers& layers) {
+  const double spacing = layers.body.spacing;
+  return {layers.body.shape, layers.others, std::ceil(layers.depth / spacing - slack) * spacing};
+}
+
+// The faces nearest to the particles of a plane body.
+class PlaneFaces {
  public:
-  PlaneLayers(const SurfaceLayers& layers, const std::vector<Point>& nodes)
-      : nodes_(nodes),
-        spacing_(layers.body.spacing),
-        depth_(std::ceil(layers.depth / spacing_ - slack) * spacing_),
-        region_{layers.body.shape, layers.others, depth_} {
-    for (const Point& node : nodes) faces_.push_back(region_.nearest(node, 2));
-  }
-
-  // Returns whether every node near the surface is at the depth of a layer, but for those behind a
-  // corner that faces outward.
-  bool are_laid() const {
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (faces_[i] && !is_at_layer(*faces_[i]) && !is_behind_corner(nodes_[i], *faces_[i]))
-        return false;
-    return true;
-  }
-
-  std::vector<Point> lay() const {
-    std::vector<Point> points;
-    NearbyPoints laid(0.6 * spacing_);
-    const int count = static_cast<int>(std::lround(depth_ / spacing_));
-    for (int layer = 0; layer < count; ++layer) {
-      std::vector<Point> of_layer;
-      NearbyPoints same(0.1 * spacing_);  // a curve may pass the middle of a wall both ways
-      for (const Point& point : points_of_layer(layer)) {
-        if (laid.has_one_near(point) || same.has_one_near(point)) continue;
-        same.add(point);
-        of_layer.push_back(point);
-      }
-      for (const Point& point : of_layer) {
-        laid.add(point);
-        points.push_back(point);
-      }
-    }
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (!faces_[i] && !laid.has_one_near(nodes_[i])) points.push_back(nodes_[i]);
-    return points;
-  }
+  PlaneFaces(const CoveredShape& region, double spacing) : region_(region), spacing_(spacing) {}
 
   // Returns the nearest face of a particle; at a corner, which is equally far from two faces, the
   // one that goes on farther, along which water is led, whatever the direction of the body.
@@ -117,9 +91,50 @@ class PlaneLayers {
     }
     return length;
   }
-  static Point moved_aside(const Point& point, const NearestFace& face, double way) {
-    return {point[0] - way * face.normal[1], point[1] + way * face.normal[0], 0.0};
+
+  const CoveredShape& region_;
+  double spacing_;
+};
+
+class PlaneLayers {
+ public:
+  PlaneLayers(const CoveredShape& region, double spacing, const std::vector<Point>& nodes)
+      : nodes_(nodes), spacing_(spacing), region_(region) {
+    for (const Point& node : nodes) faces_.push_back(region_.nearest(node, 2));
   }
+
+  // Returns whether every node near the surface is at the depth of a layer, but for those behind a
+  // corner that faces outward.
+  bool are_laid() const {
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (faces_[i] && !is_at_layer(*faces_[i]) && !is_behind_corner(nodes_[i], *faces_[i]))
+        return false;
+    return true;
+  }
+
+  std::vector<Point> lay() const {
+    std::vector<Point> points;
+    NearbyPoints laid(0.6 * spacing_);
+    const int count = static_cast<int>(std::lround(region_.reach / spacing_));
+    for (int layer = 0; layer < count; ++layer) {
+      std::vector<Point> of_layer;
+      NearbyPoints same(0.1 * spacing_);  // a curve may pass the middle of a wall both ways
+      for (const Point& point : points_of_layer(layer)) {
+        if (laid.has_one_near(point) || same.has_one_near(point)) continue;
+        same.add(point);
+        of_layer.push_back(point);
+      }
+      for (const Point& point : of_layer) {
+        laid.add(point);
+        points.push_back(point);
+      }
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (!faces_[i] && !laid.has_one_near(nodes_[i])) points.push_back(nodes_[i]);
+    return points;
+  }
+
+ private:
   // The nearest point of the surface stays the same as the point moves along the face.
   bool is_behind_corner(const Point& node, const NearestFace& face) const {
     const double aside = 0.1 * spacing_;
@@ -160,26 +175,32 @@ class PlaneLayers {
   }
 
   const std::vector<Point>& nodes_;
-  double spacing_, depth_;
-  CoveredShape region_;
+  double spacing_;
+  const CoveredShape& region_;
   std::vector<std::optional<NearestFace>> faces_;  // of the nodes
 };
 
 }  // namespace
 
+std::vector<std::optional<NearestFace>> nearest_faces(const SurfaceLayers& layers, int dimension,
+                                                      const std::vector<Point>& points) {
+  const CoveredShape region = region_of(layers);
+  const PlaneFaces plane(region, layers.body.spacing);
+  std::vector<std::optional<NearestFace>> faces;
+  for (const Point& point : points)
+    faces.push_back(dimension == 2 ? plane.face_of(point) : region.nearest(point, dimension));
+  return faces;
+}
+
 std::vector<std::optional<NearestFace>> lay_along_surface(const SurfaceLayers& layers,
                                                           int dimension,
                                                           std::vector<Point>& points) {
-  std::vector<std::optional<NearestFace>> faces;
-  if (dimension == 2) {
-    const PlaneLayers plane(layers, points);
-    if (layers.body.grading.levels == 0 && !plane.are_laid()) points = plane.lay();
-    for (const Point& point : points) faces.push_back(plane.face_of(point));
-    return faces;
+  if (dimension == 2 && layers.body.grading.levels == 0) {
+    const CoveredShape region = region_of(layers);
+    const PlaneLayers plane(region, layers.body.spacing, points);
+    if (!plane.are_laid()) points = plane.lay();
   }
-  const CoveredShape region{layers.body.shape, layers.others, layers.depth};
-  for (const Point& point : points) faces.push_back(region.nearest(point, dimension));
-  return faces;
+  return nearest_faces(layers, dimension, points);
 }
 
 }  // namespace kerf

@@ -31,4 +31,8 @@ std::vector<std::optional<NearestFace>> lay_along_surface(const SurfaceLayers& l
                                                           int dimension,
                                                           std::vector<Point>& points);
 
+// Returns the nearest face of each particle, which stays where it is.
+std::vector<std::optional<NearestFace>> nearest_faces(const SurfaceLayers& layers, int dimension,
+                                                      const std::vector<Point>& points);
+
 }  // namespace kerf

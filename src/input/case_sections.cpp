@@ -99,7 +99,7 @@ std::vector<Key> numerics_keys() {
   return {
       {"water", word, "", "riemann", any, water_scheme_words, "", "Scheme for pairs of water particles: Riemann solutions, or delta-SPH with mean pressures, density diffusion and an artificial viscosity", stored_in<&Numerics::water>},
       {"shifting", flag, "", "true", any, {}, "", "Particle shifting of moving water against the concentration gradient, except in three rows at its surfaces", stored_in<&Numerics::shifting>},
-      {"smooth_walls", flag, "", "true", any, {}, "", "Rigid walls consist of layers along their surface (2D) and act on water along the normals of their faces; without, they act along the lines between particles, as a staircase where they are not in line with their lattice", stored_in<&Numerics::smooth_walls>},
+      {"smooth_walls", flag, "", "true", any, {}, "", "Rigid walls consist of layers along their surface (2D), and rigid walls and undamaged solids act on water along the normals of their faces; without, they act along the lines between particles, as a staircase where they are not in line with their lattice", stored_in<&Numerics::smooth_walls>},
       {"subcycles", integer, "", "8", {1, 64}, {}, "", "Maximum number of steps of water and contact (substeps) for one step of the bond forces of solids, whose own step limit decides; 1 = no subcycling", stored_in<&Numerics::subcycles>},
       {"sleep", flag, "", "true", any, {}, "", "Solid at rest beside which nothing moves faster than 2^-24 of the jet's speed is left out of the steps until something does", stored_in<&Numerics::sleep>},
   };

@@ -57,7 +57,7 @@ struct ArtificialStress {  // Gray, Monaghan & Swift (2001)
 struct Numerics {  // of the `standard` formulation
   WaterScheme water = WaterScheme::riemann;
   bool shifting = true;      // of water's particles, away from its surfaces
-  bool smooth_walls = true;  // rigid walls act along the normals of their faces
+  bool smooth_walls = true;  // walls act along the normals of their faces
   int subcycles = 8;         // steps that go on with the same forces of bonds, at most
   bool sleep = true;         // whether solid that nothing has reached is left out of the steps
   bool operator==(const Numerics&) const = default;

@@ -11,9 +11,9 @@ namespace kerf {
 // The class of a pair when the list was built. `same_fluid`: of one fluid, or of one nearly
 // incompressible solid, with the same parameters in all formulas; for particles beside a jump of
 // the spacing of such a solid also those of its other levels. `same_body`: of one other solid.
-// `unlike`: of a fluid and another fluid or a solid; two waters, rigid bodies and images are not.
-// `image`: of a particle and a mirror image, one of them fluid, or both of one nearly
-// incompressible solid.
+// `unlike`: of a fluid and another fluid or a solid; two waters, rigid bodies, smooth walls and
+// images are not. `image`: of a particle and a mirror image, one of them fluid, or both of one
+// nearly incompressible solid.
 enum class PairClass : std::uint8_t { other, same_body, unlike, same_fluid, image };
 
 // Whether the SIMD kernel sums over neighbours of every spacing of the particle's own nearly
@@ -70,6 +70,7 @@ struct ContactPairs {
     }
     const auto &a = particles.medium(i), &b = particles.medium(j);
     if (a.phase == Phase::rigid || b.phase == Phase::rigid) return PairClass::other;
+    if (may_be_smooth_wall(particles, i, j)) return PairClass::other;
     if (particles.is_fluid(i) || particles.is_fluid(j))
       return a.phase == Phase::water && b.phase == Phase::water ? PairClass::other
                                                                 : PairClass::unlike;
@@ -82,6 +83,7 @@ struct ContactPairs {
                                              MirrorCode mirror) {
     const auto &a = particles.medium(i), &b = particles.medium(j);
     if (a.phase == Phase::rigid || b.phase == Phase::rigid) return PairClass::other;
+    if (may_be_smooth_wall(particles, i, j)) return PairClass::other;
     if (particles.is_fluid(i) || particles.is_fluid(j)) return PairClass::image;
     const bool one_volume =
         a.excess_bulk_modulus > 0 && b.excess_bulk_modulus > 0 && a.is_one_piece_with(b, mirror);
@@ -110,6 +112,15 @@ struct ContactPairs {
   }
 
  private:
+  // Whether one is water and the other intact solid, whose faces may be those of a smooth wall
+  // (fluid/smooth_wall.hpp), which the SIMD kernels do not know.
+  template <int D, class P>
+  KERF_FUNCTION static bool may_be_smooth_wall(const ParticleView<D, P>& particles, Index i,
+                                               Index j) {
+    return particles.face_normal != nullptr &&
+           particles.medium(i).phase != particles.medium(j).phase &&
+           particles.fractured[i] == particles.fractured[j];
+  }
   // Whether two media, the first of them nearly incompressible, differ in their spacing alone in
   // the formulas of pairs.
   template <class Medium>

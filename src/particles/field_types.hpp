@@ -26,17 +26,27 @@ struct ContactState {
   KERF_FUNCTION static ContactState none() { return {T(0), T(0), T(0), Vector<D, T>::zero()}; }
 };
 
-// What the sums over the rigid walls beside a fluid particle tell (fluid/rigid_wall.hpp).
+// What the sums over the rigid walls beside a fluid particle tell (fluid/smooth_wall.hpp).
 template <int D, class T>
-struct RigidWall {
+struct SmoothWall {
   Vector<D, T> normal;                  // 1, into the fluid; 0: none, an edge or a corner
   T force_excess, volume_excess, room;  // 1
   T centripetal;                        // m/s^2
   bool is_corner, is_edge;
 
-  KERF_FUNCTION static RigidWall none() {
+  KERF_FUNCTION static SmoothWall none() {
     return {Vector<D, T>::zero(), T(0), T(0), T(0), T(0), false, false};
   }
+};
+
+// What the gradient along a smooth wall adds to a fluid particle, of which the wall takes the
+// reaction (fluid/wall_reaction.hpp).
+template <int D, class T>
+struct WallPush {
+  Vector<D, T> acceleration;  // m/s^2
+  T inverse_weight;           // m, of the faces beside the particle
+
+  KERF_FUNCTION static WallPush none() { return {Vector<D, T>::zero(), T(0)}; }
 };
 
 template <int D, class P>
@@ -48,7 +58,8 @@ struct FieldTypes {
   using Gradient = Matrix<D, Real>;
   using Spin = SkewTensor<D, Real>;
   using SurfaceContactState = ContactState<D, Real>;
-  using RigidWallState = RigidWall<D, Real>;
+  using SmoothWallState = SmoothWall<D, Real>;
+  using WallPushState = WallPush<D, Real>;
 };
 
 }  // namespace kerf

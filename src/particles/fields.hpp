@@ -39,13 +39,15 @@ namespace kerf {
   STATE(RealVector, conservative_acceleration, RealVector(), always, hidden)                       \
   /* m/s^2, of the last step, without damping_acceleration */                                      \
   PAIRED(RealVector, wall_normal, RealVector(), always, hidden)       /* 1, to a wall; 0 = none */  \
-  STATE(RealVector, face_normal, RealVector::from(start.face_normal), rigid_walls, hidden)         \
-  /* 1, of a rigid particle: of the face nearest to it; of fluid: of the rigid wall beside it */   \
-  STATE(Real, face_depth, start.face_depth, rigid_walls, hidden) /* m, of a rigid particle */      \
-  STATE(Real, wall_force_excess, 0, rigid_walls, hidden)  /* 1, of fluid beside a rigid wall: */   \
-  STATE(Real, wall_volume_excess, 0, rigid_walls, hidden) /* 1, fluid/rigid_wall.hpp */            \
-  STATE(Real, wall_room, 0, rigid_walls, hidden)          /* 1 */                                  \
-  STATE(Real, wall_centripetal, 0, rigid_walls, hidden)   /* m/s^2 */                              \
+  PAIRED(RealVector, face_normal, RealVector::from(start.face_normal), smooth_walls, hidden)       \
+  /* 1, of a wall particle: of the face nearest to it; of fluid: of the smooth wall beside it */   \
+  PAIRED(Real, face_depth, start.face_depth, smooth_walls, hidden) /* m, of a wall particle */     \
+  STATE(RealVector, face_at_rest, RealVector::from(start.face()), smooth_walls, hidden)            \
+  /* 1/m, normal over depth before a solid is deformed (standard/turn_faces.hpp) */                \
+  PAIRED(Real, wall_force_excess, 0, smooth_walls, hidden) /* 1, of fluid beside a smooth wall: */ \
+  STATE(Real, wall_volume_excess, 0, smooth_walls, hidden) /* 1, fluid/smooth_wall.hpp */          \
+  PAIRED(Real, wall_room, 0, smooth_walls, hidden)         /* 1 */                                 \
+  PAIRED(Real, wall_centripetal, 0, smooth_walls, hidden)  /* m/s^2 */                             \
   STATE(Real, pressure_work, medium.tait.energy(medium, medium.initial_compression), always, hidden)     \
   STATE(std::uint32_t, inlet_column, start.inlet_column, always, hidden) /* of its nozzle */       \
   STATE(std::uint32_t, id, start.id, always, hidden)                 /* unique, never reused */    \
@@ -68,7 +70,8 @@ namespace kerf {
   SCRATCH(Real, start_compression, always, hidden)               /* 1 */                           \
   SCRATCH(Real, pressure, always, hidden)                        /* Pa */                          \
   SCRATCH(RealVector, next_wall_normal, always, hidden)          /* 1, the next wall_normal */     \
-  SCRATCH(RigidWallState, next_rigid_wall, rigid_walls, hidden)  /* of fluid, the next one */      \
+  SCRATCH(SmoothWallState, next_smooth_wall, smooth_walls, hidden) /* of fluid, the next one */    \
+  SCRATCH(WallPushState, wall_push, smooth_walls, hidden) /* fluid/gradient_at_wall.hpp */         \
   SCRATCH(Real, kernel_sum, always, hidden) /* 1, sum of V W; 1 inside matter */                   \
   SCRATCH(Real, max_relative_velocity, always, hidden)           /* 1/s, of fluid neighbours */    \
   SCRATCH(RealVector, acceleration, always, hidden)              /* m/s^2 */                       \
@@ -97,7 +100,7 @@ struct FieldGroups {
   bool contact = true;         // contact of the surfaces of solids (standard)
   bool mirrored = true;        // symmetry planes
   bool density_losses = true;  // energy that the density loses (standard)
-  bool rigid_walls = true;     // smooth walls of rigid bodies (standard)
+  bool smooth_walls = true;    // smooth walls of bodies (standard)
   bool sleep = false;          // solid at rest may sleep (standard)
 };
 
@@ -120,7 +123,8 @@ struct ParticleView : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::Gradient;
   using typename FieldTypes<D, P>::Spin;
   using typename FieldTypes<D, P>::SurfaceContactState;
-  using typename FieldTypes<D, P>::RigidWallState;
+  using typename FieldTypes<D, P>::SmoothWallState;
+  using typename FieldTypes<D, P>::WallPushState;
 #define KERF_STATE(type, name, initial, group, shown) type* name;  // null without its group
 #define KERF_SCRATCH(type, name, group, shown) type* name;
   KERF_PARTICLE_FIELDS(KERF_STATE, KERF_STATE, KERF_SCRATCH)
@@ -171,7 +175,8 @@ class Particles : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::Gradient;
   using typename FieldTypes<D, P>::Spin;
   using typename FieldTypes<D, P>::SurfaceContactState;
-  using typename FieldTypes<D, P>::RigidWallState;
+  using typename FieldTypes<D, P>::SmoothWallState;
+  using typename FieldTypes<D, P>::WallPushState;
 
 #define KERF_STATE(type, name, initial, group, shown) Array<type> name;
 #define KERF_SCRATCH(type, name, group, shown) Array<type> name;

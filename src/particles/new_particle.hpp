@@ -23,11 +23,19 @@ struct NewParticle {
   Point position{};                // m
   Point velocity{};                // m/s
   std::uint32_t inlet_column = 0;  // of its nozzle, of jet water
-  Point face_normal{};       // of a rigid body: outward normal of the face nearest to the particle
-  double face_depth = 0.0;   // m, of the particle below that face
-  std::uint32_t id = 0;      // given when it joins
-  std::uint16_t source = 0;  // number of its medium (simulation/media_order.hpp)
+  Point face_normal{};             // outward normal of the face nearest to a particle of a wall
+  double face_depth = 0.0;         // m, of the particle below that face
+  std::uint32_t id = 0;            // given when it joins
+  std::uint16_t source = 0;        // number of its medium (simulation/media_order.hpp)
   std::uint8_t flags = 0;
+
+  // The normal over the depth of the face, 1/m; 0 where there is none.
+  Point face() const {
+    Point result{};
+    if (face_depth > 0.0)
+      for (std::size_t a = 0; a < 3; ++a) result[a] = face_normal[a] / face_depth;
+    return result;
+  }
 };
 
 }  // namespace kerf

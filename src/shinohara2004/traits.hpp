@@ -65,7 +65,7 @@ struct Shinohara2004Traits {
             .contact = false,
             .mirrored = mirrored,
             .density_losses = false,
-            .rigid_walls = false};
+            .smooth_walls = false};
   }
 
   template <int D, class P>

@@ -67,20 +67,6 @@ void derive_parameters(Medium<double>& medium, int dimension, std::uint64_t seed
   medium.plastic.derive(body);
 }
 
-// Bodies joined to one another share a piece number.
-std::vector<std::uint16_t> pieces_of(const std::vector<Body>& bodies) {
-  std::map<std::string, std::size_t> by_name;
-  for (std::size_t b = 0; b < bodies.size(); ++b) by_name[bodies[b].name] = b;
-  std::vector<std::uint16_t> piece(bodies.size());
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    std::size_t root = b;
-    for (std::size_t hop = 0; hop < bodies.size() && !bodies[root].joined_to.empty(); ++hop)
-      root = by_name.at(bodies[root].joined_to);
-    piece[b] = static_cast<std::uint16_t>(root);
-  }
-  return piece;
-}
-
 // Returns the volume of a particle of a body that has so many, m^3 (2D: m^2).
 double volume_of_each(const Body& body, int dimension, std::size_t particles) {
   return particles > 0 && shares_volume(body, dimension)
@@ -126,6 +112,19 @@ Medium<double> jet_medium(const Case& description, const Jet& jet, const Nozzle&
 }
 
 }  // namespace
+
+std::vector<std::uint16_t> pieces_of(const std::vector<Body>& bodies) {
+  std::map<std::string, std::size_t> by_name;
+  for (std::size_t b = 0; b < bodies.size(); ++b) by_name[bodies[b].name] = b;
+  std::vector<std::uint16_t> piece(bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    std::size_t root = b;
+    for (std::size_t hop = 0; hop < bodies.size() && !bodies[root].joined_to.empty(); ++hop)
+      root = by_name.at(bodies[root].joined_to);
+    piece[b] = static_cast<std::uint16_t>(root);
+  }
+  return piece;
+}
 
 std::vector<Medium<double>> make_media(const Case& description, const std::vector<Nozzle>& nozzles,
                                        const std::vector<std::size_t>& particles) {

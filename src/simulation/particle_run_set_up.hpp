@@ -25,7 +25,8 @@ ParticleRun<D, P, Traits>::ParticleRun(RunSettings settings)
     return std::any_of(media_.begin(), media_.end(),
                        [&](const auto& medium) { return medium.phase == phase; });
   };
-  const bool has_smooth_walls = settings_.smooth_walls && has(Phase::rigid);
+  const bool has_smooth_walls =
+      settings_.smooth_walls && has(Phase::water) && (has(Phase::rigid) || has(Phase::solid));
   particles_.groups =
       Traits::field_groups(has(Phase::solid), has_smooth_walls, particles_.mirrors.faces != 0);
   particles_.groups.sleep &= settings_.sleep && settings_.loads.empty();

@@ -13,24 +13,47 @@
 #include "model/case.hpp"
 #include "model/expression.hpp"
 #include "simulation/inflow.hpp"
+#include "simulation/media.hpp"
 #include "simulation/media_order.hpp"
 
 namespace kerf {
 namespace {
 
-// Lays the particles of the rigid body `number` along its surface and finds the faces nearest to
-// them.
-std::vector<std::optional<NearestFace>> lay_wall(const Case& description, std::size_t number,
-                                                 std::vector<Point>& points) {
+// Returns the region beyond a symmetry plane, in which the image of a body continues it.
+Shape region_beyond(const Box& domain, std::size_t axis, bool at_minimum) {
+  constexpr double far = 1e6;  // m
+  Shape region;
+  region.box = {{-far, -far, -far}, {far, far, far}};
+  if (at_minimum)
+    region.box.maximum[axis] = domain.minimum[axis];
+  else
+    region.box.minimum[axis] = domain.maximum[axis];
+  return region;
+}
+
+// Returns the surface of a body down to the reach of water. Covered are the parts in symmetry
+// planes, where a solid is joined to another, and where a rigid body touches another.
+SurfaceLayers surface_of(const Case& description, std::size_t number) {
+  const Body& body = description.bodies[number];
   double coarsest = 0.0;
-  for (const Body& body : description.bodies) coarsest = std::max(coarsest, body.spacing);
+  for (const Body& one : description.bodies) coarsest = std::max(coarsest, one.spacing);
   for (const Jet& jet : description.jets) coarsest = std::max(coarsest, jet.spacing);
-  SurfaceLayers layers{description.bodies[number], {}, 0.0};
+  SurfaceLayers layers{body, {}, 0.0};
   layers.depth = WendlandC2<2>::support * description.smoothing_ratio * coarsest;
-  for (std::size_t b = 0; b < description.bodies.size(); ++b)
-    if (b != number && description.bodies[b].role == Role::rigid)
-      layers.others.push_back(description.bodies[b].shape);
-  return lay_along_surface(layers, description.dimension, points);
+  const auto pieces = pieces_of(description.bodies);
+  for (std::size_t b = 0; b < description.bodies.size(); ++b) {
+    const Body& other = description.bodies[b];
+    const bool covers =
+        body.role == Role::rigid ? other.role == Role::rigid : pieces[b] == pieces[number];
+    if (b != number && covers) layers.others.push_back(other.shape);
+  }
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (description.symmetry.minimum[a])
+      layers.others.push_back(region_beyond(description.domain, a, true));
+    if (description.symmetry.maximum[a])
+      layers.others.push_back(region_beyond(description.domain, a, false));
+  }
+  return layers;
 }
 
 // The particles of a body as laid out.
@@ -38,7 +61,7 @@ struct Layout {
   std::vector<Point> points;                      // m
   std::vector<int> levels;                        // of resolution
   std::vector<std::uint8_t> repelling;            // flags of rigid bodies
-  std::vector<std::optional<NearestFace>> faces;  // of rigid bodies with smooth walls
+  std::vector<std::optional<NearestFace>> faces;  // of bodies that are smooth walls
 };
 
 // Returns the particles of a window of the path of a travelling frame.
@@ -53,6 +76,21 @@ std::vector<GradedParticle> fill_window(const Body& body, int dimension,
   return fill_levels(block, dimension, window);
 }
 
+// Returns the faces nearest to the particles of a body. Those of a rigid one are laid along its
+// surface.
+std::vector<std::optional<NearestFace>> faces_of(const Case& description, std::size_t number,
+                                                 const std::optional<TravellingFrame>& frame,
+                                                 std::vector<Point>& points) {
+  const Body& body = description.bodies[number];
+  SurfaceLayers layers = surface_of(description, number);
+  if (body.role == Role::rigid) return lay_along_surface(layers, description.dimension, points);
+  if (body.role != Role::elastic) return {};
+  if (!frame) return nearest_faces(layers, description.dimension, points);
+  Body block = body;  // the window is a part of the path
+  block.shape.box = frame->path;
+  return nearest_faces({block, layers.others, layers.depth}, description.dimension, points);
+}
+
 Layout lay_out(const Case& description, std::size_t number, std::uint64_t shifts) {
   const Body& body = description.bodies[number];
   Layout layout;
@@ -65,8 +103,8 @@ Layout lay_out(const Case& description, std::size_t number, std::uint64_t shifts
   }
   const bool is_rigid = body.role == Role::rigid;
   const bool is_standard = description.formulation == Formulation::standard;
-  if (is_rigid && is_standard && description.numerics.smooth_walls)
-    layout.faces = lay_wall(description, number, layout.points);
+  if (is_standard && description.numerics.smooth_walls)
+    layout.faces = faces_of(description, number, frame, layout.points);
   layout.levels.resize(layout.points.size());
   layout.faces.resize(layout.points.size());
   layout.repelling.resize(layout.points.size());

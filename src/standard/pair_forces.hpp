@@ -15,8 +15,9 @@
 #include "fluid/gradient_at_wall.hpp"
 #include "fluid/lattice_sums.hpp"
 #include "fluid/particle_concentration.hpp"
-#include "fluid/rigid_wall.hpp"
 #include "fluid/simd/simd_pairs.hpp"
+#include "fluid/smooth_wall.hpp"
+#include "fluid/wall_reaction.hpp"
 #include "fluid/water_viscosity.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "materials/equation_of_state.hpp"
@@ -57,6 +58,7 @@ class StandardRates {
     to_device(entries, contacts_);
     for (const auto& medium : media) {
       if (medium.phase != Phase::solid) continue;
+      has_solids_ = true;
       apart_from_images_ |= ~medium.joined_mirrors;
       for (const auto& other : media)
         has_bodies_apart_ |= other.phase != Phase::water && other.piece != medium.piece;
@@ -103,21 +105,42 @@ class StandardRates {
   Array<Vector<D, Real>>& density_gradients() { return density_gradient_; }  // 1/m
 
   // Evaluates what a step needs in one pair loop: pressures, the accelerations by gravity and all
-  // pairs, the rates of compression, the kernel sums and the concentration gradients.
+  // pairs, the rates of compression, the kernel sums and the concentration gradients;
+  // complete_at_walls() must follow, as after accelerate().
   template <class Bonds>
   void evaluate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                 const Bonds& bonds, ConcentrationGradient<D, Real>* concentration_gradient) const {
     const LoopInput input{view, count, list};
     if (fluid_pair_.scheme == WaterScheme::riemann) {
-      sum_pairs(input, bonds, FluidContinuity<D, P>{fluid_pair_}, RigidWalls{}, KernelSum{},
+      sum_pairs(input, bonds, FluidContinuity<D, P>{fluid_pair_}, SmoothWalls{}, KernelSum{},
                 ConcentrationGradientSum<D, P>{concentration_gradient});
     } else {
       update_pressures(input);
       run_loop(input, bonds, EveryPair{}, gravity_, FluidContinuity<D, P>{fluid_pair_},
-               RigidWalls{}, KernelSum{}, ConcentrationGradientSum<D, P>{concentration_gradient},
+               SmoothWalls{}, KernelSum{}, ConcentrationGradientSum<D, P>{concentration_gradient},
                DensityDiffusion<D, P>{pointer(density_gradient_)});
     }
-    complete_gradients(input);
+  }
+
+  // Adds what smooth walls lack to the rates of fluid, after the sums over pairs. Returns whether
+  // solids take a reaction, by react_at_walls(), for which ghosts need the field `wall_push`.
+  bool complete_at_walls(const ParticleView<D, P>& view, Index count,
+                         const NeighbourView& list) const {
+    if (!has_smooth_walls(view)) return false;
+    using Loop = PairLoop<D, P, ContactPairs, GradientAtWall<D, P, ContactPairs::Kernel<D>>>;
+    NeighbourView all = list;
+    all.skips = Skips::nothing;
+    const GradientAtWall<D, P, ContactPairs::Kernel<D>> term{
+        fluid_pair_.kernel_gradient_normalisation};
+    for_each_index(count, BesideSmoothWalls<D, P, Loop>{view, all, Loop(view, all, {}, term)});
+    return has_solids_;
+  }
+  void react_at_walls(const ParticleView<D, P>& view, Index count,
+                      const NeighbourView& list) const {
+    using Loop = PairLoop<D, P, ContactPairs, WallReaction<D, P>>;
+    NeighbourView others = list;
+    others.skips = Skips::nothing;
+    for_each_index(count, OfSmoothSolids<D, P, Loop>{view, Loop(view, others, {}, {})});
   }
 
   // Evaluates pressures and accelerations only, for output.
@@ -125,7 +148,6 @@ class StandardRates {
   void accelerate(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                   const Bonds& bonds) const {
     sum_pairs({view, count, list}, bonds);
-    complete_gradients({view, count, list});
   }
   // Evaluates the accelerations by the pairs that `filter` selects and by the body force given.
   template <class Bonds, class Filter>
@@ -147,7 +169,7 @@ class StandardRates {
   }
 
  private:
-  using RigidWalls = RigidWallSum<D, P, ContactPairs::Kernel<D>>;
+  using SmoothWalls = SmoothWallSum<D, P, ContactPairs::Kernel<D>>;
   using KernelSum = ParticleConcentration<D, P, ContactPairs::Kernel<D>>;
 
   struct LoopInput {
@@ -194,17 +216,6 @@ class StandardRates {
     run_loop(input, bonds, EveryPair{}, gravity_, more...);
   }
 
-  // Adds what smooth rigid walls lack, after the sums over pairs.
-  void complete_gradients(const LoopInput& input) const {
-    if (!has_smooth_walls(input.view)) return;
-    using Loop = PairLoop<D, P, ContactPairs, GradientAtWall<D, P>>;
-    NeighbourView all = input.list;
-    all.skips = Skips::nothing;
-    const GradientAtWall<D, P> term{fluid_pair_.kernel_gradient_normalisation};
-    for_each_index(input.count,
-                   BesideRigidWalls<D, P, Loop>{input.view, all, Loop(input.view, all, {}, term)});
-  }
-
   void sum_surface_overlaps(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
                             const SurfaceOverlap<D, P>& term) const {
     using Loop = PairLoop<D, P, ContactPairs, SurfaceOverlap<D, P>>;
@@ -219,7 +230,8 @@ class StandardRates {
   Index media_ = 0;
   Array<ContactOfMedia<Real>> contacts_;
   Array<Vector<D, Real>> density_gradient_;  // 1/m, scratch of delta-SPH alone
-  bool has_bodies_apart_ = false;            // a solid and another body that it is not joined to
+  bool has_solids_ = false;
+  bool has_bodies_apart_ = false;     // a solid and another body that it is not joined to
   MirrorCode apart_from_images_ = 0;  // planes whose images of a solid are not one piece with it
   mutable SimdPairs<D, P> simd_pairs_;
 };

@@ -34,7 +34,8 @@ class SolidExchange {
     solid.exchange_accelerations(returned_, awaited_);
   }
   // Gives them a field, with one entry for each particle of the solid.
-  void send_back([[maybe_unused]] Array<Real>& field) const {
+  template <class T>
+  void send_back([[maybe_unused]] Array<T>& field) const {
     if constexpr (ranks::exist) exchange_entries(returned_, awaited_, field);
   }
 

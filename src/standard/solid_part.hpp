@@ -23,6 +23,7 @@
 #include "standard/solid_losses.hpp"
 #include "standard/solid_members.hpp"
 #include "standard/solid_show.hpp"
+#include "standard/turn_faces.hpp"
 #include "time/subcycling.hpp"
 
 namespace kerf {
@@ -239,6 +240,8 @@ class SolidPart {
   }
   // Lets the damaged particles open (standard/open_damaged.hpp).
   void open_damaged(Particles<D, P>& particles);
+  // Turns the faces of the solid to its deformation (standard/turn_faces.hpp).
+  void turn_faces(Particles<D, P>& particles);
   void mark_detached(Particles<D, P>& particles, bool in_step);
 
   // Whether several ranks divide the solid among them; what they do then
@@ -253,8 +256,9 @@ class SolidPart {
   void accelerate_divided(Particles<D, P>& particles, const Filter& filter);
   const Real* mean_stress_divided();
   const Real* damaged_divided();
-  template <class Value>
-  const Real* given_back(const Value& value);
+  const Matrix<D, Real>* gradient_divided();
+  template <class Value, class T>
+  const T* given_back(const Value& value, Array<T>& result);
   // Applies an action to each particle of the solid; returns what it sums.
   template <class Action>
   double sum_of(const Action& action) {
@@ -267,6 +271,7 @@ class SolidPart {
   // Of all particles, where they are divided.
   std::vector<std::uint8_t> undeformed_, reached_;
   Array<Real> given_back_;
+  Array<Matrix<D, Real>> gradient_given_back_;
   std::unique_ptr<TotalLagrangian<D, P>> solid_;
   SolidMembers<D> members_;
   std::vector<std::uint16_t> body_of_medium_;

@@ -71,23 +71,28 @@ void SolidPart<D, P>::accelerate_divided(Particles<D, P>& particles, const Filte
 // Returns a value of the solid for the particles of this rank: value(s) of each, which its owner
 // computes.
 template <int D, class P>
-template <class Value>
-const typename P::Real* SolidPart<D, P>::given_back([[maybe_unused]] const Value& value) {
+template <class Value, class T>
+const T* SolidPart<D, P>::given_back([[maybe_unused]] const Value& value, Array<T>& result) {
   if constexpr (ranks::exist) {
     const IndexShare share = solid_->share();
-    given_back_.resize(solid_->size());
-    for (Index s = share.first; s < share.last; ++s) given_back_[s] = value(s);
-    exchange_.send_back(given_back_);
+    result.resize(solid_->size());
+    for (Index s = share.first; s < share.last; ++s) result[s] = value(s);
+    exchange_.send_back(result);
   }
-  return pointer(given_back_);
+  return pointer(result);
 }
 template <int D, class P>
 const typename P::Real* SolidPart<D, P>::mean_stress_divided() {
-  return given_back(MeanStress<D, P>{solid_->view()});
+  return given_back(MeanStress<D, P>{solid_->view()}, given_back_);
 }
 template <int D, class P>
 const typename P::Real* SolidPart<D, P>::damaged_divided() {
-  return given_back(IsDamaged<D, P>{solid_->view()});
+  return given_back(IsDamaged<D, P>{solid_->view()}, given_back_);
+}
+template <int D, class P>
+const Matrix<D, typename P::Real>* SolidPart<D, P>::gradient_divided() {
+  const auto solid = solid_->view();
+  return given_back([&](Index s) { return solid.gradient[s]; }, gradient_given_back_);
 }
 
 // The sum over particles each of which is at one of the ranks, in the order and the blocks of a sum

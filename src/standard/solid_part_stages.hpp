@@ -28,6 +28,7 @@ void SolidPart<D, P>::finish_solid_step(Particles<D, P>& particles) {
   losses_.released += solid_->keep_softening();
   losses_.released += solid_->keep_damage(cycle_.take_length());
   open_damaged(particles);
+  turn_faces(particles);
   wave_ = solid_->wave_time(courant_);
 }
 
@@ -50,6 +51,17 @@ void SolidPart<D, P>::open_damaged(Particles<D, P>& particles) {
   OpenDamaged<D, P> open{particles.view(), link(), solid_->view()};
   if (is_divided()) open.damaged = damaged_divided();
   losses_.released += sum_of(open);
+}
+
+template <int D, class P>
+void SolidPart<D, P>::turn_faces(Particles<D, P>& particles) {
+  if (!particles.groups.smooth_walls) return;
+  TurnFaces<D, P> turn{particles.view(), link(), solid_->view()};
+  if (is_divided()) {
+    turn.damaged = damaged_divided();
+    turn.gradient = gradient_divided();
+  }
+  for_each_index(solid_->size(), turn);
 }
 
 template <int D, class P>

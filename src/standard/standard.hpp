@@ -146,6 +146,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     rates_.evaluate(particles_.view(), particles_.owned(),
                     solid_.without_fully_bonded(list_.view()), solid_.bonds(),
                     pointer(concentration_gradient_));
+    complete_at_walls();
     pair_interactions_ += static_cast<double>(list_.pairs());
   }
 
@@ -214,11 +215,21 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
       Run::update_ghosts(particles_.solid_contact);
   }
 
+  // Completes the forces at smooth walls, and gives solid walls the reaction.
+  void complete_at_walls() const {
+    const auto view = particles_.view();
+    const auto list = list_.view();
+    if (!rates_.complete_at_walls(view, particles_.owned(), list)) return;
+    Run::update_ghosts(particles_.wall_push);
+    rates_.react_at_walls(view, particles_.owned(), list);
+  }
+
   void evaluate_current() const override {
     clear_forces_asleep();
     find_contacts();
     rates_.accelerate(particles_.view(), particles_.owned(),
                       solid_.without_fully_bonded(list_.view()), solid_.bonds());
+    complete_at_walls();
     solid_.deform_to_current(particles_);
     solid_.set_time(time_);
     solid_.accelerate(particles_);

@@ -18,7 +18,7 @@ struct StandardTraits {
             .contact = has_solids,
             .mirrored = mirrored,
             .density_losses = true,
-            .rigid_walls = smooth_walls,
+            .smooth_walls = smooth_walls,
             .sleep = has_solids};
   }
 

@@ -70,7 +70,8 @@ struct KickAndDrift {
   }
 };
 
-// Takes over the wall normals, the rigid walls and the free-surface flags that the pair loop found.
+// Takes over the wall normals, the smooth walls and the free-surface flags that the pair loop
+// found.
 template <int D, class P>
 struct UpdateSurfaceFlags {
   ParticleView<D, P> particles;
@@ -80,8 +81,8 @@ struct UpdateSurfaceFlags {
     const bool open = particles.kernel_sum[i] < typename P::Real(full_concentration);
     int flags = particles.flags[i] & ~flag::surface;
     if (open) flags |= flag::surface;
-    if (particles.next_rigid_wall != nullptr && particles.medium(i).phase != Phase::rigid) {
-      const auto& wall = particles.next_rigid_wall[i];
+    if (particles.next_smooth_wall != nullptr && particles.is_fluid(i)) {
+      const auto& wall = particles.next_smooth_wall[i];
       particles.face_normal[i] = wall.normal;
       particles.wall_force_excess[i] = wall.force_excess;
       particles.wall_volume_excess[i] = wall.volume_excess;

@@ -79,6 +79,14 @@ inline ReferenceStandard::Bonded bonds_of(const ReferenceState& state) {
 template <int D, class P>
 using LoadedStandard = Loaded<D, P, ContactPairs>;
 
+// What a step of one rank adds after the sums over pairs.
+template <int D, class P>
+void complete_at_walls(const StandardRates<D, P>& rates, LoadedStandard<D, P>& loaded) {
+  const auto view = loaded.particles.view();
+  if (rates.complete_at_walls(view, loaded.particles.size(), loaded.list.view()))
+    rates.react_at_walls(view, loaded.particles.size(), loaded.list.view());
+}
+
 template <int D, class P>
 void evaluate_standard(const ReferenceState& state, LoadedStandard<D, P>& loaded) {
   const StandardRates<D, P> rates(Vector<D, double>::from(state.gravity), state.media);
@@ -89,6 +97,7 @@ void evaluate_standard(const ReferenceState& state, LoadedStandard<D, P>& loaded
   rates.find_contacts(particles.view(), particles.size(), loaded.list.view());
   rates.evaluate(particles.view(), particles.size(), loaded.list.view(), MixtureBonds<D, P>{},
                  pointer(concentration_gradient));
+  complete_at_walls(rates, loaded);
   particles.wall_normal = particles.next_wall_normal;
 }
 

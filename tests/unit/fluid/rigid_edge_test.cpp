@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "fluid/rigid_wall.hpp"
+#include "fluid/smooth_wall.hpp"
 #include "support/standard_mixture.hpp"
 #include "time/verlet.hpp"
 

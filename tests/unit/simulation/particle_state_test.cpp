@@ -87,7 +87,7 @@ TEST(StateIo, AbsentGroupsAreNotStored) {
                          .contact = false,
                          .mirrored = false,
                          .density_losses = false,
-                         .rigid_walls = false};
+                         .smooth_walls = false};
   Archive archive;
   save_fields(loaded<2, Double>(std::vector<NewParticle>(2), none), archive);
   EXPECT_EQ(archive.arrays.count("particles/shear"), 0u);

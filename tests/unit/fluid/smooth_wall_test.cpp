@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plane rigid wall that a lattice fills acts on a particle of water as layers parallel to its
 // surface do, whatever the angle between surface and lattice.
-#include "fluid/rigid_wall.hpp"
+#include "fluid/smooth_wall.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "support/standard_mixture.hpp"
 #include "time/verlet.hpp"
 
-namespace kerf::test::rigid_wall_test {
+namespace kerf::test::smooth_wall_test {
 namespace {
 
 constexpr double spacing = 1e-3, smoothing_length = 1.3 * spacing, centre = 0.01;
@@ -200,4 +200,4 @@ TYPED_TEST(RigidWallForces, SlidingIsFree) {
 }
 
 }  // namespace
-}  // namespace kerf::test::rigid_wall_test
+}  // namespace kerf::test::smooth_wall_test

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How rigid walls act on fluid where a case asks for `numerics.smooth_walls`; otherwise pairs act
-// along the line of centres. A particle of a rigid body knows the face nearest to it: the normal
-// n_j and its own depth below the face (geometry/nearest_face.hpp). A smooth wall pushes along its
+// How walls act on fluid where a case asks for `numerics.smooth_walls`; otherwise pairs act along
+// the line of centres. A particle of a wall knows the face nearest to it: the normal n_j and its
+// own depth below the face (geometry/nearest_face.hpp). Walls are the particles of rigid bodies
+// and, for water, those of solids beside a face of their shape until they are damaged; their faces
+// turn with the deformation (standard/turn_faces.hpp). A smooth wall pushes along its
 // normal only, so that a pair acts along n_j instead of along the line of centres d_ij = r_i - r_j:
 // the sums of pressure, dissipation and continuity take (d_ij . n_j) n_j in place of d_ij. Beside a
 // plane wall they are scaled to those over layers parallel to its surface, spacing d apart, which a
@@ -19,11 +21,12 @@
 
 #include "core/select.hpp"
 #include "fluid/wall_curvature.hpp"
+#include "fluid/wall_layers.hpp"
 #include "pairs/pair.hpp"
 
 namespace kerf {
 
-// Whether rigid walls act along the normals of their faces.
+// Whether walls act along the normals of their faces.
 template <int D, class P>
 KERF_FUNCTION bool has_smooth_walls(const ParticleView<D, P>& particles) {
   return particles.face_normal != nullptr;
@@ -43,8 +46,8 @@ KERF_FUNCTION typename P::Real wall_volume_factor(const ParticleView<D, P>& part
   return has_smooth_walls(particles) ? Real(1) + particles.wall_volume_excess[i] : Real(1);
 }
 
-// Returns the share of the compression by rigid walls that a fluid particle does not feel. Water in
-// a free surface lacks neighbours: it is not compressed as long as it has room before the wall.
+// Returns the share of the compression by smooth walls that a fluid particle does not feel. Water
+// in a free surface lacks neighbours: it is not compressed as long as it has room before the wall.
 // Otherwise a jet that flies past a wall would be compressed as the wall takes the place of the
 // neighbours that its outermost row lacks, and would be repelled.
 template <int D, class P>
@@ -60,30 +63,71 @@ KERF_FUNCTION Real complete_part(Real aside) {
   return minimum(maximum((Real(0.5) - aside) / Real(0.35), Real(0)), Real(1));
 }
 
-// How a rigid particle j acts on a fluid particle i.
+// Whether particle j, of `medium`, is of a wall that acts along its normals on a fluid particle of
+// another medium: a rigid one, or for water a solid whose face is known.
+template <int D, class P>
+KERF_FUNCTION bool is_smooth_wall(const ParticleView<D, P>& particles, Index j,
+                                  const Medium<typename P::Real>& medium,
+                                  const Medium<typename P::Real>& of_fluid) {
+  if (medium.phase == Phase::rigid) return true;
+  if (medium.phase != Phase::solid || of_fluid.phase != Phase::water) return false;
+  if (!has_smooth_walls(particles) || particles.fractured[j]) return false;
+  const auto& normal = particles.face_normal[j];
+  return dot(normal, normal) > typename P::Real(0);
+}
+// The same of the pair of a fluid particle i.
+template <int D, class P>
+KERF_FUNCTION bool is_at_smooth_wall(const ParticleView<D, P>& particles, const Pair<D, P>& pair) {
+  return particles.is_fluid(pair.i) &&
+         is_smooth_wall(particles, pair.j, *pair.medium_j, *pair.medium_i);
+}
+
+// A pair seen from its fluid particle, whichever of the two that is.
+template <int D, class P>
+struct WallPair {
+  using RealVector = Vector<D, typename P::Real>;
+  Index fluid, wall;
+  RealVector separation, velocity;  // m, m/s, of the fluid relative to the wall
+  RealVector of_wall, of_face;      // 1, normals of the wall beside the fluid, of the wall particle
+
+  KERF_FUNCTION static WallPair of(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
+                                   bool fluid_i) {
+    const auto of_i = particles.face_normal[pair.i];
+    const auto of_j = pair.of_j(particles.face_normal[pair.j]);
+    if (fluid_i) return {pair.i, pair.j, pair.separation, pair.velocity, of_i, of_j};
+    const typename P::Real back(-1);
+    return {pair.j, pair.i, back * pair.separation, back * pair.velocity, of_j, of_i};
+  }
+};
+
+// How a wall particle acts on a fluid particle.
 template <int D, class Real>
-struct RigidWallArm {
-  Vector<D, Real> arm;  // m, in place of d_ij
-  bool is_smooth;       // false: d_ij itself, in a corner
+struct SmoothWallArm {
+  Vector<D, Real> arm;  // m, in place of the separation, from the wall
+  bool is_smooth;       // false: the separation itself, in a corner
 };
 
 template <int D, class P>
-KERF_FUNCTION RigidWallArm<D, typename P::Real> rigid_wall_arm(const ParticleView<D, P>& particles,
-                                                               const Pair<D, P>& pair) {
+KERF_FUNCTION SmoothWallArm<D, typename P::Real> smooth_wall_arm(
+    const ParticleView<D, P>& particles, const WallPair<D, P>& pair) {
   using Real = typename P::Real;
-  if (!has_smooth_walls(particles)) return {pair.separation, false};
-  const auto of_wall = particles.face_normal[pair.i];
-  const auto of_face = pair.of_j(particles.face_normal[pair.j]);
-  const bool has_face = dot(of_face, of_face) > Real(0);
-  const bool is_plane = dot(of_wall, of_wall) > Real(0);
-  if (!is_plane && (particles.has(pair.i, flag::in_corner) || !has_face))
+  const bool has_face = dot(pair.of_face, pair.of_face) > Real(0);
+  const bool is_plane = dot(pair.of_wall, pair.of_wall) > Real(0);
+  if (!is_plane && (particles.has(pair.fluid, flag::in_corner) || !has_face))
     return {pair.separation, false};
-  const Real above = dot(pair.separation, of_face);
-  const bool is_facing = above > Real(0) && above > particles.face_depth[pair.j] &&
-                         !particles.has(pair.i, flag::at_edge);
-  const auto normal = is_facing ? of_face : of_wall;  // 0: a face that looks elsewhere
+  const Real above = dot(pair.separation, pair.of_face);
+  const bool is_facing = above > Real(0) && above > particles.face_depth[pair.wall] &&
+                         !particles.has(pair.fluid, flag::at_edge);
+  const auto normal = is_facing ? pair.of_face : pair.of_wall;  // 0: a face that looks elsewhere
   const Real along = dot(pair.separation, normal);
   return {(along > Real(0) ? along : Real(0)) * normal, true};
+}
+// The same of the pair of a fluid particle i.
+template <int D, class P>
+KERF_FUNCTION SmoothWallArm<D, typename P::Real> smooth_wall_arm(
+    const ParticleView<D, P>& particles, const Pair<D, P>& pair) {
+  if (!has_smooth_walls(particles)) return {pair.separation, false};
+  return smooth_wall_arm(particles, WallPair<D, P>::of(particles, pair, true));
 }
 
 // Sums over the faces of a wall that look at a fluid particle i, weighted by a = V_j S_ij d_ij .
@@ -109,15 +153,15 @@ struct FacingFaces {
   }
 };
 
-// Finds the rigid wall beside a fluid particle, for the next step.
+// Finds the smooth wall beside a fluid particle, for the next step.
 template <int D, class P, class Kernel>
-struct RigidWallSum {
+struct SmoothWallSum {
   using Real = typename P::Real;
   using RealVector = Vector<D, Real>;
   static constexpr bool includes_rigid = false;
   struct Sum {
     FacingFaces<D, Real> faces{};
-    Real all{};               // 1/m, sum V_j S_ij r_ij over all rigid particles
+    Real all{};               // 1/m, sum V_j S_ij r_ij over all its particles
     Real force{}, volume{};   // 1/m, 1: what the factors scale
     Real spacing{}, reach{};  // m, the largest ones
     WallCurvature<D, Real> curvature{};
@@ -135,14 +179,14 @@ struct RigidWallSum {
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     if (!has_smooth_walls(particles)) return;
-    if (pair.medium_j->phase != Phase::rigid || !particles.is_fluid(pair.i)) return;
+    if (!is_at_smooth_wall(particles, pair)) return;
     if (!(pair.distance > Real(0))) return;
     const Real volume = pair.medium_j->volume, weight = volume * pair.slope_per_distance;
     const Real spacing = pair.medium_j->spacing;
     sum.spacing = spacing > sum.spacing ? spacing : sum.spacing;
     sum.reach = pair.smoothing_length > sum.reach ? pair.smoothing_length : sum.reach;
     sum.all += weight * pair.distance;
-    sum.force += weight * norm(rigid_wall_arm(particles, pair).arm);
+    sum.force += weight * norm(smooth_wall_arm(particles, pair).arm);
     sum.volume += volume * Kernel::value(pair.distance, pair.smoothing_length);
     const RealVector normal = pair.of_j(particles.face_normal[pair.j]);
     const Real depth = particles.face_depth[pair.j], along = dot(pair.separation, normal);
@@ -157,8 +201,8 @@ struct RigidWallSum {
 
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     if (!has_smooth_walls(particles)) return;
-    auto& wall = particles.next_rigid_wall[i];
-    wall = RigidWall<D, Real>::none();
+    auto& wall = particles.next_smooth_wall[i];
+    wall = SmoothWall<D, Real>::none();
     if (!(sum.all > Real(0))) return;
     wall.is_corner = !(sum.faces.all > Real(0.1) * sum.all);
     if (wall.is_corner) return;
@@ -208,20 +252,15 @@ struct RigidWallSum {
         -inverse * sum.faces.height - inverse * inverse * dot(sum.faces.foot, sum.faces.normal);
     return covariance < Real(-0.02) * sum.spacing;
   }
-  KERF_FUNCTION void find_plane(const Sum& sum, bool was_plane, RigidWall<D, Real>& wall) const {
+  KERF_FUNCTION void find_plane(const Sum& sum, bool was_plane, SmoothWall<D, Real>& wall) const {
     wall.normal = (Real(1) / norm(sum.faces.normal)) * sum.faces.normal;
     if (!was_plane || !(sum.force * sum.reach > Real(least_wall))) return;
     // Near the end of a face the feet lie to one side, and the wall is not complete.
     const Real part = complete_part(sum.faces.aside(wall.normal) / sum.reach);
     const Real height = sum.faces.height / sum.faces.all;
-    Real force = Real(0), volume = Real(0);
-    for (Real x = height + Real(0.5) * sum.spacing; x < Real(Kernel::support) * sum.reach;
-         x += sum.spacing) {
-      force += sum.spacing * x * plane_integral<true>(std::abs(x), sum.reach);
-      volume += sum.spacing * plane_integral<false>(std::abs(x), sum.reach);
-    }
-    wall.force_excess = part * limited_excess(force / sum.force);
-    wall.volume_excess = part * limited_excess(volume / sum.volume);
+    const auto layers = WallLayers<D, Real>::template at<Kernel>(height, sum.spacing, sum.reach);
+    wall.force_excess = part * limited_excess(layers.force / sum.force);
+    wall.volume_excess = part * limited_excess(layers.volume / sum.volume);
     wall.centripetal = part * sum.curvature.centripetal(sum.spacing);
   }
   KERF_FUNCTION static Real between(Real value, Real least, Real most) {
@@ -229,26 +268,6 @@ struct RigidWallSum {
   }
   KERF_FUNCTION static Real limited_excess(Real factor) {
     return between(factor, Real(least_factor), Real(most_factor)) - Real(1);
-  }
-  // Integrates S (`slope`), 1/m^4 (3D: 1/m^5), or W over the plane (2D: line) at the distance x, by
-  // the rule of Gauss and Legendre with eight points along the radius.
-  template <bool slope>
-  KERF_FUNCTION static Real plane_integral(Real x, Real h) {
-    constexpr double point[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                0.9602898564975363};
-    constexpr double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                 0.1012285362903763};
-    const Real reach = Real(Kernel::support) * h;
-    const Real half = Real(0.5) * std::sqrt(reach * reach - x * x);
-    Real sum = Real(0);
-    for (int k = 0; k < 8; ++k) {
-      const Real side = k % 2 == 0 ? Real(1) : Real(-1);
-      const Real t = half * (Real(1) + side * Real(point[k / 2]));
-      const Real r = std::sqrt(x * x + t * t);
-      const Real value = slope ? Kernel::slope_per_distance(r, h) : Kernel::value(r, h);
-      sum += Real(weight[k / 2]) * (D == 2 ? Real(2) : Real(6.283185307179586) * t) * value;
-    }
-    return half * sum;
   }
 };
 
