@@ -199,6 +199,10 @@ std::string water_clause(const RunOutcome& outcome) {
 // Says what the jet does, and how where it removes no material down to the far face or a crack runs
 // ahead of its water.
 std::string deed(const RunOutcome& outcome) {
+  if (outcome.cut.punched)
+    return fmt::format("{} punches out a plug after {}{}", the_jet(outcome),
+                       readable(outcome.cut.cut_through_time, "s"),
+                       outcome.cut.cracked_ahead() ? water_clause(outcome) : way_clause(outcome));
   const bool removed =
       !outcome.kerf || outcome.kerf->shape.through || outcome.kerf->shape.through_share > 0.0;
   if (removed && outcome.cut.cracked_ahead()) return crack_clause(outcome) + water_clause(outcome);

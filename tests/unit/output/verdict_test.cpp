@@ -263,6 +263,16 @@ TEST(Verdict, PiecesAndLayersAreThoseOfTheStart) {
             "workpiece is in 2 pieces, of 2 at the start.");
 }
 
+TEST(Verdict, APlugIsTold) {
+  RunOutcome outcome = whole_outcome(0.0, 0.0);
+  outcome.cut.cut_through = outcome.cut.severed = outcome.cut.punched = true;
+  outcome.cut.cut_through_time = 4.4e-3;
+  outcome.cut.last.pieces = 3;
+  outcome.kerf->of<CutMargin>().is_whole = true;
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet punches out a plug after 4.4 ms; at the end the workpiece is in 3 pieces.");
+}
+
 // A crack aside of the way of the jet, as of another jet, is no cut of it.
 TEST(Verdict, ACrackBesideTheWayIsTold) {
   RunOutcome outcome = whole_outcome(0.0, 0.0);
