@@ -84,6 +84,12 @@ Region plug_between(double low, double high, double lean = 0.0) {
   };
 }
 
+TEST(Plug, HasANameAmongTheKindsOfCuts) {
+  EXPECT_EQ(kind_of_cut(true, true), "punched");
+  EXPECT_EQ(kind_of_cut(true, false), "severed");
+  EXPECT_EQ(kind_of_cut(false, false), "holed");
+}
+
 void expect_plug(const CutSummary& summary) {
   EXPECT_TRUE(summary.cut_through && summary.severed && summary.punched);
   EXPECT_TRUE(summary.bodies.at(0).cut.punched);

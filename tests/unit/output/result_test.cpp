@@ -89,9 +89,6 @@ TEST(Result, StatesKindAndPositionOfTheCutThrough) {
   outcome.cut.cut_through = outcome.cut.severed = true;
   outcome.cut.cut_through_place = {0.01, -0.02, 0.0};
   EXPECT_EQ(result_of(outcome).at("cut_through_by"), "severed");
-  outcome.cut.punched = true;
-  EXPECT_EQ(result_of(outcome).at("cut_through_by"), "punched");
-  outcome.cut.punched = false;
   EXPECT_EQ(result_of(outcome).at("cut_through_place"), nlohmann::ordered_json({0.01, -0.02, 0.0}));
   outcome.cut.severed = false;
   EXPECT_EQ(result_of(outcome).at("cut_through_by"), "holed");

@@ -228,6 +228,10 @@ TEST(Verdict, TheCutAndTheUnbrokenThicknessDoNotContradict) {
   EXPECT_EQ(verdict_of(outcome),
             "The jet does not cut through within 60 ms; the cut is 4 mm and its front 30 mm deep, "
             "and 4 mm of the thickness is unbroken; the workpiece has bent or moved by 27 mm.");
+  // With a void of 10 mm in it.
+  outcome.cut.last.cut_depth = 14e-3;
+  outcome.kerf->shape.thickness = 18e-3;
+  EXPECT_THAT(verdict_of(outcome), testing::HasSubstr("; the cut is 14 mm and its front 30 mm"));
 }
 
 // Bodies that were never joined are pieces from the start, and of those beside each other the one
