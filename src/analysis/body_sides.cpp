@@ -17,27 +17,8 @@ constexpr double least_excess = 1.01;  // thickness of a layer over the length o
 
 using Labels = std::vector<std::uint32_t>;  // ascending
 
-struct LayerSize {
-  double thickness = 0.0, reach = 0.0;  // m
-};
-
-LayerSize size_of_layers(const Workpiece& workpiece, std::uint16_t body, const KerfAxes& axes) {
-  double top = std::numeric_limits<double>::infinity(), bottom = -top, largest = 0.0;
-  for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
-    if (workpiece.body[slot] != body) continue;
-    const auto x = axes.local(workpiece.position[slot]);
-    const double size = workpiece.size[slot];
-    largest = std::max(largest, size);
-    if (std::hypot(x[0], x[1]) > std::max(axes.jet.width / 2.0, size)) continue;
-    top = std::min(top, x[2] - size / 2.0);
-    bottom = std::max(bottom, x[2] + size / 2.0);
-  }
-  return {least_excess * workpiece.interaction_range * largest,
-          std::max(bottom - top, least_reach * axes.jet.width)};
-}
-
 BodySides divide(const Workpiece& workpiece, std::uint16_t body, const KerfAxes& axes,
-                 const LayerSize& layers, double angle) {
+                 const SideLayers& layers, double angle) {
   BodySides sides;
   const double c = std::cos(angle), s = std::sin(angle);
   for (std::uint32_t slot = 0; slot < workpiece.position.size(); ++slot) {
@@ -93,10 +74,25 @@ Labels all_of(const std::vector<Labels>& layers) {
 
 }  // namespace
 
+SideLayers side_layers(const Workpiece& workpiece, std::uint16_t body, const KerfAxes& axes) {
+  double top = std::numeric_limits<double>::infinity(), bottom = -top, largest = 0.0;
+  for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
+    if (workpiece.body[slot] != body) continue;
+    const auto x = axes.local(workpiece.position[slot]);
+    const double size = workpiece.size[slot];
+    largest = std::max(largest, size);
+    if (std::hypot(x[0], x[1]) > std::max(axes.jet.width / 2.0, size)) continue;
+    top = std::min(top, x[2] - size / 2.0);
+    bottom = std::max(bottom, x[2] + size / 2.0);
+  }
+  return {least_excess * workpiece.interaction_range * largest,
+          std::max(bottom - top, least_reach * axes.jet.width), std::max(bottom - top, 0.0)};
+}
+
 std::vector<BodySides> find_sides(const Workpiece& workpiece, std::uint16_t body,
                                   const KerfAxes& axes,
                                   const std::vector<std::uint32_t>& body_piece) {
-  const LayerSize layers = size_of_layers(workpiece, body, axes);
+  const SideLayers layers = side_layers(workpiece, body, axes);
   std::vector<BodySides> all;
   const int directions = workpiece.dimension == 3 ? 4 : 1;
   for (int n = 0; n < directions; ++n) {

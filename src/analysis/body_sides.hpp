@@ -30,6 +30,14 @@ struct BodySides {
   std::array<std::vector<double>, 2> mass;  // kg, of each layer in the initial layout
 };
 
+// The layers beside the jet, and the body there, m.
+struct SideLayers {
+  double thickness = 0.0;       // of a layer, across the jet
+  double reach = 0.0;           // of all layers of a side
+  double body_thickness = 0.0;  // of the body, along the jet
+};
+SideLayers side_layers(const Workpiece& workpiece, std::uint16_t body, const KerfAxes& axes);
+
 // Returns the sides of a body for each direction across the jet in which the initial layout joins
 // them: one in 2D, four in 3D, the first at right angles to the plane of the cut. `body_piece`:
 // that of the initial layout, by slot (Pieces).

@@ -9,6 +9,7 @@
 #include "analysis/line_slope.hpp"
 #include "analysis/opening_width.hpp"
 #include "analysis/pieces.hpp"
+#include "analysis/plug.hpp"
 #include "analysis/unbroken.hpp"
 #include "analysis/workpiece.hpp"
 #include "core/error.hpp"
@@ -102,6 +103,16 @@ bool is_parted_on_path(const KerfView& view, const Pieces& pieces, const KerfAxe
   return false;
 }
 
+// Returns whether the jet, where it is now, has punched a plug out of a body.
+BodyCut judge_plug(const KerfView& view, const Pieces& pieces, const KerfAxes& axes) {
+  KerfAxes here = axes;
+  here.jet.aim = axes.jet.point_at(0.0, view.frame.time);
+  const PlugState state =
+      find_plug(view.workpiece, static_cast<std::uint16_t>(view.body), here, pieces);
+  if (state == PlugState::held) return {};
+  return {.through = true, .severed = true, .punched = state == PlugState::apart};
+}
+
 // Returns whether a body is cut through in a frame that the water has entered.
 BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pieces,
               const KerfAxes& axes, double front, const std::vector<std::uint8_t>& traces) {
@@ -109,6 +120,7 @@ BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pie
   if (!body.is_in_way) return cut;
   if (has_left(body, view, traces)) return {.left = true};
   if (!body.can_break || body.below > 0.0) return cut;
+  if (const BodyCut plug = judge_plug(view, pieces, axes); plug.through) return plug;
   bool is_joined = false;
   for (const BodySides& sides : body.sides) {
     const Joint joint = joint_of(sides, view.workpiece, pieces.body_piece);
@@ -228,7 +240,7 @@ CutSummary CutMonitor::summary() const {
 
 // Adds when and how the bodies and the workpiece were cut through.
 void CutMonitor::add_verdicts(CutSummary& summary) const {
-  summary.severed = true;
+  summary.severed = summary.punched = true;
   for (std::size_t n = 0; n < workpiece_->bodies.size(); ++n) {
     const WorkpieceBody& body = workpiece_->bodies[n];
     BodyVerdict verdict{body.body, body.is_in_way, body.can_break, history_.back().bodies.at(n)};
@@ -236,13 +248,17 @@ void CutMonitor::add_verdicts(CutSummary& summary) const {
       return state.bodies.at(n).through;
     });
     if (cut != history_.end()) verdict.time = cut->time;
-    if (body.is_in_way) summary.severed = summary.severed && verdict.cut.severed;
+    if (body.is_in_way) {
+      summary.severed = summary.severed && verdict.cut.severed;
+      summary.punched = summary.punched && verdict.cut.punched;
+    }
     summary.bodies.push_back(verdict);
   }
   const auto through = std::find_if(history_.begin(), history_.end(),
                                     [](const CutState& state) { return state.cut_through; });
   summary.cut_through = through != history_.end();
   summary.severed = summary.severed && summary.cut_through;
+  summary.punched = summary.punched && summary.cut_through;
   if (!summary.cut_through) return;
   summary.cut_through_time = through->time;
   summary.cut_through_place = workpiece_->jet->point_at(through->front_depth, through->time);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "analysis/kerf_axes.hpp"
@@ -23,11 +24,15 @@ struct Workpiece;
 // Whether a body of the workpiece is cut through, at this instant or before.
 struct BodyCut {
   bool through = false;
-  bool severed = false;  // no piece of it joins the two sides of the jet; else it has a hole
+  bool severed = false;  // no piece of it joins the solid beside the jet; else it has a hole
   // Much of it beside the jet, or half of it, has left the domain unbroken: it is pushed out, not
   // cut. What happens to the rows there, which lose their neighbours, is not judged.
   bool left = false;
+  bool punched = false;  // it is severed around a plug under the jet (analysis/plug.hpp)
 };
+
+// Returns the name of a kind of cut in results: `punched`, `severed` or `holed`.
+std::string kind_of_cut(bool is_severed, bool is_punched);
 
 // The state of a cut at one instant.
 struct CutState {
@@ -69,6 +74,7 @@ struct CutSummary {
   bool cut_through = false;
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s
   bool severed = false;  // every body in the way is parted; else some have a hole
+  bool punched = false;  // of every body in the way a plug is punched out
   // m, position of the front on the axis at that time
   std::array<double, 3> cut_through_place{};
   // How deep the front was then, over the depth at which the axis leaves the workpiece as laid out.

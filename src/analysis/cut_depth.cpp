@@ -8,9 +8,12 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include "analysis/unbroken.hpp"
+#include "analysis/void_places.hpp"
 #include "geometry/cell_grid.hpp"
 
 namespace kerf {
@@ -18,12 +21,14 @@ namespace {
 
 constexpr std::size_t every_body = std::numeric_limits<std::size_t>::max();
 
-// A particle of the layout within the space of the jet.
+// A particle of the layout within the space of the jet, or a place that the layout leaves empty
+// below solid, of the body of which it then is.
 struct TubePoint {
   std::array<double, 3> position{};  // m, local
   double size = 0.0;                 // m
   std::size_t body = 0;              // index into Workpiece::bodies
-  bool is_open = false;
+  bool is_open = false, is_void = false;
+  bool is_aside = false;  // a spacing beside the space, so that none looks empty at its edge
 };
 
 using TubeColumn = std::tuple<std::size_t, long, long>;  // of a body, and its place across the jet
@@ -46,7 +51,9 @@ std::vector<TubePoint> points_in_tube(const KerfView& view, const KerfAxes& axes
   std::vector<TubePoint> points;
   for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
     const auto& x = workpiece.position[slot];
-    if (axes.jet.distance(axes.jet.swept(x, view.frame.time)) > reach) continue;
+    const double distance = axes.jet.distance(axes.jet.swept(x, view.frame.time));
+    if (distance > reach + workpiece.size[slot]) continue;
+    const bool is_aside = distance > reach;
     const auto body =
         static_cast<std::size_t>(std::find_if(workpiece.bodies.begin(), workpiece.bodies.end(),
                                               [&](const WorkpieceBody& other) {
@@ -57,11 +64,24 @@ std::vector<TubePoint> points_in_tube(const KerfView& view, const KerfAxes& axes
         bodies[body].left;  // what becomes of a body beyond the domain is not judged
     const std::uint8_t standing = view.standing[slot];
     const bool is_open =
-        !is_out &&
+        !is_out && !is_aside &&
         (standing == 0 || (standing != stands_as_laid_out && torn[view.rows[slot]] != 0));
-    points.push_back({axes.local(x), workpiece.size[slot], body, is_open});
+    points.push_back({axes.local(x), workpiece.size[slot], body, is_open, false, is_aside});
   }
   return points;
+}
+
+// Adds the places that the layout leaves empty: the water comes through them.
+void add_voids(const std::vector<TubePoint>& points, double spacing, std::vector<TubePoint>& open) {
+  std::vector<std::array<double, 3>> places;
+  std::vector<double> sizes;
+  for (const TubePoint& point : points) {
+    places.push_back(point.position);
+    sizes.push_back(point.size);
+  }
+  for (const VoidPlace& empty : find_void_places(places, sizes, spacing))
+    if (!points[empty.above].is_aside)
+      open.push_back({empty.position, empty.size, points[empty.above].body, true, true});
 }
 
 // Returns the tops of the columns of each body, and those of all together.
@@ -93,6 +113,42 @@ std::vector<std::uint8_t> find_bare(const Workpiece& workpiece, const ColumnTops
         bare[n] = 0;
   return bare;
 }
+
+// The faces from which the water enters, and those below which depths are measured.
+class TubeFaces {
+ public:
+  TubeFaces(const Workpiece& workpiece, ColumnTops tops, const std::vector<BodyCut>& bodies)
+      : spacing_(workpiece.axis_spacing),
+        tops_(std::move(tops)),
+        bare_(find_bare(workpiece, tops_, bodies)) {}
+
+  // Returns whether the water reaches an open particle without a path: nothing of the workpiece
+  // lies above it, or what does is cut through.
+  bool is_at_face(const TubePoint& point) const {
+    if (point.is_void) return false;
+    const std::size_t face = bare_[point.body] != 0 ? point.body : every_body;
+    return tube_edge(point) <= top(point, face) + point.size / 2.0;
+  }
+  // Returns the depth of the face above a point of a path, m: of a body below others that are not
+  // cut through and that the path does not pass, its own.
+  double face_above(const TubePoint& point, const std::set<std::size_t>& opened) const {
+    if (bare_[point.body] != 0) return top(point, every_body);
+    double face = top(point, point.body);
+    for (const std::size_t body : opened)
+      if (const auto found = tops_.find(tube_column(point, body, spacing_)); found != tops_.end())
+        face = std::min(face, found->second);
+    return face;
+  }
+
+ private:
+  double top(const TubePoint& point, std::size_t body) const {
+    return tops_.at(tube_column(point, body, spacing_));
+  }
+
+  double spacing_;
+  ColumnTops tops_;
+  std::vector<std::uint8_t> bare_;
+};
 
 // The open particles, and the paths among them.
 class OpenPaths {
@@ -152,20 +208,21 @@ double measure_cut_depth(const KerfView& view, const KerfAxes& axes,
                [](const TubePoint& point) { return point.is_open; });
   if (open.empty()) return 0.0;
   const double spacing = view.workpiece.axis_spacing;
-  const ColumnTops tops = find_tops(points, spacing);
-  const std::vector<std::uint8_t> bare = find_bare(view.workpiece, tops, bodies);
+  add_voids(points, spacing, open);
+  const TubeFaces faces(view.workpiece, find_tops(points, spacing), bodies);
   OpenPaths paths(open);
   double deepest = 0.0;
   for (std::size_t n = 0; n < open.size(); ++n) {
-    const TubePoint& point = open[n];
-    if (bare[point.body] == 0) continue;
-    const double top = tops.at(tube_column(point, point.body, spacing));
-    if (tube_edge(point) > top + point.size / 2.0) continue;  // not at the face
+    if (!faces.is_at_face(open[n])) continue;
+    std::vector<std::size_t> path;
+    std::set<std::size_t> opened;
     paths.follow(n, [&](std::size_t reached) {
-      const TubePoint& other = open[reached];
-      const double face = tops.at(tube_column(other, every_body, spacing));
-      deepest = std::max(deepest, tube_edge(other) + other.size - face);
+      path.push_back(reached);
+      if (!open[reached].is_void) opened.insert(open[reached].body);
     });
+    for (const std::size_t reached : path)
+      deepest = std::max(deepest, tube_edge(open[reached]) + open[reached].size -
+                                      faces.face_above(open[reached], opened));
   }
   return deepest;
 }

@@ -14,10 +14,11 @@ namespace kerf {
 // cubic cell (1.73) does, two particles on both sides of a whole one (2) do not.
 inline constexpr double open_reach = 1.8;  // spacings
 
-// Returns the depth below the face, m along the jet, of the deepest open particle within a jet
-// width of the path of the axis to which a path of open particles leads there from the face. The
-// face of a body below others counts once these are cut through. `bodies`: the verdicts so far, in
-// the order of Workpiece::bodies.
+// Returns the depth below the face, m along the jet, of the deepest open place within a jet width
+// of the path of the axis to which a path of open places leads there from the face. Open are open
+// particles and what the layout leaves empty between solids (analysis/void_places.hpp). A face is
+// where nothing of the workpiece lies above, or only bodies that are cut through; depths are below
+// the first body that is. `bodies`: the verdicts so far, in the order of Workpiece::bodies.
 double measure_cut_depth(const KerfView& view, const KerfAxes& axes,
                          const std::vector<BodyCut>& bodies);
 

@@ -35,6 +35,10 @@ const MetricList<CutState>& CutState::metrics() {
   return list;
 }
 
+std::string kind_of_cut(bool is_severed, bool is_punched) {
+  return is_punched ? "punched" : is_severed ? "severed" : "holed";
+}
+
 const MetricList<CutSummary>& CutSummary::metrics() {
   using S = CutSummary;
   static const MetricList<S> list{
@@ -42,10 +46,11 @@ const MetricList<CutSummary>& CutSummary::metrics() {
        "Time at which the workpiece was first found cut through.",
        [](const S& s) { return s.cut_through ? std::optional(s.cut_through_time) : std::nullopt; }},
       {"cut_through_by", "1", "kind of the cut",
-       "`severed` where no piece joins the sides of the jet in any body in its way, else `holed`.",
+       "`severed` where no piece joins the sides of the jet in any body in its way, `punched` "
+       "where "
+       "of each a plug is apart from its rim, else `holed`.",
        [](const S& s) {
-         return s.cut_through ? std::optional<std::string>(s.severed ? "severed" : "holed")
-                              : std::nullopt;
+         return s.cut_through ? std::optional(kind_of_cut(s.severed, s.punched)) : std::nullopt;
        }},
       {"cut_through_place", "m", "position of the front at the cut",
        "Position of the water front on the axis of the jet when the workpiece was cut through.",

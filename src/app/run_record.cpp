@@ -47,7 +47,7 @@ void save_history(std::vector<CutState> history, Archive& archive) {
     through.push_back(state.cut_through ? 1 : 0);
     for (const BodyCut& body : state.bodies)
       bodies.push_back(static_cast<std::uint8_t>((body.through ? 1 : 0) + (body.severed ? 2 : 0) +
-                                                 (body.left ? 4 : 0)));
+                                                 (body.left ? 4 : 0) + (body.punched ? 8 : 0)));
   }
   archive.arrays["cut/pieces"] = std::move(pieces);
   archive.arrays["cut/through"] = std::move(through);
@@ -76,8 +76,8 @@ std::vector<CutState> restore_history(const Archive& archive) {
     history[i].pieces = static_cast<int>(pieces[i]);
     history[i].cut_through = through.at(i) != 0;
     for (std::size_t n = i * count; n < (i + 1) * count; ++n)
-      history[i].bodies.push_back(
-          {(bodies[n] & 1u) != 0, (bodies[n] & 2u) != 0, (bodies[n] & 4u) != 0});
+      history[i].bodies.push_back({(bodies[n] & 1u) != 0, (bodies[n] & 2u) != 0,
+                                   (bodies[n] & 4u) != 0, (bodies[n] & 8u) != 0});
   }
   for (const HistoryColumn& column : history_columns) {
     const auto& values = find<double>(archive, history_name(column.name));

@@ -9,6 +9,7 @@ std::string fate_of(const KerfLayer& layer) {
   if (!layer.verdict.is_in_way) return "not under the jet";
   if (layer.verdict.cut.through) {
     if (layer.shape.through_share > 0.0) return "cut through";
+    if (layer.verdict.cut.punched) return "punched out";
     return layer.verdict.cut.severed ? "parted" : "broken through";
   }
   return layer.fractured_mass > 0.0 && !layer.verdict.cut.left ? "cut in part" : "whole";
@@ -20,8 +21,10 @@ const MetricList<NamedLayer>& NamedLayer::metrics() {
     MetricList<L> all{
         {"name", "1", "body", "Name of the body.", &L::name},
         {"verdict", "1", "verdict on the layer",
-         "`cut through`; `parted` by a crack, or `broken through` while its sides are not parted, "
-         "where not all of the thickness is removed; `cut in part`; `whole`, without any fracture; "
+         "`cut through`; `parted` by a crack, `punched out` around a plug, or `broken through` "
+         "while "
+         "its sides are not parted, where not all of the thickness is removed; `cut in part`; "
+         "`whole`, without any fracture; "
          "or `not under the jet`.",
          [](const L& entry) { return fate_of(entry.layer); }},
         {"cut_through", "1", "layer cut through", "Whether the body has been cut through.",
@@ -33,11 +36,11 @@ const MetricList<NamedLayer>& NamedLayer::metrics() {
            return verdict.cut.through ? std::optional(verdict.time) : std::nullopt;
          }},
         {"cut_through_by", "1", "kind of the cut of the layer",
-         "`severed` where no piece of the body joins the sides of the jet, else `holed`.",
+         "`severed` where no piece of the body joins the sides of the jet, `punched` where a plug "
+         "under the jet is apart from the rim, else `holed`.",
          [](const L& entry) {
            const BodyCut& cut = entry.layer.verdict.cut;
-           return cut.through ? std::optional<std::string>(cut.severed ? "severed" : "holed")
-                              : std::nullopt;
+           return cut.through ? std::optional(kind_of_cut(cut.severed, cut.punched)) : std::nullopt;
          }},
         {"margin", share(), "margin of the cut of the layer",
          "Share of the time that the case states (`end`) which was left after the cut; below 0, "

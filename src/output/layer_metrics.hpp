@@ -15,8 +15,9 @@ struct NamedLayer {
 };
 
 // Returns the fate of a layer in words: `cut through`; `parted` or, where no sides of it are
-// parted, `broken through`, where it is cut through and not all of its thickness is removed; `cut
-// in part`; `whole`, where nothing of it is fractured; or `not under the jet`.
+// parted, `broken through`, where it is cut through and not all of its thickness is removed;
+// `punched out` around a plug; `cut in part`; `whole`, where nothing of it is fractured; or `not
+// under the jet`.
 std::string fate_of(const KerfLayer& layer);
 
 // The layers with the names of the bodies of the case.

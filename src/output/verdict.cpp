@@ -86,7 +86,8 @@ bool is_inclined(const RunOutcome& outcome) {
   if (!outcome.kerf || !outcome.kerf->layers.empty()) return false;
   const CutMargin& margin = outcome.kerf->of<CutMargin>();
   if (!(margin.value < 0.0 && margin.unbroken > least_length(outcome))) return false;
-  const double thickness = -margin.unbroken / margin.value;
+  // That from face to face has the voids, which the cut passes, and the solid does not.
+  const double thickness = std::max(-margin.unbroken / margin.value, outcome.kerf->shape.thickness);
   return outcome.cut.last.cut_depth + margin.unbroken > thickness + finest_spacing(outcome);
 }
 
@@ -201,6 +202,10 @@ std::string water_clause(const RunOutcome& outcome) {
 std::string deed(const RunOutcome& outcome) {
   const bool removed =
       !outcome.kerf || outcome.kerf->shape.through || outcome.kerf->shape.through_share > 0.0;
+  if (outcome.cut.punched && !removed)
+    return fmt::format("{} punches out a plug after {}{}", the_jet(outcome),
+                       readable(outcome.cut.cut_through_time, "s"),
+                       outcome.cut.cracked_ahead() ? water_clause(outcome) : way_clause(outcome));
   if (removed && outcome.cut.cracked_ahead()) return crack_clause(outcome) + water_clause(outcome);
   if (removed)
     return fmt::format("{} cuts through after {}{}", the_jet(outcome),

@@ -23,6 +23,12 @@ struct BodyFate {
   double time = std::nan("");  // s, of the cut
 };
 
+// Names the fate of the one body of a workpiece that is cut through.
+const char* fate_of_cut(const Json& result) {
+  if (!is_parted(result)) return "cut through";
+  return is_punched(result) ? "punched out" : "parted";
+}
+
 // result.json lists the layers where the workpiece has several bodies; else the verdict is on all.
 std::vector<BodyFate> fates_of(const Json& result, const Case& description) {
   std::vector<BodyFate> fates;
@@ -49,7 +55,7 @@ std::vector<BodyFate> fates_of(const Json& result, const Case& description) {
   for (const Body& body : description.bodies)
     if (body.role == Role::elastic)
       fates.push_back({body.name,
-                       through    ? (is_parted(result) ? "parted" : "cut through")
+                       through    ? fate_of_cut(result)
                        : is_aside ? "not under the jet"
                        : is_whole ? "whole"
                                   : "cut in part",
@@ -61,8 +67,8 @@ std::vector<BodyFate> fates_of(const Json& result, const Case& description) {
 std::string body_list(const std::vector<BodyFate>& fates) {
   std::string text = "<h2>Verdict on each body</h2>\n<ul class=\"bodies\">\n";
   for (const BodyFate& body : fates) {
-    const bool cut =
-        body.fate == "cut through" || body.fate == "parted" || body.fate == "broken through";
+    const bool cut = body.fate == "cut through" || body.fate == "parted" ||
+                     body.fate == "punched out" || body.fate == "broken through";
     const bool aside = body.fate == "not under the jet";
     text += fmt::format(
         "<li class=\"{}\"><b>{}</b><span><strong>{}</strong> {}{}</span></li>\n",

@@ -101,7 +101,8 @@ std::string piece_part(const Case& description) {
 std::string kerf_figure(const Json& result, const Case& description) {
   if (!result.contains("kerf") || description.jets.empty()) return "";
   const Json& kerf = result.at("kerf");
-  const bool parted = is_parted(result);
+  // The cracks around a plug are elsewhere than on the axis.
+  const bool parted = is_parted(result) && !is_punched(result);
   const double lean = lean_of(description.jets.front(), description.dimension);
   const std::string drawing = draw_kerf(kerf, {lean, parted});
   if (drawing.empty()) return "";

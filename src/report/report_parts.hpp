@@ -34,6 +34,12 @@ inline bool is_parted(const nlohmann::ordered_json& result) {
          !(value_of(result.at("kerf").at("through_share")) > 0.0);
 }
 
+// Returns whether the workpiece is cut through as plugs of all bodies in the way have come off.
+inline bool is_punched(const nlohmann::ordered_json& result) {
+  const auto kind = result.find("cut_through_by");
+  return kind != result.end() && *kind == "punched";
+}
+
 // Returns the content of a result.json. Throws UserError (exit_files) where the run has not ended
 // or the file is damaged.
 nlohmann::ordered_json read_result(const std::filesystem::path& path);

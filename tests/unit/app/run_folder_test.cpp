@@ -120,7 +120,7 @@ CutState written_state() {
   state.fractured_width = 0.6;
   state.kerf_width = 0.7;
   state.cut_through = true;
-  state.bodies = {{true, true}, {true, false}};
+  state.bodies = {{true, true, false, true}, {true, false}};
   state.wake = {0.8, 0.9, 1.1};
   state.water_impulse = 1.2;
   return state;
@@ -177,6 +177,7 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
   ASSERT_EQ(state.bodies.size(), 2u);
   EXPECT_TRUE(state.bodies[0].through && state.bodies[0].severed);
   EXPECT_TRUE(state.bodies[1].through && !state.bodies[1].severed);
+  EXPECT_TRUE(state.bodies[0].punched && !state.bodies[1].punched);
   ASSERT_EQ(back.cut_history[1].bodies.size(), 2u);
   EXPECT_FALSE(back.cut_history[1].bodies[0].through);
 }

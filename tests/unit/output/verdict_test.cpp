@@ -228,6 +228,10 @@ TEST(Verdict, TheCutAndTheUnbrokenThicknessDoNotContradict) {
   EXPECT_EQ(verdict_of(outcome),
             "The jet does not cut through within 60 ms; the cut is 4 mm and its front 30 mm deep, "
             "and 4 mm of the thickness is unbroken; the workpiece has bent or moved by 27 mm.");
+  // With a void of 10 mm in it.
+  outcome.cut.last.cut_depth = 14e-3;
+  outcome.kerf->shape.thickness = 18e-3;
+  EXPECT_THAT(verdict_of(outcome), testing::HasSubstr("; the cut is 14 mm and its front 30 mm"));
 }
 
 // Bodies that were never joined are pieces from the start, and of those beside each other the one
@@ -261,6 +265,16 @@ TEST(Verdict, PiecesAndLayersAreThoseOfTheStart) {
   EXPECT_EQ(verdict_of(outcome),
             "The jet cuts through after 30 ms; left and right are broken through; at the end the "
             "workpiece is in 2 pieces, of 2 at the start.");
+}
+
+TEST(Verdict, APlugIsTold) {
+  RunOutcome outcome = whole_outcome(0.0, 0.0);
+  outcome.cut.cut_through = outcome.cut.severed = outcome.cut.punched = true;
+  outcome.cut.cut_through_time = 4.4e-3;
+  outcome.cut.last.pieces = 3;
+  outcome.kerf->of<CutMargin>().is_whole = true;
+  EXPECT_EQ(verdict_of(outcome),
+            "The jet punches out a plug after 4.4 ms; at the end the workpiece is in 3 pieces.");
 }
 
 // A crack aside of the way of the jet, as of another jet, is no cut of it.

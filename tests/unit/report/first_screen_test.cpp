@@ -62,6 +62,18 @@ TEST_F(FirstScreen, NamesTheOnlyBodyToo) {
   EXPECT_THAT(screen(), AllOf(HasSubstr("whole"), Not(HasSubstr("cut in part"))));
 }
 
+TEST_F(FirstScreen, TellsAPlugFromACrack) {
+  result_["kerf"]["layers"] = nlohmann::ordered_json::array();
+  result_["kerf"]["through"] = false;
+  result_["kerf"]["through_share"] = 0.0;
+  result_["cut_through"] = true;
+  result_["cut_through_time"] = 0.002;
+  result_["cut_through_by"] = "severed";
+  EXPECT_THAT(screen(), HasSubstr("✓</b><span><strong>block</strong> parted after"));
+  result_["cut_through_by"] = "punched";
+  EXPECT_THAT(screen(), HasSubstr("✓</b><span><strong>block</strong> punched out after"));
+}
+
 TEST_F(FirstScreen, NamesABodyThatWasPushedOutOrMissed) {
   result_["kerf"]["layers"] = nlohmann::ordered_json::array();
   result_["cut_through"] = false;
