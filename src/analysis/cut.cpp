@@ -161,7 +161,8 @@ void judge_bodies(KerfView view, const Pieces& pieces, const KerfAxes& axes,
 CutMonitor::CutMonitor(const Case& description, const Frame& initial)
     : contact_depth_(description.jets.empty() ? 0.0 : description.jets.front().spacing),
       has_wake_(description.workpiece &&
-                description.workpiece->frame == WorkpieceFrame::travelling) {
+                description.workpiece->frame == WorkpieceFrame::travelling),
+      rigid_(resting_rigid_shapes(description)) {
   take(description, initial);
 }
 
@@ -196,6 +197,7 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
     state.fractured_mass = fractured_mass(workpiece, frame, rows);
     state.fractured_fraction = state.fractured_mass / workpiece.total_mass;
     state.front_depth = front_depth(workpiece, frame);
+    state.pressed_share = pressed_share(workpiece, frame, rows, rigid_);
     const auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
     note(rows, standing, traces_);
     if (has_wake_ && axes_) {
@@ -224,6 +226,10 @@ CutSummary CutMonitor::summary() const {
   if (history_.empty()) return summary;
   summary.last = history_.back();
   summary.fragments = fragments_;
+  for (const CutState& state : history_)
+    summary.pressed_share = std::max(summary.pressed_share, state.pressed_share);
+  for (std::size_t slot = 0; slot < traces_.size(); ++slot)
+    if (traces_[slot] == slot_trace::left_whole) summary.mass_left_whole += workpiece_->mass[slot];
   summary.initial_pieces = workpiece_->initial_pieces;
   add_verdicts(summary);
   std::vector<CutState> cutting;

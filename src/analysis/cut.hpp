@@ -13,6 +13,7 @@
 #include "analysis/kerf_axes.hpp"
 #include "analysis/metric.hpp"
 #include "analysis/pieces.hpp"
+#include "analysis/pressed_solid.hpp"
 #include "analysis/wake.hpp"
 #include "simulation/frame.hpp"
 
@@ -49,6 +50,7 @@ struct CutState {
   std::vector<BodyCut> bodies;  // in the order of Workpiece::bodies
   Wake wake;                    // of a nozzle with which a frame travels
   double water_impulse = 0.0;   // N s (2D: N s/m), of the water on the solids, along the jet
+  double pressed_share = 0.0;   // of the mass, inside rigid bodies (analysis/pressed_solid.hpp)
 
   static const MetricList<CutState>& metrics();
 };
@@ -86,6 +88,8 @@ struct CutSummary {
   double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
   std::vector<BodyVerdict> bodies;
   CutState last;
+  double pressed_share = 0.0;       // the largest of all states
+  double mass_left_whole = 0.0;     // kg, of the solid that stood until it left the domain
   std::vector<Fragment> fragments;  // of the last frame, the heaviest first
 
   // Whether a crack parted or pierced more of the thickness than the water had passed by then.
@@ -127,6 +131,7 @@ class CutMonitor {
   std::optional<KerfAxes> axes_;                // of the first jet
   double contact_depth_ = 0.0;                  // m, one spacing of the first jet
   bool has_wake_ = false;                       // whether a frame travels
+  std::vector<RigidShape> rigid_;
   std::vector<CutState> history_;
   std::vector<std::uint8_t> traces_;
   std::vector<Fragment> fragments_;  // of the last frame observed

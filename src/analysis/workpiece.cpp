@@ -167,6 +167,9 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
   for (std::uint32_t row = 0; row < initial.position.size(); ++row) {
     const std::size_t source = initial.source[row];
     if (source >= bodies.size() || !can_be_cut(bodies[source]) || !target[group[source]]) continue;
+    // What is loose as laid out was never solid: no jet can break it
+    // (analysis/loose_particles.hpp).
+    if (initial.category[row] == Category::fractured) continue;
     add_particle(workpiece, initial, row);
     workpiece.material_piece.push_back(group[source]);
     workpiece.body.push_back(initial.source[row]);

@@ -5,13 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
-#include "analysis/jet_axis.hpp"
-#include "geometry/beside_jet.hpp"
 #include "geometry/fill.hpp"
-#include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
 #include "geometry/shapes.hpp"
 #include "geometry/surface_fit.hpp"
@@ -91,8 +87,6 @@ void warn_of_fast_water(const Case& description, const DerivedNumbers& numbers,
                : fmt::format("sound_speed = \"{:g} m/s\"", real_water_sound_speed)));
 }
 
-constexpr double most_tested = 1e5;  // particles of a body, by a warning
-
 // Warns of water that is faster than those shocks with which its equation of state is compared.
 void warn_of_extrapolated_water(const DerivedNumbers& numbers, std::vector<std::string>& warnings) {
   if (numbers.water_sound_speed == 0.0 || numbers.jet_speed <= fastest_compared_water) return;
@@ -157,74 +151,6 @@ void warn_of_nothing_to_cut(const Case& description, std::vector<std::string>& w
         "there is a jet but nothing that it can cut: add a [[body]] with a solid material");
 }
 
-// Points of the water of a jet beside a body, as far aside as the analysis counts a body as in its
-// way (analysis/workpiece.hpp).
-bool is_in_way(const Jet& jet, const Body& body, int dimension) {
-  constexpr int most_steps = 300, around = 8;
-  const JetAxis axis(jet, dimension);
-  const Box box = bounding_box(body.shape, dimension);
-  double deepest = 0.0;
-  for (int corner = 0; corner < 8; ++corner) {
-    Point x = box.minimum;
-    for (std::size_t a = 0; a < 3; ++a)
-      if ((corner >> a) % 2 == 1) x[a] = box.maximum[a];
-    deepest = std::max(deepest, axis.depth(x));
-  }
-  const double reach = std::max(jet.width / 2.0, body.spacing);
-  const double way = deepest + jet.standoff, step = std::max(body.spacing / 2.0, way / most_steps);
-  for (double depth = -jet.standoff; depth <= deepest; depth += step)
-    for (int n = 0; n < 2 * around + 1; ++n) {
-      const double aside = n == 0 ? 0.0 : n <= around ? reach / 2.0 : reach;
-      const double turn = 2.0 * std::numbers::pi * n / around;
-      Point x = axis.aim;
-      for (std::size_t a = 0; a < 3; ++a)
-        x[a] += depth * axis.along[a] +
-                aside * (std::cos(turn) * axis.across[a] + std::sin(turn) * axis.sideways[a]);
-      if (contains(body.shape, x, dimension)) return true;
-    }
-  return false;
-}
-
-// Warns of a jet that opens, or whose water arrives, when the run has ended at `end`, s.
-void warn_of_late_water(const Jet& jet, double end, std::vector<std::string>& warnings) {
-  const double arrival = jet.start + jet.standoff / jet.speed;
-  if (jet.start >= end)
-    warnings.push_back(
-        fmt::format("the jet \"{}\" opens at {:.4g} s, when the run has ended ({:.4g} s): it emits "
-                    "no water. Give it an earlier start, or the run a later end",
-                    jet.name, jet.start, end));
-  else if (arrival >= end)
-    warnings.push_back(
-        fmt::format("the water of the jet \"{}\" comes to the point at which it aims after {:.4g} "
-                    "s, when the run has ended ({:.4g} s). Give the run a later end",
-                    jet.name, arrival, end));
-}
-
-// Warns of each jet whose water reaches no body that it could cut, by where and when it flows.
-void warn_of_aims(const Case& description, std::vector<std::string>& warnings) {
-  for (const Jet& jet : description.jets) warn_of_late_water(jet, description.time.end, warnings);
-  std::vector<const Body*> targets;
-  for (const Body& body : description.bodies)
-    if (body.role == Role::elastic && !body.fixed) targets.push_back(&body);
-  const bool may_meet_later = fastest_body(description) > 0.0 || description.gravity != Point{};
-  if (may_meet_later || targets.empty()) return;
-  for (const Jet& jet : description.jets) {
-    const auto meets = [&](const Body* body) {
-      return is_in_way(jet, *body, description.dimension);
-    };
-    if (traverse_speed(jet) > 0.0 || std::any_of(targets.begin(), targets.end(), meets)) continue;
-    const BesideJet beside = beside_jet(jet, targets, description.dimension, most_tested);
-    const std::string nearest = beside.body
-                                    ? fmt::format("its water is {:.3g} m from the nearest, \"{}\"",
-                                                  beside.distance, beside.body->name)
-                                    : std::string("all lie behind its nozzle");
-    warnings.push_back(fmt::format(
-        "the jet \"{}\" passes beside all bodies that it could cut: none is within half "
-        "its width of its axis, and {}. Correct its position or its angle",
-        jet.name, nearest));
-  }
-}
-
 void warn_of_materials(const Case& description, std::vector<std::string>& warnings) {
   for (const Body& body : description.bodies) {
     if (body.role != Role::elastic) continue;
@@ -264,7 +190,8 @@ std::vector<std::string> check_warnings(const Case& description, const DerivedNu
   if (description.back_flow_removal)
     warnings.emplace_back("the back-flow removal removes mass and momentum");
   warn_of_nothing_to_cut(description, warnings);
-  warn_of_aims(description, warnings);
+  for (auto& warning : aim_warnings(description)) warnings.push_back(std::move(warning));
+  for (auto& warning : solid_warnings(description)) warnings.push_back(std::move(warning));
   warn_of_materials(description, warnings);
   if (std::string need = calibration_need(description); !need.empty())
     warnings.push_back(std::move(need));

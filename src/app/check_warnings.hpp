@@ -16,6 +16,20 @@ struct Case;
 // Returns a sentence for each thing that a run of the case will not resolve or represent correctly.
 std::vector<std::string> check_warnings(const Case& description, const DerivedNumbers& numbers);
 
+// Returns a sentence for each jet whose water reaches no body that it could cut, by where and when
+// it flows.
+std::vector<std::string> aim_warnings(const Case& description);
+
+// Returns a sentence for each body that the particles or the contact forces cannot represent: where
+// it is one particle thick, and where a jet may press it through another. Throws a UserError if no
+// particle of a body is bonded.
+std::vector<std::string> solid_warnings(const Case& description);
+
+// Throws that UserError, before a run has written anything.
+void refuse_unbonded(const Case& description);
+
+inline constexpr double most_tested = 1e5;  // particles of a body, by a warning
+
 // Returns a row for each body: its name and its particles level by level.
 std::vector<std::pair<std::string, std::string>> particle_rows(const Case& description);
 

@@ -30,8 +30,7 @@ void RunLoop::check_state(const Archive& state) const {
 }
 
 void RunLoop::resume(const Archive& state) {
-  simulation_ = maker_(settings_.description);
-  cut_.emplace(settings_.description, frame());
+  look_at_layout();
   using_checkpoint([&] {
     check_state(state);
     simulation_->restore(state);

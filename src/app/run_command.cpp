@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/derived.hpp"
+#include "app/check_warnings.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/converge.hpp"
@@ -74,6 +75,7 @@ std::string resume_command(const RunOptions& options, const fs::path& folder) {
 RunLoopSettings settings_of(const RunOptions& options) {
   const std::string text = case_text(options.case_file);
   Case description = parse_case(text, options.case_file);
+  refuse_unbonded(description);
   if (!options.ignore_memory && options.machine.device == Device::cpu)
     refuse_beyond_memory({text, options.case_file, description, derive(description), {}},
                          threads_of(options.machine), "--ignore-memory");

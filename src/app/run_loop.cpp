@@ -8,6 +8,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
+#include "analysis/broken_bonds.hpp"
 #include "analysis/cut_over.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
@@ -15,6 +16,7 @@
 #include "model/case.hpp"
 #include "output/readable.hpp"
 #include "output/result.hpp"
+#include "output/solid_flags.hpp"
 #include "report/report.hpp"
 
 namespace kerf {
@@ -133,11 +135,20 @@ bool RunLoop::already_finished() const {
          nlohmann::json::accept(read_file(folder_.result()));
 }
 
-void RunLoop::begin() {
+// Makes the simulation and takes from the frame before the first step what the result needs.
+void RunLoop::look_at_layout() {
   simulation_ = maker_(settings_.description);
+  loose_ = loose_particles(settings_.description, frame());
+  refuse_loose_bodies(settings_.description, loose_);
   cut_.emplace(settings_.description, frame());
+  broken_at_start_ = broken_bond_sum(cut_->workpiece(), frame());
+}
+
+void RunLoop::begin() {
+  look_at_layout();
   tell(fmt::format("{}: {} initial particles, results in {}", settings_.case_name,
                    simulation_->particles(), folder_.path().string()));
+  for (const LooseParticles& body : loose_) tell(loose_sentence(settings_.description, body));
   series_.start();
   write_due();
 }

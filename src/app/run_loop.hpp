@@ -96,6 +96,7 @@ class RunLoop {
   bool already_finished() const;
   void begin();
   void resume(const Archive& state);
+  void look_at_layout();
   void leave_earlier_end();
   void check_state(const Archive& state) const;
   void using_checkpoint(const std::function<void()>& work) const;
@@ -131,6 +132,8 @@ class RunLoop {
 
   std::unique_ptr<Simulation> simulation_;
   std::optional<CutMonitor> cut_;
+  std::vector<LooseParticles> loose_;        // as laid out
+  double broken_at_start_ = 0.0;             // analysis/broken_bonds.hpp
   std::uint64_t shifts_ = 0;                 // of the frame in which the cut is measured
   std::optional<StationaryCut> stationary_;  // at the last row, where a frame travels
   std::shared_ptr<const Frame> frame_;       // of the current step, made on first use

@@ -16,7 +16,7 @@ struct HistoryColumn {
   const char* name;
   double& (*member)(CutState&);
 };
-constexpr std::array<HistoryColumn, 11> history_columns = {{
+constexpr std::array<HistoryColumn, 12> history_columns = {{
     {"time", [](CutState& state) -> double& { return state.time; }},
     {"front_depth", [](CutState& state) -> double& { return state.front_depth; }},
     {"cut_depth", [](CutState& state) -> double& { return state.cut_depth; }},
@@ -28,6 +28,7 @@ constexpr std::array<HistoryColumn, 11> history_columns = {{
     {"wake_lag", [](CutState& state) -> double& { return state.wake.lag; }},
     {"wake_width", [](CutState& state) -> double& { return state.wake.width; }},
     {"water_impulse", [](CutState& state) -> double& { return state.water_impulse; }},
+    {"pressed_share", [](CutState& state) -> double& { return state.pressed_share; }},
 }};
 
 std::string history_name(const char* name) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analysis/broken_bonds.hpp"
 #include "analysis/cut_over.hpp"
 #include "analysis/derived.hpp"
 #include "app/run_loop.hpp"
@@ -79,6 +80,10 @@ nlohmann::ordered_json RunLoop::result() {
   outcome.derived = derive(settings_.description);
   outcome.cut = cut_->summary();
   measure(outcome);
+  outcome.loose = loose_;
+  // The bonds of a later window of a travelling frame are not those of the first.
+  outcome.has_broken_bonds =
+      simulation_->shifts() > 0 || broken_bond_sum(cut_->workpiece(), frame()) > broken_at_start_;
   outcome.stationary = stationary_;
   outcome.still_cutting = still_cutting(cut_->history());
   outcome.balance = simulation_->balance();

@@ -43,6 +43,14 @@ std::string gone_clause(const RunOutcome& outcome) {
   return text;
 }
 
+// Whether solid has broken before the water came. Solid that leaves the domain whole takes bonds
+// with it, and what stays of it beside the edge may come off: where that is most, nothing is known.
+bool breaks_without_water(const RunOutcome& outcome) {
+  if (breaks_nothing(outcome)) return false;
+  const double left = outcome.cut.mass_left_whole;
+  return left == 0.0 || outcome.cut.last.fractured_mass - left > left;
+}
+
 }  // namespace
 
 std::string the_jet(const RunOutcome& outcome, bool begins_sentence) {
@@ -80,14 +88,10 @@ std::string untouched_sentence(const RunOutcome& outcome) {
           ? fmt::format("The water has not touched the workpiece within {}", end)
           : fmt::format("No water has come to the workpiece within {}: it would come after {}", end,
                         readable(arrival, "s"));
-  // Solid that leaves the domain takes bonds with it: nothing is known of these.
-  const double gone = outcome.cut.last.fractured_mass - outcome.balance.mass_fractured;
-  constexpr double rounding = 1e-6;
-  if (!breaks_nothing(outcome) && gone <= rounding * outcome.balance.mass_initial)
-    text += "; solid has broken without it";
+  if (breaks_without_water(outcome)) text += "; solid has broken without it";
   const std::string motion = motion_clause(outcome);
   if (!motion.empty()) text += "; " + motion;
-  return text + gone_clause(outcome) + ".";
+  return text + pieces_clause(outcome) + gone_clause(outcome) + ".";
 }
 
 bool makes_dent(const RunOutcome& outcome) {
@@ -102,12 +106,21 @@ std::string dent_clause(const RunOutcome& outcome) {
   return motion.empty() ? dent : dent + "; " + motion;
 }
 
+std::string pieces_clause(const RunOutcome& outcome) {
+  const int before = std::max(outcome.cut.initial_pieces, 1), now = outcome.cut.last.pieces;
+  if (now <= before) return "";
+  return fmt::format("; the workpiece is in {} pieces{}", now,
+                     before > 1 ? fmt::format(", of {} at the start", before) : "");
+}
+
 std::string dent_sentence(const RunOutcome& outcome) {
   const std::string start =
       fmt::format("{} breaks nothing within {}{}", the_jet(outcome), readable(outcome.time, "s"),
                   makes_dent(outcome) ? "" : " and makes no measurable dent");
   const std::string dent = dent_clause(outcome);
-  return dent.empty() ? start + "." : start + "; " + dent + ".";
+  const std::string softening =
+      outcome.balance.dissipated_fracture != 0.0 ? "; the solid has begun to soften" : "";
+  return start + (dent.empty() ? "" : "; ") + dent + softening + ".";
 }
 
 }  // namespace kerf

@@ -13,6 +13,7 @@
 #include "analysis/derived.hpp"
 #include "analysis/exposure.hpp"
 #include "analysis/kerf.hpp"
+#include "analysis/loose_particles.hpp"
 #include "analysis/stationary_cut.hpp"
 #include "model/case.hpp"
 #include "output/metric_interval.hpp"
@@ -36,7 +37,10 @@ struct RunOutcome {
   std::string case_name;
   DerivedNumbers derived;
   CutSummary cut;
-  std::optional<Kerf> kerf;  // of runs with a jet
+  std::optional<Kerf> kerf;           // of runs with a jet
+  std::vector<LooseParticles> loose;  // of the bodies that have some
+  // Whether a bond of the workpiece has broken; else it has at most softened.
+  bool has_broken_bonds = true;
   // Of a nozzle that stands in the run and moves in the case, if its jet breaks something.
   std::optional<Exposure> exposure;
   std::optional<StationaryCut> stationary;  // where a frame travels with the nozzle
@@ -64,7 +68,8 @@ struct RunOutcome {
 bool still_cutting(const std::vector<CutState>& history);
 // Says what that means.
 std::string still_cutting_sentence(const RunOutcome& outcome);
-// Returns whether no bond has broken and nothing has come off.
+// Returns whether no bond of the workpiece has broken and nothing has come off; it may have
+// softened.
 bool breaks_nothing(const RunOutcome& outcome);
 // Returns whether what has broken, if anything, opens no path from the face (CutState::cut_depth).
 bool cuts_nothing(const RunOutcome& outcome);

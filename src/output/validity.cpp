@@ -11,6 +11,7 @@
 #include "output/moving_workpiece_flag.hpp"
 #include "output/parting_flags.hpp"
 #include "output/result.hpp"
+#include "output/solid_flags.hpp"
 #include "output/tension_flag.hpp"
 
 namespace kerf {
@@ -291,6 +292,7 @@ std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
   add_of_hourglass(outcome, flags);
   add_of_relaxation(outcome, flags);
   add_parting_flags(outcome, flags);
+  add_solid_flags(outcome, flags);
   add_of_models(outcome, flags);
   return flags;
 }

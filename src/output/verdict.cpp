@@ -62,11 +62,17 @@ bool aims_at_nothing(const RunOutcome& outcome) {
 std::string aimless_sentence(const RunOutcome& outcome) {
   const std::string start = the_jet(outcome) + " aims at no body that it could cut";
   if (!has_touched(outcome)) return start + ".";
-  const bool breaks =
-      outcome.balance.mass_fractured > 0.0 || outcome.balance.dissipated_fracture > 0.0;
+  // What is loose as laid out counts as fractured in the balance.
+  const bool has_debris = outcome.balance.mass_fractured > 0.0 && outcome.loose.empty();
+  const bool breaks = has_debris || outcome.balance.dissipated_fracture > 0.0;
   return fmt::format(
       "{} at the start; its water has met one beside its way or that moved into it{}.", start,
       breaks ? ", and solid has broken" : "");
+}
+
+// Returns the thickness of a layer of the finest particles, m; 0 without bodies.
+double least_layer(const RunOutcome& outcome) {
+  return outcome.description.bodies.empty() ? 0.0 : finest_spacing(outcome);
 }
 
 // Names the layers that are unbroken in part, where the jet has cut through others.
@@ -85,7 +91,9 @@ std::string unbroken_names(const RunOutcome& outcome) {
 bool is_inclined(const RunOutcome& outcome) {
   if (!outcome.kerf || !outcome.kerf->layers.empty()) return false;
   const CutMargin& margin = outcome.kerf->of<CutMargin>();
-  if (!(margin.value < 0.0 && margin.unbroken > least_length(outcome))) return false;
+  if (!(margin.value < 0.0 && margin.unbroken > least_length(outcome) &&
+        margin.unbroken >= least_layer(outcome)))
+    return false;
   // That from face to face has the voids, which the cut passes, and the solid does not.
   const double thickness = std::max(-margin.unbroken / margin.value, outcome.kerf->shape.thickness);
   return outcome.cut.last.cut_depth + margin.unbroken > thickness + finest_spacing(outcome);
@@ -94,7 +102,10 @@ bool is_inclined(const RunOutcome& outcome) {
 // Returns the thickness that the jet has left, where it has broken a part.
 std::string unbroken_clause(const RunOutcome& outcome) {
   if (!outcome.kerf) return "";
-  const double unbroken = outcome.kerf->of<CutMargin>().unbroken;
+  const double unbroken = outcome.kerf->of<CutMargin>().unbroken, spacing = least_layer(outcome);
+  if (unbroken > least_length(outcome) && unbroken < spacing)
+    return fmt::format(", and less than a spacing of the thickness{}, {}, is unbroken",
+                       unbroken_names(outcome), readable(spacing, "m"));
   if (unbroken > least_length(outcome))
     return fmt::format(", and {} of the thickness{} is unbroken{}", readable(unbroken, "m"),
                        unbroken_names(outcome),
@@ -166,7 +177,7 @@ std::string depth_sentence(const RunOutcome& outcome) {
   return fmt::format("{} {} within {}{}; {}{}{}.", the_jet(outcome),
                      is_dent ? "cuts nothing" : "does not cut through", end, layers_clause(outcome),
                      reach_clause(outcome), unbroken_clause(outcome),
-                     left_clause(outcome) + shift_clause(outcome));
+                     left_clause(outcome) + shift_clause(outcome) + pieces_clause(outcome));
 }
 
 // With a moving nozzle one hole is not a cut, so the cut share of its path is stated, and the open
@@ -238,7 +249,8 @@ std::string cut_sentence(const RunOutcome& outcome) {
 }  // namespace
 
 bool breaks_nothing(const RunOutcome& outcome) {
-  return outcome.cut.last.fractured_mass == 0.0 && outcome.balance.dissipated_fracture == 0.0;
+  const bool is_changed = outcome.has_broken_bonds && outcome.balance.dissipated_fracture != 0.0;
+  return outcome.cut.last.fractured_mass == 0.0 && !is_changed;
 }
 
 bool cuts_nothing(const RunOutcome& outcome) {

@@ -25,7 +25,9 @@ bool makes_dent(const RunOutcome& outcome);
 // Says how deep the dent is, and how far the workpiece has moved if that is more; empty where there
 // is neither.
 std::string dent_clause(const RunOutcome& outcome);
-// Says that nothing breaks, and the dent.
+// Says in how many pieces the workpiece is, if in more than at the start.
+std::string pieces_clause(const RunOutcome& outcome);
+// Says that nothing breaks, the dent, and whether the solid has begun to soften.
 std::string dent_sentence(const RunOutcome& outcome);
 
 // Says whether the cut under a nozzle with which a frame travels is the same all along its path.

@@ -199,5 +199,29 @@ TEST(CheckWarnings, WarnOfABrittleBandThatOpensWiderThanTheBody) {
   EXPECT_THAT(warnings_of(gel("2")), Not(Contains(HasSubstr("fracture"))));
 }
 
+// A nozzle of 5 mm/ms whose jet starts beside the block, which reaches from x = -10 to 10 mm.
+TEST(CheckWarnings, WarnOfANozzleThatTravelsOntoABody) {
+  const std::string table =
+      "[[body]]\nname = \"table\"\nrole = \"rigid\"\nspacing = \"0.5 mm\"\nshape = { type = "
+      "\"box\", "
+      "minimum = [\"-30 mm\", \"-3 mm\"], maximum = [\"30 mm\", \"0 mm\"] }\n";
+  const auto of = [&](double start, double speed) {
+    const Case description = parse_case(
+        fmt::format("title = \"onto\"\ndimension = 2\n[time]\nend = \"2 ms\"\n[[jet]]\nname = "
+                    "\"jet\"\nspeed = \"20 m/s\"\nwidth = \"2 mm\"\nposition = [\"{} mm\", \"6 "
+                    "mm\"]\nstandoff = \"4 mm\"\nspacing = \"0.2 mm\"\ntraverse = [\"{} m/s\", "
+                    "\"0 m/s\"]\n{}{}",
+                    start, speed, block_of("tofu"), table),
+        "my.toml");
+    return check_warnings(description, derive(description));
+  };
+  const auto onto = HasSubstr("travels onto \"block\" from beside it");
+  EXPECT_THAT(of(-15.0, 5.0), Contains(onto));
+  EXPECT_THAT(of(15.0, -5.0), Contains(onto));
+  EXPECT_THAT(of(-9.0, 5.0), Not(Contains(onto)));    // over it
+  EXPECT_THAT(of(-15.0, -5.0), Not(Contains(onto)));  // away from it
+  EXPECT_THAT(of(-15.0, 1.0), Not(Contains(onto)));   // not within the run
+}
+
 }  // namespace
 }  // namespace kerf

@@ -76,6 +76,26 @@ TEST(SolidValidity, TellsHowSoftSolidsAreInTension) {
   EXPECT_THAT(validity_of(outcome), Not(any_of_name("tension")));
 }
 
+TEST(SolidValidity, FlagsParticlesThatAreLooseFromTheStart) {
+  RunOutcome outcome = outcome_with_solid();
+  EXPECT_THAT(validity_of(outcome), Not(any_of_name("loose_particles")));
+  outcome.description.materials.resize(1);
+  outcome.description.bodies.resize(2);
+  for (Body& body : outcome.description.bodies) body.material = 0;
+  outcome.description.bodies[1].name = "foil";
+  outcome.loose = {{1, 3, 40}};
+  EXPECT_THAT(validity_of(outcome), flag_of("loose_particles", State::warning,
+                                            "3 of the 40 particles of \"foil\" have too few"));
+}
+
+TEST(SolidValidity, FlagsSolidInsideRigidBodies) {
+  RunOutcome outcome = outcome_with_solid();
+  EXPECT_THAT(validity_of(outcome), Not(any_of_name("pressed_into_rigid")));
+  outcome.cut.pressed_share = 0.12;
+  EXPECT_THAT(validity_of(outcome),
+              flag_of("pressed_into_rigid", State::warning, "12% of the workpiece was a spacing"));
+}
+
 TEST(SolidValidity, FlagsAWorkpieceThatCrossesTheJet) {
   RunOutcome outcome = outcome_with_solid();
   Case& description = outcome.description;

@@ -3,17 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "output/result.hpp"
+#include "verdict_outcomes.hpp"
 
 namespace kerf {
 namespace {
-
-// The outcome of a run in which the water has come to the solids.
-RunOutcome touched_outcome() {
-  RunOutcome outcome;
-  outcome.balance.momentum_in = {0.0, -1.0, 0.0};
-  outcome.balance.impulse_water = {0.0, -0.5, 0.0};
-  return outcome;
-}
 
 // Bodies in the way of the jet are named by their fate.
 TEST(Verdict, NamesWhatIsCutThroughAndWhatIsWhole) {
@@ -96,14 +89,6 @@ TEST(Verdict, TellsWhatWasPushedOutOrMissed) {
       "of it: a larger [domain] would tell.");
 }
 
-Jet arriving_jet() {
-  Jet jet;
-  jet.speed = 5.0;
-  jet.standoff = 0.01;
-  jet.start = 0.001;
-  return jet;
-}
-
 // A jet whose water is still on its way is not said to do nothing.
 TEST(Verdict, WaterOnItsWayIsTold) {
   RunOutcome outcome;
@@ -157,21 +142,6 @@ TEST(Verdict, ADentWithBrokenBondsIsNoCut) {
   EXPECT_THAT(verdict, testing::EndsWith("a dent is not carried on to that."));
 }
 
-// The outcome of a run that breaks nothing, whose water has come 30 mm deep.
-RunOutcome whole_outcome(double dent, double motion) {
-  RunOutcome outcome = touched_outcome();
-  outcome.description.jets.push_back(arriving_jet());
-  outcome.description.bodies.emplace_back();
-  outcome.description.bodies.front().spacing = 2e-3;
-  outcome.time = 0.06;
-  outcome.cut.last.front_depth = 0.03;
-  outcome.kerf.emplace();
-  outcome.kerf->shape.thickness = 8e-3;
-  outcome.kerf->of<CutMargin>().unbroken = 8e-3;
-  outcome.kerf->of<Dent>() = {dent, motion};
-  return outcome;
-}
-
 // The dent is what the jet has pressed, not where its water is, and a jet that does nothing is said
 // to do nothing.
 TEST(Verdict, TheDentIsThatOfTheSolid) {
@@ -200,16 +170,21 @@ TEST(Verdict, AWorkpieceThatMovesIsNotDented) {
 TEST(Verdict, WaterThatTouchesNothingIsTold) {
   RunOutcome outcome = whole_outcome(0.0, 0.09);
   outcome.balance.impulse_water = {0.0, 1e-8, 0.0};  // of rounding
-  outcome.cut.last.fractured_mass = 0.1;             // gone from the domain
+  outcome.cut.last.fractured_mass = outcome.cut.mass_left_whole = 0.1;
   EXPECT_EQ(verdict_of(outcome),
             "The water has not touched the workpiece within 60 ms; the workpiece has bent or moved "
             "by 90 mm.");
   outcome.time = 0.002;
-  outcome.cut.last.fractured_mass = outcome.balance.mass_fractured = 0.1;
+  outcome.cut.mass_left_whole = 0.02;  // most of what has gone was torn off before it left
   outcome.cut.cut_through = true;
   EXPECT_EQ(verdict_of(outcome),
             "No water has come to the workpiece within 2 ms: it would come after 3 ms; solid has "
             "broken without it; the workpiece has bent or moved by 90 mm.");
+  outcome.cut.last.pieces = 2;
+  EXPECT_THAT(verdict_of(outcome), testing::EndsWith("by 90 mm; the workpiece is in 2 pieces."));
+  outcome.cut.last.pieces = 1;
+  outcome.cut.mass_left_whole = 0.06;
+  EXPECT_THAT(verdict_of(outcome), testing::Not(testing::HasSubstr("broken")));
 }
 
 // A crack that leads past solid which is whole on the lines along the jet is told as such.

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "analysis/jet_axis.hpp"
+#include "app/check_warnings.hpp"
+#include "app/jet_way.hpp"
+#include "geometry/jet_direction.hpp"
+#include "geometry/particle_estimate.hpp"
+#include "geometry/shapes.hpp"
+#include "materials/elastic_moduli.hpp"
+#include "model/case.hpp"
+#include "output/readable.hpp"
+#include "output/solid_flags.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double most_bonded = 1e5;  // particles of solids whose bonds are found within a second
+
+// Returns the bodies with loose particles, of cases that are laid out and bonded quickly. A layout
+// that is fitted to the surface has other loose particles than its lattice.
+std::vector<LooseParticles> quick_loose_particles(const Case& description) {
+  double particles = 0.0;
+  for (const Body& body : description.bodies) {
+    if (body.role != Role::elastic) continue;
+    particles += estimate_particles(body, description.dimension, {}).total();
+    if (body.shape.kind == Shape::Kind::mesh) return {};  // whether a point is inside takes long
+  }
+  return particles > most_bonded ? std::vector<LooseParticles>() : loose_particles(description);
+}
+
+// The depths of a body along a jet, of the corners of its bounding box, m.
+struct Depths {
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+
+  Depths(const Body& body, const JetAxis& axis, int dimension) {
+    const Box box = bounding_box(body.shape, dimension);
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      Point x = box.minimum;
+      for (std::size_t a = 0; a < 3; ++a)
+        if (corner >> a & 1) x[a] = box.maximum[a];
+      least = std::min(least, axis.depth(x));
+      greatest = std::max(greatest, axis.depth(x));
+    }
+  }
+};
+
+// Returns a body onto which a jet pushes another: one that reaches deeper along the jet.
+const Body* body_behind(const Case& description, const Body& pushed, const Jet& jet) {
+  const JetAxis axis(jet, description.dimension);
+  const double face = Depths(pushed, axis, description.dimension).least;
+  for (const Body& body : description.bodies) {
+    const bool is_other = &body != &pushed && body.role != Role::water;
+    const bool is_joined = body.joined_to == pushed.name || pushed.joined_to == body.name;
+    if (is_other && !is_joined && Depths(body, axis, description.dimension).greatest > face)
+      return &body;
+  }
+  return nullptr;
+}
+
+// Warns of a jet that presses a solid through the body behind it: contact yields to a pressure
+// beyond M (docs/theory/solid_contact.md).
+void warn_of_pressing(const Case& description, const Jet& jet, std::vector<std::string>& warnings) {
+  const double density = description.materials[static_cast<std::size_t>(jet.material)].density;
+  const double pressure = 0.5 * density * jet.speed * jet.speed;
+  for (const Body& body : description.bodies) {
+    if (body.role != Role::elastic || body.fixed) continue;
+    const Material& material = description.materials[static_cast<std::size_t>(body.material)];
+    const auto moduli = ElasticModuli<double>::of(material.youngs_modulus, material.poisson_ratio);
+    const double stiffness = moduli.bulk_modulus + 4.0 / 3.0 * moduli.shear_modulus;
+    if (!(pressure > stiffness)) continue;
+    const bool is_met = traverse_speed(jet) > 0.0 || is_in_way(jet, body, description.dimension);
+    const Body* behind = is_met ? body_behind(description, body, jet) : nullptr;
+    if (behind == nullptr) continue;
+    warnings.push_back(fmt::format(
+        "the jet \"{}\" has a stagnation pressure of {}, more than the stiffness of \"{}\", "
+        "K + 4 G / 3 = {}: it may press it through \"{}\", because the contact of solids yields "
+        "beyond that (docs/theory/solid_contact.md). Use a slower jet, a stiffer material, or look "
+        "at the frames and the flag pressed_into_rigid before relying on the result",
+        jet.name, readable(pressure, "Pa"), body.name, readable(stiffness, "Pa"), behind->name));
+  }
+}
+
+}  // namespace
+
+void refuse_unbonded(const Case& description) {
+  refuse_loose_bodies(description, quick_loose_particles(description));
+}
+
+std::vector<std::string> solid_warnings(const Case& description) {
+  std::vector<std::string> warnings;
+  if (description.formulation != Formulation::standard) return warnings;
+  const std::vector<LooseParticles> loose = quick_loose_particles(description);
+  refuse_loose_bodies(description, loose);
+  for (const LooseParticles& body : loose) warnings.push_back(loose_sentence(description, body));
+  for (const Jet& jet : description.jets) warn_of_pressing(description, jet, warnings);
+  return warnings;
+}
+
+}  // namespace kerf

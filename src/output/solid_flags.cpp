@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/solid_flags.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "model/case.hpp"
+#include "output/result.hpp"
+
+namespace kerf {
+namespace {
+
+// A layer of this many particles has bonds in all directions.
+constexpr double least_layers = 2.0;
+
+const Body& body_of(const Case& description, const LooseParticles& loose) {
+  return description.bodies.at(static_cast<std::size_t>(loose.body));
+}
+
+}  // namespace
+
+std::string loose_sentence(const Case& description, const LooseParticles& loose) {
+  return fmt::format(
+      "{} of the {} particles of \"{}\" have too few neighbours to be bonded, where it is one "
+      "particle thick or a tip: they are loose from the start, bear no load and do not count as "
+      "part of the workpiece. A finer spacing than {:.4g} m, with {:g} particles or more across, "
+      "bonds them",
+      loose.loose, loose.all, body_of(description, loose).name, body_of(description, loose).spacing,
+      least_layers);
+}
+
+void refuse_loose_bodies(const Case& description, const std::vector<LooseParticles>& bodies) {
+  for (const LooseParticles& loose : bodies) {
+    if (loose.loose < loose.all) continue;
+    const Body& body = body_of(description, loose);
+    throw UserError(
+        fmt::format(
+            "body[{}].spacing (\"{}\") = {:.4g} m: none of its {} particles has neighbours enough "
+            "to be bonded, so that it is no solid but loose particles. Allowed: {:g} particles or "
+            "more across the thickness. Choose a spacing of half of that or less",
+            loose.body + 1, body.name, body.spacing, loose.all, least_layers),
+        exit_bad_input);
+  }
+}
+
+void add_solid_flags(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  for (const LooseParticles& loose : outcome.loose)
+    flags.push_back({"loose_particles", ValidityFlag::State::warning,
+                     static_cast<double>(loose.loose), 0.0,
+                     loose_sentence(outcome.description, loose) + "."});
+  if (const double share = outcome.cut.pressed_share; share > 0.0)
+    flags.push_back(
+        {"pressed_into_rigid", ValidityFlag::State::warning, share, 0.0,
+         fmt::format(
+             "{:.2g}% of the workpiece was a spacing or more inside a rigid body, where no "
+             "solid can be: the pressure was beyond the stiffness of the solid. What is behind "
+             "the face of that body means nothing. Use a slower jet or a stiffer solid.",
+             100.0 * share)});
+}
+
+}  // namespace kerf

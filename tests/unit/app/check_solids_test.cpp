@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Warnings of solids that particles and contact forces cannot represent.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "app/check_warnings.hpp"
+#include "core/error.hpp"
+#include "input/read.hpp"
+#include "model/case.hpp"
+
+namespace kerf::test::check_solids_test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+// A jet of 2 mm that aims at the origin, of material whose Poisson's ratio is 0: K + 4 G / 3 = E.
+Case case_of(const std::string& bodies, double speed = 5.0, double angle = 0.0) {
+  return parse_case(fmt::format(R"(
+title = "a solid"
+dimension = 2
+[time]
+end = "1 ms"
+[materials.soft]
+base = "tofu"
+youngs_modulus = "100 kPa"
+poisson_ratio = 0
+[[jet]]
+name = "jet"
+speed = "{} m/s"
+width = "2 mm"
+position = ["0 mm", "0 mm"]
+standoff = "10 mm"
+angle = "{} deg"
+spacing = "0.2 mm"
+{})",
+                                speed, angle, bodies),
+                    "my.toml");
+}
+
+std::string body_of(const std::string& name, const std::string& shape,
+                    const std::string& more = "material = \"soft\"") {
+  return fmt::format("[[body]]\nname = \"{}\"\nspacing = \"0.5 mm\"\nshape = {}\n{}\n", name, shape,
+                     more);
+}
+
+std::string box(double left, double low, double right, double high) {
+  return fmt::format(
+      "{{ type = \"box\", minimum = [\"{} mm\", \"{} mm\"], maximum = [\"{} mm\", \"{} mm\"] }}",
+      left, low, right, high);
+}
+
+// Of foils along both axes one layer is refused, two are bonded.
+TEST(CheckSolids, RefuseABodyOneParticleThick) {
+  for (const double thickness : {0.5, 1.0})
+    for (const bool is_upright : {false, true}) {
+      const std::string shape =
+          is_upright ? box(0.0, -8.0, thickness, 0.0) : box(-8.0, -thickness, 8.0, 0.0);
+      const Case description = case_of(body_of("foil", shape));
+      if (thickness > 0.5) {
+        EXPECT_THAT(solid_warnings(description), IsEmpty());
+        continue;
+      }
+      try {
+        solid_warnings(description);
+        FAIL() << "no refusal";
+      } catch (const UserError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("body[1].spacing (\"foil\") = 0.0005 m: none of its "));
+      }
+    }
+}
+
+// The tip of a wedge has less than two particles across, whichever way it points.
+TEST(CheckSolids, WarnOfTheTipOfAWedge) {
+  const auto wedge = [](double tip) {
+    return fmt::format(
+        "{{ type = \"polygon\", vertices = [[\"-1.5 mm\", \"{0} mm\"], [\"1.5 mm\", "
+        "\"{0} mm\"], [\"0 mm\", \"{1} mm\"]] }}",
+        tip < -3.0 ? 0.0 : -6.0, tip);
+  };
+  for (const double tip : {0.0, -6.0})
+    EXPECT_THAT(solid_warnings(case_of(body_of("wedge", wedge(tip)))),
+                Contains(HasSubstr("particles of \"wedge\" have too few neighbours")));
+  EXPECT_THAT(solid_warnings(case_of(body_of("block", box(-2.0, -4.0, 2.0, 0.0)))), IsEmpty());
+}
+
+// The stagnation pressure of water is 98 kPa at 14 m/s and 113 kPa at 15 m/s, M is 100 kPa.
+TEST(CheckSolids, WarnOfASolidThatMayBePressedThroughAnother) {
+  const auto pressed = HasSubstr("may press it through \"wall\"");
+  const std::string block = body_of("block", box(-2.0, -4.0, 2.0, 0.0));
+  const std::string below = block + body_of("wall", box(-6.0, -6.0, 6.0, -4.0), "role = \"rigid\"");
+  EXPECT_THAT(solid_warnings(case_of(below, 15.0)), Contains(pressed));
+  EXPECT_THAT(solid_warnings(case_of(below, 14.0)), Not(Contains(pressed)));
+  EXPECT_THAT(solid_warnings(case_of(block, 15.0)), Not(Contains(pressed)));
+  const std::string beside = body_of("block", box(0.0, -2.0, 4.0, 2.0)) +
+                             body_of("wall", box(4.0, -6.0, 6.0, 6.0), "role = \"rigid\"");
+  EXPECT_THAT(solid_warnings(case_of(beside, 15.0, 90.0)), Contains(pressed));
+  const std::string missed = body_of("block", box(6.0, -4.0, 9.0, 0.0)) +
+                             body_of("wall", box(-6.0, -6.0, 9.0, -4.0), "role = \"rigid\"");
+  EXPECT_THAT(solid_warnings(case_of(missed, 15.0)), Not(Contains(pressed)));
+}
+
+}  // namespace
+}  // namespace kerf::test::check_solids_test
