@@ -205,7 +205,8 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
       state.water_impulse = KerfAxes::dot(water_impulse, axes_->jet.along);
     }
     if (workpiece.jet && state.front_depth > 0.0) {
-      const double half = state.front_depth / 2.0;
+      // Below the workpiece there is no opening.
+      const double half = std::min(state.front_depth, workpiece.bottom) / 2.0;
       state.fractured_width = fractured_width(workpiece, frame, rows, half);
       state.kerf_width = opening_width(workpiece, frame, rows, pieces.in_piece, half);
       if (!state.cut_through)
@@ -268,8 +269,14 @@ void CutMonitor::add_verdicts(CutSummary& summary) const {
   if (!summary.cut_through) return;
   summary.cut_through_time = through->time;
   summary.cut_through_place = workpiece_->jet->point_at(through->front_depth, through->time);
+  if (through->kerf_width > 0.0)
+    summary.removed_share_at_cut = std::min(1.0, through->fractured_width / through->kerf_width);
   const double bottom = workpiece_->bottom;
-  if (bottom > 0.0) summary.front_share_at_cut = through->front_depth / bottom;
+  if (bottom > 0.0) {
+    summary.front_share_at_cut = through->front_depth / bottom;
+    const double pressed = 0.5 * std::min(workpiece_->jet->width, bottom);
+    summary.greatest_share = 1.0 + std::max(pressed, workpiece_->axis_spacing) / bottom;
+  }
   const auto passed = std::find_if(through, history_.end(), [&](const CutState& state) {
     return state.front_depth >= bottom - workpiece_->axis_spacing;
   });

@@ -72,7 +72,7 @@ struct BodyVerdict {
 // The numbers of a cut over the run so far.
 struct CutSummary {
   // Of front_share_at_cut, where the cut is that of the water.
-  static constexpr double least_share = 0.5, greatest_share = 2.0;
+  static constexpr double least_share = 0.5;
   bool cut_through = false;
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s
   bool severed = false;  // every body in the way is parted; else some have a hole
@@ -81,6 +81,14 @@ struct CutSummary {
   std::array<double, 3> cut_through_place{};
   // How deep the front was then, over the depth at which the axis leaves the workpiece as laid out.
   double front_share_at_cut = 1.0;
+  // The greatest such share at which the workpiece did not give way: the front of water that
+  // removes what is in its way ends at the far face, and one beyond it has pressed that face ahead.
+  // This may be by half the width of the jet, or by half the thickness where that is less.
+  double greatest_share = 2.0;
+  // The part of the opening at half the depth then that is removed, and not pushed aside: of its
+  // width. Of an opening by water that removes solid it is more than half.
+  double removed_share_at_cut = 1.0;
+  static constexpr double least_removed = 0.5;
   // s, from then on the first time at which the front is within a spacing of that depth
   double water_through_time = std::numeric_limits<double>::quiet_NaN();
   double contact_time = std::numeric_limits<double>::quiet_NaN();  // s, first with a front
@@ -94,8 +102,13 @@ struct CutSummary {
 
   // Whether a crack parted or pierced more of the thickness than the water had passed by then.
   bool cracked_ahead() const { return cut_through && front_share_at_cut < least_share; }
-  // Whether the jet had pressed the workpiece ahead by more than its thickness by then.
-  bool gave_way() const { return cut_through && front_share_at_cut > greatest_share; }
+  // Whether the jet had pressed the workpiece ahead by more than that by then, or had pushed aside
+  // more than it had removed.
+  bool was_pressed_ahead() const { return cut_through && front_share_at_cut > greatest_share; }
+  bool was_pushed_aside() const {
+    return cut_through && !cracked_ahead() && removed_share_at_cut < least_removed;
+  }
+  bool gave_way() const { return was_pressed_ahead() || was_pushed_aside(); }
   // Whether a nozzle that moves may fail where this one, which stands, cuts through: it strikes but
   // once, and edges that give way evade it (docs/theory/exposure.md).
   bool holds_at_rest_only() const { return cracked_ahead() || gave_way(); }

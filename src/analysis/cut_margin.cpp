@@ -42,7 +42,9 @@ CutMargin CutMargin::measure(const KerfScene& scene) {
     margin.unbroken = 0.0;
     return margin;
   }
-  if (laid_out > 0.0) margin.value = -margin.unbroken / laid_out;
+  // Sums over windows leave a rest of rounding, of either sign.
+  if (margin.unbroken < rounding * laid_out) margin.unbroken = 0.0;
+  margin.value = margin.unbroken > 0.0 ? -margin.unbroken / laid_out : 0.0;
   return margin;
 }
 

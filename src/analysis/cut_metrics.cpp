@@ -21,10 +21,12 @@ const MetricList<CutState>& CutState::metrics() {
        "Fractured mass over the mass of the workpiece at the start.",
        &CutState::fractured_fraction},
       {"fractured_width", "m", "width of the fractured region",
-       "Width of the fractured region across the jet at half the depth of the water front.",
+       "Width of the fractured region across the jet at half the depth of the water front, at "
+       "most of the thickness.",
        &CutState::fractured_width},
       {"kerf_width", "m", "width of the opening",
-       "Width free of intact solid around the axis at half the depth of the water front.",
+       "Width free of intact solid around the axis at half the depth of the water front, at most "
+       "of the thickness.",
        &CutState::kerf_width},
       {"pieces", "1", "pieces over 5 % of the workpiece",
        "Number of pieces that unbroken bonds hold together and that weigh more than 5 % of the "
@@ -67,9 +69,16 @@ const MetricList<CutSummary>& CutSummary::metrics() {
        "Whether the front of the water had passed less than half of the thickness when the "
        "workpiece was cut through.",
        [](const S& s) { return s.cracked_ahead(); }},
-      {"gave_way", "1", "gave way by more than its thickness",
-       "Whether the front of the water was deeper than twice the thickness when the workpiece was "
-       "cut through: the jet had pressed it ahead by more than its thickness.",
+      {"removed_share_at_cut", "1", "removed share of the opening at the cut",
+       "Width of the fractured region over that of the opening when the workpiece was cut through; "
+       "the rest is pushed aside.",
+       [](const S& s) {
+         return s.cut_through ? std::optional(s.removed_share_at_cut) : std::nullopt;
+       }},
+      {"gave_way", "1", "gave way to the jet",
+       "Whether, when the workpiece was cut through, the front of the water was below the far face "
+       "as laid out by more than half the width of the jet, or half the thickness where that is "
+       "less, or less than half of the opening was removed: the jet had pressed it ahead or aside.",
        [](const S& s) { return s.gave_way(); }},
       {"water_through_time", "s", "time at which the water is through",
        "First time, from the cut on, at which the water front is within one spacing of the far "

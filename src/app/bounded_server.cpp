@@ -90,6 +90,15 @@ class BoundedStream : public httplib::Stream {
 
 }  // namespace
 
+BoundedServer::BoundedServer() {
+  set_payload_max_length(longest_body);
+  // By the default of the library several servers may share a port, each for some connections.
+  set_socket_options([](socket_t socket) {
+    const int yes = 1;
+    ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+  });
+}
+
 bool BoundedServer::process_and_close_socket(socket_t socket) {
   constexpr int second = 1000, slice = 50;  // ms
   BoundedStream stream(socket, static_cast<int>(read_timeout_sec_) * second,

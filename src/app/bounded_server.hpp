@@ -14,7 +14,7 @@ class BoundedServer : public httplib::Server {
   static constexpr std::size_t longest_head = 64 << 10;  // bytes, of the request line and headers
   static constexpr std::size_t longest_body = 4 << 20;   // bytes
 
-  BoundedServer() { set_payload_max_length(longest_body); }
+  BoundedServer();
 
  private:
   // Serves the requests of a connection. One that is too long is answered with 400, or not at all,

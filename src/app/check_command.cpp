@@ -168,7 +168,8 @@ Pace pace_of(const CheckOptions& options, const CostedCase& costed) {
 
 void print_numbers(const CheckedCase& checked) {
   const auto& [text, file, description, numbers, pace] = checked.costed;
-  fmt::print("{}: the case is valid.\n", file);
+  fmt::print("{}: the case is valid{}.\n", file,
+             checked.is_refused ? ", but too large for a run (see Warnings)" : "");
   fmt::print("{} ({}D; bodies: {}, jets: {})\n", description.title, description.dimension,
              description.bodies.size(), description.jets.size());
   print_machine(description);

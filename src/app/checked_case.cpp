@@ -13,17 +13,38 @@
 
 namespace kerf {
 
+namespace {
+
+// Returns why a run refuses a case that is too large for it; nothing where it does not.
+std::optional<std::string> refusal_of(const std::string& text, const std::string& file,
+                                      const DerivedNumbers& numbers) {
+  constexpr std::size_t surely_few = 100'000;  // also where they are graded
+  if (numbers.particles_expected < surely_few) return {};
+  try {
+    parse_case(text, file, {ReadEffort{}.most_particles, quick_look.most_tested});
+  } catch (const UserError& error) {
+    return fmt::format("A run refuses this case: {}", error.what());
+  }
+  return {};
+}
+
+}  // namespace
+
 CheckedCase checked_case(const std::string& text, const std::string& file) {
   Case description = parse_case(text, file, quick_look);
   const DerivedNumbers numbers = derive(description);
   auto warnings = check_warnings(description, numbers);
   for (const auto& warning : resolution_warnings(description))
     warnings.push_back(fmt::format("{}: {}", file, warning));
+  const auto refusal = refusal_of(text, file, numbers);
+  if (refusal) warnings.insert(warnings.begin(), *refusal);
   auto piece = piece_reasons(description);
-  return {{text, file, std::move(description), numbers, {}},
-          std::move(piece),
-          std::move(warnings),
-          available_memory()};
+  CheckedCase checked{{text, file, std::move(description), numbers, {}},
+                      std::move(piece),
+                      std::move(warnings),
+                      available_memory()};
+  checked.is_refused = refusal.has_value();
+  return checked;
 }
 
 std::optional<Case> valid_case(const std::string& text, const std::string& file) {

@@ -18,6 +18,7 @@ struct CheckedCase {
   std::vector<std::string> warnings;   // a sentence each
   double memory = 0.0;                 // bytes, of this machine
   std::optional<RankPlan> ranks = {};  // where it is asked for
+  bool is_refused = false;             // by a run, which the first warning says
 };
 
 // Returns everything but the pace, which takes seconds. Throws the CaseError of a case that is not

@@ -170,7 +170,7 @@ std::string body_key(const Draft& draft, std::size_t number, std::string_view ke
 void check_counts(Draft& draft) {
   const Case& result = draft.result;
   const double most = draft.effort.most_particles;
-  const std::string allowed = fmt::format("at most {:g} particles", most);
+  const std::string allowed = fmt::format("at most {:g} particles", ReadEffort{}.most_particles);
   double total = 0.0;
   const auto count = [&](const std::string& path, double particles) {
     total += particles;

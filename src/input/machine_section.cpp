@@ -125,6 +125,21 @@ double finest_jet_spacing(const Draft& draft) {
   return finest;
 }
 
+namespace {
+
+// The contact is noticed when the front is so deep, in spacings of the jet.
+constexpr double contact_spacings = 4.0;
+
+// Returns the time after which a nozzle at rest shows what one that moves cuts, s: the last water
+// of the exposure w / u goes on cutting until it is at the front, at most at the far face.
+double end_of_exposure(const Machine& machine, const Jet& jet, double thickness, int dimension) {
+  const double way =
+      jet.standoff + thickness / std::cos(jet.angle) + contact_spacings * jet.spacing;
+  return way / jet.speed + exposure_time(machine, jet, dimension);
+}
+
+}  // namespace
+
 // A jet penetrates a material without strength at half its speed. The end time is twice the time of
 // such a penetration, for workpieces with strength; for a moving nozzle it is the time for a
 // traverse of four jet widths. A nozzle at rest over a [workpiece] has twice as long, because its
@@ -132,8 +147,9 @@ double finest_jet_spacing(const Draft& draft) {
 double standard_end(const Draft& draft) {
   if (!draft.result.machine) return 0.0;
   const WorkpieceSetting& workpiece = draft.workpiece.setting;
-  if (workpiece.frame == WorkpieceFrame::travelling)
-    return travelling_frame(workpiece, draft.jets.back().jet).end_time();
+  const bool travels = workpiece.frame == WorkpieceFrame::travelling;
+  if (travels && draft.result.machine->traverse_speed == 0.0) return 0.0;  // refused already
+  if (travels) return travelling_frame(workpiece, draft.jets.back().jet).end_time();
   const Jet& jet = draft.jets.back().jet;
   double low = jet.position[1], high = low;
   for (const BodyDraft& entry : draft.bodies) {
@@ -146,8 +162,8 @@ double standard_end(const Draft& draft) {
   const Machine& machine = *draft.result.machine;
   const bool stands = machine.motion == NozzleMotion::standing && machine.traverse_speed > 0.0;
   if (stands || (draft.result.workpiece && machine.traverse_speed == 0.0))
-    return std::min(2.0 * through, jet.standoff / jet.speed +
-                                       exposure_time(machine, jet, draft.reading.dimension));
+    return std::min(2.0 * through,
+                    end_of_exposure(machine, jet, high - low, draft.reading.dimension));
   const double speed = std::hypot(jet.traverse[0], jet.traverse[2]);
   const double along = speed > 0.0 ? jet.dwell + traverse_widths * jet.width / speed : 0.0;
   return std::max(through, along);

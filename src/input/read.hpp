@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <limits>
 #include <string>
 #include <string_view>
 
@@ -18,9 +17,9 @@ struct ReadEffort {
   double most_particles = 5e8;  // of a case; more are refused
   double most_tested = 2e7;     // nodes of a lattice, or columns of a jet, that a check looks at
 };
-// Accepts any size and looks at so few nodes that every case is read within a second or so. A run
-// reads with the default.
-inline constexpr ReadEffort quick_look{std::numeric_limits<double>::infinity(), 1e5};
+// Accepts any size that can be counted, also those that a run refuses, and looks at so few nodes
+// that every case is read within a second or so. A run reads with the default.
+inline constexpr ReadEffort quick_look{1e15, 1e5};
 
 // Both throw a UserError that names file, line, key, value, allowed range and remedy of up to ten
 // problems. The same text gives the same Case, bit for bit, with any effort.

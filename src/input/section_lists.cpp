@@ -28,7 +28,10 @@ void append_value(std::string& line, const toml::node& node, std::size_t enough)
     }
     line += "]";
   } else if (const auto number = node.value_exact<double>()) {
-    line += shortest(*number);
+    const std::string digits = shortest(*number);
+    line += digits;
+    // A whole number with a point is none of TOML.
+    if (digits.find_first_of(".en") == std::string::npos) line += ".0";
   } else if (node.is_table()) {
     line += "{ ... }";
   } else {

@@ -80,6 +80,18 @@ void check_part(Draft& draft, Section& section) {
   }
 }
 
+// Refuses a point beside the upper face, from which the standoff is measured.
+void check_height(Draft& draft) {
+  const double height = draft.result.machine->position[1];
+  if (height == 0.0) return;
+  draft.reading.problems.add(
+      {"machine.position",
+       fmt::format("entry 2 is {}, but the upper face of the [workpiece] is at y = 0",
+                   show_quantity(height, "m")),
+       "entry 2 of 0 m, a point on the upper face",
+       "Write 0 there; the distance of the nozzle is the standoff"});
+}
+
 toml::array corner(const Point& point, int dimension) {
   toml::array array;
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
@@ -129,6 +141,25 @@ Box united(Box box, const Box& other) {
   return box;
 }
 
+// Refuses a part that the front passes before its law shows: the run ends where the front is
+// `bottom_margin` above the end of a part.
+void check_depth(const Draft& draft, Section& section) {
+  constexpr double least_way = 1.0;  // of the front, jet widths
+  const WorkpieceSetting& workpiece = draft.workpiece.setting;
+  const Jet& jet = draft.jets.back().jet;
+  const double least = (bottom_margin + least_way) * jet.width * std::cos(jet.angle);
+  const double thickness = workpiece.size[1];
+  if (workpiece.depth >= std::min(least, thickness) * (1.0 - 1e-9)) return;
+  const std::string whole = "the thickness, " + show_quantity(thickness, "m");
+  section.refuse(section.has("depth") ? "depth" : "minimum",
+                 fmt::format("the simulated depth of {} is too small for the jet, which is {} wide",
+                             show_quantity(workpiece.depth, "m"), show_quantity(jet.width, "m")),
+                 "Simulate more of the workpiece",
+                 least < thickness ? fmt::format("at least {}, three widths of the jet, or {}",
+                                                 show_quantity(least, "m", Bound::least), whole)
+                                   : whole);
+}
+
 // Sets the depth that is simulated; a corner of the part states it too.
 void choose_depth(Draft& draft, Section& section) {
   WorkpieceSetting& workpiece = draft.workpiece.setting;
@@ -139,6 +170,7 @@ void choose_depth(Draft& draft, Section& section) {
       section.refuse("depth", "it is not that of the corner `minimum`", "Leave one of them out",
                      write_quantity(depth, "m"));
     workpiece.depth = depth;
+    check_depth(draft, section);
     return;
   }
   if (!section.has("depth")) {
@@ -150,6 +182,7 @@ void choose_depth(Draft& draft, Section& section) {
   if (workpiece.depth > thickness * (1.0 + 1e-9))
     section.refuse("depth", "it is more than the thickness of the workpiece", "Lower it",
                    fmt::format("at most {}", show_quantity(thickness, "m", Bound::most)));
+  check_depth(draft, section);
 }
 
 // Sets what the user leaves open.
@@ -199,6 +232,7 @@ void read_workpiece(Draft& draft, Section& top) {
   check_material(draft, section);
   if (draft.reading.problems.any()) return;
   resolve_motion(draft);
+  check_height(draft);
   const bool travels = draft.workpiece.setting.frame == WorkpieceFrame::travelling;
   if (travels) check_travel(draft, top, section);
   if (draft.reading.problems.any()) return;

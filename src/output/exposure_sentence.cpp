@@ -45,14 +45,19 @@ std::string passage_sentence(const Exposure& exposure, const std::string& feed,
 }
 
 // Of a run that ends before its water is through.
-std::string carried_sentence(const Exposure& exposure, const std::string& feed,
+std::string carried_sentence(const RunOutcome& outcome, const std::string& feed,
                              const char* verdict) {
+  const Exposure& exposure = *outcome.exposure;
   const std::string interval =
       exposure.cuts() ? fmt::format("; by the same law it would up to {} at least and {} at most",
                                     readable(exposure.greatest_feed, "m/s"),
                                     readable(exposure.possible_feed, "m/s"))
-                      : fmt::format(": the cut is {} to {} deep", readable(exposure.depth_low, "m"),
-                                    readable(exposure.depth_high, "m"));
+      : outcome.cut.cut_through
+          ? std::string(
+                ": the run ended before its water was through the cut, which a later end "
+                "shows")
+          : fmt::format(": the cut is {} to {} deep", readable(exposure.depth_low, "m"),
+                        readable(exposure.depth_high, "m"));
   return fmt::format(" A feed of {} exposes each point for {} to {}{} and {}{}.", feed,
                      readable(exposure.shortest, "s"), readable(exposure.longest, "s"),
                      decades_clause(exposure), verdict, interval);
@@ -67,8 +72,23 @@ std::string sentence_of(const RunOutcome& outcome, const std::string& feed) {
                         : exposure.may_cut() ? "may cut through"
                                              : "does not cut through";
   const bool is_carried = !outcome.cut.cut_through || !std::isnan(exposure.exponent);
-  return is_carried ? carried_sentence(exposure, feed, verdict)
+  return is_carried ? carried_sentence(outcome, feed, verdict)
                     : passage_sentence(exposure, feed, verdict);
+}
+
+// Of a nozzle that is said to stand where it would move by more than its jet on the way of the
+// water: the interval of the depths leaves out what a front gains on its way.
+std::string motion_sentence(const RunOutcome& outcome) {
+  const Case& description = outcome.description;
+  const Machine& machine = *description.machine;
+  const Jet& jet = description.jets.back();
+  const double thickness = description.workpiece->size[1];
+  if (outcome.exposure->cuts() || may_stand(machine, jet, thickness, description.dimension))
+    return "";
+  return fmt::format(
+      " At this feed the nozzle moves by {:.2g} widths of its jet while that could pass the "
+      "workpiece: the cut may be deeper than this; motion = \"travelling\" simulates it.",
+      passage_time(jet, thickness) / exposure_time(machine, jet, description.dimension));
 }
 
 }  // namespace
@@ -88,7 +108,7 @@ std::string exposure_sentence(const RunOutcome& outcome) {
         "not "
         "show: this says nothing about a feed of {}; motion = \"travelling\" simulates it.",
         feed);
-  if (outcome.exposure) return sentence_of(outcome, feed);
+  if (outcome.exposure) return sentence_of(outcome, feed) + motion_sentence(outcome);
   return outcome.cut.cut_through
              ? fmt::format(" No water has entered the crack: this says nothing about a feed of {}.",
                            feed)

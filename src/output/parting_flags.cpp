@@ -18,13 +18,20 @@ void add_parting_flags(const RunOutcome& outcome, std::vector<ValidityFlag>& fla
                      "of its thickness. A nozzle that moves leaves the crack of its impact behind.",
                      100.0 * share)});
   const auto& machine = outcome.description.machine;
-  if (cut.gave_way() && machine && machine->traverse_speed > 0.0)
+  if (!machine || !(machine->traverse_speed > 0.0)) return;
+  if (cut.was_pressed_ahead())
     flags.push_back(
-        {"gave_way", ValidityFlag::State::note, share, CutSummary::greatest_share,
+        {"gave_way", ValidityFlag::State::note, share, cut.greatest_share,
          fmt::format(
              "The front of the water was {:.2g} thicknesses deep when the workpiece was cut "
              "through: it gave way before. Its edges may evade a nozzle that moves.",
              share)});
+  else if (cut.was_pushed_aside())
+    flags.push_back(
+        {"gave_way", ValidityFlag::State::note, cut.removed_share_at_cut, CutSummary::least_removed,
+         fmt::format("{:.2g}% of the opening was removed when the workpiece was cut through, the "
+                     "rest was pushed aside. Its edges may evade a nozzle that moves.",
+                     100.0 * cut.removed_share_at_cut)});
 }
 
 }  // namespace kerf

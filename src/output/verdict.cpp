@@ -110,7 +110,10 @@ std::string unbroken_clause(const RunOutcome& outcome) {
     return fmt::format(", and {} of the thickness{} is unbroken{}", readable(unbroken, "m"),
                        unbroken_names(outcome),
                        is_inclined(outcome) ? " on each line along the jet" : "");
-  return has_left(outcome) ? "" : ", and none of the thickness is unbroken";
+  return has_left(outcome)
+             ? ""
+             : ", and none of the thickness is unbroken: torn solid that still stands "
+               "in the way of the water joins the sides";
 }
 
 // Whether the front has come to the end of a part that ends within the workpiece.

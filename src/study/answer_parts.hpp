@@ -13,6 +13,10 @@
 
 namespace kerf {
 
+inline constexpr const char* alternating_verdicts =
+    "The verdicts of the runs are not monotonic: they change more than once, and the interval "
+    "contains all changes that were seen.";
+
 // Returns a metric in words; lengths are in mm.
 inline std::string metric_text(double value, const std::string& unit) {
   if (unit == "m") return fmt::format("{:.4g} mm", 1e3 * value);

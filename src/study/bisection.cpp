@@ -49,7 +49,6 @@ void Bisection::try_values(const std::vector<double>& values) {
   for (std::size_t i = 0; i < missing.size(); ++i) known_[missing[i]] = found[i];
 }
 
-// Returns whether a value within the bracket was run: verdicts alternate there.
 bool Bisection::alternates() const {
   const Bracket now = bracket();
   const auto inner = known_.upper_bound(now.low);

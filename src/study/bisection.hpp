@@ -40,6 +40,8 @@ class Bisection {
   Bracket bracket() const;
   int count() const { return static_cast<int>(known_.size()); }
   bool is_exhausted() const { return count() >= most_; }
+  // Returns whether a value within the bracket was run: the verdicts change more than once.
+  bool alternates() const;
   // Returns whether both ends of the bracket were run.
   bool is_confirmed() const;
   // Returns the verdict if it is the same at both ends of the range, nothing if it changes.
@@ -48,7 +50,6 @@ class Bisection {
  private:
   void try_values(const std::vector<double>& values);
   bool confirm_ends();
-  bool alternates() const;
 
   Verdicts verdicts_;
   Bracket range_;

@@ -23,13 +23,12 @@ std::map<Setting, Line, Order> lines_along(const std::string& key,
   std::map<Setting, Line, Order> lines;
   for (const RunRow& run : runs) {
     const auto value = run.trial.setting.numbers.find(key);
-    const auto verdict = run.metrics.find("cut_through");
+    const auto verdict = cuts(run.metrics);
     const bool counts = run.state == RunState::done && run.trial.repeat == 0;
-    if (!counts || value == run.trial.setting.numbers.end() || verdict == run.metrics.end())
-      continue;
+    if (!counts || value == run.trial.setting.numbers.end() || !verdict) continue;
     Setting others = run.trial.setting;
     others.numbers.erase(key);
-    lines[others][value->second] = verdict->second > 0.5;
+    lines[others][value->second] = *verdict;
   }
   return lines;
 }

@@ -51,7 +51,7 @@ void add_doubts(const std::vector<RunRow>& runs, LimitWords& words) {
         "first impact behind, so no feed is certain; the possible one is that of the water.");
   if (any("gave_way"))
     words.notes.emplace_back(
-        "The workpiece gave way by more than its thickness before it was cut through. What gives "
+        "The workpiece gave way: the jet pressed it ahead or aside before it was cut. What gives "
         "way evades a moving nozzle, so no feed is certain; motion = \"travelling\" simulates it.");
 }
 
@@ -60,7 +60,8 @@ std::string carried_text(const RunRow& row) {
   const double broken = 100.0 * broken_share(row);
   const std::string how =
       holds_of(row, "cut_through")
-          ? std::string("The run ended before the water was through the crack")
+          ? fmt::format("The run ended before the water was through the {}",
+                        holds_of(row, "cracked_ahead") ? "crack" : "cut")
           : fmt::format("The run ended with {:.3g}% of the thickness broken", broken);
   return how + ". The rest is carried on by the law of its depth, so no feed is certain.";
 }

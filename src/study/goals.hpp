@@ -12,11 +12,15 @@
 
 namespace kerf {
 
-// The condition on a run: a number of its result lies on one side of a bound.
+// The condition on a run: a number of its result lies on one side of a bound. Under a nozzle that
+// stands in place of one that moves, the cut and the share of its path that is cut through are
+// those of the feed (cuts() in study/metrics.hpp).
 struct Condition {
   std::string metric = "cut_through";
   double bound = 0.5;    // SI
   bool at_least = true;  // otherwise at most
+  // Whether it asks of such a run whether its feed cuts.
+  bool is_of_feed(const std::map<std::string, double>& metrics) const;
   bool holds(const std::map<std::string, double>& metrics) const;
   // Returns by how much a run satisfies the condition, 1; below 0 it does not. For cut-through it
   // is the remaining share of the time of the run, or minus that of the thickness; otherwise the

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/version.hpp"
+#include "study/answer_parts.hpp"
 #include "study/bisection.hpp"
 #include "study/feed_by_exposure.hpp"
 #include "study/run_table.hpp"
@@ -96,6 +97,7 @@ std::vector<std::string> cause_notes(const LimitPlan& plan, const ThresholdAnswe
   const ThresholdGoal& goal = goal_of(plan);
   const LimitCauses causes = causes_of(answer);
   std::vector<std::string> notes;
+  if (answer.alternates) notes.emplace_back(alternating_verdicts);
   notes.push_back(fmt::format(
       "Bracket of the first layout: ± {}{}.", shown(plan, causes.bracket),
       answer.is_within_tolerance

@@ -175,9 +175,16 @@ void drop_output_times(toml::table& base) {
       output->erase(key);
 }
 
-LimitEnd end_of(const Asked& asked, bool is_feed) {
+// Has the nozzle stand in every run as it does in that of the case.
+void hold_motion(const Case& description, toml::table& base) {
+  if (stands_for_traverse(description))
+    base["machine"].as_table()->insert_or_assign("motion", "standing");
+}
+
+LimitEnd end_of(const Asked& asked, const toml::table& base, bool is_feed) {
   LimitEnd end;
   end.end = asked.description.time.end;
+  end.follows = stands_for_traverse(asked.description) && !base["time"]["end"];
   if (!is_feed || stands_for_traverse(asked.description)) return end;
   const Jet& jet = asked.description.jets.front();
   end.start = jet.start + std::max(jet.dwell, jet.standoff / jet.speed);
@@ -208,6 +215,8 @@ std::vector<std::string> held_in(const LimitPlan& plan) {
                         1.0 / refinement)};
   if (plan.end.path > 0.0)
     held.push_back(fmt::format("The nozzle travels {:.4g} mm in each run.", 1e3 * plan.end.path));
+  else if (plan.end.follows)
+    held.emplace_back("Each run lasts as long as the exposure of the stated feed takes.");
   else
     held.push_back(fmt::format("Each run lasts {:.4g} ms.", 1e3 * plan.end.end));
   return held;
@@ -259,12 +268,13 @@ LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion
   study.refinement = question.refinement;
   Axis axis = axis_of(asked, study.base, plan.stated);
   const bool is_feed = find_quantity(question.of) && question.of == "feed";
-  plan.end = end_of(asked, is_feed);
+  plan.end = end_of(asked, study.base, is_feed);
   plan.held = held_in(plan);
   hold_spacings(asked.description, study.base);
+  hold_motion(asked.description, study.base);
   drop_output_times(study.base);
   const KeyPath end_path = find_key_path(std::string(end_key), study.base);
-  set_number(study.base, end_path, plan.end.end);
+  if (!plan.end.follows) set_number(study.base, end_path, plan.end.end);
   plan.by_exposure = is_feed && stands_for_traverse(asked.description);
   if (plan.by_exposure) plan.jet_speed = asked.description.jets.back().speed;
   if (is_feed && !plan.by_exposure) {

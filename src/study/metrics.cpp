@@ -26,4 +26,10 @@ Metrics read_metrics(const std::string& result_json) {
   return metrics;
 }
 
+std::optional<bool> cuts(const Metrics& metrics) {
+  for (const char* name : {"exposure.cuts", "cut_through"})
+    if (const auto found = metrics.find(name); found != metrics.end()) return found->second > 0.5;
+  return std::nullopt;
+}
+
 }  // namespace kerf

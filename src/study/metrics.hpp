@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,10 @@ using Metrics = std::map<std::string, double>;
 // and false 0. Lists and null are left out, as are the balance, the counts of limits and the times
 // of stages, which describe the run and not the cut.
 Metrics read_metrics(const std::string& result_json);
+
+// Returns whether a run cuts: under a nozzle that stands in place of one that moves, whether its
+// feed is certain to (analysis/exposure.hpp), since it leaves no path; nothing where it tells none.
+std::optional<bool> cuts(const Metrics& metrics);
 
 // The metrics of every table of a study.
 inline constexpr std::string_view standard_metrics[] = {

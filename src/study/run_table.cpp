@@ -157,9 +157,9 @@ std::vector<std::string> shown_metrics(const StudyPlan& plan) {
 RunVerdict verdict_of(const RunRow& row) {
   if (row.state == RunState::failed) return RunVerdict::failed;
   if (row.state != RunState::done) return RunVerdict::not_run_yet;
-  const auto found = row.metrics.find("cut_through");
-  if (found == row.metrics.end()) return RunVerdict::done;
-  return found->second > 0.5 ? RunVerdict::cut_through : RunVerdict::not_cut_through;
+  const auto verdict = cuts(row.metrics);
+  if (!verdict) return RunVerdict::done;
+  return *verdict ? RunVerdict::cut_through : RunVerdict::not_cut_through;
 }
 
 std::string report_of(const RunRow& row) {

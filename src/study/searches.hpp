@@ -35,6 +35,7 @@ struct ThresholdAnswer {
   Bracket stated;                  // the bracket, extended to that of the extrapolated value
   int runs = 0, draft_runs = 0;    // number of runs made
   bool is_within_tolerance = false;
+  bool alternates = false;  // the verdicts of a layout, or of the drafts, change more than once
   double value() const { return bracket.middle(); }
 };
 

@@ -59,6 +59,7 @@ Answer describe(const ThresholdGoal& goal, const ThresholdAnswer& answer) {
   result.notes.push_back(fmt::format(
       "bracket over {} layout{}: {} to {}{}", layouts, plural(layouts), shown(answer.bracket.low),
       shown(answer.bracket.high), answer.is_within_tolerance ? "" : ", wider than the tolerance"));
+  if (answer.alternates) result.notes.emplace_back(alternating_verdicts);
   if (!answer.draft) return result;
   result.notes.push_back(fmt::format(
       "at {:.3g} times the spacing: {} to {}; for spacing 0 that makes {}", 1.0 / goal.draft,

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "study/bisection.hpp"
+#include "study/metrics.hpp"
 
 namespace kerf {
 
@@ -98,6 +99,7 @@ class ThresholdSearch {
       bisection.leave(*goal_.start);
     bisection.narrow(goal_.tolerance, laboratory_.side_by_side());
     answer_.runs += bisection.count();
+    answer_.alternates = answer_.alternates || bisection.alternates();
     answer_.holds_everywhere.reset();
     if (const auto same = bisection.same_everywhere()) {
       answer_.problem = why_nothing(goal_, *same);
@@ -143,14 +145,20 @@ class ThresholdSearch {
 
 }  // namespace
 
+bool Condition::is_of_feed(const std::map<std::string, double>& metrics) const {
+  const bool asks_cut = metric == "cut_through" || metric == "kerf.through_share";
+  return asks_cut && at_least && metrics.contains("exposure.cuts");
+}
+
 bool Condition::holds(const std::map<std::string, double>& metrics) const {
+  if (is_of_feed(metrics)) return *cuts(metrics);
   const auto found = metrics.find(metric);
   if (found == metrics.end()) return false;
   return at_least ? found->second >= bound : found->second <= bound;
 }
 
 double Condition::margin(const std::map<std::string, double>& metrics) const {
-  const bool is_cut = metric == "cut_through";
+  const bool is_cut = metric == "cut_through" || is_of_feed(metrics);
   const auto found = metrics.find(is_cut ? "kerf.margin" : metric);
   if (found == metrics.end()) return holds(metrics) ? 0.0 : -1.0;
   if (is_cut) return holds(metrics) ? std::abs(found->second) : -std::abs(found->second);

@@ -56,6 +56,27 @@ TEST(CutOver, AtTheEndOfTheSimulatedPart) {
   EXPECT_TRUE(is_cut_over(description, {state_at(1.0, false, 6.1e-3)}, 1.0));
 }
 
+// Under a nozzle that stands in place of one that moves, the passage of the water tells the feed;
+// it may never follow a crack.
+TEST(CutOver, AwaitsTheWaterThatTellsTheFeed) {
+  Case description = slab(20e-3);
+  description.workpiece->spacing = 1e-4;
+  description.time.after_cut = 0.5;
+  const auto history = [](double at_cut, double last) {
+    return std::vector{state_at(1.0, false, 1e-3), state_at(2.0, true, at_cut),
+                       state_at(4.0, true, last)};
+  };
+  EXPECT_TRUE(is_cut_over(description, history(15e-3, 18e-3), 4.0));
+  Machine machine;
+  machine.traverse_speed = 0.1;
+  machine.motion = NozzleMotion::standing;
+  description.machine = machine;
+  EXPECT_FALSE(is_cut_over(description, history(15e-3, 18e-3), 4.0));
+  EXPECT_EQ(expected_end(description, history(15e-3, 18e-3)), description.time.end);
+  EXPECT_TRUE(is_cut_over(description, history(15e-3, 19.95e-3), 4.0));
+  EXPECT_TRUE(is_cut_over(description, history(5e-3, 6e-3), 4.0));
+}
+
 // A front at 1.5 mm/s comes to the end of the part, 6 mm, after 4 s; one at 5 mm/s through 20 mm.
 TEST(CutOver, IsExpectedWhereTheFrontGoesOn) {
   Case part = slab(8e-3);

@@ -67,6 +67,16 @@ TEST(KerfWidth, IncludesTheGapBetweenSeparatedHalves) {
   EXPECT_NEAR(state.fractured_width, 12.0 * mm, 1e-6);
 }
 
+// Water that is far below the block has an opening within it.
+TEST(KerfWidth, IsThatWithinTheWorkpieceWhereTheFrontIsBelowIt) {
+  const Case description = make_case(2);
+  CutMonitor monitor(description, make_block(2));
+  const CutState state = monitor.observe(make_cut(description, 2.5 * thickness, 12.0 * mm, 0.0));
+  EXPECT_NEAR(state.front_depth, 2.5 * thickness, 2.0 * mm);
+  EXPECT_NEAR(state.kerf_width, 12.0 * mm, 1e-6);
+  EXPECT_NEAR(state.fractured_width, 12.0 * mm, 1e-6);
+}
+
 TEST(KerfWidth, OfATiltedCutIsMeasuredAcrossTheJet) {
   const double angle = 0.5;
   const Case description = make_case(2, angle);

@@ -80,6 +80,38 @@ TEST(CutThrough, TellsACrackAheadOfTheWater) {
   EXPECT_FALSE(late.summary().holds_at_rest_only());
 }
 
+// Water that is beyond the far face by more than half the width of the jet when the block is cut
+// has pressed that face ahead.
+TEST(CutThrough, AFrontBeyondTheFarFaceHasPressedItAhead) {
+  const Case description = make_case(2);
+  const double width = description.jets[0].width;
+  for (const double beyond : {-0.1, 0.2, 1.0, 3.0}) {
+    CutMonitor monitor(description, make_block(2));
+    Frame frame = make_cut(description, thickness + beyond * width, 4.0 * mm, 1e-3);
+    change(frame, Category::fractured, [](const Position& x) { return std::abs(x[0]) < 2.0 * mm; });
+    monitor.observe(frame);
+    ASSERT_TRUE(monitor.summary().cut_through) << beyond;
+    EXPECT_EQ(monitor.summary().gave_way(), beyond > 0.5) << beyond;
+  }
+}
+
+// Halves that are pushed apart by more than the jet has removed between them.
+TEST(CutThrough, AnOpeningThatIsPushedOpenIsNotRemoved) {
+  const Case description = make_case(2);
+  for (const double apart : {2.0 * mm, 8.0 * mm}) {
+    CutMonitor monitor(description, make_block(2));
+    Frame frame = make_cut(description, 0.95 * thickness, 4.0 * mm, 1e-3);
+    change(frame, Category::fractured, [](const Position& x) { return std::abs(x[0]) < 2.0 * mm; });
+    for (std::size_t row = 0; row < frame.position.size(); ++row)
+      if (frame.category[row] == Category::solid)
+        frame.position[row][0] += (frame.position[row][0] > 0.0 ? 0.5 : -0.5) * apart;
+    monitor.observe(frame);
+    ASSERT_TRUE(monitor.summary().cut_through) << apart;
+    EXPECT_NEAR(monitor.summary().removed_share_at_cut, 4.0 * mm / (4.0 * mm + apart), 0.05);
+    EXPECT_EQ(monitor.summary().gave_way(), apart > 4.0 * mm) << apart;
+  }
+}
+
 TEST(CutThrough, IsKeptWhenTheBlockFragmentsFurther) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));

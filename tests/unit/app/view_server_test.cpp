@@ -76,6 +76,11 @@ std::string inflated(const std::string& packed) {
   return bytes;
 }
 
+TEST_F(View, ItsPortIsItsOwn) {
+  ViewServer other(out_);
+  EXPECT_THROW(other.bind(port_), UserError);
+}
+
 TEST_F(View, ServesThePageOfARun) {
   const auto page = get("");
   ASSERT_TRUE(page);

@@ -36,6 +36,19 @@ TEST(DefaultEnd, IsTheSameWithAndWithoutAFeed) {
   EXPECT_EQ(resting.time.after_cut, feeding.time.after_cut);
 }
 
+// The last water of the exposure w / u is at the far face at the latest when the run ends, also of
+// an inclined jet and however thin the workpiece is.
+TEST(DefaultEnd, HoldsTheWaterOfTheExposure) {
+  for (const std::string more : {"", "lead_angle = \"30 deg\"\n"}) {
+    const Case gel = gel_case("traverse_speed = \"20 m/s\"\nmotion = \"standing\"\n" + more);
+    const Jet& jet = gel.jets[0];
+    const double flight = jet.standoff / jet.speed, way = 2e-3 / std::cos(jet.angle);
+    const double exposure = exposure_time(*gel.machine, jet, 2);
+    EXPECT_GT(gel.time.end, flight + exposure + way / jet.speed);
+    EXPECT_LT(gel.time.end, flight + exposure + 1.5 * way / jet.speed);
+  }
+}
+
 // An end that is stated without a feed is that of the run, cut or not.
 TEST(DefaultEnd, AStatedEndIsKept) {
   const std::string end = "[time]\nend = \"70 us\"\n";

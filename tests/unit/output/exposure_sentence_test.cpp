@@ -21,7 +21,9 @@ using testing::StartsWith;
 RunOutcome cut_plate(double share) {
   RunOutcome outcome;
   Case& description = outcome.description;
-  description.jets.emplace_back();
+  Jet& jet = description.jets.emplace_back();
+  jet.width = 1e-3;
+  jet.speed = 100.0;
   description.materials.resize(1);
   description.bodies.emplace_back().material = 0;
   description.machine.emplace().motion = NozzleMotion::standing;
@@ -99,6 +101,25 @@ TEST(ExposureSentence, WaterThatIsThroughMakesAFeedCertain) {
   outcome.exposure->exponent = 0.5;  // the run ended before it was through
   EXPECT_THAT(exposure_sentence(outcome),
               AllOf(HasSubstr("carried over 3.3 decades"), Not(HasSubstr("certain"))));
+  outcome.exposure->depth_low = 0.7e-3;
+  EXPECT_THAT(exposure_sentence(outcome),
+              AllOf(HasSubstr("may cut through: the run ended before its water was through"),
+                    Not(HasSubstr("deep"))));
+}
+
+// A nozzle that is said to stand at a feed by which it would leave its jet meanwhile.
+TEST(ExposureSentence, AForcedRestIsTold) {
+  RunOutcome outcome = cut_plate(0.9);
+  outcome.exposure->depth_low = 0.5e-3;
+  const auto moves = HasSubstr("At this feed the nozzle moves by");
+  EXPECT_THAT(exposure_sentence(outcome), Not(moves));
+  outcome.description.machine->traverse_speed = 50.0;  // 2 mm in the 40 us of a passage
+  EXPECT_THAT(
+      exposure_sentence(outcome),
+      HasSubstr("At this feed the nozzle moves by 2 widths of its jet while that could pass "
+                "the workpiece: the cut may be deeper than this"));
+  outcome.exposure->depth_low = 1e-3;
+  EXPECT_THAT(exposure_sentence(outcome), Not(moves));
 }
 
 // Flaps that bend out of the way are not removed, and the way between them is open.

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "study/bisection.hpp"
+#include "study/metrics.hpp"
 #include "synthetic.hpp"
 
 namespace kerf {
@@ -188,6 +189,30 @@ TEST(ThresholdSearch, AlternatingResultsAreWithinTheBracket) {
   EXPECT_LT(answer.bracket.low, 3.5);
   EXPECT_GE(answer.bracket.high, 4.1);
   EXPECT_FALSE(answer.is_within_tolerance);
+  EXPECT_TRUE(answer.alternates);
+  auto steady = cutter(3.9, 8);
+  EXPECT_FALSE(find_threshold(goal, {}, steady).alternates);
+}
+
+// A run under a nozzle that stands in place of one that moves has a hole at its end, whatever its
+// feed: the exposure tells whether that cuts.
+TEST(ThresholdSearch, TheExposureTellsWhetherAFeedCuts) {
+  const std::map<std::string, double> holed{
+      {"cut_through", 1.0}, {"kerf.through_share", 1.0}, {"kerf.margin", 0.3}};
+  for (const Condition& condition : {Condition{}, Condition{"kerf.through_share", 0.95, true}}) {
+    auto metrics = holed;
+    EXPECT_TRUE(condition.holds(metrics));
+    metrics["exposure.cuts"] = 0.0;
+    EXPECT_FALSE(condition.holds(metrics));
+    EXPECT_LT(condition.margin(metrics), 0.0);
+    metrics["exposure.cuts"] = 1.0;
+    metrics["cut_through"] = metrics["kerf.through_share"] = 0.0;
+    EXPECT_TRUE(condition.holds(metrics));
+    EXPECT_GT(condition.margin(metrics), 0.0);
+    EXPECT_EQ(cuts(metrics), true);
+  }
+  EXPECT_EQ(cuts(holed), true);
+  EXPECT_FALSE(cuts({}).has_value());
 }
 
 TEST(ThresholdSearch, ReportsARangeWithoutAThreshold) {
