@@ -39,6 +39,15 @@ struct RigidWall {
   }
 };
 
+// The power per unit of mass at which rigid bodies that move work on a particle, W/kg: by pressure,
+// by dissipative forces, and by the contact of solids or the repulsion of eq. (43).
+template <class T>
+struct RigidPower {
+  T pressure, dissipation, contact;
+
+  KERF_FUNCTION T total() const { return pressure + dissipation + contact; }
+};
+
 template <int D, class P>
 struct FieldTypes {
   using Real = typename P::Real;
@@ -49,6 +58,7 @@ struct FieldTypes {
   using Spin = SkewTensor<D, Real>;
   using SurfaceContactState = ContactState<D, Real>;
   using RigidWallState = RigidWall<D, Real>;
+  using RigidPowerState = RigidPower<Real>;
 };
 
 }  // namespace kerf

@@ -22,6 +22,7 @@
 #include "materials/equation_of_state.hpp"
 #include "pairs/body_force.hpp"
 #include "pairs/pair_loop.hpp"
+#include "standard/rigid_power.hpp"
 
 namespace kerf {
 
@@ -118,6 +119,7 @@ class StandardRates {
                DensityDiffusion<D, P>{pointer(density_gradient_)});
     }
     complete_gradients(input);
+    find_rigid_power(input);
   }
 
   // Evaluates pressures and accelerations only, for output.
@@ -203,6 +205,17 @@ class StandardRates {
     const GradientAtWall<D, P> term{fluid_pair_.kernel_gradient_normalisation};
     for_each_index(input.count,
                    BesideRigidWalls<D, P, Loop>{input.view, all, Loop(input.view, all, {}, term)});
+  }
+
+  // Finds the power of rigid bodies that move, after all forces.
+  void find_rigid_power(const LoopInput& input) const {
+    if (input.view.rigid_power == nullptr) return;
+    NeighbourView others = input.list;
+    others.skips = Skips::of_fluids_and_body;
+    const RigidPowerSum<D, P> term{
+        {fluid_pair_}, {fluid_pair_.kernel_gradient_normalisation}, {contacts()}};
+    for_each_index(input.count,
+                   PairLoop<D, P, ContactPairs, RigidPowerSum<D, P>>(input.view, others, {}, term));
   }
 
   void sum_surface_overlaps(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
