@@ -134,8 +134,10 @@ void find_sound_speeds(Draft& draft, double speed) {
   }
 }
 
-// Sets the default of D of eq. (43), which is of the order of a speed squared.
+// Sets the default of D of eq. (43), which is of the order of a speed squared. Rigid bodies repel
+// in the formulation of the paper alone.
 void find_repulsions(Draft& draft, double speed) {
+  if (draft.result.formulation != Formulation::shinohara2004) return;
   for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
     if (draft.bodies[i].body.role != Role::rigid || draft.bodies[i].has_repulsion) continue;
     draft.result.bodies[i].repulsion = speed * speed;

@@ -8,6 +8,7 @@
 
 #include "model/calibration_need.hpp"
 #include "model/case.hpp"
+#include "output/balance_flags.hpp"
 #include "output/moving_workpiece_flag.hpp"
 #include "output/parting_flags.hpp"
 #include "output/result.hpp"
@@ -19,8 +20,6 @@ namespace {
 
 constexpr double enough_resolution = 10.0;  // particles across the jet
 constexpr double weak_compression = 0.1;    // Mach number; the density then varies by about 1%
-constexpr double small_drift = 0.02;        // of all energy that ever came in
-constexpr double small_density_loss = 0.1;  // likewise
 constexpr double small_leak = 0.01;         // of the jet's water that is there
 constexpr double small_hourglass = 0.1;     // of what solids store, in their hourglass control
 constexpr double notable_storage = 1e-4;    // of all energy supplied
@@ -100,40 +99,6 @@ ValidityFlag mach_flag(const DerivedNumbers& derived) {
                : fmt::format("The jet's Mach number is {:.2g}, over {:g}: the water is compressed "
                              "too much. Raise its sound speed.",
                              mach, weak_compression)};
-}
-
-ValidityFlag drift_flag(double drift) {
-  const double percent = 100.0 * std::abs(drift);
-  const bool good = std::abs(drift) <= small_drift;
-  return {"energy_drift", good_if(good), drift, small_drift,
-          good ? fmt::format("The energy balance closes to {:.2g}%.", percent)
-               : fmt::format("The energy balance is off by {:.2g}%, more than {:g}%: trust trends "
-                             "only.",
-                             percent, 100.0 * small_drift)};
-}
-
-// For solids with bonds, whose breaks may only take energy (solid/limit_break_energy.hpp).
-ValidityFlag break_flag(double gain) {
-  const bool good = gain <= small_drift;
-  return {
-      "energy_from_breaks", good_if(good), gain, small_drift,
-      good ? fmt::format("Breaks add {:.2g}% of all energy.", 100.0 * gain)
-           : fmt::format("Breaks add {:.2g}% of all energy, more than {:g}%, where they "
-                         "should dissipate some: fragments and debris may be too fast, and the cut "
-                         "too easy.",
-                         100.0 * gain, 100.0 * small_drift)};
-}
-
-// For the standard formulation. Smoothing of the density may take energy, and add none.
-ValidityFlag density_flag(double loss) {
-  const bool adds = loss < -small_drift, good = !adds && loss <= small_density_loss;
-  const double limit = adds ? -small_drift : small_density_loss;
-  const std::string takes = fmt::format("Smoothing of the density {} {:.2g}% of all energy",
-                                        loss < 0.0 ? "adds" : "takes", 100.0 * std::abs(loss));
-  return {"density_loss", good_if(good), loss, limit,
-          good ? takes + "."
-               : fmt::format("{}, more than {:g}%: the water may be too {}. Use a finer spacing.",
-                             takes, 100.0 * std::abs(limit), adds ? "fast" : "slow")};
 }
 
 // The share of the hourglass control in what solids store by their bonds. In pure bending with n
@@ -284,11 +249,7 @@ std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
                      fmt::format("The solid's spacing is {:.3g} times the water's: water can pass "
                                  "between the solid's particles.",
                                  derived.solid_to_water_spacing)});
-  flags.push_back(drift_flag(outcome.balance.energy_drift()));
-  if (outcome.balance.density_loss() != 0.0)
-    flags.push_back(density_flag(outcome.balance.density_loss()));
-  if (outcome.balance.dissipated_fracture != 0.0)
-    flags.push_back(break_flag(outcome.balance.energy_from_breaks()));
+  add_balance_flags(outcome.balance, flags);
   add_of_hourglass(outcome, flags);
   add_of_relaxation(outcome, flags);
   add_parting_flags(outcome, flags);

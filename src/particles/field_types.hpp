@@ -49,6 +49,15 @@ struct WallPush {
   KERF_FUNCTION static WallPush none() { return {Vector<D, T>::zero(), T(0)}; }
 };
 
+// The power per unit of mass at which rigid bodies that move work on a particle, W/kg: by pressure,
+// by dissipative forces, and by the contact of solids or the repulsion of eq. (43).
+template <class T>
+struct RigidPower {
+  T pressure, dissipation, contact;
+
+  KERF_FUNCTION T total() const { return pressure + dissipation + contact; }
+};
+
 template <int D, class P>
 struct FieldTypes {
   using Real = typename P::Real;
@@ -60,6 +69,7 @@ struct FieldTypes {
   using SurfaceContactState = ContactState<D, Real>;
   using SmoothWallState = SmoothWall<D, Real>;
   using WallPushState = WallPush<D, Real>;
+  using RigidPowerState = RigidPower<Real>;
 };
 
 }  // namespace kerf

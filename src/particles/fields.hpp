@@ -80,6 +80,7 @@ namespace kerf {
   SCRATCH(RealVector, damping_acceleration, always, hidden) /* m/s^2, by dissipative forces */     \
   SCRATCH(Real, repulsion_potential, always, hidden)             /* J/kg */                        \
   SCRATCH(Real, pressure_power, always, hidden)                  /* W/kg, done against pressure */ \
+  SCRATCH(RigidPowerState, rigid_power, moving_walls, hidden)    /* W/kg, by rigid bodies */       \
   SCRATCH(Real, continuity_loss, density_losses, hidden)         /* J/kg, in the step */           \
   SCRATCH(Real, reinitialisation_loss, density_losses, hidden)   /* J/kg, in the step */           \
   SCRATCH(Real, artificial_power, rate_stress, hidden)           /* W/kg, by artificial terms */   \
@@ -102,6 +103,7 @@ struct FieldGroups {
   bool density_losses = true;  // energy that the density loses (standard)
   bool smooth_walls = true;    // smooth walls of bodies (standard)
   bool sleep = false;          // solid at rest may sleep (standard)
+  bool moving_walls = false;   // rigid bodies that move
 };
 
 // The row of a field, for visitors of the fields.
@@ -125,6 +127,7 @@ struct ParticleView : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::SurfaceContactState;
   using typename FieldTypes<D, P>::SmoothWallState;
   using typename FieldTypes<D, P>::WallPushState;
+  using typename FieldTypes<D, P>::RigidPowerState;
 #define KERF_STATE(type, name, initial, group, shown) type* name;  // null without its group
 #define KERF_SCRATCH(type, name, group, shown) type* name;
   KERF_PARTICLE_FIELDS(KERF_STATE, KERF_STATE, KERF_SCRATCH)
@@ -177,6 +180,7 @@ class Particles : FieldTypes<D, P> {
   using typename FieldTypes<D, P>::SurfaceContactState;
   using typename FieldTypes<D, P>::SmoothWallState;
   using typename FieldTypes<D, P>::WallPushState;
+  using typename FieldTypes<D, P>::RigidPowerState;
 
 #define KERF_STATE(type, name, initial, group, shown) Array<type> name;
 #define KERF_SCRATCH(type, name, group, shown) Array<type> name;

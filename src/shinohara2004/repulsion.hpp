@@ -14,18 +14,21 @@ struct Repulsion {
   static constexpr bool includes_rigid = true;
   struct Sum {
     Vector<D, Real> repulsion{};
-    Real potential{};
+    Real potential{}, power{};
   };
 
   KERF_FUNCTION void add(const ParticleView<D, P>&, const Pair<D, P>&, Sum&) const {}
 
-  KERF_FUNCTION void add_rigid(const ParticleView<D, P>&, const Pair<D, P>& pair, Sum& sum) const {
+  KERF_FUNCTION void add_rigid(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
+                               Sum& sum) const {
     const Real rest = Real(0.5) * (pair.medium_i->spacing + pair.medium_j->spacing);
     const Real d = pair.distance;
     if (d >= rest || !(d > Real(0))) return;
     const Real ratio2 = rest * rest / (d * d);
     const Real strength = pair.medium_j->repulsion;
-    sum.repulsion += (strength * (ratio2 * ratio2 - ratio2) / (d * d)) * pair.separation;
+    const auto repulsion = (strength * (ratio2 * ratio2 - ratio2) / (d * d)) * pair.separation;
+    sum.repulsion += repulsion;
+    sum.power += dot(repulsion, pair.of_j(particles.velocity[pair.j]));
     // Integral of f from d to d_0.
     sum.potential += strength * (Real(0.25) * ratio2 * ratio2 - Real(0.5) * ratio2 + Real(0.25));
   }
@@ -33,6 +36,7 @@ struct Repulsion {
     particles.repulsion[i] = sum.repulsion;
     particles.repulsion_potential[i] = sum.potential;
     particles.acceleration[i] += sum.repulsion;
+    if (particles.rigid_power != nullptr) particles.rigid_power[i] = {Real(0), Real(0), sum.power};
   }
 };
 

@@ -30,9 +30,9 @@ class Shinohara2004 final : public ParticleRun<D, P, Shinohara2004Traits> {
     evaluate_rates();
     const double dt = Run::choose_step(StepRates::known);
     keep_start();
-    advance_to(0.5 * dt);
+    advance_to(0.5 * dt, dt);
     evaluate_rates();
-    advance_to(dt);
+    advance_to(dt, dt);
     break_particles();
     finalize_step(dt);
     Run::tick(dt);
@@ -62,9 +62,10 @@ class Shinohara2004 final : public ParticleRun<D, P, Shinohara2004Traits> {
 
   void keep_start() { for_each_index(particles_.size(), SaveStepStart<D, P>{particles_.view()}); }
 
-  void advance_to(double dt) {
+  // Advances by `dt` from the start of a step that is `whole` long, s.
+  void advance_to(double dt, double whole) {
     const auto timer = timers_.stage("integrate");
-    Run::load_prescribed_motions(time_ + dt);
+    Run::load_prescribed_motions(time_ + dt, time_ + whole);
     for_each_index(particles_.size(),
                    AdvanceFromStart<D, P>{particles_.view(), pointer(prescribed_motions_), dt});
   }

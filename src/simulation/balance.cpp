@@ -30,9 +30,10 @@ double Balance::momentum_error() const {
     gap[a] = momentum_now[a] - momentum_initial[a] - momentum_in[a] + momentum_out[a] +
              momentum_left[a] - impulse_gravity[a] - impulse_rigid[a] - impulse_constraint[a] -
              impulse_load[a];
-  const double scale = std::max(
-      {length(momentum_initial), length(momentum_now), length(momentum_in), length(impulse_gravity),
-       length(impulse_rigid), length(impulse_constraint), length(impulse_load), momentum_scale});
+  const double scale =
+      std::max({length(momentum_initial), length(momentum_now), length(momentum_in),
+                length(impulse_gravity), length(impulse_rigid), length(impulse_constraint),
+                length(impulse_load), momentum_scale, load_scale});
   return scale > 0.0 ? length(gap) / scale : 0.0;
 }
 

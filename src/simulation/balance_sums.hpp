@@ -98,6 +98,7 @@ struct StepChange {
     sum.value[mass] += m;
     sum.value[gravity_work] += m * dot(gravity, moved);
     sum.value[artificial] += m * artificial_work(i, moved);
+    if (particles.rigid_power != nullptr) add_rigid_work(i, m, sum);
     if (particles.fracture_loss != nullptr)
       sum.value[fracture] += double(particles.fracture_loss[i]);
     if (medium.phase == Phase::water) {
@@ -122,6 +123,12 @@ struct StepChange {
   KERF_FUNCTION double artificial_work(Index i, const Vector<D, double>& moved) const {
     if (particles.artificial_power != nullptr) return dt * double(particles.artificial_power[i]);
     return -dot(Vector<D, double>::from(particles.damping_acceleration[i]), moved);
+  }
+  // Dissipative forces of a body that moves take what they do not give to the particle.
+  KERF_FUNCTION void add_rigid_work(Index i, double m, Terms<slots>& sum) const {
+    const auto& power = particles.rigid_power[i];
+    sum.value[constraint_work] += m * dt * double(power.total());
+    sum.value[artificial] += m * dt * double(power.dissipation);
   }
   // What the densities do not store is no longer pressure work.
   KERF_FUNCTION void add_density_losses(Index i, double m, Terms<slots>& sum) const {

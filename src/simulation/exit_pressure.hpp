@@ -2,7 +2,9 @@
 // The pressure at the exit of a nozzle, column by column: the force of all other matter on the
 // water of the column inside the nozzle, against the direction of the jet, over the section of the
 // column. Forces within that water cancel. With the pressure that the water inside has this is the
-// momentum that crosses the exit per time and area, less that of the flow itself.
+// momentum that crosses the exit per time and area, less that of the flow itself. The dissipative
+// forces are left out: where the columns differ in speed the free water would drag at them by its
+// numerical shear, which is no pressure, and hold a jet in the open back.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +24,8 @@ struct IsUpstream {
   KERF_FUNCTION bool operator()(Index i) const { return particles.has(i, flag::upstream); }
 };
 
-// The forces on particles of water inside a nozzle, - m (dv/dt - g) . direction, N (2D: N/m); 0
-// where one has left since the list was made.
+// The forces on particles of water inside a nozzle, - m (dv/dt - g) . direction without the
+// dissipative ones, N (2D: N/m); 0 where one has left since the list was made.
 template <int D, class P>
 struct ExitForce {
   ParticleView<D, P> particles;
@@ -33,7 +35,8 @@ struct ExitForce {
 
   KERF_FUNCTION void operator()(Index n) const {
     const Index i = inside[n];
-    const auto acceleration = Vector<D, double>::from(particles.acceleration[i]) - gravity;
+    const auto acceleration = Vector<D, double>::from(particles.acceleration[i]) -
+                              Vector<D, double>::from(particles.damping_acceleration[i]) - gravity;
     force[n] = particles.has(i, flag::upstream)
                    ? -double(particles.medium(i).mass) * dot(acceleration, direction)
                    : 0.0;

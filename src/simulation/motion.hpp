@@ -31,28 +31,39 @@ class Motion {
   Motion() = default;  // of a run without bodies and jets
   explicit Motion(const Case& description);
 
-  // Prescribed motion from `start` to `now`, one entry per medium; `now` >= `start`. The columns of
-  // nozzles are those of column_flows() and are not set.
+  // Prescribed motion from `start` to `now`, one entry per medium; `now` >= `start`. The velocity
+  // of a body is its mean from `start` to `end`, the end of the step: what bodies do to others in
+  // the middle of a step then works over the distance that they go in it. The columns of nozzles
+  // are those of column_flows() and are not set.
   template <int D>
-  std::vector<PrescribedMotion<D>> between(double start, double now,
+  std::vector<PrescribedMotion<D>> between(double start, double now, double end,
                                            const std::vector<Nozzle>& nozzles) const {
     std::vector<PrescribedMotion<D>> result;
     for (const MediumOrigin& origin : origins_)
       result.push_back(origin.source < bodies_
-                           ? of_body<D>(origin.source, start, now)
+                           ? of_body<D>(origin.source, start, now, end)
                            : of_jet<D>(origin.source - bodies_, nozzles, start, now));
     return result;
+  }
+
+  // Whether a medium is that of a body with prescribed displacement.
+  bool moves(std::size_t medium) const {
+    const std::size_t source = origins_.at(medium).source;
+    return source < bodies_ && !expressions_[source].empty();
   }
 
  private:
   Point displacement(std::size_t body, double time) const;
 
   template <int D>
-  PrescribedMotion<D> of_body(std::size_t body, double start, double now) const {
+  PrescribedMotion<D> of_body(std::size_t body, double start, double now, double end) const {
     PrescribedMotion<D> motion{};
     const Point from = displacement(body, start), to = displacement(body, now);
-    for (int a = 0; a < D; ++a) motion.displacement[a] = to[a] - from[a];
-    if (now > start) motion.velocity = (1.0 / (now - start)) * motion.displacement;
+    const Point at_end = end > now ? displacement(body, end) : to;
+    for (int a = 0; a < D; ++a) {
+      motion.displacement[a] = to[a] - from[a];
+      if (end > start) motion.velocity[a] = (at_end[a] - from[a]) / (end - start);
+    }
     return motion;
   }
 

@@ -103,7 +103,8 @@ class ParticleRun : public Simulation {
   // `other`: a limit besides those of the particles, of the same step at all ranks. A particle that
   // is not at this rank has an index beyond all.
   double choose_step(StepRates rates, const StepLimit& other = {1e300, Limit::end_of_run, 0});
-  void load_prescribed_motions(double now);
+  // Loads the motions of the step from its start until `now`; `end`: the end of the step.
+  void load_prescribed_motions(double now, double end);
   // Moves the domain to its place after some shifts of a travelling frame. The list must be
   // rebuilt.
   void move_domain(std::uint64_t shifts);

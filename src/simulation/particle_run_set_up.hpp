@@ -29,6 +29,9 @@ ParticleRun<D, P, Traits>::ParticleRun(RunSettings settings)
       settings_.smooth_walls && has(Phase::water) && (has(Phase::rigid) || has(Phase::solid));
   particles_.groups =
       Traits::field_groups(has(Phase::solid), has_smooth_walls, particles_.mirrors.faces != 0);
+  for (std::size_t medium = 0; medium < media_.size(); ++medium)
+    particles_.groups.moving_walls |=
+        media_[medium].phase == Phase::rigid && settings_.motion.moves(medium);
   particles_.groups.sleep &= settings_.sleep && settings_.loads.empty();
   std::vector<Medium<Real>> media;
   std::vector<double> masses;

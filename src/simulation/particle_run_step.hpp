@@ -228,8 +228,8 @@ void ParticleRun<D, P, Traits>::fail(const ParticleStep& cause) const {
 }
 
 template <int D, class P, class Traits>
-void ParticleRun<D, P, Traits>::load_prescribed_motions(double now) {
-  auto motions = settings_.motion.template between<D>(time_, now, nozzles_);
+void ParticleRun<D, P, Traits>::load_prescribed_motions(double now, double end) {
+  auto motions = settings_.motion.template between<D>(time_, now, end, nozzles_);
   std::vector<ColumnFlow> flows;
   for (std::size_t j = 0; j < nozzles_.size(); ++j) {
     const auto more = column_flows(nozzles_[j], media_[first_jet() + j], time_, now);

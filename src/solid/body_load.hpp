@@ -95,10 +95,10 @@ struct ApplyLoads {
   }
 };
 
-// The force of all loads, and their work over the step that has ended.
+// The force of all loads, its sum by magnitude, and their work over the step that has ended.
 template <int D, class P>
 struct LoadSum {
-  enum Slot { force = 0, work = D, slots };
+  enum Slot { force = 0, work = D, magnitude, slots };
   ParticleView<D, P> particles;
   const Index* particle_of;
   Index no_particle;
@@ -109,6 +109,7 @@ struct LoadSum {
     const Index i = particle_of[site.particle];
     if (i == no_particle) return;
     for (int a = 0; a < D; ++a) sum.value[force + a] += site.force[a];
+    sum.value[magnitude] += norm(site.force);
     sum.value[work] += dot(site.force, particles.position[i] - particles.start_position[i]);
   }
 };

@@ -23,6 +23,7 @@
 #include "materials/equation_of_state.hpp"
 #include "pairs/body_force.hpp"
 #include "pairs/pair_loop.hpp"
+#include "standard/rigid_power.hpp"
 
 namespace kerf {
 
@@ -120,6 +121,18 @@ class StandardRates {
                SmoothWalls{}, KernelSum{}, ConcentrationGradientSum<D, P>{concentration_gradient},
                DensityDiffusion<D, P>{pointer(density_gradient_)});
     }
+  }
+
+  // Finds the power of rigid bodies that move, after all forces.
+  void find_rigid_power(const ParticleView<D, P>& view, Index count,
+                        const NeighbourView& list) const {
+    if (view.rigid_power == nullptr) return;
+    using Loop = PairLoop<D, P, ContactPairs, RigidPowerSum<D, P>>;
+    NeighbourView others = list;
+    others.skips = Skips::of_fluids_and_body;
+    const RigidPowerSum<D, P> term{
+        {fluid_pair_}, {fluid_pair_.kernel_gradient_normalisation}, {contacts()}};
+    for_each_index(count, Loop(view, others, {}, term));
   }
 
   // Adds what smooth walls lack to the rates of fluid, after the sums over pairs. Returns whether

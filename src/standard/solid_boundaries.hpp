@@ -87,6 +87,7 @@ class SolidBoundaries {
       impulse_load_[axis] += dt * load.value[Sum::force + a];
     }
     work_load_ += load.value[Sum::work];
+    load_scale_ += dt * load.value[Sum::magnitude];
   }
 
   void record(Balance& balance) const {
@@ -95,6 +96,7 @@ class SolidBoundaries {
       balance.impulse_load[a] += impulse_load_[a];
     }
     balance.work_load += work_load_;
+    balance.load_scale += load_scale_;
   }
 
   std::size_t bytes() const {
@@ -106,6 +108,7 @@ class SolidBoundaries {
     std::vector<double> sums{work_load_};
     sums.insert(sums.end(), impulse_load_.begin(), impulse_load_.end());
     sums.insert(sums.end(), impulse_absorbed_.begin(), impulse_absorbed_.end());
+    sums.push_back(load_scale_);
     archive.arrays["solid/boundaries"] = sums;
     std::vector<double> turned;
     for (const LoadShare<D>& share : to_host(shares_))
@@ -119,6 +122,7 @@ class SolidBoundaries {
       impulse_load_[a] = sums.at(1 + a);
       impulse_absorbed_[a] = sums.at(4 + a);
     }
+    load_scale_ = sums.at(7);
     const auto& turned = find_array<double>(archive, "solid/loads");
     auto shares = to_host(shares_);
     for (std::size_t n = 0; n < shares.size(); ++n)
@@ -190,7 +194,8 @@ class SolidBoundaries {
   OrderedSum<D> absorbed_sum_;
   OrderedSum<LoadSum<D, P>::slots> load_sum_;
   std::array<double, 3> impulse_absorbed_{}, impulse_load_{};  // N s (2D: N s/m)
-  double work_load_ = 0.0;                                     // J (2D: J/m)
+  double load_scale_ = 0.0;  // N s (2D: N s/m), of the magnitudes of the forces of loads
+  double work_load_ = 0.0;   // J (2D: J/m)
 };
 
 }  // namespace kerf

@@ -111,7 +111,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   // The stages of a step, in their order; benchmarks time them one by one.
   void drift_half(double dt) {
     const auto timer = timers_.stage("integrate");
-    Run::load_prescribed_motions(time_ + 0.5 * dt);
+    Run::load_prescribed_motions(time_ + 0.5 * dt, time_ + dt);
     solid_.set_time(time_ + 0.5 * dt);
     for_each_index(
         particles_.owned(),
@@ -147,6 +147,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
                     solid_.without_fully_bonded(list_.view()), solid_.bonds(),
                     pointer(concentration_gradient_));
     complete_at_walls();
+    rates_.find_rigid_power(particles_.view(), particles_.owned(), list_.view());
     pair_interactions_ += static_cast<double>(list_.pairs());
   }
 
@@ -160,7 +161,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   // then shifts water and marks outflow.
   void finalize_step(double dt) {
     const auto timer = timers_.stage("integrate");
-    Run::load_prescribed_motions(time_ + dt);
+    Run::load_prescribed_motions(time_ + dt, time_ + dt);
     Run::respond_at_exits(dt);
     const auto view = particles_.view();
     const ConcentrationGradient<D, typename P::Real>* concentration_gradient =

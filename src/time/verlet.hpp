@@ -67,6 +67,9 @@ struct KickAndDrift {
     const auto moved = Vector<D, Real>::from(particles.position[i] - particles.start_position[i]);
     particles.pressure_power[i] =
         Real(-1) / Real(dt) * dot(particles.pressure_acceleration[i], moved);
+    // Rigid bodies that move do a part of the work against their pressure.
+    if (particles.rigid_power != nullptr)
+      particles.pressure_power[i] += particles.rigid_power[i].pressure;
   }
 };
 

@@ -84,6 +84,25 @@ TEST(FreeJet, IsNotShifted3D) {
   expect_free_flight(3, Formulation::standard, 9e-3, {WaterScheme::delta_sph, true});
 }
 
+// Columns of different speed drag at one another by their numerical shear, which is no pressure:
+// the pump holds none of the water of a jet in the open back, in any direction.
+TEST(FreeJet, WithAProfileIsNotHeldBack) {
+  for (int dimension : {2, 3})
+    for (const double angle : {0.0, 0.3}) {
+      Case c = free_jet(dimension, std::numeric_limits<double>::infinity());
+      c.formulation = Formulation::standard;
+      c.smoothing_ratio = 1.3;
+      c.jets[0].width = dimension == 2 ? 10e-3 : 8e-3;
+      c.jets[0].profile = "1 - r^2";
+      c.jets[0].angle = angle;
+      c.materials[1].viscosity = 0.0;
+      const auto simulation = make_simulation(c);
+      while (simulation->time() < 6e-3) simulation->advance();
+      const Balance balance = simulation->balance();
+      EXPECT_LE(std::abs(balance.jet_mass_held_back), 5e-3 * balance.jet_mass_due) << angle;
+    }
+}
+
 // A nozzle closes during the run: the water behind the exit stops; the mass is rho V A times the
 // time that the nozzle was open, with the start and stop within steps.
 TEST(FreeJet, StartsAndStopsWithinSteps) {

@@ -135,6 +135,25 @@ TEST(Loads, BodyForceIsGravity) {
     }
 }
 
+// Loads that balance one another leave rounding of momentum alone: relative to their impulse by
+// magnitude it is small, also of a body that they have brought to rest.
+TEST(Loads, MomentumOfBalancedLoadsIsRelativeToTheirMagnitude) {
+  for (const double angle : {0.0, 0.5}) {
+    Case c = free_body(2, PrecisionKind::double_precision, turned_block(angle));
+    c.loads = {load_of(LoadKind::traction, at_end(angle)),
+               load_of(LoadKind::traction, at_end(angle + std::numbers::pi))};
+    c.loads[0].traction = {100.0 * std::cos(angle), 100.0 * std::sin(angle), 0.0};
+    c.loads[1].traction = {-100.0 * std::cos(angle), -100.0 * std::sin(angle), 0.0};
+    for (Load& load : c.loads) load.history = "min(t/0.002, 1)";
+    c.time.relax = c.time.end = 0.02;
+    const auto simulation = make_simulation(c);
+    while (!simulation->finished()) simulation->advance();
+    const Balance now = simulation->balance();
+    EXPECT_NEAR(now.load_scale, 2.0 * 100.0 * 0.0082 * 0.019, 0.02 * now.load_scale);
+    EXPECT_LT(now.momentum_error(), 1e-11) << angle;
+  }
+}
+
 // A face of a block in 3D, at an angle to the lattice.
 TEST(Loads, SumInSpace) {
   Case c = free_body(3, PrecisionKind::mixed, turned_block(0.4));

@@ -77,6 +77,29 @@ TEST(Read, StandardIsTheDefaultFormulation) {
   EXPECT_EQ(read.formulation, Formulation::standard);
   EXPECT_EQ(read.time.courant, 0.45);
   EXPECT_EQ(read.smoothing_ratio, 1.3);
+  EXPECT_EQ(read.bodies[1].repulsion, 0.0);  // a key of the other formulation
+}
+
+// It needs no repulsion of rigid bodies where nothing tells a speed.
+TEST(Read, RepulsionIsOfThePapersFormulationAlone) {
+  const std::string resting = R"(dimension = 2
+[time]
+end = "1 ms"
+[[body]]
+name = "block"
+material = "tofu"
+shape = { type = "box", minimum = ["-8 mm", "0 mm"], maximum = ["8 mm", "8 mm"] }
+spacing = "2 mm"
+[[body]]
+name = "floor"
+role = "rigid"
+shape = { type = "box", minimum = ["-8 mm", "-6 mm"], maximum = ["8 mm", "0 mm"] }
+spacing = "2 mm"
+)";
+  EXPECT_EQ(parse_case(resting, "resting.toml").bodies[1].repulsion, 0.0);
+  EXPECT_THROW(parse_case("formulation = \"shinohara2004\"\n" + resting, "resting.toml"),
+               UserError);
+  EXPECT_THROW(parse_case(resting + "repulsion = \"4 m2/s2\"\n", "resting.toml"), UserError);
 }
 
 std::string with(const std::string& from, const std::string& to) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flags of solids: what their hourglass control stores, and whether they came to rest.
+// Flags of the balance and of solids: energy without a supply, what their hourglass control stores,
+// and whether they came to rest.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,6 +30,19 @@ auto any_of_name(const std::string& name) {
 auto flag_of(const std::string& name, State state, const std::string& part) {
   return Contains(AllOf(Field(&ValidityFlag::name, name), Field(&ValidityFlag::state, state),
                         Field(&ValidityFlag::sentence, HasSubstr(part))));
+}
+
+// Where no energy was supplied there is nothing to compare its drift with.
+TEST(BalanceValidity, TellsADriftWithoutEnergy) {
+  RunOutcome outcome;
+  outcome.balance.mass_now = 2.0;
+  const auto nothing = flag_of("energy_drift", State::good, "No energy was supplied");
+  EXPECT_THAT(validity_of(outcome), nothing);
+  outcome.balance.kinetic = 1e-7;  // that of 0.3 mm/s is noise
+  EXPECT_THAT(validity_of(outcome), nothing);
+  outcome.balance.kinetic = 2e-3;
+  EXPECT_THAT(validity_of(outcome),
+              flag_of("energy_drift", State::warning, "0.002 J although none"));
 }
 
 TEST(SolidValidity, FlagsHourglassEnergy) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The balance of mass, momentum and energy against sums computed by hand.
+// The sums of the balance over particles against sums computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,82 +13,6 @@
 
 namespace kerf::test {
 namespace {
-
-TEST(Balance, MassErrorIsTheMissingShareOfTheTotalMass) {
-  Balance balance;
-  balance.mass_initial = 3.0;
-  balance.mass_in = 1.0;
-  balance.mass_out = 0.5;
-  balance.mass_erased = 0.25;
-  balance.mass_now = 3.25;
-  EXPECT_EQ(balance.mass_error(), 0.0);
-  balance.mass_now = 3.45;
-  EXPECT_NEAR(balance.mass_error(), 0.05, 1e-15);
-}
-
-TEST(Balance, MomentumErrorIsRelativeToTheLargestTerm) {
-  Balance balance;
-  balance.momentum_initial = {1.0, 0.0, 0.0};
-  balance.momentum_in = {0.0, -2.0, 0.0};
-  balance.impulse_gravity = {0.0, -3.0, 0.0};
-  balance.impulse_rigid = {0.0, 4.0, 0.0};
-  balance.impulse_constraint = {0.5, 0.0, 0.0};
-  balance.momentum_out = {0.25, 0.0, 0.0};
-  balance.momentum_now = {1.25, -1.0, 0.0};
-  EXPECT_NEAR(balance.momentum_error(), 0.0, 1e-15);
-  balance.momentum_now[2] = 0.2;
-  EXPECT_NEAR(balance.momentum_error(), 0.2 / 4.0, 1e-15);
-}
-
-// Up to twice of what was supplied, and down to half of it; at rest without energy too.
-TEST(Balance, SoundEnergyIsNearWhatWasSupplied) {
-  Balance balance;
-  EXPECT_TRUE(balance.energy_is_sound());
-  balance.mass_now = 2.0;
-  balance.kinetic = 0.9e-6;  // at rest but for less than 1 mm/s
-  EXPECT_TRUE(balance.energy_is_sound());
-  balance.kinetic = 1.1e-6;
-  EXPECT_FALSE(balance.energy_is_sound());
-  balance.energy_in = 10.0;
-  for (const double total : {5.1, 10.0, 19.9}) {
-    balance.kinetic = total;
-    EXPECT_TRUE(balance.energy_is_sound()) << total;
-  }
-  for (const double total : {4.9, 20.1, 1e9, std::nan("")}) {
-    balance.kinetic = total;
-    EXPECT_FALSE(balance.energy_is_sound()) << total;
-  }
-}
-
-TEST(Balance, EnergyDriftIsInputLessStoredAndDissipated) {
-  Balance balance;
-  balance.energy_initial = 1.0;
-  balance.energy_in = 10.0;
-  balance.energy_out = 2.0;
-  balance.work_gravity = -1.0;  // not part of the energy input
-  balance.work_constraint = 3.0;
-  balance.kinetic = 4.0;
-  balance.pressure_work = 2.0;
-  balance.elastic_deviatoric = 0.5;
-  balance.elastic_strain = 0.25;
-  balance.hourglass = 0.125;
-  balance.rigid_potential = 0.125;
-  balance.dissipated_artificial = 2.0;
-  balance.dissipated_viscous = 1.0;
-  balance.dissipated_fracture = -0.5;
-  balance.dissipated_plastic = 1.0;
-  balance.dissipated_density = 0.2;
-  balance.dissipated_reinitialisation = 0.3;
-  EXPECT_DOUBLE_EQ(balance.energy_total(), 11.0);
-  EXPECT_NEAR(balance.density_loss(), 0.5 / 14.0, 1e-15);
-  EXPECT_EQ(balance.energy_drift(), 0.0);
-  balance.kinetic += 0.7;
-  EXPECT_NEAR(balance.energy_drift(), 0.7 / 14.0, 1e-15);
-  EXPECT_NEAR(balance.energy_from_breaks(), 0.5 / 14.0, 1e-15);
-  balance.stored_water = 1.0;
-  balance.stored_solid = 0.3;
-  EXPECT_NEAR(balance.pressure_energy_gap(), -0.7 / 14.0, 1e-15);
-}
 
 Medium<double> medium_of(Phase phase, double mass) {
   Medium<double> medium;
@@ -253,6 +177,31 @@ TEST(BalanceSums, StepSplitsThePressureWork) {
   EXPECT_NEAR(double(particles.pressure_work[3]), 0.1, 1e-14);
   // Dissipative forces take minus force times displacement, of the same particle as above.
   EXPECT_NEAR(sum.dissipated_artificial, 3.0 * (2.0 * 0.3 + 1.0 * 0.2), 1e-14);
+}
+
+// A rigid body that moves works on what it pushes, and so does its friction, of which the other
+// part is dissipated.
+TEST(BalanceSums, StepAddsTheWorkOfMovingWalls) {
+  FourParticles four({.rate_stress = false,
+                      .contact = true,
+                      .mirrored = false,
+                      .density_losses = false,
+                      .moving_walls = true});
+  auto& particles = four.particles;
+  for (Index i = 0; i < 4; ++i) {
+    particles.start_position[i] = particles.position[i];
+    particles.acceleration[i] = particles.repulsion[i] = Vector<2, double>::zero();
+    particles.damping_acceleration[i] = Vector<2, double>::zero();
+    particles.pressure_power[i] = 0.0;
+    particles.rigid_power[i] = {};
+  }
+  particles.rigid_power[0] = {3.0, 0.5, 0.0};
+  particles.rigid_power[1] = {0.0, -0.25, 2.0};
+  BalanceAccumulator<2, Double, StandardTraits> accumulator;
+  accumulator.set_masses({2.0, 3.0, 100.0});
+  accumulator.accumulate_step(particles, {0.0, 0.0}, 0.1, NoOp{}, NoOp{});
+  EXPECT_NEAR(accumulator.totals().work_constraint, 0.1 * (2.0 * 3.5 + 3.0 * 1.75), 1e-14);
+  EXPECT_NEAR(accumulator.totals().dissipated_artificial, 0.1 * (2.0 * 0.5 - 3.0 * 0.25), 1e-14);
 }
 
 TEST(BalanceSums, OutflowRemovesItsMassMomentumAndEnergy) {

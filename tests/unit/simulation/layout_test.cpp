@@ -85,7 +85,7 @@ TEST(Motion, BodiesFollowTheirExpressions) {
   c.bodies.push_back(c.bodies[0]);
   c.bodies[1].name = "moved";
   c.bodies[1].displacement = {"0.5*t^2", "1 + 0.1*t", "0"};
-  const auto motion = Motion(c).between<2>(0.2, 0.6, {});
+  const auto motion = Motion(c).between<2>(0.2, 0.6, 0.6, {});
   ASSERT_EQ(motion.size(), 2u);
   EXPECT_EQ(norm(motion[0].displacement), 0.0);
   EXPECT_NEAR(motion[1].displacement[0], 0.5 * (0.36 - 0.04), 1e-15);
@@ -101,7 +101,7 @@ TEST(Motion, NozzlesTraverseAndAreOpenForPartOfAStep) {
   c.jets[0].traverse = {0.3, 0.0, 0.0};
   c.back_flow_removal = BackFlowRemoval{-0.1};
   const RunSettings settings = run_settings(c);
-  const auto motion = settings.motion.between<2>(0.5e-3, 2.5e-3, settings.nozzles).at(0);
+  const auto motion = settings.motion.between<2>(0.5e-3, 2.5e-3, 2.5e-3, settings.nozzles).at(0);
   const auto flows = column_flows(settings.nozzles.at(0), settings.media.at(0), 0.5e-3, 2.5e-3);
   ASSERT_EQ(flows.size(), 10u);
   for (const ColumnFlow& flow : flows) {

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/balance_flags.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+namespace kerf {
+namespace {
+
+constexpr double small_drift = 0.02;        // of all energy that ever came in
+constexpr double small_density_loss = 0.1;  // likewise
+
+ValidityFlag::State good_where(bool good) {
+  return good ? ValidityFlag::State::good : ValidityFlag::State::warning;
+}
+
+ValidityFlag drift_flag(const Balance& balance) {
+  if (!(balance.energy_supplied() > 0.0)) {
+    const bool good = balance.energy_is_sound();
+    return {"energy_drift",
+            good_where(good),
+            {},
+            small_drift,
+            good ? "No energy was supplied with which the energy balance could be compared."
+                 : fmt::format("There is an energy of {:.2g} J although none was supplied: trust "
+                               "trends only.",
+                               balance.energy_total())};
+  }
+  const double drift = balance.energy_drift(), percent = 100.0 * std::abs(drift);
+  const bool good = std::abs(drift) <= small_drift;
+  return {"energy_drift", good_where(good), drift, small_drift,
+          good ? fmt::format("The energy balance closes to {:.2g}%.", percent)
+               : fmt::format("The energy balance is off by {:.2g}%, more than {:g}%: trust trends "
+                             "only.",
+                             percent, 100.0 * small_drift)};
+}
+
+// For solids with bonds, whose breaks may only take energy (solid/limit_break_energy.hpp).
+ValidityFlag break_flag(double gain) {
+  const bool good = gain <= small_drift;
+  return {
+      "energy_from_breaks", good_where(good), gain, small_drift,
+      good ? fmt::format("Breaks add {:.2g}% of all energy.", 100.0 * gain)
+           : fmt::format("Breaks add {:.2g}% of all energy, more than {:g}%, where they "
+                         "should dissipate some: fragments and debris may be too fast, and the cut "
+                         "too easy.",
+                         100.0 * gain, 100.0 * small_drift)};
+}
+
+// For the standard formulation. Smoothing of the density may take energy, and add none.
+ValidityFlag density_flag(double loss) {
+  const bool adds = loss < -small_drift, good = !adds && loss <= small_density_loss;
+  const double limit = adds ? -small_drift : small_density_loss;
+  const std::string takes = fmt::format("Smoothing of the density {} {:.2g}% of all energy",
+                                        loss < 0.0 ? "adds" : "takes", 100.0 * std::abs(loss));
+  return {"density_loss", good_where(good), loss, limit,
+          good ? takes + "."
+               : fmt::format("{}, more than {:g}%: the water may be too {}. Use a finer spacing.",
+                             takes, 100.0 * std::abs(limit), adds ? "fast" : "slow")};
+}
+
+}  // namespace
+
+void add_balance_flags(const Balance& balance, std::vector<ValidityFlag>& flags) {
+  flags.push_back(drift_flag(balance));
+  if (balance.density_loss() != 0.0) flags.push_back(density_flag(balance.density_loss()));
+  if (balance.dissipated_fracture != 0.0) flags.push_back(break_flag(balance.energy_from_breaks()));
+}
+
+}  // namespace kerf
