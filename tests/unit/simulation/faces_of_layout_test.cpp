@@ -12,7 +12,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr double spacing = 1e-3;  // m
+constexpr double face_spacing = 1e-3;  // m
 
 Case empty_plane() {
   Case c = empty_case(2, PrecisionKind::double_precision);
@@ -41,7 +41,7 @@ TEST(FacesOfLayout, EndInASymmetryPlane) {
     c.domain.minimum[0] = 0.0;
     c.symmetry.minimum = {true, false, false};
     for (const double left : {0.0, -0.01}) {  // a body that ends in the plane, and one across it
-      c.bodies = {body("block", role, box({left, -0.01, 0.0}, {0.01, 0.0, 0.0}), spacing)};
+      c.bodies = {body("block", role, box({left, -0.01, 0.0}, {0.01, 0.0, 0.0}), face_spacing)};
       const auto particles = initial_particles(c, {}).particles;
       expect_face(at(particles, 0.5e-3, -0.5e-3), 0.0, 1.0);
       expect_face(at(particles, 0.5e-3, -1.5e-3), 0.0, 1.0);
@@ -53,8 +53,8 @@ TEST(FacesOfLayout, EndInASymmetryPlane) {
 
 TEST(FacesOfLayout, EndWhereASolidIsJoinedToAnother) {
   Case c = empty_plane();
-  c.bodies = {body("one", Role::elastic, box({-0.01, -0.01, 0.0}, {0.0, 0.0, 0.0}), spacing),
-              body("two", Role::elastic, box({0.0, -0.01, 0.0}, {0.01, 0.0, 0.0}), spacing)};
+  c.bodies = {body("one", Role::elastic, box({-0.01, -0.01, 0.0}, {0.0, 0.0, 0.0}), face_spacing),
+              body("two", Role::elastic, box({0.0, -0.01, 0.0}, {0.01, 0.0, 0.0}), face_spacing)};
   const auto apart = initial_particles(c, {}).particles;
   expect_face(at(apart, -0.5e-3, -1.5e-3), 1.0, 0.0);
   expect_face(at(apart, 0.5e-3, -1.5e-3), -1.0, 0.0);
