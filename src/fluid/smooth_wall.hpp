@@ -192,7 +192,9 @@ struct SmoothWallSum {
     const Real depth = particles.face_depth[pair.j], along = dot(pair.separation, normal);
     const Real height = along - depth;
     const RealVector foot = depth * normal - pair.separation;
-    if (dot(normal, normal) > Real(0)) find_nearest(pair, height * normal, foot, height, sum);
+    const Real width = particles.face_stretch[pair.j] * spacing;
+    if (dot(normal, normal) > Real(0))
+      find_nearest(pair, width, height * normal, foot, height, sum);
     if (!(along > Real(0)) || !(height > Real(-0.5) * spacing)) return;
     const Real share = weight * along;
     sum.faces.add(share, normal, foot, height);
@@ -222,12 +224,13 @@ struct SmoothWallSum {
 
  private:
   // Finds the point of the surface nearest to i. The surface consists of pieces as wide as the
-  // spacing, one about each foot. `across`: from the plane of a piece to i, m.
-  KERF_FUNCTION static void find_nearest(const Pair<D, P>& pair, const RealVector& across,
-                                         const RealVector& foot, Real height, Sum& sum) {
+  // spacing has become, one about each foot. `across`: from the plane of a piece to i, m.
+  KERF_FUNCTION static void find_nearest(const Pair<D, P>& pair, Real width,
+                                         const RealVector& across, const RealVector& foot,
+                                         Real height, Sum& sum) {
     const Real spacing = pair.medium_j->spacing;
     const RealVector aside = Real(-1) * (foot + across);  // from the foot to i, along the plane
-    const Real length = norm(aside), beyond = length - Real(0.5) * spacing;
+    const Real length = norm(aside), beyond = length - Real(0.5) * width;
     const bool is_beside = beyond > Real(0);
     if (!is_beside && !(height > Real(-0.5) * spacing)) return;
     // Behind the plane of its piece the distance of a particle is negative.

@@ -193,6 +193,12 @@ std::vector<InletParticle> Nozzle::emit(double time) {
   return water;
 }
 
+bool Nozzle::is_uniform() const {
+  return std::all_of(columns_.begin(), columns_.end(), [this](const Column& column) {
+    return std::abs(column.speed - columns_.front().speed) <= 1e-9 * columns_.front().speed;
+  });
+}
+
 double Nozzle::fastest() const {
   double fastest = 0.0;
   for (const Column& column : columns_) fastest = std::max(fastest, column.speed);

@@ -42,7 +42,8 @@ class Nozzle {
   void cut_at(const Faces& planes, const Box& domain);
 
   const Point& direction() const { return direction_; }
-  double fastest() const;  // m/s, of all columns without pressure at the exit
+  double fastest() const;   // m/s, of all columns without pressure at the exit
+  bool is_uniform() const;  // whether all columns have the same speed then
   // Return the position of the nozzle's exit at a time, m, and its velocity, m/s.
   Point exit(double time = 0.0) const;
   Point velocity(double time) const;

@@ -2,8 +2,8 @@
 // The pressure at the exit of a nozzle, column by column: the force of all other matter on the
 // water of the column inside the nozzle, against the direction of the jet, over the section of the
 // column. Forces within that water cancel. With the pressure that the water inside has this is the
-// momentum that crosses the exit per time and area, less that of the flow itself. The dissipative
-// forces are left out: where the columns differ in speed the free water would drag at them by its
+// momentum that crosses the exit per time and area, less that of the flow itself. Where the columns
+// differ in speed the dissipative forces are left out: the free water would drag at them by its
 // numerical shear, which is no pressure, and hold a jet in the open back.
 #pragma once
 
@@ -24,19 +24,21 @@ struct IsUpstream {
   KERF_FUNCTION bool operator()(Index i) const { return particles.has(i, flag::upstream); }
 };
 
-// The forces on particles of water inside a nozzle, - m (dv/dt - g) . direction without the
-// dissipative ones, N (2D: N/m); 0 where one has left since the list was made.
+// The forces on particles of water inside a nozzle, - m (dv/dt - g) . direction, with or without
+// the dissipative ones, N (2D: N/m); 0 where one has left since the list was made.
 template <int D, class P>
 struct ExitForce {
   ParticleView<D, P> particles;
   const Index* inside;  // particles
   Vector<D, double> direction, gravity;
+  bool with_dissipation;
   double* force;
 
   KERF_FUNCTION void operator()(Index n) const {
     const Index i = inside[n];
-    const auto acceleration = Vector<D, double>::from(particles.acceleration[i]) -
-                              Vector<D, double>::from(particles.damping_acceleration[i]) - gravity;
+    auto acceleration = Vector<D, double>::from(particles.acceleration[i]) - gravity;
+    if (!with_dissipation)
+      acceleration -= Vector<D, double>::from(particles.damping_acceleration[i]);
     force[n] = particles.has(i, flag::upstream)
                    ? -double(particles.medium(i).mass) * dot(acceleration, direction)
                    : 0.0;
@@ -78,7 +80,7 @@ class ExitPressure {
     const auto direction = Vector<D, double>::from(nozzle.direction());
     const Index first = first_[j], count = first_[j + 1] - first;
     for_each_index(count, ExitForce<D, P>{particles.view(), pointer(inside_) + first, direction,
-                                          gravity, pointer(force_) + first});
+                                          gravity, nozzle.is_uniform(), pointer(force_) + first});
     std::vector<double> force(count);
     thrust::copy(force_.begin() + first, force_.begin() + first_[j + 1], force.begin());
     std::vector<Term> terms;

@@ -19,15 +19,16 @@
 namespace kerf {
 namespace {
 
-// Returns the region beyond a symmetry plane, in which the image of a body continues it.
-Shape region_beyond(const Box& domain, std::size_t axis, bool at_minimum) {
-  constexpr double far = 1e6;  // m
+// Returns a thin region beyond a symmetry plane, which covers the face of a body that ends in the
+// plane: its image goes on there.
+Shape region_beyond(const Box& domain, std::size_t axis, bool at_minimum, double reach) {
+  constexpr double far = 1e6;             // m
+  const double thickness = 0.01 * reach;  // beyond the step of nearest_face()
   Shape region;
   region.box = {{-far, -far, -far}, {far, far, far}};
-  if (at_minimum)
-    region.box.maximum[axis] = domain.minimum[axis];
-  else
-    region.box.minimum[axis] = domain.maximum[axis];
+  const double plane = at_minimum ? domain.minimum[axis] : domain.maximum[axis];
+  region.box.minimum[axis] = at_minimum ? plane - thickness : plane;
+  region.box.maximum[axis] = at_minimum ? plane : plane + thickness;
   return region;
 }
 
@@ -49,9 +50,9 @@ SurfaceLayers surface_of(const Case& description, std::size_t number) {
   }
   for (std::size_t a = 0; a < 3; ++a) {
     if (description.symmetry.minimum[a])
-      layers.others.push_back(region_beyond(description.domain, a, true));
+      layers.others.push_back(region_beyond(description.domain, a, true, layers.depth));
     if (description.symmetry.maximum[a])
-      layers.others.push_back(region_beyond(description.domain, a, false));
+      layers.others.push_back(region_beyond(description.domain, a, false, layers.depth));
   }
   return layers;
 }

@@ -3,9 +3,12 @@
 // its deformation. A face that was N / delta before, with the unit normal N and the depth delta of
 // the particle below it, is
 //   n / depth = F^-T N / delta = cof F N / (delta det F)
-// at the deformation gradient F (Ogden, Non-linear Elastic Deformations, 1984, section 2.2.3). A
-// particle that is damaged has no face: water beside a crack acts along the lines of centres.
+// at the deformation gradient F, and its area is |cof F N| times what it was (Ogden, Non-linear
+// Elastic Deformations, 1984, section 2.2.3). A particle that is damaged has no face: water beside
+// a crack acts along the lines of centres.
 #pragma once
+
+#include <cmath>
 
 #include "core/matrix.hpp"
 #include "solid/body_load.hpp"
@@ -38,6 +41,8 @@ struct TurnFaces {
     const auto face = Vector<D, Real>::from((1.0 / double(volume)) * turned);
     particles.face_depth[i] = Real(1) / norm(face);
     particles.face_normal[i] = particles.face_depth[i] * face;
+    const double area = norm(turned) / double(norm(at_rest));
+    particles.face_stretch[i] = static_cast<Real>(D == 2 ? area : std::sqrt(area));
   }
 };
 
