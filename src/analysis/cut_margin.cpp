@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analysis/cut_margin.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/unbroken.hpp"
@@ -44,7 +45,8 @@ CutMargin CutMargin::measure(const KerfScene& scene) {
   }
   // Sums over windows leave a rest of rounding, of either sign.
   if (margin.unbroken < rounding * laid_out) margin.unbroken = 0.0;
-  margin.value = margin.unbroken > 0.0 ? -margin.unbroken / laid_out : 0.0;
+  // What is torn and still joins the sides is no cut.
+  margin.value = laid_out > 0.0 ? -std::max(margin.unbroken / laid_out, rounding) : 0.0;
   return margin;
 }
 

@@ -12,14 +12,15 @@
 // vanish in uniform pressure and uniform motion (docs/theory/riemann_sph.md).
 //   Near an edge the arms a_ij of the wall (fluid/smooth_wall.hpp) lack a part of d_ij, so that
 // uniform pressure would drive water along the face. Water at rest gets it back,
-//   a_i      += 2 k p_i / rho_i max(1 - 5 rho_i v_iw^2 / p_i, 0) sum_w V_j S_ij (d_ij - a_ij),
-// with its speed v_iw past the wall; in motion it would take energy, for no compression belongs to
-// it. The faces beside i take the reaction: rigid ones here, those of solids in
-// fluid/wall_reaction.hpp.
+//   a_i      += 2 k p_i / rho_i e_i max(1 - 5 rho_i v_iw^2 / p_i, 0) sum_w V_j S_ij (d_ij - a_ij),
+// with its speed v_iw past the wall, and e_i from 0 in the middle of a face to 1 at its end; in
+// motion it would take energy, for no compression belongs to it. The faces beside i take the
+// reaction: rigid ones here, those of solids in fluid/wall_reaction.hpp.
 #pragma once
 
 #include "core/matrix.hpp"
 #include "core/select.hpp"
+#include "fluid/particle_concentration.hpp"
 #include "fluid/smooth_wall.hpp"
 #include "neighbours/list_entries.hpp"
 
@@ -58,25 +59,27 @@ struct GradientAtWall {
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
     const Real length = norm(sum.faces.normal);
     if (!(length > Real(0))) return;
-    hold_at_rest(particles, i, sum);
     const RealVector n = (Real(1) / length) * sum.faces.normal;
-    // The wall has to go on to all sides.
     const Real aside = sum.faces.aside(n) / particles.medium(i).smoothing_length;
-    if (particles.has(i, flag::at_edge) || complete_part(aside) < Real(1)) return;
-    complete(particles, i, sum, n);
+    const Real part = complete_part(aside);
+    // The wall has to go on to all sides.
+    if (!particles.has(i, flag::at_edge) && part == Real(1)) return complete(particles, i, sum, n);
+    if (particles.kernel_sum[i] >= Real(full_concentration))
+      hold_at_rest(particles, i, sum, particles.has(i, flag::at_edge) ? Real(1) : Real(1) - part);
   }
 
  private:
   static constexpr double slowness = 5.0;  // of water that counts as at rest, see above
 
-  KERF_FUNCTION void hold_at_rest(const ParticleView<D, P>& particles, Index i,
-                                  const Sum& sum) const {
+  // `end`: how near the end of the face is, 1 beyond it.
+  KERF_FUNCTION void hold_at_rest(const ParticleView<D, P>& particles, Index i, const Sum& sum,
+                                  Real end) const {
     const Real p = particles.pressure[i], density = particles.density(i);
     if (!(p > Real(0))) return;
     const RealVector speed = (Real(1) / sum.faces.all) * sum.velocity;
     const Real rest = Real(1) - Real(slowness) * density * dot(speed, speed) / p;
     if (!(rest > Real(0))) return;
-    const Real factor = Real(2) * rest * kernel_gradient_normalisation * p / density;
+    const Real factor = Real(2) * end * rest * kernel_gradient_normalisation * p / density;
     push(particles, i, sum, factor * sum.lacking);
   }
   KERF_FUNCTION void complete(const ParticleView<D, P>& particles, Index i, const Sum& sum,

@@ -173,7 +173,8 @@ struct SmoothWallSum {
   static constexpr double least_alignment = 0.98;
   static constexpr double least_wall = 0.02;  // of h sum a, as in FluidContinuity
   static constexpr double most_factor = 1.5, least_factor = 0.6;
-  static constexpr double least_beyond = 0.1;  // spacings beyond the end of a face
+  static constexpr double half_width = D == 2 ? 0.5 : 0.7072;  // of pieces that cover a surface
+  static constexpr double least_beyond = 0.1;                  // spacings beyond the end of a face
   static constexpr double most_coming = 0.25;  // of the speed, that towards the edge
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
@@ -192,7 +193,7 @@ struct SmoothWallSum {
     const Real depth = particles.face_depth[pair.j], along = dot(pair.separation, normal);
     const Real height = along - depth;
     const RealVector foot = depth * normal - pair.separation;
-    const Real width = particles.face_stretch[pair.j] * spacing;
+    const Real width = (Real(1) + particles.face_growth[pair.j]) * spacing;
     if (dot(normal, normal) > Real(0))
       find_nearest(pair, width, height * normal, foot, height, sum);
     if (!(along > Real(0)) || !(height > Real(-0.5) * spacing)) return;
@@ -223,14 +224,15 @@ struct SmoothWallSum {
   }
 
  private:
-  // Finds the point of the surface nearest to i. The surface consists of pieces as wide as the
-  // spacing has become, one about each foot. `across`: from the plane of a piece to i, m.
+  // Finds the point of the surface nearest to i. The surface consists of pieces about each
+  // foot, as wide as the spacing has become, in 3D discs that cover squares of this width.
+  // `across`: from the plane of a piece to i, m.
   KERF_FUNCTION static void find_nearest(const Pair<D, P>& pair, Real width,
                                          const RealVector& across, const RealVector& foot,
                                          Real height, Sum& sum) {
     const Real spacing = pair.medium_j->spacing;
     const RealVector aside = Real(-1) * (foot + across);  // from the foot to i, along the plane
-    const Real length = norm(aside), beyond = length - Real(0.5) * width;
+    const Real length = norm(aside), beyond = length - Real(half_width) * width;
     const bool is_beside = beyond > Real(0);
     if (!is_beside && !(height > Real(-0.5) * spacing)) return;
     // Behind the plane of its piece the distance of a particle is negative.

@@ -21,7 +21,7 @@ struct WallReaction {
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
     const auto& push = particles.wall_push[pair.j];
-    if (!particles.is_fluid(pair.j) || !(push.inverse_weight > Real(0))) return;
+    if (pair.medium_j->phase != Phase::water || !(push.inverse_weight > Real(0))) return;
     const Real along = -dot(pair.separation, particles.face_normal[pair.i]);
     if (!(along > particles.face_depth[pair.i])) return;
     const Real share =

@@ -42,7 +42,7 @@ struct TurnFaces {
     particles.face_depth[i] = Real(1) / norm(face);
     particles.face_normal[i] = particles.face_depth[i] * face;
     const double area = norm(turned) / double(norm(at_rest));
-    particles.face_stretch[i] = static_cast<Real>(D == 2 ? area : std::sqrt(area));
+    particles.face_growth[i] = static_cast<Real>((D == 2 ? area : std::sqrt(area)) - 1.0);
   }
 };
 

@@ -84,16 +84,20 @@ class DentProgram : public testing::Test {
 };
 
 // The pressure of 2 kPa makes a plate of 200 kPa at most 2 kPa / 200 kPa * 20 mm = 0.2 mm thinner,
-// or twice that as the load begins.
+// or twice that as the load begins; the plate swings about half of it, with a period of some ms.
 TEST_F(DentProgram, OnATableIsThatOfThePressure) {
   for (const int angle : {0, 60, -60}) {
     SCOPED_TRACE(angle);
-    const auto result = run({.motion = "", .angle = angle});
-    EXPECT_LT(kerf(result, "dent"), 0.4e-3);
-    EXPECT_GT(kerf(result, "dent"), angle == 0 ? 0.05e-3 : -1e-12);
-    EXPECT_THAT(verdict(result),
-                HasSubstr(angle == 0 ? "breaks nothing within 30 ms; it presses a dent of "
-                                     : "breaks nothing within 30 ms"));
+    double mean = 0.0;
+    constexpr int times[] = {20, 22, 24, 26, 28, 30};
+    for (const int time : times) {
+      const auto result = run({.motion = "", .angle = angle, .time = time});
+      EXPECT_LT(kerf(result, "dent"), 0.4e-3);
+      EXPECT_THAT(verdict(result), HasSubstr("breaks nothing within " + std::to_string(time)));
+      mean += kerf(result, "dent") / std::size(times);
+    }
+    EXPECT_LT(mean, 0.2e-3);
+    EXPECT_GT(mean, angle == 0 ? 0.05e-3 : -1e-12);
   }
 }
 
