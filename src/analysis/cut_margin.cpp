@@ -45,8 +45,9 @@ CutMargin CutMargin::measure(const KerfScene& scene) {
   }
   // Sums over windows leave a rest of rounding, of either sign.
   if (margin.unbroken < rounding * laid_out) margin.unbroken = 0.0;
-  // What is torn and still joins the sides is no cut.
-  margin.value = laid_out > 0.0 ? -std::max(margin.unbroken / laid_out, rounding) : 0.0;
+  // What is torn and still joins the sides is no cut: the margin stays below 0.
+  constexpr double least = 1e-12;
+  margin.value = laid_out > 0.0 ? -std::max(margin.unbroken / laid_out, least) : 0.0;
   return margin;
 }
 
