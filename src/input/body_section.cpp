@@ -46,9 +46,9 @@ std::vector<Key> body_keys() {
       {"absorbing", faces, "", "(none)", any, face_words, "3D+elastic+standard", "Faces of the body, a box, that absorb waves, as if the body were infinite beyond them", stored_in<&Body::absorbing>},
       {"joined_to", name, "", "(nothing)", any, {}, "elastic", "Name of an elastic body that this one is bonded to, as one piece", stored_in<&Body::joined_to>},
       {"inclusion_of", name, "", "(nothing)", any, {}, "elastic water", "Name of an elastic body that contains this one: the shape of this body is cut out of that body, whose lattice it continues if both are square and of one spacing; an elastic inclusion is also bonded to it", stored_in<&BodyDraft::inclusion_of>},
-      {"repelling_layer", word, "", "top", any, repelling_layer_words, "rigid+shinohara2004", "The outermost layer of particles that repels, eq. (43)", stored_in<&Body::repelling_layer>},
+      {"repelling_layer", word, "", "top", any, repelling_layer_words, "rigid", "The outermost layer of particles that repels, eq. (43)", stored_in<&Body::repelling_layer>},
       {"friction", number, "", "none", from_zero_to(10.0), {}, "rigid+standard", "Coefficient of dry friction; none = that of the other body", stored_in<&Body::friction>},
-      {"repulsion", quantity, "m2/s2", "(the square of the fastest speed)", not_negative, {}, "rigid+shinohara2004", "Strength D of the repulsion, eq. (43)", stored_in<&Body::repulsion>},
+      {"repulsion", quantity, "m2/s2", "(the square of the fastest speed)", not_negative, {}, "rigid", "Strength D of the repulsion, eq. (43)", stored_in<&Body::repulsion>},
   };
   // clang-format on
 }

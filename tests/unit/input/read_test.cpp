@@ -99,7 +99,6 @@ spacing = "2 mm"
   EXPECT_EQ(parse_case(resting, "resting.toml").bodies[1].repulsion, 0.0);
   EXPECT_THROW(parse_case("formulation = \"shinohara2004\"\n" + resting, "resting.toml"),
                UserError);
-  EXPECT_THROW(parse_case(resting + "repulsion = \"4 m2/s2\"\n", "resting.toml"), UserError);
 }
 
 std::string with(const std::string& from, const std::string& to) {
