@@ -113,7 +113,8 @@ TEST(Verdict, TheFirstOfSeveralJetsIsNamed) {
   EXPECT_EQ(
       verdict_of(outcome),
       "The first of 2 jets does not cut through within 60 ms; the cut is 3 mm and its front 3 mm "
-      "deep, and none of the thickness is unbroken. The 2 jets together have broken 12% of the "
+      "deep, and none of the thickness is unbroken: torn solid that still stands in the way of "
+      "the water joins the sides. The 2 jets together have broken 12% of the "
       "workpiece; which of them broke what is not told.");
 }
 
