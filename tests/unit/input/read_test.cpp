@@ -82,7 +82,8 @@ TEST(Read, StandardIsTheDefaultFormulation) {
 
 // It needs no repulsion of rigid bodies where nothing tells a speed.
 TEST(Read, RepulsionIsOfThePapersFormulationAlone) {
-  const std::string resting = R"(dimension = 2
+  const std::string resting = R"(title = "rest"
+dimension = 2
 [time]
 end = "1 ms"
 [[body]]
