@@ -188,7 +188,7 @@ TEST_F(WorkpieceProgram, OneRunTellsTheGreatestFeed) {
 TEST_F(WorkpieceProgram, TheLeastPressureIsThatOfTheStatedFeed) {
   std::string faster = fat_workpiece;
   const std::string feed = "\"1 m/s\"";
-  write(faster.replace(faster.find(feed), feed.size(), "\"20 m/s\""));
+  write(faster.replace(faster.find(feed), feed.size(), "\"20 m/s\"\nmotion = \"standing\""));
   const Ending ending = limit("pressure");
   ASSERT_EQ(ending.exit_code, 0) << ending.output;
   const auto answer = limit_answer();
