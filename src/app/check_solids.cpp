@@ -2,14 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "analysis/jet_axis.hpp"
 #include "app/check_warnings.hpp"
 #include "app/jet_way.hpp"
 #include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
-#include "geometry/shapes.hpp"
 #include "materials/elastic_moduli.hpp"
 #include "model/case.hpp"
 #include "output/readable.hpp"
@@ -32,22 +30,6 @@ std::vector<LooseParticles> quick_loose_particles(const Case& description) {
   }
   return particles > most_bonded ? std::vector<LooseParticles>() : loose_particles(description);
 }
-
-// The depths of a body along a jet, of the corners of its bounding box, m.
-struct Depths {
-  double least = std::numeric_limits<double>::infinity(), greatest = -least;
-
-  Depths(const Body& body, const JetAxis& axis, int dimension) {
-    const Box box = bounding_box(body.shape, dimension);
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-      Point x = box.minimum;
-      for (std::size_t a = 0; a < 3; ++a)
-        if (corner >> a & 1) x[a] = box.maximum[a];
-      least = std::min(least, axis.depth(x));
-      greatest = std::max(greatest, axis.depth(x));
-    }
-  }
-};
 
 // Returns a body onto which a jet pushes another: one that reaches deeper along the jet.
 const Body* body_behind(const Case& description, const Body& pushed, const Jet& jet) {

@@ -11,17 +11,21 @@
 
 namespace kerf {
 
+Depths::Depths(const Body& body, const JetAxis& axis, int dimension) {
+  const Box box = bounding_box(body.shape, dimension);
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    Point x = box.minimum;
+    for (std::size_t a = 0; a < 3; ++a)
+      if (corner >> a & 1) x[a] = box.maximum[a];
+    least = std::min(least, axis.depth(x));
+    greatest = std::max(greatest, axis.depth(x));
+  }
+}
+
 bool is_in_way(const Jet& jet, const Body& body, int dimension) {
   constexpr int most_steps = 300, around = 8;
   const JetAxis axis(jet, dimension);
-  const Box box = bounding_box(body.shape, dimension);
-  double deepest = 0.0;
-  for (int corner = 0; corner < 8; ++corner) {
-    Point x = box.minimum;
-    for (std::size_t a = 0; a < 3; ++a)
-      if ((corner >> a) % 2 == 1) x[a] = box.maximum[a];
-    deepest = std::max(deepest, axis.depth(x));
-  }
+  const double deepest = std::max(Depths(body, axis, dimension).greatest, 0.0);
   const double reach = std::max(jet.width / 2.0, body.spacing);
   const double way = deepest + jet.standoff, step = std::max(body.spacing / 2.0, way / most_steps);
   for (double depth = -jet.standoff; depth <= deepest; depth += step)

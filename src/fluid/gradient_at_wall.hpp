@@ -7,8 +7,9 @@
 // k (M^f + M^w) = 1 within matter, the kernel gradient normalisation k, and t along the wall:
 //   a_i      += k s_t / rho_i sum V_j (p_j - p_i) S_ij d_t,   s_t = m_t / (1/k - m_t)
 //   div v_i  += k s_t sum V_j S_ij d_t . v_ij,                m_t = tr_t M^w / (D - 1)
-//   div v_i  += k (m_n - 2 f_i y sum_w V_j S_ij d_n) / (1/k - m_n) sum V_j S_ij d_n n.v_ij
-// with m_n = n.M^w n and the distance y of i from the wall, where no face ends beside it. All
+//   div v_i  += k (m_n - 2 y sum_l d w_2(x_l)) / (1/k - m_n) sum V_j S_ij d_n n.v_ij
+// with m_n = n.M^w n, the sum over layers (fluid/wall_layers.hpp) and the distance y of i from the
+// wall, where no face ends beside it. All
 // vanish in uniform pressure and uniform motion (docs/theory/riemann_sph.md).
 //   Near an edge the arms a_ij of the wall (fluid/smooth_wall.hpp) lack a part of d_ij, so that
 // uniform pressure would drive water along the face. Water at rest gets it back,

@@ -77,6 +77,13 @@ std::vector<GradedParticle> fill_window(const Body& body, int dimension,
   return fill_levels(block, dimension, window);
 }
 
+// Whether there is water, which alone acts on the faces of solids.
+bool has_water(const Case& description) {
+  const auto is_water = [](const Body& body) { return body.role == Role::water; };
+  return !description.jets.empty() ||
+         std::any_of(description.bodies.begin(), description.bodies.end(), is_water);
+}
+
 // Returns the faces nearest to the particles of a body. Those of a rigid one are laid along its
 // surface.
 std::vector<std::optional<NearestFace>> faces_of(const Case& description, std::size_t number,
@@ -85,7 +92,7 @@ std::vector<std::optional<NearestFace>> faces_of(const Case& description, std::s
   const Body& body = description.bodies[number];
   SurfaceLayers layers = surface_of(description, number);
   if (body.role == Role::rigid) return lay_along_surface(layers, description.dimension, points);
-  if (body.role != Role::elastic) return {};
+  if (body.role != Role::elastic || !has_water(description)) return {};
   if (!frame) return nearest_faces(layers, description.dimension, points);
   Body block = body;  // the window is a part of the path
   block.shape.box = frame->path;

@@ -17,6 +17,7 @@ constexpr double face_spacing = 1e-3;  // m
 Case empty_plane() {
   Case c = empty_case(2, PrecisionKind::double_precision);
   c.formulation = Formulation::standard;
+  c.jets = {jet(5e-3, face_spacing, {0.0, 0.0, 0.0}, 2e-3)};  // faces of solids are for water
   return c;
 }
 
