@@ -3,10 +3,14 @@
 // for constant mu:
 //   m_i dv_i/dt = sum_j V_i V_j 2 mu v_ij / r_ij dW/dr,   mu: that of the water of the pair,
 // with the kernel gradient normalised as for pressures: on a lattice the sum is short by the same
-// slope. At walls and solids the water has their velocity (no slip).
+// slope. At walls and solids the water has their velocity (no slip). Where the face of a wall
+// particle is known, at the distance s_i from the water and the depth below which the particle
+// lies, its velocity is that of a linear profile through the surface (Morris et al., section 3.5):
+//   v_ij becomes v_ij (d_ij . n_j) / max(s_i, d / 4).
 #pragma once
 
 #include "fluid/pair_terms.hpp"
+#include "fluid/smooth_wall.hpp"
 #include "pairs/pair.hpp"
 
 namespace kerf {
@@ -18,6 +22,24 @@ KERF_FUNCTION Real viscosity_between(const Medium<Real>& a, const Medium<Real>& 
   if (b.phase != Phase::water) return a.viscosity;
   const Real sum = a.viscosity + b.viscosity;
   return sum > Real(0) ? Real(2) * a.viscosity * b.viscosity / sum : Real(0);
+}
+
+// Returns the ratio of the distances of a fluid particle from a particle of a wall and from the
+// surface of the wall, across that; 1 where the surface is not known.
+template <int D, class P>
+KERF_FUNCTION typename P::Real no_slip_factor(const ParticleView<D, P>& particles,
+                                              const Pair<D, P>& pair) {
+  using Real = typename P::Real;
+  const bool fluid_i = particles.is_fluid(pair.i);
+  if (!has_smooth_walls(particles) || (fluid_i && particles.is_fluid(pair.j))) return Real(1);
+  const auto& of_wall = fluid_i ? *pair.medium_j : *pair.medium_i;
+  const auto& of_fluid = fluid_i ? *pair.medium_i : *pair.medium_j;
+  const auto between = WallPair<D, P>::of(particles, pair, fluid_i);
+  if (!is_smooth_wall(particles, between.wall, of_wall, of_fluid)) return Real(1);
+  const Real along = dot(between.separation, between.of_face);
+  const Real height = along - particles.face_depth[between.wall];
+  if (!(height > Real(0))) return Real(1);
+  return along / maximum(height, Real(0.25) * Real(of_wall.spacing));
 }
 
 template <int D, class P>
@@ -36,7 +58,7 @@ struct WaterViscosity {
     const Real weight =
         Real(2) * kernel_gradient_normalisation * volume_of(particles, pair.i, *pair.medium_i) *
         pair_weight(volume_of(particles, pair.j, *pair.medium_j), pair.slope_per_distance);
-    const auto drag = pair_drag(weight, mu, pair.velocity);
+    const auto drag = pair_drag(weight * no_slip_factor(particles, pair), mu, pair.velocity);
     sum.friction -= drag;
     if (pair.medium_j->phase == Phase::rigid) sum.wall_friction -= drag;
   }
