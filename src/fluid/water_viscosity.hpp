@@ -5,8 +5,10 @@
 // with the kernel gradient normalised as for pressures: on a lattice the sum is short by the same
 // slope. At walls and solids the water has their velocity (no slip). Where the face of a wall
 // particle is known, at the distance s_i from the water and the depth below which the particle
-// lies, its velocity is that of a linear profile through the surface (Morris et al., section 3.5):
-//   v_ij becomes v_ij (d_ij . n_j) / max(s_i, d / 4).
+// lies, its velocity is that of a linear profile through the surface (Morris et al.):
+//   v_ij becomes f_i v_ij (d_ij . n_j) / max(s_i, d / 4),
+// with the factor f_i of fluid/smooth_wall.hpp, since the sum over the wall is that of its
+// pressure.
 #pragma once
 
 #include "fluid/pair_terms.hpp"
@@ -24,8 +26,8 @@ KERF_FUNCTION Real viscosity_between(const Medium<Real>& a, const Medium<Real>& 
   return sum > Real(0) ? Real(2) * a.viscosity * b.viscosity / sum : Real(0);
 }
 
-// Returns the ratio of the distances of a fluid particle from a particle of a wall and from the
-// surface of the wall, across that; 1 where the surface is not known.
+// Returns by how much a particle of a wall drags at fluid more than its own velocity would, 1 where
+// its face is not known.
 template <int D, class P>
 KERF_FUNCTION typename P::Real no_slip_factor(const ParticleView<D, P>& particles,
                                               const Pair<D, P>& pair) {
@@ -39,7 +41,8 @@ KERF_FUNCTION typename P::Real no_slip_factor(const ParticleView<D, P>& particle
   const Real along = dot(between.separation, between.of_face);
   const Real height = along - particles.face_depth[between.wall];
   if (!(height > Real(0))) return Real(1);
-  return along / maximum(height, Real(0.25) * Real(of_wall.spacing));
+  return wall_force_factor(particles, between.fluid) * along /
+         maximum(height, Real(0.25) * Real(of_wall.spacing));
 }
 
 template <int D, class P>

@@ -2,7 +2,8 @@
 // Solid that nothing has reached sleeps: it keeps its state, and the loops of a step leave it out
 // (docs/theory/sleep.md). A particle is `moving` from the end of the first step after which it is
 // faster than the waking speed, 2^-24 of that of the fastest jet, the rounding of a number in
-// single precision. It is `reached` once it or a particle with which it interacts is moving. A
+// single precision; those of bodies whose motion is prescribed and those of water are from the
+// start. It is `reached` once it or a particle with which it interacts is moving. A
 // particle of a solid falls asleep if it is undeformed, unloaded and exactly at rest and neither it
 // nor a particle with which it interacts is reached, and wakes as soon as one is: its force follows
 // from their stresses, and these from the positions of their own neighbours. Without a jet the
@@ -47,6 +48,18 @@ struct ClearForcesAsleep {
 namespace activity {
 inline constexpr std::uint8_t none = 0, since_before = 1, newly = 2;
 }
+
+// Marks the particles of bodies whose motion is prescribed: it may begin at any time, without a
+// force that neighbours would see before.
+template <int D, class P>
+struct MarkDriven {
+  ParticleView<D, P> particles;
+  const std::uint8_t* is_driven;  // by medium
+
+  KERF_FUNCTION void operator()(Index i) const {
+    if (is_driven[particles.source[i]] != 0) particles.moving[i] = activity::since_before;
+  }
+};
 
 // Marks the particles that are newly moving, and returns whether there are any.
 template <int D, class P>

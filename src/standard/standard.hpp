@@ -38,6 +38,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
       waking_speed_ = std::max(waking_speed_, std::ldexp(nozzle.fastest(), -24));
     rates_.set_pair_correction(solid_.pair_correction());
     if (rates_.separates_fluids()) list_.sort_neighbours_by_class();
+    mark_driven();
     Run::open([this] {
       rates_.record_initial_overlap(particles_.view(), particles_.owned(), list_.view());
     });
@@ -205,6 +206,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     wake_listed_anew(list_.listed_anew());
   }
   // The stages of sleep (standard/wake_and_sleep.hpp).
+  void mark_driven();
   void wake_listed_anew(const std::uint8_t* listed_anew);
   void wake_beside_newly_reached();
   template <template <int, class> class Action>

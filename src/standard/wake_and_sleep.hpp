@@ -7,6 +7,18 @@
 
 namespace kerf {
 
+// Marks as moving, from the start, what a prescription moves now or later.
+template <int D, class P>
+void Standard<D, P>::mark_driven() {
+  if (!particles_.groups.sleep) return;
+  std::vector<std::uint8_t> is_driven;
+  for (std::size_t medium = 0; medium < Run::media_.size(); ++medium)
+    is_driven.push_back(settings_.motion.moves(medium));
+  Array<std::uint8_t> driven;
+  to_device(is_driven, driven);
+  for_each_index(particles_.owned(), MarkDriven<D, P>{particles_.view(), pointer(driven)});
+}
+
 template <int D, class P>
 void Standard<D, P>::wake_and_sleep() {
   if (!particles_.groups.sleep) return;

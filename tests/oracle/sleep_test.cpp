@@ -109,6 +109,27 @@ TEST(Sleep, AJetMovesABlockAsIfNoneHadSlept) {
   }
 }
 
+// A body beside a bar, whose prescribed motion begins after the bar has fallen asleep.
+class LateDriver : public testing::TestWithParam<Role> {};
+
+TEST_P(LateDriver, MovesABarAsIfItHadNotSlept) {
+  for (const double speed : {0.1, 5.0}) {
+    Case c = struck_bar(2, PrecisionKind::mixed, 0.0);
+    c.bodies[1] = body("driver", GetParam(), box({-6e-3, -2e-3, 0.0}, {0.0, 2e-3, 0.0}), 1e-3);
+    c.bodies[1].displacement = {std::to_string(speed) + "*max(t - 2e-4, 0)", "0", "0"};
+    const auto all = with_sleep(c, false), some = with_sleep(c, true);
+    take_steps(*some, 2);
+    EXPECT_GT(asleep(*some), 0);
+    while (all->time() < 4e-4) all->advance();
+    while (some->time() < 4e-4) some->advance();
+    EXPECT_GT(all->balance().kinetic, 0.0);
+    ASSERT_EQ(apart(*some, *all), 0.0) << speed;
+    EXPECT_EQ(some->balance().energy_total(), all->balance().energy_total()) << speed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Drivers, LateDriver, testing::Values(Role::rigid, Role::elastic));
+
 TEST(Sleep, SolidUnderGravityDoesNotSleep) {
   Case c = struck_bar(2, PrecisionKind::mixed, 0.0);
   c.gravity = {0.0, -9.81, 0.0};

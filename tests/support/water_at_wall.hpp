@@ -23,7 +23,8 @@ struct LinearField {
   Matrix3 motion = Matrix3::Zero();     // 1/s
   Vector3 steepness = Vector3::Zero();  // 1/m
   double compression = 1e-3;
-  double height = 0.5;  // of the first row above the wall, spacings
+  double height = 0.5;     // of the first row above the wall, spacings
+  double viscosity = 0.0;  // Pa s
   Phase wall = Phase::rigid;
   bool has_faces = true;  // whether the particles of the wall know theirs
 };
@@ -97,7 +98,7 @@ class AtWall {
     state_.dimension = D;
     auto water = mixture_water(spacing, D);
     water.smoothing_length = 1.3 * spacing;
-    water.viscosity = 0.0;
+    water.viscosity = field_.viscosity;
     water.volume = std::pow(spacing, D);
     water.mass = density * water.volume;
     auto wall = field_.wall == Phase::rigid ? mixture_rigid(spacing) : mixture_solid(spacing, D, 1);

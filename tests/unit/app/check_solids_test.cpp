@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "app/check_warnings.hpp"
 #include "core/error.hpp"
 #include "input/read.hpp"
@@ -100,6 +102,22 @@ TEST(CheckSolids, WarnOfASolidThatMayBePressedThroughAnother) {
   const std::string missed = body_of("block", box(6.0, -4.0, 9.0, 0.0)) +
                              body_of("wall", box(-6.0, -6.0, 9.0, -4.0), "role = \"rigid\"");
   EXPECT_THAT(solid_warnings(case_of(missed, 15.0)), Not(Contains(pressed)));
+}
+
+// A neo-Hookean solid that is compressed to a fifth of its volume, in one direction.
+TEST(CheckSolids, WarnOfASolidThatThePressureOfAJetFails) {
+  const auto crushed = HasSubstr("below a fifth of its volume");
+  const std::string block = body_of("block", box(-2.0, -4.0, 2.0, 0.0));
+  const Case slow = case_of(block, 15.0);
+  const Material& material = slow.materials[static_cast<std::size_t>(slow.bodies[0].material)];
+  const double shear = material.youngs_modulus / (2.0 * (1.0 + material.poisson_ratio));
+  const double bulk = material.youngs_modulus / (3.0 * (1.0 - 2.0 * material.poisson_ratio));
+  const double volume = 0.2;  // J = lambda, tr C = lambda^2 + 2
+  const double stress = shear * std::pow(volume, -5.0 / 3.0) * 2.0 / 3.0 * (1.0 - volume * volume) +
+                        0.5 * bulk * (1.0 / volume - volume);
+  const double limit = std::sqrt(2.0 * stress / 1000.0);  // m/s
+  EXPECT_THAT(solid_warnings(case_of(block, 0.98 * limit)), Not(Contains(crushed)));
+  EXPECT_THAT(solid_warnings(case_of(block, 1.02 * limit)), Contains(crushed));
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The viscosity of water on a lattice against mu times the Laplacian.
+// The viscosity of water on a lattice against mu times the Laplacian, and beside a wall.
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "support/standard_mixture.hpp"
+#include "support/water_at_wall.hpp"
 
 namespace kerf::test::water_viscosity_test {
 namespace {
@@ -47,6 +48,36 @@ void expect_viscosity_alone(double speed) {
 TEST(WaterViscosity, OfAWaveOfShear) {
   expect_viscosity_alone(1e-3);
   expect_viscosity_alone(1.0);
+}
+
+// Returns the acceleration of water, in nu S / d, whose velocity grows by S from the surface of a
+// wall on (no slip): none in the continuum.
+template <int D>
+double in_shear(const at_wall::LinearField& given) {
+  constexpr double rate = 1.0, viscosity = 0.9;
+  at_wall::LinearField field = given;
+  field.compression = 0.0;
+  field.viscosity = viscosity;
+  field.motion = rate * field.frame.col(0) * field.frame.col(1).transpose();
+  const at_wall::AtWall<D, Double> water(field);
+  return water.acceleration().dot(field.frame.col(0)) /
+         (viscosity / at_wall::density * rate / at_wall::spacing);
+}
+
+TEST(WaterViscosity, HoldsWaterAtTheSurfaceOfAWallOfAnyAngle) {
+  for (const double angle : {0.0, 0.4, 1.1})
+    for (const Phase wall : {Phase::rigid, Phase::solid}) {
+      at_wall::LinearField field;
+      field.wall = wall;
+      field.frame = at_wall::turned<2>(angle);
+      EXPECT_NEAR(in_shear<2>(field), 0.0, 0.01) << angle;
+      field.frame = at_wall::turned<3>(angle);
+      EXPECT_NEAR(in_shear<3>(field), 0.0, 0.01) << angle;
+    }
+  // Walls at rest everywhere, whose faces are not known, let the water slip.
+  at_wall::LinearField field;
+  field.has_faces = false;
+  EXPECT_GT(in_shear<2>(field), 0.1);
 }
 
 }  // namespace
