@@ -115,6 +115,8 @@ void aim_at_face(Workpiece& workpiece, const Case& description) {
   if (std::isinf(first)) return;
   JetAxis& jet = *workpiece.jet;
   const double face = find_face(workpiece, description, first);
+  constexpr double rounding = 1e-6;  // of a spacing: the sizes of particles have single precision
+  if (std::abs(face) < rounding * workpiece.axis_spacing) return;
   for (std::size_t a = 0; a < 3; ++a) jet.aim[a] += face * jet.along[a];
   jet.standoff += face;
 }
