@@ -6,6 +6,7 @@
 #include "analysis/cut_depth.hpp"
 #include "analysis/front.hpp"
 #include "analysis/kerf_map.hpp"
+#include "analysis/left_whole.hpp"
 #include "analysis/line_slope.hpp"
 #include "analysis/opening_width.hpp"
 #include "analysis/pieces.hpp"
@@ -13,7 +14,6 @@
 #include "analysis/unbroken.hpp"
 #include "analysis/workpiece.hpp"
 #include "core/error.hpp"
-#include "geometry/cell_grid.hpp"
 #include "model/case.hpp"
 
 namespace kerf {
@@ -32,60 +32,6 @@ double fractured_mass(const Workpiece& workpiece, const Frame& frame,
   for (std::size_t slot = 0; slot < rows.size(); ++slot)
     if (!is_intact(frame, rows[slot])) sum += workpiece.mass[slot];
   return sum;
-}
-
-// Notes which slots stand and which have left the domain since they stood.
-void note(const std::vector<std::uint32_t>& rows, const std::vector<std::uint8_t>& standing,
-          std::vector<std::uint8_t>& traces) {
-  for (std::size_t slot = 0; slot < rows.size(); ++slot) {
-    const bool has_left = rows[slot] == Workpiece::none && traces[slot] != 0;
-    traces[slot] = has_left ? slot_trace::left_whole : standing[slot] != 0 ? slot_trace::stood : 0;
-  }
-}
-
-// Solid that stood until it left the domain counts as closed: it was carried off, not cut. So does
-// what stands beside it, whose bonds to it are gone.
-std::vector<std::uint8_t> closed_where_left(const Workpiece& workpiece,
-                                            std::vector<std::uint8_t> standing,
-                                            const std::vector<std::uint8_t>& traces) {
-  using Place = CellGrid<3>::Position;
-  std::vector<Place> left;
-  for (std::size_t slot = 0; slot < standing.size(); ++slot)
-    if (traces[slot] == slot_trace::left_whole) {
-      standing[slot] = stands_as_laid_out;
-      left.push_back(Place::from(workpiece.position[slot]));
-    }
-  if (left.empty()) return standing;
-  const double reach = workpiece.interaction_range * workpiece.spacing;
-  const CellGrid<3> near(left, reach);
-  for (std::size_t slot = 0; slot < standing.size(); ++slot) {
-    if (standing[slot] != 1) continue;
-    const Place place = Place::from(workpiece.position[slot]);
-    near.visit_near(place, [&](std::size_t other) {
-      if (norm(left[other] - place) < reach) standing[slot] = stands_as_laid_out;
-    });
-  }
-  return standing;
-}
-
-// Returns whether a body is leaving the domain whole (BodyCut::left).
-bool has_left(const WorkpieceBody& body, const KerfView& view,
-              const std::vector<std::uint8_t>& traces) {
-  constexpr double most_near = 0.25, most = 0.5;  // of the mass; the lips of a cut may leave, too
-  const JetAxis& jet = *view.workpiece.jet;
-  const double reach = std::max(jet.width, 2.0 * view.workpiece.axis_spacing);
-  double near = 0.0, near_left = 0.0, all = 0.0, left = 0.0;
-  for (std::size_t slot = 0; slot < traces.size(); ++slot) {
-    if (view.workpiece.body[slot] != body.body) continue;
-    const double mass = view.workpiece.mass[slot];
-    const double gone = traces[slot] == slot_trace::left_whole ? mass : 0.0;
-    all += mass;
-    left += gone;
-    if (jet.distance(jet.swept(view.workpiece.position[slot], view.frame.time)) > reach) continue;
-    near += mass;
-    near_left += gone;
-  }
-  return near_left > most_near * near || left > most * all;
 }
 
 // Returns whether a body is parted where a nozzle that crosses the section has been since it began
@@ -113,9 +59,18 @@ BodyCut judge_plug(const KerfView& view, const Pieces& pieces, const KerfAxes& a
   return {.through = true, .severed = true, .punched = state == PlugState::apart};
 }
 
-// Returns whether a body is cut through in a frame that the water has entered.
-BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pieces,
-              const KerfAxes& axes, double front, const std::vector<std::uint8_t>& traces) {
+// What tells the fate of the bodies in a frame.
+struct Evidence {
+  const Pieces& pieces;
+  const KerfAxes& axes;
+  const std::vector<std::uint8_t>& traces;  // slot_trace
+};
+
+// Returns whether a body is cut through in a frame in which water of a jet touches or has entered
+// the workpiece. `front`: depth of the front below the face as laid out, m.
+BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Evidence& evidence,
+              double front) {
+  const auto& [pieces, axes, traces] = evidence;
   BodyCut cut;
   if (!body.is_in_way) return cut;
   if (has_left(body, view, traces)) return {.left = true};
@@ -142,15 +97,14 @@ BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Pieces& pie
 }
 
 // Adds the verdict of a frame to that of the frames before it.
-void judge_bodies(KerfView view, const Pieces& pieces, const KerfAxes& axes,
-                  const std::vector<std::uint8_t>& traces, CutState& state) {
+void judge_bodies(KerfView view, const Evidence& evidence, double front, CutState& state) {
   const Workpiece& workpiece = view.workpiece;
   bool all = true;
   for (std::size_t n = 0; n < workpiece.bodies.size(); ++n) {
     const WorkpieceBody& body = workpiece.bodies[n];
     view.body = body.body;
     if (!state.bodies[n].through && !state.bodies[n].left)
-      state.bodies[n] = judge(body, view, pieces, axes, state.front_depth, traces);
+      state.bodies[n] = judge(body, view, evidence, front);
     all = all && (state.bodies[n].through || !body.is_in_way);
   }
   state.cut_through = all;
@@ -196,10 +150,11 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
     state.pieces = pieces.count;
     state.fractured_mass = fractured_mass(workpiece, frame, rows);
     state.fractured_fraction = state.fractured_mass / workpiece.total_mass;
-    state.front_depth = front_depth(workpiece, frame);
+    const double face = face_depth(workpiece, frame, rows);
+    state.front_depth = front_depth(workpiece, frame, face);
     state.pressed_share = pressed_share(workpiece, frame, rows, rigid_);
     const auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
-    note(rows, standing, traces_);
+    note_traces(rows, standing, traces_);
     if (has_wake_ && axes_) {
       state.wake = measure_wake({workpiece, frame, rows, standing}, *axes_);
       state.water_impulse = KerfAxes::dot(water_impulse, axes_->jet.along);
@@ -208,9 +163,12 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
       // Below the workpiece there is no opening.
       const double half = std::min(state.front_depth, workpiece.bottom) / 2.0;
       state.fractured_width = fractured_width(workpiece, frame, rows, half);
-      state.kerf_width = opening_width(workpiece, frame, rows, pieces.in_piece, half);
+      state.kerf_width = opening_width(workpiece, frame, rows, pieces.in_piece, half + face);
+    }
+    if (workpiece.jet && (state.front_depth > 0.0 || touches_water(workpiece, frame, rows))) {
       if (!state.cut_through)
-        judge_bodies({workpiece, frame, rows, standing}, pieces, *axes_, traces_, state);
+        judge_bodies({workpiece, frame, rows, standing}, {pieces, *axes_, traces_},
+                     state.front_depth + face, state);
       const auto closed = closed_where_left(workpiece, standing, traces_);
       state.cut_depth =
           std::max(state.cut_depth,

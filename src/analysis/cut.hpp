@@ -38,7 +38,7 @@ std::string kind_of_cut(bool is_severed, bool is_punched);
 // The state of a cut at one instant.
 struct CutState {
   double time = 0.0;                // s
-  double front_depth = 0.0;         // m, below the aimed point, along the jet; 0 before contact
+  double front_depth = 0.0;         // m, below the face, along the jet; 0 before contact
   double cut_depth = 0.0;           // m, of the cut so far (analysis/cut_depth.hpp)
   int pieces = 0;                   // connected pieces of intact solid > 5% of the workpiece
   double fractured_fraction = 0.0;  // fractured mass over the workpiece's, as at the start

@@ -47,7 +47,7 @@ std::vector<TubePoint> points_in_tube(const KerfView& view, const KerfAxes& axes
                                       const std::vector<BodyCut>& bodies) {
   const Workpiece& workpiece = view.workpiece;
   const double reach = std::max(axes.jet.width, workpiece.axis_spacing);
-  const std::vector<std::uint8_t> torn = find_torn(view.frame);
+  const std::vector<std::uint8_t> torn = find_torn(workpiece, view.frame, view.rows);
   std::vector<TubePoint> points;
   for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
     const auto& x = workpiece.position[slot];
@@ -63,9 +63,8 @@ std::vector<TubePoint> points_in_tube(const KerfView& view, const KerfAxes& axes
     const bool is_out =
         bodies[body].left;  // what becomes of a body beyond the domain is not judged
     const std::uint8_t standing = view.standing[slot];
-    const bool is_open =
-        !is_out && !is_aside &&
-        (standing == 0 || (standing != stands_as_laid_out && torn[view.rows[slot]] != 0));
+    const bool is_open = !is_out && !is_aside &&
+                         (standing == 0 || (standing != stands_as_laid_out && torn[slot] != 0));
     points.push_back({axes.local(x), workpiece.size[slot], body, is_open, false, is_aside});
   }
   return points;

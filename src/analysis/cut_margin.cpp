@@ -24,30 +24,36 @@ const MetricList<CutMargin>& CutMargin::metrics() {
 CutMargin CutMargin::measure(const KerfScene& scene) {
   const KerfConditions& conditions = scene.conditions;
   CutMargin margin;
-  double laid_out = 0.0, left = 0.0;
-  KerfView view = scene.view;
+  // Of the bodies in the way, by index into Case::bodies: all, and those that are not cut through.
+  std::vector<std::uint8_t> all, uncut;
   for (const WorkpieceBody& body : scene.view.workpiece.bodies) {
+    all.resize(body.body + std::size_t(1), 0);
+    uncut.resize(all.size(), 0);
     if (!body.is_in_way) continue;
-    view.body = body.body;
-    const UnbrokenThickness thickness = measure_unbroken(view, scene.axes, scene.path);
-    laid_out += thickness.laid_out;
-    left += thickness.unbroken;
     const BodyVerdict* verdict = conditions.verdict_on(body.body);
-    if (verdict == nullptr || !verdict->cut.through) margin.unbroken += thickness.unbroken;
+    all.back() = 2;
+    uncut.back() = verdict != nullptr && verdict->cut.through ? 1 : 2;
   }
+  const auto measure = [&](const std::vector<std::uint8_t>& counts) {
+    return measure_unbroken(scene.view, scene.axes, scene.path, counts);
+  };
   constexpr double rounding = 1e-6;
-  margin.is_whole =
-      tells_torn(scene.view.frame) && laid_out > 0.0 && left > (1.0 - rounding) * laid_out;
+  const UnbrokenThickness whole = measure(all);
+  margin.is_whole = tells_torn(scene.view.frame) && whole.laid_out > 0.0 &&
+                    whole.unbroken > (1.0 - rounding) * whole.laid_out;
   if (!std::isnan(conditions.cut_through_time)) {
     margin.value = conditions.share_after(conditions.cut_through_time, scene.view.frame.time);
-    margin.unbroken = 0.0;
     return margin;
   }
-  // Sums over windows leave a rest of rounding, of either sign.
-  if (margin.unbroken < rounding * laid_out) margin.unbroken = 0.0;
   // What is torn and still joins the sides is no cut: the margin stays below 0.
   constexpr double least = 1e-12;
-  margin.value = laid_out > 0.0 ? -std::max(margin.unbroken / laid_out, least) : 0.0;
+  const UnbrokenThickness left = measure(uncut);
+  margin.value = 0.0;
+  if (!(left.laid_out > 0.0)) return margin;
+  // Sums over windows leave a rest of rounding, of either sign.
+  if (left.least >= rounding * left.laid_out) margin.unbroken = left.least;
+  const double share = left.unbroken / left.laid_out;
+  margin.value = share < rounding ? -least : -share;
   return margin;
 }
 

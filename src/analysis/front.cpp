@@ -2,6 +2,9 @@
 #include "analysis/front.hpp"
 
 #include <algorithm>
+#include <limits>
+
+#include "geometry/cell_grid.hpp"
 
 namespace kerf {
 namespace {
@@ -11,14 +14,20 @@ struct Drop {
   double mass;   // kg
 };
 
-// Returns the water of the first jet within a jet width of the path of the axis, the deepest first.
-// A slot must be about twice as wide as its jet for the water to flow back.
-std::vector<Drop> drops_near_axis(const Workpiece& workpiece, const Frame& frame) {
+// Whether a particle is water that has left a nozzle.
+bool is_jet_water(const Workpiece& workpiece, const Frame& frame, std::size_t row) {
+  const int jet = frame.source[row] - workpiece.jet_source;
+  return jet >= 0 && jet < workpiece.jet_count && frame.upstream[row] == 0;
+}
+
+// Returns the water within a jet width of the path of the axis, the deepest first, with depths
+// below `face`, m. A slot must be about twice as wide as its jet for the water to flow back.
+std::vector<Drop> drops_near_axis(const Workpiece& workpiece, const Frame& frame, double face) {
   std::vector<Drop> drops;
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
-    if (frame.source[row] != workpiece.jet_source || frame.upstream[row] != 0) continue;
+    if (!is_jet_water(workpiece, frame, row)) continue;
     const auto x = workpiece.jet->swept(frame.position[row], frame.time);
-    const double depth = workpiece.jet->depth(x);
+    const double depth = workpiece.jet->depth(x) - face;
     if (depth < -workpiece.jet->width || workpiece.jet->distance(x) > workpiece.jet->width)
       continue;
     drops.push_back({depth + frame.spacing[row] / 2.0, frame.mass[row]});
@@ -28,12 +37,32 @@ std::vector<Drop> drops_near_axis(const Workpiece& workpiece, const Frame& frame
   return drops;
 }
 
+// The part of space that water fills.
+class WaterBox {
+ public:
+  void add(const CellGrid<3>::Position& x) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      low_[a] = std::min(low_[a], x[a]);
+      high_[a] = std::max(high_[a], x[a]);
+    }
+  }
+  bool is_within(const CellGrid<3>::Position& x, double reach) const {
+    for (std::size_t a = 0; a < 3; ++a)
+      if (x[a] < low_[a] - reach || x[a] > high_[a] + reach) return false;
+    return true;
+  }
+
+ private:
+  static constexpr double far = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low_{far, far, far}, high_{-far, -far, -far};
+};
+
 }  // namespace
 
-double front_depth(const Workpiece& workpiece, const Frame& frame) {
+double front_depth(const Workpiece& workpiece, const Frame& frame, double face) {
   if (!workpiece.jet) return 0.0;
   const JetAxis& jet = *workpiece.jet;
-  const auto drops = drops_near_axis(workpiece, frame);
+  const auto drops = drops_near_axis(workpiece, frame, face);
   if (drops.empty()) return 0.0;
   const double plug = workpiece.jet_density * jet.section * jet.width;
   // The bound is slightly lower, so that the result does not depend on rounding if a lattice has
@@ -49,6 +78,49 @@ double front_depth(const Workpiece& workpiece, const Frame& frame) {
     if (mass >= enough) return std::max(0.0, drop.depth);
   }
   return 0.0;
+}
+
+double face_depth(const Workpiece& workpiece, const Frame& frame,
+                  const std::vector<std::uint32_t>& rows) {
+  constexpr double share = 0.9;  // of the particles; parts that fly off are fewer
+  if (!workpiece.jet) return 0.0;
+  std::vector<double> moved;
+  for (std::size_t slot = 0; slot < rows.size(); ++slot)
+    if (is_intact(frame, rows[slot]))
+      moved.push_back(workpiece.jet->depth(frame.position[rows[slot]]) -
+                      workpiece.jet->depth(workpiece.position[slot]));
+  if (moved.empty()) return 0.0;
+  const auto last = static_cast<std::ptrdiff_t>(share * static_cast<double>(moved.size() - 1));
+  std::nth_element(moved.begin(), moved.begin() + last, moved.end());
+  return std::min(0.0, moved[static_cast<std::size_t>(last)]);
+}
+
+bool touches_water(const Workpiece& workpiece, const Frame& frame,
+                   const std::vector<std::uint32_t>& rows) {
+  // Beside a flat face a drop is at most 1.12 of the larger spacing from the nearest particle.
+  constexpr double contact = 1.2;
+  using Place = CellGrid<3>::Position;
+  std::vector<Place> drops;
+  WaterBox box;
+  double spacing = 0.0;  // of the water
+  for (std::size_t row = 0; row < frame.position.size(); ++row) {
+    if (!is_jet_water(workpiece, frame, row)) continue;
+    drops.push_back(Place::from(frame.position[row]));
+    box.add(drops.back());
+    spacing = std::max(spacing, static_cast<double>(frame.spacing[row]));
+  }
+  if (drops.empty()) return false;
+  const CellGrid<3> near(drops, contact * std::max(spacing, workpiece.spacing));
+  for (std::size_t slot = 0; slot < rows.size(); ++slot) {
+    if (!is_intact(frame, rows[slot])) continue;
+    const double reach = contact * std::max(spacing, workpiece.size[slot]);
+    const Place place = Place::from(frame.position[rows[slot]]);
+    if (!box.is_within(place, reach)) continue;
+    bool touches = false;
+    near.visit_near(place, [&](std::size_t drop) { touches |= norm(drops[drop] - place) < reach; });
+    if (touches) return true;
+  }
+  return false;
 }
 
 double bottom_depth(const Workpiece& workpiece, const WorkpieceBody& body, const Frame& frame,

@@ -14,7 +14,7 @@ namespace kerf {
 struct JetAxis {
   using Vector3 = std::array<double, 3>;
 
-  Vector3 aim{};       // m, the point on the workpiece that the axis aims at
+  Vector3 aim{};       // m, the point of the axis from which depths count
   Vector3 along{};     // unit, direction of the water
   Vector3 across{};    // unit, in the plane of the jet and the vertical; x for a jet straight down
   Vector3 sideways{};  // unit, along x across; 3D only

@@ -22,6 +22,18 @@ KerfPath find_path(const KerfAxes& axes, const KerfConditions& conditions, doubl
   return path;
 }
 
+// Returns the path in the layout of a workpiece that drifts.
+KerfPath path_in_layout(KerfPath path, const KerfAxes& axes, const Workpiece& workpiece,
+                        const KerfConditions& conditions, double now) {
+  const KerfAxes::Vector3 drift = axes.turned(workpiece.drift);
+  const double contact = std::isnan(conditions.contact_time) ? now : conditions.contact_time;
+  for (const std::size_t a : {KerfAxes::crosswise, KerfAxes::lengthwise}) {
+    path.begin[a] -= drift[a] * contact;
+    path.end[a] -= drift[a] * now;
+  }
+  return path;
+}
+
 // Returns the mean top of the columns within half a jet width of the axis, m; infinite without any.
 double depth_of_top(const KerfMap& map, const KerfAxes& axes, const KerfPath& path) {
   double sum = 0.0, count = 0.0;
@@ -55,7 +67,7 @@ void add_verdict(const KerfView& view, const KerfAxes& axes, const KerfPath& pat
     return;
   }
   const UnbrokenThickness thickness = measure_unbroken(view, axes, path);
-  layer.unbroken = thickness.unbroken;
+  layer.unbroken = thickness.least;
   if (thickness.laid_out > 0.0) layer.margin = -thickness.unbroken / thickness.laid_out;
 }
 
@@ -84,6 +96,11 @@ std::vector<KerfLayer> measure_layers(KerfView view, const KerfAxes& axes, const
   }
   std::stable_sort(layers.begin(), layers.end(),
                    [](const KerfLayer& a, const KerfLayer& b) { return a.top < b.top; });
+  const double apart = workpiece.axis_spacing / 2.0;  // bodies side by side do not cover each other
+  for (KerfLayer& layer : layers)
+    layer.is_covered = std::any_of(layers.begin(), layers.end(), [&](const KerfLayer& above) {
+      return above.verdict.is_in_way && !above.verdict.cut.through && above.top + apart < layer.top;
+    });
   return layers;
 }
 
@@ -129,12 +146,14 @@ Kerf measure_kerf(const Workpiece& workpiece, const Frame& part, const KerfCondi
   auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
   keep_what_left(workpiece, conditions.bodies, standing);
   const KerfAxes axes(*workpiece.jet, conditions.traverse, frame.dimension);
-  const KerfPath path = find_path(axes, conditions, frame.time);
+  const KerfPath path_now = find_path(axes, conditions, frame.time);
+  const KerfPath path = path_in_layout(path_now, axes, workpiece, conditions, frame.time);
   const KerfView view{workpiece, frame, rows, standing};
   const KerfMap map = make_kerf_map(view, axes, path);
   kerf.shape = measure_shape(map, axes, path, workpiece.axis_spacing);
   const KerfView now{workpiece, frame, rows, standing, KerfPositions::current};
-  kerf.opening = measure_shape(make_kerf_map(now, axes, path), axes, path, workpiece.axis_spacing);
+  kerf.opening =
+      measure_shape(make_kerf_map(now, axes, path_now), axes, path_now, workpiece.axis_spacing);
   kerf.layers = measure_layers(view, axes, path, conditions);
   if (!conditions.bodies.empty() && std::isnan(conditions.cut_through_time)) {
     deny(kerf.shape);

@@ -35,6 +35,8 @@ struct KerfLayer {
   BodyVerdict verdict;
   double margin = 0.0;    // 1, as CutMargin, of this body; 0 where it is not in the way of the jet
   double unbroken = 0.0;  // m, least thickness in the way of the jet
+  // A body above it in the way of the jet is not cut through: the water has not come to it.
+  bool is_covered = false;
 };
 
 struct Kerf {

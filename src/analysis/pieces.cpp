@@ -33,12 +33,16 @@ struct PieceLabels {
   std::vector<std::uint32_t> piece, body_piece;
 };
 
-PieceLabels read_labels(const Frame& frame, const std::vector<std::uint32_t>& rows) {
+// Of united bodies, bonds to all bodies that are joined to them count.
+PieceLabels read_labels(const Workpiece& workpiece, const Frame& frame,
+                        const std::vector<std::uint32_t>& rows) {
   PieceLabels labels;
-  for (const std::uint32_t row : rows) {
+  for (std::size_t slot = 0; slot < rows.size(); ++slot) {
+    const std::uint32_t row = rows[slot];
     const bool intact = is_intact(frame, row);
+    const auto& within = workpiece.is_in_united(slot) ? frame.piece : frame.body_piece;
     labels.piece.push_back(intact ? frame.piece[row] : Workpiece::none);
-    labels.body_piece.push_back(intact ? frame.body_piece[row] : Workpiece::none);
+    labels.body_piece.push_back(intact ? within[row] : Workpiece::none);
   }
   return labels;
 }
@@ -159,8 +163,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> find_bonds(const Workpiece&
 
 Pieces find_pieces(const Workpiece& workpiece, const Frame& frame,
                    const std::vector<std::uint32_t>& rows) {
-  PieceLabels labels =
-      frame.piece.empty() ? join_neighbours(workpiece, frame, rows) : read_labels(frame, rows);
+  PieceLabels labels = frame.piece.empty() ? join_neighbours(workpiece, frame, rows)
+                                           : read_labels(workpiece, frame, rows);
   const std::vector<std::uint32_t> number_of = number_pieces(labels.piece);
   Pieces pieces;
   pieces.body_piece = std::move(labels.body_piece);

@@ -43,8 +43,9 @@ struct Pieces {
   // Per slot: 1 = part of a counted piece, or of a piece of its body that is heavier than
   // piece_mass_fraction of that body, such as a small inclusion.
   std::vector<std::uint8_t> in_piece;
-  // Per slot: a number that the particles of a piece within one body share; Workpiece::none where
-  // the particle is not intact.
+  // Per slot: a number that the particles of a piece within one body share, or within bodies that
+  // are one to the jet (analysis/united_bodies.hpp); Workpiece::none where the particle is not
+  // intact.
   std::vector<std::uint32_t> body_piece;
   std::vector<Fragment> fragments;  // the heaviest first
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/kerf_sections.hpp"
 
@@ -21,13 +22,14 @@ struct Columns {
   std::array<std::size_t, 2> count{1, 1};
   std::array<std::size_t, 2> window{1, 1};  // columns
   double step = 0.0;                        // m
-  std::vector<double> laid_out, standing, unbroken;
-  std::vector<double> covered;  // 1 where the body was laid out, else 0
+  std::vector<double> laid_out;
+  std::vector<double> counted, standing, unbroken;  // of the bodies that count as unbroken
+  std::vector<double> covered;                      // 1 where such a body was laid out, else 0
 };
 
 // Means over the window that begins at each column.
 struct Windows {
-  std::vector<double> laid_out, standing, unbroken, covered;
+  std::vector<double> laid_out, counted, standing, unbroken, covered;
 };
 
 Columns make_columns(const KerfView& view, const KerfAxes& axes, const KerfPath& path) {
@@ -45,7 +47,7 @@ Columns make_columns(const KerfView& view, const KerfAxes& axes, const KerfPath&
     columns.low[a] = (low + high - static_cast<double>(columns.count[a]) * columns.step) / 2.0;
   }
   columns.laid_out.assign(columns.count[0] * columns.count[1], 0.0);
-  columns.standing = columns.unbroken = columns.laid_out;
+  columns.counted = columns.standing = columns.unbroken = columns.laid_out;
   return columns;
 }
 
@@ -90,12 +92,6 @@ bool is_outside(const Columns& columns, const SolidPoint& point, int dimension) 
   return false;
 }
 
-// Marks the columns in which the body was laid out.
-void mark_covered(const Columns& columns, double spacing, std::vector<double>& covered) {
-  for (const double length : columns.laid_out)
-    covered.push_back(length < spacing / 2.0 ? 0.0 : 1.0);
-}
-
 // Returns the means of the lengths over the windows.
 std::vector<double> window_means(const Columns& columns, const std::vector<double>& lengths) {
   const auto [rows, aside] = columns.count;
@@ -115,23 +111,39 @@ std::vector<double> window_means(const Columns& columns, const std::vector<doubl
   return means;
 }
 
-// Fills the columns with the body `view.body`.
-void fill(const KerfView& view, const KerfAxes& axes, Columns& columns) {
-  const std::vector<std::uint8_t> torn = find_torn(view.frame);
+// Which bodies are measured, by index into Case::bodies (measure_unbroken).
+using Counts = std::vector<std::uint8_t>;
+
+Counts only(int body) {
+  Counts counts(static_cast<std::size_t>(body) + 1, 0);
+  counts.back() = 2;
+  return counts;
+}
+
+// Fills the columns with the bodies that count.
+void fill(const KerfView& view, const KerfAxes& axes, const Counts& counts, Columns& columns) {
+  const std::vector<std::uint8_t> torn = find_torn(view.workpiece, view.frame, view.rows);
   const Workpiece& workpiece = view.workpiece;
   const int dimension = view.frame.dimension;
   for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
-    if (!view.holds(slot)) continue;
+    const std::size_t body = workpiece.body[slot];
+    const int count = body < counts.size() ? counts[body] : 0;
+    if (count == 0) continue;
     const SolidPoint point{axes.local(workpiece.position[slot]), workpiece.volume[slot],
                            workpiece.size[slot]};
     if (is_outside(columns, point, dimension)) continue;
     add(columns, point, dimension, columns.laid_out);
+    if (count < 2) continue;
+    add(columns, point, dimension, columns.counted);
     if (!view.standing[slot]) continue;
     add(columns, point, dimension, columns.standing);
-    if (view.standing[slot] == stands_as_laid_out || !torn[view.rows[slot]])
+    if (view.standing[slot] == stands_as_laid_out || !torn[slot])
       add(columns, point, dimension, columns.unbroken);
   }
-  mark_covered(columns, workpiece.axis_spacing, columns.covered);
+  for (const double length : columns.counted)
+    columns.covered.push_back(length < workpiece.axis_spacing / 2.0 ? 0.0 : 1.0);
+  for (std::size_t n = 0; n < columns.laid_out.size(); ++n)
+    columns.laid_out[n] *= columns.covered[n];
 }
 
 const Column* damage_column(const Frame& frame) {
@@ -140,8 +152,9 @@ const Column* damage_column(const Frame& frame) {
 }
 
 Windows windows_of(const Columns& columns) {
-  return {window_means(columns, columns.laid_out), window_means(columns, columns.standing),
-          window_means(columns, columns.unbroken), window_means(columns, columns.covered)};
+  return {window_means(columns, columns.laid_out), window_means(columns, columns.counted),
+          window_means(columns, columns.standing), window_means(columns, columns.unbroken),
+          window_means(columns, columns.covered)};
 }
 
 }  // namespace
@@ -150,50 +163,65 @@ bool tells_torn(const Frame& frame) {
   return damage_column(frame) != nullptr;
 }
 
-std::vector<std::uint8_t> find_torn(const Frame& frame) {
-  std::vector<std::uint8_t> torn(frame.id.size(), 0);
-  const Column* damage = damage_column(frame);
-  if (damage != nullptr)
-    for (std::size_t row = 0; row < torn.size(); ++row)
-      torn[row] = static_cast<double>(damage->values[row]) > torn_share ? 1 : 0;
+std::vector<std::uint8_t> find_torn(const Workpiece& workpiece, const Frame& frame,
+                                    const std::vector<std::uint32_t>& rows) {
+  std::vector<std::uint8_t> torn(rows.size(), 0);
+  const Column *within = damage_column(frame), *all = find_column(frame, "damage");
+  if (within == nullptr) return torn;
+  if (all == nullptr) all = within;
+  for (std::size_t slot = 0; slot < rows.size(); ++slot) {
+    if (rows[slot] == Workpiece::none) continue;
+    const Column& damage = workpiece.is_in_united(slot) ? *all : *within;
+    torn[slot] = static_cast<double>(damage.values[rows[slot]]) > torn_share ? 1 : 0;
+  }
   return torn;
 }
 
 UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
                                    const KerfPath& path) {
+  return measure_unbroken(view, axes, path, only(view.body));
+}
+
+UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes, const KerfPath& path,
+                                   const std::vector<std::uint8_t>& counts) {
   Columns columns = make_columns(view, axes, path);
-  fill(view, axes, columns);
-  const auto [laid_out, standing, unbroken, covered] = windows_of(columns);
+  fill(view, axes, counts, columns);
+  const auto [laid_out, counted, standing, unbroken, covered] = windows_of(columns);
   const Workpiece& workpiece = view.workpiece;
   const double spacing = workpiece.axis_spacing, none = nothing * spacing;
-  UnbrokenThickness least;
+  UnbrokenThickness found;
+  found.least = std::numeric_limits<double>::infinity();
   double share = 2.0;
   const double most_covered = *std::max_element(covered.begin(), covered.end());
   for (std::size_t n = 0; n < laid_out.size(); ++n) {
-    if (laid_out[n] < spacing / 2.0) continue;
-    if (covered[n] > least_covered * most_covered) {
-      least.is_open = least.is_open || standing[n] <= none;
-      least.is_torn_through = least.is_torn_through || unbroken[n] <= none;
-    }
-    const double here = unbroken[n] / laid_out[n];
+    if (counted[n] < spacing / 2.0) continue;
     // Beyond the edge of a body there is no thickness that could be unbroken.
     const double part = covered[n] > 0.0 ? covered[n] : 1.0;
-    if (here > share || (here == share && laid_out[n] / part <= least.laid_out)) continue;
+    if (covered[n] > least_covered * most_covered) {
+      found.is_open = found.is_open || standing[n] <= none;
+      found.is_torn_through = found.is_torn_through || unbroken[n] <= none;
+      found.least = std::min(found.least, unbroken[n] / part);
+    }
+    const double here = unbroken[n] / laid_out[n];
+    if (here > share || (here == share && laid_out[n] / part <= found.laid_out)) continue;
     share = here;
-    least.laid_out = laid_out[n] / part;
-    least.standing = standing[n] / part;
-    least.unbroken = unbroken[n] / part;
+    found.laid_out = laid_out[n] / part;
+    found.unbroken = unbroken[n] / part;
   }
-  if (const double below = workpiece.below(view.body); below > 0.0) {
-    least.is_open = least.is_torn_through = false;
-    for (double* length : {&least.laid_out, &least.standing, &least.unbroken}) *length += below;
+  if (std::isinf(found.least)) found.least = found.unbroken;
+  double below = 0.0;
+  for (const WorkpieceBody& body : workpiece.bodies)
+    if (body.body < counts.size() && counts[body.body] == 2) below += body.below;
+  if (below > 0.0) {
+    found.is_open = found.is_torn_through = false;
+    for (double* length : {&found.laid_out, &found.unbroken, &found.least}) *length += below;
   }
-  return least;
+  return found;
 }
 
 std::vector<double> torn_places(const KerfView& view, const KerfAxes& axes, const KerfPath& path) {
   Columns columns = make_columns(view, axes, path);
-  fill(view, axes, columns);
+  fill(view, axes, only(view.body), columns);
   const Windows windows = windows_of(columns);
   const double spacing = view.workpiece.axis_spacing, none = nothing * spacing;
   const auto is_torn = [&](std::size_t n) {

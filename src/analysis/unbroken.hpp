@@ -19,16 +19,18 @@ inline constexpr double torn_share = 0.3;
 // Returns whether a frame tells which particles are torn: it has one of these columns.
 bool tells_torn(const Frame& frame);
 
-// Returns whether each particle of a frame is torn, by row. A layer whose glue has broken is whole.
-std::vector<std::uint8_t> find_torn(const Frame& frame);
+// Returns whether each slot is torn; one without a row is not. A layer whose glue has broken is
+// whole, but bonds between bodies that are one to the jet count (analysis/united_bodies.hpp).
+std::vector<std::uint8_t> find_torn(const Workpiece& workpiece, const Frame& frame,
+                                    const std::vector<std::uint32_t>& rows);
 
 // Lengths along the jet, m, means over the window across the jet with the least share of unbroken
 // solid, where the body was laid out in it. A window is as broad as that for the depth of a kerf
 // (analysis/kerf_sections.hpp).
 struct UnbrokenThickness {
   double laid_out = 0.0;
-  double standing = 0.0;         // the least of any window
   double unbroken = 0.0;         // of particles that stand and are not torn
+  double least = 0.0;            // of `unbroken`, of all windows
   bool is_open = false;          // there is a window without standing solid
   bool is_torn_through = false;  // there is a window without unbroken solid
 };
@@ -36,6 +38,12 @@ struct UnbrokenThickness {
 // Measures the body `view.body` in the space of the jet along the path.
 UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
                                    const KerfPath& path);
+
+// Measures bodies together: the lengths on a line are sums over the bodies on it. `counts` is by
+// index into Case::bodies: bodies with 0 are left out, those with 1 are laid out alone, and those
+// with 2 count as unbroken, too. Lines without one of the latter are left out.
+UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes, const KerfPath& path,
+                                   const std::vector<std::uint8_t>& counts);
 
 // Returns the places across the jet, m local, of windows without unbroken solid: the middle of each
 // row of them. In 2D, where a nozzle moves across the section.

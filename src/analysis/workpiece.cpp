@@ -5,8 +5,12 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "analysis/pieces.hpp"
+#include "analysis/united_bodies.hpp"
+#include "analysis/workpiece_motion.hpp"
+#include "geometry/shapes.hpp"
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 
@@ -65,19 +69,54 @@ double find_bottom(const Workpiece& workpiece, std::uint16_t body) {
   return bottom;
 }
 
-// Measures depths from the face of the workpiece where the jet aims at a point before or behind it:
-// moves the aim along the axis to the face if that is farther away than half a jet width.
-void aim_at_face(Workpiece& workpiece) {
-  JetAxis& jet = *workpiece.jet;
-  double face = std::numeric_limits<double>::infinity();
+// Returns the depth at which the axis meets the first particle of the workpiece, m, or its stream,
+// where none is on the axis; infinite where it meets none.
+double first_particle(const Workpiece& workpiece) {
+  const JetAxis& jet = *workpiece.jet;
+  double on_axis = std::numeric_limits<double>::infinity(), in_stream = on_axis;
   for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
-    const double size = workpiece.size[slot], depth = jet.depth(workpiece.position[slot]);
-    if (depth >= -jet.standoff && jet.distance(workpiece.position[slot]) <= size)
-      face = std::min(face, depth - size / 2.0);
+    const auto& x = workpiece.position[slot];
+    const double size = workpiece.size[slot], depth = jet.depth(x);
+    if (depth < -jet.standoff || !is_beside_axis(jet, x, size)) continue;
+    in_stream = std::min(in_stream, depth - size / 2.0);
+    if (jet.distance(x) <= size) on_axis = std::min(on_axis, depth - size / 2.0);
   }
-  if (!(std::abs(face) > std::max(jet.width / 2.0, 2.0 * workpiece.axis_spacing)) ||
-      std::isinf(face))
-    return;
+  return std::isinf(on_axis) ? in_stream : on_axis;
+}
+
+// Returns the depth at which the axis enters the shapes of the bodies near the depth of its first
+// particle, m, as no layout of particles tells it; that depth where it enters none there.
+double find_face(const Workpiece& workpiece, const Case& description, double first) {
+  const std::set<std::uint16_t> bodies(workpiece.body.begin(), workpiece.body.end());
+  const auto is_inside = [&](double depth) {
+    const Point x = workpiece.jet->point_at(depth, 0.0);
+    return std::any_of(bodies.begin(), bodies.end(), [&](std::uint16_t body) {
+      return contains(description.bodies[body].shape, x, description.dimension);
+    });
+  };
+  // Particles beside an inclined axis are nearer to the nozzle than those on it.
+  const double reach = 3.0 * workpiece.axis_spacing, step = workpiece.axis_spacing / 8.0;
+  double outside = first - reach;
+  if (is_inside(outside)) return first;
+  while (!is_inside(outside + step))
+    if ((outside += step) > first + reach) return first;
+  double inside = outside + step;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = (outside + inside) / 2.0;
+    (is_inside(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+// Measures depths from where the axis enters the workpiece, wherever on it the jet aims: moves the
+// aim along the axis to that face.
+void aim_at_face(Workpiece& workpiece, const Case& description) {
+  const double first = first_particle(workpiece);
+  if (std::isinf(first)) return;
+  JetAxis& jet = *workpiece.jet;
+  const double face = find_face(workpiece, description, first);
+  constexpr double rounding = 1e-6;  // of a spacing: the sizes of particles have single precision
+  if (std::abs(face) < rounding * workpiece.axis_spacing) return;
   for (std::size_t a = 0; a < 3; ++a) jet.aim[a] += face * jet.along[a];
   jet.standoff += face;
 }
@@ -133,7 +172,6 @@ void describe_bodies(Workpiece& workpiece, const Case& description, const Pieces
     workpiece.bodies.push_back(describe(description, number));
   if (!workpiece.jet) return;
   const JetAxis& jet = *workpiece.jet;
-  const KerfAxes axes(jet, description.jets.front().traverse, description.dimension);
   for (WorkpieceBody& body : workpiece.bodies) {
     for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot)
       if (workpiece.body[slot] == body.body &&
@@ -143,7 +181,13 @@ void describe_bodies(Workpiece& workpiece, const Case& description, const Pieces
     body.bottom = find_bottom(workpiece, body.body);
     workpiece.bottom = std::max(workpiece.bottom, body.bottom);
     body.exit_region = find_exit_region(workpiece, body);
-    body.sides = find_sides(workpiece, body.body, axes, pieces.body_piece);
+    // Any of the jets may part a body, whatever their order.
+    for (const Jet& other : description.jets) {
+      const KerfAxes beside(JetAxis(other, description.dimension), other.traverse,
+                            description.dimension);
+      for (BodySides& sides : find_sides(workpiece, body.body, beside, pieces.body_piece))
+        body.sides.push_back(std::move(sides));
+    }
   }
 }
 
@@ -177,21 +221,24 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
     workpiece.volume.push_back(workpiece.mass.back() / description.materials.at(material).density);
   }
   if (workpiece.empty()) return workpiece;
+  if (!description.jets.empty()) {
+    const Jet& jet = description.jets.front();
+    workpiece.jet.emplace(jet, description.dimension);
+    workpiece.jet_source = static_cast<std::uint16_t>(bodies.size());
+    workpiece.jet_count = static_cast<int>(description.jets.size());
+    workpiece.jet_density =
+        description.materials.at(static_cast<std::size_t>(jet.material)).density;
+    workpiece.axis_spacing = find_axis_spacing(workpiece);
+    aim_at_face(workpiece, description);
+    unite_bodies(description, workpiece);
+  }
   if (initial.piece.empty()) workpiece.bonds = find_bonds(workpiece);
   Pieces pieces = find_pieces(workpiece, initial, locate(workpiece, initial));
   workpiece.initially_in_piece = pieces.in_piece;
   workpiece.initial_body_piece = pieces.body_piece;
   workpiece.initial_pieces = pieces.count;
-  if (!description.jets.empty()) {
-    const Jet& jet = description.jets.front();
-    workpiece.jet.emplace(jet, description.dimension);
-    workpiece.jet_source = static_cast<std::uint16_t>(bodies.size());
-    workpiece.jet_density =
-        description.materials.at(static_cast<std::size_t>(jet.material)).density;
-    workpiece.axis_spacing = find_axis_spacing(workpiece);
-    aim_at_face(workpiece);
-  }
   describe_bodies(workpiece, description, pieces);
+  workpiece.drift = drift_of(description, workpiece);
   return workpiece;
 }
 

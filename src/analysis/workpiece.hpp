@@ -61,7 +61,7 @@ struct Workpiece {
   std::vector<double> mass;                                     // kg (2D: kg/m)
   std::vector<double> volume;                 // m^3 (2D: m^2), at its material's density
   std::vector<double> size;                   // m, spacing of the particle
-  std::vector<std::uint16_t> body;            // index into Case::bodies
+  std::vector<std::uint16_t> body;            // index into Case::bodies, the least of united ones
   std::vector<std::uint16_t> material_piece;  // bodies joined to each other share a number
   std::vector<WorkpieceBody> bodies;
   // Neighbours of the initial layout within `bond_reach` spacings of each other; empty where frames
@@ -76,11 +76,18 @@ struct Workpiece {
   std::vector<std::uint8_t> initially_in_piece;
   std::vector<std::uint32_t> initial_body_piece;
   int initial_pieces = 0;
+  int jet_count = 0;  // of the case; `jet` is the first
+  // By index into Case::bodies: 1 = the body is one with others (analysis/united_bodies.hpp).
+  std::vector<std::uint8_t> is_united;
+  std::array<double, 3> drift{};  // m/s, at which the bodies in the way move from the start on
 
   // Returns the thickness of a body, by its index into Case::bodies, or of all (-1) beyond the part
   // that is simulated, along the jet, m.
   double below(int body) const;
   bool empty() const { return position.empty(); }
+  bool is_in_united(std::size_t slot) const {
+    return !is_united.empty() && is_united[body[slot]] != 0;
+  }
 };
 
 // Finds the workpiece: every elastic body that is not fixed and at which the first jet aims (a

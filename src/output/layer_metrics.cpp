@@ -8,6 +8,7 @@ namespace kerf {
 std::string fate_of(const KerfLayer& layer) {
   if (!layer.verdict.is_in_way) return "not under the jet";
   if (layer.verdict.cut.through) {
+    if (layer.is_covered) return "broken under a body that is not cut through";
     if (layer.shape.through_share > 0.0) return "cut through";
     if (layer.verdict.cut.punched) return "punched out";
     return layer.verdict.cut.severed ? "parted" : "broken through";
@@ -25,6 +26,7 @@ const MetricList<NamedLayer>& NamedLayer::metrics() {
          "while "
          "its sides are not parted, where not all of the thickness is removed; `cut in part`; "
          "`whole`, without any fracture; "
+         "`broken under a body that is not cut through`, as where it is crushed without water; "
          "or `not under the jet`.",
          [](const L& entry) { return fate_of(entry.layer); }},
         {"cut_through", "1", "layer cut through", "Whether the body has been cut through.",

@@ -11,8 +11,9 @@ namespace kerf {
 
 struct Case;
 
-// Returns the flag on a body that can be cut and crosses the first jet by more than half its width
-// at its velocity of the start; none if no body does.
+// Returns the flag on a body that can be cut, moves and crosses the first jet, beside the way of
+// the nozzle, by more than half its width: by its displacement or at its velocity of the start;
+// none if no body does.
 std::optional<ValidityFlag> moving_workpiece_flag(const Case& description);
 
 }  // namespace kerf

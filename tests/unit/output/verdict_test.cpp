@@ -39,6 +39,12 @@ TEST(Verdict, NamesWhatIsCutThroughAndWhatIsWhole) {
       "unbroken.");
   const auto layers = result_of(outcome).at("kerf").at("layers");
   EXPECT_EQ(layers.at(0).at("verdict"), "cut through");
+  outcome.kerf->layers.front().is_covered = true;
+  EXPECT_EQ(result_of(outcome).at("kerf").at("layers").at(0).at("verdict"),
+            "broken under a body that is not cut through");
+  EXPECT_NE(verdict_of(outcome).find("liver is broken under a body that is not cut through"),
+            std::string::npos);
+  outcome.kerf->layers.front().is_covered = false;
   EXPECT_EQ(layers.at(1).at("verdict"), "whole");
   EXPECT_EQ(layers.at(2).at("verdict"), "cut in part");
   EXPECT_EQ(layers.at(3).at("verdict"), "not under the jet");
