@@ -12,6 +12,7 @@ import type { Quantities } from "./quantity.ts";
 import type { Setting } from "./study_data.ts";
 import { hatch, ink, svg } from "./svg.ts";
 import type { Tooltip } from "./tooltip.ts";
+import { verdictOf } from "./verdict.ts";
 import type { Point, View } from "./view.ts";
 
 const size = 161; // of the raster
