@@ -224,12 +224,13 @@ void CutMonitor::add_verdicts(CutSummary& summary) const {
   summary.cut_through = through != history_.end();
   summary.severed = summary.severed && summary.cut_through;
   summary.punched = summary.punched && summary.cut_through;
+  const double bottom = workpiece_->bottom;
+  if (bottom > 0.0) summary.front_share_at_end = summary.last.front_depth / bottom;
+  summary.removed_share_at_end = summary.last.removed_share();
   if (!summary.cut_through) return;
   summary.cut_through_time = through->time;
   summary.cut_through_place = workpiece_->jet->point_at(through->front_depth, through->time);
-  if (through->kerf_width > 0.0)
-    summary.removed_share_at_cut = std::min(1.0, through->fractured_width / through->kerf_width);
-  const double bottom = workpiece_->bottom;
+  summary.removed_share_at_cut = through->removed_share();
   if (bottom > 0.0) {
     summary.front_share_at_cut = through->front_depth / bottom;
     const double pressed = 0.5 * std::min(workpiece_->jet->width, bottom);

@@ -3,6 +3,7 @@
 // whether the workpiece is cut through. docs/metrics.md has the definitions.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
@@ -52,6 +53,13 @@ struct CutState {
   double water_impulse = 0.0;   // N s (2D: N s/m), of the water on the solids, along the jet
   double pressed_share = 0.0;   // of the mass, inside rigid bodies (analysis/pressed_solid.hpp)
 
+  // Returns the part of the opening that is removed, of its width; 1 without an opening, and where
+  // a dent opens no path from the face.
+  double removed_share() const {
+    const bool is_open = kerf_width > 0.0 && (cut_through || cut_depth > 0.0);
+    return is_open ? std::min(1.0, fractured_width / kerf_width) : 1.0;
+  }
+
   static const MetricList<CutState>& metrics();
 };
 
@@ -89,6 +97,8 @@ struct CutSummary {
   // width. Of an opening by water that removes solid it is more than half.
   double removed_share_at_cut = 1.0;
   static constexpr double least_removed = 0.5;
+  // Both shares at the end of the run, which tell of a workpiece that is not cut through.
+  double front_share_at_end = 0.0, removed_share_at_end = 1.0;
   // s, from then on the first time at which the front is within a spacing of that depth
   double water_through_time = std::numeric_limits<double>::quiet_NaN();
   double contact_time = std::numeric_limits<double>::quiet_NaN();  // s, first with a front
@@ -103,10 +113,13 @@ struct CutSummary {
   // Whether a crack parted or pierced more of the thickness than the water had passed by then.
   bool cracked_ahead() const { return cut_through && front_share_at_cut < least_share; }
   // Whether the jet had pressed the workpiece ahead by more than that by then, or had pushed aside
-  // more than it had removed.
-  bool was_pressed_ahead() const { return cut_through && front_share_at_cut > greatest_share; }
+  // more than it had removed. A front below the far face of what is not cut has pressed that ahead.
+  bool was_pressed_ahead() const {
+    return cut_through ? front_share_at_cut > greatest_share : front_share_at_end >= 1.0;
+  }
   bool was_pushed_aside() const {
-    return cut_through && !cracked_ahead() && removed_share_at_cut < least_removed;
+    if (!cut_through) return removed_share_at_end < least_removed;
+    return !cracked_ahead() && removed_share_at_cut < least_removed;
   }
   bool gave_way() const { return was_pressed_ahead() || was_pushed_aside(); }
   // Whether a nozzle that moves may fail where this one, which stands, cuts through: it strikes but

@@ -78,7 +78,9 @@ const MetricList<CutSummary>& CutSummary::metrics() {
       {"gave_way", "1", "gave way to the jet",
        "Whether, when the workpiece was cut through, the front of the water was below the far face "
        "as laid out by more than half the width of the jet, or half the thickness where that is "
-       "less, or less than half of the opening was removed: the jet had pressed it ahead or aside.",
+       "less, or less than half of the opening was removed: the jet had pressed it ahead or aside. "
+       "Of a workpiece that is not cut through: whether the front is below that face at the end, "
+       "or less than half of the opening is removed.",
        [](const S& s) { return s.gave_way(); }},
       {"water_through_time", "s", "time at which the water is through",
        "First time, from the cut on, at which the water front is within one spacing of the far "

@@ -110,8 +110,10 @@ struct DepthRange {
 
 // Returns the depths after a time that the run does not reach. A front that slows down stays
 // between its last depth and a motion on at its last speed; the laws continue from the last depth.
+// Of a front that rests at the end the run does not show how long it does: its depth is the least.
 DepthRange carried(const DepthHistory& history, double time) {
   const double last = history.depths.back(), end = history.times.back();
+  if (!(last_speed(history) > 0.0)) return {last, Exposure::none};
   const double most = std::max(last, last + last_speed(history) * (time - end));
   DepthRange range;
   double least_exponent = 1.0, greatest_exponent = 0.0;
@@ -157,6 +159,14 @@ std::optional<double> exposure_of_passage(const DepthHistory& history, const Ent
     return exposure > 0.0 ? std::optional(exposure) : std::nullopt;
   }
   return std::nullopt;
+}
+
+// Whether the front has passed the far face of a workpiece that is not cut through. What gives way
+// ahead of it follows no law of a cut, however deep that is.
+bool is_past_uncut(const std::vector<CutState>& history, const CutSummary& cut, double thickness) {
+  return !cut.cut_through &&
+         std::any_of(history.begin(), history.end(),
+                     [&](const CutState& state) { return state.front_depth >= thickness; });
 }
 
 double thickness_of(const Case& description) {
@@ -209,11 +219,12 @@ void add_carried_feeds(const DepthHistory& history, double extent, Exposure& exp
   exposure.possible_feed = std::max(extent, history.widths.back()) / passage.first;
 }
 
-// Returns the depth of the cut that the water had entered before the workpiece was cut through, m.
-double depth_before(const std::vector<CutState>& history, double cut_through_time) {
+// Returns the depth of the cut that the water had entered before the workpiece was cut through, or
+// by the end of a run in which it was not, m.
+double depth_before(const std::vector<CutState>& history, const CutSummary& cut) {
   double deepest = 0.0;
   for (const CutState& state : history)
-    if (state.time < cut_through_time)
+    if (!cut.cut_through || state.time < cut.cut_through_time)
       deepest = std::max(deepest, std::min(state.front_depth, state.cut_depth));
   return deepest;
 }
@@ -225,10 +236,24 @@ void deny_certainty(double depth, Exposure& exposure) {
   exposure.depth_low = std::fmin(exposure.depth_low, depth);
 }
 
-// The depth under a nozzle at rest tells nothing of one that moves faster than its water.
-void limit_to_jet(double speed, Exposure& exposure) {
-  if (exposure.greatest_feed > speed) exposure.greatest_feed = speed;
-  if (exposure.possible_feed > speed) exposure.possible_feed = speed;
+// Returns the lesser of a feed, also none, and its bound, m/s.
+double bounded(double feed, double bound) {
+  return feed > bound ? bound : feed;
+}
+
+// The depth under a nozzle at rest tells nothing of one that moves faster than its water, and that
+// under drops nothing certain of one that is exposed to a few of them.
+void limit_to_jet(const Jet& jet, Exposure& exposure) {
+  exposure.greatest_feed =
+      bounded(exposure.greatest_feed, std::min(jet.speed, exposure.pausing_feed));
+  exposure.possible_feed = bounded(exposure.possible_feed, jet.speed);
+}
+
+// Finds the feed at which the drops of a jet that has broken up in air leave gaps.
+void add_pauses(const Jet& jet, double extent, Exposure& exposure) {
+  if (!(jet.pulse_frequency > 0.0 && jet.duty < 1.0)) return;
+  exposure.pausing_feed = extent * jet.pulse_frequency / Exposure::few_pulses;
+  exposure.has_pauses = exposure.shortest * jet.pulse_frequency < Exposure::few_pulses;
 }
 
 }  // namespace
@@ -251,13 +276,13 @@ std::optional<Exposure> exposure_of(const Case& description, const std::vector<C
                                                  cut.cut_through_time - cut.contact_time)
                            : std::nullopt;
   exposure.simulated = passage.value_or(since.times.back());
-  // A front that has passed the far face of a workpiece that is not cut tells no depth of a cut.
-  if (!cut.cut_through && since.depths.back() >= exposure.thickness) return exposure;
+  if (is_past_uncut(history, cut, exposure.thickness)) return exposure;
   if (passage)
     add_feeds_of_cut(since, extent, exposure);
   else if (exposure.longest > exposure.simulated)
     add_carried_feeds(since, extent, exposure);
-  limit_to_jet(entry.speed, exposure);
+  add_pauses(description.jets.back(), extent, exposure);
+  limit_to_jet(description.jets.back(), exposure);
   const auto after = [&](double time) {
     return passage && time >= *passage ? DepthRange{exposure.thickness, exposure.thickness}
                                        : depths_after(since, time);
@@ -266,7 +291,7 @@ std::optional<Exposure> exposure_of(const Case& description, const std::vector<C
   exposure.depth_low = within(after(exposure.shortest).low);
   exposure.depth_high = within(after(exposure.longest).high);
   if (cut.holds_at_rest_only())
-    deny_certainty(depth_before(history, cut.cut_through_time), exposure);
+    deny_certainty(depth_before(history, cut), exposure);
   else
     exposure.depth = std::sqrt(exposure.depth_low * exposure.depth_high);
   return exposure;

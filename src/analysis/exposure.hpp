@@ -6,7 +6,10 @@
 // times, which goes on cutting until the last of it is at the front. Where the run is shorter, the
 // depth follows the law h = a t^n, t the exposure, fitted to the depths of the run. The depth is
 // that of the cut which the water has entered: a dent below it does not count, nor does a crack
-// ahead of the water, and a workpiece is cut once its water is through. The theory and the
+// ahead of the water, and a workpiece is cut once its water is through. No depth is told where the
+// front has passed the far face of a workpiece that is not cut. The run counts the pauses of a jet
+// that arrives in drops as water: where a point is exposed for a few of them only, no cut is
+// certain. The theory and the
 // comparison with moving nozzles are in docs/theory/exposure.md.
 #pragma once
 
@@ -37,8 +40,15 @@ struct Exposure {
   // The cut holds of a nozzle at rest only (CutSummary::holds_at_rest_only): no feed is certain.
   bool is_uncertain = false;
 
-  bool cuts() const { return !is_uncertain && depth_low >= thickness; }
-  bool may_cut() const { return depth_high >= thickness; }
+  // m/s, the traverse speed from which on the pauses of a jet in drops show on the path: a point of
+  // it is exposed for fewer than few_pulses of their periods. Infinite for an intact jet.
+  double pausing_feed = std::numeric_limits<double>::infinity();
+  bool has_pauses = false;  // at the traverse speed
+  static constexpr double few_pulses = 3.0;
+
+  bool cuts() const { return !is_uncertain && !has_pauses && depth_low >= thickness; }
+  // Also where the run tells no greatest depth at the traverse speed.
+  bool may_cut() const { return !(depth_high < thickness); }
   // Returns the decades of time over which the depth is carried; 0 = the run covers the exposure.
   double decades() const;
 

@@ -30,9 +30,13 @@ const MetricList<Exposure>& Exposure::metrics() {
        "the exposure, and once the water is through.",
        &E::decades},
       {"cuts", "1", "certainly cut through at the traverse speed",
-       "Whether the shortest exposure cuts the workpiece through.", &E::cuts},
+       "Whether the shortest exposure cuts the workpiece through. Of a jet in drops it is at least "
+       "three of their periods.",
+       &E::cuts},
       {"may_cut", "1", "possibly cut through at the traverse speed",
-       "Whether the longest exposure cuts the workpiece through.", &E::may_cut},
+       "Whether the longest exposure cuts the workpiece through, or the run tells no depth after "
+       "it.",
+       &E::may_cut},
       {"depth", "m", "depth at the traverse speed",
        "Geometric mean of the two following depths; none where the cut holds of a nozzle at rest "
        "only.",
@@ -42,12 +46,15 @@ const MetricList<Exposure>& Exposure::metrics() {
        "holds of a nozzle at rest only.",
        &E::depth_low},
       {"depth_high", "m", "greatest depth at the traverse speed",
-       "Depth after the longest exposure, at most the thickness.", &E::depth_high},
+       "Depth after the longest exposure, at most the thickness; none where the front rests at the "
+       "end of a shorter run, or has passed the far face of a workpiece that is not cut.",
+       &E::depth_high},
       {"exponent", "1", "exponent of time, n",
        "Exponent n of the depth over time, which carries the depth beyond the run.", &E::exponent},
       {"greatest_feed", "m/s", "greatest traverse speed that cuts",
        "Traverse speed at which the shortest exposure just cuts through, at most the speed of the "
-       "jet; 0 where no speed is certain to.",
+       "jet, and of a jet in drops that at which a point is exposed for three of their periods; 0 "
+       "where no speed is certain to.",
        &E::greatest_feed},
       {"possible_feed", "m/s", "greatest traverse speed that may cut",
        "Traverse speed at which the longest exposure just cuts through, at most the speed of the "

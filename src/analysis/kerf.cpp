@@ -12,13 +12,25 @@
 namespace kerf {
 namespace {
 
-KerfPath find_path(const KerfAxes& axes, const KerfConditions& conditions, double now) {
+// Returns the time (s) for which a place of the path is still being cut once the axis of the jet
+// has passed it: half of the jet passes it too, and its last water goes down to the far face at
+// half of its speed, as in a solid of its density without strength.
+double settling_time(const KerfAxes& axes, double jet_speed, double bottom) {
+  const double speed = std::hypot(axes.travel[0], axes.travel[1]);
+  if (!(speed > 0.0 && jet_speed > 0.0)) return 0.0;
+  return 0.5 * axes.jet.width / speed + 2.0 * bottom / jet_speed;
+}
+
+KerfPath find_path(const KerfAxes& axes, const KerfConditions& conditions, double now,
+                   double bottom) {
   const double contact = std::isnan(conditions.contact_time) ? now : conditions.contact_time;
   KerfPath path;
   for (std::size_t a = 0; a < 3; ++a) {
     path.begin[a] = axes.travel[a] * std::max(0.0, contact - conditions.moves_from);
     path.end[a] = axes.travel[a] * std::max(0.0, now - conditions.moves_from);
   }
+  path.unsettled = std::hypot(axes.travel[0], axes.travel[1]) *
+                   settling_time(axes, conditions.jet_speed, bottom);
   return path;
 }
 
@@ -146,7 +158,7 @@ Kerf measure_kerf(const Workpiece& workpiece, const Frame& part, const KerfCondi
   auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
   keep_what_left(workpiece, conditions.bodies, standing);
   const KerfAxes axes(*workpiece.jet, conditions.traverse, frame.dimension);
-  const KerfPath path_now = find_path(axes, conditions, frame.time);
+  const KerfPath path_now = find_path(axes, conditions, frame.time, workpiece.bottom);
   const KerfPath path = path_in_layout(path_now, axes, workpiece, conditions, frame.time);
   const KerfView view{workpiece, frame, rows, standing};
   const KerfMap map = make_kerf_map(view, axes, path);

@@ -52,6 +52,8 @@ struct KerfMap {
 struct KerfPath {
   std::array<double, 3> begin{};  // m, local
   std::array<double, 3> end{};
+  // m, of it before its end, on which water that the nozzle has left behind may still be cutting
+  double unsettled = 0.0;
 };
 
 // The workpiece, frame and standing particles that are mapped.

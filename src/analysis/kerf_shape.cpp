@@ -75,10 +75,23 @@ std::vector<ProfilePoint> bin_profile(const std::vector<ProfilePoint>& course, d
   return profile;
 }
 
-// Returns the share of the path that is cut through. In 2D the path lies in the section, across its
-// columns.
-double find_through_share(const KerfMap& map, const std::vector<KerfSection>& passed,
-                          const KerfPath& path, double spacing) {
+// Returns the path without its end on which solid is still being cut; all of it where there is
+// nothing else.
+KerfPath settled_part(const KerfPath& path) {
+  KerfPath settled = path;
+  const double along[] = {path.end[0] - path.begin[0], path.end[1] - path.begin[1]};
+  const double length = std::hypot(along[0], along[1]);
+  if (!(length > path.unsettled)) return settled;
+  for (std::size_t a = 0; a < 2; ++a) settled.end[a] -= path.unsettled * along[a] / length;
+  return settled;
+}
+
+// Returns the share of the path that is cut through, of that on which cutting has ended. In 2D the
+// path lies in the section, across its columns.
+double find_through_share(const KerfMap& map, const std::vector<KerfSection>& all_passed,
+                          const KerfPath& way, double bin, double spacing) {
+  const KerfPath path = settled_part(way);
+  const std::vector<KerfSection> passed = passed_sections(all_passed, path, bin);
   double count = 0.0, through = 0.0;
   const auto add = [&](double depth, double thickness) {
     count += 1.0;
@@ -117,7 +130,8 @@ const MetricList<KerfShape>& KerfShape::metrics() {
       {"through", "1", "{} reaches the far face",
        "Whether the depth of the {} is within one spacing of the thickness.", &S::through},
       {"through_share", share(), "share of the path on which the {} is through",
-       "Share of the path of the axis since contact on which the {} reaches the far face.",
+       "Share of the path of the axis since contact on which the {} reaches the far face, of the "
+       "part on which cutting has ended.",
        &S::through_share},
       {"top.below", "m", "level of the top width of the {}",
        "Depth below the face at which the top width is measured.",
@@ -168,8 +182,8 @@ KerfShape measure_shape(const KerfMap& map, const KerfAxes& axes, const KerfPath
   shape.depth = median(depths);
   shape.thickness = median(thicknesses);
   shape.through = shape.depth >= shape.thickness - spacing;
-  shape.through_share =
-      axes.moves() ? find_through_share(map, passed, path, spacing) : (shape.through ? 1.0 : 0.0);
+  shape.through_share = axes.moves() ? find_through_share(map, passed, path, bin, spacing)
+                                     : (shape.through ? 1.0 : 0.0);
   measure_widths(map, passed, probe, spacing, shape);
   const std::vector<ProfilePoint> course = find_course(map, sections);
   const bool radial = map.grid.dimension == 3 && !axes.moves();

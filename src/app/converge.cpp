@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/signals.hpp"
 #include "app/study_display.hpp"
 #include "core/error.hpp"
+#include "input/read.hpp"
 #include "model/case.hpp"
 #include "output/files.hpp"
 #include "output/result.hpp"
@@ -47,13 +50,17 @@ void keep(const std::vector<MetricInterval>& intervals, const Case& description,
 
 void print_intervals(const std::vector<MetricInterval>& intervals, const Case& description) {
   const double ratio = convergence_ratio(description);
-  fmt::print(
-      "Value [low, high], from spacings 1, {:.3g} and {:.3g} times as large and from layouts:\n",
-      ratio, ratio * ratio);
+  const bool has_layouts =
+      std::any_of(intervals.begin(), intervals.end(),
+                  [](const MetricInterval& each) { return std::isfinite(each.layout); });
+  fmt::print("Value [low, high], from spacings 1, {:.3g} and {:.3g} times as large{}:\n", ratio,
+             ratio * ratio, has_layouts ? " and from layouts" : "");
   for (const MetricInterval& interval : intervals) fmt::print("  {}\n", interval_line(interval));
   if (!has_other_layouts(description))
     fmt::print(
         "  Layouts were not varied: nothing is random and a symmetry plane holds the jet.\n");
+  else if (!has_layouts)
+    fmt::print("  Layouts were not varied: --layouts 1 asks for one.\n");
   fmt::print("  Material data have no intervals in a case, so their share is left out.\n");
 }
 
@@ -77,7 +84,11 @@ void check_convergence(const Case& description, const ConvergeSettings& settings
                     "leave --converge out.",
                     settings.case_file.string()));
   const CaseMaker maker(plan_of(description, settings));
-  for (const Trial& trial : trials_of(description, settings)) maker.make(trial);
+  const std::string name = settings.case_file.string() + " at a coarser spacing (--converge)";
+  for (const Trial& trial : trials_of(description, settings)) {
+    const ResolvedCase made = maker.make(trial);
+    if (made.meshes.empty()) parse_case(made.text, name);
+  }
 }
 
 int converge(const Case& description, const ConvergeSettings& settings) {

@@ -167,6 +167,19 @@ std::string body_key(const Draft& draft, std::size_t number, std::string_view ke
   return fmt::format("{}.{}", path, is_size ? "size" : key);
 }
 
+namespace {
+
+// Returns the key to which a body owes the number of its particles: its spacing, or the size of a
+// [workpiece] for which no spacing is stated.
+std::string key_of_count(const Draft& draft, std::size_t number) {
+  const bool is_workpiece = draft.bodies[number].path == "workpiece";
+  if (!is_workpiece || !draft.result.machine) return body_key(draft, number, "spacing");
+  const std::string key = key_of_spacing(draft);
+  return key.ends_with(".spacing") ? key : std::string("workpiece.size");
+}
+
+}  // namespace
+
 void check_counts(Draft& draft) {
   const Case& result = draft.result;
   const double most = draft.effort.most_particles;
@@ -180,7 +193,7 @@ void check_counts(Draft& draft) {
     total = 0.0;
   };
   for (std::size_t i = 0; i < result.bodies.size(); ++i)
-    count(body_key(draft, i, "spacing"), lattice_nodes(result.bodies[i], result.dimension));
+    count(key_of_count(draft, i), lattice_nodes(result.bodies[i], result.dimension));
   for (std::size_t i = 0; i < result.jets.size(); ++i)
     count(draft.jets[i].path + ".spacing",
           entering_particles(result.jets[i], result.dimension, longest_stay(result)) +

@@ -63,10 +63,28 @@ std::string carried_sentence(const RunOutcome& outcome, const std::string& feed,
                      decades_clause(exposure), verdict, interval);
 }
 
+// Of a run that tells no depth at the feed.
+std::string untold_sentence(const RunOutcome& outcome, const std::string& feed) {
+  const Exposure& exposure = *outcome.exposure;
+  if (!outcome.cut.cut_through && outcome.cut.last.front_depth >= exposure.thickness)
+    return fmt::format(
+        " The front is below a workpiece that is not cut through yet: this says nothing about a "
+        "feed of {}; a later end may show the cut.",
+        feed);
+  if (std::isnan(exposure.depth_low))
+    return fmt::format(" No law of the depth shows that could be carried to a feed of {}.", feed);
+  return fmt::format(
+      " The front rests at the end of the run, which shows {} of the {} or more for which a feed "
+      "of "
+      "{} exposes each point: this says no more of that feed than a depth of {} at least; a later "
+      "end tells whether the front moves on.",
+      readable(exposure.simulated, "s"), readable(exposure.longest, "s"), feed,
+      readable(exposure.depth_low, "m"));
+}
+
 std::string sentence_of(const RunOutcome& outcome, const std::string& feed) {
   const Exposure& exposure = *outcome.exposure;
-  if (std::isnan(exposure.depth_high))
-    return fmt::format(" No law of the depth shows that could be carried to a feed of {}.", feed);
+  if (std::isnan(exposure.depth_high)) return untold_sentence(outcome, feed);
   if (exposure.is_uncertain) return uncertain_sentence(outcome, feed);
   const char* verdict = exposure.cuts()      ? "cuts through"
                         : exposure.may_cut() ? "may cut through"
@@ -76,6 +94,15 @@ std::string sentence_of(const RunOutcome& outcome, const std::string& feed) {
                     : passage_sentence(exposure, feed, verdict);
 }
 
+// Of a jet in drops, whose pauses the run counts as water.
+std::string pauses_sentence(const Exposure& exposure) {
+  if (!exposure.has_pauses || std::isnan(exposure.depth_high)) return "";
+  return fmt::format(
+      " The jet has broken up into drops, whose pauses leave gaps on the path of a nozzle that is "
+      "faster than {}: no such feed is certain.",
+      readable(exposure.pausing_feed, "m/s"));
+}
+
 // Of a nozzle that is said to stand where it would move by more than its jet on the way of the
 // water: the interval of the depths leaves out what a front gains on its way.
 std::string motion_sentence(const RunOutcome& outcome) {
@@ -83,7 +110,8 @@ std::string motion_sentence(const RunOutcome& outcome) {
   const Machine& machine = *description.machine;
   const Jet& jet = description.jets.back();
   const double thickness = description.workpiece->size[1];
-  if (outcome.exposure->cuts() || may_stand(machine, jet, thickness, description.dimension))
+  if (outcome.exposure->cuts() || std::isnan(outcome.exposure->depth_high) ||
+      may_stand(machine, jet, thickness, description.dimension))
     return "";
   return fmt::format(
       " At this feed the nozzle moves by {:.2g} widths of its jet while that could pass the "
@@ -108,7 +136,9 @@ std::string exposure_sentence(const RunOutcome& outcome) {
         "not "
         "show: this says nothing about a feed of {}; motion = \"travelling\" simulates it.",
         feed);
-  if (outcome.exposure) return sentence_of(outcome, feed) + motion_sentence(outcome);
+  if (outcome.exposure)
+    return sentence_of(outcome, feed) + pauses_sentence(*outcome.exposure) +
+           motion_sentence(outcome);
   return outcome.cut.cut_through
              ? fmt::format(" No water has entered the crack: this says nothing about a feed of {}.",
                            feed)

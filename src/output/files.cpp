@@ -29,8 +29,9 @@ const char* remedy_of(int error) {
     case EROFS:
       return "Choose a writable folder with --out, or change its permissions.";
     case ENOENT:
-    case ENOTDIR:
       return "The folder does not exist: restore it, or choose another.";
+    case ENOTDIR:
+      return "It is a file, or its path leads through one: choose another folder with --out.";
     case EFBIG:
       return "The file would be larger than is allowed here: raise the limit.";
     default:

@@ -15,7 +15,8 @@ const MetricList<MetricInterval>& MetricInterval::metrics() {
       {"spacing", "1", "part of the spacing",
        "Distance from the value to an end of the interval that the spacing causes.", &M::spacing},
       {"layout", "1", "part of the layout",
-       "Distance from the value to an end of the interval that the layout of the particles causes.",
+       "Distance from the value to an end of the interval that the layout of the particles causes; "
+       "null where it was not varied.",
        &M::layout},
       {"order", "1", "observed order",
        "Observed order of convergence in the spacing, where the runs show one.", &M::order},

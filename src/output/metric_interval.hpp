@@ -16,7 +16,7 @@ struct MetricInterval {
   double value = 0.0;            // of the run itself
   double low = 0.0, high = 0.0;  // NaN = no coarser run has the metric
   double spacing = 0.0;          // the part of the spacing, the larger of its two sides
-  double layout = 0.0;           // the part of the layout, likewise
+  double layout = 0.0;           // the part of the layout, likewise; NaN = one layout
   double order = std::numeric_limits<double>::quiet_NaN();  // observed, in the spacing; NaN = none
   std::string rule;  // by which the part of the spacing was found: a word of spacing_rules
   int runs = 0;      // that have the metric

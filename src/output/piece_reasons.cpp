@@ -83,11 +83,17 @@ std::string motion_sentence(const Case& description) {
   if (machine.motion == NozzleMotion::travelling)
     return fmt::format("The nozzle moves at {} in the run.", feed);
   const Jet& jet = description.jets.back();
-  return fmt::format(
-      "The nozzle stands still in the run, in which it would move by {:.2g} widths of its jet; a "
-      "feed of {} exposes each point for {}, to which the depth is carried.",
-      machine.traverse_speed * description.time.end / jet.width, feed,
-      readable(exposure_time(machine, jet, description.dimension), "s"));
+  const std::string rest = fmt::format(
+      "The nozzle stands still in the run, in which it would move by {:.2g} widths of its jet",
+      machine.traverse_speed * description.time.end / jet.width);
+  if (machine.is_pulsed())
+    return fmt::format(
+        "{}. The pauses of its jet leave gaps on the path of one that moves: no depth is carried "
+        "to "
+        "a feed of {}; motion = \"travelling\" simulates it.",
+        rest, feed);
+  return fmt::format("{}; a feed of {} exposes each point for {}, to which the depth is carried.",
+                     rest, feed, readable(exposure_time(machine, jet, description.dimension), "s"));
 }
 
 }  // namespace

@@ -105,7 +105,10 @@ std::string feed_answer(const Json& result) {
     answer += fmt::format("{} possible up to <strong>{}</strong>",
                           answer.empty() ? "No feed is certain to cut; the cut is" : " and",
                           feed_html(possible));
-  if (answer.empty()) answer = "This run shows no feed at which the jet cuts through";
+  if (answer.empty())
+    answer = exposure->value("may_cut", false)
+                 ? "This run tells no feed: it ends before it shows whether the jet cuts through"
+                 : "This run shows no feed at which the jet cuts through";
   return "<h2>How fast may I traverse?</h2>\n<p class=\"feed\">" + answer + ".</p>\n";
 }
 

@@ -24,8 +24,9 @@ html::Row row_of(const Json& interval) {
   const std::string unit = interval.at("unit").get<std::string>();
   const auto shown = [&](const char* key) { return in_unit(value_of(interval.at(key)), unit); };
   const std::string metric = interval.at("metric").get<std::string>();
+  const std::string layout = interval.at("layout").is_null() ? "not varied" : shown("layout");
   std::string remark =
-      fmt::format("spacing {}, layout {}; {} of {} runs", shown("spacing"), shown("layout"),
+      fmt::format("spacing {}, layout {}; {} of {} runs", shown("spacing"), layout,
                   interval.at("rule").get<std::string>(), interval.at("runs").get<int>());
   return {label_html(metric_label(metric)),
           fmt::format("{} [{}, {}]", shown("value"), shown("low"), shown("high")), remark};

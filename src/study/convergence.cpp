@@ -154,7 +154,8 @@ MetricInterval interval_of(const std::string& name, const Samples& samples, doub
   interval.high = interval.value + std::hypot(spacing.above, layout.above);
   limit_to_possible(interval, samples, thickness);
   interval.spacing = std::max(spacing.below, spacing.above);
-  interval.layout = std::max(layout.below, layout.above);
+  interval.layout =
+      samples.by_layout.size() > 1 ? std::max(layout.below, layout.above) : std::nan("");
   interval.order = spacing.order;
   interval.rule = spacing_rules[static_cast<std::size_t>(spacing.rule)];
   return interval;
@@ -198,10 +199,33 @@ std::vector<Trial> convergence_trials(double ratio, int layouts) {
   return trials;
 }
 
+namespace {
+
+// Whether a jet has an even number of columns across at a spacing, as its halves on either side of
+// a symmetry plane through its axis are mirror images. None lies in that plane then.
+bool has_even_columns(double across) {
+  return std::lround(across) % 2 == 0 && across >= 2.0;
+}
+
+}  // namespace
+
 double convergence_ratio(const Case& description) {
-  constexpr double least_across = 5.0, least = 1.26;
+  constexpr double least_across = 5.0, least = 1.26, step = 0.005;
+  const double greatest = std::sqrt(2.0);
   const Jet& jet = description.jets.front();
-  return std::clamp(std::sqrt(jet.width / jet.spacing / least_across), least, std::sqrt(2.0));
+  const double across = jet.width / jet.spacing;
+  const double wanted = std::clamp(std::sqrt(across / least_across), least, greatest);
+  const Faces& planes = description.symmetry;
+  const bool is_mirrored =
+      planes.minimum[0] || planes.maximum[0] || planes.minimum[2] || planes.maximum[2];
+  const auto is_allowed = [&](double ratio) {
+    return ratio >= least && ratio <= greatest && has_even_columns(across / ratio) &&
+           has_even_columns(across / (ratio * ratio));
+  };
+  for (double off = 0.0; is_mirrored && off < greatest - least + step; off += step)
+    for (const double ratio : {wanted - off, wanted + off})
+      if (is_allowed(ratio)) return ratio;
+  return wanted;
 }
 
 std::vector<MetricInterval> find_intervals(const Outcome& run, const std::vector<Trial>& trials,
@@ -229,7 +253,8 @@ std::string interval_line(const MetricInterval& interval) {
                        shown(interval.value));
   const double spacing = interval.spacing * interval.spacing;
   const double all = spacing + interval.layout * interval.layout;
-  const std::string parts = all > 0.0
+  const std::string parts = std::isnan(interval.layout) ? std::string("by the spacing alone")
+                            : all > 0.0
                                 ? fmt::format("spacing {:.0f}%, layout {:.0f}%",
                                               100.0 * spacing / all, 100.0 * (1.0 - spacing / all))
                                 : std::string("no change");

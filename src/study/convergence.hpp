@@ -47,7 +47,8 @@ SpacingEffect effect_of_spacing(std::span<const double> values, double ratio);
 std::vector<Trial> convergence_trials(double ratio, int layouts);
 
 // Returns the ratio of successive spacings, so that the coarsest has at least five particles across
-// the jet of the case, from 1.26 to 1.41.
+// the jet of the case, from 1.26 to 1.41. Where symmetry planes bound the domain, it is the nearest
+// to that at which the jet has an even number of columns at both coarser spacings.
 double convergence_ratio(const Case& description);
 
 // Returns the intervals of the headline numbers that the run has. `outcomes` belong to the trials

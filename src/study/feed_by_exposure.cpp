@@ -29,8 +29,9 @@ std::string problem_of(const Outcome& outcome) {
   return outcome.failed
              ? fmt::format("run {} failed: {}", outcome.id, outcome.error)
              : fmt::format(
-                   "run {} tells no feed: its jet did not go in, or the depth followed no "
-                   "law that could be carried on",
+                   "run {} tells no feed: its jet did not go in, its front passed what is not "
+                   "cut yet, which a later end may show, or the depth followed no law that could "
+                   "be carried on",
                    outcome.id);
 }
 

@@ -10,6 +10,7 @@
 #include "study/answer_parts.hpp"
 #include "study/bisection.hpp"
 #include "study/feed_by_exposure.hpp"
+#include "study/metrics.hpp"
 #include "study/run_table.hpp"
 #include "study/study_answers.hpp"
 
@@ -27,10 +28,6 @@ const ThresholdGoal& goal_of(const LimitPlan& plan) {
 
 std::string shown(const LimitPlan& plan, double value) {
   return show_number(value, goal_of(plan).axis, 4);
-}
-
-double value_of(const LimitPlan& plan, const RunRow& row) {
-  return row.trial.setting.numbers.at(goal_of(plan).axis.name());
 }
 
 // Returns "12.4 mm/s, between 12 mm/s and 12.8 mm/s".
@@ -51,7 +48,14 @@ bool is_cut(const LimitPlan& plan) {
   return metric == "cut_through" || metric == "kerf.through_share" || metric == certain_feed;
 }
 
+// Returns whether the condition is that the stated feed cuts for certain.
+bool is_of_certainty(const LimitPlan& plan) {
+  return goal_of(plan).condition.metric == certain_feed;
+}
+
 std::string verb(const LimitPlan& plan, bool holds) {
+  if (is_of_certainty(plan))
+    return holds ? "The jet cuts for certain" : "The jet is not certain to cut";
   if (is_cut(plan)) return holds ? "The jet cuts" : "The jet does not cut";
   return fmt::format("{} {}", goal_of(plan).condition.text(), holds ? "holds" : "does not hold");
 }
@@ -62,6 +66,8 @@ std::string question_of(const LimitPlan& plan) {
   const std::string subject =
       fmt::format("{} {}", goal.least ? "Least" : "Greatest", plan.quantity);
   if (!is_cut(plan)) return fmt::format("{} with {}", subject, goal.condition.text());
+  if (is_of_certainty(plan) && !plan.by_exposure)
+    return fmt::format("{} that still cuts for certain ({} m/s)", subject, goal.condition.text());
   const std::string detail = plan.by_exposure || goal.condition.metric == "cut_through"
                                  ? std::string()
                                  : fmt::format(" ({})", goal.condition.text());
@@ -79,10 +85,19 @@ std::string without_limit(const LimitPlan& plan, bool holds) {
                                                : fmt::format("1/{:.3g} of", plan.stated / end),
                                       shown(plan, plan.stated))
                         : std::string();
+  const std::string from =
+      plan.stated > goal.axis.values.front() && plan.stated < goal.axis.values.back()
+          ? fmt::format("from {} ", shown(plan, plan.stated))
+          : std::string();
+  const std::string further =
+      is_upper ? "Raise --to to search further" : "Lower --from to search further";
+  if (is_of_certainty(plan) && !holds)
+    return fmt::format("certain at no {} tried, {}{} {}{}. {}, or ask from another stated value",
+                       plan.quantity, from, is_upper ? "up to" : "down to", shown(plan, end), far,
+                       further);
   return fmt::format("none in the range. {} at {} {} {} {}{}. {}", verb(plan, holds),
                      holds ? "every" : "any", plan.quantity, is_upper ? "up to" : "down to",
-                     shown(plan, end), far,
-                     is_upper ? "Raise --to to search further" : "Lower --from to search further");
+                     shown(plan, end), far, further);
 }
 
 std::string stated_note(const LimitPlan& plan, const ThresholdAnswer& found) {
@@ -122,11 +137,6 @@ std::vector<std::string> cause_notes(const LimitPlan& plan, const ThresholdAnswe
   return notes;
 }
 
-double metric(const RunRow& row, const char* name) {
-  const double* found = find_number(row, name);
-  return found ? *found : std::nan("");
-}
-
 Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -134,7 +144,7 @@ Json number_or_null(double value) {
 Json trial_json(const LimitPlan& plan, const RunRow& row) {
   const Condition& condition = goal_of(plan).condition;
   const bool is_done = row.state == RunState::done;
-  Json json{{"value", value_of(plan, row)},
+  Json json{{"value", value_of_trial(plan, row)},
             {"layout", row.trial.repeat},
             {"refinement", row.trial.refinement},
             {"spacing", row.spacing},
@@ -146,7 +156,7 @@ Json trial_json(const LimitPlan& plan, const RunRow& row) {
                                   {"depth", "kerf.depth"},
                                   {"width", "kerf.middle.width"},
                                   {"end_time", "end_time"}})
-    json[key] = number_or_null(metric(row, name));
+    json[key] = number_or_null(metric_of(row, name));
   const std::string report = report_of(row);
   json["report"] = report.empty() ? Json(nullptr) : Json(report);
   json["error"] = row.error;
@@ -172,7 +182,7 @@ std::optional<Bracket> bracket_of(const LimitPlan& plan, const std::vector<RunRo
   for (const RunRow& row : runs)
     if (row.state == RunState::done && row.trial.repeat == of.repeat &&
         row.trial.refinement == of.refinement)
-      verdicts[value_of(plan, row)] = goal_of(plan).is_beyond(row.metrics);
+      verdicts[value_of_trial(plan, row)] = goal_of(plan).is_beyond(row.metrics);
   const auto [low, high] = decided_ends(verdicts);
   if (!low || !high) return std::nullopt;
   return Bracket{*low, *high};
@@ -210,6 +220,8 @@ LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer) {
     for (std::string& note : cause_notes(plan, found)) words.notes.push_back(std::move(note));
   }
   for (const std::string& sentence : plan.held) words.notes.push_back(sentence);
+  const std::string short_way = short_way_sentence(plan, answer.runs);
+  if (!short_way.empty()) words.notes.push_back(short_way);
   return words;
 }
 
@@ -217,10 +229,20 @@ std::string trial_verdict(const LimitPlan& plan, const RunRow& row) {
   if (row.state != RunState::done)
     return std::string(run_state_words[static_cast<std::size_t>(row.state)]);
   const bool holds = goal_of(plan).condition.holds(row.metrics);
-  const double* may_cut = find_number(row, "exposure.may_cut");
-  if (plan.by_exposure && !holds && may_cut && *may_cut != 0.0) return "may cut";
+  if (is_cut(plan) && !holds && may_cut(row.metrics)) return "may cut";
+  const double* through = find_number(row, "cut_through");
+  const bool is_of_way = goal_of(plan).condition.metric == "kerf.through_share";
+  if (is_of_way && !holds && through && *through != 0.0) return "cuts in part";
   if (is_cut(plan)) return holds ? "cuts" : "does not cut";
   return holds ? "holds" : "does not hold";
+}
+
+// Returns the margin of a run; none where it may cut, and tells no feed as certain.
+std::string margin_text(const LimitPlan& plan, const RunRow& row) {
+  const double* feed = find_number(row, std::string(certain_feed));
+  const bool tells_none = trial_verdict(plan, row) == "may cut" && (!feed || *feed == 0.0);
+  if (row.state != RunState::done || tells_none) return "-";
+  return fmt::format("{:+.1f}%", 100.0 * goal_of(plan).condition.margin(row.metrics));
 }
 
 std::string trial_heading(const LimitPlan& plan) {
@@ -229,14 +251,12 @@ std::string trial_heading(const LimitPlan& plan) {
 }
 
 std::string trial_line(const LimitPlan& plan, std::size_t number, const RunRow& row) {
-  const bool is_done = row.state == RunState::done;
-  const double depth = 1e3 * metric(row, "kerf.depth");
-  return fmt::format(
-      "  {:>3}  {:<{}}  {:<14}  {:>8}  {:>9}  {:>10.4g}  {:>6}", number,
-      shown(plan, value_of(plan, row)), value_width(plan), trial_verdict(plan, row),
-      is_done ? fmt::format("{:+.1f}%", 100.0 * goal_of(plan).condition.margin(row.metrics)) : "-",
-      std::isfinite(depth) ? fmt::format("{:.4g}", depth) : "-", 1e3 * row.spacing,
-      row.trial.repeat);
+  const double depth = 1e3 * metric_of(row, "kerf.depth");
+  return fmt::format("  {:>3}  {:<{}}  {:<14}  {:>8}  {:>9}  {:>10.4g}  {:>6}", number,
+                     shown(plan, value_of_trial(plan, row)), value_width(plan),
+                     trial_verdict(plan, row), margin_text(plan, row),
+                     std::isfinite(depth) ? fmt::format("{:.4g}", depth) : "-", 1e3 * row.spacing,
+                     row.trial.repeat);
 }
 
 nlohmann::ordered_json limit_json(const LimitPlan& plan, const LimitAnswer& answer) {

@@ -47,6 +47,13 @@ LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer);
 // cut" at a feed between the certain and the possible one; of another condition "holds" or "does
 // not hold"; "failed" of a failed run.
 std::string trial_verdict(const LimitPlan& plan, const RunRow& row);
+// Returns the value of the quantity in a run.
+double value_of_trial(const LimitPlan& plan, const RunRow& row);
+// Returns a number of the result of a run; nan where it has none.
+double metric_of(const RunRow& row, const char* name);
+// Says of which runs the way of the nozzle is too short for a verdict on all of it, less than a few
+// times as long as the kerf lags; empty where there is none.
+std::string short_way_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs);
 
 // Returns the heading of the table of trials and one line of it, of equal widths.
 std::string trial_heading(const LimitPlan& plan);

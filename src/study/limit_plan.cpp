@@ -182,12 +182,16 @@ void hold_motion(const Case& description, toml::table& base) {
 }
 
 LimitEnd end_of(const Asked& asked, const toml::table& base, bool is_feed) {
+  const Case& description = asked.description;
   LimitEnd end;
-  end.end = asked.description.time.end;
-  end.follows = stands_for_traverse(asked.description) && !base["time"]["end"];
-  if (!is_feed || stands_for_traverse(asked.description)) return end;
-  const Jet& jet = asked.description.jets.front();
+  end.end = description.time.end;
+  const bool has_default =
+      stands_for_traverse(description) || (description.workpiece && travels(description));
+  end.follows = has_default && !base["time"]["end"];
+  if (!travels(description) && !is_feed) return end;
+  const Jet& jet = description.jets.front();
   end.start = jet.start + std::max(jet.dwell, jet.standoff / jet.speed);
+  if (!is_feed || end.follows || stands_for_traverse(description)) return end;
   end.path = traverse_speed(jet) * (end.end - end.start);
   if (end.path <= 0.0)
     refuse(asked,
@@ -205,23 +209,6 @@ double draft_of(const Case& description) {
   return jet.width / jet.spacing >= 2.0 * least_across ? 0.5 : std::sqrt(0.5);
 }
 
-std::vector<std::string> held_in(const LimitPlan& plan) {
-  const double refinement = plan.study.refinement;
-  std::vector<std::string> held{
-      refinement == 1.0
-          ? std::string("The spacings of the particles are those of the case in all runs.")
-          : fmt::format("The spacings of the particles are {:.3g} times those of the case in all "
-                        "runs.",
-                        1.0 / refinement)};
-  if (plan.end.path > 0.0)
-    held.push_back(fmt::format("The nozzle travels {:.4g} mm in each run.", 1e3 * plan.end.path));
-  else if (plan.end.follows)
-    held.emplace_back("Each run lasts as long as the exposure of the stated feed takes.");
-  else
-    held.push_back(fmt::format("Each run lasts {:.4g} ms.", 1e3 * plan.end.end));
-  return held;
-}
-
 ThresholdGoal goal_of(const Asked& asked, const LimitPlan& plan, Axis axis) {
   const LimitQuestion& question = asked.question;
   constexpr int converged_layouts = 3;
@@ -231,7 +218,7 @@ ThresholdGoal goal_of(const Asked& asked, const LimitPlan& plan, Axis axis) {
     goal.condition = read_where(question.where, asked.description.dimension);
   else if (stands_for_traverse(asked.description))
     goal.condition = {std::string(certain_feed), asked.description.machine->traverse_speed, true};
-  else if (plan.end.path > 0.0)
+  else if (travels(asked.description))
     goal.condition = {"kerf.through_share", 0.95, true};
   goal.tolerance = question.tolerance;
   goal.most_runs = question.most_runs;
@@ -269,7 +256,7 @@ LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion
   Axis axis = axis_of(asked, study.base, plan.stated);
   const bool is_feed = find_quantity(question.of) && question.of == "feed";
   plan.end = end_of(asked, study.base, is_feed);
-  plan.held = held_in(plan);
+  if (travels(asked.description)) plan.feed = traverse_speed(asked.description.jets.front());
   hold_spacings(asked.description, study.base);
   hold_motion(asked.description, study.base);
   drop_output_times(study.base);
@@ -277,7 +264,7 @@ LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion
   if (!plan.end.follows) set_number(study.base, end_path, plan.end.end);
   plan.by_exposure = is_feed && stands_for_traverse(asked.description);
   if (plan.by_exposure) plan.jet_speed = asked.description.jets.back().speed;
-  if (is_feed && !plan.by_exposure) {
+  if (plan.end.path > 0.0) {
     Axis end;
     end.path = end_path;
     end.shown_unit = "ms";
@@ -285,6 +272,7 @@ LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion
   }
   study.threshold = goal_of(asked, plan, std::move(axis));
   study.repeats = study.threshold->repeats;
+  plan.held = held_in(plan, asked.description);
   return plan;
 }
 

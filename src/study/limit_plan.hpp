@@ -13,6 +13,8 @@
 
 namespace kerf {
 
+struct Case;
+
 // What is asked. Texts are as on the command line; "" = not given.
 struct LimitQuestion {
   std::string of;           // a word of limit_quantities(), or the path of a key
@@ -38,12 +40,14 @@ const std::vector<LimitQuantity>& limit_quantities();
 
 // The end of each run, so that all runs of a search are the same task: a jet that does not travel
 // acts for the time of the case; a nozzle travels the path of the case, t_end(v) = t_0 + L / v; one
-// that stands in place of one that moves acts for the exposure of its feed.
+// that stands in place of one that moves acts for the exposure of its feed. Where a case with a
+// [workpiece] states no end, each run has the default one of its own feed, by which its cutting has
+// ended on a part of the path.
 struct LimitEnd {
   double path = 0.0;   // m, L, from the time t_0 on; 0 = the end is that of the case
   double start = 0.0;  // s, t_0, when the nozzle moves and its water has reached the workpiece
   double end = 0.0;    // s, of the case
-  // Whether each run has the end that follows from its own exposure, as the case states none.
+  // Whether each run has the end that follows from its own feed, as the case states none.
   bool follows = false;
   double at(double speed) const { return path > 0.0 ? start + path / speed : end; }
 };
@@ -57,6 +61,7 @@ struct LimitPlan {
   // Whether the feed of a nozzle that stands in the run is asked: one run answers for all feeds.
   bool by_exposure = false;
   double jet_speed = 0.0;         // m/s, of the case; bounds the feeds of such a nozzle
+  double feed = 0.0;              // m/s, of the case, of a nozzle that moves in the runs
   std::vector<std::string> held;  // sentences on what is the same in all runs
 };
 
@@ -73,6 +78,13 @@ inline constexpr std::string_view end_key = "time.end";
 // and remedy: for a quantity that the case does not have, a stated value of 0, a wrong condition or
 // range.
 LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion& question);
+
+// Whether the nozzle moves in the runs of a case.
+bool travels(const Case& description);
+
+// Returns sentences on what is the same in all runs, and on the condition where it is more than
+// cut-through.
+std::vector<std::string> held_in(const LimitPlan& plan, const Case& description);
 
 // Returns the trial with the end of its run.
 Trial with_end(const LimitPlan& plan, Trial trial);

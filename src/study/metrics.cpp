@@ -32,4 +32,10 @@ std::optional<bool> cuts(const Metrics& metrics) {
   return std::nullopt;
 }
 
+bool may_cut(const Metrics& metrics) {
+  const auto certain = metrics.find("exposure.cuts"), possible = metrics.find("exposure.may_cut");
+  return certain != metrics.end() && certain->second < 0.5 && possible != metrics.end() &&
+         possible->second > 0.5;
+}
+
 }  // namespace kerf

@@ -20,6 +20,9 @@ Metrics read_metrics(const std::string& result_json);
 // feed is certain to (analysis/exposure.hpp), since it leaves no path; nothing where it tells none.
 std::optional<bool> cuts(const Metrics& metrics);
 
+// Returns whether the feed of such a nozzle may cut but is not certain to.
+bool may_cut(const Metrics& metrics);
+
 // The metrics of every table of a study.
 inline constexpr std::string_view standard_metrics[] = {
     "cut_through", "cut_through_time",    "front_depth", "kerf.depth",   "kerf.middle.width",

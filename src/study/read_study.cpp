@@ -58,9 +58,10 @@ void read_set(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   });
 }
 
-void read_vary(StudySection& top, AxisReader& reader, StudyPlan& plan) {
+// Returns whether the table has entries, also refused ones.
+bool read_vary(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   const toml::table* vary = top.table("vary");
-  if (!vary) return;
+  if (!vary) return false;
   for_each_key(*vary, "", is_range, [&](const std::string& path, const toml::node& node) {
     const std::string reported_key = "vary." + path;
     top.problems().mention(reported_key, static_cast<int>(node.source().begin.line), show(node));
@@ -76,9 +77,10 @@ void read_vary(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   };
   std::stable_sort(plan.axes.begin(), plan.axes.end(),
                    [&](const Axis& a, const Axis& b) { return line(a) < line(b); });
+  return !vary->empty();
 }
 
-void read_design(StudySection& top, StudyPlan& plan) {
+void read_design(StudySection& top, bool varies, StudyPlan& plan) {
   const toml::table* table = top.table("design");
   const bool is_wanted = table || !(top.has("search") || top.has("calibrate"));
   if (!is_wanted) return;
@@ -91,7 +93,7 @@ void read_design(StudySection& top, StudyPlan& plan) {
   if (design.kind == DesignKind::latin_hypercube)
     design.seed = static_cast<std::uint64_t>(section.whole("seed", 0, 2147483647, 1));
   section.refuse_unknown();
-  if (plan.axes.empty())
+  if (!varies)
     top.refuse("vary", "nothing is varied", "at least one key of the case",
                "Add [vary] with a line such as \"machine.pressure\" = [\"1 MPa\", \"2 MPa\"]");
   double settings = 1.0;
@@ -169,8 +171,8 @@ StudyPlan parse_study(const std::string& text, const fs::path& file,
   AxisReader reader(problems, plan.base);
   read_set(top, reader, plan);
   plan.dimension = plan.base["dimension"].value_or(plan.dimension);
-  read_vary(top, reader, plan);
-  read_design(top, plan);
+  const bool varies = read_vary(top, reader, plan);
+  read_design(top, varies, plan);
   read_goals(top, reader, plan);
   check_use_of_axes(top, plan);
   top.refuse_unknown();

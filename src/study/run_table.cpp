@@ -159,6 +159,7 @@ RunVerdict verdict_of(const RunRow& row) {
   if (row.state != RunState::done) return RunVerdict::not_run_yet;
   const auto verdict = cuts(row.metrics);
   if (!verdict) return RunVerdict::done;
+  if (may_cut(row.metrics)) return RunVerdict::may_cut;
   return *verdict ? RunVerdict::cut_through : RunVerdict::not_cut_through;
 }
 

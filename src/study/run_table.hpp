@@ -23,10 +23,11 @@ std::string with_unit(const std::string& name, std::string_view unit);
 std::vector<std::string> shown_metrics(const StudyPlan& plan);
 
 // The outcome of a run. The words are those of the tables and of study.html.
-enum class RunVerdict { cut_through, not_cut_through, done, failed, not_run_yet };
-inline constexpr std::array<std::string_view, 5> verdict_words{"cut through", "not cut through",
-                                                               "done", "failed", "not run yet"};
-// Returns whether the run cut through; `done` where its result does not say so.
+enum class RunVerdict { cut_through, may_cut, not_cut_through, done, failed, not_run_yet };
+inline constexpr std::array<std::string_view, 6> verdict_words{
+    "cut through", "may cut", "not cut through", "done", "failed", "not run yet"};
+// Returns whether the run cut through, under a nozzle that stands in place of one that moves
+// whether its feed does; `done` where its result does not say so.
 RunVerdict verdict_of(const RunRow& row);
 // Returns the path of the run's report from the folder of the study; "" when the run is not done.
 std::string report_of(const RunRow& row);

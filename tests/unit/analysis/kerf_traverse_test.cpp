@@ -148,6 +148,28 @@ TEST_P(FlatTraverse, ThroughShareIsTheCutPartOfThePath) {
                   solid_spacing / now}});
 }
 
+// The kerf is through up to the place that the nozzle has left by the way on which its water goes
+// down to the far face at half of its speed, and half of the jet: whenever the run ends, all of the
+// way is cut on which cutting has ended.
+TEST_P(FlatTraverse, ThroughShareDoesNotHangOnTheEndOfTheRun) {
+  const double way = GetParam(), jet_speed = 8.0 * speed;
+  for (const double now : {24.0 * mm, 28.0 * mm, 32.0 * mm}) {
+    Carving carving;
+    carving.conditions.contact_time = 0.0;
+    carving.conditions.traverse = {way * speed, 0.0, 0.0};
+    carving.time = now / speed;
+    const double width = carving.description().jets.front().width;
+    const double behind = 0.5 * width + 2.0 * thickness * speed / jet_speed;
+    carving.is_gone = [=](const Position& x) {
+      const double along = way * x[0];
+      return along > -10.0 * mm && along < now - behind + 2.0 * solid_spacing;
+    };
+    EXPECT_LT(carving.measure(0).shape.through_share, 0.9) << "of the whole way";
+    carving.conditions.jet_speed = jet_speed;
+    EXPECT_EQ(carving.measure(0).shape.through_share, 1.0) << now;
+  }
+}
+
 TEST(KerfAtRest, ReportsCutThrough) {
   Carving carving;
   carving.conditions.contact_time = 0.0;

@@ -89,5 +89,15 @@ TEST(Workpiece, AWholeNumberWithAPointIsShownWithIt) {
   EXPECT_THAT(refusal_of(text), HasSubstr("dimension = 2.0: this is not what the key holds"));
 }
 
+// Particles that cannot be counted are blamed on a key that the case states.
+TEST(Workpiece, AHugeOneIsBlamedOnItsSize) {
+  const std::string huge = "size = [\"10 km\", \"10 km\"]\nlevels = 0\n";
+  EXPECT_THAT(refusal_of(fat_case("", huge), ReadEffort{}),
+              AllOf(HasSubstr("workpiece.size"), HasSubstr("particles"),
+                    Not(HasSubstr("workpiece.spacing"))));
+  EXPECT_THAT(refusal_of(fat_case("", huge + "spacing = \"0.1 mm\"\n"), ReadEffort{}),
+              HasSubstr("workpiece.spacing = \"0.1 mm\""));
+}
+
 }  // namespace
 }  // namespace kerf

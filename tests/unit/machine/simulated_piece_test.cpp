@@ -269,6 +269,17 @@ TEST(SimulatedPiece, UsedCaseIsTheSameCase) {
   }
 }
 
+TEST(SimulatedPiece, NoDepthIsPromisedAtTheFeedOfAPulsedJet) {
+  for (const bool is_pulsed : {false, true}) {
+    const std::string machine = std::string("traverse_speed = \"1 m/s\"\nmotion = \"standing\"") +
+                                (is_pulsed ? "\npulse_frequency = \"50 kHz\"\nduty = 0.3" : "");
+    const auto reason =
+        piece_reasons(parse_case(piece_case(machine, ""), "my.toml", quick_look)).back();
+    EXPECT_EQ(reason.find("to which the depth is carried") == std::string::npos, is_pulsed);
+    EXPECT_EQ(reason.find("leave gaps") != std::string::npos, is_pulsed);
+  }
+}
+
 TEST(SimulatedPiece, EveryChoiceCanBeSet) {
   const Case chosen = parse_case(
       piece_case("traverse_speed = \"1 m/s\"\nmotion = \"travelling\"",

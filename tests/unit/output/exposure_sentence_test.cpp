@@ -107,6 +107,40 @@ TEST(ExposureSentence, WaterThatIsThroughMakesAFeedCertain) {
                     Not(HasSubstr("deep"))));
 }
 
+// A run that ends with its front below a workpiece that is not cut, or with a front at rest, says
+// nothing of its feed, nor that it does not cut.
+TEST(ExposureSentence, WhatTheRunDoesNotShowIsNotDenied) {
+  RunOutcome outcome = cut_plate(1.0);
+  outcome.cut.cut_through = outcome.cut.last.cut_through = false;
+  outcome.cut.last.front_depth = 2.3e-3;
+  outcome.cut.front_share_at_end = 2.3;
+  outcome.exposure->depth_high = outcome.exposure->possible_feed = Exposure::none;
+  EXPECT_EQ(
+      exposure_sentence(outcome),
+      " The front is below a workpiece that is not cut through yet: this says nothing about a "
+      "feed of 100 mm/s; a later end may show the cut.");
+  EXPECT_THAT(validity_of(outcome),
+              Contains(AllOf(Field(&ValidityFlag::name, "gave_way"),
+                             Field(&ValidityFlag::sentence, HasSubstr("not cut through")))));
+  outcome.cut.last.front_depth = 0.6e-3;
+  outcome.exposure->depth_low = 0.5e-3;
+  EXPECT_THAT(exposure_sentence(outcome),
+              AllOf(HasSubstr("The front rests at the end of the run"),
+                    HasSubstr("a depth of 500 um at least"), Not(HasSubstr("does not cut"))));
+}
+
+TEST(ExposureSentence, AJetInDropsLeavesGaps) {
+  RunOutcome outcome = cut_plate(0.9);
+  outcome.exposure->depth_low = 1e-3;
+  outcome.exposure->greatest_feed = 0.05;
+  EXPECT_THAT(exposure_sentence(outcome), Not(HasSubstr("drops")));
+  outcome.exposure->has_pauses = true;
+  outcome.exposure->pausing_feed = 0.05;
+  EXPECT_THAT(exposure_sentence(outcome),
+              AllOf(HasSubstr("may cut through; the cut is certain up to 50 mm/s"),
+                    HasSubstr("broken up into drops"), HasSubstr("faster than 50 mm/s")));
+}
+
 // A nozzle that is said to stand at a feed by which it would leave its jet meanwhile.
 TEST(ExposureSentence, AForcedRestIsTold) {
   RunOutcome outcome = cut_plate(0.9);

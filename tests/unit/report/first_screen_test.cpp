@@ -100,6 +100,8 @@ TEST_F(FirstScreen, AnswersHowFastTheNozzleMayGo) {
   EXPECT_THAT(screen(), HasSubstr("No feed is certain to cut; the cut is possible up to"));
   set_feeds(nullptr, nullptr);
   EXPECT_THAT(screen(), HasSubstr("This run shows no feed at which the jet cuts through."));
+  result_["exposure"]["may_cut"] = true;  // the run does not reach its exposure
+  EXPECT_THAT(screen(), HasSubstr("This run tells no feed: it ends before it shows whether"));
 }
 
 TEST_F(FirstScreen, StandsAboveTheNumbersAndTheBalanceIsFolded) {

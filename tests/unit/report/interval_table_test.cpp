@@ -15,10 +15,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 TEST(IntervalsTable, ShowsValueEndsAndCauses) {
-  const Json depth{
-      {"metric", "kerf.depth"}, {"unit", "m"},       {"value", 3.47e-3}, {"low", 1.2e-3},
-      {"high", 5.8e-3},         {"spacing", 2.3e-3}, {"layout", 4e-4},   {"order", nullptr},
-      {"rule", "range"},        {"runs", 5}};
+  Json depth{{"metric", "kerf.depth"}, {"unit", "m"},       {"value", 3.47e-3}, {"low", 1.2e-3},
+             {"high", 5.8e-3},         {"spacing", 2.3e-3}, {"layout", 4e-4},   {"order", nullptr},
+             {"rule", "range"},        {"runs", 5}};
   const std::string table =
       intervals_table({{"kerf", Json::object()}, {"intervals", Json::array({depth})}});
   EXPECT_THAT(table, AllOf(HasSubstr("depth of the kerf"), HasSubstr("3.47 mm [1.2 mm, 5.8 mm]"),

@@ -202,5 +202,34 @@ TEST(Convergence, TheCoarsestSpacingHasFiveParticlesAcrossTheJet) {
   EXPECT_DOUBLE_EQ(convergence_ratio(description), 1.26);
 }
 
+// A symmetry plane through the axis of the jet needs an even number of columns at each spacing.
+TEST(Convergence, TheColumnsOfAMirroredJetAreEven) {
+  Case description = parse_case(test::small_case, "small.toml");
+  description.symmetry.minimum[0] = true;
+  Jet& jet = description.jets.front();
+  for (const double across : {8.0, 10.0, 12.0, 14.0, 16.0, 20.0, 24.0, 30.0}) {
+    jet.spacing = jet.width / across;
+    const double ratio = convergence_ratio(description);
+    EXPECT_GE(ratio, 1.26);
+    EXPECT_LE(ratio, std::sqrt(2.0));
+    EXPECT_EQ(std::lround(across / ratio) % 2, 0) << across;
+    EXPECT_EQ(std::lround(across / (ratio * ratio)) % 2, 0) << across;
+  }
+}
+
+TEST(Convergence, OneLayoutLeavesItsPartOpen) {
+  const double ratio = std::sqrt(2.0);
+  for (const int layouts : {1, 3}) {
+    const auto trials = convergence_trials(ratio, layouts);
+    std::vector<Outcome> outcomes;
+    for (const Trial& trial : trials) outcomes.push_back(made_up(trial, true));
+    for (const MetricInterval& interval :
+         find_intervals(made_up({}, true), trials, outcomes, ratio, 2)) {
+      EXPECT_EQ(std::isnan(interval.layout), layouts == 1) << interval.metric;
+      EXPECT_TRUE(layouts == 3 || interval_line(interval).find("layout") == std::string::npos);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kerf

@@ -148,5 +148,32 @@ TEST(FeedByExposure, NoFeedIsCertainThatARunDenies) {
   EXPECT_THAT(words.notes[0], HasSubstr("The stated 35 m/s may cut"));
 }
 
+// A pressure is sought at which the stated feed is certain to cut: that it is not tells nothing of
+// whether it cuts.
+TEST(FeedByExposure, WhatIsNotCertainIsNotDenied) {
+  const test::TemporaryFolder folder;
+  write_file(folder / "foam.toml", standing_case);
+  LimitQuestion question;
+  question.of = "standoff";
+  const LimitPlan plan = plan_limit(folder / "foam.toml", question);
+  RunRow row;
+  row.state = RunState::done;
+  row.trial.setting.numbers["machine.standoff"] = 3e-3;
+  row.metrics = {
+      {"exposure.cuts", 0.0}, {"exposure.may_cut", 1.0}, {"exposure.greatest_feed", 0.0}};
+  EXPECT_EQ(trial_verdict(plan, row), "may cut");
+  EXPECT_THAT(trial_line(plan, 1, row), Not(HasSubstr("-100")));
+  row.metrics["exposure.may_cut"] = 0.0;
+  EXPECT_EQ(trial_verdict(plan, row), "does not cut");
+  LimitAnswer answer;
+  answer.threshold.emplace();
+  answer.threshold->problem = "none";
+  answer.threshold->holds_everywhere = false;
+  const LimitWords words = describe_limit(plan, answer);
+  EXPECT_THAT(words.question, HasSubstr("for certain (exposure.greatest_feed >= 35 m/s)"));
+  EXPECT_THAT(words.finding, AllOf(HasSubstr("certain at no standoff tried, from 3 mm down to"),
+                                   Not(HasSubstr("does not cut"))));
+}
+
 }  // namespace
 }  // namespace kerf

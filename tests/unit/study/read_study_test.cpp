@@ -49,6 +49,9 @@ TEST(ReadStudy, NamesFileLineKeyValueRangeAndRemedy) {
   EXPECT_THAT(complaint("[vary]\n\"jet.jet.position\" = [\"1 mm\"]\n"),
               HasSubstr("cannot vary this key as a whole"));
   EXPECT_THAT(complaint(""), HasSubstr("nothing is varied"));
+  EXPECT_THAT(
+      complaint("[vary]\n\"jet.jet.speeed\" = [\"1 m/s\", \"2 m/s\"]\n"),
+      testing::AllOf(HasSubstr("jet.jet.speeed"), testing::Not(HasSubstr("nothing is varied"))));
   EXPECT_THAT(complaint(vary + "[design]\ntype = \"sobol\"\n"),
               HasSubstr("design.runs: the key is missing"));
   EXPECT_THAT(complaint(vary + "[design]\ntype = \"sobel\"\n"), HasSubstr("\"latin_hypercube\""));

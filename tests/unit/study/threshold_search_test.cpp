@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Searches of model functions with a known threshold.
+#include "study/run_table.hpp"
 #include "study/searches.hpp"
 
 #include <gmock/gmock.h>
@@ -213,6 +214,14 @@ TEST(ThresholdSearch, TheExposureTellsWhetherAFeedCuts) {
   }
   EXPECT_EQ(cuts(holed), true);
   EXPECT_FALSE(cuts({}).has_value());
+  EXPECT_FALSE(may_cut(holed));
+  EXPECT_FALSE(may_cut({{"exposure.cuts", 1.0}, {"exposure.may_cut", 1.0}}));
+  EXPECT_FALSE(may_cut({{"exposure.cuts", 0.0}, {"exposure.may_cut", 0.0}}));
+  RunRow row;
+  row.state = RunState::done;
+  row.metrics = {{"cut_through", 1.0}, {"exposure.cuts", 0.0}, {"exposure.may_cut", 1.0}};
+  EXPECT_TRUE(may_cut(row.metrics));
+  EXPECT_EQ(verdict_words[static_cast<std::size_t>(verdict_of(row))], "may cut");
 }
 
 TEST(ThresholdSearch, ReportsARangeWithoutAThreshold) {

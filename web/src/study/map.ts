@@ -12,6 +12,7 @@ import type { Quantities } from "./quantity.ts";
 import type { Setting } from "./study_data.ts";
 import { hatch, ink, svg } from "./svg.ts";
 import type { Tooltip } from "./tooltip.ts";
+import { verdictOf } from "./verdict.ts";
 import type { Point, View } from "./view.ts";
 
 const size = 161; // of the raster
@@ -73,8 +74,8 @@ function drawBands(root: SVGGElement, ground: Ground, points: Point[], bands: Ba
 }
 
 function throughShare(point: Point): number {
-  const values = point.runs.map((run) => run.metrics.cut_through).filter((value) => typeof value === "number");
-  return values.reduce((sum, value) => sum + value, 0) / values.length;
+  const judged = point.runs.map(verdictOf).filter((verdict) => ["cut", "may_cut", "not_cut"].includes(verdict));
+  return judged.filter((verdict) => verdict === "cut").length / judged.length;
 }
 
 /** Regions, the bracket between runs that do and do not cut, and the boundary half way. */

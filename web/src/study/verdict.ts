@@ -4,10 +4,11 @@
 import type { StudyRun } from "./study_data.ts";
 import { svg } from "./svg.ts";
 
-export type Verdict = "cut" | "not_cut" | "mixed" | "done" | "failed" | "running" | "waiting";
+export type Verdict = "cut" | "may_cut" | "not_cut" | "mixed" | "done" | "failed" | "running" | "waiting";
 
 export const verdictWords: Record<Verdict, string> = {
   cut: "cut through",
+  may_cut: "may cut",
   not_cut: "not cut through",
   mixed: "through in some layouts",
   done: "done",
@@ -18,10 +19,13 @@ export const verdictWords: Record<Verdict, string> = {
 
 export const verdictOrder = Object.keys(verdictWords) as Verdict[];
 
+/** Under a nozzle that stands in place of one that moves it is that of the feed. */
 export function verdictOf(run: StudyRun): Verdict {
   if (run.state !== "done") return run.state;
-  const through = run.metrics.cut_through;
-  return through === null || through === undefined ? "done" : through > 0.5 ? "cut" : "not_cut";
+  const through = run.metrics["exposure.cuts"] ?? run.metrics.cut_through;
+  if (through === null || through === undefined) return "done";
+  if (through > 0.5) return "cut";
+  return (run.metrics["exposure.may_cut"] ?? 0) > 0.5 ? "may_cut" : "not_cut";
 }
 
 /** Of runs that differ in their layout, or that a projection puts in one place. */
@@ -40,6 +44,8 @@ export function symbol(verdict: Verdict, size = 6, colour = "#22272e"): SVGGElem
     case "cut":
     case "done":
       return svg("g", {}, halo, svg("circle", { ...ring, fill: colour }));
+    case "may_cut":
+      return svg("g", {}, halo, svg("circle", ring), svg("circle", { r: size / 3, fill: colour }));
     case "not_cut":
       return svg("g", {}, halo, svg("circle", ring));
     case "mixed":

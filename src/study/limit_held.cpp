@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// This file says what is the same in all runs of a limit, on which condition it rests, and where
+// their ways are too short for it.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "geometry/jet_direction.hpp"
+#include "machine/simulated_piece.hpp"
+#include "model/case.hpp"
+#include "study/limit_answer.hpp"
+#include "study/study_answers.hpp"
+
+namespace kerf {
+
+namespace {
+
+// Says why the condition is more than cut-through; empty where it is that.
+std::string condition_sentence(const LimitPlan& plan, const Case& description) {
+  const Condition& condition = plan.study.threshold->condition;
+  if (condition.metric == "kerf.through_share" && travels(description))
+    return fmt::format(
+        "The jet cuts where {}: the nozzle moves in the runs, and cut-through alone is reached "
+        "with the first hole.",
+        condition.text());
+  if (condition.metric == certain_feed && !plan.by_exposure)
+    return fmt::format(
+        "The jet cuts for certain where {} m/s, the stated feed, of a nozzle that stands in the "
+        "runs.",
+        condition.text());
+  return "";
+}
+
+}  // namespace
+
+bool travels(const Case& description) {
+  return !description.jets.empty() && traverse_speed(description.jets.front()) > 0.0;
+}
+
+std::vector<std::string> held_in(const LimitPlan& plan, const Case& description) {
+  const double refinement = plan.study.refinement;
+  std::vector<std::string> held{
+      refinement == 1.0
+          ? std::string("The spacings of the particles are those of the case in all runs.")
+          : fmt::format("The spacings of the particles are {:.3g} times those of the case in all "
+                        "runs.",
+                        1.0 / refinement)};
+  if (plan.end.path > 0.0)
+    held.push_back(fmt::format("The nozzle travels {:.4g} mm in each run.", 1e3 * plan.end.path));
+  else if (plan.end.follows)
+    held.emplace_back(
+        travels(description)
+            ? "Each run has the end that its own feed and jet need, as the case states none."
+            : "Each run lasts as long as the exposure of the stated feed takes.");
+  else
+    held.push_back(fmt::format("Each run lasts {:.4g} ms.", 1e3 * plan.end.end));
+  const std::string doubt = condition_sentence(plan, description);
+  if (!doubt.empty()) held.push_back(doubt);
+  return held;
+}
+
+double value_of_trial(const LimitPlan& plan, const RunRow& row) {
+  return row.trial.setting.numbers.at(plan.study.threshold->axis.name());
+}
+
+double metric_of(const RunRow& row, const char* name) {
+  const double* found = find_number(row, name);
+  return found ? *found : std::nan("");
+}
+
+std::string short_way_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs) {
+  constexpr double few = 3.0;
+  if (plan.study.threshold->condition.metric != "kerf.through_share") return "";
+  std::vector<std::string> values;
+  for (const RunRow& row : runs) {
+    const double value = value_of_trial(plan, row);
+    const double way = (plan.quantity == "feed" ? value : plan.feed) *
+                       (metric_of(row, "end_time") - plan.end.start);
+    if (row.state == RunState::done && way < few * metric_of(row, "kerf.lag"))
+      values.push_back(show_number(value, plan.study.threshold->axis, 4));
+  }
+  if (values.empty()) return "";
+  return fmt::format(
+      "The kerf at {} lags by more than a third of the way of the nozzle: its verdict may be that "
+      "of the beginning of the cut. A later `end` in [time], with a domain that holds the way, "
+      "tells more.",
+      fmt::join(values, ", "));
+}
+
+}  // namespace kerf

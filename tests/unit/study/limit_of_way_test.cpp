@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The limits of a nozzle that moves in the runs: of all of its way, and of a way that is long
+// enough.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "input/read.hpp"
+#include "model/case.hpp"
+#include "output/files.hpp"
+#include "study/case_maker.hpp"
+#include "study/limit_answer.hpp"
+#include "support/temporary_folder.hpp"
+#include "synthetic.hpp"
+
+namespace kerf {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+LimitPlan plan_of_way(const std::string& text, const std::string& quantity) {
+  const test::TemporaryFolder folder;
+  write_file(folder / "my.toml", text);
+  LimitQuestion question;
+  question.of = quantity;
+  return plan_limit(folder / "my.toml", question);
+}
+
+// A nozzle that moves has cut with its first hole, whatever quantity is searched.
+TEST(LimitOfWay, AsksForAllTheWayOfANozzleThatTravels) {
+  for (const char* quantity : {"feed", "pressure", "orifice", "standoff"}) {
+    const LimitPlan plan = plan_of_way(test::machine_case, quantity);
+    EXPECT_EQ(plan.study.threshold->condition.text(), "kerf.through_share >= 0.95") << quantity;
+    EXPECT_THAT(describe_limit(plan, {}).question, HasSubstr("(kerf.through_share >= 0.95)"));
+    EXPECT_THAT(plan.held, Contains(HasSubstr("cut-through alone is reached with the first hole")));
+    RunRow row;
+    row.state = RunState::done;
+    row.metrics = {{"cut_through", 1.0}, {"kerf.through_share", 0.03}};
+    EXPECT_EQ(trial_verdict(plan, row), "cuts in part");
+    row.metrics["cut_through"] = 0.0;
+    EXPECT_EQ(trial_verdict(plan, row), "does not cut");
+  }
+  EXPECT_EQ(plan_of_way(test::small_case, "jet_speed").study.threshold->condition.text(),
+            "cut-through");
+}
+
+constexpr const char* travelling_sheet = R"(title = "sheet"
+dimension = 2
+quality = "draft"
+[machine]
+pressure = "8 MPa"
+orifice_diameter = "0.5 mm"
+standoff = "3 mm"
+traverse_speed = "50 m/s"
+[workpiece]
+material = "fat"
+size = ["20 mm", "1 mm"]
+)";
+
+// Where the case states no end, each feed has that of a run of its own, in which water that the
+// nozzle has left behind comes through.
+TEST(LimitOfWay, EachFeedHasTheEndThatItNeeds) {
+  const LimitPlan plan = plan_of_way(travelling_sheet, "feed");
+  EXPECT_TRUE(plan.end.follows);
+  const CaseMaker maker(plan.study);
+  for (const double feed : {50.0, 70.0, 100.0}) {
+    std::string own = travelling_sheet;
+    own.replace(own.find("50 m/s"), 6, fmt::format("{} m/s", feed));
+    const Trial trial = with_end(plan, {{{{"machine.traverse_speed", feed}}, {}}, 0, 1.0});
+    EXPECT_EQ(parse_case(maker.make(trial).text, "made.toml").time.end,
+              parse_case(own, "own.toml").time.end)
+        << feed;
+  }
+}
+
+// The way of 1.5 mm is shorter than three times a lag of 0.6 mm, and longer than that of 0.4 mm.
+TEST(LimitOfWay, SaysWhereTheWayIsTooShort) {
+  const LimitPlan plan = plan_of_way(test::machine_case, "feed");
+  for (const double lag : {0.4e-3, 0.6e-3}) {
+    RunRow row;
+    row.state = RunState::done;
+    row.trial.setting.numbers["machine.traverse_speed"] = 3.0;
+    row.metrics = {{"end_time", plan.end.start + 0.5e-3}, {"kerf.lag", lag}};
+    EXPECT_EQ(short_way_sentence(plan, {row}).empty(), lag < 0.5e-3);
+  }
+}
+
+}  // namespace
+}  // namespace kerf
