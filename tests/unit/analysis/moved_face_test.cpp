@@ -101,16 +101,16 @@ TEST(MovedFace, WaterThatTouchesTheWorkpieceHasMetIt) {
 
 // Nozzle and block move together for 10 ms: the jet has dented the block where it aimed first.
 TEST(MovedFace, ADentIsMeasuredAlongThePathInTheWorkpiece) {
-  for (const double speed : {0.0, 2.0}) {
+  for (const double common_speed : {0.0, 2.0}) {
     Case description = make_case(2);
-    description.bodies[0].velocity[0] = speed == 0.0 ? "0" : "2";
-    description.jets[0].traverse = {speed, 0.0, 0.0};
+    description.bodies[0].velocity[0] = common_speed == 0.0 ? "0" : "2";
+    description.jets[0].traverse = {common_speed, 0.0, 0.0};
     const Frame initial = make_block(2);
     Frame frame = initial;
     frame.time = 10e-3;
     move(frame, [&](const Position& x) -> Position {
       const double dent = 2.0 * mm * std::exp(-std::pow(x[0] / (8.0 * mm), 2.0));
-      return {x[0] + speed * frame.time, x[1] - dent * (1.0 + x[1] / thickness), x[2]};
+      return {x[0] + common_speed * frame.time, x[1] - dent * (1.0 + x[1] / thickness), x[2]};
     });
     CutMonitor monitor(description, initial);
     monitor.observe(frame);
