@@ -28,7 +28,6 @@ void Standard<D, P>::follow_nozzle() {
 template <int D, class P>
 void Standard<D, P>::shift_window(std::uint64_t shifts) {
   const auto timer = timers_.stage("window");
-  Run::remove_marked();
   Run::renew_list();  // the balance needs the forces of the particles that are left
   const Balance before = balance();
   Run::drop_ghosts();
