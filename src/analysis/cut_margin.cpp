@@ -25,16 +25,17 @@ CutMargin CutMargin::measure(const KerfScene& scene) {
   const KerfConditions& conditions = scene.conditions;
   CutMargin margin;
   // Of the bodies in the way, by index into Case::bodies: all, and those that are not cut through.
-  std::vector<std::uint8_t> all, uncut;
+  std::vector<BodyCount> all, uncut;
   for (const WorkpieceBody& body : scene.view.workpiece.bodies) {
-    all.resize(body.body + std::size_t(1), 0);
-    uncut.resize(all.size(), 0);
+    all.resize(body.body + std::size_t(1), BodyCount::not_at_all);
+    uncut.resize(all.size(), BodyCount::not_at_all);
     if (!body.is_in_way) continue;
     const BodyVerdict* verdict = conditions.verdict_on(body.body);
-    all.back() = 2;
-    uncut.back() = verdict != nullptr && verdict->cut.through ? 1 : 2;
+    all.back() = BodyCount::in_full;
+    const bool is_cut = verdict != nullptr && verdict->cut.through;
+    uncut.back() = is_cut ? BodyCount::as_laid_out : BodyCount::in_full;
   }
-  const auto measure = [&](const std::vector<std::uint8_t>& counts) {
+  const auto measure = [&](const std::vector<BodyCount>& counts) {
     return measure_unbroken(scene.view, scene.axes, scene.path, counts);
   };
   constexpr double rounding = 1e-6;
@@ -47,7 +48,7 @@ CutMargin CutMargin::measure(const KerfScene& scene) {
   }
   // What is torn and still joins the sides is no cut: the margin stays below 0.
   constexpr double least = 1e-12;
-  const UnbrokenThickness left = measure(uncut);
+  const UnbrokenThickness left = uncut == all ? whole : measure(uncut);
   margin.value = 0.0;
   if (!(left.laid_out > 0.0)) return margin;
   // Sums over windows leave a rest of rounding, of either sign.

@@ -2,7 +2,6 @@
 #include "analysis/front.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "geometry/cell_grid.hpp"
 
@@ -36,26 +35,6 @@ std::vector<Drop> drops_near_axis(const Workpiece& workpiece, const Frame& frame
             [](const Drop& a, const Drop& b) { return a.depth > b.depth; });
   return drops;
 }
-
-// The part of space that water fills.
-class WaterBox {
- public:
-  void add(const CellGrid<3>::Position& x) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      low_[a] = std::min(low_[a], x[a]);
-      high_[a] = std::max(high_[a], x[a]);
-    }
-  }
-  bool is_within(const CellGrid<3>::Position& x, double reach) const {
-    for (std::size_t a = 0; a < 3; ++a)
-      if (x[a] < low_[a] - reach || x[a] > high_[a] + reach) return false;
-    return true;
-  }
-
- private:
-  static constexpr double far = std::numeric_limits<double>::infinity();
-  std::array<double, 3> low_{far, far, far}, high_{-far, -far, -far};
-};
 
 }  // namespace
 
@@ -101,12 +80,10 @@ bool touches_water(const Workpiece& workpiece, const Frame& frame,
   constexpr double contact = 1.2;
   using Place = CellGrid<3>::Position;
   std::vector<Place> drops;
-  WaterBox box;
   double spacing = 0.0;  // of the water
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
     if (!is_jet_water(workpiece, frame, row)) continue;
     drops.push_back(Place::from(frame.position[row]));
-    box.add(drops.back());
     spacing = std::max(spacing, static_cast<double>(frame.spacing[row]));
   }
   if (drops.empty()) return false;
@@ -115,7 +92,6 @@ bool touches_water(const Workpiece& workpiece, const Frame& frame,
     if (!is_intact(frame, rows[slot])) continue;
     const double reach = contact * std::max(spacing, workpiece.size[slot]);
     const Place place = Place::from(frame.position[rows[slot]]);
-    if (!box.is_within(place, reach)) continue;
     bool touches = false;
     near.visit_near(place, [&](std::size_t drop) { touches |= norm(drops[drop] - place) < reach; });
     if (touches) return true;

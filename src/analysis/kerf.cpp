@@ -12,25 +12,29 @@
 namespace kerf {
 namespace {
 
-// Returns the time (s) for which a place of the path is still being cut once the axis of the jet
-// has passed it: half of the jet passes it too, and its last water goes down to the far face at
-// half of its speed, as in a solid of its density without strength.
-double settling_time(const KerfAxes& axes, double jet_speed, double bottom) {
+// Returns the way (m) of the axis of the jet from a place of the path until cutting has ended
+// there: half of the jet passes it too, and its last water goes down to the far face at half of its
+// speed, as in a solid of its density without strength.
+double unsettled_way(const KerfAxes& axes, double jet_speed, double bottom) {
   const double speed = std::hypot(axes.travel[0], axes.travel[1]);
   if (!(speed > 0.0 && jet_speed > 0.0)) return 0.0;
-  return 0.5 * axes.jet.width / speed + 2.0 * bottom / jet_speed;
+  return 0.5 * axes.jet.width + speed * 2.0 * bottom / jet_speed;
+}
+
+// Returns the time of the contact, or of the frame before it, s.
+double begin_of_cutting(const KerfConditions& conditions, double now) {
+  return std::isnan(conditions.contact_time) ? now : conditions.contact_time;
 }
 
 KerfPath find_path(const KerfAxes& axes, const KerfConditions& conditions, double now,
                    double bottom) {
-  const double contact = std::isnan(conditions.contact_time) ? now : conditions.contact_time;
+  const double contact = begin_of_cutting(conditions, now);
   KerfPath path;
   for (std::size_t a = 0; a < 3; ++a) {
     path.begin[a] = axes.travel[a] * std::max(0.0, contact - conditions.moves_from);
     path.end[a] = axes.travel[a] * std::max(0.0, now - conditions.moves_from);
   }
-  path.unsettled = std::hypot(axes.travel[0], axes.travel[1]) *
-                   settling_time(axes, conditions.jet_speed, bottom);
+  path.unsettled = unsettled_way(axes, conditions.jet_speed, bottom);
   return path;
 }
 
@@ -38,7 +42,7 @@ KerfPath find_path(const KerfAxes& axes, const KerfConditions& conditions, doubl
 KerfPath path_in_layout(KerfPath path, const KerfAxes& axes, const Workpiece& workpiece,
                         const KerfConditions& conditions, double now) {
   const KerfAxes::Vector3 drift = axes.turned(workpiece.drift);
-  const double contact = std::isnan(conditions.contact_time) ? now : conditions.contact_time;
+  const double contact = begin_of_cutting(conditions, now);
   for (const std::size_t a : {KerfAxes::crosswise, KerfAxes::lengthwise}) {
     path.begin[a] -= drift[a] * contact;
     path.end[a] -= drift[a] * now;

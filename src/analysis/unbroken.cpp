@@ -112,12 +112,16 @@ std::vector<double> window_means(const Columns& columns, const std::vector<doubl
 }
 
 // Which bodies are measured, by index into Case::bodies (measure_unbroken).
-using Counts = std::vector<std::uint8_t>;
+using Counts = std::vector<BodyCount>;
 
 Counts only(int body) {
-  Counts counts(static_cast<std::size_t>(body) + 1, 0);
-  counts.back() = 2;
+  Counts counts(static_cast<std::size_t>(body) + 1, BodyCount::not_at_all);
+  counts.back() = BodyCount::in_full;
   return counts;
+}
+
+BodyCount count_of(const Counts& counts, std::size_t body) {
+  return body < counts.size() ? counts[body] : BodyCount::not_at_all;
 }
 
 // Fills the columns with the bodies that count.
@@ -126,14 +130,13 @@ void fill(const KerfView& view, const KerfAxes& axes, const Counts& counts, Colu
   const Workpiece& workpiece = view.workpiece;
   const int dimension = view.frame.dimension;
   for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
-    const std::size_t body = workpiece.body[slot];
-    const int count = body < counts.size() ? counts[body] : 0;
-    if (count == 0) continue;
+    const BodyCount count = count_of(counts, workpiece.body[slot]);
+    if (count == BodyCount::not_at_all) continue;
     const SolidPoint point{axes.local(workpiece.position[slot]), workpiece.volume[slot],
                            workpiece.size[slot]};
     if (is_outside(columns, point, dimension)) continue;
     add(columns, point, dimension, columns.laid_out);
-    if (count < 2) continue;
+    if (count != BodyCount::in_full) continue;
     add(columns, point, dimension, columns.counted);
     if (!view.standing[slot]) continue;
     add(columns, point, dimension, columns.standing);
@@ -183,7 +186,7 @@ UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
 }
 
 UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes, const KerfPath& path,
-                                   const std::vector<std::uint8_t>& counts) {
+                                   const Counts& counts) {
   Columns columns = make_columns(view, axes, path);
   fill(view, axes, counts, columns);
   const auto [laid_out, counted, standing, unbroken, covered] = windows_of(columns);
@@ -211,7 +214,7 @@ UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes, c
   if (std::isinf(found.least)) found.least = found.unbroken;
   double below = 0.0;
   for (const WorkpieceBody& body : workpiece.bodies)
-    if (body.body < counts.size() && counts[body.body] == 2) below += body.below;
+    if (count_of(counts, body.body) == BodyCount::in_full) below += body.below;
   if (below > 0.0) {
     found.is_open = found.is_torn_through = false;
     for (double* length : {&found.laid_out, &found.unbroken, &found.least}) *length += below;

@@ -39,11 +39,13 @@ struct UnbrokenThickness {
 UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,
                                    const KerfPath& path);
 
+// How a body counts where bodies are measured together.
+enum class BodyCount : std::uint8_t { not_at_all, as_laid_out, in_full };
+
 // Measures bodies together: the lengths on a line are sums over the bodies on it. `counts` is by
-// index into Case::bodies: bodies with 0 are left out, those with 1 are laid out alone, and those
-// with 2 count as unbroken, too. Lines without one of the latter are left out.
+// index into Case::bodies. Lines without a body that counts in full are left out.
 UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes, const KerfPath& path,
-                                   const std::vector<std::uint8_t>& counts);
+                                   const std::vector<BodyCount>& counts);
 
 // Returns the places across the jet, m local, of windows without unbroken solid: the middle of each
 // row of them. In 2D, where a nozzle moves across the section.

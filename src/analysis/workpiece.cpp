@@ -10,6 +10,7 @@
 #include "analysis/pieces.hpp"
 #include "analysis/united_bodies.hpp"
 #include "analysis/workpiece_motion.hpp"
+#include "core/boundary_between.hpp"
 #include "geometry/shapes.hpp"
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
@@ -100,12 +101,7 @@ double find_face(const Workpiece& workpiece, const Case& description, double fir
   if (is_inside(outside)) return first;
   while (!is_inside(outside + step))
     if ((outside += step) > first + reach) return first;
-  double inside = outside + step;
-  for (int halving = 0; halving < 40; ++halving) {
-    const double middle = (outside + inside) / 2.0;
-    (is_inside(middle) ? inside : outside) = middle;
-  }
-  return inside;
+  return boundary_between(outside, outside + step, is_inside);
 }
 
 // Measures depths from where the axis enters the workpiece, wherever on it the jet aims: moves the

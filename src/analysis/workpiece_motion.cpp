@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "analysis/workpiece.hpp"
 #include "geometry/shapes.hpp"
@@ -12,19 +15,28 @@
 namespace kerf {
 namespace {
 
-// Returns where a body has moved until a time, s; m from its place at the start.
-Point displacement_of(const Body& body, int dimension, double time) {
-  const Point velocity = first_velocity(body, dimension);
-  const bool is_driven = std::any_of(body.displacement.begin(), body.displacement.end(),
-                                     [](const std::string& text) { return !text.empty(); });
-  Point moved{};
-  for (std::size_t a = 0; a < 3; ++a)
-    if (!is_driven)
-      moved[a] = velocity[a] * time;
-    else if (!body.displacement[a].empty())
-      moved[a] = Expression(body.displacement[a], {"t"}).evaluate(time);
-  return moved;
-}
+// Where a body moves: by its displacement, else at its velocity of the start.
+class PrescribedWay {
+ public:
+  PrescribedWay(const Body& body, int dimension) : velocity_(first_velocity(body, dimension)) {
+    if (body.displacement[0].empty()) return;
+    velocity_ = {};
+    for (std::size_t a = 0; a < 3; ++a)
+      if (!body.displacement[a].empty()) driven_[a].emplace(body.displacement[a], variables_);
+  }
+  // Returns where the body has moved until a time, s; m from its place at the start.
+  Point until(double time) const {
+    Point moved{};
+    for (std::size_t a = 0; a < 3; ++a)
+      moved[a] = driven_[a] ? driven_[a]->evaluate(time) : velocity_[a] * time;
+    return moved;
+  }
+
+ private:
+  static inline const std::vector<std::string> variables_{"t"};
+  Point velocity_;  // m/s
+  std::array<std::optional<Expression>, 3> driven_;
+};
 
 }  // namespace
 
@@ -54,11 +66,12 @@ std::array<double, 3> drift_of(const Case& description, const Workpiece& workpie
 double way_across_jet(const Case& description, const Body& body) {
   constexpr int samples = 64;  // of the run: a displacement may return
   const JetAxis jet(description.jets.front(), description.dimension);
+  const PrescribedWay way_of_body(body, description.dimension);
+  const Point start = jet.point_at(0.0, 0.0);
   double farthest = 0.0;
   for (int n = 1; n <= samples; ++n) {
     const double time = description.time.end * n / samples;
-    const Point moved = displacement_of(body, description.dimension, time);
-    const Point start = jet.point_at(0.0, 0.0), nozzle = jet.point_at(0.0, time);
+    const Point moved = way_of_body.until(time), nozzle = jet.point_at(0.0, time);
     double across = 0.0, aside = 0.0;
     for (std::size_t a = 0; a < 3; ++a) {
       const double way = moved[a] - (nozzle[a] - start[a]);

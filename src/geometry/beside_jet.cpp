@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/boundary_between.hpp"
 #include "geometry/fill.hpp"
 #include "geometry/jet_direction.hpp"
 #include "geometry/shapes.hpp"
@@ -57,14 +58,12 @@ class StraightWater {
 // Returns the distance from the water to the surface of a shape that holds the point, towards it.
 double distance_of_surface(const StraightWater& water, const Shape& shape, const Point& point,
                            int dimension) {
-  constexpr int halvings = 40;
   const Point aside = water.aside(point);
   const double length = std::sqrt(product(aside, aside));
-  double outside = std::min(1.0, water.radius() / length), inside = 1.0;  // shares of `aside`
-  for (int n = 0; n < halvings; ++n) {
-    const double middle = 0.5 * (outside + inside);
-    (contains(shape, moved(point, aside, middle - 1.0), dimension) ? inside : outside) = middle;
-  }
+  const double inside =  // as a share of `aside`
+      boundary_between(std::min(1.0, water.radius() / length), 1.0, [&](double share) {
+        return contains(shape, moved(point, aside, share - 1.0), dimension);
+      });
   return std::max(0.0, inside * length - water.radius());
 }
 

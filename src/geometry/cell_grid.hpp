@@ -38,6 +38,8 @@ class CellGrid {
   template <class Visit>
   void visit_near(const Position& x, const Visit& visit) const {
     const Cell middle = cell_of(x);
+    for (std::size_t a = 0; a < D; ++a)
+      if (middle[a] < -1 || middle[a] > size_[a]) return;
     for (int k = 0; k < (D == 2 ? 9 : 27); ++k) {
       Cell beside = middle;
       bool is_inside = true;

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "analysis/workpiece_motion.hpp"
 #include "model/case.hpp"
 
@@ -13,9 +11,7 @@ namespace {
 
 // Whether a body is at rest as the case states it: then the nozzle alone moves.
 bool is_at_rest(const Body& body, int dimension) {
-  return std::all_of(body.displacement.begin(), body.displacement.end(),
-                     [](const std::string& text) { return text.empty(); }) &&
-         first_velocity(body, dimension) == Point{};
+  return body.displacement[0].empty() && first_velocity(body, dimension) == Point{};
 }
 
 }  // namespace

@@ -9,9 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "output/files.hpp"
 #include "study/limit_answer.hpp"
-#include "support/temporary_folder.hpp"
 #include "synthetic.hpp"
 
 namespace kerf {
@@ -36,12 +34,9 @@ size = ["300 mm", "5 mm", "200 mm"]
 )";
 
 LimitPlan feed_plan(bool converge = false) {
-  const test::TemporaryFolder folder;
-  write_file(folder / "foam.toml", standing_case);
-  LimitQuestion question;
-  question.of = "feed";
+  LimitQuestion question = test::limit_of("feed");
   question.converge = converge;
-  return plan_limit(folder / "foam.toml", question);
+  return test::limit_plan_of(standing_case, question);
 }
 
 // All runs of a search stand, each for the exposure of the stated feed under its own jet: a search
@@ -50,11 +45,7 @@ TEST(FeedByExposure, EachPressureHasItsOwnExposure) {
   const auto made = [](const std::string& stated, double pressure) {
     std::string text = standing_case;
     text.replace(text.find("30 MPa\""), 6, stated);
-    const test::TemporaryFolder folder;
-    write_file(folder / "foam.toml", text);
-    LimitQuestion question;
-    question.of = "pressure";
-    const LimitPlan plan = plan_limit(folder / "foam.toml", question);
+    const LimitPlan plan = test::limit_plan_of(text, test::limit_of("pressure"));
     const Trial trial = with_end(plan, {{{{"machine.pressure", pressure}}, {}}, 0, 1.0});
     return parse_case(CaseMaker(plan.study).make(trial).text, "made.toml");
   };
@@ -151,11 +142,7 @@ TEST(FeedByExposure, NoFeedIsCertainThatARunDenies) {
 // A pressure is sought at which the stated feed is certain to cut: that it is not tells nothing of
 // whether it cuts.
 TEST(FeedByExposure, WhatIsNotCertainIsNotDenied) {
-  const test::TemporaryFolder folder;
-  write_file(folder / "foam.toml", standing_case);
-  LimitQuestion question;
-  question.of = "standoff";
-  const LimitPlan plan = plan_limit(folder / "foam.toml", question);
+  const LimitPlan plan = test::limit_plan_of(standing_case, test::limit_of("standoff"));
   RunRow row;
   row.state = RunState::done;
   row.trial.setting.numbers["machine.standoff"] = 3e-3;

@@ -7,10 +7,8 @@
 
 #include "input/read.hpp"
 #include "model/case.hpp"
-#include "output/files.hpp"
 #include "study/case_maker.hpp"
 #include "study/limit_answer.hpp"
-#include "support/temporary_folder.hpp"
 #include "synthetic.hpp"
 
 namespace kerf {
@@ -20,11 +18,7 @@ using testing::Contains;
 using testing::HasSubstr;
 
 LimitPlan plan_of_way(const std::string& text, const std::string& quantity) {
-  const test::TemporaryFolder folder;
-  write_file(folder / "my.toml", text);
-  LimitQuestion question;
-  question.of = quantity;
-  return plan_limit(folder / "my.toml", question);
+  return test::limit_plan_of(text, test::limit_of(quantity));
 }
 
 // A nozzle that moves has cut with its first hole, whatever quantity is searched.

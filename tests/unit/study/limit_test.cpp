@@ -10,7 +10,6 @@
 #include "core/error.hpp"
 #include "input/read.hpp"
 #include "model/case.hpp"
-#include "output/files.hpp"
 #include "study/case_maker.hpp"
 #include "study/limit_answer.hpp"
 #include "study/limit_runs.hpp"
@@ -22,21 +21,11 @@
 namespace kerf {
 namespace {
 
+using test::limit_of;
+using test::limit_plan_of;
 using test::speed_of;
 using testing::AllOf;
 using testing::HasSubstr;
-
-LimitPlan limit_plan_of(const std::string& text, const LimitQuestion& question) {
-  const test::TemporaryFolder folder;
-  write_file(folder / "my.toml", text);
-  return plan_limit(folder / "my.toml", question);
-}
-
-LimitQuestion limit_of(const std::string& quantity) {
-  LimitQuestion question;
-  question.of = quantity;
-  return question;
-}
 
 std::string limit_refusal(const std::string& text, const LimitQuestion& question) {
   try {

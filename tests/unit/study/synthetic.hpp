@@ -7,8 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "output/files.hpp"
 #include "study/laboratory.hpp"
+#include "study/limit_plan.hpp"
 #include "study/study_plan.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace kerf::test {
 
@@ -59,6 +62,18 @@ name = "block"
 material = "curd"
 shape = { type = "box", minimum = ["-20 mm", "0 mm"], maximum = ["20 mm", "6 mm"] }
 )";
+
+// The plan of a limit of a case.
+inline LimitPlan limit_plan_of(const std::string& text, const LimitQuestion& question) {
+  const TemporaryFolder folder;
+  write_file(folder / "my.toml", text);
+  return plan_limit(folder / "my.toml", question);
+}
+inline LimitQuestion limit_of(const std::string& quantity) {
+  LimitQuestion question;
+  question.of = quantity;
+  return question;
+}
 
 // A study of the small case, which is given as a template.
 inline StudyPlan plan_of(const std::string& text) {
