@@ -6,13 +6,11 @@
 #include "analysis/jet_axis.hpp"
 #include "app/check_warnings.hpp"
 #include "app/jet_way.hpp"
-#include "fracture/unstretched_failure.hpp"
 #include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
-#include "materials/elastic_law.hpp"
 #include "materials/elastic_moduli.hpp"
 #include "model/case.hpp"
-#include "model/material_laws.hpp"
+#include "output/crushing.hpp"
 #include "output/readable.hpp"
 #include "output/solid_flags.hpp"
 
@@ -47,12 +45,6 @@ const Body* body_behind(const Case& description, const Body& pushed, const Jet& 
   return nullptr;
 }
 
-// Returns the stagnation pressure of a jet, Pa.
-double stagnation_pressure(const Case& description, const Jet& jet) {
-  const double density = description.materials[static_cast<std::size_t>(jet.material)].density;
-  return 0.5 * density * jet.speed * jet.speed;
-}
-
 // Warns of a jet that presses a solid through the body behind it: contact yields to a pressure
 // beyond M (docs/theory/solid_contact.md).
 void warn_of_pressing(const Case& description, const Jet& jet, std::vector<std::string>& warnings) {
@@ -75,38 +67,13 @@ void warn_of_pressing(const Case& description, const Jet& jet, std::vector<std::
   }
 }
 
-// Returns the pressure that compresses a material without change of its width until it fails in
-// compression, Pa.
-double crushing_pressure(const Material& material) {
-  ElasticSolid<double> solid;
-  static_cast<ElasticLawSet<double>&>(solid) = *material.laws;
-  static_cast<ElasticModuli<double>&>(solid) =
-      ElasticModuli<double>::of(material.youngs_modulus, material.poisson_ratio);
-  solid.elasticity = material.elasticity;
-  auto gradient = Matrix<3, double>::zero();
-  gradient(0, 0) = least_volume - 1.0;
-  return -cauchy(solid, gradient)(0, 0);
-}
-
 // Warns of a jet that fails a solid by its pressure alone, whatever its fracture criterion.
 void warn_of_crushing(const Case& description, const Jet& jet, std::vector<std::string>& warnings) {
-  const double pressure = stagnation_pressure(description, jet);
   for (const Body& body : description.bodies) {
-    if (body.role != Role::elastic || body.fixed) continue;
-    const Material& material = description.materials[static_cast<std::size_t>(body.material)];
-    if (!material.can_break()) continue;
-    const double crushing = crushing_pressure(material);
-    const bool is_met = traverse_speed(jet) > 0.0 || is_in_way(jet, body, description.dimension);
-    if (!(pressure > crushing) || !is_met) continue;
-    warnings.push_back(fmt::format(
-        "the jet \"{}\" has a stagnation pressure of {}, and {} compress \"{}\" below a fifth of "
-        "its "
-        "volume, at which it fails: its strength and fracture energy hardly count under this jet "
-        "(docs/theory/total_lagrangian.md). A material that keeps its volume, as wet ones do, "
-        "needs "
-        "a poisson_ratio nearer to 0.5 than {:g}",
-        jet.name, readable(pressure, "Pa"), readable(crushing, "Pa"), body.name,
-        material.poisson_ratio));
+    const auto crushing = crushing_of(description, body, jet);
+    if (!crushing) continue;
+    if (traverse_speed(jet) > 0.0 || is_in_way(jet, body, description.dimension))
+      warnings.push_back(crushing_sentence(description, body, jet, *crushing));
   }
 }
 

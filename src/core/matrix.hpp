@@ -64,6 +64,15 @@ KERF_FUNCTION T determinant(const Matrix<D, T>& m) {
            m(0, 2) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0));
 }
 
+// Returns the transposed matrix of cofactors in three dimensions, m^2 - m tr m + 1/2 (tr^2 m - tr
+// m^2) (Cayley and Hamilton).
+template <class T>
+KERF_FUNCTION Matrix<3, T> adjugate(const Matrix<3, T>& m) {
+  const auto square = m * m;
+  const T trace = m.trace();
+  return square + T(-1) * trace * m + T(0.5) * (trace * trace - square.trace()) * identity<3, T>();
+}
+
 // The in-plane part of a symmetric tensor.
 template <int D, class T>
 KERF_FUNCTION Matrix<D, T> in_plane(const SymmetricTensor<D, T>& s) {

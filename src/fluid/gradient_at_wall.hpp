@@ -16,13 +16,13 @@
 //   a_i      += p_i / rho_i b_i,   div v_i += b_i . v_iw,
 //   b_i       = 2 k e_i max(1 - 5 rho_i v_iw^2 / p_i, 0) sum_w V_j S_ij (d_ij - a_ij),
 // with its velocity v_iw past the wall, and e_i from 0 in the middle of a face to 1 at its end. The
-// faces beside i take the reaction: rigid ones here, those of solids in fluid/wall_reaction.hpp.
+// faces beside i take the reaction (fluid/faces_beside.hpp).
 #pragma once
 
 #include "core/matrix.hpp"
 #include "core/select.hpp"
+#include "fluid/faces_beside.hpp"
 #include "fluid/particle_concentration.hpp"
-#include "fluid/smooth_wall.hpp"
 #include "neighbours/list_entries.hpp"
 
 namespace kerf {
@@ -33,15 +33,14 @@ struct GradientAtWall {
   using RealVector = Vector<D, Real>;
   static constexpr bool includes_rigid = false;
   struct Sum {
-    RealVector pressure{};         // Pa/m, sum V_j (p_j - p_i) S_ij d_ij over fluid
-    Matrix<D, Real> motion{};      // 1/s, sum V S d v^T over fluid
-    FacingFaces<D, Real> faces{};  // in front of which i lies
-    RealVector velocity{};         // 1/s, of i relative to them, with their weights
+    RealVector pressure{};      // Pa/m, sum V_j (p_j - p_i) S_ij d_ij over fluid
+    Matrix<D, Real> motion{};   // 1/s, sum V S d v^T over fluid
+    FacesBeside<D, P> faces{};  // in front of which i lies
+    RealVector velocity{};      // 1/s, of i relative to them, with their weights
     // 1/m, sum a_j times twice the distance, in spacings, of the depth of j from those of layers.
     Real unevenness{};
-    RealVector lacking{};      // 1/m, sum V_j S_ij (d_ij - a_ij) over the wall
-    Real rigid{}, mirrored{};  // 1/m, the parts of rigid faces and of images of others
-    Real spacing{}, reach{};   // m, the largest ones of the wall
+    RealVector lacking{};     // 1/m, sum V_j S_ij (d_ij - a_ij) over the wall
+    Real spacing{}, reach{};  // m, the largest ones of the wall
   };
   Real kernel_gradient_normalisation;
 
@@ -92,7 +91,7 @@ struct GradientAtWall {
     const Real rest = Real(1) - Real(slowness) * density * dot(speed, speed) / p;
     if (!(rest > Real(0))) return;
     const RealVector lacking = (Real(2) * end * rest * kernel_gradient_normalisation) * sum.lacking;
-    push(particles, i, sum, (p / density) * lacking);
+    sum.faces.push(particles, i, (p / density) * lacking);
     particles.compression_rate[i] -= (Real(1) + particles.compression[i]) * dot(lacking, speed);
   }
   KERF_FUNCTION void complete(const ParticleView<D, P>& particles, Index i, const Sum& sum,
@@ -101,8 +100,8 @@ struct GradientAtWall {
     const auto wall = WallLayers<D, Real>::template at<Kernel>(height, sum.spacing, sum.reach);
     if (!(wall.across > Real(0))) return;
     const Real share = share_of(wall.along);
-    push(particles, i, sum,
-         (share / particles.density(i)) * (sum.pressure - dot(sum.pressure, n) * n));
+    sum.faces.push(particles, i,
+                   (share / particles.density(i)) * (sum.pressure - dot(sum.pressure, n) * n));
     const Real missing = wall.across - Real(2) * height * wall.force;
     const Real share_across = share_of(wall.across) * missing / wall.across;
     const Real motion_across = across(sum.motion, n);
@@ -112,22 +111,14 @@ struct GradientAtWall {
   }
   KERF_FUNCTION static void add_face(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                                      Sum& sum) {
-    const RealVector& d = pair.separation;
-    const auto normal = pair.of_j(particles.face_normal[pair.j]);
-    const Real depth = particles.face_depth[pair.j];
-    const Real along = dot(d, normal), height = along - depth;
-    if (!(height > Real(0))) return;
-    const Real share = pair.medium_j->volume * pair.slope_per_distance * along;
+    const auto face = FaceInFront<D, Real>::of(particles, pair);
+    if (!face.looks_at_fluid()) return;
+    sum.faces.add_face(face, pair);
     sum.spacing = maximum(sum.spacing, Real(pair.medium_j->spacing));
     sum.reach = maximum(sum.reach, pair.smoothing_length);
-    sum.velocity += share * pair.velocity;
-    sum.faces.add(share, normal, depth * normal - d, height);
-    const Real layers = depth / pair.medium_j->spacing;
-    sum.unevenness += share * std::abs(Real(2) * (layers - std::floor(layers)) - Real(1));
-    if (pair.medium_j->phase == Phase::rigid)
-      sum.rigid += share;
-    else if (pair.mirror != 0)
-      sum.mirrored += share;
+    sum.velocity += face.weight * pair.velocity;
+    const Real layers = face.depth / pair.medium_j->spacing;
+    sum.unevenness += face.weight * std::abs(Real(2) * (layers - std::floor(layers)) - Real(1));
   }
   // Returns k m / (1/k - m) for the part m of the wall in a moment; half the moment is that of a
   // particle on the wall itself.
@@ -139,17 +130,6 @@ struct GradientAtWall {
   // Returns n . m n.
   KERF_FUNCTION static Real across(const Matrix<D, Real>& m, const RealVector& n) {
     return dot(n, m * n);
-  }
-  KERF_FUNCTION static void push(const ParticleView<D, P>& particles, Index i, const Sum& sum,
-                                 const RealVector& acceleration) {
-    particles.pressure_acceleration[i] += acceleration;
-    particles.acceleration[i] += acceleration;
-    const Real inverse = Real(1) / sum.faces.all;
-    particles.repulsion[i] += inverse * sum.rigid * acceleration;
-    if (particles.mirrors.faces != 0)
-      particles.mirror_acceleration[i] += inverse * sum.mirrored * acceleration;
-    auto& given = particles.wall_push[i];
-    given = {given.acceleration + acceleration, inverse};
   }
 };
 

@@ -32,9 +32,10 @@ inline std::string readable(double value, const std::string& unit) {
   };
   static constexpr UnitPrefix prefixes[] = {{1e9, "G"},  {1e6, "M"},  {1e3, "k"}, {1.0, ""},
                                             {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}};
+  constexpr double rounded = 0.99995;  // 1.000 in four digits
   if (unit == "s" && value >= 60.0) return duration_text(value);
   for (const UnitPrefix& prefix : prefixes)
-    if (std::abs(value) >= prefix.factor)
+    if (std::abs(value) >= rounded * prefix.factor)
       return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.name, unit);
   return fmt::format("{:.4g} {}", value, unit);
 }

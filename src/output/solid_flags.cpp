@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/error.hpp"
 #include "model/case.hpp"
+#include "output/crushing.hpp"
 #include "output/result.hpp"
 
 namespace kerf {
@@ -43,6 +46,28 @@ void refuse_loose_bodies(const Case& description, const std::vector<LooseParticl
   }
 }
 
+namespace {
+
+// Flags the first body under the jet that its pressure crushes.
+void add_of_crushing(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  const Case& description = outcome.description;
+  if (description.jets.empty() || description.formulation != Formulation::standard) return;
+  for (const BodyVerdict& verdict : outcome.cut.bodies) {
+    if (!verdict.is_in_way) continue;
+    const Jet& jet = description.jets.front();
+    const Body& body = description.bodies.at(static_cast<std::size_t>(verdict.body));
+    const auto crushing = crushing_of(description, body, jet);
+    if (!crushing) continue;
+    std::string sentence = crushing_sentence(description, body, jet, *crushing) + ".";
+    sentence.front() = 'T';
+    flags.push_back({"crushing", ValidityFlag::State::warning, crushing->pressure, crushing->limit,
+                     std::move(sentence)});
+    return;
+  }
+}
+
+}  // namespace
+
 void add_solid_flags(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   for (const LooseParticles& loose : outcome.loose)
     flags.push_back({"loose_particles", ValidityFlag::State::warning,
@@ -56,6 +81,7 @@ void add_solid_flags(const RunOutcome& outcome, std::vector<ValidityFlag>& flags
              "solid can be: the pressure was beyond the stiffness of the solid. What is behind "
              "the face of that body means nothing. Use a slower jet or a stiffer solid.",
              100.0 * share)});
+  add_of_crushing(outcome, flags);
 }
 
 }  // namespace kerf

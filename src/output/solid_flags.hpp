@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flags of solids that the discretisation does not hold: particles that are loose from the start,
-// and solid that is pressed into rigid bodies.
+// Flags of solids that the discretisation does not hold, particles that are loose from the start
+// and solid that is pressed into rigid bodies, and of solid that fails by pressure alone.
 #pragma once
 
 #include <string>

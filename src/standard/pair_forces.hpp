@@ -13,6 +13,7 @@
 #include "fluid/fluid_force.hpp"
 #include "fluid/fluid_pressure.hpp"
 #include "fluid/gradient_at_wall.hpp"
+#include "fluid/gradient_in_corner.hpp"
 #include "fluid/lattice_sums.hpp"
 #include "fluid/particle_concentration.hpp"
 #include "fluid/simd/simd_pairs.hpp"
@@ -146,7 +147,15 @@ class StandardRates {
     const GradientAtWall<D, P, ContactPairs::Kernel<D>> term{
         fluid_pair_.kernel_gradient_normalisation};
     for_each_index(count, BesideSmoothWalls<D, P, Loop>{view, all, Loop(view, all, {}, term)});
+    if constexpr (D == 3) complete_in_corners(view, count, all);
     return has_solids_;
+  }
+  void complete_in_corners(const ParticleView<D, P>& view, Index count,
+                           const NeighbourView& all) const {
+    using Loop = PairLoop<D, P, ContactPairs, GradientInCorner<D, P>>;
+    const GradientInCorner<D, P> term{fluid_pair_.gravity,
+                                      fluid_pair_.kernel_gradient_normalisation};
+    for_each_index(count, InCorners<D, P, Loop>{view, Loop(view, all, {}, term)});
   }
   void react_at_walls(const ParticleView<D, P>& view, Index count,
                       const NeighbourView& list) const {

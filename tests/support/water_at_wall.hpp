@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Water beside a plane wall whose lattice has any angle against its face, with a pressure and a
-// motion that are linear.
+// Water beside a plane wall, or in the corner between two, whose lattice has any angle against its
+// face, with a pressure and a motion that are linear.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,8 @@ struct LinearField {
   double height = 0.5;     // of the first row above the wall, spacings
   double viscosity = 0.0;  // Pa s
   Phase wall = Phase::rigid;
-  bool has_faces = true;  // whether the particles of the wall know theirs
+  bool has_faces = true;   // whether the particles of the wall know theirs
+  bool in_corner = false;  // a second wall has the first column of the frame for its normal
 };
 
 template <int D, class P>
@@ -39,17 +40,24 @@ class AtWall {
     const auto place = loaded_.places();
     for (std::size_t k = 0; k < place.size(); ++k) {
       if (state_.particles[k].source == 0 || !field.has_faces) continue;
-      particles.face_normal[place[k]] = Vector<D, Real>::from(Vector3(field.frame.col(1)));
-      particles.face_depth[place[k]] = Real(-above_wall(state_.particles[k].position));
+      const auto& position = state_.particles[k].position;
+      const int face =
+          field.in_corner && height_above(0, position) < height_above(1, position) ? 0 : 1;
+      particles.face_normal[place[k]] = Vector<D, Real>::from(Vector3(field.frame.col(face)));
+      particles.face_depth[place[k]] = Real(-height_above(face, position));
     }
+    water_ = place[0];
     // The normal of the wall is known after one step, the factors of its sums after two.
     for (int step = 0; step < 3; ++step) {
       evaluate();
       for_each_index(particles.size(), UpdateSurfaceFlags<D, P>{particles.view()});
+      const std::uint8_t flags = particles.flags[water_];
+      is_in_corner_ = (flags & flag::in_corner) != 0;
       thrust::fill(particles.flags.begin(), particles.flags.end(), std::uint8_t(0));
+      if (is_in_corner_) particles.flags[water_] = flag::in_corner;
     }
-    water_ = place[0];
   }
+  bool is_in_corner() const { return is_in_corner_; }
   Vector3 acceleration() const {
     return as_eigen(
         Vector<D, double>::from(Vector<D, Real>(loaded_.particles.acceleration[water_])));
@@ -91,8 +99,12 @@ class AtWall {
   Vector3 from_water(const Vector3& x) const {
     return x - Vector3(centre, centre, D == 3 ? centre : 0.0);
   }
-  double above_wall(const Vector3& x) const {
-    return field_.frame.col(1).dot(from_water(x)) + field_.height * spacing;
+  // Returns the height above the wall whose normal is the column `face` of the frame, m.
+  double height_above(int face, const Vector3& x) const {
+    return field_.frame.col(face).dot(from_water(x)) + field_.height * spacing;
+  }
+  bool is_in_wall(const Vector3& x) const {
+    return height_above(1, x) <= 0.0 || (field_.in_corner && height_above(0, x) <= 0.0);
   }
   const ReferenceState& state() {
     state_.dimension = D;
@@ -110,7 +122,8 @@ class AtWall {
     for (int n = 0; n < count; ++n) {
       const Vector3 node(n % side - reach, n / side % side - reach,
                          D == 3 ? n / (side * side) - reach : 0);
-      if (node[1] >= 0.0 && !node.isZero()) add_water(spacing * node);
+      const bool is_water = node[1] >= 0.0 && (node[0] >= 0.0 || !field_.in_corner);
+      if (is_water && !node.isZero()) add_water(spacing * node);
       add_wall(spacing * node);
     }
     return state_;
@@ -128,13 +141,14 @@ class AtWall {
     ReferenceParticle particle;
     particle.source = 1;
     particle.position = node + Vector3(centre, centre, D == 3 ? centre : 0.0);
-    if (above_wall(particle.position) <= 0.0) state_.particles.push_back(particle);
+    if (is_in_wall(particle.position)) state_.particles.push_back(particle);
   }
 
   LinearField field_;
   ReferenceState state_;
   Loaded<D, P, ContactPairs> loaded_;
   std::size_t water_ = 0;
+  bool is_in_corner_ = false;
 };
 
 template <int D>

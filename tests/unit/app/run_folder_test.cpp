@@ -203,6 +203,8 @@ TEST(Progress, LabelsItsNumbers) {
   EXPECT_EQ(readable(59.5, "s"), "59.5 s");
   EXPECT_EQ(readable(1200.0, "s"), "20 min 00 s");
   EXPECT_EQ(readable(1200.0, "m"), "1.2 km");
+  EXPECT_EQ(readable(0.99998e-3, "m"), "1 mm");
+  EXPECT_EQ(readable(0.9999e-3, "m"), "999.9 um");
   EXPECT_EQ(duration_text(std::numeric_limits<double>::infinity()), "?");
 }
 

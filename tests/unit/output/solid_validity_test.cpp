@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "output/result.hpp"
 
 namespace kerf::test::solid_validity_test {
@@ -108,6 +110,38 @@ TEST(SolidValidity, FlagsSolidInsideRigidBodies) {
   outcome.cut.pressed_share = 0.12;
   EXPECT_THAT(validity_of(outcome),
               flag_of("pressed_into_rigid", State::warning, "12% of the workpiece was a spacing"));
+}
+
+// A neo-Hookean solid: see CheckSolids.WarnOfASolidThatThePressureOfAJetFails for its stress.
+TEST(SolidValidity, FlagsASolidThatThePressureOfTheJetFails) {
+  RunOutcome outcome = outcome_with_solid();
+  Case& description = outcome.description;
+  description.formulation = Formulation::standard;
+  description.materials.resize(2);
+  description.materials[0].density = 1000.0;
+  Material& soft = description.materials[1];
+  soft.youngs_modulus = 1e5;
+  soft.poisson_ratio = 0.25;
+  soft.failure_strain = 0.5;
+  description.bodies.resize(1);
+  description.bodies[0].role = Role::elastic;
+  description.bodies[0].material = 1;
+  description.bodies[0].name = "block";
+  description.jets.resize(1);
+  description.jets[0].material = 0;
+  outcome.cut.bodies.resize(1);
+  outcome.cut.bodies[0].is_in_way = true;
+  const double volume = 0.2, shear = 4e4, bulk = 2e5 / 3.0;
+  const double stress = shear * std::pow(volume, -5.0 / 3.0) * 2.0 / 3.0 * (1.0 - volume * volume) +
+                        0.5 * bulk * (1.0 / volume - volume);
+  const double limit = std::sqrt(2.0 * stress / 1000.0);  // m/s
+  description.jets[0].speed = 0.98 * limit;
+  EXPECT_THAT(validity_of(outcome), Not(any_of_name("crushing")));
+  description.jets[0].speed = 1.02 * limit;
+  EXPECT_THAT(validity_of(outcome),
+              flag_of("crushing", State::warning, "\"block\" below a fifth of its volume"));
+  outcome.cut.bodies[0].is_in_way = false;
+  EXPECT_THAT(validity_of(outcome), Not(any_of_name("crushing")));
 }
 
 TEST(SolidValidity, FlagsAWorkpieceThatCrossesTheJet) {
