@@ -8,7 +8,7 @@
 #include "simulation/frame.hpp"
 #include "simulation/run_settings.hpp"
 #include "simulation/symmetry.hpp"
-#include "solid/find_bonds.hpp"
+#include "solid/bonds_through_solid.hpp"
 #include "solid/gradient_correction.hpp"
 
 namespace kerf {
@@ -19,6 +19,7 @@ SolidLayout<D> layout_of_solids(const RunSettings& settings) {
   SolidLayout<D> layout;
   layout.media = settings.media;
   layout.mirrors = mirror_planes<D>(settings);
+  layout.regions = settings.bond_regions;
   for (const NewParticle& particle : settings.particles) {
     if (settings.media[particle.source].phase != Phase::solid) continue;
     layout.reference.push_back(Vector<D, double>::from(particle.position));
@@ -33,7 +34,7 @@ class LooseSearch {
  public:
   explicit LooseSearch(const SolidLayout<D>& layout)
       : layout_(layout),
-        bonds_(BondFinder<D>(layout).find()),
+        bonds_(bonds_of(layout)),
         scales_(layout.media),
         loose_(layout.reference.size(), 0) {}
 

@@ -141,4 +141,12 @@ std::optional<NearestFace> nearest_face(const Shape& shape, const std::vector<Sh
   return {};
 }
 
+bool is_near_face(const Shape& shape, const Point& point, double reach, int dimension) {
+  std::vector<Foot> feet;
+  Feet(point, reach, dimension, feet).add(shape);
+  return std::any_of(feet.begin(), feet.end(), [&](const Foot& foot) {
+    return length(sum(foot.point, -1.0, point)) <= reach;
+  });
+}
+
 }  // namespace kerf

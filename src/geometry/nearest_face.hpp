@@ -24,4 +24,7 @@ struct NearestFace {
 std::optional<NearestFace> nearest_face(const Shape& shape, const std::vector<Shape>& others,
                                         const Point& point, double reach, int dimension);
 
+// Returns whether a face of the shape or of any of its parts is within `reach`, m, of a point.
+bool is_near_face(const Shape& shape, const Point& point, double reach, int dimension);
+
 }  // namespace kerf

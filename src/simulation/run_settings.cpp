@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "geometry/fill.hpp"
@@ -93,6 +94,20 @@ void set_numbers(RunSettings& settings, const Case& description) {
   settings.sleep = description.numerics.sleep;
 }
 
+// Returns the regions of the media; empty where no body has voids.
+std::vector<BondRegion> bond_regions(const Case& description,
+                                     const std::vector<MediumOrigin>& origins) {
+  const std::vector<SolidRegion> of_body =
+      regions_of(description.bodies, pieces_of(description.bodies), description.dimension);
+  const auto has_voids = [](const SolidRegion& region) { return region != nullptr; };
+  if (std::none_of(of_body.begin(), of_body.end(), has_voids)) return {};
+  std::vector<BondRegion> regions;
+  for (const MediumOrigin& origin : origins)
+    regions.push_back(
+        {origin.source, origin.source < of_body.size() ? of_body[origin.source] : SolidRegion()});
+  return regions;
+}
+
 }  // namespace
 
 RunSettings run_settings(const Case& description) {
@@ -106,6 +121,7 @@ RunSettings run_settings(const Case& description) {
   InitialParticles laid = initial_particles(description, settings.nozzles);
   settings.particles = std::move(laid.particles);
   settings.media = make_media(description, settings.nozzles, laid.of_body);
+  settings.bond_regions = bond_regions(description, settings.origins);
   settings.absorbing = absorbing_sides(description);
   settings.window = moving_window(description);
   settings.loads = run_loads(description, settings.particles, settings.origins);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/nozzle.hpp"
+#include "geometry/solid_region.hpp"
 #include "machine/travelling_frame.hpp"
 #include "model/medium.hpp"
 #include "model/water_scheme.hpp"
@@ -74,8 +75,9 @@ struct RunSettings {
   std::vector<std::string> source_names;  // of bodies, then of jets, as in "body 'plate'"
   std::vector<Nozzle> nozzles;            // per jet
   Motion motion;
-  std::vector<MediumOrigin> origins;  // per medium
-  std::vector<Medium<double>> media;  // per medium
+  std::vector<MediumOrigin> origins;     // per medium
+  std::vector<Medium<double>> media;     // per medium
+  std::vector<BondRegion> bond_regions;  // per medium; empty: no body has voids
   std::vector<AbsorbingSide> absorbing;
   std::optional<MovingWindow> window;
   std::vector<RunLoad> loads;

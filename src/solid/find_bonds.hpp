@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/mirror_planes.hpp"
+#include "geometry/solid_region.hpp"
 #include "neighbours/level_grids.hpp"
 #include "neighbours/pair_range.hpp"
 #include "solid/bond_weight.hpp"
@@ -23,6 +24,7 @@ struct SolidLayout {
   std::vector<std::uint16_t> medium_index;   // per particle
   // Per medium, the body of which it is a level of resolution; empty: there are no levels.
   std::vector<std::uint16_t> body;
+  std::vector<BondRegion> regions;  // per medium; empty: no body has voids
   MirrorPlanes<D> mirrors{};
 };
 

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "parallel/fused_kernel.hpp"
 #include "solid/bond_force.hpp"
+#include "solid/bonds_through_solid.hpp"
 #include "solid/break_bonds.hpp"
 #include "solid/deformation_gradient.hpp"
 #include "solid/divided_solid.hpp"
@@ -45,7 +46,7 @@ class TotalLagrangian : public DividedSolid<D, P> {
     const std::size_t n = layout.reference.size();
     require(n > 0 && layout.medium_index.size() == n, "a solid has one medium per particle");
     traits_ = take_media(layout, fields_);
-    const BondLists lists = BondFinder<D>(layout).find();
+    const BondLists lists = bonds_of(layout);
     const BondFit fit = LevelFit<D>(layout, lists).solve();
     const StoredBonds bonds = ListSharing<D>(layout, lists, fit.fitted).store();
     fitted_ = fit.fitted;
@@ -282,7 +283,6 @@ class TotalLagrangian : public DividedSolid<D, P> {
     correct_(fields_, Divided::halo(), records);
   }
   bool any_changed() { return correct_.any_changed(view()); }
-
   using Divided::fields_, Divided::break_records_, Divided::entries_;
 
   SimdBondSums<D, P> simd_;

@@ -18,6 +18,7 @@ SolidLayout<D> solid_layout(const RunSettings& settings, const std::vector<Mediu
     for (const MediumOrigin& origin : origins) layout.body.push_back(origin.source);
   layout.media = media;
   layout.mirrors = mirrors;
+  layout.regions = settings.bond_regions;
   layout.reference = members.reference;
   layout.medium_index = members.medium_index;
   return layout;
