@@ -6,6 +6,7 @@
 
 #include "analysis/hydrodynamic_front.hpp"
 #include "analysis/line_slope.hpp"
+#include "geometry/nozzle.hpp"
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 
@@ -249,11 +250,12 @@ void limit_to_jet(const Jet& jet, Exposure& exposure) {
   exposure.possible_feed = bounded(exposure.possible_feed, jet.speed);
 }
 
-// Finds the feed at which the drops of a jet that has broken up in air leave gaps.
+// Finds the feed at which the slugs of a jet that has broken up in air leave gaps.
 void add_pauses(const Jet& jet, double extent, Exposure& exposure) {
-  if (!(jet.pulse_frequency > 0.0 && jet.duty < 1.0)) return;
-  exposure.pausing_feed = extent * jet.pulse_frequency / Exposure::few_pulses;
-  exposure.has_pauses = exposure.shortest * jet.pulse_frequency < Exposure::few_pulses;
+  const double period = slugs_of(jet).period;
+  if (period == 0.0) return;
+  exposure.pausing_feed = extent / period / Exposure::few_pulses;
+  exposure.has_pauses = exposure.shortest / period < Exposure::few_pulses;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "geometry/particle_estimate.hpp"
 #include "geometry/shapes.hpp"
 #include "model/case.hpp"
+#include "output/pulse_flag.hpp"
 
 namespace kerf {
 
@@ -155,7 +156,9 @@ std::vector<std::pair<std::string, std::string>> particle_rows(const Case& descr
       levels.push_back(fmt::format("{:.0f} of {}", counts.levels[level],
                                    length(level_spacing(body, static_cast<int>(level)))));
     const double total = counts.total(), uniform = counts.uniform(description.dimension);
-    std::string text = fmt::format("{}", fmt::join(levels, ", "));
+    const bool is_whole_box = body.grading.levels == 0 && body.shape.kind == Shape::Kind::box;
+    std::string text = fmt::format("{}{}", counts.is_exact || is_whole_box ? "" : "about ",
+                                   fmt::join(levels, ", "));
     if (counts.levels.size() > 1)
       text += fmt::format(": {:.0f} instead of {:.0f} ({:.0f}%)", total, uniform,
                           100.0 * total / uniform);
@@ -167,6 +170,8 @@ std::vector<std::pair<std::string, std::string>> particle_rows(const Case& descr
 std::vector<std::string> resolution_warnings(const Case& description) {
   Warnings warnings;
   warn_of_narrow_jets(description, warnings);
+  for (std::size_t j = 0; j < description.jets.size(); ++j)
+    if (const auto text = merged_pulses(description, j)) warnings.push_back(*text);
   for (const Body& body : description.bodies) {
     warn_of_thin_levels(description, body, warnings);
     if (body.role != Role::elastic || description.jets.empty()) continue;

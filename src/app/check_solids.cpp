@@ -6,8 +6,10 @@
 #include "analysis/jet_axis.hpp"
 #include "app/check_warnings.hpp"
 #include "app/jet_way.hpp"
+#include "core/error.hpp"
 #include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
+#include "input/parse_toml.hpp"
 #include "materials/elastic_moduli.hpp"
 #include "model/case.hpp"
 #include "output/crushing.hpp"
@@ -79,8 +81,11 @@ void warn_of_crushing(const Case& description, const Jet& jet, std::vector<std::
 
 }  // namespace
 
-void refuse_unbonded(const Case& description) {
-  refuse_loose_bodies(description, quick_loose_particles(description));
+void refuse_unbonded(const Case& description, const std::string& text, const std::string& file) {
+  const auto loose = loose_body(description, quick_loose_particles(description));
+  if (loose)
+    throw UserError(fmt::format("{}:{}: {}.", file, line_of_key(text, loose->key), loose->sentence),
+                    exit_bad_input);
 }
 
 std::vector<std::string> solid_warnings(const Case& description) {

@@ -11,6 +11,7 @@
 #include "geometry/particle_estimate.hpp"
 #include "geometry/shapes.hpp"
 #include "geometry/surface_fit.hpp"
+#include "input/material_library.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "machine/characteristic_speed.hpp"
 #include "model/calibration_need.hpp"
@@ -21,17 +22,18 @@ namespace kerf {
 
 namespace {
 
-// Warns if the mass of a body differs from that of its shape because the lattice does not fit.
+// Warns if the mass of a body differs from that of its shape because the lattice does not fit. A
+// graded body has the mass of the uniform one.
 void warn_of_misfits(const Case& description, std::vector<std::string>& warnings) {
   constexpr double noticeable = 0.02;
   for (const Body& body : description.bodies) {
-    const CountedSide everywhere;
-    const ParticleEstimate estimate = estimate_particles(body, description.dimension, everywhere);
+    Body uniform = body;
+    uniform.grading = {};
+    const ParticleEstimate estimate = estimate_particles(uniform, description.dimension);
     const bool is_counted = estimate.is_exact || body.shape.kind == Shape::Kind::box;
     if (!is_counted) continue;  // many particles in a round or composed shape fit well
     if (shares_volume(body, description.dimension)) continue;
-    const double filled =
-        estimate.uniform(description.dimension) * particle_volume(body, description.dimension);
+    const double filled = estimate.total() * particle_volume(body, description.dimension);
     const double misfit = filled / volume_estimate(body.shape, description.dimension) - 1.0;
     if (std::abs(misfit) > noticeable)
       warnings.push_back(
@@ -130,6 +132,14 @@ void warn_of_planes_at_walls(const Case& description, std::vector<std::string>& 
     }
 }
 
+// Returns where the library tells the known values of a material, in brackets; a case may have
+// materials of its own.
+std::string place_of_known_values(const Material& material) {
+  const bool is_known = find_library_material(material.name) != nullptr;
+  return fmt::format(" ({} lists known values)",
+                     is_known ? "kerf materials " + material.name : "kerf materials NAME");
+}
+
 // Warns if a case with a jet has no body that can be cut.
 void warn_of_nothing_to_cut(const Case& description, std::vector<std::string>& warnings) {
   if (description.jets.empty()) return;
@@ -143,8 +153,8 @@ void warn_of_nothing_to_cut(const Case& description, std::vector<std::string>& w
           "\"{}\" never breaks: its material \"{}\" has no failure_strain, fracture_energy or "
           "tensile_strength. The jet can only dent it, beyond the strength of a real material; "
           "give the "
-          "material a measured one of them (kerf materials {} lists the known values)",
-          body.name, material.name, material.name));
+          "material a measured one of them{}",
+          body.name, material.name, place_of_known_values(material)));
   }
   if (!has_workpiece)
     warnings.emplace_back(

@@ -25,8 +25,9 @@ std::vector<std::string> aim_warnings(const Case& description);
 // particle of a body is bonded.
 std::vector<std::string> solid_warnings(const Case& description);
 
-// Throws that UserError, before a run has written anything.
-void refuse_unbonded(const Case& description);
+// Throws that UserError with the place in the text of the case file, before a run has written
+// anything.
+void refuse_unbonded(const Case& description, const std::string& text, const std::string& file);
 
 inline constexpr double most_tested = 1e5;  // particles of a body, by a warning
 

@@ -35,7 +35,7 @@ StudyPlan plan_of(const Case& description, const ConvergeSettings& settings) {
 
 std::vector<Trial> trials_of(const Case& description, const ConvergeSettings& settings) {
   const int layouts = has_other_layouts(description) ? settings.layouts : 1;
-  return convergence_trials(convergence_ratio(description), layouts);
+  return convergence_trials(convergence_spacings(description), layouts);
 }
 
 void keep(const std::vector<MetricInterval>& intervals, const Case& description,
@@ -49,13 +49,19 @@ void keep(const std::vector<MetricInterval>& intervals, const Case& description,
 }
 
 void print_intervals(const std::vector<MetricInterval>& intervals, const Case& description) {
-  const double ratio = convergence_ratio(description);
+  const auto [ratio, count] = convergence_spacings(description);
   const bool has_layouts =
       std::any_of(intervals.begin(), intervals.end(),
                   [](const MetricInterval& each) { return std::isfinite(each.layout); });
-  fmt::print("Value [low, high], from spacings 1, {:.3g} and {:.3g} times as large{}:\n", ratio,
-             ratio * ratio, has_layouts ? " and from layouts" : "");
+  const std::string spacings = count > 1 ? fmt::format("1, {:.3g} and {:.3g}", ratio, ratio * ratio)
+                                         : fmt::format("1 and {:.3g}", ratio);
+  fmt::print("Value [low, high], from spacings {} times as large{}:\n", spacings,
+             has_layouts ? " and from layouts" : "");
   for (const MetricInterval& interval : intervals) fmt::print("  {}\n", interval_line(interval));
+  if (count == 1)
+    fmt::print(
+        "  Only one coarser spacing: no two suit the symmetry planes, in which a jet has an even "
+        "number of columns and no particles of a body lie.\n");
   if (!has_other_layouts(description))
     fmt::print(
         "  Layouts were not varied: nothing is random and a symmetry plane holds the jet.\n");
@@ -120,8 +126,8 @@ int converge(const Case& description, const ConvergeSettings& settings) {
   refuse_failures(outcomes, settings);
   Outcome run;
   run.metrics = read_metrics(read_file(settings.folder / "result.json"));
-  const auto intervals =
-      find_intervals(run, trials, outcomes, convergence_ratio(description), description.dimension);
+  const auto intervals = find_intervals(
+      run, trials, outcomes, convergence_spacings(description).ratio, description.dimension);
   keep(intervals, description, settings.folder);
   if (!settings.quiet) print_intervals(intervals, description);
   return 0;

@@ -75,7 +75,7 @@ std::string resume_command(const RunOptions& options, const fs::path& folder) {
 RunLoopSettings settings_of(const RunOptions& options) {
   const std::string text = case_text(options.case_file);
   Case description = parse_case(text, options.case_file);
-  refuse_unbonded(description);
+  refuse_unbonded(description, text, options.case_file);
   if (!options.ignore_memory && options.machine.device == Device::cpu)
     refuse_beyond_memory({text, options.case_file, description, derive(description), {}},
                          threads_of(options.machine), "--ignore-memory");

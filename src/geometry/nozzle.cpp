@@ -56,8 +56,8 @@ Nozzle::Nozzle(const Jet& jet, double water_density, int dimension)
       stop_(jet.stop),
       dwell_(jet.dwell),
       holds_pressure_(jet.feed == Feed::pressure),
-      period_(jet.pulse_frequency > 0.0 ? 1.0 / jet.pulse_frequency : 0.0),
-      duty_(jet.duty),
+      slugs_(slugs_of(jet)),
+      layer_time_(jet.spacing / jet.speed),
       traverse_(jet.traverse) {
   const double sine = std::sin(jet.angle), cosine = std::cos(jet.angle);
   const double azimuth = dimension == 3 ? jet.azimuth : 0.0;
@@ -134,18 +134,45 @@ double entering_particles(const Jet& jet, int dimension, double end) {
   return jet.speed * nozzle_area(jet, dimension) * open / std::pow(jet.spacing, dimension);
 }
 
+Slugs slugs_of(const Jet& jet) {
+  if (!(jet.pulse_frequency > 0.0 && jet.duty < 1.0)) return {};
+  const double layer = jet.spacing / jet.speed;  // s
+  const double shortest =
+      std::max(Slugs::least_slug * layer / jet.duty, Slugs::least_gap * layer / (1.0 - jet.duty));
+  constexpr double rounding = 1.0 - 1e-9;
+  Slugs slugs;
+  slugs.merged = std::max(1.0, std::ceil(rounding * shortest * jet.pulse_frequency));
+  slugs.period = slugs.merged / jet.pulse_frequency;
+  slugs.layers = slugs.period * jet.duty / layer;
+  return slugs;
+}
+
+double pulse_spacing(const Jet& jet) {
+  const double way = jet.speed / jet.pulse_frequency;  // m, of the water in a period
+  return way * std::min(jet.duty / Slugs::least_slug, (1.0 - jet.duty) / Slugs::least_gap);
+}
+
+double Nozzle::layers_until(double slug) const {
+  return std::floor(slug * slugs_.layers + 0.5);
+}
+
 double Nozzle::open_time(double time) const {
   const double since_start = std::max(0.0, std::min(time, stop_) - start_);
-  if (period_ == 0.0) return since_start;
-  const double pulses = std::floor(since_start / period_);
-  return (pulses * duty_ + std::min(since_start / period_ - pulses, duty_)) * period_;
+  if (slugs_.period == 0.0) return since_start;
+  const double slug = std::floor(since_start / slugs_.period);
+  const double before = layers_until(slug), here = layers_until(slug + 1.0) - before;
+  return before * layer_time_ + std::min(since_start - slug * slugs_.period, here * layer_time_);
+}
+
+bool Nozzle::is_between_slugs(double time) const {
+  if (slugs_.period == 0.0 || time < start_ || time >= stop_) return false;
+  const double slug = std::floor((time - start_) / slugs_.period);
+  const double here = layers_until(slug + 1.0) - layers_until(slug);
+  return time - start_ - slug * slugs_.period >= here * layer_time_;
 }
 
 bool Nozzle::is_open(double time) const {
-  if (time < start_ || time >= stop_) return false;
-  if (period_ == 0.0) return true;
-  const double periods = (time - start_) / period_;
-  return periods - std::floor(periods) < duty_;
+  return time >= start_ && time < stop_ && !is_between_slugs(time);
 }
 
 double Nozzle::moving_time(double time) const {
@@ -177,8 +204,10 @@ std::vector<InletParticle> Nozzle::standing_water() const {
   return water;
 }
 
+// A layer that is complete as a slug ends enters with the next slug, which it moves with.
 std::vector<InletParticle> Nozzle::emit(double time) {
   std::vector<InletParticle> water;
+  if (is_between_slugs(time)) return water;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const double come = travelled(k, time);
     // Particle n enters when the column has travelled (n + 1) d, behind the one before it.

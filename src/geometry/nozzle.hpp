@@ -3,7 +3,9 @@
 // column emits particles of mass rho (A/N) d whenever it has travelled another spacing d, so that
 // the emitted mass differs from the integral of rho V A by less than a layer, and that remainder is
 // carried to the next layer. V is the speed of the column, times the share of it that the pressure
-// at its exit leaves where the pump holds its pressure (geometry/pump_limit.hpp).
+// at its exit leaves where the pump holds its pressure (geometry/pump_limit.hpp). A pulsed jet
+// sends slugs of whole layers, so that the water stops between two layers and each leaves at full
+// speed.
 #pragma once
 
 #include <cstdint>
@@ -34,6 +36,19 @@ double nozzle_columns(const Jet& jet, int dimension);
 Jet coarsened(const Jet& jet, int dimension, double most);
 // Returns the approximate number of particles that a jet emits until the time `end`, s.
 double entering_particles(const Jet& jet, int dimension, double end);
+
+// The slugs of a pulsed jet. They are of whole layers, and as long as the particles can hold: at
+// least `least_slug` layers of water and `least_gap` layers without follow each other. Where the
+// pulses of the case are shorter, several of them come as one, with the same mean flow.
+struct Slugs {
+  static constexpr double least_slug = 2.0, least_gap = 1.0;
+  double period = 0.0;  // s; 0 = a steady jet
+  double merged = 1.0;  // pulses of the case in each
+  double layers = 0.0;  // in each, on average
+};
+Slugs slugs_of(const Jet& jet);
+// Returns the greatest spacing at which each pulse of a pulsed jet comes as a slug of its own, m.
+double pulse_spacing(const Jet& jet);
 
 class Nozzle {
  public:
@@ -87,14 +102,17 @@ class Nozzle {
   void lay_out_columns(const Jet& jet, int dimension);
   // Returns the position of a column at the distance `along` the jet from the exit at `time`, m.
   Point position(const Column& column, double along, double time) const;
-  double moving_time(double time) const;  // s
-  void start_columns();                   // when they are laid out
+  double moving_time(double time) const;   // s
+  void start_columns();                    // when they are laid out
+  double layers_until(double slug) const;  // whole ones, in all slugs before this one
+  bool is_between_slugs(double time) const;
 
   static constexpr int layers_inside = 4;  // more than the support of 2 h = 3 d
   double density_;                         // kg/m^3
   double spacing_, start_, stop_, dwell_;
   bool holds_pressure_;
-  double period_, duty_;  // s, 0 = no pulses; 1
+  Slugs slugs_;
+  double layer_time_;  // s, in which water of the mean speed advances by a layer
   double particle_mass_ = 0.0;
   Point direction_{}, first_exit_{}, traverse_{};
   std::vector<Column> columns_;

@@ -26,7 +26,7 @@ struct CountedSide {
 };
 
 // Lattices of more nodes are not laid out.
-inline constexpr double most_laid_nodes = 1e5;
+inline constexpr double most_laid_nodes = 3e5;
 
 struct ParticleEstimate {
   std::vector<double> levels;  // number of particles of each level, the finest first

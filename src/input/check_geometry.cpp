@@ -124,11 +124,14 @@ void check_overlap(Draft& draft, std::size_t i, std::size_t j) {
 }
 
 // Returns the key that sets the spacing of the [workpiece]: its own, that of the [machine], or the
-// length from which the width of the jet follows, which grows beyond the coherent length.
+// length from which the width of the jet follows, which grows beyond the coherent length. Where the
+// jet is one that machines have, the size of the workpiece is to blame.
 std::string key_of_spacing(const Draft& draft) {
+  constexpr double widest_usual = 0.02;  // m, of a jet
   for (const char* key : {"workpiece.spacing", "machine.spacing"})
     if (draft.reading.problems.is_written(key)) return key;
   const Machine& machine = *draft.result.machine;
+  if (draft.jets.back().jet.width <= widest_usual) return "workpiece.size";
   return machine.standoff > machine.coherent_length ? "machine.standoff"
                                                     : "machine.orifice_diameter";
 }
@@ -156,7 +159,10 @@ void add_no_particle(Draft& draft, std::size_t number) {
   draft.reading.problems.add(
       {key,
        fmt::format("no particle fits into the workpiece at the spacing of {}{}", spacing, reason),
-       wide, is_written ? "Lower it" : "Correct this length or its unit"});
+       wide,
+       is_written ? "Lower it"
+                  : "Correct this length or its unit, or give workpiece.spacing: two particles or "
+                    "more across the thickness are bonded"});
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "geometry/nozzle.hpp"
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
+#include "input/refine.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "model/case.hpp"
 
@@ -170,7 +171,9 @@ void check_jet_on(Draft& draft, const Plane& plane, std::size_t number) {
 
 }  // namespace
 
-void check_symmetry(Draft& draft) {
+namespace {
+
+void look_at_planes(Draft& draft) {
   const auto planes = planes_of(draft.result);
   for (const Plane& plane : planes) {
     check_gravity(draft, plane);
@@ -181,7 +184,28 @@ void check_symmetry(Draft& draft) {
     }
     for (std::size_t i = 0; i < draft.result.jets.size(); ++i) check_jet_on(draft, plane, i);
   }
+}
+
+}  // namespace
+
+void check_symmetry(Draft& draft) {
+  look_at_planes(draft);
   draft.reading.problems.throw_if_any();
+}
+
+bool suits_its_planes(const Case& description) {
+  Draft draft{Reading{Problems(""), {}}, description, {}, {}, {}, {}};
+  draft.effort = quick_look;
+  for (const Body& body : description.bodies) {
+    draft.bodies.emplace_back();
+    draft.bodies.back().body = body;
+  }
+  for (const Jet& jet : description.jets) {
+    draft.jets.emplace_back();
+    draft.jets.back().jet = jet;
+  }
+  look_at_planes(draft);
+  return !draft.reading.problems.any();
 }
 
 }  // namespace kerf

@@ -70,7 +70,7 @@ const MaterialDraft* use_material(Draft& draft, Section& section, const std::str
 
 // Does the same for a jet; refuses a material that is not water.
 const MaterialDraft* use_water(Draft& draft, Section& section, const std::string& name);
-// Refuses a duty without pulses. `frequency` in Hz.
+// Refuses a duty without pulses, and pulses without a duty. `frequency` in Hz.
 void check_pulses(Section& section, double frequency, double duty);
 // Refuses a box whose second corner is not beyond the first along each axis.
 void refuse_empty_box(Section& section, const Box& box);
@@ -123,6 +123,8 @@ void check_joints(Draft& draft);
 void check_symmetry(Draft& draft);
 void check_loads(Draft& draft);
 void check_jets(Draft& draft);
+// Refuses jets whose nozzles overlap at any time of the run.
+void check_nozzles(Draft& draft);
 void check_probes(Draft& draft);
 // Refuses fracture limits at which a body would never break, or at rest.
 void check_fracture(Draft& draft);

@@ -129,6 +129,10 @@ void check_pulses(Section& section, double frequency, double duty) {
   if (duty < 1.0 && frequency == 0.0)
     section.refuse("duty", "the jet does not pulse", "Add a pulse_frequency or remove the duty",
                    "1 without a pulse_frequency");
+  if (frequency > 0.0 && !section.has("duty"))
+    section.refuse("pulse_frequency", "without a duty below 1 the water never pauses",
+                   "Add the share of each pulse in which water flows, such as duty = 0.5",
+                   "0 Hz, or a duty beside it");
 }
 
 void read_jets(Draft& draft, Section& top) {

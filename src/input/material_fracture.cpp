@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <utility>
+
 #include "fracture/bond_criterion.hpp"
 #include "input/material_library.hpp"
 #include "input/section.hpp"
@@ -46,6 +49,22 @@ void choose_limit(const Section& section, Material& material) {
   (by_strain ? material.fracture_energy : material.failure_strain) = 0.0;
 }
 
+// Refuses a strain beside an energy under a criterion that uses one of them.
+void refuse_both(Section& section, const Material& material) {
+  constexpr BondCriterion banded = BondCriterion::crack_band;
+  const bool may_have_both =
+      material.plasticity == PlasticLaw::none || !keys_of(banded).excludes_plasticity;
+  const std::string with = fmt::format("criterion = \"{}\"", word_of(banded, bond_criterion_words));
+  section.refuse("fracture_energy", "a failure_strain is given as well",
+                 may_have_both
+                     ? fmt::format("Add {}, which uses both: damage begins at the strain, "
+                                   "and the crack takes the energy; or remove one",
+                                   with)
+                     : std::string("Remove one of the two"),
+                 fmt::format("one of failure_strain and fracture_energy{}",
+                             may_have_both ? ", or both with " + with : std::string()));
+}
+
 // Checks the fracture energy, which replaces a failure strain.
 void resolve_energy(Section& section, Formulation formulation, Material& material) {
   choose_limit(section, material);
@@ -54,8 +73,7 @@ void resolve_energy(Section& section, Formulation formulation, Material& materia
     section.refuse("fracture_energy", "this formulation breaks particles at a strain",
                    "Give a failure_strain, or choose formulation = \"standard\"");
   if (section.has("failure_strain") && material.failure_strain > 0.0)
-    section.refuse("fracture_energy", "a failure_strain is given as well", "Remove one of the two",
-                   "one of failure_strain and fracture_energy");
+    refuse_both(section, material);
   material.failure_strain = 0.0;
 }
 
@@ -86,6 +104,26 @@ void resolve_limits(Section& section, Formulation formulation, Material& materia
                    "Choose another criterion, or plasticity = \"none\"",
                    fmt::format("\"{}\" where plasticity is \"none\"",
                                word_of(material.criterion, bond_criterion_words)));
+}
+
+// Refuses coefficients of the damage of metals that nothing switches on.
+void resolve_damage(Section& section, const Material& material) {
+  const JohnsonCookDamage<double>& damage = material.laws->damage;
+  if (damage.is_on() || section.reading().problems.concern(section.path("least_plastic_failure")))
+    return;
+  const std::pair<const char*, double> values[] = {{"damage_d1", damage.constant},
+                                                   {"damage_d2", damage.triaxial},
+                                                   {"damage_d3", damage.triaxial_exponent},
+                                                   {"damage_d4", damage.rate_coefficient},
+                                                   {"damage_d5", damage.thermal_coefficient}};
+  for (const auto& [key, value] : values) {
+    if (!section.has(key) || value == 0.0) continue;
+    section.refuse(key, "without a least_plastic_failure no damage grows",
+                   "Add least_plastic_failure, such as 0.01: the plastic strain at failure is not "
+                   "below it, however great the tension",
+                   "0, or a value beside a least_plastic_failure above 0");
+    return;
+  }
 }
 
 // Checks the rate of strain on which strength depends.
@@ -121,6 +159,7 @@ void choose_criterion(const Section& section, const LibraryMaterial* base, Formu
 
 void resolve_fracture(Section& section, Formulation formulation, Material& material) {
   resolve_limits(section, formulation, material);
+  resolve_damage(section, material);
   resolve_strength_rate(section, material);
 }
 

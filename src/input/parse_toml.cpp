@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <regex>
 #include <sstream>
 #include <string>
 
 #include "input/problems.hpp"
+#include "input/toml_path.hpp"
 
 namespace kerf {
 namespace {
@@ -36,6 +38,16 @@ toml::table parse_toml(std::string_view text, std::string_view file_name) {
     throw CaseError(fmt::format("{}:{}: {}. {}", file_name, line, what, remedy),
                     {FoundProblem{{"", what, "", remedy}, line}});
   }
+}
+
+int line_of_key(const std::string& text, const std::string& path) {
+  toml::table root = toml::parse(text);
+  const PathSteps steps = steps_of(path);
+  const toml::table* table = table_at(root, without_last(steps));
+  if (table == nullptr) return 1;
+  const toml::node* value = table->get(steps.back().name);
+  const toml::node& node = value == nullptr ? *table : *value;
+  return std::max(1, static_cast<int>(node.source().begin.line));
 }
 
 bool means(const std::string& text, const toml::table& content) {

@@ -69,7 +69,8 @@ std::string Problems::message_of(const FoundProblem& problem) const {
   std::string message = fmt::format("{}:{}: {}{}{}: {}.", file_name_, problem.line, problem.key,
                                     written ? " = " : "", problem.value, problem.what);
   if (!problem.allowed.empty()) message += fmt::format(" Allowed: {}.", problem.allowed);
-  if (!problem.remedy.empty()) message += fmt::format(" {}.", problem.remedy);
+  if (!problem.remedy.empty())
+    message += fmt::format(" {}{}", problem.remedy, problem.remedy.ends_with('?') ? "" : ".");
   // A quoted key of a TOML file may have any characters; a message is one line.
   for (char& c : message)
     if (static_cast<unsigned char>(c) < ' ') c = '?';

@@ -74,6 +74,7 @@ Case parse_case(std::string_view text, std::string_view file_name, const ReadEff
   check_joints(draft);
   check_loads(draft);
   check_jets(draft);
+  check_nozzles(draft);
   check_probes(draft);
   check_fracture(draft);
   draft.reading.problems.throw_if_any();

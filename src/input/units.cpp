@@ -5,11 +5,13 @@
 #include <strings.h>
 #include <udunits2.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <numbers>
 #include <system_error>
 #include <utility>
 
@@ -82,7 +84,17 @@ class UnitSystem {
     const double zero = cv_convert_double(converter.get(), 0.0);
     if (!std::isfinite(zero)) return {Factor::Kind::wrong_dimension, 0.0};
     if (zero != 0.0) return {Factor::Kind::offset, 0.0};
-    return {Factor::Kind::good, cv_convert_double(converter.get(), 1.0)};
+    double factor = cv_convert_double(converter.get(), 1.0);
+    // A frequency counts revolutions; to UDUNITS the radian is 1.
+    if (to == "Hz" && has_angle(source.get())) factor /= 2.0 * std::numbers::pi;
+    return {Factor::Kind::good, factor};
+  }
+
+  // Returns whether a unit has one angle in it, as "rpm" and "rad/s".
+  static bool has_angle(const ut_unit* unit) {
+    std::array<char, 128> text{};
+    const int length = ut_format(unit, text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION);
+    return length > 0 && (std::string(text.data()) + ' ').find("rad ") != std::string::npos;
   }
 
   std::mutex mutex_;
@@ -102,13 +114,14 @@ std::size_t skip(std::string_view text, std::size_t at, bool (*belongs)(char)) {
   return at;
 }
 
-// Accepts names with exponents, as in "m/s2", "m s^-2" or "kg.m-3". UDUNITS accepts more, such as
-// numbers within a unit ("5 3 m") and times since a date; Kerf needs none of these, and the parser
-// of UDUNITS leaks memory when it refuses them.
+// Accepts names with exponents, as in "m/s2", "m s^-2", "kg.m-3" or "1/s". UDUNITS accepts more,
+// such as numbers within a unit ("5 3 m") and times since a date; Kerf needs none of these, and the
+// parser of UDUNITS leaks memory when it refuses them.
 bool is_unit_syntax(std::string_view unit) {
   constexpr std::size_t longest = 32, longest_exponent = 2;
   if (unit.empty() || unit.size() > longest) return false;
-  std::size_t at = 0;
+  if (unit.starts_with("1/")) unit.remove_prefix(2);
+  std::size_t at = skip(unit, 0, [](char c) { return c == ' '; });
   while (true) {
     const std::size_t name_end = skip(unit, at, is_letter);
     const std::string_view name = unit.substr(at, name_end - at);

@@ -32,18 +32,29 @@ std::string loose_sentence(const Case& description, const LooseParticles& loose)
       least_layers);
 }
 
-void refuse_loose_bodies(const Case& description, const std::vector<LooseParticles>& bodies) {
+std::optional<LooseBody> loose_body(const Case& description,
+                                    const std::vector<LooseParticles>& bodies) {
   for (const LooseParticles& loose : bodies) {
     if (loose.loose < loose.all) continue;
     const Body& body = body_of(description, loose);
-    throw UserError(
+    const bool is_workpiece = description.workpiece && loose.body == 0;
+    const int number = loose.body + (description.workpiece ? 0 : 1);
+    const std::string key =
+        is_workpiece ? std::string("workpiece.spacing") : fmt::format("body[{}].spacing", number);
+    return LooseBody{
+        key,
         fmt::format(
-            "body[{}].spacing (\"{}\") = {:.4g} m: none of its {} particles has neighbours enough "
+            "{} (\"{}\") = {:.4g} m: none of its {} particles has neighbours enough "
             "to be bonded, so that it is no solid but loose particles. Allowed: {:g} particles or "
             "more across the thickness. Choose a spacing of half of that or less",
-            loose.body + 1, body.name, body.spacing, loose.all, least_layers),
-        exit_bad_input);
+            key, body.name, body.spacing, loose.all, least_layers)};
   }
+  return {};
+}
+
+void refuse_loose_bodies(const Case& description, const std::vector<LooseParticles>& bodies) {
+  if (const auto loose = loose_body(description, bodies))
+    throw UserError(loose->sentence, exit_bad_input);
 }
 
 namespace {

@@ -3,6 +3,7 @@
 // and solid that is pressed into rigid bodies, and of solid that fails by pressure alone.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,14 @@ struct RunOutcome;
 // Says how many particles of a body are loose from the start, and the remedy.
 std::string loose_sentence(const Case& description, const LooseParticles& body);
 
-// Throws a UserError if a body has no other particles.
+// A body without other particles: the key to correct, and a sentence with its value, the range and
+// the remedy.
+struct LooseBody {
+  std::string key, sentence;
+};
+std::optional<LooseBody> loose_body(const Case& description,
+                                    const std::vector<LooseParticles>& bodies);
+// Throws a UserError if there is one.
 void refuse_loose_bodies(const Case& description, const std::vector<LooseParticles>& bodies);
 
 void add_solid_flags(const RunOutcome& outcome, std::vector<ValidityFlag>& flags);

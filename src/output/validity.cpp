@@ -11,6 +11,7 @@
 #include "output/balance_flags.hpp"
 #include "output/moving_workpiece_flag.hpp"
 #include "output/parting_flags.hpp"
+#include "output/pulse_flag.hpp"
 #include "output/result.hpp"
 #include "output/solid_flags.hpp"
 #include "output/tension_flag.hpp"
@@ -199,6 +200,7 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
   if (const std::string need = calibration_need(description); !need.empty())
     flags.push_back({"uncalibrated", State::warning, {}, {}, need});
   if (description.jets.empty()) return;
+  add_pulse_flag(description, flags);
   if (description.jets.size() > 1)
     note("several_jets", fmt::format("The verdict and the kerf are those of the first jet, {}.",
                                      description.jets.front().name));

@@ -193,39 +193,13 @@ SpacingEffect effect_of_spacing(std::span<const double> values, double ratio) {
   return grid_convergence(near, order, ratio);
 }
 
-std::vector<Trial> convergence_trials(double ratio, int layouts) {
-  std::vector<Trial> trials{{{}, 0, 1.0 / (ratio * ratio)}, {{}, 0, 1.0 / ratio}};
+std::vector<Trial> convergence_trials(const CoarserSpacings& spacings, int layouts) {
+  const double ratio = spacings.ratio;
+  std::vector<Trial> trials;
+  if (spacings.count > 1) trials.push_back({{}, 0, 1.0 / (ratio * ratio)});
+  trials.push_back({{}, 0, 1.0 / ratio});
   for (int layout = 1; layout < layouts; ++layout) trials.push_back({{}, layout, 1.0 / ratio});
   return trials;
-}
-
-namespace {
-
-// Whether a jet has an even number of columns across at a spacing, as its halves on either side of
-// a symmetry plane through its axis are mirror images. None lies in that plane then.
-bool has_even_columns(double across) {
-  return std::lround(across) % 2 == 0 && across >= 2.0;
-}
-
-}  // namespace
-
-double convergence_ratio(const Case& description) {
-  constexpr double least_across = 5.0, least = 1.26, step = 0.005;
-  const double greatest = std::sqrt(2.0);
-  const Jet& jet = description.jets.front();
-  const double across = jet.width / jet.spacing;
-  const double wanted = std::clamp(std::sqrt(across / least_across), least, greatest);
-  const Faces& planes = description.symmetry;
-  const bool is_mirrored =
-      planes.minimum[0] || planes.maximum[0] || planes.minimum[2] || planes.maximum[2];
-  const auto is_allowed = [&](double ratio) {
-    return ratio >= least && ratio <= greatest && has_even_columns(across / ratio) &&
-           has_even_columns(across / (ratio * ratio));
-  };
-  for (double off = 0.0; is_mirrored && off < greatest - least + step; off += step)
-    for (const double ratio : {wanted - off, wanted + off})
-      if (is_allowed(ratio)) return ratio;
-  return wanted;
 }
 
 std::vector<MetricInterval> find_intervals(const Outcome& run, const std::vector<Trial>& trials,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "output/metric_interval.hpp"
+#include "study/coarser_spacings.hpp"
 #include "study/laboratory.hpp"
 
 namespace kerf {
@@ -42,14 +43,9 @@ struct SpacingEffect {
 // - One value says nothing, and the effect is not a number.
 SpacingEffect effect_of_spacing(std::span<const double> values, double ratio);
 
-// Returns the runs that show the effects, the cheapest first: the case at two coarser spacings, and
-// `layouts` - 1 further layouts at the middle one. `ratio` is that of successive spacings.
-std::vector<Trial> convergence_trials(double ratio, int layouts);
-
-// Returns the ratio of successive spacings, so that the coarsest has at least five particles across
-// the jet of the case, from 1.26 to 1.41. Where symmetry planes bound the domain, it is the nearest
-// to that at which the jet has an even number of columns at both coarser spacings.
-double convergence_ratio(const Case& description);
+// Returns the runs that show the effects, the cheapest first: the case at its coarser spacings, and
+// `layouts` - 1 further layouts at the finer of these.
+std::vector<Trial> convergence_trials(const CoarserSpacings& spacings, int layouts);
 
 // Returns the intervals of the headline numbers that the run has. `outcomes` belong to the trials
 // of convergence_trials(). The parts of spacing and layout are independent and add as the root of

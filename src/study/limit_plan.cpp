@@ -10,10 +10,12 @@
 #include "geometry/jet_direction.hpp"
 #include "input/problems.hpp"
 #include "input/read.hpp"
+#include "input/refine.hpp"
 #include "input/units.hpp"
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 #include "output/files.hpp"
+#include "study/coarser_spacings.hpp"
 #include "study/layout.hpp"
 #include "study/read_condition.hpp"
 #include "study/read_study.hpp"
@@ -201,14 +203,6 @@ LimitEnd end_of(const Asked& asked, const toml::table& base, bool is_feed) {
   return end;
 }
 
-// Returns how many times coarser the drafts are: 2, or sqrt 2 where they would otherwise have fewer
-// than five particles across the jet (docs/studies.md).
-double draft_of(const Case& description) {
-  constexpr double least_across = 5.0;
-  const Jet& jet = description.jets.front();
-  return jet.width / jet.spacing >= 2.0 * least_across ? 0.5 : std::sqrt(0.5);
-}
-
 ThresholdGoal goal_of(const Asked& asked, const LimitPlan& plan, Axis axis) {
   const LimitQuestion& question = asked.question;
   constexpr int converged_layouts = 3;
@@ -222,7 +216,8 @@ ThresholdGoal goal_of(const Asked& asked, const LimitPlan& plan, Axis axis) {
     goal.condition = {"kerf.through_share", 0.95, true};
   goal.tolerance = question.tolerance;
   goal.most_runs = question.most_runs;
-  goal.draft = question.converge ? draft_of(asked.description) : 1.0;
+  goal.draft =
+      question.converge ? 1.0 / draft_ratio(refined(asked.description, question.refinement)) : 1.0;
   const int asked_layouts =
       question.layouts > 0 ? question.layouts : (question.converge ? converged_layouts : 1);
   goal.repeats = has_other_layouts(asked.description) ? asked_layouts : 1;

@@ -31,6 +31,31 @@ TEST(Refuse, IncompleteSoftening) {
   });
 }
 
+// A copper whose damage has coefficients; the library's has none.
+std::string damaged_copper(const std::string& keys) {
+  std::string text = good_case;
+  text.replace(text.find(paper), paper.size(),
+               "formulation = \"standard\"\n[materials.alloy]\nbase = \"copper\"\n" + keys);
+  return text;
+}
+
+// The damage of Johnson & Cook grows where a least plastic strain at failure is stated.
+TEST(Refuse, DamageThatNothingSwitchesOn) {
+  for (const std::string key : {"damage_d1", "damage_d2", "damage_d3", "damage_d4", "damage_d5"}) {
+    const std::string message = message_of(damaged_copper(key + " = 0.5\n"));
+    EXPECT_NE(message.find("materials.alloy." + key +
+                           " = 0.5: without a least_plastic_failure no damage grows."),
+              std::string::npos)
+        << message;
+    EXPECT_NE(message.find("Add least_plastic_failure"), std::string::npos) << message;
+    EXPECT_EQ(message_of(damaged_copper(key + " = 0.5\nleast_plastic_failure = 0.01\n"))
+                  .find("least_plastic_failure no damage"),
+              std::string::npos);
+    EXPECT_EQ(message_of(damaged_copper(key + " = 0\n")).find("no damage grows"),
+              std::string::npos);
+  }
+}
+
 // A limit that cannot be read has one problem.
 TEST(Refuse, ALimitThatIsNoNumber) {
   std::string text = good_case;

@@ -228,7 +228,9 @@ TEST(Refuse, Contradictions) {
        "failure_strain = 0.2\nfracture_energy = \"2 J/m2\"",
        "fracture_energy",
        "materials.curd.fracture_energy = \"2 J/m2\": a failure_strain is given as well.",
-       {"one of failure_strain and fracture_energy"}},
+       {"Allowed: one of failure_strain and fracture_energy, or both with criterion = "
+        "\"crack_band\"",
+        "Add criterion = \"crack_band\", which uses both"}},
       {"stop before start",
        speed,
        speed + "\nstart = \"2 ms\"\nstop = \"1 ms\"",

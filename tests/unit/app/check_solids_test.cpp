@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/check_warnings.hpp"
+#include "app/checked_case.hpp"
 #include "core/error.hpp"
 #include "input/read.hpp"
 #include "model/case.hpp"
@@ -72,6 +73,24 @@ TEST(CheckSolids, RefuseABodyOneParticleThick) {
         EXPECT_THAT(error.what(), HasSubstr("body[1].spacing (\"foil\") = 0.0005 m: none of its "));
       }
     }
+}
+
+// A run and a check name the place in the file, as they do of other keys.
+TEST(CheckSolids, NameThePlaceOfSuchABody) {
+  const std::string text = "title = \"foils\"\ndimension = 2\n[time]\nend = \"1 ms\"\n" +
+                           body_of("block", box(-8.0, 0.0, 8.0, 8.0), "material = \"tofu\"") +
+                           body_of("foil", box(-8.0, -2.5, 8.0, -2.0), "material = \"tofu\"");
+  for (const bool by_check : {false, true}) {
+    try {
+      if (by_check)
+        checked_case(text, "foil.toml");
+      else
+        refuse_unbonded(parse_case(text, "foil.toml"), text, "foil.toml");
+      FAIL() << "no refusal";
+    } catch (const UserError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("foil.toml:11: body[2].spacing (\"foil\") = 0.0005 m: "));
+    }
+  }
 }
 
 // The tip of a wedge has less than two particles across, whichever way it points.

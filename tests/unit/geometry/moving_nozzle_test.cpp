@@ -48,7 +48,8 @@ TEST(MovingNozzle, PulsesEmitTheirDutyCycle) {
     jet.pulse_frequency = 400.0;
     jet.duty = duty;
     Nozzle nozzle(jet, 1000.0, 2);
-    EXPECT_NEAR(nozzle.open_time(10.0 / 400.0), duty * 10.0 / 400.0, 1e-15);
+    // 20 periods hold a whole number of layers at each duty.
+    EXPECT_NEAR(nozzle.open_time(20.0 / 400.0), duty * 20.0 / 400.0, 1e-15);
     EXPECT_NEAR(nozzle.open_time(0.05 / 400.0), 0.05 / 400.0,
                 1e-15);  // each period begins with flow
     EXPECT_TRUE(nozzle.is_open(0.05 / 400.0));

@@ -50,7 +50,10 @@ TEST(Units, OtherUnits) {
                                  {"1 inch", "m", 0.0254},
                                  {"2 bar", "Pa", 2e5},
                                  {"36 km/h", "m/s", 10.0},
-                                 {"1 N/mm^2", "Pa", 1e6}}) {
+                                 {"1 N/mm^2", "Pa", 1e6},
+                                 {"1000 1/s", "Hz", 1000.0},
+                                 {"2 1/mm", "m-1", 2000.0},
+                                 {"3 1 / ms", "Hz", 3000.0}}) {
     const Quantity quantity = read_quantity(reading.text, reading.unit);
     EXPECT_EQ(quantity.problem, "") << reading.text;
     EXPECT_NEAR(quantity.value, reading.value, 1e-14 * reading.value) << reading.text;
@@ -91,6 +94,20 @@ TEST(Units, ShownBoundsAreAllowed) {
 }
 
 // A unit in other letters, and a decimal comma, are told as such.
+// An angle is 1 to UDUNITS, and a frequency of revolutions would be 2 pi times too large.
+TEST(Units, FrequenciesCountRevolutions) {
+  for (const Reading& reading : {Reading{"60000 rpm", "Hz", 1000.0},
+                                 {"50 rps", "Hz", 50.0},
+                                 {"60 cycle/min", "Hz", 1.0},
+                                 {"180 arc_degree/s", "Hz", 0.5},
+                                 {"3000 1/min", "Hz", 50.0},
+                                 {"2 kHz", "Hz", 2000.0}}) {
+    const Quantity quantity = read_quantity(reading.text, reading.unit);
+    EXPECT_EQ(quantity.problem, "") << reading.text;
+    EXPECT_NEAR(quantity.value, reading.value, 1e-13 * reading.value) << reading.text;
+  }
+}
+
 TEST(Units, MistakesAreNamed) {
   struct Mistake {
     const char *text, *unit, *problem;
