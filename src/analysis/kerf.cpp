@@ -64,17 +64,18 @@ double depth_of_top(const KerfMap& map, const KerfAxes& axes, const KerfPath& pa
   return count > 0.0 ? sum / count : std::numeric_limits<double>::infinity();
 }
 
-// Finds the edges of a layer in the section at the axis.
-void find_edges(const KerfMap& map, const KerfAxes& axes, const KerfPath& path, KerfLayer& layer) {
-  for (std::size_t i = 0; i < map.grid.count[0]; ++i)
-    for (std::size_t j = 0; j < map.grid.count[1]; ++j) {
-      const bool is_aside = map.grid.dimension == 3 &&
-                            std::abs(map.grid.at(1, j) - path.end[1]) > axes.jet.width / 8.0 &&
-                            std::abs(map.grid.at(1, j) - path.end[1]) > map.grid.step;
-      if (!map.column(i, j).exists || is_aside) continue;
-      layer.left = std::min(layer.left, map.grid.at(0, i) - path.end[0]);
-      layer.right = std::max(layer.right, map.grid.at(0, i) - path.end[0]);
-    }
+// Finds the edges of a layer as laid out in the section at the axis.
+void find_edges(const KerfView& view, const KerfAxes& axes, const KerfPath& path,
+                KerfLayer& layer) {
+  const Workpiece& workpiece = view.workpiece;
+  for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
+    if (!view.holds(slot)) continue;
+    const KerfAxes::Vector3 x = axes.local(workpiece.position[slot]);
+    const double size = workpiece.size[slot], across = x[0] - path.end[0];
+    if (workpiece.dimension == 3 && std::abs(x[1] - path.end[1]) > size) continue;
+    layer.left = std::min(layer.left, across - size / 2.0);
+    layer.right = std::max(layer.right, across + size / 2.0);
+  }
 }
 
 void deny(KerfShape& shape) {
@@ -110,7 +111,7 @@ std::vector<KerfLayer> measure_layers(KerfView view, const KerfAxes& axes, const
     layer.body = view.body = body.body;
     const KerfMap map = make_kerf_map(view, axes, path);
     layer.top = depth_of_top(map, axes, path);
-    find_edges(map, axes, path, layer);
+    find_edges(view, axes, path, layer);
     layer.shape = measure_shape(map, axes, path, workpiece.axis_spacing);
     layer.shape.thickness += workpiece.below(body.body);
     for (std::size_t slot = 0; slot < workpiece.body.size(); ++slot) {

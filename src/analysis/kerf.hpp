@@ -28,7 +28,7 @@ using KerfMeasurements =
 struct KerfLayer {
   int body = 0;      // index into Case::bodies
   double top = 0.0;  // m, depth of its face at the axis
-  // m, of its edges as laid out, across the jet from its axis, as far as the map reaches
+  // m, of its edges as laid out, across the jet from its axis
   double left = 0.0, right = 0.0;
   KerfShape shape;              // as if it were alone
   double volume = 0.0;          // m^3 (2D: m^2), as laid out

@@ -33,8 +33,7 @@ const MetricList<NamedLayer>& place_metrics() {
          return std::isinf(top) ? std::nullopt : std::optional(top);
        }},
       {"left", "m", "left edge of the layer",
-       "Edge of the body as laid out, across the jet from its axis, within five widths of the "
-       "jet.",
+       "Edge of the body as laid out, across the jet from its axis.",
        [](const L& entry) { return entry.layer.left; }},
       {"right", "m", "right edge of the layer", "The other edge, likewise.",
        [](const L& entry) { return entry.layer.right; }}};

@@ -47,7 +47,8 @@ std::string beside_clause(const RunOutcome& outcome) {
   const double spacing = finest_spacing(outcome);
   std::vector<std::string> names;
   for (const NamedLayer& layer : named_layers(*outcome.kerf, outcome.description))
-    if (layer.layer.top > spacing && layer.layer.stands_above(outcome.cut.last.cut_depth - spacing))
+    if (layer.layer.top > spacing / 2.0 &&
+        layer.layer.stands_above(outcome.cut.last.cut_depth - spacing))
       names.push_back(layer.name);
   return names.empty() ? "" : " deep beside " + join_names(names);
 }
