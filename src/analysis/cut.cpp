@@ -130,8 +130,15 @@ void CutMonitor::take(const Case& description, const Frame& initial) {
       make_workpiece(description, WholeFrame(initial, images).get()));
   // Of the layout at the start all stands; of a later window it is not known.
   traces_.assign(workpiece_->position.size(), history_.empty() ? slot_trace::stood : 0);
-  if (workpiece_->jet)
-    axes_.emplace(*workpiece_->jet, description.jets.front().traverse, description.dimension);
+  if (!workpiece_->jet) return;
+  axes_.emplace(*workpiece_->jet, description.jets.front().traverse, description.dimension);
+  opening_lines_ = opening_lines(description, *workpiece_->jet);
+}
+
+double CutMonitor::contact_time(double now) const {
+  const auto contact = std::find_if(history_.begin(), history_.end(),
+                                    [](const CutState& state) { return state.front_depth > 0.0; });
+  return contact == history_.end() ? now : contact->time;
 }
 
 CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& water_impulse) {
@@ -162,8 +169,13 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
     if (workpiece.jet && state.front_depth > 0.0) {
       // Below the workpiece there is no opening.
       const double half = std::min(state.front_depth, workpiece.bottom) / 2.0;
-      state.fractured_width = fractured_width(workpiece, frame, rows, half);
-      state.kerf_width = opening_width(workpiece, frame, rows, pieces.in_piece, half + face);
+      const OpeningWidths widths = measure_opening(
+          workpiece, frame, rows, pieces.in_piece,
+          {opening_lines_, opening_places(workpiece, contact_time(frame.time), frame.time), half,
+           half + face});
+      state.fractured_width = widths.fractured;
+      state.kerf_width = widths.open;
+      state.void_width = widths.laid_out;
     }
     if (workpiece.jet && (state.front_depth > 0.0 || touches_water(workpiece, frame, rows))) {
       if (!state.cut_through)

@@ -13,6 +13,7 @@
 
 #include "analysis/kerf_axes.hpp"
 #include "analysis/metric.hpp"
+#include "analysis/opening_width.hpp"
 #include "analysis/pieces.hpp"
 #include "analysis/pressed_solid.hpp"
 #include "analysis/wake.hpp"
@@ -44,8 +45,9 @@ struct CutState {
   int pieces = 0;                   // connected pieces of intact solid > 5% of the workpiece
   double fractured_fraction = 0.0;  // fractured mass over the workpiece's, as at the start
   double fractured_mass = 0.0;      // kg, of the workpiece, fractured or gone from the domain
-  double fractured_width = 0.0;     // m, breadth of the fractured region at half the front depth
-  double kerf_width = 0.0;          // m, breadth without intact solid at half the front depth
+  // At half the front depth, m: the breadths of the fractured region and of the opening, without
+  // intact solid, and the part of this that the layout leaves empty.
+  double fractured_width = 0.0, kerf_width = 0.0, void_width = 0.0;
   // Whether all bodies in the way of the jet are cut through, at this instant or before.
   bool cut_through = false;
   std::vector<BodyCut> bodies;  // in the order of Workpiece::bodies
@@ -53,11 +55,12 @@ struct CutState {
   double water_impulse = 0.0;   // N s (2D: N s/m), of the water on the solids, along the jet
   double pressed_share = 0.0;   // of the mass, inside rigid bodies (analysis/pressed_solid.hpp)
 
-  // Returns the part of the opening that is removed, of its width; 1 without an opening, and where
-  // a dent opens no path from the face.
+  // Returns the part of the opening that is removed, of its width in solid; 1 without an opening,
+  // and where a dent opens no path from the face.
   double removed_share() const {
-    const bool is_open = kerf_width > 0.0 && (cut_through || cut_depth > 0.0);
-    return is_open ? std::min(1.0, fractured_width / kerf_width) : 1.0;
+    const double opened = kerf_width - void_width;
+    const bool is_open = opened > 0.0 && (cut_through || cut_depth > 0.0);
+    return is_open ? std::min(1.0, fractured_width / opened) : 1.0;
   }
 
   static const MetricList<CutState>& metrics();
@@ -110,6 +113,19 @@ struct CutSummary {
   double mass_left_whole = 0.0;     // kg, of the solid that stood until it left the domain
   std::vector<Fragment> fragments;  // of the last frame, the heaviest first
 
+  // Returns the share of the workpiece that stood until it left the domain.
+  double left_fraction() const {
+    return mass_left_whole > 0.0 ? mass_left_whole / last.fractured_mass * last.fractured_fraction
+                                 : 0.0;
+  }
+  // Returns the share of the workpiece that is fractured, or has left the domain after it had come
+  // off: what stood until it left is none of it.
+  double broken_fraction() const {
+    constexpr double rounding = 1e-9;
+    const double share = last.fractured_mass > 0.0 ? mass_left_whole / last.fractured_mass : 0.0;
+    return share > 1.0 - rounding ? 0.0 : (1.0 - share) * last.fractured_fraction;
+  }
+
   // Whether a crack parted or pierced more of the thickness than the water had passed by then.
   bool cracked_ahead() const { return cut_through && front_share_at_cut < least_share; }
   // Whether the jet had pressed the workpiece ahead by more than that by then, or had pushed aside
@@ -152,11 +168,14 @@ class CutMonitor {
  private:
   void add_verdicts(CutSummary& summary) const;
   void take(const Case& description, const Frame& layout);
+  // Returns the time of the first front so far, s, before a row at `now`.
+  double contact_time(double now) const;
 
   std::shared_ptr<const Workpiece> workpiece_;  // as laid out
   std::optional<KerfAxes> axes_;                // of the first jet
-  double contact_depth_ = 0.0;                  // m, one spacing of the first jet
-  bool has_wake_ = false;                       // whether a frame travels
+  std::vector<OpeningLine> opening_lines_;
+  double contact_depth_ = 0.0;  // m, one spacing of the first jet
+  bool has_wake_ = false;       // whether a frame travels
   std::vector<RigidShape> rigid_;
   std::vector<CutState> history_;
   std::vector<std::uint8_t> traces_;

@@ -21,12 +21,13 @@ const MetricList<CutState>& CutState::metrics() {
        "Fractured mass over the mass of the workpiece at the start.",
        &CutState::fractured_fraction},
       {"fractured_width", "m", "width of the fractured region",
-       "Width of the fractured region across the jet at half the depth of the water front, at "
-       "most of the thickness.",
+       "Width of the fractured region at half the depth of the water front, at most of the "
+       "thickness, in the sections of the width of the opening.",
        &CutState::fractured_width},
       {"kerf_width", "m", "width of the opening",
        "Width free of intact solid around the axis at half the depth of the water front, at most "
-       "of the thickness.",
+       "of the thickness. In 3D it is that across the path of a nozzle that travels, that along "
+       "the path for which a nozzle stands, or else the mean over the directions across the jet.",
        &CutState::kerf_width},
       {"pieces", "1", "pieces over 5 % of the workpiece",
        "Number of pieces that unbroken bonds hold together and that weigh more than 5 % of the "
@@ -70,8 +71,8 @@ const MetricList<CutSummary>& CutSummary::metrics() {
        "workpiece was cut through.",
        [](const S& s) { return s.cracked_ahead(); }},
       {"removed_share_at_cut", "1", "removed share of the opening at the cut",
-       "Width of the fractured region over that of the opening when the workpiece was cut through; "
-       "the rest is pushed aside.",
+       "Width of the fractured region over that of the opening, without voids of the layout, when "
+       "the workpiece was cut through; the rest is pushed aside.",
        [](const S& s) {
          return s.cut_through ? std::optional(s.removed_share_at_cut) : std::nullopt;
        }},

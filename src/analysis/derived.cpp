@@ -11,6 +11,7 @@
 #include "analysis/hydrodynamic_front.hpp"
 #include "analysis/regime.hpp"
 #include "analysis/step_estimate.hpp"
+#include "analysis/target_body.hpp"
 #include "geometry/nozzle.hpp"
 #include "geometry/particle_estimate.hpp"
 #include "geometry/shapes.hpp"
@@ -26,18 +27,6 @@ namespace {
 
 const Material& material_of(const Case& description, int index) {
   return description.materials[static_cast<std::size_t>(index)];
-}
-
-// Returns the material that a jet or a moving body can hit: of an elastic body that is free, else
-// of a fixed one.
-const Material* target_material(const Case& description) {
-  const Material* target = nullptr;
-  for (const Body& body : description.bodies) {
-    if (body.role != Role::elastic) continue;
-    if (!body.fixed) return &material_of(description, body.material);
-    if (!target) target = &material_of(description, body.material);
-  }
-  return target;
 }
 
 // Returns the water of the fastest jet, else of the first body of water.
@@ -64,6 +53,14 @@ double rayleigh_speed(double shear_speed, double longitudinal_speed) {
   const auto bracket = boost::math::tools::toms748_solve(
       residual, 0.3, 1.0, boost::math::tools::eps_tolerance<double>(50), iterations);
   return shear_speed * std::sqrt(0.5 * (bracket.first + bracket.second));
+}
+
+// The numbers of the body that the water meets first.
+void derive_resistance(DerivedNumbers& numbers, const Case& description, const Body& body) {
+  const Material& solid = material_of(description, body.material);
+  numbers.failure_strain = fracture_limits(solid, body.spacing).start;
+  numbers.resistance =
+      resistance_of(solid, {numbers.failure_strain, body.spacing, description.dimension});
 }
 
 void derive_solid(DerivedNumbers& numbers, const Material& solid) {
@@ -147,11 +144,6 @@ void derive_spacings(DerivedNumbers& numbers, const Case& description) {
     const double resolution = jet.width / jet.spacing;
     numbers.jet_resolution =
         numbers.jet_resolution > 0.0 ? std::min(numbers.jet_resolution, resolution) : resolution;
-  }
-  if (const Material* solid = target_material(description)) {
-    numbers.failure_strain = fracture_limits(*solid, coarsest_solid).start;
-    numbers.resistance =
-        resistance_of(*solid, {numbers.failure_strain, coarsest_solid, description.dimension});
   }
   if (coarsest_solid > 0.0 && finest_water > 0.0)
     numbers.solid_to_water_spacing = coarsest_solid / finest_water;
@@ -259,16 +251,17 @@ DerivedNumbers derive(const Case& description) {
   DerivedNumbers numbers;
   numbers.jet_speed = fastest_jet(description);
   if (numbers.jet_speed == 0.0) numbers.jet_speed = fastest_body(description);
-  const Material* solid = target_material(description);
+  const Body* target = target_body(description);
+  const Material* solid = target ? &material_of(description, target->material) : nullptr;
   const Material* water = water_material(description);
   if (solid) derive_solid(numbers, *solid);
   if (water) derive_water(numbers, *water);
   if (solid) derive_contact(numbers, *solid, water);
   derive_reflection(numbers, description);
   derive_spacings(numbers, description);
+  if (target) derive_resistance(numbers, description, *target);
   derive_particles(numbers, description);
-  numbers.time_step = estimated_step(description, numbers,
-                                     {water_material(description), target_material(description)});
+  numbers.time_step = estimated_step(description, numbers, {water, solid});
   numbers.likely_end = likely_end(numbers, description);
   numbers.steps = std::ceil(numbers.likely_end / numbers.time_step);
   numbers.memory = estimate_memory(numbers, description);

@@ -14,7 +14,8 @@ struct Case;
 struct ParticleEstimate;
 
 struct DerivedNumbers {
-  // These are of the first elastic material that a jet or moving body can hit; 0 if there is none.
+  // These are of the elastic body that the water meets first (analysis/target_body.hpp), or of the
+  // first one without a jet; 0 if there is none.
   double bulk_modulus = 0.0;        // Pa, E / 3(1 - 2 nu)
   double shear_modulus = 0.0;       // Pa, E / 2(1 + nu)
   double bulk_speed = 0.0;          // m/s, sqrt(K / rho), the c of eq. (32)

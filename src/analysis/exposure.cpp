@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/hydrodynamic_front.hpp"
+#include "analysis/depth_history.hpp"
 #include "analysis/line_slope.hpp"
 #include "geometry/nozzle.hpp"
 #include "machine/simulated_piece.hpp"
@@ -19,65 +19,10 @@ constexpr double fit_shares[] = {0.5, 0.25, 0.125};
 // Exponents that differ by more are of no law: the front may as well have come to rest.
 constexpr double same_exponent = 0.1;
 
-// The history of a cut over the exposure: the time since contact less that which water takes from
-// the surface to the front.
-struct DepthHistory {
-  std::vector<double> times;     // s, of exposure
-  std::vector<double> depths;    // m, of the cut that the water has entered by then
-  std::vector<double> contacts;  // s, the time since contact
-  std::vector<double> widths;    // m, of the opening at that time
-};
-
 // Returns the first row at or after a time, of rising ones, the last row at most.
 std::size_t row_at(const std::vector<double>& times, double time) {
   const auto row = std::lower_bound(times.begin(), times.end(), time) - times.begin();
   return std::min(static_cast<std::size_t>(row), times.size() - 1);
-}
-
-// How the water gets to the front.
-struct Entry {
-  double speed;          // m/s, of the jet
-  double fastest_front;  // m/s, that water drives; a crack may run ahead of it
-  double spacing;        // m, of its particles: the front is known to within one
-
-  // Returns the exposure after a time since contact, s, that has made a cut of a depth, m.
-  double exposure(double since_contact, double depth) const {
-    return since_contact - std::min(depth, fastest_front * since_contact) / speed;
-  }
-};
-
-Entry entry_of(const Case& description) {
-  const Jet& jet = description.jets.back();
-  const auto piece = std::find_if(description.bodies.begin(), description.bodies.end(),
-                                  [](const Body& body) { return body.name == workpiece_name; });
-  if (piece == description.bodies.end()) return {jet.speed, jet.speed, jet.spacing};
-  const auto density = [&](int material) {
-    return description.materials[static_cast<std::size_t>(material)].density;
-  };
-  return {jet.speed,
-          hydrodynamic_front_speed(jet.speed, density(piece->material), density(jet.material)),
-          jet.spacing};
-}
-
-// Returns the history since contact with a workpiece of the thickness, m. An opening that a crack
-// has made is none of the water.
-DepthHistory history_since(const std::vector<CutState>& history, const CutSummary& summary,
-                           double thickness, const Entry& entry) {
-  const double contact = summary.contact_time;
-  DepthHistory since;
-  double deepest = 0.0, exposure = 0.0;
-  for (const CutState& state : history) {
-    if (state.time <= contact) continue;
-    const double cut = state.cut_through ? thickness : state.cut_depth;
-    deepest = std::max(deepest, std::min(state.front_depth, cut));
-    exposure = std::max(exposure, entry.exposure(state.time - contact, deepest));
-    if (exposure == 0.0) continue;
-    since.times.push_back(exposure);
-    since.depths.push_back(deepest);
-    since.contacts.push_back(state.time - contact);
-    since.widths.push_back(summary.cracked_ahead() ? 0.0 : state.kerf_width);
-  }
-  return since;
 }
 
 // Returns the mean speed of the front over the last quarter of the time, m/s.
@@ -148,7 +93,7 @@ double longest_exposure(const DepthHistory& history, double extent, double speed
 
 // Returns the exposure after which the water is through a workpiece of the thickness (m) that is
 // cut through at a time since contact, within a spacing; none where the run ends before it.
-std::optional<double> exposure_of_passage(const DepthHistory& history, const Entry& entry,
+std::optional<double> exposure_of_passage(const DepthHistory& history, const WaterEntry& entry,
                                           double thickness, double since_contact) {
   const std::size_t at_cut = row_at(history.contacts, since_contact);
   for (std::size_t k = at_cut; k < history.times.size(); ++k) {
@@ -265,10 +210,10 @@ std::optional<Exposure> exposure_of(const Case& description, const std::vector<C
   if (!stands_for_traverse(description) || std::isnan(cut.contact_time)) return std::nullopt;
   if (description.machine->is_pulsed()) return std::nullopt;  // a moving nozzle pauses elsewhere
   const Machine& machine = *description.machine;
-  const Entry entry = entry_of(description);
+  const WaterEntry entry = entry_of(description);
   Exposure exposure;
   exposure.thickness = thickness_of(description);
-  const DepthHistory since = history_since(history, cut, exposure.thickness, entry);
+  const DepthHistory since = depth_history(description, history, cut, exposure.thickness);
   if (since.times.empty() || !(since.depths.back() > 0.0)) return std::nullopt;
   exposure.shortest = exposure_time(machine, description.jets.back(), description.dimension);
   const double extent = exposure.shortest * machine.traverse_speed;

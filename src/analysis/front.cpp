@@ -13,18 +13,12 @@ struct Drop {
   double mass;   // kg
 };
 
-// Whether a particle is water that has left a nozzle.
-bool is_jet_water(const Workpiece& workpiece, const Frame& frame, std::size_t row) {
-  const int jet = frame.source[row] - workpiece.jet_source;
-  return jet >= 0 && jet < workpiece.jet_count && frame.upstream[row] == 0;
-}
-
 // Returns the water within a jet width of the path of the axis, the deepest first, with depths
 // below `face`, m. A slot must be about twice as wide as its jet for the water to flow back.
 std::vector<Drop> drops_near_axis(const Workpiece& workpiece, const Frame& frame, double face) {
   std::vector<Drop> drops;
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
-    if (!is_jet_water(workpiece, frame, row)) continue;
+    if (!workpiece.is_jet_water(frame, row)) continue;
     const auto x = workpiece.jet->swept(frame.position[row], frame.time);
     const double depth = workpiece.jet->depth(x) - face;
     if (depth < -workpiece.jet->width || workpiece.jet->distance(x) > workpiece.jet->width)
@@ -82,7 +76,7 @@ bool touches_water(const Workpiece& workpiece, const Frame& frame,
   std::vector<Place> drops;
   double spacing = 0.0;  // of the water
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
-    if (!is_jet_water(workpiece, frame, row)) continue;
+    if (!workpiece.is_jet_water(frame, row)) continue;
     drops.push_back(Place::from(frame.position[row]));
     spacing = std::max(spacing, static_cast<double>(frame.spacing[row]));
   }

@@ -64,6 +64,20 @@ double depth_of_top(const KerfMap& map, const KerfAxes& axes, const KerfPath& pa
   return count > 0.0 ? sum / count : std::numeric_limits<double>::infinity();
 }
 
+// Finds the edges of a layer as laid out in the section at the axis.
+void find_edges(const KerfView& view, const KerfAxes& axes, const KerfPath& path,
+                KerfLayer& layer) {
+  const Workpiece& workpiece = view.workpiece;
+  for (std::size_t slot = 0; slot < workpiece.position.size(); ++slot) {
+    if (!view.holds(slot)) continue;
+    const KerfAxes::Vector3 x = axes.local(workpiece.position[slot]);
+    const double size = workpiece.size[slot], across = x[0] - path.end[0];
+    if (workpiece.dimension == 3 && std::abs(x[1] - path.end[1]) > size) continue;
+    layer.left = std::min(layer.left, across - size / 2.0);
+    layer.right = std::max(layer.right, across + size / 2.0);
+  }
+}
+
 void deny(KerfShape& shape) {
   shape.through = false;
   shape.through_share = 0.0;
@@ -97,6 +111,7 @@ std::vector<KerfLayer> measure_layers(KerfView view, const KerfAxes& axes, const
     layer.body = view.body = body.body;
     const KerfMap map = make_kerf_map(view, axes, path);
     layer.top = depth_of_top(map, axes, path);
+    find_edges(view, axes, path, layer);
     layer.shape = measure_shape(map, axes, path, workpiece.axis_spacing);
     layer.shape.thickness += workpiece.below(body.body);
     for (std::size_t slot = 0; slot < workpiece.body.size(); ++slot) {
@@ -128,6 +143,23 @@ void keep_what_left(const Workpiece& workpiece, const std::vector<BodyVerdict>& 
       if (workpiece.body[slot] == verdict.body) standing[slot] = stands_as_laid_out;
 }
 
+double density_of_water(const Case& description, const Jet& jet) {
+  return description.materials.at(static_cast<std::size_t>(jet.material)).density;
+}
+
+// Returns the time since contact in which the water of a jet flowed, s.
+double open_time_since_contact(const Case& description, const Jet& jet, const CutSummary& summary) {
+  const Nozzle nozzle(jet, density_of_water(description, jet), description.dimension);
+  return nozzle.open_time(summary.last.time) - nozzle.open_time(summary.contact_time);
+}
+
+// Returns the kinetic energy of a jet and its images since contact, J (2D: J/m).
+double energy_since_contact(const Case& description, const Jet& jet, const CutSummary& summary) {
+  const JetAxis axis(jet, description.dimension);
+  return 0.5 * images_of(axis, symmetry_images(description)) * density_of_water(description, jet) *
+         axis.section * std::pow(jet.speed, 3) * open_time_since_contact(description, jet, summary);
+}
+
 }  // namespace
 
 KerfConditions kerf_conditions(const Case& description, const CutSummary& summary) {
@@ -144,10 +176,9 @@ KerfConditions kerf_conditions(const Case& description, const CutSummary& summar
   conditions.jet_speed = jet.speed;
   const double since = summary.last.time - summary.contact_time;
   if (!(since > 0.0)) return conditions;
-  const double density = description.materials.at(static_cast<std::size_t>(jet.material)).density;
-  const Nozzle nozzle(jet, density, description.dimension);
-  conditions.on_time_factor =
-      (nozzle.open_time(summary.last.time) - nozzle.open_time(summary.contact_time)) / since;
+  conditions.on_time_factor = open_time_since_contact(description, jet, summary) / since;
+  for (std::size_t n = 1; n < description.jets.size(); ++n)
+    conditions.energy_of_others += energy_since_contact(description, description.jets[n], summary);
   return conditions;
 }
 

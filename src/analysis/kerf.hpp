@@ -26,8 +26,10 @@ using KerfMeasurements =
 
 // A body of a workpiece that is made of several bodies.
 struct KerfLayer {
-  int body = 0;                 // index into Case::bodies
-  double top = 0.0;             // m, depth of its face at the axis
+  int body = 0;      // index into Case::bodies
+  double top = 0.0;  // m, depth of its face at the axis
+  // m, of its edges as laid out, across the jet from its axis
+  double left = 0.0, right = 0.0;
   KerfShape shape;              // as if it were alone
   double volume = 0.0;          // m^3 (2D: m^2), as laid out
   double removed_volume = 0.0;  // m^3 (2D: m^2)
@@ -37,6 +39,12 @@ struct KerfLayer {
   double unbroken = 0.0;  // m, least thickness in the way of the jet
   // A body above it in the way of the jet is not cut through: the water has not come to it.
   bool is_covered = false;
+
+  // Whether it stands in the way of the jet above a depth, m, of a kerf or a cut beside it.
+  bool stands_above(double depth) const {
+    return verdict.is_in_way && !verdict.cut.through && !verdict.cut.left && unbroken > 0.0 &&
+           top + shape.depth < depth;
+  }
 };
 
 struct Kerf {

@@ -19,6 +19,7 @@ struct KerfConditions {
   double moves_from = 0.0;           // s, when the traverse began
   double jet_speed = 0.0;            // m/s
   double on_time_factor = 1.0;       // 1, part of the time since contact in which water flowed
+  double energy_of_others = 0.0;     // J (2D: J/m), of the further jets and images since contact
   double contact_time = std::numeric_limits<double>::quiet_NaN();      // s, nan before contact
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s, nan = not cut through
   // s, the end of the run as the case states it, which does not hang on when a run stops after its
@@ -41,7 +42,7 @@ struct KerfConditions {
   }
 };
 
-// Returns the conditions for the first jet of the case, after a run with this summary.
+// Returns the conditions for the jets of the case, after a run with this summary.
 KerfConditions kerf_conditions(const Case& description, const CutSummary& summary);
 
 // A kerf at one instant: particles, local coordinates, and the standing solid by columns.

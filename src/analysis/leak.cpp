@@ -8,7 +8,7 @@ namespace kerf {
 const MetricList<Leak>& Leak::metrics() {
   static const MetricList<Leak> list{
       {"leaked_mass", extensive("kg"), "mass of leaked water",
-       "Mass of the jet's water that lies inside intact solid, where no water can be.",
+       "Mass of the jets' water that lies inside intact solid, where no water can be.",
        &Leak::mass}};
   return list;
 }
@@ -33,7 +33,7 @@ Leak Leak::measure(const KerfScene& scene) {
   field.add(solid);
   Leak leak;
   for (std::size_t row = 0; row < frame.id.size(); ++row) {
-    if (frame.source[row] != workpiece.jet_source || frame.upstream[row] != 0) continue;
+    if (!workpiece.is_jet_water(frame, row)) continue;
     leak.water += frame.mass[row];
     if (field.share_at(axes.local(frame.position[row])) > leak_share) leak.mass += frame.mass[row];
   }

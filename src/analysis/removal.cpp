@@ -6,7 +6,7 @@
 namespace kerf {
 namespace {
 
-// The duration and energy of the jet, and of its mirror images, since contact.
+// The duration and energy of the jets, and of their mirror images, since contact.
 struct JetWork {
   double duration = 0.0;  // s
   double energy = 0.0;    // J (2D: J/m), kinetic
@@ -19,7 +19,8 @@ JetWork find_work(const KerfScene& scene) {
   if (std::isnan(conditions.contact_time)) return work;
   work.duration = scene.view.frame.time - conditions.contact_time;
   work.energy = 0.5 * workpiece.images.jets * workpiece.jet_density * workpiece.jet->section *
-                std::pow(conditions.jet_speed, 3) * work.duration * conditions.on_time_factor;
+                    std::pow(conditions.jet_speed, 3) * work.duration * conditions.on_time_factor +
+                conditions.energy_of_others;
   return work;
 }
 
@@ -41,7 +42,7 @@ const MetricList<Removal>& Removal::metrics() {
       {"removal_rate", extensive("m3/s"), "removal rate",
        "Removed volume over the time since contact.", &Removal::rate},
       {"specific_energy", "J/m3", "specific energy",
-       "Kinetic energy of the jet since contact over the removed volume.",
+       "Kinetic energy of the jets since contact over the removed volume.",
        &Removal::specific_energy}};
   return list;
 }

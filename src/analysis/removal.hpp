@@ -15,7 +15,7 @@ namespace kerf {
 struct Removal {
   double volume = 0.0;  // m^3 (2D: m^2), of the solid as laid out
   double rate = 0.0;    // m^3/s (2D: m^2/s), mean since contact; 0 before
-  // J/m^3 (1e9 J/m^3 = 1 J/mm^3), energy of the jet since contact over the volume; nan without
+  // J/m^3 (1e9 J/m^3 = 1 J/mm^3), energy of the jets since contact over the volume; nan without
   // either.
   double specific_energy = std::numeric_limits<double>::quiet_NaN();
 

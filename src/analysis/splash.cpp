@@ -47,12 +47,20 @@ Face fit_face(const KerfMap& map, const KerfAxes& axes, const Vector3& axis) {
   return face;
 }
 
+// Whether a particle is in the space of a jet, where this is now, or within a spacing of it.
+bool is_in_a_jet(const KerfView& view, std::size_t row) {
+  return std::any_of(view.workpiece.jets.begin(), view.workpiece.jets.end(), [&](JetAxis jet) {
+    jet.aim = jet.point_at(0.0, view.frame.time);
+    return jet.distance(view.frame.position[row]) < jet.width / 2.0 + view.frame.spacing[row];
+  });
+}
+
 }  // namespace
 
 const MetricList<Splash>& Splash::metrics() {
   static const MetricList<Splash> list{
       {"splash.mass", extensive("kg"), "mass of the splash",
-       "Mass of the jet's water that flies away from the face of the workpiece.", &Splash::mass},
+       "Mass of the jets' water that flies away from the face of the workpiece.", &Splash::mass},
       {"splash.angle", "rad", "angle of the splash",
        "Mass-weighted mean angle between the splash and the face; 0 is along the face.",
        &Splash::angle},
@@ -69,13 +77,12 @@ Splash Splash::measure(const KerfScene& scene) {
   if (!face.exists) return splash;
   double sum = 0.0, squares = 0.0;
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
-    if (frame.source[row] != view.workpiece.jet_source || frame.upstream[row] != 0) continue;
+    if (!view.workpiece.is_jet_water(frame, row)) continue;
     const double spacing = frame.spacing[row];
     const Vector3 x = axes.local(frame.position[row]);
     const Vector3 from_face{x[0] - face.point[0], x[1] - face.point[1], x[2] - face.point[2]};
     if (KerfAxes::dot(from_face, face.normal) < spacing) continue;
-    if (std::hypot(x[0] - path.end[0], x[1] - path.end[1]) < axes.jet.width / 2.0 + spacing)
-      continue;
+    if (is_in_a_jet(view, row)) continue;
     const Vector3 velocity = axes.turned(frame.velocity[row]);
     const double speed = std::sqrt(KerfAxes::dot(velocity, velocity));
     const double away = KerfAxes::dot(velocity, face.normal);

@@ -82,11 +82,42 @@ SymmetryImages symmetry_images(const Case& description) {
       const bool has_jet = jet && contains_axis(*jet, a, plane.position);
       if (planes.size() > 1 && !has_jet) continue;
       images.planes.push_back(plane);
-      if (!has_jet) images.jets *= 2;
       break;
     }
   }
+  if (jet) images.jets = images_of(*jet, images);
   return images;
+}
+
+int images_of(const JetAxis& jet, const SymmetryImages& images) {
+  int count = 1;
+  for (const SymmetryImages::Plane& plane : images.planes)
+    if (!contains_axis(jet, plane.axis, plane.position)) count *= 2;
+  return count;
+}
+
+std::size_t jets_of_whole(const Case& description) {
+  return axes_of_jets(description, symmetry_images(description)).size();
+}
+
+std::vector<JetAxis> axes_of_jets(const Case& description, const SymmetryImages& images) {
+  std::vector<JetAxis> axes;
+  for (const Jet& each : description.jets) {
+    const JetAxis jet(each, description.dimension);
+    for (std::uint32_t image = 0; image < images.count(); ++image) {
+      // A plane through the axis adds no jet.
+      bool is_same = false;
+      for (std::size_t p = 0; p < images.planes.size(); ++p)
+        is_same = is_same || ((image >> p & 1u) != 0 &&
+                              contains_axis(jet, images.planes[p].axis, images.planes[p].position));
+      if (is_same) continue;
+      JetAxis& axis = axes.emplace_back(jet);
+      axis.aim = mirrored(axis.aim, images, image, true);
+      for (auto* vector : {&axis.along, &axis.across, &axis.sideways, &axis.travel})
+        *vector = mirrored(*vector, images, image, false);
+    }
+  }
+  return axes;
 }
 
 Frame whole_frame(const Frame& part, const SymmetryImages& images) {

@@ -12,6 +12,7 @@
 namespace kerf {
 
 struct Case;
+struct JetAxis;
 
 // The planes in which a part is mirrored, at most one for each axis. Bit p of the number of an
 // image says whether it is mirrored in plane p; image 0 is the part itself.
@@ -30,6 +31,16 @@ struct SymmetryImages {
 // Returns the planes of a case. Of two opposite planes, which repeat the workpiece without end, the
 // one counts that contains the axis of the first jet, else none: the whole is one period.
 SymmetryImages symmetry_images(const Case& description);
+
+// Returns by how many jets a jet acts on the whole workpiece: 1 if its axis lies in all planes,
+// else with its images.
+int images_of(const JetAxis& jet, const SymmetryImages& images);
+
+// Returns the axes of all jets of a case and of their images, the first jet first.
+std::vector<JetAxis> axes_of_jets(const Case& description, const SymmetryImages& images);
+
+// Returns the number of jets that act on the whole workpiece: of the case and of their images.
+std::size_t jets_of_whole(const Case& description);
 
 // Returns the part followed by its images in the order of their numbers, with the pieces of the
 // whole workpiece; the rows of each image have the order of the part, and its ids. Of the further

@@ -222,6 +222,7 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
     workpiece.jet.emplace(jet, description.dimension);
     workpiece.jet_source = static_cast<std::uint16_t>(bodies.size());
     workpiece.jet_count = static_cast<int>(description.jets.size());
+    workpiece.jets = axes_of_jets(description, workpiece.images);
     workpiece.jet_density =
         description.materials.at(static_cast<std::size_t>(jet.material)).density;
     workpiece.axis_spacing = find_axis_spacing(workpiece);

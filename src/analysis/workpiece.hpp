@@ -76,7 +76,8 @@ struct Workpiece {
   std::vector<std::uint8_t> initially_in_piece;
   std::vector<std::uint32_t> initial_body_piece;
   int initial_pieces = 0;
-  int jet_count = 0;  // of the case; `jet` is the first
+  int jet_count = 0;          // of the case; `jet` is the first
+  std::vector<JetAxis> jets;  // all, with their images
   // By index into Case::bodies: 1 = the body is one with others (analysis/united_bodies.hpp).
   std::vector<std::uint8_t> is_united;
   std::array<double, 3> drift{};  // m/s, at which the bodies in the way move from the start on
@@ -85,6 +86,11 @@ struct Workpiece {
   // that is simulated, along the jet, m.
   double below(int body) const;
   bool empty() const { return position.empty(); }
+  // Whether a particle is water that has left a nozzle.
+  bool is_jet_water(const Frame& frame, std::size_t row) const {
+    const int source = frame.source[row] - jet_source;
+    return source >= 0 && source < jet_count && frame.upstream[row] == 0;
+  }
   bool is_in_united(std::size_t slot) const {
     return !is_united.empty() && is_united[body[slot]] != 0;
   }

@@ -146,6 +146,7 @@ class RunLoop {
   std::shared_ptr<const SavedState> before_end_;
   std::map<std::string, std::uint64_t> limits_;
   double energy_drift_ = 0.0;
+  MostStored most_stored_;    // of all rows
   double row_time_ = -1.0;    // s, of the last row of the series
   double saved_time_ = -1.0;  // s, of the last checkpoint; negative = none; set by `writing_`
   Background writing_;        // the last member, so that it ends before the others

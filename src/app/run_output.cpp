@@ -44,6 +44,7 @@ void RunLoop::write_row() {
   sample.probes = simulation_->probe_values();
   series_.append(sample);
   energy_drift_ = sample.balance.energy_drift();
+  most_stored_.observe(sample.balance);
   row_time_ = sample.time;
 }
 

@@ -16,7 +16,7 @@ struct HistoryColumn {
   const char* name;
   double& (*member)(CutState&);
 };
-constexpr std::array<HistoryColumn, 12> history_columns = {{
+constexpr std::array<HistoryColumn, 13> history_columns = {{
     {"time", [](CutState& state) -> double& { return state.time; }},
     {"front_depth", [](CutState& state) -> double& { return state.front_depth; }},
     {"cut_depth", [](CutState& state) -> double& { return state.cut_depth; }},
@@ -24,6 +24,7 @@ constexpr std::array<HistoryColumn, 12> history_columns = {{
     {"fractured_mass", [](CutState& state) -> double& { return state.fractured_mass; }},
     {"fractured_width", [](CutState& state) -> double& { return state.fractured_width; }},
     {"kerf_width", [](CutState& state) -> double& { return state.kerf_width; }},
+    {"void_width", [](CutState& state) -> double& { return state.void_width; }},
     {"wake_depth", [](CutState& state) -> double& { return state.wake.depth; }},
     {"wake_lag", [](CutState& state) -> double& { return state.wake.lag; }},
     {"wake_width", [](CutState& state) -> double& { return state.wake.width; }},
@@ -101,6 +102,8 @@ Archive to_archive(const RunRecord& record) {
   archive.arrays["picture_times"] = record.picture_times;
   archive.arrays["schedule"] = std::vector<std::uint64_t>{record.frames_due, record.pictures_due,
                                                           record.rows_due, record.rows};
+  archive.arrays["most_stored"] =
+      std::vector<double>{record.most_stored.energy, record.most_stored.hourglass};
   for (const auto& [name, steps] : record.limits)
     archive.texts[limit_prefix + name] = fmt::format("{}", steps);
   for (const StageTime& stage : record.stage_times)
@@ -120,6 +123,8 @@ RunRecord record_from(const Archive& archive) {
   record.pictures_due = schedule.at(1);
   record.rows_due = schedule.at(2);
   record.rows = schedule.at(3);
+  const auto& stored = find<double>(archive, "most_stored");
+  record.most_stored = {stored.at(0), stored.at(1)};
   for (const auto& [name, text] : archive.texts) {
     if (name == "case_name") record.case_name = text;
     if (name == "state") record.finished = text == "finished";

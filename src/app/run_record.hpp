@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/cut.hpp"
+#include "output/result.hpp"
 #include "simulation/archive.hpp"
 #include "simulation/simulation.hpp"
 
@@ -23,6 +24,7 @@ struct RunRecord {
   std::uint64_t rows = 0;                                        // of series.csv
   std::map<std::string, std::uint64_t> limits;  // number of steps that each limit set
   std::vector<StageTime> stage_times;           // of all parts of the run
+  MostStored most_stored;
   std::vector<CutState> cut_history;
   std::vector<std::uint8_t> cut_traces;  // CutMonitor::traces()
 };

@@ -50,6 +50,7 @@ RunRecord RunLoop::record(bool finished) const {
   record.rows = series_.rows();
   record.limits = limits_;
   record.stage_times = stage_times();
+  record.most_stored = most_stored_;
   record.cut_history = cut_->history();
   record.cut_traces = cut_->traces();
   return record;
@@ -83,10 +84,12 @@ nlohmann::ordered_json RunLoop::result() {
   outcome.loose = loose_;
   // The bonds of a later window of a travelling frame are not those of the first.
   outcome.has_broken_bonds =
-      simulation_->shifts() > 0 || broken_bond_sum(cut_->workpiece(), frame()) > broken_at_start_;
+      simulation_->shifts() > 0 ||
+      broken_bond_sum(cut_->workpiece(), frame(), cut_->traces()) > broken_at_start_;
   outcome.stationary = stationary_;
   outcome.still_cutting = still_cutting(cut_->history());
   outcome.balance = simulation_->balance();
+  outcome.most_stored = most_stored_;
   if (!cuts_nothing(outcome))
     outcome.exposure = exposure_of(settings_.description, cut_->history(), outcome.cut);
   outcome.time = simulation_->time();

@@ -54,7 +54,7 @@ bool breaks_without_water(const RunOutcome& outcome) {
 }  // namespace
 
 std::string the_jet(const RunOutcome& outcome, bool begins_sentence) {
-  const std::size_t jets = outcome.description.jets.size();
+  const std::size_t jets = jets_of_whole(outcome.description);
   const char* article = begins_sentence ? "The" : "the";
   return jets > 1 ? fmt::format("{} first of {} jets", article, jets)
                   : fmt::format("{} jet", article);
@@ -118,9 +118,15 @@ std::string dent_sentence(const RunOutcome& outcome) {
       fmt::format("{} breaks nothing within {}{}", the_jet(outcome), readable(outcome.time, "s"),
                   makes_dent(outcome) ? "" : " and makes no measurable dent");
   const std::string dent = dent_clause(outcome);
-  const std::string softening =
-      outcome.balance.dissipated_fracture != 0.0 ? "; the solid has begun to soften" : "";
-  return start + (dent.empty() ? "" : "; ") + dent + softening + ".";
+  // What leaves the domain takes bonds with it, whose energy is told from softening by nothing.
+  const double left = outcome.cut.mass_left_whole;
+  const bool softens = outcome.balance.dissipated_fracture != 0.0 && left == 0.0;
+  return start + (dent.empty() ? "" : "; ") + dent +
+         (softens ? "; the solid has begun to soften" : "") +
+         (left > 0.0 ? fmt::format("; {:.2g}% of the workpiece has left the domain unbroken",
+                                   100.0 * outcome.cut.left_fraction())
+                     : "") +
+         ".";
 }
 
 }  // namespace kerf

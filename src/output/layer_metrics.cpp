@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/layer_metrics.hpp"
 
+#include <cmath>
+
 #include "model/case.hpp"
 
 namespace kerf {
@@ -15,6 +17,30 @@ std::string fate_of(const KerfLayer& layer) {
   }
   return layer.fractured_mass > 0.0 && !layer.verdict.cut.left ? "cut in part" : "whole";
 }
+
+namespace {
+
+// Where a layer lies.
+const MetricList<NamedLayer>& place_metrics() {
+  using L = NamedLayer;
+  static const MetricList<L> list{
+      {"face", "m", "depth of the face of the layer",
+       "Depth of the body's face at the axis below that of the workpiece, as laid out; none for "
+       "a "
+       "body beside the jet.",
+       [](const L& entry) {
+         const double top = entry.layer.top;
+         return std::isinf(top) ? std::nullopt : std::optional(top);
+       }},
+      {"left", "m", "left edge of the layer",
+       "Edge of the body as laid out, across the jet from its axis.",
+       [](const L& entry) { return entry.layer.left; }},
+      {"right", "m", "right edge of the layer", "The other edge, likewise.",
+       [](const L& entry) { return entry.layer.right; }}};
+  return list;
+}
+
+}  // namespace
 
 const MetricList<NamedLayer>& NamedLayer::metrics() {
   using L = NamedLayer;
@@ -52,6 +78,7 @@ const MetricList<NamedLayer>& NamedLayer::metrics() {
          "Least thickness of the body, as laid out, that stands and has kept its bonds in the way "
          "of the jet.",
          [](const L& entry) { return entry.layer.unbroken; }}};
+    all.insert(all.end(), place_metrics().begin(), place_metrics().end());
     add_metrics(all, KerfShape::metrics(), "", "kerf in the layer",
                 [](const L& entry) -> const KerfShape& { return entry.layer.shape; });
     const MetricList<L> amounts{

@@ -31,6 +31,17 @@ struct RunPicture {
   static const MetricList<RunPicture>& metrics();
 };
 
+// What the solids of a run store by their bonds where this was the most, J (2D: J/m).
+struct MostStored {
+  double energy = 0.0;     // all of it
+  double hourglass = 0.0;  // of it in the hourglass control
+
+  // Takes a later balance where its solids store more.
+  void observe(const Balance& balance) {
+    if (balance.solid_energy() > energy) *this = {balance.solid_energy(), balance.hourglass};
+  }
+};
+
 // All data of a run that result.json contains.
 struct RunOutcome {
   Case description;
@@ -46,7 +57,8 @@ struct RunOutcome {
   std::optional<StationaryCut> stationary;  // where a frame travels with the nozzle
   bool still_cutting = false;               // the front was moving when the run ended
   Balance balance;
-  double time = 0.0;  // s
+  MostStored most_stored;  // of the rows of the run
+  double time = 0.0;       // s
   std::uint64_t steps = 0;
   std::size_t particles = 0;
   double pair_interactions = 0.0;

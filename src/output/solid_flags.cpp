@@ -59,6 +59,20 @@ void refuse_loose_bodies(const Case& description, const std::vector<LooseParticl
 
 namespace {
 
+// Tells of intact solid that is out of the domain, where nothing is known of it.
+void add_of_left_whole(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  constexpr double little = 0.01;  // of the workpiece
+  const double share = outcome.cut.left_fraction();
+  if (!(share > 0.0)) return;
+  const auto state = share > little ? ValidityFlag::State::warning : ValidityFlag::State::note;
+  flags.push_back(
+      {"left_whole", state, share, little,
+       fmt::format("{:.2g}% of the workpiece has left the domain unbroken: the shares and volumes "
+                   "of what is fractured and removed count it, although the jet has not broken it. "
+                   "A larger [domain] keeps it.",
+                   100.0 * share)});
+}
+
 // Flags the first body under the jet that its pressure crushes.
 void add_of_crushing(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   const Case& description = outcome.description;
@@ -92,6 +106,7 @@ void add_solid_flags(const RunOutcome& outcome, std::vector<ValidityFlag>& flags
              "solid can be: the pressure was beyond the stiffness of the solid. What is behind "
              "the face of that body means nothing. Use a slower jet or a stiffer solid.",
              100.0 * share)});
+  add_of_left_whole(outcome, flags);
   add_of_crushing(outcome, flags);
 }
 

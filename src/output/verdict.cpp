@@ -14,38 +14,6 @@
 namespace kerf {
 namespace {
 
-std::string join(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t n = 0; n < names.size(); ++n)
-    text += (n == 0 ? "" : n + 1 == names.size() ? " and " : ", ") + names[n];
-  return text;
-}
-
-// Names the bodies in the way of the jet by their fate: "liver is cut through, vessel is whole";
-// empty where there is one body.
-std::string layers_clause(const RunOutcome& outcome) {
-  if (!outcome.kerf) return "";
-  std::vector<std::pair<std::string, std::vector<std::string>>> by_fate;
-  std::size_t count = 0;
-  for (const NamedLayer& layer : named_layers(*outcome.kerf, outcome.description)) {
-    if (!layer.layer.verdict.is_in_way) continue;
-    ++count;
-    const std::string fate = fate_of(layer.layer);
-    const auto known = std::find_if(by_fate.begin(), by_fate.end(),
-                                    [&](const auto& entry) { return entry.first == fate; });
-    if (known == by_fate.end())
-      by_fate.push_back({fate, {layer.name}});
-    else
-      known->second.push_back(layer.name);
-  }
-  std::string text;
-  if (count < 2) return text;
-  for (const auto& [fate, names] : by_fate)
-    text += fmt::format("{}{} {} {}", text.empty() ? "; " : ", ", join(names),
-                        names.size() == 1 ? "is" : "are", fate);
-  return text;
-}
-
 // Whether the jet has pushed a body out of the domain.
 bool has_left(const RunOutcome& outcome) {
   const auto& bodies = outcome.cut.bodies;
@@ -83,7 +51,7 @@ std::string unbroken_names(const RunOutcome& outcome) {
     has_cut = has_cut || layer.layer.verdict.cut.through;
     if (layer.layer.verdict.is_in_way && layer.layer.unbroken > 0.0) names.push_back(layer.name);
   }
-  return names.empty() || !has_cut ? "" : " of " + join(names);
+  return names.empty() || !has_cut ? "" : " of " + join_names(names);
 }
 
 // Whether the cut in the one body reaches solid that is whole on all lines along the jet: its path
@@ -131,7 +99,7 @@ std::string left_clause(const RunOutcome& outcome) {
   return fmt::format(
       "; it has pushed {} out of the domain unbroken, where nothing is known of it: a larger "
       "[domain] would tell",
-      join(names));
+      join_names(names));
 }
 
 // Says how deep the cut and the water in it are, or how deep the dent.
@@ -141,8 +109,8 @@ std::string reach_clause(const RunOutcome& outcome) {
     return fmt::format("cracks reach {} deep along an inclined path and its front {}",
                        readable(outcome.cut.last.cut_depth, "m"), front);
   if (!cuts_nothing(outcome))
-    return fmt::format("the cut is {} and its front {} deep",
-                       readable(outcome.cut.last.cut_depth, "m"), front);
+    return fmt::format("the cut is {}{} and its front {} deep",
+                       readable(outcome.cut.last.cut_depth, "m"), beside_clause(outcome), front);
   if (has_left(outcome)) return fmt::format("its front is {} deep", front);
   const std::string broken = "what has broken opens no path from the face";
   const std::string dent = dent_clause(outcome);
@@ -161,16 +129,16 @@ std::string shift_clause(const RunOutcome& outcome) {
 
 // Says what several jets have broken together, because the verdict is on the first.
 std::string other_jets_sentence(const RunOutcome& outcome) {
-  const std::size_t jets = outcome.description.jets.size();
+  const std::size_t jets = jets_of_whole(outcome.description);
   if (jets < 2 || breaks_nothing(outcome)) return "";
   return fmt::format(
       " The {} jets together have broken {:.2g}% of the workpiece; which of them "
       "broke what is not told.",
-      jets, 100.0 * outcome.cut.last.fractured_fraction);
+      jets, 100.0 * outcome.cut.broken_fraction());
 }
 
 std::string depth_sentence(const RunOutcome& outcome) {
-  if (breaks_nothing(outcome)) return dent_sentence(outcome);
+  if (breaks_nothing(outcome) && !has_left(outcome)) return dent_sentence(outcome);
   const std::string end = readable(outcome.time, "s");
   if (is_at_end_of_part(outcome))
     return fmt::format(
@@ -253,7 +221,10 @@ std::string cut_sentence(const RunOutcome& outcome) {
 
 bool breaks_nothing(const RunOutcome& outcome) {
   const bool is_changed = outcome.has_broken_bonds && outcome.balance.dissipated_fracture != 0.0;
-  return outcome.cut.last.fractured_mass == 0.0 && !is_changed;
+  // What stood until it left the domain counts as fractured.
+  constexpr double rounding = 1e-9;
+  const double fractured = outcome.cut.last.fractured_mass;
+  return fractured - outcome.cut.mass_left_whole <= rounding * fractured && !is_changed;
 }
 
 bool cuts_nothing(const RunOutcome& outcome) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace kerf {
 
@@ -14,6 +15,15 @@ std::string the_jet(const RunOutcome& outcome, bool begins_sentence = true);
 double finest_spacing(const RunOutcome& outcome);
 // Returns the least length that means anything beside the spacing of the particles, m.
 double least_length(const RunOutcome& outcome);
+
+// Returns a list of names in words.
+std::string join_names(const std::vector<std::string>& names);
+// Names the bodies in the way of the jet by their fate: "liver is cut through, vessel is whole";
+// empty where there is one body.
+std::string layers_clause(const RunOutcome& outcome);
+// Names the bodies in the way of the jet below its face that stand where the cut has passed beside
+// them.
+std::string beside_clause(const RunOutcome& outcome);
 
 // Returns whether the water has exerted a force on the solids.
 bool has_touched(const RunOutcome& outcome);

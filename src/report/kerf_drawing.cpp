@@ -11,6 +11,7 @@
 #include "model/jet.hpp"
 #include "report/drawing.hpp"
 #include "report/html.hpp"
+#include "report/report_parts.hpp"
 
 namespace kerf {
 namespace {
@@ -27,11 +28,18 @@ struct Level {
   double below, half;  // m
 };
 
+// A body that stands in the kerf, which has passed beside it; across from the axis of the jet.
+struct StandingPart {
+  std::string name;
+  double top, bottom, left, right;  // m
+};
+
 // The lengths that are drawn, m. Depths are along the jet, widths at right angles to it.
 struct Section {
   double thickness = 0.0, depth = 0.0;
   bool through = false;
   std::array<Level, 3> levels{};
+  std::vector<StandingPart> standing{};
 };
 
 // This class maps the section onto the drawing at one scale. The faces of the workpiece are
@@ -114,6 +122,24 @@ void add_whole(SectionDrawing& map) {
       solid_fill));
 }
 
+// The bodies that stand in the kerf, as far as they are not removed.
+void add_standing(SectionDrawing& map) {
+  for (const StandingPart& part : map.section.standing) {
+    // What is drawn of the workpiece ends at its edges.
+    const auto x = [&](double across, double below) {
+      return std::clamp(map.x(across, below), block_left, block_right);
+    };
+    const double top = map.y(part.top), bottom = map.y(part.bottom);
+    map.drawing.add(fmt::format(
+        "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" {} "
+        "data-standing=\"{}\"/>",
+        x(part.left, part.top), top, x(part.right, part.top), top, x(part.right, part.bottom),
+        bottom, x(part.left, part.bottom), bottom, solid_fill, html::escape(part.name)));
+    map.drawing.text(x(0.5 * (part.left + part.right), part.top), 0.5 * (top + bottom) + 5.0,
+                     html::escape(part.name), Anchor::middle);
+  }
+}
+
 void add_widths(SectionDrawing& map) {
   const Section& section = map.section;
   double lowest = 0.0;  // y of the label above
@@ -192,6 +218,14 @@ Section section_of(const Json& kerf) {
     const Json& level = kerf.at(names[k]);
     section.levels[k] = {level.at("below").get<double>(), 0.5 * level.at("width").get<double>()};
   }
+  for (const Json& layer : kerf.value("layers", Json::array())) {
+    if (!stands_in_kerf(layer, section.depth)) continue;
+    const double face = layer.at("face").get<double>();
+    section.standing.push_back({layer.at("name").get<std::string>(),
+                                face + layer.at("depth").get<double>(),
+                                face + layer.at("thickness").get<double>(),
+                                layer.at("left").get<double>(), layer.at("right").get<double>()});
+  }
   return section;
 }
 
@@ -216,6 +250,7 @@ std::string draw_kerf(const Json& kerf, const KerfSetting& setting) {
   else
     add_whole(map);
   // The axis of the jet ends where the crack begins, or at the far face.
+  add_standing(map);
   map.axis_line(-map.length(28.0), cracked ? section.depth : section.thickness,
                 stroke(kerf_jet_colour, 1.5, "12 3 2 3"));
   if (cracked)

@@ -98,6 +98,17 @@ std::string piece_part(const Case& description) {
 
 }  // namespace
 
+std::string standing_words(const Json& kerf) {
+  std::string names;
+  int count = 0;
+  for (const Json& layer : kerf.value("layers", Json::array())) {
+    if (!stands_in_kerf(layer, value_of(kerf.at("depth")))) continue;
+    names += (count++ == 0 ? "" : ", ") + html::escape(layer.at("name").get<std::string>());
+  }
+  if (count == 0) return "";
+  return ", beside " + names + (count == 1 ? ", which is" : ", which are") + " not cut through";
+}
+
 std::string kerf_figure(const Json& result, const Case& description) {
   if (!result.contains("kerf") || description.jets.empty()) return "";
   const Json& kerf = result.at("kerf");

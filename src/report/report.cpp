@@ -51,7 +51,7 @@ void add_cut(std::vector<Figure>& figures, const Json& result) {
     figures.push_back(
         {"kerf.depth", is_parted(result)
                            ? "where material is gone; below it parted without loss of material"
-                           : "where material is gone"});
+                           : "where material is gone" + standing_words(result.at("kerf"))});
     figures.push_back({"kerf.middle.width", "where material is gone, at half its depth"});
   }
   figures.push_back(

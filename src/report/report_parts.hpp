@@ -34,6 +34,17 @@ inline bool is_parted(const nlohmann::ordered_json& result) {
          !(value_of(result.at("kerf").at("through_share")) > 0.0);
 }
 
+// Returns whether a layer of the kerf stands in the way of the jet where the kerf is deeper beside
+// it. Results of earlier versions do not tell.
+inline bool stands_in_kerf(const nlohmann::ordered_json& layer, double depth) {
+  return layer.contains("face") && layer.at("face").is_number() &&
+         !layer.at("cut_through").get<bool>() && value_of(layer.at("unbroken")) > 0.0 &&
+         value_of(layer.at("face")) + value_of(layer.at("depth")) < depth;
+}
+
+// Names such layers: ", beside bone, which is not cut through".
+std::string standing_words(const nlohmann::ordered_json& kerf);
+
 // Returns whether the workpiece is cut through as plugs of all bodies in the way have come off.
 inline bool is_punched(const nlohmann::ordered_json& result) {
   const auto kind = result.find("cut_through_by");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analysis/broken_bonds.hpp"
 #include "analysis/cut.hpp"
 #include "analysis/kerf.hpp"
 #include "bonded_layout.hpp"
@@ -112,6 +113,30 @@ TEST(BodyCut, AResumedRunKnowsWhatHasLeft) {
   const auto left =
       std::count(monitor.traces().begin(), monitor.traces().end(), slot_trace::left_whole);
   EXPECT_EQ(static_cast<std::size_t>(left), initial.id.size() - rest.id.size());
+}
+
+// Solid that leaves the domain whole takes bonds with it, which nothing has broken.
+TEST(BodyCut, WhatLeavesWholeBreaksNoBond) {
+  const Case description = breakable();
+  Frame initial = make_block(2);
+  bond(initial, initial);
+  CutMonitor monitor(description, initial);
+  Frame rest = select(initial, rows_of(initial),
+                      [&](std::size_t k) { return initial.position[k][1] > -20.0 * mm; });
+  rest.piece.assign(rest.id.size(), rest.id.front());
+  rest.body_piece = rest.piece;
+  Column damage{"damage", "1", 1, std::vector<float>(rest.id.size(), 0.0f), {}};
+  for (std::size_t row = 0; row < rest.id.size(); ++row)
+    if (rest.position[row][1] < -18.0 * mm) damage.values[row] = 0.25f;
+  rest.columns.push_back(damage);
+  monitor.observe(initial);
+  monitor.observe(rest);
+  EXPECT_GT(broken_bond_sum(monitor.workpiece(), rest), 0.0);
+  EXPECT_EQ(broken_bond_sum(monitor.workpiece(), rest, monitor.traces()), 0.0);
+  EXPECT_EQ(monitor.summary().broken_fraction(), 0.0);
+  EXPECT_NEAR(monitor.summary().left_fraction(), 0.6, 1e-6);
+  rest.columns.back().values.back() = 0.25f;  // in the row at the top
+  EXPECT_EQ(broken_bond_sum(monitor.workpiece(), rest, monitor.traces()), 0.25);
 }
 
 // A layer that has lost its bonds to its neighbours and none of its own is whole.

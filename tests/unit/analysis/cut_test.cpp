@@ -23,7 +23,9 @@ TEST(KerfWidth, OfASlotIsItsWidth) {
 // In a strip half a jet width thick through the axis of a round hole 16 mm wide the mean chord is 2
 // * integral of sqrt(R^2 - z^2) over the strip; a lattice of 2 mm resolves it in steps of 2 mm.
 TEST(KerfWidth, OfARoundHoleIsItsMeanChordNearTheAxis) {
-  const Case description = make_case(3);
+  Case description = make_case(3);
+  description.machine.emplace();  // whose feed is along x
+  description.machine->traverse_speed = 1.0;
   CutMonitor monitor(description, make_block(3));
   const CutState state = monitor.observe(make_cut(description, 30.0 * mm, 16.0 * mm, 0.0));
   const double radius = 8.0 * mm, half = 2.5 * mm;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -70,6 +71,37 @@ TEST(Derived, DimensionlessGroupsOfThePaper) {
   EXPECT_NEAR(fast.hydrodynamic_front_speed, 25.4, 0.005 * 25.4);
   EXPECT_EQ(slow.jet_resolution, 10.0);
   EXPECT_NEAR(slow.solid_to_water_spacing, 2.0, 1e-12);
+}
+
+// A stiff layer below the block of the paper, whichever the case names first, and beside it.
+TEST(Derived, AreThoseOfTheBodyThatTheWaterMeetsFirst) {
+  const DerivedNumbers alone = of("tofu-5ms");
+  Case description = tofu_at(5.0);
+  const auto upper =
+      std::find_if(description.bodies.begin(), description.bodies.end(),
+                   [](const Body& body) { return body.role == Role::elastic && !body.fixed; });
+  ASSERT_NE(upper, description.bodies.end());
+  Body lower = *upper;
+  lower.name = "lower";
+  lower.material = static_cast<int>(description.materials.size());
+  description.materials.push_back(description.materials.at(std::size_t(upper->material)));
+  description.materials.back().youngs_modulus *= 10.0;
+  for (const std::size_t axis : {1u, 0u}) {  // below and beside
+    Body moved = lower;
+    Box& box = moved.shape.box;
+    const double shift = box.maximum[axis] - box.minimum[axis];
+    box.minimum[axis] -= shift;
+    box.maximum[axis] -= shift;
+    Case last = description, first = description;
+    last.bodies.push_back(moved);
+    first.bodies.insert(first.bodies.begin(), moved);
+    for (const Case& each : {last, first}) {
+      const DerivedNumbers numbers = derive(each);
+      EXPECT_EQ(numbers.rayleigh_speed, alone.rayleigh_speed) << axis;
+      EXPECT_EQ(numbers.resistance, alone.resistance) << axis;
+      EXPECT_EQ(numbers.cauchy_number, alone.cauchy_number) << axis;
+    }
+  }
 }
 
 TEST(Derived, Regimes) {

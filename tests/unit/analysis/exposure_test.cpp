@@ -51,6 +51,25 @@ TEST(Exposure, PowerLawIsCarriedExactly) {
   }
 }
 
+// The opening is measured at right angles to the jet; along a traverse in whose plane the jet leans
+// it is longer by 1 / cos, as the extent of the jet is.
+TEST(Exposure, BothAreAlongTheTraverseUnderALeaningJet) {
+  const auto history = front_of([](double t) { return 10.0 * t; }, 1e-4);
+  for (const double azimuth : {0.0, M_PI / 2.0}) {
+    Case description = feeding_case(0.5);
+    description.jets[0].angle = M_PI / 4.0;
+    description.jets[0].azimuth = azimuth;
+    for (const bool is_in_plane : {true, false}) {
+      const double turn = is_in_plane ? azimuth : azimuth + M_PI / 2.0;
+      description.machine->traverse_direction = {std::cos(turn), 0.0, std::sin(turn)};
+      const auto exposure = exposure_of(description, history, summary_from()).value();
+      const double stretch = is_in_plane ? std::sqrt(2.0) : 1.0;
+      EXPECT_NEAR(exposure.shortest, stretch * 2e-3, 1e-9) << azimuth << is_in_plane;
+      EXPECT_NEAR(exposure.longest, stretch * 6e-3, 1e-9) << azimuth << is_in_plane;
+    }
+  }
+}
+
 // A front of 20 m/s through a hole of 60 mm: the hole would be left at 120 m/s, and the jet is at
 // 50 m/s.
 TEST(Exposure, NoFeedExceedsTheSpeedOfTheJet) {

@@ -226,5 +226,54 @@ TEST(WholeFrame, NumbersThePiecesOfTheWhole) {
   EXPECT_EQ(whole.position[3], (Position{-9.0 * mm, 0.0, 0.0}));
 }
 
+// Two jets are as many beside a plane through the middle between them: both cut, and both pay.
+TEST(WholeFrame, AJetBesideAPlaneIsTwo) {
+  Case whole = make_case(3);
+  whole.domain = {{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};
+  whole.jets[0].stop = std::numeric_limits<double>::infinity();
+  whole.jets.push_back(whole.jets[0]);
+  whole.jets[0].position[0] = 12.0 * mm;
+  whole.jets[1].position[0] = -12.0 * mm;
+  Case half = whole;
+  half.jets.pop_back();
+  half.domain.minimum[0] = 0.0;
+  half.symmetry.minimum[0] = true;
+  EXPECT_EQ(jets_of_whole(whole), 2u);
+  EXPECT_EQ(jets_of_whole(half), 2u);
+  Frame block = make_block(3), cut = block;
+  change(cut, Category::fractured, [](const Position& x) {
+    return std::hypot(std::abs(x[0]) - 12.0 * mm, x[2]) < 5.0 * mm && x[1] > -20.0 * mm;
+  });
+  // Water of each jet that flies off, above the other jet too, where it is none.
+  for (const double side : {1.0, -1.0})
+    for (const double place : {2.0, 12.0, 18.5, 25.0}) {
+      const std::uint16_t source = side > 0.0 ? 1 : 2;
+      add(cut, {Category::water, source, water_spacing, 1000.0},
+          {side * place * mm, 5.0 * mm, 0.5 * mm});
+      cut.velocity.back() = {side, 2.0, 0.0};
+    }
+  const auto measured = [](const Case& description, const Frame& initial, Frame frame) {
+    CutMonitor monitor(description, initial);
+    frame.time = 4e-3;
+    monitor.observe(frame);
+    CutSummary summary = monitor.summary();
+    summary.contact_time = 1e-3;
+    summary.last.time = 4e-3;
+    return measure_kerf(monitor.workpiece(), frame, kerf_conditions(description, summary));
+  };
+  const auto is_beyond = [](const Position& x) { return x[0] < 0.0; };
+  const Kerf a = measured(whole, block, cut);
+  const Kerf b = measured(half, without(block, is_beyond), without(cut, is_beyond));
+  EXPECT_NEAR(a.of<Removal>().volume, b.of<Removal>().volume, 1e-9 * a.of<Removal>().volume);
+  const double energy = a.of<Removal>().specific_energy * a.of<Removal>().volume;
+  EXPECT_NEAR(energy, 2.0 * 0.5 * 1000.0 * M_PI / 4.0 * jet_width * jet_width * 125.0 * 3e-3,
+              1e-6 * energy);
+  EXPECT_NEAR(b.of<Removal>().specific_energy, a.of<Removal>().specific_energy,
+              1e-6 * a.of<Removal>().specific_energy);
+  EXPECT_NEAR(a.of<Splash>().mass, 6e-6, 1e-9) << "six drops of 1 mg are beside the jets";
+  EXPECT_NEAR(b.of<Splash>().mass, a.of<Splash>().mass, 1e-12);
+  EXPECT_NEAR(b.of<Splash>().angle, a.of<Splash>().angle, 1e-9);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -119,6 +119,7 @@ CutState written_state() {
   state.fractured_mass = 0.5;
   state.fractured_width = 0.6;
   state.kerf_width = 0.7;
+  state.void_width = 0.05;
   state.cut_through = true;
   state.bodies = {{true, true, false, true}, {true, false}};
   state.wake = {0.8, 0.9, 1.1};
@@ -143,10 +144,13 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
   record.cut_history[1].bodies.resize(2);
   record.cut_history[1].bodies[0].left = true;
   record.cut_traces = {1, 0, 2};
+  record.most_stored = {2.5, 0.25};
   const RunRecord back = record_from(to_archive(record));
   EXPECT_EQ(back.case_name, record.case_name);
   EXPECT_TRUE(back.finished);
   EXPECT_EQ(back.cut_traces, record.cut_traces);
+  EXPECT_EQ(back.most_stored.energy, 2.5);
+  EXPECT_EQ(back.most_stored.hourglass, 0.25);
   EXPECT_TRUE(back.cut_history.at(1).bodies.at(0).left);
   EXPECT_EQ(back.wall_time, record.wall_time);
   EXPECT_EQ(back.frame_times, record.frame_times);
@@ -168,6 +172,7 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
   EXPECT_EQ(state.fractured_mass, 0.5);
   EXPECT_EQ(state.fractured_width, 0.6);
   EXPECT_EQ(state.kerf_width, 0.7);
+  EXPECT_EQ(state.void_width, 0.05);
   EXPECT_EQ(state.wake.depth, 0.8);
   EXPECT_EQ(state.wake.lag, 0.9);
   EXPECT_EQ(state.wake.width, 1.1);

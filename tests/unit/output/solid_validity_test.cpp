@@ -57,6 +57,36 @@ TEST(SolidValidity, FlagsHourglassEnergy) {
   EXPECT_THAT(validity_of(outcome), Not(any_of_name("hourglass")));
 }
 
+// What is left after an impact is ringing of short waves: the share is that of the most that solids
+// store in the run, also where a run ends between the swings of a beam.
+TEST(SolidValidity, ComparesHourglassEnergyWithTheMostThatIsStored) {
+  RunOutcome outcome = outcome_with_solid();
+  outcome.balance.elastic_strain = 0.017;
+  outcome.balance.hourglass = 0.003;
+  outcome.most_stored = {0.5, 0.005};
+  EXPECT_THAT(validity_of(outcome), flag_of("hourglass", State::good, "holds 1% of"));
+  outcome.balance.hourglass = 0.0;
+  outcome.most_stored = {0.5, 0.14};
+  EXPECT_THAT(validity_of(outcome), flag_of("hourglass", State::warning, "holds 28%"));
+  Balance larger;
+  larger.elastic_strain = 0.5;
+  larger.hourglass = 0.1;
+  outcome.most_stored.observe(larger);
+  EXPECT_EQ(outcome.most_stored.energy, 0.6);
+  EXPECT_EQ(outcome.most_stored.hourglass, 0.1);
+}
+
+TEST(SolidValidity, TellsOfSolidThatHasLeftTheDomainWhole) {
+  RunOutcome outcome = outcome_with_solid();
+  outcome.cut.last.fractured_mass = 0.4;
+  outcome.cut.last.fractured_fraction = 0.2;
+  EXPECT_THAT(validity_of(outcome), Not(any_of_name("left_whole")));
+  outcome.cut.mass_left_whole = 0.3;
+  EXPECT_THAT(validity_of(outcome),
+              flag_of("left_whole", State::warning, "15% of the workpiece has left the domain"));
+  EXPECT_NEAR(outcome.cut.broken_fraction(), 0.05, 1e-12);
+}
+
 TEST(SolidValidity, FlagsSolidsThatDidNotComeToRest) {
   RunOutcome outcome = outcome_with_solid();
   outcome.balance.dissipated_damping = 0.1;

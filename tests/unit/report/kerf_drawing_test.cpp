@@ -50,6 +50,31 @@ TEST(KerfDrawing, IsToScale) {
   EXPECT_NEAR((face[1] - face[0]) / (bottom[0] - top[0]), 0.004 / 0.01, 0.002);
 }
 
+// A body that stands on the axis, whose ring the kerf has passed, is drawn in its place; one below
+// the kerf, or cut through, is part of what is drawn already.
+TEST(KerfDrawing, ShowsABodyThatStandsInTheKerf) {
+  Json kerf = slot(0.008, 0.006, false);
+  const Json bone = {{"name", "bone"},  {"cut_through", false}, {"unbroken", 0.002},
+                     {"face", 0.002},   {"depth", 0.0},         {"thickness", 0.003},
+                     {"left", -0.0025}, {"right", 0.0025}};
+  kerf["layers"] = {bone};
+  const std::string svg = draw_kerf(kerf);
+  std::smatch found;
+  const std::regex part(
+      "<path d=\"M([0-9.]+) ([0-9.]+)L([0-9.]+) ([0-9.]+)L([0-9.]+) "
+      "([0-9.]+)L[^>]*data-standing=\"bone\"");
+  ASSERT_TRUE(std::regex_search(svg, found, part)) << svg;
+  const double breadth = std::stod(found[3]) - std::stod(found[1]);
+  const double height = std::stod(found[6]) - std::stod(found[2]);
+  EXPECT_NEAR(breadth / height, 5.0 / 3.0, 0.02);
+  EXPECT_THAT(svg, HasSubstr(">bone</text>"));
+  kerf["layers"][0]["face"] = 0.006;
+  EXPECT_THAT(draw_kerf(kerf), testing::Not(HasSubstr("data-standing")));
+  kerf["layers"][0] = bone;
+  kerf["layers"][0]["cut_through"] = true;
+  EXPECT_THAT(draw_kerf(kerf), testing::Not(HasSubstr("data-standing")));
+}
+
 // Ends of the lines whose style holds `style`: x1 y1 x2 y2.
 std::vector<std::array<double, 4>> lines(const std::string& svg, const std::string& style) {
   const std::regex line(

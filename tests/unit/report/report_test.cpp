@@ -117,6 +117,27 @@ TEST_F(ChangedReport, DistinguishesACrackFromAKerf) {
   EXPECT_THAT(page(), Not(HasSubstr(words)));
 }
 
+// The depth of the ring beside a body that is whole is not that in the way of the jet.
+TEST_F(ChangedReport, NamesABodyThatStandsWhereTheKerfIsDeeper) {
+  result_["kerf"]["depth"] = 0.008;
+  result_["kerf"]["layers"] = {{{"name", "bone"},
+                                {"verdict", "whole"},
+                                {"cut_through", false},
+                                {"unbroken", 0.0035},
+                                {"face", 0.002},
+                                {"left", -0.0025},
+                                {"right", 0.0025},
+                                {"depth", 0.0},
+                                {"through", false},
+                                {"thickness", 0.005},
+                                {"middle", {{"width", 0.0}}},
+                                {"volume", 1.0},
+                                {"removed_volume", 0.0}}};
+  EXPECT_THAT(page(), HasSubstr("where material is gone, beside bone, which is not cut through"));
+  result_["kerf"]["layers"][0]["face"] = 0.008;
+  EXPECT_THAT(page(), Not(HasSubstr("where material is gone, beside")));
+}
+
 TEST_F(ChangedReport, LabelsEveryDepthAndWidth) {
   result_["front_depth"] = 0.00626;
   result_["kerf"]["depth"] = 0.00534;
