@@ -182,17 +182,12 @@ void deny_certainty(double depth, Exposure& exposure) {
   exposure.depth_low = std::fmin(exposure.depth_low, depth);
 }
 
-// Returns the lesser of a feed, also none, and its bound, m/s.
-double bounded(double feed, double bound) {
-  return feed > bound ? bound : feed;
-}
-
 // The depth under a nozzle at rest tells nothing of one that moves faster than its water, and that
 // under drops nothing certain of one that is exposed to a few of them.
 void limit_to_jet(const Jet& jet, Exposure& exposure) {
-  exposure.greatest_feed =
-      bounded(exposure.greatest_feed, std::min(jet.speed, exposure.pausing_feed));
-  exposure.possible_feed = bounded(exposure.possible_feed, jet.speed);
+  // A feed that is not a number stays so.
+  exposure.greatest_feed = std::min({exposure.greatest_feed, jet.speed, exposure.pausing_feed});
+  exposure.possible_feed = std::min(exposure.possible_feed, jet.speed);
 }
 
 // Finds the feed at which the slugs of a jet that has broken up in air leave gaps.

@@ -213,7 +213,8 @@ double Suggestion::most_standoff(double width) const {
   return room > 0.0 ? std::min(wanted, 0.5 * room) : wanted;
 }
 
-// Returns another jet like the last one beside it, or one above the middle of the bodies.
+// Returns another jet like the last one beside it, one beside that of the machine where it does not
+// go, or one above the middle of the bodies.
 StartValues Suggestion::jet() const {
   StartValues values;
   Point position = aim();
@@ -222,8 +223,12 @@ StartValues Suggestion::jet() const {
       if (!node.is_table()) values[std::string(key.str())] = literal_in(*last, key.str());
     if (case_) position[0] = place_beside(case_->jets.back());
   } else {
-    const double width =
-        has_bodies() ? 0.1 * (bounds_.maximum[0] - bounds_.minimum[0]) : usual_width;
+    double width = has_bodies() ? 0.1 * (bounds_.maximum[0] - bounds_.minimum[0]) : usual_width;
+    if (case_ && !case_->jets.empty()) {  // that of the machine, whose nozzle may travel
+      const Jet& machine = case_->jets.back();
+      width = machine.width;
+      position[0] += machine.traverse[0] > 0.0 ? -2.0 * width : 2.0 * width;
+    }
     values["speed"] = "\"10 m/s\"";
     values[dimension_ == 3 ? "diameter" : "width"] = length_text(width);
     values["standoff"] = length_text(most_standoff(width));

@@ -16,6 +16,7 @@ namespace kerf {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double most_looked_at = 1e5;  // nodes, where a lattice is not laid out
 
 // Returns the part of space on the counted side of the planes.
 Box counted_window(const CountedSide& side) {
@@ -213,6 +214,7 @@ ParticleEstimate estimate_particles(const Body& body, int dimension, const Count
                                     double most) {
   ParticleEstimate estimate;
   estimate.is_exact = lattice_nodes(body, dimension) <= most;
+  if (!estimate.is_exact) most = std::min(most, most_looked_at);
   if (body.grading.levels == 0) {
     estimate.levels = {count_uniform(body, dimension, side, most)};
   } else if (estimate.is_exact) {

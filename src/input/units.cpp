@@ -120,8 +120,10 @@ std::size_t skip(std::string_view text, std::size_t at, bool (*belongs)(char)) {
 bool is_unit_syntax(std::string_view unit) {
   constexpr std::size_t longest = 32, longest_exponent = 2;
   if (unit.empty() || unit.size() > longest) return false;
-  if (unit.starts_with("1/")) unit.remove_prefix(2);
-  std::size_t at = skip(unit, 0, [](char c) { return c == ' '; });
+  const auto is_blank = [](char c) { return c == ' '; };
+  std::size_t at = unit.front() == '1' ? skip(unit, 1, is_blank) : 0;
+  if (at > 0 && (at == unit.size() || unit[at] != '/')) return false;
+  if (at > 0) at = skip(unit, at + 1, is_blank);
   while (true) {
     const std::size_t name_end = skip(unit, at, is_letter);
     const std::string_view name = unit.substr(at, name_end - at);

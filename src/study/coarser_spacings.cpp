@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/graded_cells.hpp"
 #include "geometry/shapes.hpp"
 #include "input/refine.hpp"
 #include "model/case.hpp"
@@ -41,22 +40,27 @@ void add_whole(double cells, double greatest, std::vector<double>& ratios) {
   }
 }
 
+// Adds those of a body between its sides and the planes, or its other side, along an axis.
+void add_whole_of(const Body& body, const Case& description, std::size_t axis, double greatest,
+                  std::vector<double>& ratios) {
+  const Box box = bounding_box(body.shape, description.dimension);
+  const double cell = body.spacing * (1 << body.grading.levels);
+  const Box& domain = description.domain;
+  for (const double plane : {domain.minimum[axis], domain.maximum[axis]}) {
+    const bool is_cut = plane > box.minimum[axis] && plane < box.maximum[axis];
+    const double end = is_cut ? plane : box.maximum[axis];
+    add_whole((end - box.minimum[axis]) / cell, greatest, ratios);
+  }
+}
+
 // Returns ratios up to the greatest, in even steps and such that the cells of bodies fit between
 // their sides and the planes, those nearest to `wanted` first.
 std::vector<double> candidates(const Case& description, double wanted, double greatest) {
   constexpr double step = 0.005;
   std::vector<double> ratios{wanted};
   for (double ratio = least_ratio; ratio <= greatest; ratio += step) ratios.push_back(ratio);
-  for (const Body& body : description.bodies) {
-    const Box box = bounding_box(body.shape, description.dimension);
-    const double cell = body.spacing * (1 << body.grading.levels);
-    for (std::size_t a = 0; a < 3; ++a)
-      for (const double plane : {description.domain.minimum[a], description.domain.maximum[a]})
-        if (plane > box.minimum[a] && plane < box.maximum[a])
-          add_whole((plane - box.minimum[a]) / cell, greatest, ratios);
-        else
-          add_whole((box.maximum[a] - box.minimum[a]) / cell, greatest, ratios);
-  }
+  for (const Body& body : description.bodies)
+    for (std::size_t a = 0; a < 3; ++a) add_whole_of(body, description, a, greatest, ratios);
   std::erase_if(ratios, [&](double ratio) { return ratio < least_ratio || ratio > greatest; });
   std::stable_sort(ratios.begin(), ratios.end(),
                    [&](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });

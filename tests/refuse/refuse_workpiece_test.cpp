@@ -63,6 +63,9 @@ TEST(RefuseWorkpiece, ASpacingIntoWhichItDoesNotFit) {
                "that of the jet, which is", allowed, "Correct this length"});
   expect_only(with("0.15 mm", "400 mm"),
               {"bad.toml:6: machine.orifice_diameter = \"400 mm\": no particle fits", allowed});
+  expect_only(with("\"5 mm\"", "\"0.005 mm\""),
+              {"bad.toml:10: workpiece.size = [\"300 mm\", \"0.005 mm\"]: no particle fits",
+               "Correct this length or its unit, or give workpiece.spacing"});
   expect_only(with("standoff =", "spacing = \"20 mm\"\nstandoff ="),
               {"bad.toml:7: machine.spacing = \"20 mm\": the width of the grading is less",
                "smaller spacing"});

@@ -136,7 +136,7 @@ name = "block"
 material = "tofu"
 shape = { type = "box", minimum = ["0 mm", "0 mm", "0 mm"], maximum = ["100 mm", "100 mm", "100 mm"] }
 spacing = "1 mm"
-grading = { levels = 2, width = "12 mm", around = { type = "sphere", center = ["0 mm", "0 mm", "0 mm"], radius = "5 mm" } }
+grading = { levels = 2, width = "12 mm", around = { type = "sphere", centre = ["0 mm", "0 mm", "0 mm"], radius = "5 mm" } }
 )",
                                "case.toml");
   EXPECT_THAT(particle_rows(fine)[0].second, testing::StartsWith("about "));

@@ -88,7 +88,7 @@ TEST(CheckSolids, NameThePlaceOfSuchABody) {
         refuse_unbonded(parse_case(text, "foil.toml"), text, "foil.toml");
       FAIL() << "no refusal";
     } catch (const UserError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("foil.toml:11: body[2].spacing (\"foil\") = 0.0005 m: "));
+      EXPECT_THAT(error.what(), HasSubstr("foil.toml:12: body[2].spacing (\"foil\") = 0.0005 m: "));
     }
   }
 }

@@ -45,6 +45,10 @@ TEST(CheckWarnings, WarnOfASolidThatCannotBreak) {
   EXPECT_THAT(warnings_of(block_of("copper")), Contains(never));
   EXPECT_THAT(warnings_of(block_of("copper") + "fixed = true\n"), Not(Contains(never)));
   EXPECT_THAT(warnings_of(block_of("tofu")), Not(Contains(HasSubstr("never breaks"))));
+  // The library knows nothing of a material of the case.
+  EXPECT_THAT(warnings_of(block_of("copper")), Contains(HasSubstr("(kerf materials copper ")));
+  EXPECT_THAT(warnings_of("[materials.gel]\nbase = \"copper\"\n" + block_of("gel")),
+              Contains(HasSubstr("(kerf materials NAME lists")));
   EXPECT_THAT(
       warnings_of("[materials.gel]\nbase = \"copper\"\nfailure_strain = 0.3\n" + block_of("gel")),
       Not(Contains(HasSubstr("never breaks"))));

@@ -99,7 +99,7 @@ TEST(Units, FrequenciesCountRevolutions) {
   for (const Reading& reading : {Reading{"60000 rpm", "Hz", 1000.0},
                                  {"50 rps", "Hz", 50.0},
                                  {"60 cycle/min", "Hz", 1.0},
-                                 {"180 arc_degree/s", "Hz", 0.5},
+                                 {"180 deg/s", "Hz", 0.5},
                                  {"3000 1/min", "Hz", 50.0},
                                  {"2 kHz", "Hz", 2000.0}}) {
     const Quantity quantity = read_quantity(reading.text, reading.unit);

@@ -26,7 +26,7 @@ dimension = 3
 end = "1 ms"
 [domain]
 minimum = ["{3} mm", "-10 mm", "{3} mm"]
-maximum = ["40 mm", "20 mm", "40 mm"]
+maximum = ["40 mm", "40 mm", "40 mm"]
 symmetry = [{4}]
 [[jet]]
 name = "j"
