@@ -40,7 +40,7 @@ std::vector<Key> jet_keys() {
       {"stop", quantity, "s", "none", positive, {}, "", "Time at which the water stops", stored_in<&Jet::stop>},
       {"traverse", vector, "m/s", "0 m/s", within(1e4), {}, "", "Velocity of the nozzle", stored_in<&Jet::traverse>},
       {"dwell", quantity, "s", "0 s", not_negative, {}, "", "Time after the start during which the nozzle does not move", stored_in<&Jet::dwell>},
-      {"pulse_frequency", quantity, "Hz", "0 Hz", not_negative, {}, "", "Frequency of a pulsed jet; 0 = steady", stored_in<&Jet::pulse_frequency>},
+      {"pulse_frequency", quantity, "Hz", "0 Hz", not_negative, {}, "", "Frequency of a pulsed jet, which needs a duty below 1; 0 = steady", stored_in<&Jet::pulse_frequency>},
       {"duty", number, "", "1", up_to(1.0), {}, "", "Share of each pulse period during which water flows, from its start", stored_in<&Jet::duty>},
       {"feed", word, "", "pressure", any, feed_words, "standard", "What the pump holds: its pressure, so that pressure at the exit slows the water by Bernoulli's equation, or the flow, whatever pressure that takes", stored_in<&Jet::feed>},
       {"profile", word, "", "uniform", any, profile_words, "", "Speed over the section: uniform, parabolic 1 - r^2, or power (1 - r)^(1/7)"},

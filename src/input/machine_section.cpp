@@ -39,7 +39,7 @@ std::vector<Key> machine_keys() {
       {"traverse_direction", vector, "", "(along x)", any, {}, "", "Direction of the traverse, horizontal", stored_in<&Machine::traverse_direction>},
       {"motion", word, "", "(auto with a [workpiece], else travelling)", any, nozzle_motion_words, "", "Whether the nozzle moves in the run; a standing one is simulated at rest, and the depth is [carried to the exposure](theory/exposure.md) of the traverse speed; auto = standing where the nozzle would move by less than its jet while the workpiece is passed", stored_in<&Machine::motion>},
       {"dwell", quantity, "s", "0 s", not_negative, {}, "", "Time before the traverse during which the nozzle does not move", stored_in<&Machine::dwell>},
-      {"pulse_frequency", quantity, "Hz", "0 Hz", not_negative, {}, "", "Frequency of a pulsed jet; 0 = steady", stored_in<&Machine::pulse_frequency>},
+      {"pulse_frequency", quantity, "Hz", "0 Hz", not_negative, {}, "", "Frequency of a pulsed jet, which needs a duty below 1; 0 = steady", stored_in<&Machine::pulse_frequency>},
       {"duty", number, "", "1", up_to(1.0), {}, "", "Share of each pulse period during which water flows", stored_in<&Machine::duty>},
       {"spacing", quantity, "m", "(the jet's width at the workpiece over the particles that `quality` puts across it)", positive, {}, "", "Distance of neighbouring water particles", stored_in<&Machine::spacing>},
       {"material", name, "", "water", any, {}, "", "Name of a water of this case or of the library", stored_in<&JetDraft::material>},
