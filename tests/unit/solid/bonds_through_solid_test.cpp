@@ -15,7 +15,7 @@
 #include "support/shapes.hpp"
 #include "support/solid_blocks.hpp"
 
-namespace kerf::test {
+namespace kerf::test::bonds_through_solid_test {
 namespace {
 
 constexpr double spacing = 1e-3, half = 6.0 * spacing;  // of the block
@@ -151,4 +151,4 @@ TYPED_TEST(BondsThroughSolids, ASlitInASymmetryPlanePartsTheImage) {
 }
 
 }  // namespace
-}  // namespace kerf::test
+}  // namespace kerf::test::bonds_through_solid_test
