@@ -33,9 +33,9 @@ StudyPlan plan_of(const Case& description, const ConvergeSettings& settings) {
   return plan_of_case(settings.case_file, read_file(settings.case_file), description);
 }
 
-std::vector<Trial> trials_of(const Case& description, const ConvergeSettings& settings) {
-  const int layouts = has_other_layouts(description) ? settings.layouts : 1;
-  return convergence_trials(convergence_spacings(description), layouts);
+std::vector<Trial> trials_of(const Case& description, const CoarserSpacings& spacings,
+                             const ConvergeSettings& settings) {
+  return convergence_trials(spacings, has_other_layouts(description) ? settings.layouts : 1);
 }
 
 void keep(const std::vector<MetricInterval>& intervals, const Case& description,
@@ -48,8 +48,9 @@ void keep(const std::vector<MetricInterval>& intervals, const Case& description,
   write_report(folder, description);
 }
 
-void print_intervals(const std::vector<MetricInterval>& intervals, const Case& description) {
-  const auto [ratio, count] = convergence_spacings(description);
+void print_intervals(const std::vector<MetricInterval>& intervals, const Case& description,
+                     const CoarserSpacings& coarser) {
+  const auto [ratio, count] = coarser;
   const bool has_layouts =
       std::any_of(intervals.begin(), intervals.end(),
                   [](const MetricInterval& each) { return std::isfinite(each.layout); });
@@ -91,7 +92,7 @@ void check_convergence(const Case& description, const ConvergeSettings& settings
                     settings.case_file.string()));
   const CaseMaker maker(plan_of(description, settings));
   const std::string name = settings.case_file.string() + " at a coarser spacing (--converge)";
-  for (const Trial& trial : trials_of(description, settings)) {
+  for (const Trial& trial : trials_of(description, convergence_spacings(description), settings)) {
     const ResolvedCase made = maker.make(trial);
     if (made.meshes.empty()) parse_case(made.text, name);
   }
@@ -112,7 +113,8 @@ int converge(const Case& description, const ConvergeSettings& settings) {
       folder, maker, database, *executor,
       {[&](const StudyProgress& now) { display.show(now); }, [&] { return signals.caught(); }},
       retry);
-  const std::vector<Trial> trials = trials_of(description, settings);
+  const CoarserSpacings spacings = convergence_spacings(description);
+  const std::vector<Trial> trials = trials_of(description, spacings, settings);
   std::vector<Outcome> outcomes;
   try {
     outcomes = runs.run(trials);
@@ -126,10 +128,10 @@ int converge(const Case& description, const ConvergeSettings& settings) {
   refuse_failures(outcomes, settings);
   Outcome run;
   run.metrics = read_metrics(read_file(settings.folder / "result.json"));
-  const auto intervals = find_intervals(
-      run, trials, outcomes, convergence_spacings(description).ratio, description.dimension);
+  const auto intervals =
+      find_intervals(run, trials, outcomes, spacings.ratio, description.dimension);
   keep(intervals, description, settings.folder);
-  if (!settings.quiet) print_intervals(intervals, description);
+  if (!settings.quiet) print_intervals(intervals, description, spacings);
   return 0;
 }
 

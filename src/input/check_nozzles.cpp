@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/nozzle.hpp"
+#include "geometry/point_vectors.hpp"
 #include "input/draft.hpp"
 #include "input/units.hpp"
 #include "model/case.hpp"
@@ -26,20 +27,16 @@ struct NozzleRegion {
   std::vector<InletParticle> water;
 };
 
-double component(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // Returns whether a place, relative to the exit, is inside the nozzle by more than `margin`.
 bool is_inside(const NozzleRegion& region, const Point& place, double margin, int dimension) {
   const Jet& jet = region.jet;
-  const double along = component(place, region.nozzle.direction());
+  const double along = dot(place, region.nozzle.direction());
   if (along > 0.0 || along < -filled_depth * jet.spacing) return false;
   const double sine = std::sin(jet.angle), cosine = std::cos(jet.angle);
   const double azimuth = dimension == 3 ? jet.azimuth : 0.0;
-  const double u = std::abs(
-      component(place, Point{cosine * std::cos(azimuth), sine, cosine * std::sin(azimuth)}));
-  const double w = std::abs(component(place, Point{-std::sin(azimuth), 0.0, std::cos(azimuth)}));
+  const double u =
+      std::abs(dot(place, Point{cosine * std::cos(azimuth), sine, cosine * std::sin(azimuth)}));
+  const double w = std::abs(dot(place, Point{-std::sin(azimuth), 0.0, std::cos(azimuth)}));
   const double half = 0.5 * jet.width - margin;
   if (dimension == 2) return u < half;
   return jet.length > 0.0 ? u < half && w < 0.5 * jet.length - margin : std::hypot(u, w) < half;
@@ -51,9 +48,8 @@ bool reaches_into(const NozzleRegion& one, const NozzleRegion& other, double tim
   const double margin = touching * std::min(one.jet.spacing, other.jet.spacing);
   const Point from = one.nozzle.exit(), to = one.nozzle.exit(time), exit = other.nozzle.exit(time);
   return std::any_of(one.water.begin(), one.water.end(), [&](const InletParticle& particle) {
-    Point place = particle.position;
-    for (std::size_t a = 0; a < 3; ++a) place[a] += to[a] - from[a] - exit[a];
-    return is_inside(other, place, margin, dimension);
+    const Point moved = sum(sum(particle.position, 1.0, to), -1.0, from);
+    return is_inside(other, sum(moved, -1.0, exit), margin, dimension);
   });
 }
 
@@ -103,8 +99,7 @@ void check_nozzles(Draft& draft) {
                        result.jets[i].name,
                        *time > 0.0 ? " after " + show_quantity(*time, "s") : std::string()),
            "nozzles that are beside one another with their last 4 spacings, also where they flow "
-           "in "
-           "turn",
+           "in turn",
            "Move one of the jets; for more water in one place make one jet wider or faster, for "
            "pauses give it pulses"});
     }
