@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/jet_direction.hpp"
 #include "geometry/nozzle.hpp"
 #include "model/jet.hpp"
 
@@ -14,7 +15,7 @@ namespace kerf {
 struct JetAxis {
   using Vector3 = std::array<double, 3>;
 
-  Vector3 aim{};       // m, the point of the axis from which depths count
+  Vector3 aim{};       // m, the point of the axis from which depths count, where cuts begin
   Vector3 along{};     // unit, direction of the water
   Vector3 across{};    // unit, in the plane of the jet and the vertical; x for a jet straight down
   Vector3 sideways{};  // unit, along x across; 3D only
@@ -22,24 +23,20 @@ struct JetAxis {
   double standoff = 0.0;    // m
   double section = 0.0;     // m^2 (2D: m), area of the nozzle
   Vector3 travel{};         // m/s, of the nozzle, at right angles to the jet
-  double moves_from = 0.0;  // s, when it begins to travel
+  double moves_from = 0.0;  // s, when it begins to travel, or comes over the workpiece
 
   JetAxis(const Jet& jet, int dimension)
       : aim(jet.position), width(jet.width), standoff(jet.standoff) {
-    const double s = std::sin(jet.angle), c = std::cos(jet.angle);
-    const double cx = dimension == 3 ? std::cos(jet.azimuth) : 1.0;
-    const double cz = dimension == 3 ? std::sin(jet.azimuth) : 0.0;
-    along = {s * cx, -c, s * cz};
-    across = {c * cx, s, c * cz};
-    sideways = {along[1] * across[2] - along[2] * across[1],
-                along[2] * across[0] - along[0] * across[2],
-                along[0] * across[1] - along[1] * across[0]};
+    const JetAxes axes = axes_of(jet);
+    along = axes.along;
+    across = axes.across;
+    if (dimension == 3) sideways = axes.sideways;
     section = nozzle_area(jet, dimension);
-    if (dimension == 2) sideways = {};
     double along_jet = 0.0;
     for (std::size_t a = 0; a < 3; ++a) along_jet += jet.traverse[a] * along[a];
     for (std::size_t a = 0; a < 3; ++a) travel[a] = jet.traverse[a] - along_jet * along[a];
-    moves_from = jet.start + jet.dwell;
+    for (std::size_t a = 0; a < 3; ++a) aim[a] += jet.time_beside * travel[a];
+    moves_from = jet.start + jet.dwell + jet.time_beside;
   }
 
   // Returns a position relative to the point where the axis was nearest to it until `time`, s,

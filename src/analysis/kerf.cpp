@@ -172,7 +172,7 @@ KerfConditions kerf_conditions(const Case& description, const CutSummary& summar
   if (description.jets.empty()) return conditions;
   const Jet& jet = description.jets.front();
   conditions.traverse = jet.traverse;
-  conditions.moves_from = jet.start + jet.dwell;
+  conditions.moves_from = JetAxis(jet, description.dimension).moves_from;
   conditions.jet_speed = jet.speed;
   const double since = summary.last.time - summary.contact_time;
   if (!(since > 0.0)) return conditions;

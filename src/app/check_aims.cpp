@@ -8,8 +8,10 @@
 #include "app/jet_way.hpp"
 #include "geometry/beside_jet.hpp"
 #include "geometry/jet_direction.hpp"
+#include "geometry/water_line.hpp"
 #include "machine/characteristic_speed.hpp"
 #include "model/case.hpp"
+#include "output/readable.hpp"
 
 namespace kerf {
 
@@ -30,27 +32,16 @@ void warn_of_late_water(const Jet& jet, double end, std::vector<std::string>& wa
                     jet.name, arrival, end));
 }
 
-// Warns of a nozzle that travels onto a body from beside it: what is measured is the kerf where the
-// jet aims at the start (analysis/kerf.hpp), and there is nothing.
-void warn_of_later_meeting(const Jet& jet, const std::vector<const Body*>& targets,
-                           const Case& description, std::vector<std::string>& warnings) {
-  constexpr double most_places = 200.0;
-  const double speed = traverse_speed(jet), end = description.time.end;
-  const double step = std::max(jet.width / 4.0 / speed, end / most_places);
-  for (double time = step; time <= end; time += step) {
-    Jet later = jet;
-    for (std::size_t a = 0; a < 3; ++a) later.position[a] += time * jet.traverse[a];
-    for (const Body* body : targets) {
-      if (!is_in_way(later, *body, description.dimension)) continue;
-      warnings.push_back(fmt::format(
-          "the nozzle of the jet \"{}\" travels onto \"{}\" from beside it, which it meets after "
-          "{:.3g} s: the verdict and the kerf are those at the place at which it aims at the "
-          "start, where there is nothing to cut, so that nothing is measured. Choose a position "
-          "over the body, {:.3g} m or more along its way",
-          jet.name, body->name, time, speed * time));
-      return;
-    }
-  }
+// Tells of a nozzle that starts beside the workpiece and comes over it.
+std::string entry_sentence(const Jet& jet, const std::vector<const Body*>& targets, int dimension) {
+  const WaterLine axis = axis_line(jet, jet.time_beside);
+  const auto met = std::find_if(targets.begin(), targets.end(), [&](const Body* body) {
+    return std::isfinite(way_into(*body, axis, dimension));
+  });
+  return fmt::format(
+      "the nozzle of the jet \"{}\" starts beside the workpiece, and its axis comes over \"{}\" "
+      "after {}: depths, the kerf and the verdict count from there on",
+      jet.name, (*met)->name, readable(jet.start + jet.dwell + jet.time_beside, "s"));
 }
 
 }  // namespace
@@ -67,11 +58,10 @@ std::vector<std::string> aim_warnings(const Case& description) {
     const auto meets = [&](const Body* body) {
       return is_in_way(jet, *body, description.dimension);
     };
-    if (std::any_of(targets.begin(), targets.end(), meets)) continue;
-    if (traverse_speed(jet) > 0.0) {
-      warn_of_later_meeting(jet, targets, description, warnings);
-      continue;
-    }
+    if (jet.time_beside > 0.0)
+      warnings.push_back(entry_sentence(jet, targets, description.dimension));
+    const bool meets_one = std::any_of(targets.begin(), targets.end(), meets);
+    if (meets_one || traverse_speed(jet) > 0.0) continue;
     const BesideJet beside = beside_jet(jet, targets, description.dimension, most_tested);
     const std::string nearest = beside.body
                                     ? fmt::format("its water is {:.3g} m from the nearest, \"{}\"",

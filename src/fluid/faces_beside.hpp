@@ -3,26 +3,9 @@
 // to what is added to its rates: rigid ones here, those of solids in fluid/wall_reaction.hpp.
 #pragma once
 
-#include "fluid/smooth_wall.hpp"
+#include "fluid/facing_faces.hpp"
 
 namespace kerf {
-
-// The face of a particle j of a smooth wall, as a fluid particle i sees it.
-template <int D, class Real>
-struct FaceInFront {
-  Vector<D, Real> normal;
-  Real depth, height;  // m, of j below it, of i above its plane
-  Real weight;         // 1/m, a_j = V_j S_ij d_ij . n_j
-
-  template <class P>
-  KERF_FUNCTION static FaceInFront of(const ParticleView<D, P>& particles, const Pair<D, P>& pair) {
-    const auto normal_j = pair.of_j(particles.face_normal[pair.j]);
-    const Real depth_j = particles.face_depth[pair.j], along = dot(pair.separation, normal_j);
-    return {normal_j, depth_j, along - depth_j,
-            pair.medium_j->volume * pair.slope_per_distance * along};
-  }
-  KERF_FUNCTION bool looks_at_fluid() const { return height > Real(0); }
-};
 
 template <int D, class P>
 struct FacesBeside : FacingFaces<D, typename P::Real> {
@@ -32,7 +15,7 @@ struct FacesBeside : FacingFaces<D, typename P::Real> {
 
   // Adds a face that looks at the fluid.
   KERF_FUNCTION void add_face(const FaceInFront<D, Real>& face, const Pair<D, P>& pair) {
-    this->add(face.weight, face.normal, face.depth * face.normal - pair.separation, face.height);
+    this->add(face);
     if (pair.medium_j->phase == Phase::rigid)
       rigid += face.weight;
     else if (pair.mirror != 0)

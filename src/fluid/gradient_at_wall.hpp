@@ -23,6 +23,7 @@
 #include "core/select.hpp"
 #include "fluid/faces_beside.hpp"
 #include "fluid/particle_concentration.hpp"
+#include "fluid/smooth_wall.hpp"
 #include "neighbours/list_entries.hpp"
 
 namespace kerf {

@@ -17,6 +17,7 @@
 #include "core/matrix.hpp"
 #include "core/select.hpp"
 #include "fluid/faces_beside.hpp"
+#include "fluid/smooth_wall.hpp"
 #include "neighbours/list_entries.hpp"
 
 namespace kerf {

@@ -20,6 +20,7 @@
 #include <cmath>
 
 #include "core/select.hpp"
+#include "fluid/facing_faces.hpp"
 #include "fluid/wall_curvature.hpp"
 #include "fluid/wall_layers.hpp"
 #include "pairs/pair.hpp"
@@ -130,29 +131,6 @@ KERF_FUNCTION SmoothWallArm<D, typename P::Real> smooth_wall_arm(
   return smooth_wall_arm(particles, WallPair<D, P>::of(particles, pair, true));
 }
 
-// Sums over the faces of a wall that look at a fluid particle i, weighted by a = V_j S_ij d_ij .
-// n_j, 1/m; a foot is the point of the surface nearest to j, relative to i.
-template <int D, class Real>
-struct FacingFaces {
-  Vector<D, Real> normal{};  // 1/m, sum a n_j
-  Vector<D, Real> foot{};    // 1, sum a foot_j
-  Real all{};                // 1/m, sum a
-  Real height{};             // 1, sum a s_j, with the height s_j of i above the plane of j
-
-  KERF_FUNCTION void add(Real a, const Vector<D, Real>& of_face, const Vector<D, Real>& of_foot,
-                         Real above) {
-    normal += a * of_face;
-    foot += a * of_foot;
-    all += a;
-    height += a * above;
-  }
-  // Returns by how much the centroid of the feet lies aside of i, m, given the normal of the wall.
-  KERF_FUNCTION Real aside(const Vector<D, Real>& n) const {
-    const Vector<D, Real> centroid = (Real(1) / all) * foot;
-    return norm(centroid - dot(centroid, n) * n);
-  }
-};
-
 // Finds the smooth wall beside a fluid particle, for the next step.
 template <int D, class P, class Kernel>
 struct SmoothWallSum {
@@ -189,17 +167,12 @@ struct SmoothWallSum {
     sum.all += weight * pair.distance;
     sum.force += weight * norm(smooth_wall_arm(particles, pair).arm);
     sum.volume += volume * Kernel::value(pair.distance, pair.smoothing_length);
-    const RealVector normal = pair.of_j(particles.face_normal[pair.j]);
-    const Real depth = particles.face_depth[pair.j], along = dot(pair.separation, normal);
-    const Real height = along - depth;
-    const RealVector foot = depth * normal - pair.separation;
+    const auto face = FaceInFront<D, Real>::of(particles, pair);
     const Real width = (Real(1) + particles.face_growth[pair.j]) * spacing;
-    if (dot(normal, normal) > Real(0))
-      find_nearest(pair, width, height * normal, foot, height, sum);
-    if (!(along > Real(0)) || !(height > Real(-0.5) * spacing)) return;
-    const Real share = weight * along;
-    sum.faces.add(share, normal, foot, height);
-    sum.curvature.add(share, foot, normal, pair.velocity);
+    if (dot(face.normal, face.normal) > Real(0)) find_nearest(pair, width, face, sum);
+    if (!(face.along > Real(0)) || !(face.height > Real(-0.5) * spacing)) return;
+    sum.faces.add(face);
+    sum.curvature.add(face.weight, face.foot, face.normal, pair.velocity);
   }
 
   KERF_FUNCTION void finish(const ParticleView<D, P>& particles, Index i, const Sum& sum) const {
@@ -226,12 +199,12 @@ struct SmoothWallSum {
  private:
   // Finds the point of the surface nearest to i. The surface consists of pieces about each
   // foot, as wide as the spacing has become, in 3D discs that cover squares of this width.
-  // `across`: from the plane of a piece to i, m.
   KERF_FUNCTION static void find_nearest(const Pair<D, P>& pair, Real width,
-                                         const RealVector& across, const RealVector& foot,
-                                         Real height, Sum& sum) {
-    const Real spacing = pair.medium_j->spacing;
-    const RealVector aside = Real(-1) * (foot + across);  // from the foot to i, along the plane
+                                         const FaceInFront<D, Real>& face, Sum& sum) {
+    const Real spacing = pair.medium_j->spacing, height = face.height;
+    const RealVector across = height * face.normal;  // from the plane of the piece to i
+    const RealVector aside =
+        Real(-1) * (face.foot + across);  // from the foot to i, along the plane
     const Real length = norm(aside), beyond = length - Real(half_width) * width;
     const bool is_beside = beyond > Real(0);
     if (!is_beside && !(height > Real(-0.5) * spacing)) return;
@@ -266,7 +239,7 @@ struct SmoothWallSum {
     const auto layers = WallLayers<D, Real>::template at<Kernel>(height, sum.spacing, sum.reach);
     wall.force_excess = part * limited_excess(layers.force / sum.force);
     wall.volume_excess = part * limited_excess(layers.volume / sum.volume);
-    wall.centripetal = part * sum.curvature.centripetal(sum.spacing);
+    wall.centripetal = part * sum.curvature.centripetal(sum.faces.all, sum.spacing);
   }
   KERF_FUNCTION static Real between(Real value, Real least, Real most) {
     return value < least ? least : value > most ? most : value;

@@ -12,8 +12,8 @@ namespace kerf {
 
 template <int D, class Real>
 struct WallCurvature {
-  // Sums of a, a v.f, a (v.f)^2, a v.n, a (v.f)(v.n), a v. `a` in any unit.
-  Real all{}, foot{}, foot_squared{}, turn{}, foot_turn{};
+  // Sums of a v.f, a (v.f)^2, a v.n, a (v.f)(v.n), a v. `a` in any unit.
+  Real foot{}, foot_squared{}, turn{}, foot_turn{};
   Vector<D, Real> velocity{};
   static constexpr double least_spread = 0.03;  // of the feet, spacings
 
@@ -21,15 +21,15 @@ struct WallCurvature {
   KERF_FUNCTION void add(Real a, const Vector<D, Real>& of_foot, const Vector<D, Real>& normal,
                          const Vector<D, Real>& v) {
     const Real f = dot(v, of_foot), n = dot(v, normal);
-    all += a;
     foot += a * f;
     foot_squared += a * f * f;
     turn += a * n;
     foot_turn += a * f * n;
     velocity += a * v;
   }
-  // Returns v^2/R, m/s^2: positive where the wall is convex, 0 where too few faces tell.
-  KERF_FUNCTION Real centripetal(Real spacing) const {
+  // Returns v^2/R, m/s^2: positive where the wall is convex, 0 where too few faces tell. `all`: the
+  // sum of a.
+  KERF_FUNCTION Real centripetal(Real all, Real spacing) const {
     if (!(all > Real(0))) return Real(0);
     const Real inverse = Real(1) / all;
     const Real speed_squared = inverse * inverse * dot(velocity, velocity);

@@ -33,7 +33,7 @@ class StraightWater {
         radius_(0.5 * jet.width) {
     if (dimension == 2 || jet.length == 0.0) return;
     half_length_ = std::max(0.0, 0.5 * jet.length - radius_);
-    side_ = {-std::sin(jet.azimuth), 0.0, std::cos(jet.azimuth)};
+    side_ = axes_of(jet).sideways;
   }
 
   bool is_beyond_exit(const Point& point) const {

@@ -10,10 +10,21 @@
 
 namespace kerf {
 
-// Returns the unit vector along the flight of the water.
+// Unit vectors along the flight of the water; at right angles to it in the plane of the jet and the
+// vertical, x for a jet straight down; and along the product of both, z for that jet.
+struct JetAxes {
+  Point along, across, sideways;
+};
+// The azimuth is 0 in 2D.
+inline JetAxes axes_of(const Jet& jet) {
+  const double sine = std::sin(jet.angle), cosine = std::cos(jet.angle);
+  const double east = std::cos(jet.azimuth), south = std::sin(jet.azimuth);
+  return {{sine * east, -cosine, sine * south},
+          {cosine * east, sine, cosine * south},
+          {-south, 0.0, east}};
+}
 inline Point jet_direction(const Jet& jet) {
-  const double level = std::sin(jet.angle);
-  return {level * std::cos(jet.azimuth), -std::cos(jet.angle), level * std::sin(jet.azimuth)};
+  return axes_of(jet).along;
 }
 
 // Returns whether the nozzle is a slot at an angle to the axes of the case, whose water is not its

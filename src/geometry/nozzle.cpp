@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/jet_direction.hpp"
 #include "geometry/shapes.hpp"
 #include "model/expression.hpp"
 #include "model/jet.hpp"
@@ -59,9 +60,7 @@ Nozzle::Nozzle(const Jet& jet, double water_density, int dimension)
       slugs_(slugs_of(jet)),
       layer_time_(jet.spacing / jet.speed),
       traverse_(jet.traverse) {
-  const double sine = std::sin(jet.angle), cosine = std::cos(jet.angle);
-  const double azimuth = dimension == 3 ? jet.azimuth : 0.0;
-  direction_ = {sine * std::cos(azimuth), -cosine, sine * std::sin(azimuth)};
+  direction_ = jet_direction(jet);
   for (int a = 0; a < 3; ++a) first_exit_[a] = jet.position[a] - jet.standoff * direction_[a];
   lay_out_columns(jet, dimension);
   particle_mass_ =
@@ -85,10 +84,7 @@ void Nozzle::cut_at(const Faces& planes, const Box& domain) {
 }
 
 void Nozzle::lay_out_columns(const Jet& jet, int dimension) {
-  const double sine = std::sin(jet.angle), cosine = std::cos(jet.angle);
-  const double azimuth = dimension == 3 ? jet.azimuth : 0.0;
-  const Point across{cosine * std::cos(azimuth), sine, cosine * std::sin(azimuth)};
-  const Point aside{-std::sin(azimuth), 0.0, std::cos(azimuth)};
+  const JetAxes axes = axes_of(jet);
   const bool is_slot = dimension == 2 || jet.length > 0.0;
   const auto offsets = is_slot
                            ? slot_offsets(jet.width, dimension == 2 ? 0.0 : jet.length, jet.spacing)
@@ -97,7 +93,7 @@ void Nozzle::lay_out_columns(const Jet& jet, int dimension) {
   double sum = 0.0;
   for (const auto& [u, w] : offsets) {
     Column column{};
-    for (int a = 0; a < 3; ++a) column.offset[a] = u * across[a] + w * aside[a];
+    for (int a = 0; a < 3; ++a) column.offset[a] = u * axes.across[a] + w * axes.sideways[a];
     const double r = is_slot ? std::abs(u) : std::hypot(u, w);
     column.speed = profile.evaluate(std::min(1.0, 2.0 * r / jet.width));
     sum += column.speed;

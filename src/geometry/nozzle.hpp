@@ -52,6 +52,8 @@ double pulse_spacing(const Jet& jet);
 
 class Nozzle {
  public:
+  static constexpr int layers_inside = 4;  // of water at t = 0: more than the support of 2 h = 3 d
+
   Nozzle(const Jet& jet, double water_density, int dimension);
   // Removes the columns beyond symmetry planes of the domain, which are mirror images of others.
   void cut_at(const Faces& planes, const Box& domain);
@@ -107,8 +109,7 @@ class Nozzle {
   double layers_until(double slug) const;  // whole ones, in all slugs before this one
   bool is_between_slugs(double time) const;
 
-  static constexpr int layers_inside = 4;  // more than the support of 2 h = 3 d
-  double density_;                         // kg/m^3
+  double density_;  // kg/m^3
   double spacing_, start_, stop_, dwell_;
   bool holds_pressure_;
   Slugs slugs_;

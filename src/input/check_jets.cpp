@@ -9,6 +9,7 @@
 #include "geometry/jet_direction.hpp"
 #include "geometry/nozzle.hpp"
 #include "geometry/shapes.hpp"
+#include "geometry/water_line.hpp"
 #include "input/draft.hpp"
 #include "machine/characteristic_speed.hpp"
 #include "machine/travelling_frame.hpp"
@@ -54,6 +55,23 @@ bool hits_a_body(const Case& description, const Nozzle& nozzle,
     for (double distance = 0.0; distance <= length; distance += step)
       if (body_at(description, along(water[i].position, nozzle.direction(), distance))) return true;
   return false;
+}
+
+// Returns for how long the nozzle moves beside the workpiece before the cut begins, s. Bodies that
+// move come to it at another time; whether a point is inside a mesh takes long.
+double time_beside_bodies(const Case& description, const Jet& jet) {
+  if (fastest_body(description) > 0.0 || travelling_frame(description)) return 0.0;
+  std::vector<const Body*> bodies;
+  for (const Body& body : description.bodies)
+    if (body.role == Role::elastic && !body.fixed && body.shape.kind != Shape::Kind::mesh)
+      bodies.push_back(&body);
+  double longest = 0.0;  // through the whole domain
+  for (std::size_t a = 0; a < 3; ++a)
+    longest += description.domain.maximum[a] - description.domain.minimum[a];
+  longest /= traverse_speed(jet);
+  if (description.time.end > 0.0)
+    longest = std::min(longest, description.time.end - jet.start - jet.dwell);
+  return time_beside(jet, bodies, longest, description.dimension);
 }
 
 // Returns whether bodies move or gravity acts, so that the jet may hit a body later.
@@ -113,18 +131,18 @@ std::string miss_text(const Draft& draft, const Jet& jet) {
 
 void add_miss(Draft& draft, std::size_t number) {
   const Jet& jet = draft.result.jets[number];
-  draft.reading.problems.add({draft.jets[number].path + ".position", miss_text(draft, jet),
-                              "a position and an angle whose line meets a body",
-                              traverse_speed(jet) > 0.0
-                                  ? "Begin where the jet meets the workpiece, if only its edge: "
-                                    "that is where the cut is judged"
-                                  : "Aim the jet at the workpiece: angle 0 is straight down"});
+  draft.reading.problems.add(
+      {draft.jets[number].path + ".position", miss_text(draft, jet),
+       "a position and an angle whose line meets a body",
+       traverse_speed(jet) > 0.0 ? "Let the path of the nozzle come over a body before the run ends"
+                                 : "Aim the jet at the workpiece: angle 0 is straight down"});
 }
 
 }  // namespace
 
 // Of several jets one must hit; `kerf check` warns of the others.
 void check_jets(Draft& draft) {
+  for (Jet& jet : draft.result.jets) jet.time_beside = time_beside_bodies(draft.result, jet);
   const Case& result = draft.result;
   bool one_hits = result.bodies.empty() || anything_moves(result);
   std::vector<std::size_t> misses;
@@ -140,7 +158,7 @@ void check_jets(Draft& draft) {
     check_start(draft, path, standing);
     if (draft.reading.problems.count() == before) check_traverse(draft, path, nozzle);
     if (draft.reading.problems.count() > before || one_hits) continue;
-    one_hits = hits_a_body(result, nozzle, standing);
+    one_hits = jet.time_beside > 0.0 || hits_a_body(result, nozzle, standing);
     if (!one_hits) misses.push_back(i);
   }
   if (one_hits) return;

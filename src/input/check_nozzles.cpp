@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/jet_direction.hpp"
 #include "geometry/nozzle.hpp"
 #include "geometry/point_vectors.hpp"
 #include "input/draft.hpp"
@@ -17,8 +18,6 @@
 namespace kerf {
 
 namespace {
-
-constexpr double filled_depth = 4.0;  // spacings of water inside a nozzle
 
 // The region inside the nozzle of a jet, and its water at t = 0.
 struct NozzleRegion {
@@ -30,13 +29,10 @@ struct NozzleRegion {
 // Returns whether a place, relative to the exit, is inside the nozzle by more than `margin`.
 bool is_inside(const NozzleRegion& region, const Point& place, double margin, int dimension) {
   const Jet& jet = region.jet;
-  const double along = dot(place, region.nozzle.direction());
-  if (along > 0.0 || along < -filled_depth * jet.spacing) return false;
-  const double sine = std::sin(jet.angle), cosine = std::cos(jet.angle);
-  const double azimuth = dimension == 3 ? jet.azimuth : 0.0;
-  const double u =
-      std::abs(dot(place, Point{cosine * std::cos(azimuth), sine, cosine * std::sin(azimuth)}));
-  const double w = std::abs(dot(place, Point{-std::sin(azimuth), 0.0, std::cos(azimuth)}));
+  const JetAxes axes = axes_of(jet);
+  const double along = dot(place, axes.along);
+  if (along > 0.0 || along < -Nozzle::layers_inside * jet.spacing) return false;
+  const double u = std::abs(dot(place, axes.across)), w = std::abs(dot(place, axes.sideways));
   const double half = 0.5 * jet.width - margin;
   if (dimension == 2) return u < half;
   return jet.length > 0.0 ? u < half && w < 0.5 * jet.length - margin : std::hypot(u, w) < half;
@@ -98,8 +94,10 @@ void check_nozzles(Draft& draft) {
            fmt::format("the nozzle of \"{}\" overlaps that of \"{}\"{}", result.jets[j].name,
                        result.jets[i].name,
                        *time > 0.0 ? " after " + show_quantity(*time, "s") : std::string()),
-           "nozzles that are beside one another with their last 4 spacings, also where they flow "
-           "in turn",
+           fmt::format(
+               "nozzles that are beside one another with their last {} spacings, also where "
+               "they flow in turn",
+               Nozzle::layers_inside),
            "Move one of the jets; for more water in one place make one jet wider or faster, for "
            "pauses give it pulses"});
     }

@@ -34,6 +34,9 @@ struct Jet {
   double stop = 0.0;      // s; infinity = as long as the run lasts
   Point traverse{};       // m/s, velocity of the nozzle
   double dwell = 0.0;     // s, rest of the nozzle after `start`
+  // s, for which it moves beside the workpiece first, where cuts count from the edge on: the time
+  // until its axis is over a body (input/check_jets.cpp).
+  double time_beside = 0.0;
   // Water flows for the first `duty` of each period; 0 = without pause.
   double pulse_frequency = 0.0;  // Hz
   double duty = 1.0;             // 1

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <span>
 #include <vector>
 
 #include "geometry/nozzle.hpp"
@@ -74,26 +75,26 @@ class ExitPressure {
     force_.resize(inside.size());
   }
 
-  // Returns the pressure at the exit of each column of nozzle j, Pa.
-  std::vector<double> of(std::size_t j, Particles<D, P>& particles, const Nozzle& nozzle,
-                         const Vector<D, double>& gravity) {
+  // Returns the pressure at the exit of each column of nozzle j, Pa, until the next call.
+  std::span<const double> of(std::size_t j, Particles<D, P>& particles, const Nozzle& nozzle,
+                             const Vector<D, double>& gravity) {
     const auto direction = Vector<D, double>::from(nozzle.direction());
     const Index first = first_[j], count = first_[j + 1] - first;
     for_each_index(count, ExitForce<D, P>{particles.view(), pointer(inside_) + first, direction,
                                           gravity, nozzle.is_uniform(), pointer(force_) + first});
-    std::vector<double> force(count);
-    thrust::copy(force_.begin() + first, force_.begin() + first_[j + 1], force.begin());
-    std::vector<Term> terms;
+    force_on_host_.resize(count);
+    thrust::copy(force_.begin() + first, force_.begin() + first_[j + 1], force_on_host_.begin());
+    terms_.clear();
     for (Index n = 0; n < count; ++n)
-      terms.push_back({members_[first + n].column, members_[first + n].id, force[n]});
+      terms_.push_back({members_[first + n].column, members_[first + n].id, force_on_host_[n]});
     if (ranks::are_several()) {
-      terms = ranks::collected(terms);
-      std::sort(terms.begin(), terms.end());
+      terms_ = ranks::collected(terms_);
+      std::sort(terms_.begin(), terms_.end());
     }
-    std::vector<double> pressure(nozzle.columns(), 0.0);
-    for (const Term& term : terms) pressure[term.column] += term.force;
-    for (double& p : pressure) p /= nozzle.column_area();
-    return pressure;
+    pressure_.assign(nozzle.columns(), 0.0);
+    for (const Term& term : terms_) pressure_[term.column] += term.force;
+    for (double& p : pressure_) p /= nozzle.column_area();
+    return pressure_;
   }
 
  private:
@@ -136,6 +137,9 @@ class ExitPressure {
   std::vector<Member> members_;  // by nozzle, column and id
   Array<Index> inside_;          // which particles they are
   Array<double> force_;          // N (2D: N/m), on each of them
+  // Of the nozzle that is asked for.
+  std::vector<double> force_on_host_, pressure_;  // N (2D: N/m), of members; Pa, of columns
+  std::vector<Term> terms_;
 };
 
 }  // namespace kerf

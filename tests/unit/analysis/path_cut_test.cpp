@@ -14,11 +14,15 @@ using namespace layout;
 struct Crossing {
   double angle = 0.0, way = 1.0, time = 20e-3;
   bool has_bonds = true;
+  double beside = 0.0;  // s, for which the nozzle moves beside the block first
 
   bool cuts(const std::function<bool(const Position&)>& gone,
             const std::function<bool(const Position&)>& never_there = {}) const {
     Case description = make_case(2, angle);
-    description.jets[0].traverse = {2.0 * way * std::cos(angle), 2.0 * way * std::sin(angle), 0.0};
+    Jet& jet = description.jets[0];
+    jet.traverse = {2.0 * way * std::cos(angle), 2.0 * way * std::sin(angle), 0.0};
+    for (std::size_t a = 0; a < 2; ++a) jet.position[a] -= beside * jet.traverse[a];
+    jet.time_beside = beside;
     Frame initial = make_block(2);
     if (never_there)
       initial = select(initial, rows_of(initial),
@@ -26,7 +30,7 @@ struct Crossing {
     for (std::size_t k = 0; k < initial.id.size(); ++k)
       initial.id[k] = static_cast<std::uint32_t>(k);
     Frame frame = initial;
-    frame.time = time;
+    frame.time = time + beside;
     change(frame, Category::fractured, [&](const Position& x) {
       return gone({way * x[0], x[1], 0.0});
     });
@@ -64,6 +68,20 @@ TEST(CutOnAPath, CountsWhereverItIs) {
         return is_slot(x, place - 4.0 * mm, place + 4.0 * mm);
       })) << place
           << " " << crossing.angle << " " << crossing.way;
+}
+
+TEST(CutOnAPath, CountsFromTheEdgeOnForANozzleFromBeside) {
+  for (Crossing crossing : crossings()) {
+    crossing.beside = 10e-3;
+    for (const double place : {0.0, 24.0 * mm, 36.0 * mm})
+      EXPECT_TRUE(crossing.cuts([=](const Position& x) {
+        return is_slot(x, place - 4.0 * mm, place + 4.0 * mm);
+      })) << place
+          << " " << crossing.angle << " " << crossing.way;
+    crossing.time = 5e-3;
+    EXPECT_FALSE(crossing.cuts([](const Position& x) { return is_slot(x, 20.0 * mm, 28.0 * mm); }))
+        << crossing.angle;
+  }
 }
 
 TEST(CutOnAPath, AFloorThatStandsIsNoCut) {

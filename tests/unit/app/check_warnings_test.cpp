@@ -204,7 +204,7 @@ TEST(CheckWarnings, WarnOfABrittleBandThatOpensWiderThanTheBody) {
 }
 
 // A nozzle of 5 mm/ms whose jet starts beside the block, which reaches from x = -10 to 10 mm.
-TEST(CheckWarnings, WarnOfANozzleThatTravelsOntoABody) {
+TEST(CheckWarnings, TellOfANozzleThatComesOntoABody) {
   const std::string table =
       "[[body]]\nname = \"table\"\nrole = \"rigid\"\nspacing = \"0.5 mm\"\nshape = { type = "
       "\"box\", "
@@ -219,7 +219,7 @@ TEST(CheckWarnings, WarnOfANozzleThatTravelsOntoABody) {
         "my.toml");
     return check_warnings(description, derive(description));
   };
-  const auto onto = HasSubstr("travels onto \"block\" from beside it");
+  const auto onto = HasSubstr("its axis comes over \"block\" after 1.02 ms");
   EXPECT_THAT(of(-15.0, 5.0), Contains(onto));
   EXPECT_THAT(of(15.0, -5.0), Contains(onto));
   EXPECT_THAT(of(-9.0, 5.0), Not(Contains(onto)));    // over it
