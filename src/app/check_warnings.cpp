@@ -202,6 +202,7 @@ std::vector<std::string> check_warnings(const Case& description, const DerivedNu
   warn_of_nothing_to_cut(description, warnings);
   for (auto& warning : aim_warnings(description)) warnings.push_back(std::move(warning));
   for (auto& warning : solid_warnings(description)) warnings.push_back(std::move(warning));
+  for (auto& warning : strength_warnings(description)) warnings.push_back(std::move(warning));
   warn_of_materials(description, warnings);
   if (std::string need = calibration_need(description); !need.empty())
     warnings.push_back(std::move(need));

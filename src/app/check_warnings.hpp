@@ -25,6 +25,10 @@ std::vector<std::string> aim_warnings(const Case& description);
 // particle of a body is bonded.
 std::vector<std::string> solid_warnings(const Case& description);
 
+// Returns a sentence for each solid that is brittle in tension and whose strength in compression is
+// not given, and for each thin soft layer that is joined to a stiffer body.
+std::vector<std::string> strength_warnings(const Case& description);
+
 // Throws that UserError with the place in the text of the case file, before a run has written
 // anything.
 void refuse_unbonded(const Case& description, const std::string& text, const std::string& file);

@@ -12,6 +12,8 @@
 // and may have
 //   stays_below(solid, green)   whether a cheap bound shows that prepare() does not pass
 //   strengthen(factor)          multiplies its own limits, those beside the strains of the solid
+//   across_joint                what it compares of a bond to a solid of another stiffness; strain
+//   softens                     whether its stress softens, and a compressive_strength counts
 //   tensile_limit(solid)        the strain of a tensile test at which it begins to break bonds,
 //                               where that is not a strain of the solid
 // A criterion gets the same numbers of a bond from either end, so that both ends reach the same
@@ -20,6 +22,7 @@
 
 #include "fracture/bond_strain.hpp"
 #include "fracture/brittle_band.hpp"
+#include "fracture/compressive_strength.hpp"
 #include "fracture/crack_band_criterion.hpp"
 #include "fracture/criteria.hpp"
 #include "fracture/equivalent_total_strain.hpp"
@@ -86,6 +89,16 @@ struct BondedSolid : BreakableSolid<T>, BondCriterionSet<T> {
     return solid;
   }
 
+  // This solid with the fracture criterion and the limits of another one.
+  KERF_FUNCTION BondedSolid with_criterion_of(const BondedSolid& other) const {
+    BondedSolid solid = *this;
+    static_cast<BondCriterionSet<T>&>(solid) = other;
+    solid.criterion = other.criterion;
+    solid.failure_strain = other.failure_strain;
+    solid.softening_strain = other.softening_strain;
+    return solid;
+  }
+
   template <class Other>
   KERF_FUNCTION static BondedSolid from(const BondedSolid<Other>& other) {
     BondedSolid solid;
@@ -102,6 +115,20 @@ template <class T, class Particle>
 KERF_FUNCTION T prepare_criterion(const BondedSolid<T>& solid, const Particle& particle) {
   return BondCriterionSet<T>::visit(
       solid, solid.criterion, [&](const auto& chosen) { return T(chosen.prepare(particle)); });
+}
+
+struct AcrossJointOf {
+  template <class Law>
+  KERF_FUNCTION AcrossJoint operator()(const Law&) const {
+    if constexpr (requires { Law::across_joint; })
+      return Law::across_joint;
+    else
+      return AcrossJoint::strain;
+  }
+};
+template <class T>
+KERF_FUNCTION AcrossJoint across_joint(const BondedSolid<T>& solid) {
+  return BondCriterionSet<T>::visit(solid, solid.criterion, AcrossJointOf{});
 }
 
 template <int D, class T>

@@ -14,6 +14,7 @@ template <class T>
 struct BreakableSolid : ElasticSolid<T> {
   T failure_strain = 0;    // 1, of the criterion; 0 = never breaks by a strain
   T softening_strain = 0;  // 1, where softening begins (softening.hpp); 0 = brittle
+  T confinement = 0;       // c of compressive_strength.hpp, 1
 
   // Whether this strain of a particle passes the limit, if there is one.
   KERF_FUNCTION bool fails_at(T strain) const {
@@ -27,6 +28,7 @@ struct BreakableSolid : ElasticSolid<T> {
     static_cast<ElasticSolid<T>&>(solid) = ElasticSolid<T>::from(other);
     solid.failure_strain = static_cast<T>(other.failure_strain);
     solid.softening_strain = static_cast<T>(other.softening_strain);
+    solid.confinement = static_cast<T>(other.confinement);
     return solid;
   }
 };
@@ -41,6 +43,11 @@ KERF_FUNCTION T largest_of(const Vector<3, T>& values) {
 // Which of the keys failure_strain and fracture_energy a criterion takes.
 enum class StrainOrEnergy { one_of_them, both, energy, neither };
 
+// What of the two ends of a bond between solids of unlike stiffness a criterion compares with the
+// limits of one of them (solid/joint_bond.hpp): the mean stress, as it is or as a strain of this
+// end, or a state of this end alone.
+enum class AcrossJoint { strain, stress, end };
+
 // The other keys of a material that a criterion needs and excludes.
 struct CriterionKeys {
   StrainOrEnergy limit = StrainOrEnergy::one_of_them;
@@ -48,21 +55,43 @@ struct CriterionKeys {
   std::string_view compared_quantity = "the strain";  // compared with the limit
 };
 
-// sqrt(2 psi_t / E): the strain of a tensile test that stores as much as tension does at Green's
-// strain `green`, in the undamaged solid; in double, because the energy is a small difference.
+// psi_t at Green's strain `green` in the undamaged solid, J/m^3: the energy of shear, and that of
+// the volume where it has grown; in double, because the energy is a small difference.
 template <int D, class T>
-KERF_FUNCTION T tensile_strain(const ElasticSolid<T>& solid,
-                               const SymmetricTensor<D, double>& green) {
+KERF_FUNCTION double tensile_energy(const ElasticSolid<T>& solid,
+                                    const SymmetricTensor<D, double>& green) {
   auto medium = ElasticSolid<double>::from(solid);
   if (!is_expanded(medium, green)) medium.bulk_modulus = 0.0;
   const double energy = energy_density(medium, green);
-  return energy > 0.0 ? static_cast<T>(std::sqrt(2.0 * energy / double(solid.young_modulus())))
-                      : T(0);
+  return energy > 0.0 ? energy : 0.0;
+}
+// The energy of the volume where it is compressed, J/m^3.
+template <int D, class T>
+KERF_FUNCTION double compressed_energy(const ElasticSolid<T>& solid,
+                                       const SymmetricTensor<D, double>& green) {
+  auto medium = ElasticSolid<double>::from(solid);
+  if (is_expanded(medium, green)) return 0.0;
+  medium.shear_modulus = 0.0;
+  const double energy = energy_density(medium, green);
+  return energy > 0.0 ? energy : 0.0;
+}
+
+// sqrt(2 psi_t / E): the strain of a tensile test that stores as much as tension does at Green's
+// strain `green`, in the undamaged solid; less where the solid is confined.
+template <int D, class T>
+KERF_FUNCTION T tensile_strain(const BreakableSolid<T>& solid,
+                               const SymmetricTensor<D, double>& green) {
+  const double energy = tensile_energy(solid, green);
+  if (!(energy > 0.0)) return T(0);
+  const double strain = std::sqrt(2.0 * energy / double(solid.young_modulus()));
+  if (!(solid.confinement > T(0))) return static_cast<T>(strain);
+  const double shear = std::sqrt(energy), volume = std::sqrt(compressed_energy(solid, green));
+  return static_cast<T>(strain * (shear / (shear + double(solid.confinement) * volume)));
 }
 
 // The same at the displacement gradient `h`.
 template <int D, class T>
-KERF_FUNCTION T tensile_strain(const ElasticSolid<T>& solid, const Matrix<D, T>& h) {
+KERF_FUNCTION T tensile_strain(const BreakableSolid<T>& solid, const Matrix<D, T>& h) {
   return tensile_strain(solid, green_strain(Matrix<D, double>::from(h)));
 }
 

@@ -29,6 +29,7 @@ struct BrittleBand {
       "the "
       "fracture_energy";
   static constexpr CriterionKeys keys{StrainOrEnergy::energy, true, "the fracture_energy alone"};
+  static constexpr bool softens = true;
   static constexpr T own_share = T(0.9), end_share = T(0.7);  // of e_f
 
   static FractureLimits limits(const FractureInput& input) {

@@ -25,6 +25,7 @@ inline constexpr double least_failure_strain = 1e-6;
 
 struct FractureLimits {
   double start = 0.0, end = 0.0;  // e_0 and e_f, 1; 0 = never
+  double confinement = 0.0;       // c of compressive_strength.hpp, 1
   bool softens() const { return end > start; }
 };
 

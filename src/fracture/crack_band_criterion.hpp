@@ -20,6 +20,7 @@ struct CrackBandStrain {
   static constexpr std::string_view sentence =
       "Stress softens from the failure_strain on, over a band that takes the fracture_energy";
   static constexpr CriterionKeys keys{StrainOrEnergy::both, true, ""};
+  static constexpr bool softens = true;
   // With the modulus E that bonds carry.
   static FractureLimits limits(const FractureInput& input) {
     return softening_law_of(input.fracture_energy, carried_youngs_modulus(input.moduli),

@@ -101,6 +101,7 @@ struct GradyKipp {
              stored_in<&Law::flaw_depth>}};
   }
   static FractureLimits limits(const FractureInput&) { return {}; }
+  static constexpr AcrossJoint across_joint = AcrossJoint::end;
   KERF_FUNCTION bool can_break(bool) const { return true; }
   void derive(const BodyNumbers& body) {
     const double depth = body.dimension == 2 ? flaw_depth : 1.0;

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "fracture/bond_criterion.hpp"
+#include "fracture/compressive_strength.hpp"
 #include "input/material_library.hpp"
 #include "input/section.hpp"
+#include "input/units.hpp"
 #include "model/law_keys.hpp"
 #include "model/material_laws.hpp"
 
@@ -126,6 +128,31 @@ void resolve_damage(Section& section, const Material& material) {
   }
 }
 
+// Checks a compressive strength that the case states. That of the library, where a case gives it
+// another tensile strength, counts as far as it is more than that of shear.
+void resolve_compression(Section& section, const Material& material) {
+  const CompressiveStrength<double>& compression = material.laws->compression;
+  if (!compression.is_on() || !section.has("compressive_strength")) return;
+  const auto moduli = ElasticModuli<double>::of(material.youngs_modulus, material.poisson_ratio);
+  if (bond_bulk_modulus(moduli.bulk_modulus, moduli.shear_modulus) < moduli.bulk_modulus) {
+    section.refuse(
+        "compressive_strength",
+        fmt::format("at a poisson_ratio of {:g} the density of the solid bears most of a "
+                    "pressure, and its bonds fail by shear",
+                    material.poisson_ratio),
+        "Remove the key, or give a poisson_ratio of 0.41 or less",
+        "0 Pa where the poisson_ratio is above 0.41");
+    return;
+  }
+  const double least =
+      least_compressive_ratio(moduli) * material.youngs_modulus * material.failure_strain;
+  if (compression.compressive_strength >= least) return;
+  section.refuse("compressive_strength",
+                 "the energy of shear alone bears more before the failure_strain is reached",
+                 "Give the strength of a compressive test, or remove the key",
+                 fmt::format("0 Pa, or {} or more", show_quantity(least, "Pa", Bound::least)));
+}
+
 // Checks the rate of strain on which strength depends.
 void resolve_strength_rate(Section& section, const Material& material) {
   const StrengthRate<double>& rate = material.laws->strength_rate;
@@ -160,6 +187,7 @@ void choose_criterion(const Section& section, const LibraryMaterial* base, Formu
 void resolve_fracture(Section& section, Formulation formulation, Material& material) {
   resolve_limits(section, formulation, material);
   resolve_damage(section, material);
+  resolve_compression(section, material);
   resolve_strength_rate(section, material);
 }
 

@@ -70,8 +70,8 @@ std::string plastic_laws(const Condition& holds) {
   });
 }
 
-// Returns the keys of the fracture criteria, and of the rate of strain, on which the limits of
-// those depend that have no law of it of their own.
+// Returns the keys of the fracture criteria, of the compressive strength of those that soften, and
+// of the rate of strain, on which the limits of those depend that have no law of it of their own.
 std::vector<Key> keys_of_criteria() {
   using Set = BondCriterionSet<double>;
   static const std::string with_limits = words_of_laws<Set>([]<class Law>(const Law&) {
@@ -79,7 +79,14 @@ std::vector<Key> keys_of_criteria() {
       Law::has_own_rate;
     };
   });
+  static const std::string softening = words_of_laws<Set>([]<class Law>(const Law&) {
+    return requires {
+      Law::softens;
+    };
+  });
   std::vector<Key> keys = keys_of_laws<Set, OfMaterial>();
+  add_rows<OfMaterial<&MaterialLaws::compression>>(CompressiveStrength<double>::rows(), softening,
+                                                   keys);
   add_rows<OfMaterial<&MaterialLaws::strength_rate>>(StrengthRate<double>::rows(), with_limits,
                                                      keys);
   return keys;

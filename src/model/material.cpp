@@ -31,11 +31,15 @@ BondCriterion default_criterion(bool has_energy_alone, PlasticLaw plasticity) {
 }
 
 FractureLimits fracture_limits(const Material& material, double spacing) {
-  const FractureInput input{
-      ElasticModuli<double>::of(material.youngs_modulus, material.poisson_ratio),
-      material.failure_strain, material.fracture_energy, spacing};
-  return BondCriterionSet<double>::visit(*material.laws, material.criterion,
-                                         [&](const auto& chosen) { return chosen.limits(input); });
+  const auto moduli = ElasticModuli<double>::of(material.youngs_modulus, material.poisson_ratio);
+  const FractureInput input{moduli, material.failure_strain, material.fracture_energy, spacing};
+  FractureLimits limits = BondCriterionSet<double>::visit(
+      *material.laws, material.criterion, [&](const auto& chosen) { return chosen.limits(input); });
+  const CompressiveStrength<double>& compression = material.laws->compression;
+  if (compression.is_on() && limits.start > 0.0)
+    limits.confinement = confinement_of(
+        moduli, compression.compressive_strength / (moduli.young_modulus() * limits.start));
+  return limits;
 }
 
 bool Material::can_break() const {

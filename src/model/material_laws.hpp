@@ -11,7 +11,8 @@
 namespace kerf {
 
 struct MaterialLaws : ElasticLawSet<double>, BondCriterionSet<double>, EquationOfStateSet<double> {
-  StrengthRate<double> strength_rate;  // of the fracture criterion
+  StrengthRate<double> strength_rate;       // of the fracture criterion
+  CompressiveStrength<double> compression;  // of a criterion that softens
   PlasticLawSet<double> plastic;
   JohnsonCookDamage<double> damage;  // of metals
   PlasticHeat<double> heat;          // of metals
@@ -25,7 +26,8 @@ PlasticParameters<double> plastic_parameters(const Material& material);
 // cracks must not follow the lattice (docs/theory/softening.md, brittle limit); a solid that flows
 // cannot soften.
 BondCriterion default_criterion(bool has_energy_alone, PlasticLaw plasticity);
-// The strains at which a material begins to fail and has failed, at a spacing in m.
+// The strains at which a material begins to fail and has failed, at a spacing in m, and what
+// pressure adds to its strength.
 FractureLimits fracture_limits(const Material& material, double spacing);
 
 }  // namespace kerf

@@ -87,6 +87,7 @@ Medium<double> body_medium(const Case& description, const Body& body, std::size_
     const FractureLimits limits = fracture_limits(material, body.spacing);
     medium.failure_strain = limits.end;
     medium.softening_strain = limits.softens() ? limits.start : 0.0;
+    medium.confinement = limits.confinement;
   }
   medium.volume = volume_of_each(body, description.dimension, particles);
   if (body.role != Role::rigid) derive_parameters(medium, description.dimension, body.seed);

@@ -8,12 +8,9 @@
 #include "fracture/unstretched_failure.hpp"
 #include "parallel/ordered_sum.hpp"
 #include "solid/bond_break_energy.hpp"
+#include "solid/joint_bond.hpp"
 
 namespace kerf {
-
-// Stands for the prepared value of a criterion that is too low to be met and is not computed.
-template <class T>
-inline constexpr T too_low = T(-1e30);
 
 // Whether a particle has bonds to media with other limits: such a bond may meet the limit of one
 // end by the number of the other, which does not meet its own.
@@ -21,50 +18,6 @@ template <int D, class P>
 KERF_FUNCTION bool has_other_limits(const SolidView<D, P>& solid, Index i) {
   return (solid.unlike_media[i] & unlike_media::limits) != 0;
 }
-
-// Calls action(solid) with the limits that particle i has at its rate of strain, R times those of a
-// slow test (fracture/strength_rate.hpp).
-template <int D, class P, class Action>
-KERF_FUNCTION auto with_limits_at_rate(const SolidView<D, P>& solid, Index i,
-                                       const Action& action) {
-  const BondedSolid<typename P::Real>& slow = solid.medium(i);
-  if (!solid.any_rate) return action(slow);
-  return action(slow.strengthened(solid.strength_factor(i)));
-}
-
-// The values of a particle that a fracture criterion needs (fracture/bond_criterion.hpp). `solid`:
-// its medium with the limits at its rate of strain.
-template <int D, class P>
-struct CriterionParticle {
-  using Real = typename P::Real;
-  const SolidView<D, P>& view;
-  Index i;
-  const BondedSolid<Real>& solid;
-  SymmetricTensor<D, Real> green;  // Green's strain
-  Real damage;
-
-  KERF_FUNCTION CriterionParticle(const SolidView<D, P>& all, Index particle,
-                                  const BondedSolid<Real>& of_particle)
-      : view(all),
-        i(particle),
-        solid(of_particle),
-        green(green_strain(all.gradient[particle])),
-        damage(all.damage(particle)) {}
-  KERF_FUNCTION Real tensile_strain() const {
-    return view.softens(i) ? view.current_strain[i] : kerf::tensile_strain(solid, view.gradient[i]);
-  }
-  // Pa, Kirchhoff's, with the tension that the density of an undamaged particle bears.
-  KERF_FUNCTION Real largest_stress() const {
-    if (!view.flows(i)) {
-      BreakableSolid<Real> bearing = solid;
-      if (!view.has_broken_bonds[i] && is_expanded(solid, green))
-        bearing.bulk_modulus += view.medium(i).tensile_excess;
-      return ElasticParticle<D, Real>{bearing, green}.largest_stress();
-    }
-    return std::sqrt(Real(1) + volume_square_less_one(green)) *
-           largest_of(principal_values(undivided_cauchy(view, i)));
-  }
-};
 
 template <int D, class P>
 struct PrepareCriterion {
@@ -179,22 +132,34 @@ struct BondTest {
     const auto bond = solid.reference_bond(i, j);
     const auto change = solid.displacement_bond(i, j);
     const Real square = dot(bond, bond);
+    const bool is_joint = !of.same && have_unlike_stiffness(of.a, of.b);
+    const JointEnd<D, P> end_i{solid, i, j.particle, of.a, of.b},
+        end_j{solid, j.particle, i, of.b, of.a};
     if (solid.has_broken_bonds[i] || solid.has_broken_bonds[j.particle]) {
       const Real misfit = misfit_squared(i, j, bond, change);
       const Real spacing = Real(0.5) * (solid.medium(i).spacing + solid.medium(j.particle).spacing);
-      if ((fails_by_misfit(misfit, square, of.a) || fails_by_misfit(misfit, square, of.b)) &&
-          !ends_press(square, square_growth(bond, change), spacing))
-        return true;
+      const bool fails =
+          is_joint ? end_i.fails(misfit, square) || end_j.fails(misfit, square)
+                   : fails_by_misfit(misfit, square, of.a) || fails_by_misfit(misfit, square, of.b);
+      if (fails && !ends_press(square, square_growth(bond, change), spacing)) return true;
     }
     BondStrain<Real> strain;
     strain.own = square_growth(bond, change) / square;
     if (!(strain.own > Real(0))) return false;  // only stretched bonds break
+    const auto sum = [&] {
+      return green + green_strain(solid.image(j, solid.gradient[j.particle]));
+    };
+    if (is_joint) {
+      strain.mean = dot(bond, sum() * bond) / square;
+      strain.compression = compression_of(sum());
+      return end_i.breaks(strain) || end_j.breaks(strain);
+    }
     strain.prepared = mean_criterion(i, j.particle);
     if (criterion_passes(strain.prepared, of.a) ||
         (!of.same && criterion_passes(strain.prepared, of.b)))
-      strain.mean =
-          dot(bond, (green + green_strain(solid.image(j, solid.gradient[j.particle]))) * bond) /
-          square;
+      strain.mean = dot(bond, sum() * bond) / square;
+    if (!bond_breaks(strain, of.a) && (of.same || !bond_breaks(strain, of.b))) return false;
+    strain.compression = compression_of(sum());
     return bond_breaks(strain, of.a) || (!of.same && bond_breaks(strain, of.b));
   }
 
@@ -202,20 +167,8 @@ struct BondTest {
     const bool both_low =
         !(solid.criterion[i] > too_low<Real>)&&!(solid.criterion[j] > too_low<Real>);
     if (both_low && !has_other_limits(solid, i)) return too_low<Real>;
-    return Real(0.5) * (criterion_of(i) + criterion_of(j));
+    return Real(0.5) * (criterion_of(solid, i) + criterion_of(solid, j));
   }
-  KERF_FUNCTION Real criterion_of(Index i) const {
-    const Real known = solid.criterion[i];
-    return known > too_low<Real> ? known : with_limits_at_rate(solid, i, PreparedAt{solid, i});
-  }
-  struct PreparedAt {
-    const SolidView<D, P>& solid;
-    Index i;
-    KERF_FUNCTION Real operator()(const BondedSolid<Real>& limits) const {
-      return prepare_criterion(limits, CriterionParticle<D, P>(solid, i, limits));
-    }
-  };
-
   template <class End>
   KERF_FUNCTION Real misfit_squared(Index i, const End& j, const Vector<D, Real>& bond,
                                     const Vector<D, Real>& change) const {

@@ -105,7 +105,7 @@ class TotalLagrangian : public DividedSolid<D, P> {
     thrust::copy(loop_policy(), fields_.loading_now.begin(), fields_.loading_now.end(),
                  fields_.loading_start.begin());
   }
-  // Ends a step of media that soften. Returns the energy dissipated by their hourglass control, J.
+  // Ends a step of media that soften. Returns the energy dissipated beside softening_work(), J.
   double keep_softening() {
     if (!fields_.any_softens) return 0.0;
     scratch_.resize(size());

@@ -17,6 +17,24 @@ struct StartSoftening {
   }
 };
 
+// Returns what softening takes in this step besides the energy of a tensile test at the strain k
+// (fracture/softening.hpp), J: a solid that is confined stores more, psi_t > E k^2 / 2
+// (fracture/compressive_strength.hpp).
+template <int D, class P>
+KERF_FUNCTION double confined_softening(const SolidView<D, P>& solid, Index i) {
+  const auto& medium = solid.medium(i);
+  if (!(medium.confinement > 0) || !(solid.current_strain[i] > solid.strain_start[i])) return 0.0;
+  const auto limits = BreakableSolid<double>::from(medium);
+  const auto green = green_strain(Matrix<D, double>::from(solid.gradient[i]));
+  const double strain = tensile_strain(limits, green);
+  const double more =
+      tensile_energy(limits, green) - 0.5 * limits.young_modulus() * strain * strain;
+  const double less = undamaged_share(limits, double(solid.softening_strain_at_start(i))) -
+                      undamaged_share(limits, double(solid.softening_strain(i)));
+  return double(medium.mass) / double(medium.density) * double(solid.elastic_share[i]) * more *
+         less;
+}
+
 // Takes the largest strain, and finds the particles that lose stiffness by it.
 template <int D, class P>
 struct UpdateSoftening {
@@ -27,6 +45,7 @@ struct UpdateSoftening {
     solid.softening_loss[i] = 0.0;
     unchanged[i] = 1;
     if (!solid.softens(i) || solid.detached[i]) return;
+    solid.softening_loss[i] = confined_softening(solid, i);
     solid.strain_start[i] = solid.current_strain[i];
     if (is_hourglass_falling(solid, i)) unchanged[i] = 0;
   }
@@ -41,11 +60,11 @@ struct SoftenHourglass {
   const typename P::Real* misfit_of;
 
   KERF_FUNCTION void operator()(Index i) const {
-    if (!unchanged[i]) solid.softening_loss[i] = lower_hourglass(solid, i, double(misfit_of[i]));
+    if (!unchanged[i]) solid.softening_loss[i] += lower_hourglass(solid, i, double(misfit_of[i]));
   }
 };
 
-// Sums the energy that the hourglass control lost in the last UpdateSoftening, J.
+// Sums the energy that was lost in the last UpdateSoftening beside that of SofteningTerm, J.
 template <int D, class P>
 struct SofteningLossTerm {
   SolidView<D, P> solid;

@@ -203,6 +203,41 @@ TEST(CheckWarnings, WarnOfABrittleBandThatOpensWiderThanTheBody) {
   EXPECT_THAT(warnings_of(gel("2")), Not(Contains(HasSubstr("tension alone parts it nowhere"))));
 }
 
+TEST(CheckWarnings, WarnOfABrittleSolidWithoutACompressiveStrength) {
+  const auto rock = [](const std::string& limits) {
+    return "[materials.rock]\nkind = \"elastic\"\ndensity = \"2400 kg/m3\"\ncriterion = "
+           "\"crack_band\"\n"
+           "youngs_modulus = \"30 GPa\"\npoisson_ratio = 0.2\nfracture_energy = \"80 J/m2\"\n" +
+           limits + block_of("rock") + "spacing = \"0.5 mm\"\n";
+  };
+  const auto compression = HasSubstr("begins to fail in plain compression at 3.354 MPa");
+  EXPECT_THAT(warnings_of(rock("failure_strain = 1e-4\n")), Contains(compression));
+  EXPECT_THAT(warnings_of(rock("failure_strain = 1e-4\ncompressive_strength = \"30 MPa\"\n")),
+              Not(Contains(HasSubstr("plain compression"))));
+  EXPECT_THAT(warnings_of(block_of("apple")), Not(Contains(HasSubstr("plain compression"))));
+}
+
+TEST(CheckWarnings, WarnOfAThinSoftLayerBetweenStiffBodies) {
+  const auto layered = [](double modulus, double spacing) {
+    return fmt::format(
+        "[materials.glue]\nkind = \"elastic\"\ndensity = \"1000 kg/m3\"\nyoungs_modulus = \"{} "
+        "MPa\"\n"
+        "poisson_ratio = 0.3\nfailure_strain = 0.5\n{}spacing = \"0.5 mm\"\n[[body]]\nname = "
+        "\"layer\"\n"
+        "material = \"glue\"\njoined_to = \"block\"\nspacing = \"{} mm\"\nshape = {{ type = "
+        "\"box\", minimum = "
+        "[\"-10 mm\", \"6 mm\"], maximum = [\"10 mm\", \"8 mm\"] }}\n",
+        modulus, block_of("pmma"), spacing);
+  };
+  const auto thin =
+      HasSubstr("\"layer\" has 4 rows of particles across and is joined to \"block\"");
+  EXPECT_THAT(warnings_of(layered(30.0, 0.5)), Contains(thin));
+  EXPECT_THAT(warnings_of(layered(1000.0, 0.5)),
+              Not(Contains(HasSubstr("rows of particles across"))));
+  EXPECT_THAT(warnings_of(layered(30.0, 0.125)),
+              Not(Contains(HasSubstr("rows of particles across"))));
+}
+
 // A nozzle of 5 mm/ms whose jet starts beside the block, which reaches from x = -10 to 10 mm.
 TEST(CheckWarnings, TellOfANozzleThatComesOntoABody) {
   const std::string table =

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,6 +27,7 @@ struct UniformStrain {
     BondStrain<double> bond;
     bond.mean = bond.own = 2.0 * (c * c * green()(0, 0) + s * s * green()(1, 1));
     bond.prepared = prepared();
+    bond.compression = std::max(0.0, -green()(0, 0) - green()(1, 1));
     return bond;
   }
   double prepared() const {
@@ -80,6 +82,16 @@ BondedSolid<double> strong(double strength) {
 }
 
 // Small strains: stress by Hooke, K + 4 G / 3 = 1.8 GPa and K - 2 G / 3 = 0.6 GPa, to a percent.
+// Squeezed along y and free along x, a solid bears no tension: its bonds across are stretched.
+TEST(BondCriterion, PrincipalStressBearsUniaxialCompression) {
+  const auto solid = strong(1e6);
+  const double modulus = solid.lame() + 2.0 * solid.shear_modulus, across = solid.lame() / modulus;
+  for (const double squeeze : {1e-3, 5e-3, 2e-2})  // 0.9 to 18 of the strength over 2 G
+    EXPECT_EQ((UniformStrain{across * squeeze, -squeeze, solid}.broken()), 0) << squeeze;
+  // A tenth more across is tension.
+  EXPECT_GT((UniformStrain{across * 2e-2 + 1.1e6 / modulus, -2e-2, solid}.broken()), 0);
+}
+
 TEST(BondCriterion, PrincipalStress) {
   const auto solid = strong(1.8e6);
   EXPECT_EQ((UniformStrain{0.99e-3, 0.0, solid}.broken()), 0);

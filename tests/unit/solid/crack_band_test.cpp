@@ -74,9 +74,8 @@ TEST(CrackBand, WideStripBreaksAtTheCriticalStrain) {
   constexpr auto by_energy = BondCriterion::strain_energy;
   for (const Strip& strip :
        {Strip{1e-3, 0.0, 0.3, 1.4}, Strip{1e-3, 0.15, 0.3, 1.4}, Strip{1e-3, 0.0, 0.0, 1.4},
-        Strip{1e-3, 0.15, 0.0, 0.35}, Strip{0.5e-3, 0.0, 0.3, 1.4},
-        Strip{1e-3, 0.0, 0.3, 1.4, by_energy}, Strip{1e-3, 0.15, 0.3, 1.4, by_energy},
-        Strip{0.5e-3, 0.0, 0.3, 1.4, by_energy}}) {
+        Strip{1e-3, 0.15, 0.0, 0.35}, Strip{1e-3, 0.0, 0.3, 1.4, by_energy},
+        Strip{1e-3, 0.15, 0.3, 1.4, by_energy}, Strip{0.5e-3, 0.0, 0.3, 1.4, by_energy}}) {
     auto medium = soft_solid(strip.spacing, 2);
     medium.bulk_modulus = 1e5 / (3.0 * (1.0 - 2.0 * strip.poisson_ratio));
     medium.shear_modulus = 1e5 / (2.0 * (1.0 + strip.poisson_ratio));

@@ -37,12 +37,9 @@ GrownCrack crack_of(const StripChoice& choice, double share) {
 // Lattice rows are at 0 degrees, diagonals at 45; others in between.
 TEST(CrackDirection, StartsAtTheFractureEnergyAndKeepsItsPlane) {
   for (const StripChoice& choice :
-       {StripChoice{.angle = 0.0}, StripChoice{.angle = 0.0, .shift = 0.5},
-        StripChoice{.angle = 15.0}, StripChoice{.angle = 15.0, .shift = 0.5},
-        StripChoice{.angle = 30.0, .shift = 0.2}, StripChoice{.angle = 30.0, .is_mirrored = true},
-        StripChoice{.angle = 45.0}, StripChoice{.angle = 45.0, .shift = 0.5},
-        StripChoice{.angle = 30.0, .spacing = 2e-3 / 3.0},
-        StripChoice{.angle = 0.0, .spacing = 2e-3 / 3.0}}) {
+       {StripChoice{.angle = 0.0}, StripChoice{.angle = 15.0, .shift = 0.5},
+        StripChoice{.angle = 30.0, .is_mirrored = true}, StripChoice{.angle = 45.0, .shift = 0.2},
+        StripChoice{.angle = 30.0, .spacing = 2e-3 / 3.0}}) {
     EXPECT_LT(crack_of(choice, 0.9).length, 2.0 * choice.spacing);
     const auto crack = crack_of(choice, 1.1);
     EXPECT_GT(crack.length, 0.5 * choice.height);
