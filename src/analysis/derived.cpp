@@ -16,6 +16,7 @@
 #include "geometry/particle_estimate.hpp"
 #include "geometry/shapes.hpp"
 #include "machine/characteristic_speed.hpp"
+#include "machine/jet_water.hpp"
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 #include "model/material_laws.hpp"
@@ -31,9 +32,10 @@ const Material& material_of(const Case& description, int index) {
 
 // Returns the water of the fastest jet, else of the first body of water.
 const Material* water_material(const Case& description) {
+  const auto speed = [&](const Jet& jet) { return fastest_water(jet, description.dimension); };
   const auto fastest =
       std::max_element(description.jets.begin(), description.jets.end(),
-                       [](const Jet& a, const Jet& b) { return a.speed < b.speed; });
+                       [&](const Jet& a, const Jet& b) { return speed(a) < speed(b); });
   if (fastest != description.jets.end()) return &material_of(description, fastest->material);
   for (const Body& body : description.bodies)
     if (body.role == Role::water) return &material_of(description, body.material);
@@ -117,9 +119,17 @@ void derive_reflection(DerivedNumbers& numbers, const Case& description) {
   if (std::isfinite(nearest)) numbers.reflection_time = 2.0 * nearest / numbers.longitudinal_speed;
 }
 
+// Returns the mean speed over the section of the fastest jet, which its front follows, m/s.
+double mean_speed(const DerivedNumbers& numbers, const Case& description) {
+  double fastest = 0.0;
+  for (const Jet& jet : description.jets) fastest = std::max(fastest, jet.speed);
+  return fastest > 0.0 ? fastest : numbers.jet_speed;
+}
+
 // Stress of the first contact of water with a solid, or of a solid with the same solid: the
 // impedances Z = rho c of both determine it.
-void derive_contact(DerivedNumbers& numbers, const Material& solid, const Material* water) {
+void derive_contact(DerivedNumbers& numbers, const Case& description, const Material& solid,
+                    const Material* water) {
   const double solid_impedance = solid.density * numbers.longitudinal_speed;
   const double other = water ? water->density * water->sound_speed : solid_impedance;
   numbers.contact_stress = numbers.jet_speed * solid_impedance * other / (solid_impedance + other);
@@ -127,7 +137,7 @@ void derive_contact(DerivedNumbers& numbers, const Material& solid, const Materi
   numbers.cauchy_number =
       water->density * numbers.jet_speed * numbers.jet_speed / solid.youngs_modulus;
   numbers.hydrodynamic_front_speed =
-      hydrodynamic_front_speed(numbers.jet_speed, solid.density, water->density);
+      hydrodynamic_front_speed(mean_speed(numbers, description), solid.density, water->density);
 }
 
 void derive_spacings(DerivedNumbers& numbers, const Case& description) {
@@ -149,18 +159,19 @@ void derive_spacings(DerivedNumbers& numbers, const Case& description) {
     numbers.solid_to_water_spacing = coarsest_solid / finest_water;
 }
 
-// Returns the share of a jet that is not beyond symmetry planes. The axis is in the planes that cut
-// the jet.
-double simulated_share(const Case& description, const Jet& jet) {
-  const double near = 1e-6 * jet.spacing;
-  double share = 1.0;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double below = jet.position[a] - description.domain.minimum[a];
-    const double above = description.domain.maximum[a] - jet.position[a];
-    if (description.symmetry.minimum[a]) share *= below > near ? 1.0 : below < -near ? 0.0 : 0.5;
-    if (description.symmetry.maximum[a]) share *= above > near ? 1.0 : above < -near ? 0.0 : 0.5;
+// What the jets add. Water enters at a constant rate until as much leaves.
+void derive_jet_water(DerivedNumbers& numbers, const Case& description) {
+  double most = 0.0, likely = 0.0, mean = 0.0;
+  for (const Jet& jet : description.jets) {
+    most += most_jet_water(description, jet, description.time.end);
+    const double held = most_jet_water(description, jet, numbers.likely_end);
+    const double emitted = emitted_water(description, jet, numbers.likely_end);
+    likely += held;
+    if (emitted > 0.0) mean += held * (1.0 - 0.5 * held / emitted);
   }
-  return share;
+  numbers.particles_expected = numbers.particles_initial + static_cast<std::size_t>(most);
+  numbers.particles_likely = numbers.particles_initial + static_cast<std::size_t>(likely);
+  numbers.particles_mean = static_cast<double>(numbers.particles_initial) + mean;
 }
 
 void derive_particles(DerivedNumbers& numbers, const Case& description) {
@@ -172,11 +183,7 @@ void derive_particles(DerivedNumbers& numbers, const Case& description) {
     numbers.particles_elastic += count;
     if (body.jitter > 0.0) numbers.particles_jittered += count;
   }
-  double added = 0.0;
-  for (const Jet& jet : description.jets)
-    added += simulated_share(description, jet) *
-             entering_particles(jet, description.dimension, longest_stay(description));
-  numbers.particles_expected = numbers.particles_initial + static_cast<std::size_t>(added);
+  derive_jet_water(numbers, description);
 }
 
 // Returns the number of particles of a square or cubic lattice within a radius in spacings.
@@ -235,7 +242,8 @@ double likely_end(const DerivedNumbers& numbers, const Case& description) {
                             ? description.workpiece->size[1] / std::cos(jet.angle) +
                                   numbers.hydrodynamic_front_speed * description.time.after_cut
                             : last;
-  return std::min(end, jet.standoff / jet.speed + passed / numbers.hydrodynamic_front_speed);
+  const double front = numbers.hydrodynamic_front_speed * jet.duty;
+  return std::min(end, jet.standoff / jet.speed + passed / front);
 }
 
 }  // namespace
@@ -256,16 +264,19 @@ DerivedNumbers derive(const Case& description) {
   const Material* water = water_material(description);
   if (solid) derive_solid(numbers, *solid);
   if (water) derive_water(numbers, *water);
-  if (solid) derive_contact(numbers, *solid, water);
+  if (solid) derive_contact(numbers, description, *solid, water);
   derive_reflection(numbers, description);
   derive_spacings(numbers, description);
   if (target) derive_resistance(numbers, description, *target);
+  numbers.likely_end = likely_end(numbers, description);
+  if (description.time.end > 0.0) numbers.likely_share = numbers.likely_end / description.time.end;
   derive_particles(numbers, description);
   numbers.time_step = estimated_step(description, numbers, {water, solid});
-  numbers.likely_end = likely_end(numbers, description);
   numbers.steps = std::ceil(numbers.likely_end / numbers.time_step);
   numbers.memory = estimate_memory(numbers, description);
-  numbers.regime = description.jets.empty() || !solid ? "no jet" : regime_of(numbers);
+  numbers.regime = description.jets.empty() ? "no jet"
+                   : !solid                 ? "nothing to cut"
+                                            : regime_of(numbers);
   return numbers;
 }
 

@@ -25,7 +25,7 @@ struct DerivedNumbers {
   // s, 2 L / c_p: time until the first wave returns from an edge of the solid beside the jet that
   // does not absorb; 0 if there is no such edge.
   double reflection_time = 0.0;
-  double jet_speed = 0.0;          // m/s, the fastest jet; else the fastest initial body speed
+  double jet_speed = 0.0;          // m/s, fastest water of a jet; else fastest initial body speed
   double water_sound_speed = 0.0;  // m/s, numerical
   double mach = 0.0;               // V / c of the water
   bool water_is_weakly_compressible = true;  // by its equation of state
@@ -44,12 +44,16 @@ struct DerivedNumbers {
   std::size_t particles_initial = 0;
   std::size_t particles_elastic = 0;   // of them, in solids
   std::size_t particles_jittered = 0;  // and of these, off the lattice
-  std::size_t particles_expected = 0;  // with everything the jets add until the end
+  std::size_t particles_expected = 0;  // most at one time, with water of jets
+  std::size_t particles_likely = 0;    // until the likely end
+  double particles_mean = 0.0;         // until then
   double time_step = 0.0;              // s, estimate from the acoustic limit
   double likely_end = 0.0;             // s, at most the end of the case
+  double likely_share = 1.0;           // of the time of the case until then
   double steps = 0.0;                  // until then
   double memory = 0.0;                 // bytes, estimate
-  std::string regime;  // "no jet", "elastic dimple", "crack-led", "erosion", "hydrodynamic"
+  // "no jet", "nothing to cut", "elastic dimple", "crack-led", "erosion", "hydrodynamic"
+  std::string regime;
 
   // Returns the metrics of these numbers that result.json contains.
   static const MetricList<DerivedNumbers>& metrics();

@@ -16,10 +16,12 @@ const MetricList<DerivedNumbers>& DerivedNumbers::metrics() {
        &D::cauchy_number},
       {"regime", "1", "regime",
        "Regime of the cut that the pressure of the jet, the resistance of the solid and the speeds "
-       "of waves suggest: `no jet`, `elastic dimple`, `crack-led`, `erosion` or `hydrodynamic`.",
+       "of waves suggest: `no jet`, `nothing to cut`, `elastic dimple`, `crack-led`, `erosion` or "
+       "`hydrodynamic`.",
        &D::regime},
       {"jet_speed", "m/s", "speed of the jet, V",
-       "Speed of the fastest jet or, without a jet, of the fastest body at the start.",
+       "Speed of the fastest water of a jet, on the axis of one with a profile, or, without a jet, "
+       "of the fastest body at the start.",
        &D::jet_speed},
       {"jet_resolution", "1", "particles across the jet",
        "Width of the jet over the spacing of its particles, for the coarsest jet.",

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/checked_case.hpp"
 #include "geometry/shapes.hpp"
 #include "input/units.hpp"
 #include "kernels/wendland_c2.hpp"
@@ -117,6 +118,33 @@ std::optional<CaseChange> draft_quality(const Case& description, const toml::tab
   return change;
 }
 
+std::optional<CaseChange> usual_end(const Case& description, const toml::table& written,
+                                    const std::string& file) {
+  if (!description.machine || !written["time"]["end"]) return {};
+  toml::table without = written;
+  without["time"].as_table()->erase("end");
+  std::ostringstream text;
+  text << without;
+  const auto usual = valid_case(text.str(), file);
+  if (!usual || !(usual->time.end < description.time.end)) return {};
+  const double end = usual->time.end;
+  CaseChange change;
+  const std::string value = fmt::format("{:.6g} s", end);
+  change.changes.insert("time", toml::table{{"end", value}});
+  change.lines.push_back(fmt::format("[time] end = \"{}\"", value));
+  return change;
+}
+
+std::optional<CaseChange> spacing_of_jet(const Case& description, const toml::table& written) {
+  if (!description.workpiece || !written["workpiece"]["spacing"]) return {};
+  const double spacing = description.jets.back().spacing;
+  if (!(description.workpiece->spacing < spacing * (1.0 - 1e-9))) return {};
+  CaseChange change;
+  change.changes.insert("workpiece", toml::table{{"spacing", metres(spacing)}});
+  change.lines.push_back(fmt::format("[workpiece] spacing = \"{}\"", metres(spacing)));
+  return change;
+}
+
 std::optional<CaseChange> double_spacing(const Case& description, const toml::table& written) {
   CaseChange change;
   for (const Jet& jet : description.jets) {
@@ -129,6 +157,11 @@ std::optional<CaseChange> double_spacing(const Case& description, const toml::ta
                entry && entry->contains("spacing")) {
       change_entry(change, "jet", jet.name, "spacing", toml::value<std::string>(spacing));
     }
+  }
+  if (description.workpiece && written["workpiece"]["spacing"]) {
+    const std::string spacing = metres(2.0 * description.workpiece->spacing);
+    change.changes.insert("workpiece", toml::table{{"spacing", spacing}});
+    change.lines.push_back(fmt::format("[workpiece] spacing = \"{}\"", spacing));
   }
   for (const Body& body : description.bodies) {
     const toml::table* entry = entry_of(written, "body", body.name);

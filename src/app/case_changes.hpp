@@ -20,6 +20,11 @@ struct CaseChange {
 
 // Each returns nothing where the change does not apply.
 std::optional<CaseChange> draft_quality(const Case& description, const toml::table& written);
+// The end that a machine gives the run where none is written.
+std::optional<CaseChange> usual_end(const Case& description, const toml::table& written,
+                                    const std::string& file);
+// The spacing of a workpiece that is finer than its jet.
+std::optional<CaseChange> spacing_of_jet(const Case& description, const toml::table& written);
 std::optional<CaseChange> double_spacing(const Case& description, const toml::table& written);
 std::optional<CaseChange> smaller_piece(const Case& description);
 std::optional<CaseChange> smaller_depth(const Case& description);

@@ -135,7 +135,11 @@ void CasePicture::add_jet(const Jet& jet) {
   const double length = std::hypot(along_x, along_y);
   if (!(length > 0.0)) return;
   const double c = along_x / length, s = along_y / length;
-  const double half = 0.5 * jet.width * plane_.scale, way = jet.standoff * length * plane_.scale;
+  Point beside{};  // at right angles to the water, in the plane of the drawing
+  beside[plane_.across] = -s;
+  beside[1] = -c;
+  const double wide = width_along(jet, beside, case_.dimension);
+  const double half = 0.5 * wide * plane_.scale, way = jet.standoff * length * plane_.scale;
   // Returns a rectangle along the jet, between two distances from its exit.
   const auto strip = [&](double from, double to, double half_width) {
     std::string path;

@@ -65,6 +65,14 @@ void print_speeds(const DerivedNumbers& numbers) {
   row("V / c_p", fmt::format("{:.4g}", numbers.speed_over_longitudinal));
 }
 
+// Returns what a jet gives while its water flows, and the mean over its pulses if it has any.
+std::string with_mean(double flowing, double share, const std::string& unit) {
+  const std::string text = readable(flowing, unit);
+  return share == 1.0 ? text
+                      : fmt::format("{} while water flows, {} in the mean", text,
+                                    readable(share * flowing, unit));
+}
+
 void print_machine(const Case& description) {
   if (!description.machine) return;
   const Machine& machine = *description.machine;
@@ -77,8 +85,10 @@ void print_machine(const Case& description) {
   row("speed of the jet", fmt::format("{:.4g} m/s", numbers.speed));
   row("contraction, jet over orifice", fmt::format("{:.4g}", numbers.contraction));
   row("width of the jet behind the orifice", readable(numbers.diameter, "m"));
-  row("flow rate", readable(6e4 * numbers.flow_rate, html::flow_rate_unit(description.dimension)));
-  row("power of the jet", readable(numbers.power, std::string("W") + per_depth));
+  const double share = machine.is_pulsed() ? machine.duty : 1.0;
+  row("flow rate",
+      with_mean(numbers.flow_rate * 6e4, share, html::flow_rate_unit(description.dimension)));
+  row("power of the jet", with_mean(numbers.power, share, std::string("W") + per_depth));
   row("hammer pressure, real water", readable(numbers.hammer_pressure, "Pa"));
   row("width at the workpiece (model)", readable(numbers.diameter_at_workpiece, "m"));
   row("share of water there (model)", fmt::format("{:.4g}", numbers.water_share_at_workpiece));
@@ -97,7 +107,9 @@ void print_loads(const DerivedNumbers& numbers) {
   fmt::print("\nLoads\n");
   if (numbers.stagnation_pressure > 0.0) {
     row("stagnation pressure, rho V^2 / 2", readable(numbers.stagnation_pressure, "Pa"));
-    row("hammer pressure, rho c V", readable(numbers.hammer_pressure_numerical, "Pa"));
+    row(numbers.water_is_weakly_compressible ? "hammer pressure, rho c V"
+                                             : "hammer pressure, rho (c + s V) V",
+        readable(numbers.hammer_pressure_numerical, "Pa"));
     row("hammer pressure, c = 1481 m/s", readable(numbers.hammer_pressure_real, "Pa"));
   }
   if (numbers.contact_stress > 0.0)
@@ -123,12 +135,20 @@ std::string simulated_time(const Case& description, const DerivedNumbers& number
              : end;
 }
 
+std::string particles_with_water(const Case& description, const DerivedNumbers& numbers) {
+  const std::string likely = fmt::format("{}", numbers.particles_likely);
+  return numbers.particles_likely < numbers.particles_expected
+             ? fmt::format("{}; at most {} at one time up to {}, which the memory is for", likely,
+                           numbers.particles_expected, readable(description.time.end, "s"))
+             : likely;
+}
+
 void print_cost(const Case& description, const DerivedNumbers& numbers, const Pace& pace) {
   const RunCost cost = run_cost(numbers, pace);
   fmt::print("\nCost\n");
   for (const auto& [name, particles] : particle_rows(description)) row(name, particles);
   row("initial particles", fmt::format("{}", numbers.particles_initial));
-  row("particles including jet water", fmt::format("{}", numbers.particles_expected));
+  row("particles including jet water", particles_with_water(description, numbers));
   row("simulated time", simulated_time(description, numbers));
   row("time step", readable(numbers.time_step / pace.step_factor, "s"));
   row("steps", fmt::format("{:.0f}", cost.steps));
@@ -168,8 +188,7 @@ Pace pace_of(const CheckOptions& options, const CostedCase& costed) {
 
 void print_numbers(const CheckedCase& checked) {
   const auto& [text, file, description, numbers, pace] = checked.costed;
-  fmt::print("{}: the case is valid{}.\n", file,
-             checked.is_refused ? ", but too large for a run (see Warnings)" : "");
+  fmt::print("{}: {}.\n", file, verdict_of(checked));
   fmt::print("{} ({}D; bodies: {}, jets: {})\n", description.title, description.dimension,
              description.bodies.size(), description.jets.size());
   print_machine(description);

@@ -48,6 +48,16 @@ CheckedCase checked_case(const std::string& text, const std::string& file) {
   return checked;
 }
 
+std::string verdict_of(const CheckedCase& checked) {
+  if (checked.is_refused)
+    return "a run refuses this case, which is too large (see Warnings); its keys are valid";
+  if (checked.costed.numbers.memory > checked.memory)
+    return "this machine has too little memory for a run of the case (see What to change); its "
+           "keys "
+           "are valid";
+  return "the case is valid";
+}
+
 std::optional<Case> valid_case(const std::string& text, const std::string& file) {
   try {
     return parse_case(text, file, quick_look);

@@ -25,6 +25,9 @@ struct CheckedCase {
 // valid.
 CheckedCase checked_case(const std::string& text, const std::string& file);
 
+// Returns whether a run accepts the case, in a clause.
+std::string verdict_of(const CheckedCase& checked);
+
 // Reads a case quickly; nothing where it is not valid.
 std::optional<Case> valid_case(const std::string& text, const std::string& file);
 

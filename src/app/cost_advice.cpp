@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <sstream>
 
@@ -37,15 +38,18 @@ Pace pace_of_changed(const CostedCase& costed, const Case& changed) {
   return pace;
 }
 
+std::string changed_text(const std::string& text, const CaseChange& change) {
+  const std::string base = change.to_plane ? as_text(as_plane_case(toml::parse(text))) : text;
+  return overlay(base, change.changes);
+}
+
 // Returns the case with the change; nothing if the reader refuses it, or it gains nothing.
 std::optional<Advice> advised(const CostedCase& costed, const CaseChange& change) {
   Advice advice;
   advice.lines = change.lines;
   advice.before = run_cost(costed.numbers, costed.pace);
   try {
-    const toml::table written = toml::parse(costed.text);
-    const std::string base = change.to_plane ? as_text(as_plane_case(written)) : costed.text;
-    advice.text = overlay(base, change.changes);
+    advice.text = changed_text(costed.text, change);
     const Case changed = parse_case(advice.text, costed.file, quick_look);
     advice.after = run_cost(derive(changed), pace_of_changed(costed, changed));
   } catch (const UserError&) {
@@ -63,7 +67,9 @@ std::vector<CaseChange> possible_changes(const CostedCase& costed) {
   const toml::table written = toml::parse(costed.text);
   std::vector<CaseChange> changes;
   for (const auto& change :
-       {draft_quality(costed.description, written), double_spacing(costed.description, written),
+       {draft_quality(costed.description, written),
+        usual_end(costed.description, written, costed.file),
+        spacing_of_jet(costed.description, written), double_spacing(costed.description, written),
         smaller_piece(costed.description), smaller_depth(costed.description),
         graded_spacing(costed.description), symmetry_planes(costed.description),
         plane_case(costed.description)})
@@ -99,6 +105,8 @@ std::optional<Advice> all_together(const CostedCase& costed) {
     all.text = step->text;
     all.after = step->after;
   };
+  apply(usual_end(current.description, toml::parse(current.text), current.file));
+  apply(spacing_of_jet(current.description, toml::parse(current.text)));
   apply(smaller_piece(current.description));
   apply(smaller_depth(current.description));
   apply(draft_quality(current.description, toml::parse(current.text)));
@@ -113,6 +121,40 @@ std::optional<Advice> all_together(const CostedCase& costed) {
   return all;
 }
 
+// A change alone, and what it gains.
+struct SingleAdvice {
+  CaseChange change;
+  Advice advice;
+};
+
+bool is_accepted(const std::string& text, const std::string& file) {
+  try {
+    parse_case(text, file, quick_look);
+    return true;
+  } catch (const UserError&) {
+    return false;
+  }
+}
+
+// Notes for each piece of advice those before it with which the reader does not accept it.
+void note_alternatives(const CostedCase& costed, std::vector<SingleAdvice>& list) {
+  for (std::size_t j = 1; j < list.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (!is_accepted(changed_text(list[i].advice.text, list[j].change), costed.file))
+        list[j].advice.instead_of.push_back(i);
+}
+
+// Returns the places of other advice in the list, in words: "the 1st and 3rd line".
+std::string places_text(const std::vector<std::size_t>& places) {
+  constexpr std::array endings{"st", "nd", "rd"};
+  std::vector<std::string> words;
+  for (const std::size_t place : places)
+    words.push_back(fmt::format("{}{}", place + 1, place < endings.size() ? endings[place] : "th"));
+  const std::string last = words.back();
+  words.pop_back();
+  return words.empty() ? last : fmt::format("{} and {}", fmt::join(words, ", "), last);
+}
+
 std::string times(double ratio, const char* more, const char* less) {
   return ratio >= 1.0 ? fmt::format("{:.3g} times {}", ratio, more)
                       : fmt::format("{:.3g} times {}", 1.0 / ratio, less);
@@ -121,19 +163,30 @@ std::string times(double ratio, const char* more, const char* less) {
 }  // namespace
 
 std::string Advice::sentence() const {
-  return fmt::format("{}  # {}, {}: {}, {}", fmt::join(lines, "; "),
-                     times(before.particles / after.particles, "fewer particles", "more particles"),
-                     times(before.seconds / after.seconds, "faster", "slower"),
-                     duration_text(after.seconds), readable(after.memory, "B"));
+  return fmt::format(
+      "{}  # {}, {}: {}, {}{}", fmt::join(lines, "; "),
+      times(before.particles / after.particles, "fewer particles", "more particles"),
+      times(before.seconds / after.seconds, "faster", "slower"), duration_text(after.seconds),
+      readable(after.memory, "B"),
+      instead_of.empty() ? "" : fmt::format("; instead of the {} line", places_text(instead_of)));
 }
 
 std::vector<Advice> cost_advice(const CostedCase& costed) {
+  std::vector<SingleAdvice> single;
+  for (CaseChange& change : possible_changes(costed))
+    if (auto advice = advised(costed, change))
+      single.push_back({std::move(change), std::move(*advice)});
+  std::sort(single.begin(), single.end(), [](const SingleAdvice& a, const SingleAdvice& b) {
+    return a.advice.after.seconds < b.advice.after.seconds;
+  });
+  note_alternatives(costed, single);
   std::vector<Advice> list;
-  for (const CaseChange& change : possible_changes(costed))
-    if (auto advice = advised(costed, change)) list.push_back(std::move(*advice));
-  std::sort(list.begin(), list.end(),
-            [](const Advice& a, const Advice& b) { return a.after.seconds < b.after.seconds; });
-  if (auto all = all_together(costed); all && list.size() > 1) list.push_back(std::move(*all));
+  for (SingleAdvice& each : single) list.push_back(std::move(each.advice));
+  const auto all = all_together(costed);
+  const bool is_new = all && std::none_of(list.begin(), list.end(), [&](const Advice& advice) {
+                        return advice.lines == all->lines;
+                      });
+  if (is_new && list.size() > 1) list.push_back(*all);
   return list;
 }
 

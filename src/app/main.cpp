@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -37,6 +38,21 @@ void suggest(const CLI::App& program) {
   }
 }
 
+// Names a command that the program does not have, and the nearest one that it has.
+void refuse_unknown_command(const CLI::App& program, int argc, char** argv) {
+  const std::string word = argc > 1 ? argv[1] : "-";
+  if (word.empty() || word.front() == '-') return;
+  std::vector<std::string> known;
+  for (const CLI::App* command : program.get_subcommands({})) known.push_back(command->get_name());
+  if (std::find(known.begin(), known.end(), word) != known.end()) return;
+  const std::string guess = closest(word, known);
+  throw UserError(
+      fmt::format("there is no command \"{}\". Allowed: {}. {}", word, fmt::join(known, ", "),
+                  guess.empty() ? std::string("Run kerf --help, which says what each does.")
+                                : fmt::format("Did you mean {} instead of {}?", guess, word)),
+      exit_usage);
+}
+
 // Names of files become part of JSON and of pages, which hold UTF-8 alone.
 void refuse_other_encodings(int argc, char** argv) {
   for (int n = 1; n < argc; ++n) try {
@@ -70,6 +86,7 @@ int run(CLI::App& program, int argc, char** argv) {
     refuse_small_limits();
     refuse_other_commands(argc, argv);
     refuse_other_encodings(argc, argv);
+    refuse_unknown_command(program, argc, argv);
     program.parse(argc, argv);
   } catch (const CLI::RuntimeError& error) {
     return error.get_exit_code();

@@ -26,10 +26,6 @@ constexpr double least_across_pilot = 2.0;  // particles across a jet
 constexpr double typical_row = 0.5;         // of the time of a step, for a row of series.csv
 constexpr double thread_efficiency = 0.95;  // docs/performance.md, of each thread after the first
 
-double mean_particles(const DerivedNumbers& numbers) {
-  return 0.5 * static_cast<double>(numbers.particles_initial + numbers.particles_expected);
-}
-
 // Returns the time of one step of one particle on one core, s (docs/performance.md).
 double typical_particle_step(const Case& description) {
   const bool plane = description.dimension == 2;
@@ -54,7 +50,7 @@ double most_particles(const Case& description) {
 // Returns the factor of the spacing at which a run makes as many steps of particles as the pilot
 // may take: they are as the power -(D + 1) of the spacing.
 double coarsening(const Case& description, const DerivedNumbers& numbers) {
-  const double particles = mean_particles(numbers);
+  const double particles = numbers.particles_mean;
   const double steps = longest_pilot / typical_particle_step(description);
   const double by_work =
       std::pow(particles * numbers.steps / steps, 1.0 / (description.dimension + 1));
@@ -194,10 +190,11 @@ std::string run_time_text(const RunCost& cost, const Pace& pace) {
 
 RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace) {
   RunCost cost;
-  cost.particles = mean_particles(numbers);
+  cost.particles = numbers.particles_mean;
   cost.steps = pace.step_factor * numbers.steps;
   cost.memory = numbers.memory;
-  cost.seconds = cost.particles * (pace.particle_step * cost.steps + pace.particle_row * pace.rows);
+  const double rows = pace.rows * numbers.likely_share;
+  cost.seconds = cost.particles * (pace.particle_step * cost.steps + pace.particle_row * rows);
   return cost;
 }
 

@@ -18,7 +18,7 @@ struct Case;
 struct Pace {
   double particle_step = 0.0;  // s, on all threads of the run
   double particle_row = 0.0;   // s, the same for a row of series.csv
-  double rows = 0.0;           // of the run
+  double rows = 0.0;           // until the end of the case
   double step_factor = 1.0;    // steps that are made over those of the estimate
   std::string source;          // how it was found
   // Of the time of cases with solids, what bonds and their fracture take (docs/performance.md).

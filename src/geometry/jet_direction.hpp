@@ -2,16 +2,19 @@
 // The direction of a jet in space, and of its nozzle.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "geometry/point_vectors.hpp"
 #include "model/body.hpp"
 #include "model/jet.hpp"
 
 namespace kerf {
 
 // Unit vectors along the flight of the water; at right angles to it in the plane of the jet and the
-// vertical, x for a jet straight down; and along the product of both, z for that jet.
+// vertical, x for a jet straight down; and along the product of both, z for that jet. Where the jet
+// states the direction of its slot, the third is that direction, and the second along its width.
 struct JetAxes {
   Point along, across, sideways;
 };
@@ -19,18 +22,31 @@ struct JetAxes {
 inline JetAxes axes_of(const Jet& jet) {
   const double sine = std::sin(jet.angle), cosine = std::cos(jet.angle);
   const double east = std::cos(jet.azimuth), south = std::sin(jet.azimuth);
-  return {{sine * east, -cosine, sine * south},
-          {cosine * east, sine, cosine * south},
-          {-south, 0.0, east}};
+  const Point along{sine * east, -cosine, sine * south};
+  if (jet.slot != Point{}) return {along, cross(jet.slot, along), jet.slot};
+  return {along, {cosine * east, sine, cosine * south}, {-south, 0.0, east}};
 }
 inline Point jet_direction(const Jet& jet) {
   return axes_of(jet).along;
 }
 
-// Returns whether the nozzle is a slot at an angle to the axes of the case, whose water is not its
-// own image in planes normal to them.
-inline bool is_turned_slot(const Jet& jet) {
-  return jet.length > 0.0 && std::abs(std::sin(2.0 * jet.azimuth)) > 1e-9;
+// Returns whether the nozzle is a slot at an angle to an axis of the case, whose water is not its
+// own image in planes normal to that axis.
+inline bool is_turned_slot(const Jet& jet, std::size_t axis) {
+  constexpr double rounding = 1e-9;
+  const JetAxes axes = axes_of(jet);
+  return jet.length > 0.0 && std::abs(axes.across[axis]) > rounding &&
+         std::abs(axes.sideways[axis]) > rounding;
+}
+
+// Returns the width (m) of the water of a jet along a unit vector through its axis.
+inline double width_along(const Jet& jet, const Point& direction, int dimension) {
+  const JetAxes axes = axes_of(jet);
+  const double across = std::abs(dot(direction, axes.across)) / jet.width;  // of the width, per m
+  if (dimension == 2) return 1.0 / across;
+  const double sideways = std::abs(dot(direction, axes.sideways));
+  if (jet.length > 0.0) return 1.0 / std::max(across, sideways / jet.length);
+  return 1.0 / std::hypot(across, sideways / jet.width);
 }
 
 // Returns the speed of the nozzle, m/s.

@@ -125,6 +125,14 @@ Jet coarsened(const Jet& jet, int dimension, double most) {
   return result;
 }
 
+double fastest_water(const Jet& jet, int dimension) {
+  constexpr double most_columns = 2000.0, any_density = 1.0;
+  if (jet.profile == Jet{}.profile) return jet.speed;
+  const double fastest =
+      Nozzle(coarsened(jet, dimension, most_columns), any_density, dimension).fastest();
+  return std::isfinite(fastest) ? std::max(fastest, jet.speed) : jet.speed;
+}
+
 double entering_particles(const Jet& jet, int dimension, double end) {
   const double open = std::max(0.0, std::min(jet.stop, end) - jet.start) * jet.duty;
   return jet.speed * nozzle_area(jet, dimension) * open / std::pow(jet.spacing, dimension);

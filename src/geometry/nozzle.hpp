@@ -31,6 +31,9 @@ struct InletParticle {
 double nozzle_area(const Jet& jet, int dimension);
 // Returns the approximate number of columns.
 double nozzle_columns(const Jet& jet, int dimension);
+// Returns the speed of the fastest water of a jet, m/s: the largest of its profile at its
+// particles.
+double fastest_water(const Jet& jet, int dimension);
 // Returns the jet with a spacing at which it has about `most` columns at most, and as many across,
 // even or odd, as before.
 Jet coarsened(const Jet& jet, int dimension, double most);

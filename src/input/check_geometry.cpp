@@ -9,9 +9,12 @@
 
 #include "geometry/fill.hpp"
 #include "geometry/nozzle.hpp"
+#include "geometry/particle_estimate.hpp"
 #include "geometry/shapes.hpp"
 #include "input/draft.hpp"
+#include "input/read.hpp"
 #include "input/units.hpp"
+#include "machine/jet_water.hpp"
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 
@@ -137,25 +140,44 @@ std::string key_of_spacing(const Draft& draft) {
 }
 
 // Refuses a body in which no particle fits. The spacing of a [workpiece] follows from its jet.
+// Returns where the spacing of bodies that state none comes from: the width of the jet of a
+// machine, which a long standoff widens.
+std::string reason_of_spacing(const Draft& draft, const std::string& key) {
+  std::string reason = fmt::format(": it is that of the jet, which is {} wide at the workpiece",
+                                   show_quantity(draft.jets.back().jet.width, "m"));
+  if (key == "machine.standoff")
+    reason += fmt::format(" after a standoff of {}, of which it keeps together for {}",
+                          show_quantity(draft.result.machine->standoff, "m"),
+                          show_quantity(draft.result.machine->coherent_length, "m"));
+  return reason;
+}
+
+void add_no_particle_of_body(Draft& draft, std::size_t number) {
+  const Body& body = draft.result.bodies[number];
+  const std::string spacing = show_quantity(body.spacing, "m");
+  const std::string cause = draft.result.machine ? key_of_spacing(draft) : std::string();
+  const bool is_of_machine = cause.starts_with("machine.") && !cause.ends_with(".spacing") &&
+                             !draft.reading.problems.is_written(body_key(draft, number, "spacing"));
+  draft.reading.problems.add(
+      {is_of_machine ? cause : body_key(draft, number, "shape"),
+       is_of_machine
+           ? fmt::format("no particle of the body \"{}\" fits into it at the spacing of {}{}",
+                         body.name, spacing, reason_of_spacing(draft, cause))
+           : fmt::format("no particle of the body \"{}\" fits into it", body.name),
+       fmt::format("a shape that contains a lattice point at {}", spacing),
+       is_of_machine ? "Correct this length or its unit, or give the body a spacing"
+                     : "Choose a smaller spacing or correct the shape"});
+}
+
 void add_no_particle(Draft& draft, std::size_t number) {
   const Body& body = draft.result.bodies[number];
   const std::string spacing = show_quantity(body.spacing, "m");
-  if (draft.bodies[number].path != "workpiece") {
-    draft.reading.problems.add(
-        {body_key(draft, number, "shape"),
-         fmt::format("no particle of the body \"{}\" fits into it", body.name),
-         fmt::format("a shape that contains a lattice point at {}", spacing),
-         "Choose a smaller spacing or correct the shape"});
-    return;
-  }
+  if (draft.bodies[number].path != "workpiece") return add_no_particle_of_body(draft, number);
   const std::string wide = fmt::format("a spacing of less than {}, which fits into the workpiece",
                                        show_quantity(draft.workpiece.setting.size[1], "m"));
   const std::string key = key_of_spacing(draft);
   const bool is_written = key.ends_with(".spacing");
-  const std::string reason =
-      is_written ? ""
-                 : fmt::format(": it is that of the jet, which is {} wide at the workpiece",
-                               show_quantity(draft.jets.back().jet.width, "m"));
+  const std::string reason = is_written ? "" : reason_of_spacing(draft, key);
   draft.reading.problems.add(
       {key,
        fmt::format("no particle fits into the workpiece at the spacing of {}{}", spacing, reason),
@@ -186,24 +208,41 @@ std::string key_of_count(const Draft& draft, std::size_t number) {
 
 }  // namespace
 
+namespace {
+
+// Returns the number of particles of a body: of one whose lattice has too many nodes, about those
+// that its grading and the symmetry planes leave.
+double counted_particles(const Case& result, const Body& body, double most) {
+  const double nodes = lattice_nodes(body, result.dimension);
+  if (nodes <= most || nodes > quick_look.most_particles) return nodes;
+  return estimate_particles(body, result.dimension, {result.symmetry, result.domain}).total();
+}
+
+constexpr const char* coarser_body = "Choose a larger spacing or a smaller shape";
+constexpr const char* coarser_jet =
+    "Choose a larger spacing, a smaller [domain] or an earlier end of the [time]";
+
+}  // namespace
+
 void check_counts(Draft& draft) {
   const Case& result = draft.result;
   const double most = draft.effort.most_particles;
   const std::string allowed = fmt::format("at most {:g} particles", ReadEffort{}.most_particles);
   double total = 0.0;
-  const auto count = [&](const std::string& path, double particles) {
+  const auto count = [&](const std::string& path, double particles, const char* remedy) {
     total += particles;
     if (total <= most) return;
-    draft.reading.problems.add({path, fmt::format("this makes {:.3g} particles", particles),
-                                allowed, "Choose a larger spacing or a smaller shape"});
+    draft.reading.problems.add(
+        {path, fmt::format("this makes {:.3g} particles", particles), allowed, remedy});
     total = 0.0;
   };
   for (std::size_t i = 0; i < result.bodies.size(); ++i)
-    count(key_of_count(draft, i), lattice_nodes(result.bodies[i], result.dimension));
+    count(key_of_count(draft, i), counted_particles(result, result.bodies[i], most), coarser_body);
   for (std::size_t i = 0; i < result.jets.size(); ++i)
     count(draft.jets[i].path + ".spacing",
-          entering_particles(result.jets[i], result.dimension, longest_stay(result)) +
-              10.0 * nozzle_columns(result.jets[i], result.dimension));
+          most_jet_water(result, result.jets[i], result.time.end) +
+              10.0 * nozzle_columns(result.jets[i], result.dimension),
+          coarser_jet);
 }
 
 void check_bodies(Draft& draft) {

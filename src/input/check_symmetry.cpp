@@ -148,7 +148,7 @@ void check_jet_on(Draft& draft, const Plane& plane, std::size_t number) {
   if (!on_plane && !(beyond && inside)) return;
   const bool centred = std::abs(plane.depth(nozzle.exit())) < 1e-6 * jet.spacing &&
                        std::abs(nozzle.direction()[plane.axis]) < 1e-9 &&
-                       jet.traverse[plane.axis] == 0.0 && !is_turned_slot(jet);
+                       jet.traverse[plane.axis] == 0.0 && !is_turned_slot(jet, plane.axis);
   const std::string& path = draft.jets[number].path;
   if (!centred)
     draft.reading.problems.add(

@@ -165,9 +165,9 @@ void finish(Draft& draft) {
   resolve_materials(draft);
   check_names(draft);
   find_axes(draft);
+  find_domain(draft);
   check_counts(draft);
   draft.reading.problems.throw_if_any();
-  find_domain(draft);
   const double speed = characteristic_speed(draft.result);
   check_speed(draft, speed);
   find_equations_of_state(draft, speed);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/fill.hpp"
+#include "geometry/nozzle.hpp"
 #include "geometry/shapes.hpp"
 #include "model/case.hpp"
 #include "model/expression.hpp"
@@ -68,7 +69,8 @@ double fastest_motion(const Body& body, double end) {
 
 double fastest_jet(const Case& description) {
   double fastest = 0.0;
-  for (const Jet& jet : description.jets) fastest = std::max(fastest, jet.speed);
+  for (const Jet& jet : description.jets)
+    fastest = std::max(fastest, fastest_water(jet, description.dimension));
   return fastest;
 }
 

@@ -16,7 +16,9 @@ inline constexpr double fast_water = 150.0;
 // (docs/theory/water_equation_of_state.md).
 inline constexpr double fastest_compared_water = 900.0;
 
-double fastest_jet(const Case& description);  // 0 without a jet
+// Returns the speed of the fastest water of all jets, on the axis of one with a profile; 0 without
+// a jet.
+double fastest_jet(const Case& description);
 // Returns the largest initial or prescribed speed of the bodies, sampled at particles and times.
 double fastest_body(const Case& description);
 // Returns sqrt(2 g H) with H the height of the water along gravity; 0 without water or gravity.

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "geometry/jet_direction.hpp"
+#include "geometry/point_vectors.hpp"
 #include "machine/characteristic_speed.hpp"
 #include "machine/contraction.hpp"
 #include "machine/jet_breakup.hpp"
@@ -52,6 +54,21 @@ void aim(const Machine& machine, int dimension, Jet& jet) {
   }
   jet.angle = std::atan(std::hypot(x, z));
   jet.azimuth = jet.angle > 0.0 ? std::atan2(z, x) : 0.0;
+}
+
+// Lays the long side of a sheet at right angles to the traverse and to the jet.
+void lay_sheet(const Machine& machine, Jet& jet) {
+  jet.length = sheet_length(machine);
+  const Point aside = cross(jet_direction(jet), machine.traverse_direction);
+  const double sine = std::sqrt(dot(aside, aside));
+  for (std::size_t a = 0; a < 3; ++a) jet.slot[a] = aside[a] / sine;
+}
+
+// Returns the flight that is simulated, m; the lower end of a sheet that is tilted has as much of
+// it as the middle of an upright one.
+double flight_of(const Machine& machine, const Jet& jet) {
+  const double lowered = 0.5 * jet.length * std::abs(jet.slot[1]) / std::cos(jet.angle);
+  return std::min(machine.standoff, simulated_flight * jet.width + lowered);
 }
 
 JetAtWorkpiece arriving_jet(const Machine& machine, const MachineNumbers& numbers, int dimension) {
@@ -103,10 +120,10 @@ Jet machine_jet(const Machine& machine, const Material& water, int dimension) {
   jet.material = machine.material;
   jet.speed = numbers.speed;
   jet.width = numbers.diameter_at_workpiece;
-  if (dimension == 3 && is_flat(machine)) jet.length = sheet_length(machine);
   jet.position = machine.position;
-  jet.standoff = std::min(machine.standoff, simulated_flight * jet.width);
   aim(machine, dimension, jet);
+  if (dimension == 3 && is_flat(machine)) lay_sheet(machine, jet);
+  jet.standoff = flight_of(machine, jet);
   jet.spacing = machine.spacing;
   jet.stop = std::numeric_limits<double>::infinity();
   if (machine.motion != NozzleMotion::standing)

@@ -9,6 +9,7 @@
 #include "geometry/graded_cells.hpp"
 #include "geometry/jet_direction.hpp"
 #include "geometry/particle_estimate.hpp"
+#include "geometry/point_vectors.hpp"
 #include "machine/travelling_frame.hpp"
 #include "model/body.hpp"
 #include "model/case.hpp"
@@ -77,10 +78,10 @@ Box part_around(const PieceRequest& request) {
   return part;
 }
 
-// Whether the water of a nozzle is symmetric about planes through its axis: it has no middle
-// column, and a slot is along an axis.
-bool is_symmetric(const Jet& jet, double extent) {
-  return !is_turned_slot(jet) && std::lround(extent / jet.spacing) % 2 == 0;
+// Whether the water of a nozzle is symmetric about the plane through its axis that is normal to an
+// axis of the case: it has no middle column there, and a slot is along or across it.
+bool is_symmetric(const Jet& jet, std::size_t axis, double extent) {
+  return !is_turned_slot(jet, axis) && std::lround(extent / jet.spacing) % 2 == 0;
 }
 
 // Returns the planes through the axis of the jet about which the part and the jet are symmetric,
@@ -90,7 +91,7 @@ Faces cut_at_planes(const PieceRequest& request, Box& part) {
   const Point lean = lean_of(request.jet), extent = jet_extent(request.jet, request.dimension);
   for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
     if (a == 2 && request.dimension == 2) continue;
-    if (!is_symmetric(request.jet, extent[a])) continue;
+    if (!is_symmetric(request.jet, a, extent[a])) continue;
     const double at = request.jet.position[a];
     const bool is_middle = std::abs(part.minimum[a] + part.maximum[a] - 2.0 * at) <
                            1e-9 * (part.maximum[a] - part.minimum[a]);
@@ -204,22 +205,26 @@ double passage_time(const Jet& jet, double thickness) {
 }
 
 Point jet_extent(const Jet& jet, int dimension) {
-  const double width = jet.width / std::cos(jet.angle);
-  if (dimension == 2) return {width, 0.0, 0.0};
-  const double length = jet.length > 0.0 ? jet.length : jet.width;
-  const double c = std::abs(std::cos(jet.azimuth)), s = std::abs(std::sin(jet.azimuth));
-  return {c * width + s * length, 0.0, s * width + c * length};
+  const JetAxes axes = axes_of(jet);
+  // Returns a vector of the section, of a length, carried along the water into the surface.
+  const auto on_surface = [&](const Point& unit, double length) {
+    Point vector = sum(unit, -unit[1] / axes.along[1], axes.along);
+    for (double& component : vector) component *= length;
+    return vector;
+  };
+  const bool is_slot = jet.length > 0.0;
+  const Point wide = on_surface(axes.across, jet.width);
+  if (dimension == 2) return {std::abs(wide[0]), 0.0, 0.0};
+  const Point aside = on_surface(axes.sideways, is_slot ? jet.length : jet.width);
+  Point extent{};
+  for (const std::size_t a : {std::size_t{0}, std::size_t{2}})
+    extent[a] = is_slot ? std::abs(wide[a]) + std::abs(aside[a]) : std::hypot(wide[a], aside[a]);
+  return extent;
 }
 
 double exposure_time(const Machine& machine, const Jet& jet, int dimension) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (machine.traverse_speed == 0.0) return infinity;
-  const Point extent = jet_extent(jet, dimension);
-  double chord = infinity;  // of the extent, along the traverse
-  for (const std::size_t a : {std::size_t{0}, std::size_t{2}})
-    if (machine.traverse_direction[a] != 0.0)
-      chord = std::min(chord, extent[a] / std::abs(machine.traverse_direction[a]));
-  return chord / machine.traverse_speed;
+  if (machine.traverse_speed == 0.0) return std::numeric_limits<double>::infinity();
+  return width_along(jet, machine.traverse_direction, dimension) / machine.traverse_speed;
 }
 
 double longest_stay(const Case& description) {
@@ -247,7 +252,8 @@ Box domain_around(const PieceRequest& request, const Box& part, const Faces& pla
     if (!planes.minimum[a]) domain.minimum[a] -= margin;
     domain.maximum[a] += margin;
   }
-  domain.maximum[1] += request.jet.standoff * std::cos(request.jet.angle);
+  domain.maximum[1] += request.jet.standoff * std::cos(request.jet.angle) +
+                       0.5 * request.jet.length * std::abs(request.jet.slot[1]);
   domain.minimum[1] -= margin;
   const bool is_whole = !(request.depth < request.size[1] * (1.0 - 1e-9));
   if (is_whole) domain.minimum[1] -= room_below * request.depth;

@@ -24,7 +24,8 @@ struct Jet {
   int material = -1;      // index into Case::materials, a water
   double speed = 0.0;     // m/s, mean over the section
   double width = 0.0;     // m, of a slot; diameter where the nozzle is round
-  double length = 0.0;    // m, 3D: of a slot, at right angles to `across` of JetAxis; 0 = round
+  double length = 0.0;    // m, 3D: of a slot, along `sideways` of JetAxes; 0 = round
+  Point slot{};           // unit, at right angles to the jet: that direction; 0 = by the azimuth
   Point position{};       // m, the point on the workpiece that the axis aims at
   double standoff = 0.0;  // m
   double angle = 0.0;     // rad, 0 = straight down

@@ -85,7 +85,7 @@ std::string motion_sentence(const Case& description) {
   const Jet& jet = description.jets.back();
   const std::string rest = fmt::format(
       "The nozzle stands still in the run, in which it would move by {:.2g} widths of its jet",
-      machine.traverse_speed * description.time.end / jet.width);
+      description.time.end / exposure_time(machine, jet, description.dimension));
   if (machine.is_pulsed())
     return fmt::format(
         "{}. The pauses of its jet leave gaps on the path of one that moves: no depth is carried "

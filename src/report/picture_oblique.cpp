@@ -5,6 +5,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "geometry/point_vectors.hpp"
 #include "report/picture_panels.hpp"
 
 namespace kerf {
@@ -15,10 +16,6 @@ constexpr double turn = 28.0 * degree;  // rotation of the view about the vertic
 constexpr double rise = 24.0 * degree;  // elevation of the view above the horizontal
 // Discs are drawn larger than the spacing by this factor, which closes gaps of an oblique lattice.
 constexpr double overlap = 1.12;
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 Colour mixed(Colour a, Colour b, double share) {
   return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),

@@ -54,6 +54,11 @@ TEST(RefuseProgram, MisspelledArgumentsAreGuessed) {
   const Outcome command = run("chek", true);
   EXPECT_EQ(command.code, 2);
   EXPECT_NE(command.output.find("Did you mean check instead of chek?"), std::string::npos);
+  const Outcome far = run("conditions", true);  // like no command
+  EXPECT_EQ(far.code, 2);
+  EXPECT_NE(far.output.find("no command \"conditions\". Allowed: new, check, run"),
+            std::string::npos)
+      << far.output;
   const Outcome option = run("run --treads 2 my.toml", true);
   EXPECT_EQ(option.code, 2);
   EXPECT_NE(option.output.find("Did you mean --threads instead of --treads?"), std::string::npos);

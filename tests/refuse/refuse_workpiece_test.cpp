@@ -75,6 +75,28 @@ TEST(RefuseWorkpiece, ASpacingIntoWhichItDoesNotFit) {
                allowed, "Lower it"});
 }
 
+// The spacing of a body that states none follows from the jet too.
+TEST(RefuseWorkpiece, ABodyIntoWhichTheSpacingOfTheJetDoesNotFit) {
+  const auto with = [](const std::string& standoff, const std::string& spacing) {
+    return message_of(
+        "title = \"far\"\ndimension = 2\n[machine]\npressure = \"50 kPa\"\n"
+        "orifice_diameter = \"2 mm\"\nstandoff = \"" +
+        standoff +
+        "\"\nposition = [\"0 mm\", \"0 mm\"]\n[[body]]\nname = \"gel\"\nmaterial = \"tofu\"\n" +
+        spacing +
+        "shape = { type = \"box\", minimum = [\"-10 mm\", \"-6 mm\"], maximum = [\"10 mm\", "
+        "\"0 mm\"] }\n");
+  };
+  EXPECT_EQ(with("6 mm", ""), "(no error)");
+  expect_only(with("90 m", ""),
+              {"bad.toml:6: machine.standoff = \"90 m\": no particle of the body \"gel\" fits into "
+               "it at the spacing of",
+               "that of the jet, which is", "after a standoff of 90 m", "Correct this length"});
+  expect_only(
+      with("90 m", "spacing = \"50 mm\"\n"),
+      {"bad.toml:12: body[1].shape", "no particle of the body \"gel\" fits into it. Allowed"});
+}
+
 // The grading and the shape of a workpiece are keys of its table.
 TEST(RefuseWorkpiece, ByItsOwnKeys) {
   std::string text = workpiece_case(2, "tofu", "");
