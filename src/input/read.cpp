@@ -17,6 +17,18 @@ namespace {
 
 constexpr std::uintmax_t largest_file = 64u << 20;  // bytes
 
+// Refuses a file that describes a study of a case.
+void refuse_study(Reading& reading, const toml::table& table, std::string_view file_name) {
+  if (table.contains("dimension")) return;
+  for (const char* key : {"vary", "search", "calibrate", "base"})
+    if (const toml::node* node = table.get(key)) {
+      reading.problems.mention(key, static_cast<int>(node->source().begin.line), "");
+      reading.problems.add({key, "this is a study, which varies a case, and not a case", "a case",
+                            fmt::format("Use \"kerf study {}\"", file_name)});
+      reading.problems.throw_if_any();
+    }
+}
+
 // Reads the dimension first, because the reading of all other keys depends on it.
 int read_dimension(Reading& reading, const toml::table& table) {
   Section section(reading, table, "", "");
@@ -65,6 +77,7 @@ Case parse_case(std::string_view text, std::string_view file_name, const ReadEff
               false,
               Quality::normal,
               effort};
+  refuse_study(draft.reading, table, file_name);
   draft.reading.dimension = read_dimension(draft.reading, table);
   read_top(draft, table);
   finish(draft);

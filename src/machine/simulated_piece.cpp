@@ -21,6 +21,7 @@ namespace {
 
 constexpr int graded_levels = 2;
 constexpr double graded_width = 2.0;  // jet widths
+constexpr double nozzle_rows = 5.0;   // spacings: the 4 rows of water at the nozzle, and one more
 
 // Returns the shift of the axis of the jet along x and z per depth.
 Point lean_of(const Jet& jet) {
@@ -35,6 +36,17 @@ bool travels(const PieceRequest& request) {
 // In the plane of a cut no distance across the path of the nozzle exists.
 int levels_of(const PieceRequest& request) {
   return request.levels.value_or(travels(request) && request.dimension == 2 ? 0 : graded_levels);
+}
+
+// Returns the width of the finest part, m: at least a coarsest cell, which is wider than a thin jet
+// of a spacing that does not follow it.
+double grading_width_of(const PieceRequest& request, int levels) {
+  return std::max(graded_width * request.jet.width, request.spacing * (1 << levels));
+}
+
+// Returns the room between the nozzle and the edge of the domain, m, which holds its rows of water.
+double margin_of(const Jet& jet) {
+  return std::max(domain_margin * jet.width, nozzle_rows * jet.spacing);
 }
 
 // Returns how far the nozzle moves in the run, m; 0 where the frame travels with it.
@@ -127,7 +139,7 @@ void hold_nozzle(const PieceRequest& request, const Faces& planes, Box& domain) 
     if (a == 2 && request.dimension == 2) continue;
     const double start = jet.position[a] - lean[a] * jet.standoff * std::cos(jet.angle);
     const double end = speed > 0.0 ? start + way_of(request) * jet.traverse[a] / speed : start;
-    const double room = extent[a] + domain_margin * jet.width;
+    const double room = extent[a] + margin_of(jet);
     if (!planes.minimum[a])
       domain.minimum[a] = std::min(domain.minimum[a], std::min(start, end) - room);
     domain.maximum[a] = std::max(domain.maximum[a], std::max(start, end) + room);
@@ -141,7 +153,7 @@ double particles_of(const PieceRequest& request, const Box& part, int levels) {
   body.spacing = request.spacing;
   if (levels > 0) {
     body.grading.levels = levels;
-    body.grading.width = graded_width * request.jet.width;
+    body.grading.width = grading_width_of(request, levels);
     const double way = travels(request) ? std::numeric_limits<double>::infinity() : way_of(request);
     body.grading.lines = lines_along(request.jet, way);
   }
@@ -246,7 +258,7 @@ bool stands_for_traverse(const Case& description) {
 }
 
 Box domain_around(const PieceRequest& request, const Box& part, const Faces& planes) {
-  const double margin = domain_margin * request.jet.width;
+  const double margin = margin_of(request.jet);
   Box domain = part;
   for (std::size_t a = 0; a < static_cast<std::size_t>(request.dimension); ++a) {
     if (!planes.minimum[a]) domain.minimum[a] -= margin;
@@ -267,7 +279,7 @@ SimulatedPiece simulated_piece(const PieceRequest& request) {
   workpiece.size = request.size;
   workpiece.depth = request.depth;
   workpiece.spacing = request.spacing;
-  workpiece.grading_width = graded_width * request.jet.width;
+  workpiece.grading_width = grading_width_of(request, levels_of(request));
   workpiece.frame = request.frame;
   workpiece.part = part_around(request);
   if (travels(request)) {

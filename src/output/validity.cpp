@@ -15,6 +15,7 @@
 #include "output/result.hpp"
 #include "output/solid_flags.hpp"
 #include "output/tension_flag.hpp"
+#include "output/verdict_parts.hpp"
 
 namespace kerf {
 namespace {
@@ -246,6 +247,8 @@ const MetricList<ValidityFlag>& ValidityFlag::metrics() {
 std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
   const DerivedNumbers& derived = outcome.derived;
   std::vector<ValidityFlag> flags;
+  if (!outcome.description.jets.empty() && !has_touched(outcome))
+    flags.push_back({"not_reached", State::warning, {}, {}, untouched_sentence(outcome)});
   if (outcome.still_cutting)
     flags.push_back({"still_cutting", State::warning, {}, {}, still_cutting_sentence(outcome)});
   add_of_jet(outcome, flags);

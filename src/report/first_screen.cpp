@@ -84,10 +84,12 @@ std::string body_list(const std::vector<BodyFate>& fates) {
   return text + "</ul>\n";
 }
 
-// "50 mm/s (3000 mm/min)", as machines are set.
+// "50 mm/s (3000 mm/min)", as machines are set, and "25 m/s (1500 m/min)".
 std::string feed_html(double feed) {
-  return fmt::format("{} ({}\u202fmm/min)", html::quantity(feed, "m/s", 3),
-                     html::number(6e4 * feed, 3));
+  constexpr double slow = 1.0;  // m/s; faster ones would have five digits and more in mm/min
+  const bool is_slow = feed < slow;
+  return fmt::format("{} ({}\u202f{})", html::quantity(feed, "m/s", 3),
+                     html::number((is_slow ? 6e4 : 60.0) * feed, 3), is_slow ? "mm/min" : "m/min");
 }
 
 std::string feed_answer(const Json& result) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/version.hpp"
 #include "study/answer_parts.hpp"
 #include "study/bisection.hpp"
 #include "study/feed_by_exposure.hpp"
@@ -17,10 +16,6 @@
 namespace kerf {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr int limit_format = 1;
 
 const ThresholdGoal& goal_of(const LimitPlan& plan) {
   return *plan.study.threshold;
@@ -101,10 +96,14 @@ std::string without_limit(const LimitPlan& plan, bool holds) {
 }
 
 std::string stated_note(const LimitPlan& plan, const ThresholdAnswer& found) {
-  const double off = plan.stated / found.value() - 1.0;
+  constexpr double many = 10.0;
+  const double ratio = plan.stated / found.value(), off = ratio - 1.0;
   const bool is_open = plan.stated > found.stated.low && plan.stated < found.stated.high;
-  return fmt::format("The stated {} is {:.3g}% {} the limit{}.", shown(plan, plan.stated),
-                     100.0 * std::abs(off), off < 0.0 ? "below" : "above",
+  const std::string place =
+      ratio < many ? fmt::format("{:.3g}% {} the limit", 100.0 * std::abs(off),
+                                 off < 0.0 ? "below" : "above")
+                   : fmt::format("{:.{}f} times the limit", ratio, ratio < 10.0 * many ? 1 : 0);
+  return fmt::format("The stated {} is {}{}.", shown(plan, plan.stated), place,
                      is_open ? ", within its interval: whether it cuts is uncertain" : "");
 }
 
@@ -137,32 +136,6 @@ std::vector<std::string> cause_notes(const LimitPlan& plan, const ThresholdAnswe
   return notes;
 }
 
-Json number_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json trial_json(const LimitPlan& plan, const RunRow& row) {
-  const Condition& condition = goal_of(plan).condition;
-  const bool is_done = row.state == RunState::done;
-  Json json{{"value", value_of_trial(plan, row)},
-            {"layout", row.trial.repeat},
-            {"refinement", row.trial.refinement},
-            {"spacing", row.spacing},
-            {"state", run_state_words[static_cast<std::size_t>(row.state)]}};
-  json["holds"] = is_done ? Json(condition.holds(row.metrics)) : Json(nullptr);
-  json["margin"] = is_done ? number_or_null(condition.margin(row.metrics)) : Json(nullptr);
-  for (const auto& [key, name] : {std::pair{"cut_through", "cut_through"},
-                                  {"cut_through_time", "cut_through_time"},
-                                  {"depth", "kerf.depth"},
-                                  {"width", "kerf.middle.width"},
-                                  {"end_time", "end_time"}})
-    json[key] = number_or_null(metric_of(row, name));
-  const std::string report = report_of(row);
-  json["report"] = report.empty() ? Json(nullptr) : Json(report);
-  json["error"] = row.error;
-  return json;
-}
-
 }  // namespace
 
 LimitCauses causes_of(const ThresholdAnswer& answer) {
@@ -181,7 +154,7 @@ std::optional<Bracket> bracket_of(const LimitPlan& plan, const std::vector<RunRo
   std::map<double, bool> verdicts;
   for (const RunRow& row : runs)
     if (row.state == RunState::done && row.trial.repeat == of.repeat &&
-        row.trial.refinement == of.refinement)
+        row.trial.refinement == of.refinement && !is_not_reached(row.metrics))
       verdicts[value_of_trial(plan, row)] = goal_of(plan).is_beyond(row.metrics);
   const auto [low, high] = decided_ends(verdicts);
   if (!low || !high) return std::nullopt;
@@ -220,14 +193,18 @@ LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer) {
     for (std::string& note : cause_notes(plan, found)) words.notes.push_back(std::move(note));
   }
   for (const std::string& sentence : plan.held) words.notes.push_back(sentence);
-  const std::string short_way = short_way_sentence(plan, answer.runs);
-  if (!short_way.empty()) words.notes.push_back(short_way);
+  for (const auto& doubt_of : {undecided_sentence, short_way_sentence, thin_jet_sentence}) {
+    const std::string doubt = doubt_of(plan, answer.runs);
+    if (!doubt.empty()) words.notes.push_back(doubt);
+  }
   return words;
 }
 
 std::string trial_verdict(const LimitPlan& plan, const RunRow& row) {
   if (row.state != RunState::done)
     return std::string(run_state_words[static_cast<std::size_t>(row.state)]);
+  if (is_not_reached(row.metrics)) return "not reached";
+  if (is_undecided(plan, row)) return "undecided";
   const bool holds = goal_of(plan).condition.holds(row.metrics);
   if (is_cut(plan) && !holds && may_cut(row.metrics)) return "may cut";
   const double* through = find_number(row, "cut_through");
@@ -241,7 +218,7 @@ std::string trial_verdict(const LimitPlan& plan, const RunRow& row) {
 std::string margin_text(const LimitPlan& plan, const RunRow& row) {
   const double* feed = find_number(row, std::string(certain_feed));
   const bool tells_none = trial_verdict(plan, row) == "may cut" && (!feed || *feed == 0.0);
-  if (row.state != RunState::done || tells_none) return "-";
+  if (row.state != RunState::done || tells_none || is_not_reached(row.metrics)) return "-";
   return fmt::format("{:+.1f}%", 100.0 * goal_of(plan).condition.margin(row.metrics));
 }
 
@@ -257,38 +234,6 @@ std::string trial_line(const LimitPlan& plan, std::size_t number, const RunRow& 
                      trial_verdict(plan, row), margin_text(plan, row),
                      std::isfinite(depth) ? fmt::format("{:.4g}", depth) : "-", 1e3 * row.spacing,
                      row.trial.repeat);
-}
-
-nlohmann::ordered_json limit_json(const LimitPlan& plan, const LimitAnswer& answer) {
-  const Axis& axis = goal_of(plan).axis;
-  Json json{{"format", limit_format},
-            {"title", plan.study.title},
-            {"case", plan.study.base_name},
-            {"version", program_version},
-            {"quantity", plan.quantity},
-            {"stated", plan.stated},
-            {"range", {{"low", axis.values.front()}, {"high", axis.values.back()}}},
-            {"shown_unit", axis.shown_unit},
-            {"shown_factor", axis.shown_factor()}};
-  const LimitWords words = describe_limit(plan, answer);
-  json["question"] = words.question;
-  json["finding"] = words.finding;
-  json["notes"] = words.notes;
-  if (answer.threshold) {
-    StudyAnswers answers;
-    answers.threshold = answer.threshold;
-    json.update(describe_answers(plan.study, answers).front().members);
-    json["holds_everywhere"] =
-        answer.threshold->holds_everywhere ? Json(*answer.threshold->holds_everywhere) : Json();
-    const LimitCauses causes = causes_of(*answer.threshold);
-    json["causes"] = {{"bracket", causes.bracket},
-                      {"layout", causes.layout ? Json(*causes.layout) : Json()},
-                      {"spacing", causes.spacing ? Json(*causes.spacing) : Json()},
-                      {"material", nullptr}};
-  }
-  json["trials"] = Json::array();
-  for (const RunRow& row : answer.runs) json["trials"].push_back(trial_json(plan, row));
-  return json;
 }
 
 }  // namespace kerf

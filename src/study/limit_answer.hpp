@@ -43,14 +43,23 @@ struct LimitWords {
 };
 LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer);
 
-// Returns whether a completed run cuts, in the words of the tables: "cuts" or "does not cut", "may
-// cut" at a feed between the certain and the possible one; of another condition "holds" or "does
-// not hold"; "failed" of a failed run.
+// Returns whether a completed run does not satisfy the condition and ended while its jet was still
+// cutting: it counts as not satisfying it, and a later end may show otherwise.
+bool is_undecided(const LimitPlan& plan, const RunRow& row);
+// Returns whether a completed run cuts, in the words of the tables: "cuts" or "does not cut",
+// "undecided" where it was still cutting, "not reached" without water at the workpiece, "may cut"
+// at a feed between the certain and the possible one; of another condition "holds" or "does not
+// hold"; "failed" of a failed run.
 std::string trial_verdict(const LimitPlan& plan, const RunRow& row);
 // Returns the value of the quantity in a run.
 double value_of_trial(const LimitPlan& plan, const RunRow& row);
 // Returns a number of the result of a run; nan where it has none.
 double metric_of(const RunRow& row, const char* name);
+// Says how many runs are undecided, and on which side of the limit later ends may take it; empty
+// where none is.
+std::string undecided_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs);
+// Says of which runs too few particles lie across the jet for a verdict; empty where there is none.
+std::string thin_jet_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs);
 // Says of which runs the way of the nozzle is too short for a verdict on all of it, less than a few
 // times as long as the kerf lags; empty where there is none.
 std::string short_way_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs);

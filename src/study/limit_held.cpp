@@ -3,12 +3,14 @@
 // their ways are too short for it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/jet_direction.hpp"
 #include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 #include "study/limit_answer.hpp"
+#include "study/metrics.hpp"
 #include "study/study_answers.hpp"
 
 namespace kerf {
@@ -39,19 +41,19 @@ bool travels(const Case& description) {
 
 std::vector<std::string> held_in(const LimitPlan& plan, const Case& description) {
   const double refinement = plan.study.refinement;
+  const std::string coarser =
+      refinement == 1.0 ? "" : fmt::format("{:.3g} times ", 1.0 / refinement);
   std::vector<std::string> held{
-      refinement == 1.0
-          ? std::string("The spacings of the particles are those of the case in all runs.")
-          : fmt::format("The spacings of the particles are {:.3g} times those of the case in all "
-                        "runs.",
-                        1.0 / refinement)};
+      fmt::format("Each run has {}the spacings of `kerf run` with its value: those that the case "
+                  "does not state follow the jet.",
+                  coarser)};
   if (plan.end.path > 0.0)
     held.push_back(fmt::format("The nozzle travels {:.4g} mm in each run.", 1e3 * plan.end.path));
   else if (plan.end.follows)
     held.emplace_back(
-        travels(description)
-            ? "Each run has the end that its own feed and jet need, as the case states none."
-            : "Each run lasts as long as the exposure of the stated feed takes.");
+        stands_for_traverse(description)
+            ? "Each run lasts as long as the exposure of the stated feed takes."
+            : "Each run has the end that follows from its own setting, as the case states none.");
   else
     held.push_back(fmt::format("Each run lasts {:.4g} ms.", 1e3 * plan.end.end));
   const std::string doubt = condition_sentence(plan, description);
@@ -66,6 +68,42 @@ double value_of_trial(const LimitPlan& plan, const RunRow& row) {
 double metric_of(const RunRow& row, const char* name) {
   const double* found = find_number(row, name);
   return found ? *found : std::nan("");
+}
+
+bool is_undecided(const LimitPlan& plan, const RunRow& row) {
+  const Condition& condition = plan.study.threshold->condition;
+  const bool may_come = condition.at_least && condition.metric != certain_feed;
+  return row.state == RunState::done && may_come && was_still_cutting(row.metrics) &&
+         !condition.holds(row.metrics);
+}
+
+std::string undecided_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs) {
+  const auto count = std::count_if(runs.begin(), runs.end(),
+                                   [&](const RunRow& row) { return is_undecided(plan, row); });
+  if (count == 0) return "";
+  return fmt::format(
+      "{} run{} undecided: the jet was still cutting when {} ended, which counts as {}. A later "
+      "`end` in [time] may {} the limit.",
+      count, count == 1 ? " is" : "s are", count == 1 ? "it" : "they",
+      plan.study.threshold->condition.metric == "cut_through" ? "no cut" : "not satisfying",
+      plan.study.threshold->least ? "lower" : "raise");
+}
+
+std::string thin_jet_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs) {
+  constexpr double few = 5.0;  // particles across the jet
+  std::vector<std::string> values;
+  for (const RunRow& row : runs) {
+    const double across = metric_of(row, "jet_resolution");
+    if (row.state == RunState::done && across < few)
+      values.push_back(fmt::format(
+          "{} ({:.2g})", show_number(value_of_trial(plan, row), plan.study.threshold->axis, 4),
+          across));
+  }
+  if (values.empty()) return "";
+  return fmt::format(
+      "Fewer than {:g} particles lie across the jet at {}: these verdicts may be those of the "
+      "spacing. Choose a finer spacing, or state none so that it follows the jet.",
+      few, fmt::join(values, ", "));
 }
 
 std::string short_way_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs) {

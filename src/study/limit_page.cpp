@@ -11,6 +11,7 @@
 #include "report/html.hpp"
 #include "report/plot.hpp"
 #include "study/limit_answer.hpp"
+#include "study/metrics.hpp"
 #include "study/run_table.hpp"
 #include "study/study_answers.hpp"
 
@@ -36,7 +37,8 @@ std::string plot_of(const LimitPlan& plan, const LimitAnswer& answer, const Plot
         {answer.threshold->stated.low / unit, answer.threshold->stated.high / unit});
   for (const RunRow& row : answer.runs) {
     if (row.trial.refinement != plan.study.refinement) continue;
-    const double value = row.state == RunState::done ? number_of(row) : std::nan("");
+    const bool tells = row.state == RunState::done && !is_not_reached(row.metrics);
+    const double value = tells ? number_of(row) : std::nan("");
     if (!std::isfinite(value)) continue;
     const bool holds = plan.study.threshold->condition.holds(row.metrics);
     const double at = row.trial.setting.numbers.at(axis.name());
@@ -65,14 +67,14 @@ std::string table_of(const LimitPlan& plan, const LimitAnswer& answer) {
   std::stable_sort(rows.begin(), rows.end(),
                    [&](const RunRow& a, const RunRow& b) { return place(a) < place(b); });
   for (const RunRow& row : rows) {
-    const bool is_done = row.state == RunState::done;
+    const bool tells = row.state == RunState::done && !is_not_reached(row.metrics);
     const double* depth = find_number(row, "kerf.depth");
     const std::string report = report_of(row);
     text += fmt::format(
         "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
         "<td>{}</td></tr>\n",
         trial_verdict(plan, row), html::escape(shown_value(row.trial.setting, axis_of(plan))),
-        is_done ? html::percent(plan.study.threshold->condition.margin(row.metrics)) : "–",
+        tells ? html::percent(plan.study.threshold->condition.margin(row.metrics)) : "–",
         depth ? html::quantity(*depth, "m") : "–", html::quantity(row.spacing, "m"),
         row.trial.repeat,
         report.empty() ? html::escape(row.error)

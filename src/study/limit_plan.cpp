@@ -19,6 +19,7 @@
 #include "study/layout.hpp"
 #include "study/read_condition.hpp"
 #include "study/read_study.hpp"
+#include "study/used_materials.hpp"
 
 namespace kerf {
 
@@ -96,7 +97,13 @@ bool is_least(const Asked& asked, const std::string& path) {
 KeyPath key_of(const Asked& asked, const toml::table& base) {
   KeyPath path = find_key_path(path_of(asked), base);
   const bool is_usable = path.problem.empty() && path.is_number();
-  if (is_usable) return path;
+  if (is_usable) {
+    const std::string unused = unused_material(path, used_materials(asked.description, {}));
+    if (!unused.empty())
+      refuse(asked, unused + ". Allowed: a key of a material that is used",
+             "Correct the name, or give the material to a body");
+    return path;
+  }
   std::vector<std::string> words;
   for (const LimitQuantity& each : limit_quantities()) words.emplace_back(each.name);
   const std::string guess = closest(asked.question.of, words);
@@ -155,21 +162,6 @@ Axis axis_of(const Asked& asked, toml::table& base, double& stated) {
   return axis;
 }
 
-// Sets the spacings that follow from the jet to those of the case, so that all runs have the same.
-void hold_spacings(const Case& description, toml::table& base) {
-  const auto hold = [&](const std::string& path, double spacing) {
-    set_number(base, find_key_path(path, base), spacing);
-  };
-  if (description.machine) hold("machine.spacing", description.machine->spacing);
-  const std::size_t first = description.workpiece ? 1 : 0;  // that of a [[body]]
-  if (description.workpiece) hold("workpiece.spacing", description.workpiece->spacing);
-  for (std::size_t i = first; i < description.bodies.size(); ++i)
-    hold(fmt::format("body.{}.spacing", i - first), description.bodies[i].spacing);
-  if (description.machine) return;
-  for (std::size_t i = 0; i < description.jets.size(); ++i)
-    hold(fmt::format("jet.{}.spacing", i), description.jets[i].spacing);
-}
-
 // Removes times of outputs, which may lie beyond the end of a shorter run.
 void drop_output_times(toml::table& base) {
   if (toml::table* output = base["output"].as_table())
@@ -187,9 +179,7 @@ LimitEnd end_of(const Asked& asked, const toml::table& base, bool is_feed) {
   const Case& description = asked.description;
   LimitEnd end;
   end.end = description.time.end;
-  const bool has_default =
-      stands_for_traverse(description) || (description.workpiece && travels(description));
-  end.follows = has_default && !base["time"]["end"];
+  end.follows = description.machine && !base["time"]["end"];
   if (!travels(description) && !is_feed) return end;
   const Jet& jet = description.jets.front();
   end.start = jet.start + std::max(jet.dwell, jet.standoff / jet.speed);
@@ -252,7 +242,6 @@ LimitPlan plan_limit(const std::filesystem::path& case_file, const LimitQuestion
   const bool is_feed = find_quantity(question.of) && question.of == "feed";
   plan.end = end_of(asked, study.base, is_feed);
   if (travels(asked.description)) plan.feed = traverse_speed(asked.description.jets.front());
-  hold_spacings(asked.description, study.base);
   hold_motion(asked.description, study.base);
   drop_output_times(study.base);
   const KeyPath end_path = find_key_path(std::string(end_key), study.base);

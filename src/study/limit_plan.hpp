@@ -38,16 +38,15 @@ struct LimitQuantity {
 };
 const std::vector<LimitQuantity>& limit_quantities();
 
-// The end of each run, so that all runs of a search are the same task: a jet that does not travel
-// acts for the time of the case; a nozzle travels the path of the case, t_end(v) = t_0 + L / v; one
-// that stands in place of one that moves acts for the exposure of its feed. Where a case with a
-// [workpiece] states no end, each run has the default one of its own feed, by which its cutting has
-// ended on a part of the path.
+// The end of each run. Where the case states none, each run has the one that follows from its own
+// setting, as a run of the case with that value has, so that the verdict is that of such a run.
+// Where the case states one, all runs of a search are the same task: a jet that does not travel
+// acts for the time of the case, and a nozzle travels the path of the case, t_end(v) = t_0 + L / v.
 struct LimitEnd {
   double path = 0.0;   // m, L, from the time t_0 on; 0 = the end is that of the case
   double start = 0.0;  // s, t_0, when the nozzle moves and its water has reached the workpiece
   double end = 0.0;    // s, of the case
-  // Whether each run has the end that follows from its own feed, as the case states none.
+  // Whether each run has the end that follows from its own setting, as the case states none.
   bool follows = false;
   double at(double speed) const { return path > 0.0 ? start + path / speed : end; }
 };

@@ -12,12 +12,22 @@ namespace kerf {
 using Metrics = std::map<std::string, double>;
 
 // Returns every number of result.json by its path, "front_depth" or "kerf.middle.width"; true is 1
-// and false 0. Lists and null are left out, as are the balance, the counts of limits and the times
-// of stages, which describe the run and not the cut.
+// and false 0. Lists and null are left out, but for the flags below, as are the balance, the counts
+// of limits and the times of stages, which describe the run and not the cut.
 Metrics read_metrics(const std::string& result_json);
 
+// Flags of the validity of a run that are metrics too, 1 where they are raised (docs/results.md).
+inline constexpr std::string_view still_cutting_metric = "validity.still_cutting";
+inline constexpr std::string_view not_reached_metric = "validity.not_reached";
+
+// Returns whether no water has come to the workpiece within the run, which then tells of no cut.
+bool is_not_reached(const Metrics& metrics);
+// Returns whether the jet was still cutting when the run ended, before it was through.
+bool was_still_cutting(const Metrics& metrics);
+
 // Returns whether a run cuts: under a nozzle that stands in place of one that moves, whether its
-// feed is certain to (analysis/exposure.hpp), since it leaves no path; nothing where it tells none.
+// feed is certain to (analysis/exposure.hpp), since it leaves no path; nothing where it tells none,
+// as without water at the workpiece.
 std::optional<bool> cuts(const Metrics& metrics);
 
 // Returns whether the feed of such a nozzle may cut but is not certain to.

@@ -148,8 +148,8 @@ std::optional<Axis> AxisReader::range(const std::string& path, const std::string
   const auto first = number(*found, reported_key, *from), last = number(*found, reported_key, *to);
   if (!first || !last) return std::nullopt;
   if (*first >= *last) {
-    refuse(reported_key, "from is not less than to", allowed_text(*found->key),
-           "Swap or correct them");
+    refuse(reported_key, fmt::format("from = {} is not less than to = {}", show(*from), show(*to)),
+           allowed_text(*found->key), "Swap or correct them");
     return std::nullopt;
   }
   Axis axis;

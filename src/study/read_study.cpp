@@ -12,7 +12,9 @@
 #include "study/case_maker.hpp"
 #include "study/layout.hpp"
 #include "study/read_study.hpp"
+#include "study/run_table.hpp"
 #include "study/study_plan.hpp"
+#include "study/used_materials.hpp"
 
 namespace kerf {
 
@@ -22,6 +24,19 @@ namespace fs = std::filesystem;
 
 bool is_range(const toml::table& table) {
   return table.contains("from") || table.contains("to");
+}
+
+// Refuses a file that describes a case.
+void refuse_case(StudySection& top, const fs::path& file) {
+  if (top.has("base")) return;
+  for (const char* key : {"dimension", "machine", "body", "jet"})
+    if (top.has(key)) {
+      top.refuse(key, "this is a case, which has no settings to vary, and not a study",
+                 "a study, which names its case by `base`",
+                 fmt::format("Use \"kerf run {0}\", or write a study with base = \"{1}\"",
+                             file.string(), file.filename().string()));
+      return;
+    }
 }
 
 // Returns the text of the case that `base` names; nothing, with a problem noted, when there is
@@ -124,6 +139,22 @@ void check_repeats(StudySection& top, const StudyPlan& plan, const Case& base) {
              "1", "Give a body jitter, [set] \"body.NAME.jitter\" = 0.2, or remove the key");
 }
 
+// Refuses varied keys of materials that no run uses.
+void check_materials(StudySection& top, const StudyPlan& plan, const Case& base) {
+  const std::vector<std::string> used = used_materials(base, all_axes(plan));
+  const auto check = [&](const std::string& reported_key, const Axis& axis) {
+    const std::string problem = unused_material(axis.path, used);
+    if (!problem.empty())
+      top.problems().add({reported_key, problem, "a key of a material that is used",
+                          "Correct the name, or give the material to a body"});
+  };
+  for (const Axis& axis : plan.axes) check("vary." + axis.name(), axis);
+  if (plan.threshold) check("search.key", plan.threshold->axis);
+  if (!plan.calibration) return;
+  check("calibrate.key", plan.calibration->axis);
+  for (const Axis& axis : plan.calibration->at_axes) check("calibrate.at." + axis.name(), axis);
+}
+
 // Returns the base with the keys of [set].
 Case case_with_set(const StudyPlan& plan) {
   std::ostringstream written;
@@ -160,6 +191,8 @@ StudyPlan parse_study(const std::string& text, const fs::path& file,
   plan.name = file.stem().string();
   plan.file = file.string();
   plan.text = text;
+  refuse_case(top, file);
+  problems.throw_if_any();
   plan.title = top.text("title", plan.name);
   const std::string base = base_text(top, file, templates, plan.base_name);
   problems.throw_if_any();
@@ -177,7 +210,9 @@ StudyPlan parse_study(const std::string& text, const fs::path& file,
   check_use_of_axes(top, plan);
   top.refuse_unknown();
   problems.throw_if_any();
-  check_repeats(top, plan, case_with_set(plan));
+  const Case with_set = case_with_set(plan);
+  check_repeats(top, plan, with_set);
+  check_materials(top, plan, with_set);
   problems.throw_if_any();
   return plan;
 }

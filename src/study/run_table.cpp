@@ -151,12 +151,15 @@ std::vector<std::string> shown_metrics(const StudyPlan& plan) {
   if (plan.calibration) add_once(names, plan.calibration->metric);
   if (plan.model) add_once(names, plan.model->metric);
   for (const std::string& name : plan.metrics) add_once(names, name);
+  // A setting that is in the result too, such as the pressure, has the column of its key.
+  for (const Axis& axis : all_axes(plan)) std::erase(names, axis.name());
   return names;
 }
 
 RunVerdict verdict_of(const RunRow& row) {
   if (row.state == RunState::failed) return RunVerdict::failed;
   if (row.state != RunState::done) return RunVerdict::not_run_yet;
+  if (is_not_reached(row.metrics)) return RunVerdict::not_reached;
   const auto verdict = cuts(row.metrics);
   if (!verdict) return RunVerdict::done;
   if (may_cut(row.metrics)) return RunVerdict::may_cut;

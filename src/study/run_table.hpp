@@ -19,15 +19,24 @@ std::string unit_of(const StudyPlan& plan, const std::string& name);
 // Returns "name (unit)", as the heading of a column has it.
 std::string with_unit(const std::string& name, std::string_view unit);
 // Returns the metrics of the tables: the standard ones, those of the study's goals and those that
-// the study names.
+// the study names, each once, without the keys that are varied.
 std::vector<std::string> shown_metrics(const StudyPlan& plan);
 
 // The outcome of a run. The words are those of the tables and of study.html.
-enum class RunVerdict { cut_through, may_cut, not_cut_through, done, failed, not_run_yet };
-inline constexpr std::array<std::string_view, 6> verdict_words{
-    "cut through", "may cut", "not cut through", "done", "failed", "not run yet"};
+enum class RunVerdict {
+  cut_through,
+  may_cut,
+  not_cut_through,
+  not_reached,
+  done,
+  failed,
+  not_run_yet
+};
+inline constexpr std::array<std::string_view, 7> verdict_words{
+    "cut through", "may cut", "not cut through", "not reached", "done", "failed", "not run yet"};
 // Returns whether the run cut through, under a nozzle that stands in place of one that moves
-// whether its feed does; `done` where its result does not say so.
+// whether its feed does; `not_reached` where no water has come to the workpiece, `done` where the
+// result does not say so.
 RunVerdict verdict_of(const RunRow& row);
 // Returns the path of the run's report from the folder of the study; "" when the run is not done.
 std::string report_of(const RunRow& row);

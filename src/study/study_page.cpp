@@ -139,6 +139,7 @@ Mark mark_of(RunVerdict verdict) {
       return Mark::hollow;
     case RunVerdict::failed:
       return Mark::crossed;
+    case RunVerdict::not_reached:
     case RunVerdict::not_run_yet:
       return Mark::dotted;
     default:
@@ -172,7 +173,7 @@ std::string static_map(const StudyPlan& plan, const std::vector<RunRow>& runs) {
   }
   return fmt::format(
       "<figure><figcaption>{} across, {} upwards: filled = cut through, hollow = not, crossed = "
-      "failed, dotted = not run yet</figcaption>\n{}</figure>\n",
+      "failed, dotted = not reached by the water or not run yet</figcaption>\n{}</figure>\n",
       html::escape(axis_label(across, all)), html::escape(axis_label(upward, all)),
       draw_plot(plot));
 }

@@ -15,6 +15,12 @@ namespace kerf {
 
 namespace {
 
+// Ends the search of a layout at a run that tells nothing.
+struct NotReached {
+  double value = 0.0;  // of the key, SI
+  int runs = 0;        // of the round
+};
+
 Verdicts verdicts_of(const ThresholdGoal& goal, const Trial& at, Laboratory& laboratory) {
   return [&goal, at, &laboratory](const std::vector<double>& values) {
     std::vector<Trial> trials;
@@ -30,6 +36,8 @@ Verdicts verdicts_of(const ThresholdGoal& goal, const Trial& at, Laboratory& lab
                         "start the search again with --retry.",
                         outcome.id, outcome.error),
             exit_run_failed);
+      if (is_not_reached(outcome.metrics))
+        throw NotReached{values[verdicts.size()], static_cast<int>(values.size())};
       verdicts.push_back(goal.is_beyond(outcome.metrics));
     }
     return verdicts;
@@ -45,6 +53,14 @@ std::string why_nothing(const ThresholdGoal& goal, bool beyond_everywhere) {
       show_number(beyond_everywhere ? goal.axis.values.front() : goal.axis.values.back(),
                   goal.axis),
       end, beyond_everywhere ? "Lower it" : "Raise it");
+}
+
+std::string why_not_reached(const ThresholdGoal& goal, double value) {
+  return fmt::format(
+      "No water has come to the workpiece within the run at {} = {}, which tells nothing of the "
+      "cut. State a later `end` in [time], or none where the case has a [machine]; or narrow the "
+      "range",
+      goal.axis.name(), show_number(value, goal.axis));
 }
 
 // Searches one layout after another, each from the bracket of the previous one.
@@ -90,17 +106,27 @@ class ThresholdSearch {
     return std::nullopt;
   }
 
-  Bracket layout(const Trial& at, const std::optional<Bracket>& guess) {
-    Bisection bisection(verdicts_of(goal_, at, laboratory_), range_, runs_left(),
-                        goal_.axis.is_logarithmic);
+  void search(Bisection& bisection, const std::optional<Bracket>& guess) const {
     if (guess)
       bisection.start_at(*guess);
     else if (goal_.start)
       bisection.leave(*goal_.start);
     bisection.narrow(goal_.tolerance, laboratory_.side_by_side());
+  }
+
+  Bracket layout(const Trial& at, const std::optional<Bracket>& guess) {
+    Bisection bisection(verdicts_of(goal_, at, laboratory_), range_, runs_left(),
+                        goal_.axis.is_logarithmic);
+    try {
+      search(bisection, guess);
+    } catch (const NotReached& run) {
+      answer_.runs += run.runs;
+      answer_.problem = why_not_reached(goal_, run.value);
+    }
     answer_.runs += bisection.count();
     answer_.alternates = answer_.alternates || bisection.alternates();
     answer_.holds_everywhere.reset();
+    if (!answer_.problem.empty()) return bisection.bracket();
     if (const auto same = bisection.same_everywhere()) {
       answer_.problem = why_nothing(goal_, *same);
       answer_.holds_everywhere = *same == goal_.least;
@@ -151,7 +177,7 @@ bool Condition::is_of_feed(const std::map<std::string, double>& metrics) const {
 }
 
 bool Condition::holds(const std::map<std::string, double>& metrics) const {
-  if (is_of_feed(metrics)) return *cuts(metrics);
+  if (is_of_feed(metrics)) return cuts(metrics).value_or(false);
   const auto found = metrics.find(metric);
   if (found == metrics.end()) return false;
   return at_least ? found->second >= bound : found->second <= bound;

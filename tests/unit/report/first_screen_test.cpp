@@ -94,6 +94,11 @@ TEST_F(FirstScreen, AnswersHowFastTheNozzleMayGo) {
   EXPECT_THAT(screen(),
               HasSubstr("The cut is certain up to <strong>50\u202fmm/s (3000\u202fmm/min)</strong> "
                         "and possible up to <strong>80\u202fmm/s (4800\u202fmm/min)</strong>."));
+  set_feeds(25.0, 97.9);  // of 1 500 000 and more mm/min
+  EXPECT_THAT(screen(),
+              HasSubstr("up to <strong>25\u202fm/s (1500\u202fm/min)</strong> and possible up to "
+                        "<strong>97.9\u202fm/s (5874\u202fm/min)</strong>."));
+  set_feeds(0.05, 0.08);
   result_["exposure"]["exponent"] = 0.9;  // of a depth that is carried on
   EXPECT_THAT(screen(), HasSubstr("The cut is expected up to <strong>50"));
   set_feeds(nullptr, 0.08);

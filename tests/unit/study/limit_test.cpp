@@ -106,22 +106,6 @@ TEST(Limit, KeepsThePathOfANozzleThatTravels) {
   }
 }
 
-// The spacing of the water would follow the width of the jet, and so would that of the block.
-TEST(Limit, KeepsTheSpacingsOfTheCase) {
-  for (const char* quantity : {"standoff", "orifice", "pressure"}) {
-    const LimitPlan plan = limit_plan_of(test::machine_case, limit_of(quantity));
-    const Axis& axis = plan.study.threshold->axis;
-    const CaseMaker maker(plan.study);
-    const double stated = maker.make({{}, 0, 1.0}).spacing;
-    EXPECT_GT(stated, 0.0);
-    for (const double share : {0.0, 0.6}) {
-      Trial trial{{}, 0, 1.0};
-      axis.put_share(share, trial.setting);
-      EXPECT_DOUBLE_EQ(maker.make(trial).spacing, stated) << quantity;
-    }
-  }
-}
-
 TEST(Limit, RefusesWhatTheCaseDoesNotHave) {
   EXPECT_THAT(limit_refusal(test::small_case, limit_of("pressure")),
               AllOf(HasSubstr("my.toml: --of pressure"), HasSubstr("Allowed: feed, jet_speed"),
@@ -139,6 +123,11 @@ TEST(Limit, RefusesWhatTheCaseDoesNotHave) {
               HasSubstr("Add --find least or --find greatest"));
   EXPECT_THAT(limit_refusal(test::machine_case, limit_of("materials.curd.youngs_modulus")),
               HasSubstr("the case states no materials.curd.youngs_modulus"));
+  const std::string unused = "[materials.gel]\nbase = \"liver\"\nfailure_strain = 0.3\n";
+  EXPECT_THAT(
+      limit_refusal(test::machine_case + unused, limit_of("materials.gel.failure_strain")),
+      AllOf(HasSubstr("no body and no jet has the material \"gel\", so the key changes nothing"),
+            HasSubstr("used are \"curd\", \"water\"")));
 }
 
 TEST(Limit, RefusesRangesAndConditions) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "input/read.hpp"
 #include "output/files.hpp"
 #include "study/case_maker.hpp"
 #include "support/temporary_folder.hpp"
@@ -45,7 +46,7 @@ TEST(ReadStudy, NamesFileLineKeyValueRangeAndRemedy) {
                     HasSubstr("Did you mean \"refine\"?")));
   EXPECT_THAT(complaint("refine = 1000\n" + vary), HasSubstr("from 0.01 to 100"));
   EXPECT_THAT(complaint("[vary]\n\"jet.jet.speed\" = { from = \"2 m/s\", to = \"1 m/s\" }\n"),
-              HasSubstr("from is not less than to"));
+              HasSubstr("from = \"2 m/s\" is not less than to = \"1 m/s\""));
   EXPECT_THAT(complaint("[vary]\n\"jet.jet.position\" = [\"1 mm\"]\n"),
               HasSubstr("cannot vary this key as a whole"));
   EXPECT_THAT(complaint(""), HasSubstr("nothing is varied"));
@@ -55,6 +56,29 @@ TEST(ReadStudy, NamesFileLineKeyValueRangeAndRemedy) {
   EXPECT_THAT(complaint(vary + "[design]\ntype = \"sobol\"\n"),
               HasSubstr("design.runs: the key is missing"));
   EXPECT_THAT(complaint(vary + "[design]\ntype = \"sobel\"\n"), HasSubstr("\"latin_hypercube\""));
+}
+
+TEST(ReadStudy, KeysOfMaterialsThatNothingHasAreRefused) {
+  const std::string of_tofu = "\"materials.tofu.failure_strain\" = [0.1, 0.2]\n";
+  EXPECT_THAT(complaint("[vary]\n" + of_tofu),
+              AllOf(StartsWith("my-study.toml:3: vary.materials.tofu.failure_strain"),
+                    HasSubstr("no body and no jet has the material \"tofu\""),
+                    HasSubstr("used are \"curd\", \"gelatin-10\", \"water\"")));
+  EXPECT_EQ(complaint("[vary]\n\"body.block.material\" = [\"curd\", \"tofu\"]\n" + of_tofu), "");
+  EXPECT_EQ(complaint("[set]\n\"body.block.material\" = \"tofu\"\n[vary]\n" + of_tofu), "");
+  EXPECT_THAT(complaint("[search]\nfind = \"greatest\"\nfrom = 0.1\nto = 0.2\n"
+                        "key = \"materials.tofu.failure_strain\"\n"),
+              HasSubstr("search.key"));
+}
+
+TEST(ReadStudy, ACaseIsNoStudyAndAStudyIsNoCase) {
+  EXPECT_THAT(test::message_of<UserError>([] { parse_study(test::small_case, "dir/my.toml", {}); }),
+              AllOf(StartsWith("dir/my.toml:2: dimension = 2: this is a case"),
+                    HasSubstr("\"kerf run dir/my.toml\""), HasSubstr("base = \"my.toml\"")));
+  EXPECT_THAT(
+      test::message_of<UserError>([] { parse_case("base = \"my.toml\"\n" + vary, "s.toml"); }),
+      AllOf(StartsWith("s.toml:2: vary: this is a study"), HasSubstr("\"kerf study s.toml\""),
+            testing::Not(HasSubstr("dimension"))));
 }
 
 TEST(ReadStudy, KeysThatCannotVaryAreRefused) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "study/run_table.hpp"
 #include "study/study_answers.hpp"
@@ -53,6 +54,36 @@ TEST(StudyFiles, TheCsvHasTheUnitsOfItsMetrics) {
        {"kerf.removed_volume (m2)", "fractured_mass (kg/m)", "kerf.removal_rate (m2/s)",
         "kerf.splash.mass (kg/m)", "kerf.specific_energy (J/m3)", "kerf.margin,"})
     EXPECT_THAT(csv, HasSubstr(heading));
+}
+
+// A setting is in the result of a run too. Neither it nor a metric has two columns.
+TEST(StudyFiles, AMetricThatIsVariedHasOneColumn) {
+  const EmbeddedText templates[] = {{"machine", test::machine_case}};
+  const std::string base = "base = \"machine\"\n";
+  const std::string more = R"([vary]
+"machine.pressure" = { from = "20 kPa", to = "90 kPa" }
+[search]
+find = "minimum"
+metric = "machine.pressure"
+)";
+  for (const std::string& text :
+       {base + more, base + "metrics = [\"machine.pressure\", \"front_depth\"]\n" + more}) {
+    const StudyPlan plan = parse_study(text, "my-study.toml", templates);
+    RunRow run;
+    run.state = RunState::done;
+    run.trial.setting.numbers["machine.pressure"] = 5e4;
+    run.metrics = {{"machine.pressure", 5e4}};
+    std::set<std::string> names;
+    for (const RunColumn& column : run_columns(plan, {run}))
+      EXPECT_TRUE(names.insert(column.name).second) << column.name;
+    EXPECT_FALSE(study_hdf5(plan, {run}).empty());
+    StudyAnswers answers;
+    answers.runs = {run};
+    answers.optimum.emplace();
+    answers.optimum->setting = run.trial.setting;
+    answers.optimum->value = 5e4;
+    EXPECT_THAT(answers_text(describe_answers(plan, answers)), HasSubstr("5e+04 Pa"));
+  }
 }
 
 TEST(StudyFiles, TheReadableTableHasTheUnitsOfTheStudy) {

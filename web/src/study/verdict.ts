@@ -4,12 +4,13 @@
 import type { StudyRun } from "./study_data.ts";
 import { svg } from "./svg.ts";
 
-export type Verdict = "cut" | "may_cut" | "not_cut" | "mixed" | "done" | "failed" | "running" | "waiting";
+export type Verdict = "cut" | "may_cut" | "not_cut" | "not_reached" | "mixed" | "done" | "failed" | "running" | "waiting";
 
 export const verdictWords: Record<Verdict, string> = {
   cut: "cut through",
   may_cut: "may cut",
   not_cut: "not cut through",
+  not_reached: "not reached by the water",
   mixed: "through in some layouts",
   done: "done",
   failed: "failed",
@@ -22,6 +23,7 @@ export const verdictOrder = Object.keys(verdictWords) as Verdict[];
 /** Under a nozzle that stands in place of one that moves it is that of the feed. */
 export function verdictOf(run: StudyRun): Verdict {
   if (run.state !== "done") return run.state;
+  if ((run.metrics["validity.not_reached"] ?? 0) > 0.5) return "not_reached";
   const through = run.metrics["exposure.cuts"] ?? run.metrics.cut_through;
   if (through === null || through === undefined) return "done";
   if (through > 0.5) return "cut";
@@ -54,6 +56,7 @@ export function symbol(verdict: Verdict, size = 6, colour = "#22272e"): SVGGElem
       return svg("g", {}, failedSymbol(size, "#fff", 5), failedSymbol(size, "#9a3412", 2.4));
     case "running":
       return svg("g", {}, halo, svg("circle", { ...ring, "stroke-width": 1.5, "stroke-dasharray": "2.5 2" }), svg("circle", { r: 2, fill: colour }));
+    case "not_reached":
     case "waiting":
       return svg("g", {}, halo, svg("circle", { ...ring, "stroke-width": 1.5, "stroke-dasharray": "2.5 2" }));
   }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The flag of a run in which no water has come to a body.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "output/result.hpp"
+
+namespace kerf {
+namespace not_reached {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+using testing::Not;
+
+auto flag() {
+  return Contains(AllOf(Field(&ValidityFlag::name, "not_reached"),
+                        Field(&ValidityFlag::state, ValidityFlag::State::warning),
+                        Field(&ValidityFlag::sentence, HasSubstr("No water has come"))));
+}
+
+// The water has brought an impulse as soon as it has touched anything.
+TEST(NotReached, IsFlaggedUntilTheWaterTouchesABody) {
+  RunOutcome outcome;
+  outcome.description.jets.emplace_back();
+  outcome.description.jets[0].standoff = 0.02;
+  outcome.description.jets[0].speed = 4.0;
+  outcome.time = 0.004;  // of 0.005 to the body
+  outcome.balance.momentum_in = {0.0, -1.0, 0.0};
+  EXPECT_THAT(validity_of(outcome), flag());
+  outcome.balance.impulse_water = {0.0, -0.1, 0.0};
+  EXPECT_THAT(validity_of(outcome), Not(flag()));
+}
+
+TEST(NotReached, IsNotSaidOfARunWithoutAJet) {
+  RunOutcome outcome;
+  EXPECT_THAT(validity_of(outcome), Not(flag()));
+}
+
+}  // namespace not_reached
+}  // namespace kerf
