@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "model/body.hpp"
 #include "model/jet.hpp"
@@ -19,9 +20,10 @@ Body plate(double turn = 0.0) {
   Body body;
   body.spacing = spacing;
   body.shape.kind = Shape::Kind::polygon;
-  for (const Point& corner : {Point{0.0, -2.0, 0.0}, {4.0, -2.0, 0.0}, {4.0, 0.0, 0.0}, {}})
+  const std::vector<Point> corners{{0.0, -2.0, 0.0}, {4.0, -2.0, 0.0}, {4.0, 0.0, 0.0}, {}};
+  for (const Point& corner : corners)
     body.shape.vertices.push_back({corner[0] * std::cos(turn) - corner[1] * std::sin(turn),
-                                   corner[0] * std::sin(turn) + corner[1] * std::cos(turn), 0.0});
+                                   corner[0] * std::sin(turn) + corner[1] * std::cos(turn)});
   return body;
 }
 
