@@ -19,8 +19,6 @@ struct BondStrain {
   T mean = 0;      // N . (E_i + E_j) N, by the tensors of its ends; 0 where passes() is false
   T own = 0;       // |x_ij|^2 / R^2 - 1: by its own length
   T prepared = 0;  // mean of prepare() of its ends
-  // -tr(E), the mean of its ends, where they are compressed; 0 before passes() and own decide.
-  T compression = 0;
 
   // Whether it is stretched, by its own length at least half as much as by the tensors.
   KERF_FUNCTION bool is_opening() const { return mean > T(0) && own > T(0.5) * mean; }

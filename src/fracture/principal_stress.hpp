@@ -2,10 +2,11 @@
 // This criterion compares the largest principal Kirchhoff stress with the tensile strength f_t
 // (Rankine's criterion). Where a particle passes it, the bonds break that are opening
 // (bond_strain.hpp) and stretched by at least a quarter of f_t / E, so that those along the crack
-// hold. A bond breaks too by its own strain e, if the stress 2 G e + lambda tr(E) that it tells is
-// above f_t; where the volume has grown its part is left out. In a uniform strain its particles
-// pass no later. The energy that a crack takes is in proportion to the spacing; only a
-// fracture_energy makes it the material's.
+// hold. A bond whose own strain is above f_t / (2 G) breaks too: in a uniform tension or shear its
+// particles pass no later. It is what breaks a solid that is squeezed and spreads, in a uniaxial
+// compressive test at f_t (1 + nu) / nu (cf. Stacey, Int. J. Rock Mech. Min. Sci. 18 (1981) 469).
+// The energy that a crack takes is in proportion to the spacing; only a fracture_energy makes it
+// the material's.
 #pragma once
 
 #include <string_view>
@@ -57,9 +58,7 @@ struct PrincipalStress {
 
   KERF_FUNCTION bool breaks(const BondStrain<T>& bond, const BreakableSolid<T>& solid) const {
     if (!(tensile_strength > T(0))) return false;
-    const T lame = solid.lame() > T(0) ? solid.lame() : T(0);
-    const T stress = tensile_strength + lame * bond.compression;
-    if (is_above(bond.own, stress / (T(2) * solid.shear_modulus))) return true;
+    if (is_above(bond.own, tensile_strength / (T(2) * solid.shear_modulus))) return true;
     const T part = T(0.25) * tensile_strength / solid.young_modulus();
     return passes(bond.prepared, solid) && bond.mean > T(2) * part && bond.is_opening();
   }

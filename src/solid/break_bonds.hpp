@@ -151,15 +151,12 @@ struct BondTest {
     };
     if (is_joint) {
       strain.mean = dot(bond, sum() * bond) / square;
-      strain.compression = compression_of(sum());
       return end_i.breaks(strain) || end_j.breaks(strain);
     }
     strain.prepared = mean_criterion(i, j.particle);
     if (criterion_passes(strain.prepared, of.a) ||
         (!of.same && criterion_passes(strain.prepared, of.b)))
       strain.mean = dot(bond, sum() * bond) / square;
-    if (!bond_breaks(strain, of.a) && (of.same || !bond_breaks(strain, of.b))) return false;
-    strain.compression = compression_of(sum());
     return bond_breaks(strain, of.a) || (!of.same && bond_breaks(strain, of.b));
   }
 

@@ -19,14 +19,6 @@ KERF_FUNCTION bool have_unlike_stiffness(const ElasticModuli<T>& a, const Elasti
   return a.bulk_modulus != b.bulk_modulus || a.shear_modulus != b.shear_modulus;
 }
 
-// Returns by how much the neighbourhood of a bond is compressed, 1, by the sum of Green's strains
-// of its ends.
-template <int D, class T>
-KERF_FUNCTION T compression_of(const SymmetricTensor<D, T>& sum) {
-  const T mean = T(-0.5) * (sum(0, 0) + sum(1, 1) + sum(2, 2));
-  return mean > T(0) ? mean : T(0);
-}
-
 // One end of such a bond: particle i, a solid `of_i`.
 template <int D, class P>
 struct JointEnd {
