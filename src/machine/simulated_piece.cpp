@@ -37,8 +37,7 @@ int levels_of(const PieceRequest& request) {
   return request.levels.value_or(travels(request) && request.dimension == 2 ? 0 : graded_levels);
 }
 
-// Returns the width of the finest part, m, at least a coarsest cell; a spacing beyond the jet
-// fails.
+// Returns the width of the finest part, m: at least a coarsest cell.
 double grading_width_of(const PieceRequest& request, int levels) {
   const double cell = request.spacing > request.jet.width ? 0.0 : request.spacing * (1 << levels);
   return std::max(graded_width * request.jet.width, cell);
