@@ -38,13 +38,13 @@ int levels_of(const PieceRequest& request) {
   return request.levels.value_or(travels(request) && request.dimension == 2 ? 0 : graded_levels);
 }
 
-// Returns the width of the finest part, m: at least a coarsest cell, which is wider than a thin jet
-// of a spacing that does not follow it.
+// Returns the width of the finest part, m: at least a coarsest cell.
 double grading_width_of(const PieceRequest& request, int levels) {
-  return std::max(graded_width * request.jet.width, request.spacing * (1 << levels));
+  const double cell = request.spacing > request.jet.width ? 0.0 : request.spacing * (1 << levels);
+  return std::max(graded_width * request.jet.width, cell);
 }
 
-// Returns the room between the nozzle and the edge of the domain, m, which holds its rows of water.
+// Returns the room between nozzle and edge of the domain, m, which holds the rows of its water.
 double margin_of(const Jet& jet) {
   return std::max(domain_margin * jet.width, nozzle_rows * jet.spacing);
 }
