@@ -21,7 +21,7 @@ Body plate(double turn = 0.0) {
   body.shape.kind = Shape::Kind::polygon;
   for (const Point& corner : {Point{0.0, -2.0, 0.0}, {4.0, -2.0, 0.0}, {4.0, 0.0, 0.0}, {}})
     body.shape.vertices.push_back({corner[0] * std::cos(turn) - corner[1] * std::sin(turn),
-                                   corner[0] * std::sin(turn) + corner[1] * std::cos(turn), 0.0});
+                                   corner[0] * std::sin(turn) + corner[1] * std::cos(turn)});
   return body;
 }
 
