@@ -139,7 +139,6 @@ std::string key_of_spacing(const Draft& draft) {
                                                     : "machine.orifice_diameter";
 }
 
-// Refuses a body in which no particle fits. The spacing of a [workpiece] follows from its jet.
 // Returns where the spacing of bodies that state none comes from: the width of the jet of a
 // machine, which a long standoff widens.
 std::string reason_of_spacing(const Draft& draft, const std::string& key) {
@@ -169,6 +168,7 @@ void add_no_particle_of_body(Draft& draft, std::size_t number) {
                      : "Choose a smaller spacing or correct the shape"});
 }
 
+// Refuses a body in which no particle fits. The spacing of a [workpiece] follows from its jet.
 void add_no_particle(Draft& draft, std::size_t number) {
   const Body& body = draft.result.bodies[number];
   const std::string spacing = show_quantity(body.spacing, "m");
@@ -205,10 +205,6 @@ std::string key_of_count(const Draft& draft, std::size_t number) {
   const std::string key = key_of_spacing(draft);
   return key.ends_with(".spacing") ? key : std::string("workpiece.size");
 }
-
-}  // namespace
-
-namespace {
 
 // Returns the number of particles of a body: of one whose lattice has too many nodes, about those
 // that its grading and the symmetry planes leave.

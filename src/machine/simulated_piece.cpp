@@ -13,7 +13,6 @@
 #include "machine/travelling_frame.hpp"
 #include "model/body.hpp"
 #include "model/case.hpp"
-#include "model/machine.hpp"
 
 namespace kerf {
 
@@ -212,10 +211,6 @@ double last_front_depth(const Case& description) {
   return -description.workpiece->part.minimum[1] / std::cos(jet.angle) - bottom_margin * jet.width;
 }
 
-double passage_time(const Jet& jet, double thickness) {
-  return (jet.standoff + 4.0 * thickness / std::cos(jet.angle)) / (jet.speed * jet.duty);
-}
-
 Point jet_extent(const Jet& jet, int dimension) {
   const JetAxes axes = axes_of(jet);
   // Returns a vector of the section, of a length, carried along the water into the surface.
@@ -232,29 +227,6 @@ Point jet_extent(const Jet& jet, int dimension) {
   for (const std::size_t a : {std::size_t{0}, std::size_t{2}})
     extent[a] = is_slot ? std::abs(wide[a]) + std::abs(aside[a]) : std::hypot(wide[a], aside[a]);
   return extent;
-}
-
-double exposure_time(const Machine& machine, const Jet& jet, int dimension) {
-  if (machine.traverse_speed == 0.0) return std::numeric_limits<double>::infinity();
-  return width_along(jet, machine.traverse_direction, dimension) / machine.traverse_speed;
-}
-
-double longest_stay(const Case& description) {
-  const double end = description.time.end;
-  const auto frame = travelling_frame(description);
-  if (!frame) return end;
-  const double length = frame->first.maximum[frame->axis] - frame->first.minimum[frame->axis];
-  return std::min(end, length / frame->speed);
-}
-
-bool may_stand(const Machine& machine, const Jet& jet, double thickness, int dimension) {
-  return exposure_time(machine, jet, dimension) > passage_time(jet, thickness);
-}
-
-bool stands_for_traverse(const Case& description) {
-  return description.workpiece && description.machine &&
-         description.machine->motion == NozzleMotion::standing &&
-         description.machine->traverse_speed > 0.0;
 }
 
 Box domain_around(const PieceRequest& request, const Box& part, const Faces& planes) {

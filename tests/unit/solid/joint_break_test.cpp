@@ -59,36 +59,49 @@ SolidLayout<2> layout_of(const Bar& bar) {
   return layout;
 }
 
+// A bar whose lower end is held and whose upper end moves away.
+struct PulledBar {
+  Bar bar;
+  SolidLayout<2> layout = layout_of(bar);
+  SolidOnTrial<2, Double> trial{layout};
+  Eigen::Vector2d axis = rotation<2>(bar.angle) * Eigen::Vector2d(0.0, 1.0);
+
+  double along(std::size_t i) const { return axis.dot(as_column<2>(layout.reference[i])); }
+  // Returns the force on the upper end, N/m.
+  double hold_ends(double speed) {
+    double force = 0.0;
+    for (std::size_t i = 0; i < trial.size(); ++i) {
+      const bool is_upper = along(i) > height - 2e-3;
+      if (is_upper) force -= axis.dot(as_column<2>(trial.force(i)));
+      if (is_upper || along(i) < 2e-3)
+        trial.velocity[i] = {is_upper ? speed * axis[0] : 0.0, is_upper ? speed * axis[1] : 0.0};
+      else
+        trial.velocity[i] = 0.99 * trial.velocity[i];
+    }
+    return force;
+  }
+  void move(double dt) {
+    for (std::size_t i = 0; i < trial.size(); ++i)
+      trial.position[i] += dt * Vector<2, double>::from(trial.velocity[i]);
+  }
+};
+
 // Pulls the bar slowly until a bond breaks. Returns the stress of it then over the strength, by the
-// force on its upper clamp.
+// force on its upper end.
 double breaks_at(const Bar& bar) {
-  const auto layout = layout_of(bar);
-  SolidOnTrial<2, Double> trial(layout);
-  const auto& brittle = layout.media[bar.brittle_first ? 0 : 1];
-  const double dt = 0.2 * spacing / brittle.bond_wave_speed();
-  const Eigen::Vector2d axis = rotation<2>(bar.angle) * Eigen::Vector2d(0.0, 1.0);
+  PulledBar pulled{bar};
+  auto& trial = pulled.trial;
+  const double dt = 0.2 * spacing / brittle_half(bar.criterion).bond_wave_speed();
   const double stretch = 1.3 * strength / youngs_modulus * 0.5 * height * (1.0 + bar.contrast);
   const double time = 15.0 * height / std::sqrt(youngs_modulus / bar.contrast / 1000.0);
   trial.evaluate();
   double mean = 0.0;
   for (double t = 0.0; t < time; t += dt) {
     trial.kick(0.5 * dt);
-    double force = 0.0;
-    for (std::size_t i = 0; i < trial.size(); ++i) {
-      const double along = axis.dot(as_column<2>(layout.reference[i]));
-      if (along > 2e-3 && along < height - 2e-3) {
-        for (int a = 0; a < 2; ++a) trial.velocity[i][a] *= 0.99;
-        continue;
-      }
-      const double speed = along > 2e-3 ? stretch / time : 0.0;
-      trial.velocity[i] = {speed * axis[0], speed * axis[1]};
-      if (along > 2e-3) force -= axis.dot(as_column<2>(trial.force(i)));
-    }
-    for (std::size_t i = 0; i < trial.size(); ++i)
-      trial.position[i] += dt * Vector<2, double>::from(trial.velocity[i]);
-    mean += 0.02 * (force / width - mean);
+    mean += 0.02 * (pulled.hold_ends(stretch / time) / width - mean);
+    pulled.move(dt);
     trial.deform();
-    if (trial.solid.fracture().bonds > 0) return mean / strength;
+    if (trial.solid.fracture().bonds > 0) break;
     trial.solid.keep_softening();
     trial.evaluate();
     trial.kick(0.5 * dt);
