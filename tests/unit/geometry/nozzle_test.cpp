@@ -35,7 +35,7 @@ std::vector<Named> jets() {
     all.push_back({"narrower than a spacing", dimension, jet(0.4e-3, 1e-3, {}, 0.02)});
     Jet inclined = jet(5.2e-3, 0.7e-3, {0.01, 0.05, -0.01}, 0.013);
     inclined.angle = 0.6;
-    inclined.azimuth = 1.1;
+    inclined.azimuth = dimension == 3 ? 1.1 : 0.0;
     inclined.start = 1.3e-3;
     inclined.stop = 7.7e-3;
     all.push_back({"inclined, for a while", dimension, inclined});
