@@ -28,7 +28,7 @@ struct JointEnd {
   const BondedSolid<Real>&of_i, &of_j;
 
   // M_j / M_i.
-  KERF_FUNCTION Real ratio() const { return stiffness(j, of_j) / stiffness(i, of_i); }
+  KERF_FUNCTION Real ratio() const { return stiffness(j) / stiffness(i); }
   // e_i / e.
   KERF_FUNCTION Real share() const {
     const Real unlike = ratio();
@@ -53,13 +53,16 @@ struct JointEnd {
   }
 
  private:
-  KERF_FUNCTION Real stiffness(Index at, const BondedSolid<Real>& of) const {
-    const Real modulus = of.bulk_modulus + Real(4.0 / 3.0) * of.shear_modulus;
-    return solid.softens(at) ? modulus * remaining(at, of) : modulus;
+  KERF_FUNCTION Real stiffness(Index at) const {
+    const auto& medium = solid.medium(at);
+    const Real modulus = medium.bulk_modulus + Real(4.0 / 3.0) * medium.shear_modulus;
+    return solid.softens(at) ? modulus * remaining(at) : modulus;
   }
-  // Returns 1 - D, at least what the ratio of two of them needs to be finite.
-  KERF_FUNCTION Real remaining(Index at, const BondedSolid<Real>& of) const {
-    const Real left = undamaged_share<Real>(of, solid.softening_strain(at)), least = Real(1e-6);
+  // Returns 1 - D, by the limits of a slow test and k / R, at least what the ratio of two of them
+  // needs to be finite.
+  KERF_FUNCTION Real remaining(Index at) const {
+    const Real left = undamaged_share<Real>(solid.medium(at), solid.softening_strain(at));
+    constexpr Real least = Real(1e-6);
     return left > least ? left : least;
   }
   // Returns the number that the criterion of i gives the mean of both ends.
