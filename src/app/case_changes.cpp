@@ -107,6 +107,12 @@ bool is_symmetric(const Body& body, std::size_t axis, double at, int dimension) 
   return body.grading.levels == 0 && std::abs(middle - at) < 1e-6 * body.spacing;
 }
 
+// Sets the spacing of the workpiece, m.
+void change_piece_spacing(CaseChange& change, double spacing) {
+  change.changes.insert("workpiece", toml::table{{"spacing", metres(spacing)}});
+  change.lines.push_back(fmt::format("[workpiece] spacing = \"{}\"", metres(spacing)));
+}
+
 }  // namespace
 
 std::optional<CaseChange> draft_quality(const Case& description, const toml::table& written) {
@@ -140,8 +146,7 @@ std::optional<CaseChange> spacing_of_jet(const Case& description, const toml::ta
   const double spacing = description.jets.back().spacing;
   if (!(description.workpiece->spacing < spacing * (1.0 - 1e-9))) return {};
   CaseChange change;
-  change.changes.insert("workpiece", toml::table{{"spacing", metres(spacing)}});
-  change.lines.push_back(fmt::format("[workpiece] spacing = \"{}\"", metres(spacing)));
+  change_piece_spacing(change, spacing);
   return change;
 }
 
@@ -158,11 +163,8 @@ std::optional<CaseChange> double_spacing(const Case& description, const toml::ta
       change_entry(change, "jet", jet.name, "spacing", toml::value<std::string>(spacing));
     }
   }
-  if (description.workpiece && written["workpiece"]["spacing"]) {
-    const std::string spacing = metres(2.0 * description.workpiece->spacing);
-    change.changes.insert("workpiece", toml::table{{"spacing", spacing}});
-    change.lines.push_back(fmt::format("[workpiece] spacing = \"{}\"", spacing));
-  }
+  if (description.workpiece && written["workpiece"]["spacing"])
+    change_piece_spacing(change, 2.0 * description.workpiece->spacing);
   for (const Body& body : description.bodies) {
     const toml::table* entry = entry_of(written, "body", body.name);
     if (!entry || !entry->contains("spacing")) continue;

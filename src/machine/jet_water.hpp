@@ -12,10 +12,9 @@ struct Jet;
 // until the time `end`, s. It is the least of three bounds:
 // - what the jet emits until then, or while a window that travels with the nozzle passes a place;
 // - what fills the domain;
-// - where nothing moves or falls and no two symmetry planes face each other: what the jet emits
-// while
-//   water at a tenth of its speed passes the longest way through the domain, and what fills the box
-//   around the bodies, which may hold water for any time.
+// - where nothing moves or falls and no two symmetry planes face each other: what the jet emits in
+//   the time that water at a tenth of its speed takes for the longest way through the domain, and
+//   what fills the box around the bodies, which may hold water for any time.
 double most_jet_water(const Case& description, const Jet& jet, double end);
 
 // Returns the number of particles that the simulated part of a jet emits until then.
