@@ -97,7 +97,8 @@ double time_beside(const Jet& jet, const std::vector<const Body*>& bodies, doubl
   const double edge = boundary_between(time, std::min(time + step, longest), is_over);
   double spacing = endless;
   for (const Body* body : bodies) spacing = std::min(spacing, body->spacing);
-  return std::min(edge + 0.5 * spacing / speed, longest);
+  const double behind = std::min(edge + 0.5 * spacing / speed, longest);
+  return is_over(behind) ? behind : edge;  // it may only graze a body
 }
 
 }  // namespace kerf

@@ -70,6 +70,19 @@ TEST(TimeBeside, OfASphereBesideTheMiddle) {
   EXPECT_EQ(time_beside(jet, {&body}, 9.0, 3), 0.0);  // its axis passes beside
 }
 
+// The axis is over the sphere for less than half a spacing.
+TEST(TimeBeside, EndsOverABodyThatIsGrazed) {
+  Body body;
+  body.spacing = spacing;
+  body.shape.kind = Shape::Kind::sphere;
+  body.shape.radius = 2.0;
+  Jet jet = jet_beside(0.0, {1.0, 0.0, 0.0});
+  jet.position = {-5.0, 0.0, 2.0 - 5e-6};
+  const double time = time_beside(jet, {&body}, 9.0, 3);
+  EXPECT_GT(time, 0.0);
+  EXPECT_TRUE(std::isfinite(way_into(body, axis_line(jet, time), 3)));
+}
+
 TEST(TimeBeside, IsNoneWhereTheWaterMeetsABodyOrNever) {
   const Body body = plate();
   const auto beside = [&](const Jet& jet, double longest) {
