@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <set>
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
@@ -84,6 +85,27 @@ void keep_runs(const std::vector<std::string>& runs, std::vector<VerificationCas
                 "; ");
   }
   std::erase_if(cases, [&](VerificationCase& entry) { return !entry.keep_runs(runs); });
+}
+
+// Refuses a choice of runs by which no row can be judged.
+void refuse_without_rows(const std::vector<VerificationCase>& cases, const VerifyOptions& options) {
+  std::set<std::string> lacking;
+  for (const VerificationCase& entry : cases)
+    for (const Check& check : entry.checks) {
+      if (!entry.due_runs(check, options.all).empty()) return;
+      const auto others = check.other_runs();
+      lacking.insert(others.begin(), others.end());
+      lacking.insert(check.runs.begin(), check.runs.end());
+    }
+  if (cases.empty()) return;
+  for (const std::string& run : options.runs) lacking.erase(run);
+  throw UserError(
+      options.runs.empty()
+          ? "every run of these cases is a long one: add --all, or choose some by --run."
+          : fmt::format("--run: these runs alone judge no row, which takes its interval or its "
+                        "scale from others. Add some of: {}.",
+                        fmt::join(lacking, "; ")),
+      exit_bad_input);
 }
 
 void print_cases(const std::vector<VerificationCase>& cases) {
@@ -220,6 +242,7 @@ void run_verification(const VerifyOptions& options) {
   take_machine(options.machine);
   const KeptRuns kept(options.keep);
   for (VerificationCase& entry : cases) take_up_kept(entry, kept);
+  refuse_without_rows(cases, options);
   const Findings findings = verify_and_print(cases, options, kept);
   if (!options.json.empty()) write_file(options.json, to_json(findings.rows));
   if (!options.page.empty())

@@ -107,6 +107,18 @@ TEST(RefuseProgram, UnknownExperimentsAreGuessed) {
       << other.output;
 }
 
+// A row with an interval takes it from other runs, so one run alone would pass without any
+// judgement.
+TEST(RefuseProgram, RunsThatJudgeNoRowAreRefusedWithWhatTheyLack) {
+  const Outcome outcome =
+      run("verify --experiments muscle-zhao2025 --run '1.1 MPa' --threads 1", true);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.output.find("these runs alone judge no row"), std::string::npos)
+      << outcome.output;
+  EXPECT_NE(outcome.output.find("1.1 MPa, strength along the fibres"), std::string::npos)
+      << outcome.output;
+}
+
 TEST(RefuseProgram, MissingFilesEndWithFour) {
   const Outcome outcome = run("check /nowhere/case.toml", true);
   EXPECT_EQ(outcome.code, 4);
