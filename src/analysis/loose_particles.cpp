@@ -69,7 +69,7 @@ class LooseSearch {
       ++bonds;
     }
     return bonds >= least_bonds<D> &&
-           divide(correction = identity<D, double>(), moment, least_pivot);
+           divide(correction = identity<D, double>(), moment, least_moment);
   }
 
   const SolidLayout<D>& layout_;

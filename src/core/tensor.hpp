@@ -91,16 +91,31 @@ struct SkewTensor {
   }
 };
 
-// Solves X m = y for X, where m is symmetric and positive semidefinite; y becomes X. Returns false
-// and leaves y unchanged when a pivot of m is below `least`.
+// Returns whether every eigenvalue of a symmetric m is above `least`. Then, and only then, the
+// elimination of m - least 1 has positive pivots (Sylvester's law of inertia), in whatever order
+// the axes come.
+template <int D, class T>
+KERF_FUNCTION bool has_eigenvalues_above(Matrix<D, T> m, T least) {
+  for (int k = 0; k < D; ++k) m(k, k) -= least;
+  for (int k = 0; k < D; ++k) {
+    if (!(m(k, k) > T(0))) return false;
+    for (int b = k + 1; b < D; ++b) {
+      const T factor = m(k, b) / m(k, k);
+      for (int a = k + 1; a < D; ++a) m(a, b) -= factor * m(a, k);
+    }
+  }
+  return true;
+}
+
+// Solves X m = y for X, where m is symmetric; y becomes X. Returns false and leaves y unchanged
+// unless every eigenvalue of m is above `least`, which is not negative.
 template <int D, class T>
 KERF_FUNCTION bool divide(Matrix<D, T>& y, Matrix<D, T> m, T least) {
+  if (!has_eigenvalues_above(m, least)) return false;
   Matrix<D, T> x = y;
   for (int k = 0; k < D; ++k) {  // column elimination: pivots of such an m need no exchange
-    const T pivot = m(k, k);
-    if (!(pivot >= least)) return false;
     for (int b = k + 1; b < D; ++b) {
-      const T factor = m(k, b) / pivot;
+      const T factor = m(k, b) / m(k, k);
       for (int a = 0; a < D; ++a) {
         m(a, b) -= factor * m(a, k);
         x(a, b) -= factor * x(a, k);

@@ -14,8 +14,9 @@ namespace kerf {
 // distinguished from strain. With one more the hourglass control resists it.
 template <int D>
 inline constexpr Index least_bonds = D + 1;
-// Least pivot of the moment, which is near 1 inside, 1/2 on a face, 0.2 in the corner of a cube.
-inline constexpr double least_pivot = 0.1;
+// Least eigenvalue of the moment, which is near 1 inside, 0.4 on a face, 0.2 in the corner of a
+// cube whose faces lie along the lattice.
+inline constexpr double least_moment = 0.1;
 
 template <int D, class P>
 struct Correct {
@@ -41,7 +42,7 @@ struct Correct {
     const Index intact = solid.intact_bonds(i);
     solid.has_broken_bonds[i] = intact < solid.bonds.count[i];
     auto correction = identity<D, double>();
-    if (intact < least_bonds<D> || !divide(correction, moment, least_pivot)) {
+    if (intact < least_bonds<D> || !divide(correction, moment, least_moment)) {
       solid.detached[i] = 1;
       return clear_correction(i);
     }

@@ -87,6 +87,30 @@ TEST(Matrix, DivisionByASingularMatrixFails) {
   for (int k = 0; k < 4; ++k) EXPECT_EQ(y.component[k], k + 1.0);
 }
 
+// By the eigenvalues of Eigen, in frames turned at random.
+template <int D>
+void expect_division_by_eigenvalues() {
+  using Square = Eigen::Matrix<double, D, D>;
+  Random random;
+  for (int trial = 0; trial < 200; ++trial) {
+    Square any;
+    for (int k = 0; k < D * D; ++k) any(k) = random();
+    const Square turn = Eigen::HouseholderQR<Square>(any).householderQ();
+    Eigen::Matrix<double, D, 1> values = Eigen::Matrix<double, D, 1>::Constant(0.6);
+    const double least = 0.1;
+    values[trial % D] = least * (trial % 2 == 0 ? 1.0 + 1e-9 : 1.0 - 1e-9);
+    const Square m = turn * values.asDiagonal() * turn.transpose();
+    Matrix<D, double> divisor, quotient = identity<D, double>();
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) divisor(a, b) = m(a, b);
+    EXPECT_EQ(divide(quotient, divisor, least), trial % 2 == 0) << m;
+  }
+}
+TEST(Matrix, IsDividedByWhatHasEigenvaluesAboveTheLeastInAnyFrame) {
+  expect_division_by_eigenvalues<2>();
+  expect_division_by_eigenvalues<3>();
+}
+
 template <int D>
 void expect_products() {
   Random random;
