@@ -89,6 +89,14 @@ SymmetryImages symmetry_images(const Case& description) {
   return images;
 }
 
+std::array<double, 3> point_of_part(std::array<double, 3> x, const SymmetryImages& images) {
+  for (const SymmetryImages::Plane& plane : images.planes) {
+    const double beyond = x[plane.axis] - plane.position;
+    x[plane.axis] = plane.position + (plane.is_low() ? std::abs(beyond) : -std::abs(beyond));
+  }
+  return x;
+}
+
 int images_of(const JetAxis& jet, const SymmetryImages& images) {
   int count = 1;
   for (const SymmetryImages::Plane& plane : images.planes)

@@ -3,6 +3,7 @@
 // of the part and its mirror images, so that every measurement is that of the whole workpiece.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -19,8 +20,9 @@ struct JetAxis;
 struct SymmetryImages {
   struct Plane {
     std::size_t axis = 0;
-    double position = 0.0;   // m
-    std::uint8_t joins = 0;  // its bit in Frame::joined_planes
+    double position = 0.0;                                   // m
+    std::uint8_t joins = 0;                                  // its bit in Frame::joined_planes
+    bool is_low() const { return joins == 1u << 2 * axis; }  // the part is above it
   };
   std::vector<Plane> planes;
   int jets = 1;  // the first jet and its images: a plane through the axis adds none
@@ -31,6 +33,10 @@ struct SymmetryImages {
 // Returns the planes of a case. Of two opposite planes, which repeat the workpiece without end, the
 // one counts that contains the axis of the first jet, else none: the whole is one period.
 SymmetryImages symmetry_images(const Case& description);
+
+// Returns the point of the simulated part of which a point of the whole workpiece is an image, or
+// the point itself.
+std::array<double, 3> point_of_part(std::array<double, 3> x, const SymmetryImages& images);
 
 // Returns by how many jets a jet acts on the whole workpiece: 1 if its axis lies in all planes,
 // else with its images.

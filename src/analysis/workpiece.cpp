@@ -90,7 +90,8 @@ double first_particle(const Workpiece& workpiece) {
 double find_face(const Workpiece& workpiece, const Case& description, double first) {
   const std::set<std::uint16_t> bodies(workpiece.body.begin(), workpiece.body.end());
   const auto is_inside = [&](double depth) {
-    const Point x = workpiece.jet->point_at(depth, 0.0);
+    // The shapes are those of the part; an inclined axis may enter in an image of it.
+    const Point x = point_of_part(workpiece.jet->point_at(depth, 0.0), workpiece.images);
     return std::any_of(bodies.begin(), bodies.end(), [&](std::uint16_t body) {
       return contains(description.bodies[body].shape, x, description.dimension);
     });

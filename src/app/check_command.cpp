@@ -151,7 +151,8 @@ void print_cost(const Case& description, const DerivedNumbers& numbers, const Pa
   row("particles including jet water", particles_with_water(description, numbers));
   row("simulated time", simulated_time(description, numbers));
   row("time step", readable(numbers.time_step / pace.step_factor, "s"));
-  row("steps", fmt::format("{:.0f}", cost.steps));
+  row("steps",
+      cost.steps < 1e12 ? fmt::format("{:.0f}", cost.steps) : fmt::format("{:.3g}", cost.steps));
   row("memory", readable(cost.memory, "B"));
   row("speed on this machine", fmt::format("{:.3g} particle-steps/s", 1.0 / pace.particle_step));
   row("run time", run_time_text(cost, pace));

@@ -11,6 +11,7 @@
 #include "geometry/fill.hpp"
 #include "geometry/particle_estimate.hpp"
 #include "geometry/shapes.hpp"
+#include "machine/simulated_piece.hpp"
 #include "model/case.hpp"
 #include "output/pulse_flag.hpp"
 
@@ -23,7 +24,6 @@ using Warnings = std::vector<std::string>;
 constexpr double least_across_jet = 10.0;  // particles
 constexpr double near_jet = 2.0;           // jet widths from the axis within which a cut forms
 constexpr double cut_reach = 1.5;  // jet widths; in a slot the water flows back beside the jet
-constexpr double least_level_width = 2.0;  // smoothing lengths of the coarser level
 constexpr double rounding = 1.0 + 1e-6;
 
 std::string length(double metres) {
@@ -31,6 +31,8 @@ std::string length(double metres) {
 }
 
 std::string key_of(const Case& description, const Body& body, const std::string& key) {
+  if (description.workpiece && body.name == workpiece_name)
+    return key == "grading.width" ? "workpiece.grading_width" : "workpiece." + key;
   const auto index = &body - description.bodies.data();
   return fmt::format("body[{}].{} (\"{}\")", index + 1, key, body.name);
 }

@@ -30,6 +30,17 @@ void add_machine_options(CLI::App& command, MachineOptions& options) {
   add_device_option(command, options.device);
 }
 
+CLI::Option* add_out_option(CLI::App& command, std::string& folder, const std::string& meaning) {
+  const CLI::Validator is_named(
+      [](const std::string& text) {
+        return std::string(text.empty() ? "the folder has no name. Allowed: the path of a folder. "
+                                          "Leave --out away for the default"
+                                        : "");
+      },
+      "");
+  return command.add_option("--out", folder, meaning)->check(is_named);
+}
+
 void take_machine(const MachineOptions& options) {
   set_threads(options.threads);
   set_device(options.device);

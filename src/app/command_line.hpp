@@ -29,6 +29,9 @@ void take_machine(const MachineOptions& options);
 // Returns the number of threads.
 int threads_of(const MachineOptions& options);
 
+// Adds --out, which names a folder; an empty name, as of a variable that is not set, is refused.
+CLI::Option* add_out_option(CLI::App& command, std::string& folder, const std::string& meaning);
+
 // Throws the UserError "SENTENCE. Did you mean "..."? Allowed: ..."; the question is part of it if
 // a known name is similar or contains it.
 [[noreturn]] void refuse_name(const std::string& sentence, const std::string& name,

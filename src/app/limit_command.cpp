@@ -220,9 +220,9 @@ void add_limit_command(CLI::App& program) {
       "limit", "Find the greatest feed or the least pressure at which a case still cuts");
   command->add_option("CASE", options->file, "the case file")->required();
   add_question(*command, options->question);
-  command->add_option("--out", options->folder,
-                      "folder for the results; default out/<case>-limit; the same command in the "
-                      "same folder continues");
+  add_out_option(*command, options->folder,
+                 "folder for the results; default out/<case>-limit; the same command in the "
+                 "same folder continues");
   add_executor_options(*command, options->executor);
   command->callback([options] { limit(*options); });
 }

@@ -210,7 +210,7 @@ void add_run_command(CLI::App& program) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = program.add_subcommand("run", "Run a case and report on it");
   command->add_option("CASE", options->case_file, "the case file")->required();
-  command->add_option("--out", options->folder, "folder for the results; default out/<case>");
+  add_out_option(*command, options->folder, "folder for the results; default out/<case>");
   add_machine_options(*command, options->machine);
   CLI::Option* resume =
       command->add_flag("--resume", options->resume, "continue from the last checkpoint");

@@ -34,6 +34,9 @@ std::vector<StageTime> RunLoop::stage_times() const {
     else
       known->seconds += stage.seconds;
   }
+  // By name, as in the checkpoint: a run that was resumed has the order of one that was not.
+  std::sort(stages.begin(), stages.end(),
+            [](const StageTime& a, const StageTime& b) { return a.name < b.name; });
   return stages;
 }
 

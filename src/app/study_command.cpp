@@ -97,12 +97,18 @@ void study(const StudyOptions& options) {
   database.remember("study", plan.text);
   const CaseMaker maker(plan);
   const auto executor = make_executor(options.executor, folder);
-  if (!options.executor.quiet) fmt::print("{}, results in {}\n", plan.title, folder.string());
   const StopSignals signals;
   StudyDisplay display(progress_style(options.executor.quiet));
   StudyPageFile page(plan, folder);
   const StudyRuns* made = nullptr;
+  bool has_begun = false;
+  const auto begin = [&] {
+    if (!has_begun && !options.executor.quiet)
+      fmt::print("{}, results in {}\n", plan.title, folder.string());
+    has_begun = true;
+  };
   const auto show = [&](const StudyProgress& now) {
+    begin();
     display.show(now);
     page.follow(now.ended, now.total, [&] {
       StudyAnswers so_far;
@@ -115,6 +121,7 @@ void study(const StudyOptions& options) {
   made = &runs;
   StudyAnswers answers;
   const auto finish = [&](StudyState state) {
+    begin();
     display.clear();
     conclude(plan, runs, answers);
     write_results(plan, answers, folder);
@@ -127,7 +134,7 @@ void study(const StudyOptions& options) {
     fmt::print("Stopped. Continue with: kerf study {} --out {}\n", options.file, folder.string());
     throw CLI::RuntimeError(128 + stopped.signal);
   } catch (const UserError&) {
-    finish(StudyState::stopped);
+    if (!runs.asked().empty()) finish(StudyState::stopped);  // else no case of it is valid
     throw;
   }
   finish(StudyState::ended);
@@ -141,7 +148,7 @@ void add_study_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("study", "Run a case with many settings, or search for a setting");
   command->add_option("STUDY", options->file, "the study file")->required();
-  command->add_option("--out", options->folder, "folder for the results; default out/<study>");
+  add_out_option(*command, options->folder, "folder for the results; default out/<study>");
   add_executor_options(*command, options->executor);
   command->callback([options] { study(*options); });
 }

@@ -11,6 +11,7 @@
 #include "geometry/shapes.hpp"
 #include "geometry/water_line.hpp"
 #include "input/draft.hpp"
+#include "input/units.hpp"
 #include "machine/characteristic_speed.hpp"
 #include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
@@ -80,6 +81,12 @@ bool anything_moves(const Case& description) {
   return fastest_body(description) > 0.0 || g[0] != 0.0 || g[1] != 0.0 || g[2] != 0.0;
 }
 
+void add_outside(Draft& draft, const std::string& path) {
+  draft.reading.problems.add({path + ".position", "the nozzle is outside the domain",
+                              "a nozzle that is in the domain with its last 4 spacings",
+                              "Move the jet, shorten its standoff or enlarge the [domain]"});
+}
+
 void check_start(Draft& draft, const std::string& path, const std::vector<InletParticle>& water) {
   const Case& result = draft.result;
   for (const InletParticle& particle : water) {
@@ -91,9 +98,7 @@ void check_start(Draft& draft, const std::string& path, const std::vector<InletP
       return;
     }
     if (!inside(result.domain, particle.position, result.dimension)) {
-      draft.reading.problems.add({path + ".position", "the nozzle is outside the domain",
-                                  "a nozzle that is in the domain with its last 4 spacings",
-                                  "Move the jet, shorten its standoff or enlarge the [domain]"});
+      add_outside(draft, path);
       return;
     }
     if (const Body* body = body_at(result, particle.position)) {
@@ -106,10 +111,12 @@ void check_start(Draft& draft, const std::string& path, const std::vector<InletP
   }
 }
 
-// Refuses a nozzle that leaves the domain before the end of the run.
+// Refuses a nozzle that leaves the domain before the end of the run, or is never in it: beyond a
+// symmetry plane it has no water that check_start() could see.
 void check_traverse(Draft& draft, const std::string& path, const Nozzle& nozzle) {
   const Case& result = draft.result;
   const double end = result.time.end;
+  if (!inside(result.domain, nozzle.exit(0.0), result.dimension)) return add_outside(draft, path);
   if (inside(at_time(result, end).domain, nozzle.exit(end), result.dimension)) return;
   draft.reading.problems.add({path + (path == "machine" ? ".traverse_speed" : ".traverse"),
                               "the nozzle leaves the domain before the end of the run",
@@ -129,11 +136,26 @@ std::string miss_text(const Draft& draft, const Jet& jet) {
       beside.distance, beside.body->name);
 }
 
+// Returns whether a body is within the breadth of the jet, but between its particles.
+bool is_between_water(const Draft& draft, const Jet& jet) {
+  std::vector<const Body*> bodies;
+  for (const Body& body : draft.result.bodies) bodies.push_back(&body);
+  return beside_jet(jet, bodies, draft.result.dimension, draft.effort.most_tested).distance <= 0.0;
+}
+
 void add_miss(Draft& draft, std::size_t number) {
   const Jet& jet = draft.result.jets[number];
+  const std::string& path = draft.jets[number].path;
+  if (path != "machine" && is_between_water(draft, jet)) {
+    draft.reading.problems.add(
+        {path + (draft.result.dimension == 3 ? ".diameter" : ".width"),
+         fmt::format("the bodies lie between the particles of this jet, which are {} apart",
+                     show_quantity(jet.spacing, "m")),
+         "a jet whose particles meet a body", "Choose a narrower jet or a smaller jet.spacing"});
+    return;
+  }
   draft.reading.problems.add(
-      {draft.jets[number].path + ".position", miss_text(draft, jet),
-       "a position and an angle whose line meets a body",
+      {path + ".position", miss_text(draft, jet), "a position and an angle whose line meets a body",
        traverse_speed(jet) > 0.0 ? "Let the path of the nozzle come over a body before the run ends"
                                  : "Aim the jet at the workpiece: angle 0 is straight down"});
 }

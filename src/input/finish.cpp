@@ -25,13 +25,13 @@ void check_names(Draft& draft) {
         draft.reading.problems.add(
             {path + ".name", "the name is used already", "a unique name", "Choose another name"});
   };
-  std::vector<std::array<std::string, 2>> bodies, jets, probes;
-  for (const BodyDraft& entry : draft.bodies) bodies.push_back({entry.body.name, entry.path});
-  for (const JetDraft& entry : draft.jets) jets.push_back({entry.jet.name, entry.path});
+  // Results and messages name bodies and jets alike.
+  std::vector<std::array<std::string, 2>> sources, probes;
+  for (const BodyDraft& entry : draft.bodies) sources.push_back({entry.body.name, entry.path});
+  for (const JetDraft& entry : draft.jets) sources.push_back({entry.jet.name, entry.path});
   for (const Probe& probe : draft.result.probes)
     probes.push_back({probe.name, indexed("probe", probes.size())});
-  check(bodies);
-  check(jets);
+  check(sources);
   check(probes);
 }
 

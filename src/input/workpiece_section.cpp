@@ -31,7 +31,7 @@ std::vector<Key> workpiece_keys() {
       {"shift", quantity, "m", "(an eighth of the window)", positive, {}, "travelling", "Distance by which the window moves at a time, in whole coarsest cells", stored_in<&WorkpieceSetting::shift>},
       {"spacing", quantity, "m", "(that of the jet)", positive, {}, "", "Distance of neighbouring particles at the jet", stored_in<&WorkpieceSetting::spacing>},
       {"levels", integer, "", "(2, or 0 where that has fewer particles, and in a travelling 2D window)", {0, 4}, {}, "", "How often the spacing doubles away from the jet; 0 = one spacing", stored_in<&WorkpieceSetting::levels>},
-      {"grading_width", quantity, "m", "(two widths of the jet, at least the coarsest spacing)", positive, {}, "", "The spacing doubles beyond this distance from the water of the jet, again beyond twice it, and so on", stored_in<&WorkpieceSetting::grading_width>},
+      {"grading_width", quantity, "m", "(two widths of the jet, at least two smoothing lengths of the coarsest spacing)", positive, {}, "", "The spacing doubles beyond this distance from the water of the jet, again beyond twice it, and so on", stored_in<&WorkpieceSetting::grading_width>},
   };
   // clang-format on
 }
@@ -200,6 +200,7 @@ void choose_part(Draft& draft, Section& top, const Section& section) {
                        workpiece.spacing,
                        may_mirror,
                        workpiece.frame,
+                       draft.result.smoothing_ratio,
                        {}};
   if (section.has("levels")) request.levels = workpiece.levels;
   const SimulatedPiece chosen = simulated_piece(request);

@@ -37,10 +37,11 @@ int levels_of(const PieceRequest& request) {
   return request.levels.value_or(travels(request) && request.dimension == 2 ? 0 : graded_levels);
 }
 
-// Returns the width of the finest part, m: at least a coarsest cell.
+// Returns the width of the finest part, m: at least the least one for the coarsest cells.
 double grading_width_of(const PieceRequest& request, int levels) {
   const double cell = request.spacing > request.jet.width ? 0.0 : request.spacing * (1 << levels);
-  return std::max(graded_width * request.jet.width, cell);
+  return std::max(graded_width * request.jet.width,
+                  least_level_width * request.smoothing_ratio * cell);
 }
 
 // Returns the room between nozzle and edge of the domain, m, which holds the rows of its water.

@@ -74,6 +74,10 @@ struct SimulatedPiece {
   Box domain;                  // m
 };
 
+// A narrower level of a grading, in smoothing lengths of the coarser one, would let particles
+// interact across it.
+inline constexpr double least_level_width = 2.0;
+
 // What the choice is made for.
 struct PieceRequest {
   Jet jet;             // its nozzle moves as it does in the run
@@ -83,7 +87,8 @@ struct PieceRequest {
   double spacing = 0.0;    // m, of the workpiece at the jet
   bool may_mirror = true;  // whether the part may end at symmetry planes
   WorkpieceFrame frame = WorkpieceFrame::fixed;
-  std::optional<int> levels;  // of resolution beside the finest, where they are not to be chosen
+  double smoothing_ratio = 1.3;  // of the case
+  std::optional<int> levels;     // of resolution beside the finest, where they are not to be chosen
 };
 SimulatedPiece simulated_piece(const PieceRequest& request);
 

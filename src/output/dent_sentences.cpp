@@ -72,12 +72,20 @@ double least_length(const RunOutcome& outcome) {
   return std::isfinite(finest) ? least * finest : 0.0;
 }
 
+bool has_workpiece(const Case& description) {
+  return std::any_of(description.bodies.begin(), description.bodies.end(),
+                     [](const Body& body) { return body.role == Role::elastic; });
+}
+
 bool has_touched(const RunOutcome& outcome) {
   // The impulse is the sum of the forces on the water, of which those within the water cancel but
-  // for rounding.
+  // for rounding: that of the momenta by magnitude, as those of opposed jets cancel, too.
   constexpr double rounding = 1e-6;
-  return magnitude(outcome.balance.impulse_water) >
-         rounding * magnitude(outcome.balance.momentum_in);
+  double fastest = 0.0;
+  for (const Jet& jet : outcome.description.jets) fastest = std::max(fastest, jet.speed);
+  const double scale = std::max({outcome.balance.mass_in * fastest, outcome.balance.momentum_scale,
+                                 magnitude(outcome.balance.momentum_in)});
+  return magnitude(outcome.balance.impulse_water) > rounding * scale;
 }
 
 std::string untouched_sentence(const RunOutcome& outcome) {

@@ -247,7 +247,8 @@ const MetricList<ValidityFlag>& ValidityFlag::metrics() {
 std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
   const DerivedNumbers& derived = outcome.derived;
   std::vector<ValidityFlag> flags;
-  if (!outcome.description.jets.empty() && !has_touched(outcome))
+  if (!outcome.description.jets.empty() && has_workpiece(outcome.description) &&
+      !has_touched(outcome))
     flags.push_back({"not_reached", State::warning, {}, {}, untouched_sentence(outcome)});
   if (outcome.still_cutting)
     flags.push_back({"still_cutting", State::warning, {}, {}, still_cutting_sentence(outcome)});

@@ -27,6 +27,8 @@ std::string beside_clause(const RunOutcome& outcome);
 
 // Returns whether the water has exerted a force on the solids.
 bool has_touched(const RunOutcome& outcome);
+// Whether the case has a body that a jet could cut.
+bool has_workpiece(const Case& description);
 // Says that it has not, and what became of the workpiece meanwhile.
 std::string untouched_sentence(const RunOutcome& outcome);
 

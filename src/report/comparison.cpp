@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <compare>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -75,20 +76,42 @@ std::string metrics_table(const std::array<Side, 2>& sides) {
          rows + "</tbody></table>\n";
 }
 
-std::vector<std::string> lines_of(const ComparedRun& run) {
+// A line of a case with the table that it is in.
+struct CaseLine {
+  std::string table;  // its heading, with the name of an entry of a list
+  std::string text;
+  auto operator<=>(const CaseLine&) const = default;
+};
+
+// Returns the lines of the tables of a case. Entries of lists are told apart by their names, which
+// are their first keys.
+std::vector<CaseLine> lines_of(const ComparedRun& run) {
   std::istringstream text(read_file(run.folder / "case.used.toml"));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  std::vector<CaseLine> lines;
+  std::string table;
+  for (std::string line; std::getline(text, line);) {
+    if (line.empty()) continue;
+    if (line.starts_with("[")) {
+      table = line;
+      continue;
+    }
+    if (table.ends_with("]]") && line.starts_with("name = ")) table += "  # " + line;
+    lines.push_back({table, line});
+  }
   return lines;
 }
 
-// Returns the lines of one case that the other does not have.
+// Returns the lines of one case that the other does not have, each table with its heading.
 std::string own_lines(const ComparedRun& run, const ComparedRun& other) {
-  const std::vector<std::string> theirs = lines_of(other);
-  const std::set<std::string> known(theirs.begin(), theirs.end());
-  std::string text;
-  for (const std::string& line : lines_of(run))
-    if (known.count(line) == 0) text += html::escape(line) + "\n";
+  const std::vector<CaseLine> theirs = lines_of(other);
+  const std::set<CaseLine> known(theirs.begin(), theirs.end());
+  std::string text, table;
+  for (const CaseLine& line : lines_of(run)) {
+    if (known.count(line) != 0) continue;
+    if (line.table != table) text += html::escape(line.table) + "\n";
+    table = line.table;
+    text += html::escape(line.text) + "\n";
+  }
   // It scrolls, so that the keyboard must reach it.
   const std::string start =
       fmt::format("<div><pre tabindex=\"0\" role=\"region\" aria-label=\"What only {} has\">",

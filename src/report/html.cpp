@@ -103,6 +103,8 @@ std::string percent(double share) {
 }
 
 std::string count(double value) {
+  constexpr double most_digits = 1e12;
+  if (!(std::abs(value) < most_digits)) return number(value, 3);
   std::string digits = fmt::format("{:.0f}", value);
   for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
     digits.insert(static_cast<std::size_t>(at), "\u202f");

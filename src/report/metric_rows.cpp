@@ -74,8 +74,11 @@ std::string difference_html(const Json& first, const Json& second, const ResultM
   if (!std::isfinite(before) || !std::isfinite(after)) return "";
   if (before == after) return "0";
   const char* sign = after > before ? "+" : "−";
+  if (metric.unit.is_share)
+    return fmt::format("{}{} percentage points", sign,
+                       html::number(100.0 * std::abs(after - before), 3));
   const std::string size = sign + written(first, metric, std::abs(after - before), digits);
-  if (before == 0.0 || metric.unit.is_share) return size;
+  if (before == 0.0) return size;
   return fmt::format("{} ({}{})", size, sign, html::percent(std::abs((after - before) / before)));
 }
 

@@ -46,7 +46,8 @@ std::string show(const Setting& setting, const std::vector<Axis>& axes) {
     const auto number = setting.numbers.find(axis.name());
     const auto word = setting.words.find(axis.name());
     if (number != setting.numbers.end())
-      parts.push_back(fmt::format("{} = {}", axis.name(), show_number(number->second, axis)));
+      parts.push_back(
+          fmt::format("{} = {}", axis.name(), show_number(axis.of_case(number->second), axis)));
     if (word != setting.words.end())
       parts.push_back(fmt::format("{} = \"{}\"", axis.name(), word->second));
   }

@@ -24,10 +24,15 @@ struct Axis {
   std::vector<std::string> words;  // instead of values where the key holds a word
   bool is_range = false;           // any value from the first to the last is allowed
   bool is_logarithmic = false;     // the range is divided into equal ratios
+  // Whether the case has minus a value: values are the magnitudes of a component of a vector that
+  // points against its axis.
+  bool is_reversed = false;
 
   const std::string& name() const { return path.text; }
   // Returns how many SI units one `shown_unit` has; 1 for a pure number.
   double shown_factor() const;
+  // Returns the number that the case has for a value.
+  double of_case(double value) const { return is_reversed ? -value : value; }
   std::size_t levels() const { return words.empty() ? values.size() : words.size(); }
   void put_level(std::size_t level, Setting& setting) const;
   // Sets the key to a point of the range, from 0 at its first end to 1 at its last. A list is

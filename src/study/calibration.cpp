@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "core/error.hpp"
 #include "study/bisection.hpp"
-#include "study/least_squares.hpp"
 #include "study/metric_jump.hpp"
+#include "study/nearest_line.hpp"
 
 namespace kerf {
 
@@ -29,7 +30,7 @@ class Calibrator {
       from_threshold();
     else
       from_metric();
-    answer_.runs = static_cast<int>(known_.size());
+    answer_.runs = goal_.most_runs - runs_left();
     if (answer_.problem.empty()) predict();
     return answer_;
   }
@@ -106,13 +107,26 @@ class Calibrator {
       const bool is_low = (miss(middle) > 0.0) == (miss(root.first) > 0.0);
       (is_low ? root.first : root.second) = middle;
     }
-    set_answer(root.first, root.second);
+    set_answer(made_run(root.first), made_run(root.second));
   }
-  int runs_left() const { return goal_.most_runs - static_cast<int>(known_.size()); }
+  double made_run(double logarithm) const {
+    return known_.count(logarithm) > 0 ? logarithm : run_beside(logarithm)->first;
+  }
+  int runs_left() const {
+    return goal_.most_runs - static_cast<int>(known_.size() + lacking_.size());
+  }
+
+  // A run so near to another that it would tell nothing new is not made: the method steps by
+  // rounding errors where a run has exactly the measured value.
+  MetricByKey::const_iterator run_beside(double logarithm) const {
+    const double near = 1e-3 * goal_.tolerance;
+    const auto found = known_.lower_bound(logarithm - near);
+    return found != known_.end() && found->first <= logarithm + near ? found : known_.end();
+  }
 
   double metric_at(double logarithm) {
-    const auto found = known_.find(logarithm);
-    if (found != known_.end()) return found->second;
+    if (const auto found = known_.find(logarithm); found != known_.end()) return found->second;
+    if (const auto found = run_beside(logarithm); found != known_.end()) return found->second;
     const double value = std::exp(logarithm), metric = measure({value}).front();
     known_.erase(std::log(value));  // the same value but for rounding
     known_[logarithm] = metric;
@@ -124,16 +138,21 @@ class Calibrator {
   void explore() {
     const int count = std::max(4, laboratory_.side_by_side());
     std::vector<double> values;
-    std::vector<Trial> trials;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count; ++i)
       values.push_back(between(goal_.axis.values.front(), goal_.axis.values.back(),
                                static_cast<double>(i) / (count - 1), true));
-      trials.push_back(trial(values.back(), goal_.at));
-    }
+    try_values(values);
+  }
+
+  void try_values(const std::vector<double>& values) {
+    std::vector<Trial> trials;
+    for (const double value : values) trials.push_back(trial(value, goal_.at));
     const auto outcomes = laboratory_.run(trials);
     for (std::size_t i = 0; i < values.size(); ++i)
       if (outcomes[i].failed || has_metric(outcomes[i]))
         known_[std::log(values[i])] = metric_of(outcomes[i]);
+      else
+        lacking_.push_back(std::log(values[i]));
   }
 
   // Returns two neighbours between which the metric crosses the measured value.
@@ -168,52 +187,73 @@ class Calibrator {
   // runs; across a jump these two values are the interval.
   void set_answer(double low, double high) {
     const double at_low = known_.at(low), at_high = known_.at(high);
+    const double measurement = cover * goal_.uncertainty;
     const auto jump = find_jump(known_, low, high, goal_.measured);
-    if (jump && std::abs(at_high - at_low) > 2.0 * cover * goal_.uncertainty) {
-      set_jump(*jump);
+    if (jump && std::abs(at_high - at_low) > 2.0 * measurement) {
+      if (const auto nearest = agreeing_run(measurement))
+        set_interval(*nearest, {low, high}, measurement);
+      else
+        set_jump(*jump);
       return;
     }
     const double share = at_high == at_low ? 0.5 : (goal_.measured - at_low) / (at_high - at_low);
     const double root = low + share * (high - low);
-    const Fit line = nearest_line(root);
+    const Fit line = nearest_line(known_, root);
     if (!line.problem.empty()) {
       answer_.problem = line.problem;
       return;
     }
     answer_.sensitivity = line.parameters[1];
     answer_.scatter = line.residual;
+    if (!has_slope(line, 1.0)) {
+      answer_.problem = fmt::format("{} hardly depends on {} here and cannot determine it",
+                                    goal_.metric, goal_.axis.name());
+      return;
+    }
     const double scatter = student_factor(line.freedom, 0.95) * line.residual;
-    const double uncertainty = std::hypot(cover * goal_.uncertainty, scatter);
+    const double uncertainty = std::hypot(measurement, scatter);
     const double half = std::max(uncertainty / std::abs(answer_.sensitivity), 0.5 * (high - low));
-    const Bracket within =
-        supported_interval(known_, root, {root - half, root + half}, goal_.measured, uncertainty);
+    set_interval(root, {root - half, root + half}, uncertainty);
+  }
+
+  // Returns the run nearest to the measured value, if it is within the uncertainty.
+  std::optional<double> agreeing_run(double uncertainty) const {
+    const auto miss = [&](const auto& run) { return std::abs(run.second - goal_.measured); };
+    const auto nearest =
+        std::min_element(known_.begin(), known_.end(),
+                         [&](const auto& a, const auto& b) { return miss(a) < miss(b); });
+    return miss(*nearest) <= uncertainty ? std::optional(nearest->first) : std::nullopt;
+  }
+
+  // Ends an interval about the root where runs miss the measured value. Runs that agree with it
+  // beyond the interval lengthen it; the runs that are left find where the agreement ends.
+  void set_interval(double root, const Bracket& interval, double uncertainty) {
+    const Bracket start =
+        supported_interval(all_runs(), root, interval, goal_.measured, uncertainty);
+    while (runs_left() > 0) {
+      const auto value =
+          undecided_value(all_runs(), start, goal_.measured, uncertainty, goal_.tolerance);
+      if (!value) break;
+      try_values({std::exp(*value)});
+    }
+    const MetricByKey runs = all_runs();
+    const Bracket within = agreeing_interval(runs, start, goal_.measured, uncertainty);
+    const auto agrees = [&](const auto& run) {
+      return std::abs(run.second - goal_.measured) <= uncertainty;
+    };
+    answer_.is_open_below = agrees(*runs.begin());
+    answer_.is_open_above = agrees(*runs.rbegin());
     answer_.value = std::exp(root);
     answer_.low = std::max(goal_.axis.values.front(), std::exp(within.low));
     answer_.high = std::min(goal_.axis.values.back(), std::exp(within.high));
-    if (!has_slope(line, 1.0))
-      answer_.problem = fmt::format("{} hardly depends on {} here and cannot determine it",
-                                    goal_.metric, goal_.axis.name());
   }
 
-  // Fits a line to the nearest five runs, and to more where the slope is uncertain by more than a
-  // half.
-  Fit nearest_line(double root) const {
-    std::vector<std::pair<double, double>> points(known_.begin(), known_.end());
-    std::sort(points.begin(), points.end(), [&](const auto& a, const auto& b) {
-      return std::abs(a.first - root) < std::abs(b.first - root);
-    });
-    Fit fit;
-    for (std::size_t count = std::min<std::size_t>(5, points.size()); count <= points.size();
-         ++count) {
-      fit = fit_line({points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count)}, root);
-      if (fit.problem.empty() && has_slope(fit, 0.5)) break;
-    }
-    return fit;
-  }
-
-  // Returns whether the half-width of the slope's interval is within this share of the slope.
-  static bool has_slope(const Fit& line, double share) {
-    return share * std::abs(line.parameters[1]) > line.half_interval(1, 0.95);
+  // Returns the runs with those that lack the metric, which miss every value of it.
+  MetricByKey all_runs() const {
+    MetricByKey runs = known_;
+    for (const double logarithm : lacking_)
+      runs[logarithm] = std::numeric_limits<double>::infinity();
+    return runs;
   }
 
   // Runs each setting with the key at its value and at both ends of its interval, within the range.
@@ -240,6 +280,7 @@ class Calibrator {
   double refinement_;
   Laboratory& laboratory_;
   MetricByKey known_;
+  std::vector<double> lacking_;  // logarithms of the key at which runs have no such metric
   CalibrationAnswer answer_;
 };
 

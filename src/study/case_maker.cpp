@@ -81,7 +81,8 @@ ResolvedCase CaseMaker::make(const Trial& trial) const {
   for (const Axis& axis : axes_) {
     const auto number = trial.setting.numbers.find(axis.name());
     const auto word = trial.setting.words.find(axis.name());
-    if (number != trial.setting.numbers.end()) set_number(table, axis.path, number->second);
+    if (number != trial.setting.numbers.end())
+      set_number(table, axis.path, axis.of_case(number->second));
     if (word != trial.setting.words.end())
       set_key(table, axis.path, toml::value<std::string>(word->second));
   }

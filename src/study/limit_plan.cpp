@@ -57,13 +57,12 @@ std::string traverse_path(const Asked& asked, const std::string& key) {
   int moving = -1, count = 0;
   for (int axis = 0; axis < 3; ++axis)
     if (jet.traverse[static_cast<std::size_t>(axis)] != 0.0) moving = axis, ++count;
-  if (count == 1 && jet.traverse[static_cast<std::size_t>(moving)] > 0.0)
-    return fmt::format("{}.{}", key, moving);
+  if (count == 1) return fmt::format("{}.{}", key, moving);
   refuse(asked,
          fmt::format("jet.{}.traverse is ({:g}, {:g}, {:g}) m/s; the feed is searched along one "
-                     "axis. Allowed: one component greater than 0 m/s, the others 0 m/s",
+                     "axis. Allowed: one component other than 0 m/s, the others 0 m/s",
                      jet.name, jet.traverse[0], jet.traverse[1], jet.traverse[2]),
-         "Let the nozzle travel along +x, such as traverse = [\"10 mm/s\", \"0 m/s\"], or write a "
+         "Let the nozzle travel along x, such as traverse = [\"10 mm/s\", \"0 m/s\"], or write a "
          "[machine] with a traverse_speed");
 }
 
@@ -140,6 +139,8 @@ Axis axis_of(const Asked& asked, toml::table& base, double& stated) {
     axis.shown_unit = unit_of(*node);
   }
   problems.throw_if_any();
+  axis.is_reversed = asked.question.of == "feed" && stated < 0.0;
+  stated = axis.of_case(stated);
   if (!(stated > 0.0))
     refuse(asked,
            fmt::format("the case states {}; the search starts from the stated value. Allowed for "

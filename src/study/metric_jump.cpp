@@ -62,6 +62,60 @@ std::optional<MetricJump> find_jump(const MetricByKey& runs, double low, double 
   return MetricJump{std::exp(low), std::exp(high), at_low, at_high};
 }
 
+namespace {
+
+// The farthest agreeing run of a side, if it is beyond an interval, and the run that misses next to
+// it, which is the same run at the end of the range.
+struct Edge {
+  double agrees = 0.0, misses = 0.0;
+};
+struct Edges {
+  std::optional<Edge> low, high;
+};
+
+template <class Iterator>
+std::optional<Edge> edge_of(Iterator run, Iterator end, double target, double uncertainty) {
+  double misses = run == end ? 0.0 : run->first;
+  for (; run != end; ++run) {
+    if (std::abs(run->second - target) <= uncertainty) return Edge{run->first, misses};
+    misses = run->first;
+  }
+  return std::nullopt;
+}
+
+Edges edges_beyond(const MetricByKey& runs, const Bracket& interval, double target,
+                   double uncertainty) {
+  Edges edges{edge_of(runs.begin(), runs.end(), target, uncertainty),
+              edge_of(runs.rbegin(), runs.rend(), target, uncertainty)};
+  if (edges.low && edges.low->agrees >= interval.low) edges.low.reset();
+  if (edges.high && edges.high->agrees <= interval.high) edges.high.reset();
+  return edges;
+}
+
+}  // namespace
+
+Bracket agreeing_interval(const MetricByKey& runs, const Bracket& interval, double target,
+                          double uncertainty) {
+  const Edges edges = edges_beyond(runs, interval, target, uncertainty);
+  Bracket result = interval;
+  if (edges.low) result.low = edges.low->misses;
+  if (edges.high) result.high = edges.high->misses;
+  return result;
+}
+
+std::optional<double> undecided_value(const MetricByKey& runs, const Bracket& interval,
+                                      double target, double uncertainty, double tolerance) {
+  const Edges edges = edges_beyond(runs, interval, target, uncertainty);
+  std::optional<double> middle;
+  double widest = tolerance;
+  for (const auto& edge : {edges.low, edges.high}) {
+    if (!edge || std::abs(edge->agrees - edge->misses) <= widest) continue;
+    widest = std::abs(edge->agrees - edge->misses);
+    middle = 0.5 * (edge->agrees + edge->misses);
+  }
+  return middle;
+}
+
 Bracket supported_interval(const MetricByKey& runs, double root, const Bracket& interval,
                            double target, double uncertainty) {
   const auto is_off = [&](const auto& run) { return std::abs(run.second - target) > uncertainty; };

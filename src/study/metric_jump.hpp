@@ -27,4 +27,15 @@ std::optional<MetricJump> find_jump(const MetricByKey& runs, double low, double 
 Bracket supported_interval(const MetricByKey& runs, double root, const Bracket& interval,
                            double target, double uncertainty);
 
+// Returns an interval lengthened to the farthest runs that agree with the target within
+// `uncertainty`, and from there to the next run that does not or, where there is none, to the run
+// at the end.
+Bracket agreeing_interval(const MetricByKey& runs, const Bracket& interval, double target,
+                          double uncertainty);
+
+// Returns the middle of the widest part of an agreeing interval, beyond `interval` and wider than
+// `tolerance`, within which the runs change from agreeing to missing; nothing if there is none.
+std::optional<double> undecided_value(const MetricByKey& runs, const Bracket& interval,
+                                      double target, double uncertainty, double tolerance);
+
 }  // namespace kerf

@@ -84,8 +84,12 @@ struct MetricJump {
 struct CalibrationAnswer {
   std::string problem;  // why there is no answer; empty when there is one
   // Of the key, SI. The interval covers it with 95%, within the range that was searched and between
-  // the runs that contradict it; across a jump it is the bracket of the jump.
+  // the runs that contradict it, and contains all runs that agree with the measurement; across a
+  // jump it is the bracket of the jump.
   double value = 0.0, low = 0.0, high = 0.0;
+  // Whether the run at the least, or greatest, value of the range agrees with the measurement, too:
+  // the key is not determined on that side.
+  bool is_open_below = false, is_open_above = false;
   std::optional<MetricJump> jump;  // across the measured value
   double sensitivity = 0.0;  // SI, 0 across a jump; change of the metric per factor e of the key
   double scatter = 0.0;      // SI, standard deviation of the runs about the fit

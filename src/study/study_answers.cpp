@@ -81,6 +81,26 @@ Json jump_json(const std::optional<MetricJump>& jump) {
           {"at_high", jump->at_high}};
 }
 
+// Returns the value with its interval or, where the measurement leaves an end of the range open,
+// what it does determine.
+std::string calibrated(const CalibrationGoal& goal, const CalibrationAnswer& answer) {
+  const std::string low = show_number(answer.low, goal.axis),
+                    high = show_number(answer.high, goal.axis);
+  const char* agrees = "of the range, agrees with the measurement, too";
+  if (answer.is_open_below && answer.is_open_above)
+    return fmt::format(
+        "not determined: runs at both ends of the range, {} and {}, agree with "
+        "the measurement",
+        low, high);
+  if (answer.is_open_above)
+    return fmt::format("at least {}, determined only from below: {}, the end {}", low, high,
+                       agrees);
+  if (answer.is_open_below)
+    return fmt::format("at most {}, determined only from above: {}, the start {}", high, low,
+                       agrees);
+  return fmt::format("{}, between {} and {}", show_number(answer.value, goal.axis), low, high);
+}
+
 Answer describe(const StudyPlan& plan, const CalibrationAnswer& answer) {
   const CalibrationGoal& goal = *plan.calibration;
   const std::string unit = unit_of(plan, goal.metric);
@@ -96,6 +116,8 @@ Answer describe(const StudyPlan& plan, const CalibrationAnswer& answer) {
                  {"value", found(answer.value, answer.problem)},
                  {"low", found(answer.low, answer.problem)},
                  {"high", found(answer.high, answer.problem)},
+                 {"open_below", answer.is_open_below},
+                 {"open_above", answer.is_open_above},
                  {"sensitivity", answer.sensitivity},
                  {"scatter", answer.scatter},
                  {"jump", jump_json(answer.jump)},
@@ -113,8 +135,11 @@ Answer describe(const StudyPlan& plan, const CalibrationAnswer& answer) {
     result.finding = fmt::format("not calibrated. {}.", answer.problem);
     return result;
   }
-  result.finding = fmt::format("{}, between {} and {} ({} runs)", shown(answer.value),
-                               shown(answer.low), shown(answer.high), answer.runs);
+  result.finding = fmt::format("{} ({} runs)", calibrated(goal, answer), answer.runs);
+  if (answer.is_open_below || answer.is_open_above)
+    result.notes.push_back(
+        fmt::format("{} is as measured at {}; predictions cover only the range that was searched",
+                    goal.metric, shown(answer.value)));
   if (answer.jump)
     result.notes.push_back(
         fmt::format("{} jumps from {} at {} to {} at {} across the measured {}: no value gives it",

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
@@ -49,6 +50,28 @@ std::string why_it_ended(const Job& job, const JobEnd& end) {
   return words.empty() ? fmt::format("ended with exit code {}", end.exit_code) : words;
 }
 
+// Makes the cases of all trials. Those that are not valid are refused together, before any run.
+std::vector<ResolvedCase> resolve(const CaseMaker& maker, const std::vector<Trial>& trials) {
+  constexpr std::size_t most_told = 20;
+  std::vector<ResolvedCase> resolved;
+  std::vector<std::string> refused;
+  for (const Trial& trial : trials) try {
+      resolved.push_back(maker.make(trial));
+    } catch (const UserError& error) {
+      if (std::find(refused.begin(), refused.end(), error.what()) == refused.end())
+        refused.emplace_back(error.what());
+    }
+  if (refused.size() == 1) throw UserError(refused.front());
+  if (refused.empty()) return resolved;
+  std::string text = fmt::format(
+      "{} settings of the study have no valid case, and none of it was run. Change the values that "
+      "are varied or the case, so that all are valid:",
+      refused.size());
+  for (std::size_t n = 0; n < std::min(refused.size(), most_told); ++n) text += "\n" + refused[n];
+  if (refused.size() > most_told) text += fmt::format("\nand {} more", refused.size() - most_told);
+  throw UserError(text);
+}
+
 }  // namespace
 
 fs::path run_folder(const std::string& id) {
@@ -84,11 +107,12 @@ std::vector<Outcome> StudyRuns::run(const std::vector<Trial>& trials) {
   std::vector<std::string> ids;
   std::vector<Job> jobs;
   std::set<std::string> wanted;
-  for (const Trial& trial : trials) {
-    const ResolvedCase resolved = maker_.make(trial);
+  const std::vector<ResolvedCase> cases = resolve(maker_, trials);
+  for (std::size_t n = 0; n < trials.size(); ++n) {
+    const ResolvedCase& resolved = cases[n];
     ids.push_back(resolved.id);
     asked_.insert(resolved.id);
-    database_.add(resolved, trial);
+    database_.add(resolved, trials[n]);
     const bool is_new = wanted.insert(resolved.id).second;
     if (is_new && database_.find(resolved.id)->state == RunState::waiting)
       jobs.push_back(prepared(resolved));

@@ -38,6 +38,45 @@ TEST(RefuseAim, ThroughAGapOrBeside) {
             std::string::npos);
 }
 
+// A jet of 1000 km has one particle each 100 km, by default: its breadth is at fault.
+TEST(RefuseAim, OfAJetBetweenWhoseParticlesTheBodiesLie) {
+  std::string text = gap_case({"30 mm"});
+  text.replace(text.find("width = \"10 mm\"\nspacing = \"1 mm\""), 32, "width = \"1e6 m\"");
+  const auto domain = text.find("[domain]");
+  text.erase(domain, text.find("[[body]]") - domain);
+  const std::string message = message_of(text);
+  EXPECT_NE(message.find(": jet[1].width = \"1e6 m\": the bodies lie between the particles"),
+            std::string::npos)
+      << message;
+  EXPECT_EQ(message.find("position"), std::string::npos) << message;
+}
+
+// Beyond a symmetry plane the nozzle has no water: it does not travel, and no end would help.
+TEST(RefuseAim, FromBeyondASymmetryPlane) {
+  std::string text = gap_case({"30 mm"}, "45 deg");
+  const std::string domain = "minimum = [\"-0.1 m\", \"-0.1 m\"]";
+  text.replace(text.find(domain), domain.size(),
+               "symmetry = [\"x-\"]\nminimum = [\"20 mm\", \"-0.1 m\"]");
+  const auto left = text.find("[[body]]");
+  text.erase(left, text.find("[[body]]", left + 1) - left);
+  int refused = 0;
+  for (const char* angle : {"45 deg", "-45 deg"}) {
+    std::string leaning = text;
+    leaning.replace(leaning.find("45 deg"), 6, angle);
+    const std::string place = "position = [\"30 mm\"";
+    leaning.replace(leaning.find(place), place.size(), "position = [\"20 mm\"");
+    const std::string message = message_of(leaning);
+    EXPECT_EQ(message.find("traverse"), std::string::npos) << message;
+    if (message == "(no error)") continue;
+    ++refused;
+    EXPECT_NE(message.find("jet[1].position = [\"20 mm\", \"0 mm\"]: the nozzle is outside the "
+                           "domain"),
+              std::string::npos)
+        << message;
+  }
+  EXPECT_EQ(refused, 1);
+}
+
 TEST(RefuseAim, OfAllJets) {
   EXPECT_EQ(message_of(gap_case({"80 mm", "30 mm"})), "(no error)");
   EXPECT_EQ(message_of(gap_case({"30 mm", "80 mm"})), "(no error)");

@@ -40,6 +40,16 @@ std::string contents(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+// An empty name, as of a variable of a script that is not set, is not the default.
+TEST(RefuseProgram, AFolderWithoutAName) {
+  for (const char* command : {"run", "study", "limit"}) {
+    const Outcome outcome = run(std::string(command) + " no-such.toml --out \"\"", true);
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_NE(outcome.output.find("--out: the folder has no name"), std::string::npos)
+        << outcome.output;
+  }
+}
+
 TEST(RefuseProgram, BadCasesEndWithOneAndAMessage) {
   const auto file = std::filesystem::path(testing::TempDir()) / "kerf-bad-case.toml";
   std::ofstream(file) << "title = \"bad\"\ndimension = 2\nsped = 1\n";

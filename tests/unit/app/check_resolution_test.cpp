@@ -18,6 +18,7 @@ using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 Case jet_on_block(const std::string& block_spacing, const std::string& grading,
                   const std::string& jet_spacing = "1 mm") {
@@ -140,6 +141,31 @@ grading = { levels = 2, width = "12 mm", around = { type = "sphere", centre = ["
 )",
                                "case.toml");
   EXPECT_THAT(particle_rows(fine)[0].second, testing::StartsWith("about "));
+}
+
+// The jet of a slit has few particles across: the default grading is one that needs no warning, and
+// a narrower one is told with the key of the [workpiece].
+TEST(CheckResolution, TheDefaultGradingOfAWorkpieceIsWideEnough) {
+  const auto warnings_of = [](const std::string& more) {
+    return resolution_warnings(parse_case(R"(title = "slit"
+dimension = 3
+quality = "draft"
+[machine]
+pressure = "100 kPa"
+orifice_type = "slit"
+orifice_diameter = "1 mm"
+orifice_length = "3 mm"
+spacing = "0.153 mm"
+standoff = "2 mm"
+[workpiece]
+material = "tofu"
+size = ["14 mm", "2 mm", "14 mm"]
+)" + more,
+                                          "slit.toml"));
+  };
+  EXPECT_THAT(warnings_of(""), Not(Contains(HasSubstr("grading"))));
+  EXPECT_THAT(warnings_of("grading_width = \"1.3 mm\"\n"),
+              Contains(testing::StartsWith("workpiece.grading_width = 0.0013 m")));
 }
 
 // The pulses of 0.1 mm of the jet, two of which at 0.5 mm make none.

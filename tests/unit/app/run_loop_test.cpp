@@ -192,6 +192,16 @@ TEST_F(Run, WallTimesAddUpOverResumedParts) {
   });
   run(settings("a", Existing::resume));
   EXPECT_EQ(result("a").at("stage_times").at("rates"), 2.0);
+  // In the order of a run that was not resumed.
+  run(settings("full"));
+  const auto stages = [&](const char* name) {
+    const auto whole = nlohmann::ordered_json::parse(read_file(folder_ / name / "result.json"));
+    std::vector<std::string> names;
+    for (const auto& [stage, seconds] : whole.at("stage_times").items()) names.push_back(stage);
+    return names;
+  };
+  EXPECT_EQ(stages("a").size(), 2u);
+  EXPECT_EQ(stages("a"), stages("full"));
   EXPECT_GT(result("a").at("wall_time").get<double>(), 0.0);
 }
 

@@ -36,6 +36,35 @@ TEST(Comparison, HasBothRunsAndTheLinesThatDiffer) {
   EXPECT_THAT(page, Not(HasSubstr("\ndimension = ")));
 }
 
+// A key that several tables have is told with its table, and known as equal only in the same one.
+TEST(Comparison, DifferingLinesHaveTheHeadingsOfTheirTables) {
+  const test::TemporaryFolder folder;
+  const Case description = test::fake_case();
+  for (const char* name : {"a", "b"}) test::run_fake(description, folder / name);
+  const auto text_of = [](const char* block, const char* jet) {
+    return std::string("title = \"one\"\n[[body]]\nname = \"block\"\nspacing = \"") + block +
+           " m\"\n[[jet]]\nname = \"jet\"\nspacing = \"" + jet + " m\"\n";
+  };
+  write_file(folder / "a/case.used.toml", text_of("0.1", "0.2"));
+  write_file(folder / "b/case.used.toml", text_of("0.2", "0.1"));
+  write_comparison({folder / "a", description}, {folder / "b", description});
+  const std::string page = read_file(folder / "a/compare.html");
+  const std::string block = "[[body]]  # name = &quot;block&quot;\nspacing = &quot;0.1 m&quot;\n",
+                    jet = "[[jet]]  # name = &quot;jet&quot;\nspacing = &quot;0.2 m&quot;\n";
+  EXPECT_THAT(page, HasSubstr(block + jet));
+  EXPECT_THAT(page, Not(HasSubstr("title = ")));
+}
+
+TEST(Comparison, TellsTheDifferenceOfSharesInPercentagePoints) {
+  const ResultMetric& margin = *find_result_metric("kerf.margin");
+  const auto result = [](double value) {
+    return nlohmann::ordered_json{{"dimension", 2}, {"kerf", {{"margin", value}}}};
+  };
+  EXPECT_EQ(difference_html(result(0.241), result(-1.0), margin), "−124 percentage points");
+  EXPECT_EQ(difference_html(result(-1.0), result(0.241), margin), "+124 percentage points");
+  EXPECT_EQ(difference_html(result(0.5), result(0.5), margin), "0");
+}
+
 TEST(Comparison, TellsTheDifference) {
   const ResultMetric& depth = *find_result_metric("front_depth");
   const auto result = [](nlohmann::ordered_json value) {

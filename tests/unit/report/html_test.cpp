@@ -55,6 +55,7 @@ TEST(Html, NumbersAreFormatted) {
   EXPECT_EQ(html::number(-8e-15), "-8 · 10<sup>-15</sup>");
   EXPECT_EQ(html::count(1234567), "1" + thin + "234" + thin + "567");
   EXPECT_EQ(html::count(123), "123");
+  EXPECT_EQ(html::count(8e155), html::number(8e155, 3));
 }
 
 // The power would apply to a prefix too.

@@ -69,5 +69,28 @@ TEST(AnswerWords, AJumpIsNamed) {
   EXPECT_EQ(described.front().members.at("jump").at("at_high"), 0.004);
 }
 
+TEST(AnswerWords, AnIntervalThatIsOpenAtAnEndIsABound) {
+  const StudyPlan plan = test::plan_of(
+      "[calibrate]\nkey = \"materials.curd.fracture_energy\"\nfrom = \"1 J/m2\"\n"
+      "to = \"100 J/m2\"\nmetric = \"kerf.depth\"\nmeasured = \"2 mm\"\nuncertainty = \"0.1 mm\"\n"
+      "at.\"jet.jet.speed\" = \"5 m/s\"\n");
+  CalibrationAnswer calibration;
+  calibration.value = 6.0;
+  calibration.low = 5.0;
+  calibration.high = 100.0;
+  StudyAnswers answers;
+  const auto text = [&](bool below, bool above) {
+    calibration.is_open_below = below;
+    calibration.is_open_above = above;
+    answers.calibration = calibration;
+    return answers_text(describe_answers(plan, answers));
+  };
+  EXPECT_THAT(text(false, false), HasSubstr(": 6 J/m2, between 5 J/m2 and 100 J/m2"));
+  EXPECT_THAT(text(false, true), HasSubstr(": at least 5 J/m2, determined only from below"));
+  EXPECT_THAT(text(true, false), HasSubstr(": at most 100 J/m2, determined only from above"));
+  EXPECT_THAT(text(true, true), HasSubstr(": not determined"));
+  EXPECT_EQ(describe_answers(plan, answers).front().members.at("open_above"), true);
+}
+
 }  // namespace
 }  // namespace kerf

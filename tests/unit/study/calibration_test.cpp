@@ -7,43 +7,15 @@
 
 #include <cmath>
 
+#include "calibrated_depth.hpp"
 #include "core/random.hpp"
 #include "study/metric_jump.hpp"
-#include "synthetic.hpp"
 
 namespace kerf {
 namespace {
 
-using test::speed_of;
+using namespace test;
 using testing::HasSubstr;
-
-const std::string energy = "materials.curd.fracture_energy";
-
-CalibrationGoal calibration_of(const std::string& more) {
-  return *test::plan_of("[calibrate]\nkey = \"" + energy +
-                        "\"\nfrom = \"1 J/m2\"\nto = \"100 J/m2\"\n" + more)
-              .calibration;
-}
-
-double energy_of(const Trial& trial) {
-  return trial.setting.numbers.at(energy);
-}
-// A depth that decreases with the fracture energy and increases with the speed.
-double depth(double fracture_energy, double speed) {
-  return 0.01 * std::pow(fracture_energy / 10.0, -0.4) * (speed / 5.0) / (1.0 + 0.1 * speed);
-}
-
-constexpr const char* one_cut =
-    "metric = \"kerf.depth\"\nmeasured = \"MEASURED m\"\nuncertainty = \"UNCERTAINTY m\"\n"
-    "[calibrate.at]\n\"jet.jet.speed\" = \"5 m/s\"\n"
-    "[[calibrate.predict]]\n\"jet.jet.speed\" = \"8 m/s\"\n";
-
-CalibrationGoal cut_goal(double measured, double uncertainty) {
-  std::string text = one_cut;
-  text.replace(text.find("MEASURED"), 8, std::to_string(measured));
-  text.replace(text.find("UNCERTAINTY"), 11, std::to_string(uncertainty));
-  return calibration_of(text);
-}
 
 TEST(Calibration, RecoversTheEnergyAndPredictsAnUnusedMeasurement) {
   for (const double truth : {1.5, 4.0, 13.0, 60.0}) {

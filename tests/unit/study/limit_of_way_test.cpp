@@ -68,6 +68,32 @@ TEST(LimitOfWay, EachFeedHasTheEndThatItNeeds) {
   }
 }
 
+// A nozzle that travels against an axis has the feeds of its mirror image, and moves as stated.
+TEST(LimitOfWay, IsTheSameInEitherDirection) {
+  const auto with = [](const char* feed) {
+    std::string text = test::small_case;
+    text.replace(text.find("end = \"2 ms\""), 12, "end = \"8 ms\"");
+    return text + "traverse = [\"" + feed + "\", \"0 m/s\"]\n";
+  };
+  const LimitPlan right = plan_of_way(with("0.5 m/s"), "feed");
+  const LimitPlan left = plan_of_way(with("-0.5 m/s"), "feed");
+  EXPECT_EQ(left.stated, 0.5);
+  EXPECT_EQ(left.stated, right.stated);
+  EXPECT_EQ(left.end.path, right.end.path);
+  EXPECT_EQ(left.study.threshold->axis.values, right.study.threshold->axis.values);
+  const CaseMaker maker_left(left.study), maker_right(right.study);
+  const std::string key = "jet.jet.traverse.0";
+  for (const double feed : {0.25, 0.5, 1.0}) {
+    const Trial trial = with_end(left, {{{{key, feed}}, {}}, 0, 1.0});
+    const Case made = parse_case(maker_left.make(trial).text, "left.toml");
+    const Case mirrored = parse_case(maker_right.make(trial).text, "right.toml");
+    EXPECT_DOUBLE_EQ(made.jets.front().traverse[0], -feed);
+    EXPECT_DOUBLE_EQ(mirrored.jets.front().traverse[0], feed);
+    EXPECT_EQ(made.time.end, mirrored.time.end);
+    EXPECT_THAT(made.title, HasSubstr(fmt::format("traverse.0 = {:g} m/s", -feed)));
+  }
+}
+
 // The way of 1.5 mm is shorter than three times a lag of 0.6 mm, and longer than that of 0.4 mm.
 TEST(LimitOfWay, SaysWhereTheWayIsTooShort) {
   const LimitPlan plan = plan_of_way(test::machine_case, "feed");

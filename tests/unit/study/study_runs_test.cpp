@@ -83,6 +83,23 @@ TEST_F(StudyRunsTest, ARepeatedRequestRunsOnce) {
   EXPECT_EQ(outcomes[0].metrics.count("balance.mass"), 0u);
 }
 
+// A grid with settings that no case can have names all of them, and looks as if it had not begun.
+TEST_F(StudyRunsTest, SettingsWithoutAValidCaseAreRefusedTogetherBeforeAnyRun) {
+  StudyRuns runs = laboratory();
+  std::string message;
+  try {
+    runs.run(speeds({1.0, -2.0, 3.0, -4.0, -4.0}));
+  } catch (const UserError& error) {
+    message = error.what();
+  }
+  EXPECT_THAT(message, testing::StartsWith("2 settings of the study have no valid case"));
+  EXPECT_THAT(message, HasSubstr("with jet.jet.speed = -2 m/s"));
+  EXPECT_THAT(message, HasSubstr("with jet.jet.speed = -4 m/s"));
+  EXPECT_TRUE(executor_.ran.empty());
+  EXPECT_TRUE(runs.asked().empty());
+  EXPECT_TRUE(database_.runs().empty());
+}
+
 TEST_F(StudyRunsTest, AFailedRunStopsNoOtherAndIsNotRepeated) {
   executor_.end = [this](const Job& job) {
     if (executor_.ran.size() != 1) return JobEnd{};

@@ -73,6 +73,17 @@ function optimumAnswer(search: Search, quantities: Quantities): HTMLElement {
   return box(search.problem === "" ? "yes" : "none", sentence, remarks);
 }
 
+// The value with its interval or, where the measurement leaves an end of the range open, what it does determine.
+function calibratedWords(calibration: Calibration, value: number, low: number, high: number, quantities: Quantities) {
+  const { key, open_below, open_above } = calibration;
+  const agrees = "of the range, agrees with the measurement, too.";
+  const [from, to] = [quantities.show(key, low), quantities.show(key, high)];
+  if (open_below && open_above) return [`not determined: runs at both ends of the range, ${from} and ${to}, agree with the measurement.`];
+  if (open_above) return [strong(`at least ${from}`), `, determined only from below: ${to}, the end ${agrees}`];
+  if (open_below) return [strong(`at most ${to}`), `, determined only from above: ${from}, the start ${agrees}`];
+  return [strong(quantities.show(key, value)), `, between ${quantities.showRange(key, low, high, "and")}.`];
+}
+
 function calibrationAnswer(calibration: Calibration, quantities: Quantities): HTMLElement {
   const { key, metric, value, low, high, problem } = calibration;
   const at = Object.keys(calibration.at).length > 0 ? ` at ${quantities.showSetting(calibration.at)}` : "";
@@ -84,8 +95,9 @@ function calibrationAnswer(calibration: Calibration, quantities: Quantities): HT
   );
   const { jump } = calibration;
   const jumps = jump ? [`Jumps from ${quantities.show(metric, jump.at_low)} at ${quantities.show(key, jump.low)} to ${quantities.show(metric, jump.at_high)} at ${quantities.show(key, jump.high)} across the measured value: no value gives it.`] : [];
-  const sentence = [`${capital(quantities.get(key).label)}: `, strong(quantities.show(key, value)), `, between ${quantities.showRange(key, low!, high!, "and")}.`];
-  return box("yes", sentence, [measured, ...jumps, ...predictions, runWords(calibration.runs, 0)]);
+  const sentence = [`${capital(quantities.get(key).label)}: `, ...calibratedWords(calibration, value, low!, high!, quantities)];
+  const open = calibration.open_below || calibration.open_above ? [`The metric is as measured at ${quantities.show(key, value)}; predictions cover only the range that was searched.`] : [];
+  return box("yes", sentence, [measured, ...open, ...jumps, ...predictions, runWords(calibration.runs, 0)]);
 }
 
 // A parameter has the unit of its name, where it has one.

@@ -72,6 +72,8 @@ export interface Calibration {
   value: number | null;
   low: number | null;
   high: number | null;
+  open_below?: boolean;
+  open_above?: boolean;
   jump?: { low: number; high: number; at_low: number; at_high: number } | null;
   runs: number;
   predictions: { setting: Setting; value: number; low: number; high: number }[];
