@@ -49,9 +49,10 @@ void add_cut(std::vector<Figure>& figures, const Json& result) {
   figures.push_back({"front_depth", "where the water is, in dents too"});
   if (result.contains("kerf")) {
     figures.push_back(
-        {"kerf.depth", is_parted(result)
-                           ? "where material is gone; below it parted without loss of material"
-                           : "where material is gone" + standing_words(result.at("kerf"))});
+        {"kerf.depth",
+         is_parted(result)
+             ? "where material is gone; below it parted " + loss_words(result.at("kerf"))
+             : "where material is gone" + standing_words(result.at("kerf"))});
     figures.push_back({"kerf.middle.width", "where material is gone, at half its depth"});
   }
   figures.push_back(
