@@ -46,7 +46,9 @@ struct Figure {
 void add_cut(std::vector<Figure>& figures, const Json& result) {
   figures.push_back({"cut_through_time"});
   figures.push_back({"front_speed"});
-  figures.push_back({"front_depth", "where the water is, in dents too"});
+  figures.push_back(
+      {"front_depth",
+       "where the water is, in dents too; the face counts as it has come towards the nozzle"});
   if (result.contains("kerf")) {
     figures.push_back(
         {"kerf.depth",
