@@ -149,6 +149,7 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
   if (!history_.empty()) state.bodies = history_.back().bodies;
   if (!history_.empty()) state.cut_through = history_.back().cut_through;
   if (!history_.empty()) state.cut_depth = history_.back().cut_depth;
+  if (!history_.empty()) state.is_touched = history_.back().is_touched;
   if (!workpiece.empty()) {
     const WholeFrame whole(part, workpiece.images);
     const Frame& frame = whole.get();
@@ -178,6 +179,7 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
       state.void_width = widths.laid_out;
     }
     if (workpiece.jet && (state.front_depth > 0.0 || touches_water(workpiece, frame, rows))) {
+      state.is_touched = true;
       if (!state.cut_through)
         judge_bodies({workpiece, frame, rows, standing}, {pieces, *axes_, traces_},
                      state.front_depth + face, state);

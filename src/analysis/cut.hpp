@@ -50,6 +50,8 @@ struct CutState {
   double fractured_width = 0.0, kerf_width = 0.0, void_width = 0.0;
   // Whether all bodies in the way of the jet are cut through, at this instant or before.
   bool cut_through = false;
+  // Whether water of a jet touches or has entered the workpiece, at this instant or before.
+  bool is_touched = false;
   std::vector<BodyCut> bodies;  // in the order of Workpiece::bodies
   Wake wake;                    // of a nozzle with which a frame travels
   double water_impulse = 0.0;   // N s (2D: N s/m), of the water on the solids, along the jet

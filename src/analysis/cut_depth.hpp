@@ -18,7 +18,9 @@ inline constexpr double open_reach = 1.8;  // spacings
 // of the path of the axis to which a path of open places leads there from the face. Open are open
 // particles and what the layout leaves empty between solids (analysis/void_places.hpp). A face is
 // where nothing of the workpiece lies above, or only bodies that are cut through; depths are below
-// the first body that is. `bodies`: the verdicts so far, in the order of Workpiece::bodies.
+// the first body on the line along the jet, or below the face at the axis where the former is a
+// step above that (analysis/jet_face.hpp), and at most the length of the workpiece in the space of
+// the jet. `bodies`: the verdicts so far, in the order of Workpiece::bodies.
 double measure_cut_depth(const KerfView& view, const KerfAxes& axes,
                          const std::vector<BodyCut>& bodies);
 

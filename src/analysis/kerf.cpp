@@ -83,6 +83,14 @@ void deny(KerfShape& shape) {
   shape.through_share = 0.0;
 }
 
+// A kerf that ends on a flap which hangs in the way of the jet, and below which material is gone,
+// has no widths: 0 would say that nothing is gone.
+void deny_widths_on_flap(Kerf& kerf, double spacing) {
+  if (kerf.shape.depth >= spacing || !kerf.of<Removal>().loses_below()) return;
+  for (KerfLevel* level : {&kerf.shape.top, &kerf.shape.middle, &kerf.shape.bottom})
+    level->width = std::numeric_limits<double>::quiet_NaN();
+}
+
 // Adds the verdict on a body and how far it is from being cut through.
 void add_verdict(const KerfView& view, const KerfAxes& axes, const KerfPath& path,
                  const KerfConditions& conditions, KerfLayer& layer) {
@@ -211,6 +219,7 @@ Kerf measure_kerf(const Workpiece& workpiece, const Frame& part, const KerfCondi
   std::apply(
       [&](auto&... values) { ((values = std::decay_t<decltype(values)>::measure(scene)), ...); },
       kerf.measurements);
+  deny_widths_on_flap(kerf, workpiece.axis_spacing);
   return kerf;
 }
 

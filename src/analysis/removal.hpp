@@ -18,6 +18,12 @@ struct Removal {
   // J/m^3 (1e9 J/m^3 = 1 J/mm^3), energy of the jets since contact over the volume; nan without
   // either.
   double specific_energy = std::numeric_limits<double>::quiet_NaN();
+  // 1, of the volume in the way of the jet below the depth of the kerf; nan where there is none. A
+  // kerf that ends on a flap has lost no less of what lies below it.
+  double share_below = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double least_share = 0.005;  // half a percent; less is none in words
+
+  bool loses_below() const { return share_below >= least_share; }
 
   static Removal measure(const KerfScene& scene);
   static const MetricList<Removal>& metrics();

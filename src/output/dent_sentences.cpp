@@ -43,6 +43,14 @@ std::string gone_clause(const RunOutcome& outcome) {
   return text;
 }
 
+// Whether a solid that is neither rigid nor of the workpiece can have taken an impulse of the
+// water, such as a body that is fixed.
+bool has_other_solids(const RunOutcome& outcome) {
+  const auto& bodies = outcome.description.bodies;
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [](const Body& body) { return body.role == Role::elastic && body.fixed; });
+}
+
 // Whether solid has broken before the water came. Solid that leaves the domain whole takes bonds
 // with it, and what stays of it beside the edge may come off: where that is most, nothing is known.
 bool breaks_without_water(const RunOutcome& outcome) {
@@ -78,6 +86,8 @@ bool has_workpiece(const Case& description) {
 }
 
 bool has_touched(const RunOutcome& outcome) {
+  if (!outcome.cut.bodies.empty() && has_other_solids(outcome) && !outcome.cut.last.is_touched)
+    return false;
   // The impulse is the sum of the forces on the water, of which those within the water cancel but
   // for rounding: that of the momenta by magnitude, as those of opposed jets cancel, too.
   constexpr double rounding = 1e-6;

@@ -11,7 +11,8 @@ std::string fate_of(const KerfLayer& layer) {
   if (!layer.verdict.is_in_way) return "not under the jet";
   if (layer.verdict.cut.through) {
     if (layer.is_covered) return "broken under a body that is not cut through";
-    if (layer.shape.through_share > 0.0) return "cut through";
+    if (layer.shape.through_share >= 0.5) return "cut through";
+    if (layer.shape.through_share > 0.0) return cut_on_part_of_way;
     if (layer.verdict.cut.punched) return "punched out";
     return layer.verdict.cut.severed ? "parted" : "broken through";
   }
@@ -48,9 +49,10 @@ const MetricList<NamedLayer>& NamedLayer::metrics() {
     MetricList<L> all{
         {"name", "1", "body", "Name of the body.", &L::name},
         {"verdict", "1", "verdict on the layer",
-         "`cut through`; `parted` by a crack, `punched out` around a plug, or `broken through` "
-         "while "
-         "its sides are not parted, where not all of the thickness is removed; `cut in part`; "
+         "`cut through`; `cut through on a part of the way`, where all of the thickness is removed "
+         "on less than half of it under a nozzle that travels; `parted` by a crack, `punched out` "
+         "around a plug, or `broken through` while its sides are not parted, where not all of the "
+         "thickness is removed; `cut in part`; "
          "`whole`, without any fracture; "
          "`broken under a body that is not cut through`, as where it is crushed without water; "
          "or `not under the jet`.",

@@ -14,10 +14,13 @@ struct NamedLayer {
   static const MetricList<NamedLayer>& metrics();
 };
 
-// Returns the fate of a layer in words: `cut through`; `parted` or, where no sides of it are
-// parted, `broken through`, where it is cut through and not all of its thickness is removed;
-// `punched out` around a plug; `cut in part`; `whole`, where nothing of it is fractured; or `not
-// under the jet`.
+inline constexpr const char* cut_on_part_of_way = "cut through on a part of the way";
+
+// Returns the fate of a layer in words: `cut through`; `cut through on a part of the way`, where
+// all of its thickness is removed on less than half of the way of the nozzle; `parted` or, where no
+// sides of it are parted, `broken through`, where it is cut through and not all of its thickness is
+// removed; `punched out` around a plug; `cut in part`; `whole`, where nothing of it is fractured;
+// or `not under the jet`.
 std::string fate_of(const KerfLayer& layer);
 
 // The layers with the names of the bodies of the case.

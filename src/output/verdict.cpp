@@ -72,8 +72,9 @@ std::string unbroken_clause(const RunOutcome& outcome) {
   if (!outcome.kerf) return "";
   const double unbroken = outcome.kerf->of<CutMargin>().unbroken, spacing = least_layer(outcome);
   if (unbroken > least_length(outcome) && unbroken < spacing)
-    return fmt::format(", and less than a spacing of the thickness{}, {}, is unbroken",
-                       unbroken_names(outcome), readable(spacing, "m"));
+    return fmt::format(
+        ", and less than {} of the thickness{}, a spacing of the particles, is unbroken",
+        readable(spacing, "m"), unbroken_names(outcome));
   if (unbroken > least_length(outcome))
     return fmt::format(", and {} of the thickness{} is unbroken{}", readable(unbroken, "m"),
                        unbroken_names(outcome),
@@ -179,6 +180,22 @@ std::string water_clause(const RunOutcome& outcome) {
                      readable(outcome.cut.last.front_depth, "m"), way_clause(outcome));
 }
 
+// Says what is lost above and along a crack. A flap at the face that stands in the way of the jet
+// ends the kerf, whatever is gone below it; a depth of less than a spacing is none.
+std::string loss_clause(const RunOutcome& outcome) {
+  const double depth = outcome.kerf->shape.depth;
+  const Removal& removal = outcome.kerf->of<Removal>();
+  const bool is_cut = depth > 0.0;
+  if (!removal.loses_below())
+    return is_cut ? fmt::format(" below a cut of {}", readable(depth, "m"))
+                  : " without loss of material in its way";
+  const std::string loss =
+      fmt::format(" and by loss of {:.0f}% of the material", 100.0 * removal.share_below);
+  return is_cut && depth >= finest_spacing(outcome)
+             ? fmt::format(" below a cut of {}{} below that", readable(depth, "m"), loss)
+             : loss + " in the way of " + the_jet(outcome, false);
+}
+
 // Says what the jet does, and how where it removes no material down to the far face or a crack runs
 // ahead of its water.
 std::string deed(const RunOutcome& outcome) {
@@ -192,13 +209,10 @@ std::string deed(const RunOutcome& outcome) {
   if (removed)
     return fmt::format("{} cuts through after {}{}", the_jet(outcome),
                        readable(outcome.cut.cut_through_time, "s"), way_clause(outcome));
-  const double depth = outcome.kerf->shape.depth;
   if (outcome.kerf->of<CutMargin>().is_whole)
     return fmt::format("{} beside the way of {}, where it is whole", crack_clause(outcome),
                        the_jet(outcome, false));
-  return crack_clause(outcome) + (depth > 0.0
-                                      ? fmt::format(" below a cut of {}", readable(depth, "m"))
-                                      : std::string(" without loss of material in its way"));
+  return crack_clause(outcome) + loss_clause(outcome);
 }
 
 std::string cut_sentence(const RunOutcome& outcome) {

@@ -25,7 +25,8 @@ std::string layers_clause(const RunOutcome& outcome);
 // them.
 std::string beside_clause(const RunOutcome& outcome);
 
-// Returns whether the water has exerted a force on the solids.
+// Returns whether the water has exerted a force on the workpiece, or on any solid where the jet
+// aims at none.
 bool has_touched(const RunOutcome& outcome);
 // Whether the case has a body that a jet could cut.
 bool has_workpiece(const Case& description);

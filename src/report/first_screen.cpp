@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/case.hpp"
+#include "output/layer_metrics.hpp"
 #include "report/html.hpp"
 #include "report/metric_rows.hpp"
 #include "report/report_parts.hpp"
@@ -67,8 +68,9 @@ std::vector<BodyFate> fates_of(const Json& result, const Case& description) {
 std::string body_list(const std::vector<BodyFate>& fates) {
   std::string text = "<h2>Verdict on each body</h2>\n<ul class=\"bodies\">\n";
   for (const BodyFate& body : fates) {
-    const bool cut = body.fate == "cut through" || body.fate == "parted" ||
-                     body.fate == "punched out" || body.fate == "broken through";
+    const bool cut = body.fate == "cut through" || body.fate == cut_on_part_of_way ||
+                     body.fate == "parted" || body.fate == "punched out" ||
+                     body.fate == "broken through";
     const bool aside = body.fate == "not under the jet";
     text += fmt::format(
         "<li class=\"{}\"><b>{}</b><span><strong>{}</strong> {}{}</span></li>\n",

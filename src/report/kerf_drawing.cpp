@@ -210,13 +210,19 @@ void add_depths(SectionDrawing& map) {
                    "thickness " + html::quantity(section.thickness, "m", 3), Anchor::middle);
 }
 
+// Returns half the width of a kerf at a level, m; 0 where it has none.
+double half_of(const Json& level) {
+  const double width = value_of(level.at("width"));
+  return std::isfinite(width) ? 0.5 * width : 0.0;
+}
+
 Section section_of(const Json& kerf) {
   Section section{kerf.at("thickness").get<double>(), kerf.at("depth").get<double>(),
                   kerf.at("through").get<bool>()};
   const char* names[] = {"top", "middle", "bottom"};
   for (std::size_t k = 0; k < 3; ++k) {
     const Json& level = kerf.at(names[k]);
-    section.levels[k] = {level.at("below").get<double>(), 0.5 * level.at("width").get<double>()};
+    section.levels[k] = {level.at("below").get<double>(), half_of(level)};
   }
   for (const Json& layer : kerf.value("layers", Json::array())) {
     if (!stands_in_kerf(layer, section.depth)) continue;

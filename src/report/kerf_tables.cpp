@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/kerf_shape.hpp"
+#include "analysis/removal.hpp"
 #include "model/case.hpp"
 #include "output/piece_reasons.hpp"
 #include "report/html.hpp"
@@ -84,8 +85,8 @@ std::string layers_table(const Json& layers) {
 // Returns the sentence on the part below the depth to which material is removed.
 std::string parted_sentence(const Json& kerf) {
   const double depth = value_of(kerf.at("depth"));
-  if (!(depth > 0.0)) return "It parted without loss of material.";
-  return fmt::format("Below {} it parted without loss of material.", html::quantity(depth, "m", 3));
+  if (!(depth > 0.0)) return "It parted " + loss_words(kerf) + ".";
+  return fmt::format("Below {} it parted {}.", html::quantity(depth, "m", 3), loss_words(kerf));
 }
 
 // Returns what was simulated of the workpiece, and why.
@@ -97,6 +98,13 @@ std::string piece_part(const Case& description) {
 }
 
 }  // namespace
+
+std::string loss_words(const Json& kerf) {
+  const double share = value_of(kerf.value("removed_below", Json()));
+  return share >= Removal::least_share
+             ? "with loss of " + html::percent(share) + " of the material in the way of the jet"
+             : "without loss of material";
+}
 
 std::string standing_words(const Json& kerf) {
   std::string names;
@@ -121,8 +129,8 @@ std::string kerf_figure(const Json& result, const Case& description) {
   if (lean != 0.0) legend += ", " + html::degrees(std::abs(lean)) + " from the vertical";
   legend += "</span>";
   if (parted)
-    legend += " <span>" + html::swatch(kerf_crack_colour, true) +
-              "crack, without loss of material</span>";
+    legend += " <span>" + html::swatch(kerf_crack_colour, true) + "crack, " + loss_words(kerf) +
+              "</span>";
   return fmt::format(
       "<figure class=\"kerf\">{}<figcaption>What was taken away, on the workpiece as laid out. "
       "Depths "

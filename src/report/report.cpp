@@ -46,12 +46,15 @@ struct Figure {
 void add_cut(std::vector<Figure>& figures, const Json& result) {
   figures.push_back({"cut_through_time"});
   figures.push_back({"front_speed"});
-  figures.push_back({"front_depth", "where the water is, in dents too"});
+  figures.push_back(
+      {"front_depth",
+       "where the water is, in dents too; the face counts as it has come towards the nozzle"});
   if (result.contains("kerf")) {
     figures.push_back(
-        {"kerf.depth", is_parted(result)
-                           ? "where material is gone; below it parted without loss of material"
-                           : "where material is gone" + standing_words(result.at("kerf"))});
+        {"kerf.depth",
+         is_parted(result)
+             ? "where material is gone; below it parted " + loss_words(result.at("kerf"))
+             : "where material is gone" + standing_words(result.at("kerf"))});
     figures.push_back({"kerf.middle.width", "where material is gone, at half its depth"});
   }
   figures.push_back(

@@ -42,6 +42,10 @@ inline bool stands_in_kerf(const nlohmann::ordered_json& layer, double depth) {
          value_of(layer.at("face")) + value_of(layer.at("depth")) < depth;
 }
 
+// Says what share of the material in the way of the jet is gone below the kerf: "without loss of
+// material". Results of earlier versions do not tell.
+std::string loss_words(const nlohmann::ordered_json& kerf);
+
 // Names such layers: ", beside bone, which is not cut through".
 std::string standing_words(const nlohmann::ordered_json& kerf);
 

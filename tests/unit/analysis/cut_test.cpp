@@ -36,6 +36,19 @@ TEST(KerfWidth, OfARoundHoleIsItsMeanChordNearTheAxis) {
   EXPECT_NEAR(state.kerf_width, 16.0 * mm, 1e-5);
 }
 
+TEST(Cut, IsTouchedOnceWaterHasComeToTheWorkpiece) {
+  const Case description = make_case(2);
+  CutMonitor monitor(description, make_block(2));
+  const auto touched_by = [&](double depth) {
+    Frame frame = make_block(2);
+    add_water(frame, description, depth, jet_width);
+    return monitor.observe(frame).is_touched;
+  };
+  EXPECT_FALSE(touched_by(-6.0 * mm));
+  EXPECT_TRUE(touched_by(0.0));
+  EXPECT_TRUE(touched_by(-6.0 * mm));
+}
+
 TEST(KerfWidth, CountsAnIsolatedFractureWithItsOwnWidth) {
   const Case description = make_case(2);
   CutMonitor monitor(description, make_block(2));

@@ -52,6 +52,28 @@ TEST_P(KerfAmounts, RemovedSolidIsFracturedMissingOrFragmented) {
   EXPECT_NEAR(removed(crumbs), slot_volume + corner, 1e-6 * slot_volume);
 }
 
+// A flap at the face that hangs in the way ends the kerf, and hides nothing of what is gone below.
+TEST_P(KerfAmounts, LossBelowTheKerfIsThatInTheWay) {
+  const auto below = [&](double top, double bottom) {
+    carving_.is_gone = [=](const Position& x) {
+      return std::abs(x[0]) < 8.0 * mm && x[1] < -top && x[1] > -bottom;
+    };
+    return carving_.measure(0);
+  };
+  const Kerf flap = below(6.0 * mm, thickness);
+  EXPECT_EQ(flap.shape.depth, 0.0);
+  EXPECT_NEAR(flap.of<Removal>().share_below, 44.0 / 50.0, 1e-6);
+  for (const KerfLevel& level : {flap.shape.top, flap.shape.middle, flap.shape.bottom})
+    EXPECT_TRUE(std::isnan(level.width));
+  const Kerf slot = below(0.0, 30.0 * mm);
+  EXPECT_NEAR(slot.of<Removal>().share_below, 0.0, Removal::least_share);
+  EXPECT_NEAR(slot.shape.middle.width, 16.0 * mm, solid_spacing);
+  const Kerf whole = below(1.0, 0.0);
+  EXPECT_EQ(whole.of<Removal>().share_below, 0.0);
+  EXPECT_EQ(whole.shape.middle.width, 0.0);
+  EXPECT_TRUE(std::isnan(below(0.0, thickness).of<Removal>().share_below));
+}
+
 TEST_P(KerfAmounts, RateAndSpecificEnergyAreSinceContact) {
   carving_.is_gone = [](const Position& x) { return slot(x, 12.0 * mm, 30.0 * mm); };
   carving_.time = 7e-3;

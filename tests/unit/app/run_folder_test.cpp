@@ -111,6 +111,7 @@ TEST(Schedule, RepeatsAndResumes) {
 
 CutState written_state() {
   CutState state;
+  state.is_touched = true;
   state.time = 0.1;
   state.front_depth = 0.2;
   state.cut_depth = 0.15;
@@ -178,7 +179,8 @@ TEST(RunRecord, IsRestoredFromAnArchive) {
   EXPECT_EQ(state.wake.width, 1.1);
   EXPECT_EQ(state.water_impulse, 1.2);
   EXPECT_TRUE(state.cut_through);
-  EXPECT_FALSE(back.cut_history[1].cut_through);
+  EXPECT_TRUE(state.is_touched);
+  EXPECT_FALSE(back.cut_history[1].cut_through || back.cut_history[1].is_touched);
   ASSERT_EQ(state.bodies.size(), 2u);
   EXPECT_TRUE(state.bodies[0].through && state.bodies[0].severed);
   EXPECT_TRUE(state.bodies[1].through && !state.bodies[1].severed);

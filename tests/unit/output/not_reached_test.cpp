@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "output/result.hpp"
+#include "output/verdict_parts.hpp"
 
 namespace kerf {
 namespace not_reached {
@@ -41,6 +42,20 @@ TEST(NotReached, IsFlaggedUntilTheWaterTouchesABody) {
   EXPECT_THAT(validity_of(outcome), flag());
   outcome.balance.impulse_water = {0.0, -0.1, 0.0};
   EXPECT_THAT(validity_of(outcome), Not(flag()));
+}
+
+// What a fixed body in front of the workpiece takes of the water's impulse has not come to this.
+TEST(NotReached, HoldsBehindAFixedBody) {
+  RunOutcome outcome;
+  outcome.balance.momentum_in = {0.0, -1.0, 0.0};
+  outcome.balance.impulse_water = {0.0, -0.1, 0.0};
+  outcome.description.bodies.resize(2);
+  outcome.cut.bodies.resize(1);
+  EXPECT_TRUE(has_touched(outcome));
+  outcome.description.bodies[1].fixed = true;
+  EXPECT_FALSE(has_touched(outcome));
+  outcome.cut.last.is_touched = true;
+  EXPECT_TRUE(has_touched(outcome));
 }
 
 TEST(NotReached, IsNotSaidOfARunWithoutAJet) {

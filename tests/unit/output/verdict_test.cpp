@@ -45,6 +45,11 @@ TEST(Verdict, NamesWhatIsCutThroughAndWhatIsWhole) {
   EXPECT_NE(verdict_of(outcome).find("liver is broken under a body that is not cut through"),
             std::string::npos);
   outcome.kerf->layers.front().is_covered = false;
+  // Under a nozzle that travels one hole is a cut, and a third of its way is not all of it.
+  outcome.kerf->layers.front().shape.through_share = 0.31;
+  EXPECT_EQ(result_of(outcome).at("kerf").at("layers").at(0).at("verdict"),
+            "cut through on a part of the way");
+  outcome.kerf->layers.front().shape.through_share = 1.0;
   EXPECT_EQ(layers.at(1).at("verdict"), "whole");
   EXPECT_EQ(layers.at(2).at("verdict"), "cut in part");
   EXPECT_EQ(layers.at(3).at("verdict"), "not under the jet");

@@ -113,8 +113,14 @@ TEST_F(ChangedReport, DistinguishesACrackFromAKerf) {
   EXPECT_THAT(page(), AllOf(HasSubstr("Below 5.34\u202fmm it " + words + "."),
                             HasSubstr("data-line=\"crack\""), HasSubstr("crack, without loss"),
                             HasSubstr("below it " + words)));
+  kerf["removed_below"] = 0.76;
+  kerf["middle"]["width"] = nullptr;
+  const std::string loss = "with loss of 76\u202f% of the material in the way of the jet";
+  EXPECT_THAT(page(),
+              AllOf(HasSubstr("it parted " + loss + "."), HasSubstr("below it parted " + loss),
+                    HasSubstr("crack, " + loss), Not(HasSubstr(words))));
   result_["cut_through"] = false;
-  EXPECT_THAT(page(), Not(HasSubstr(words)));
+  EXPECT_THAT(page(), AllOf(Not(HasSubstr(words)), Not(HasSubstr(loss))));
 }
 
 // The depth of the ring beside a body that is whole is not that in the way of the jet.
