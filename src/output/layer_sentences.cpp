@@ -42,12 +42,17 @@ std::string layers_clause(const RunOutcome& outcome) {
   return text;
 }
 
+bool fills_the_way(const NamedLayer& layer, const RunOutcome& outcome) {
+  const double width = outcome.description.jets.front().width;
+  return layer.layer.left <= -width && layer.layer.right >= width;
+}
+
 std::string beside_clause(const RunOutcome& outcome) {
   if (!outcome.kerf) return "";
   const double spacing = finest_spacing(outcome);
   std::vector<std::string> names;
   for (const NamedLayer& layer : named_layers(*outcome.kerf, outcome.description))
-    if (layer.layer.top > spacing / 2.0 &&
+    if (layer.layer.top > spacing / 2.0 && !fills_the_way(layer, outcome) &&
         layer.layer.stands_above(outcome.cut.last.cut_depth - spacing))
       names.push_back(layer.name);
   return names.empty() ? "" : " deep beside " + join_names(names);

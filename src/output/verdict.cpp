@@ -54,10 +54,12 @@ std::string unbroken_names(const RunOutcome& outcome) {
   return names.empty() || !has_cut ? "" : " of " + join_names(names);
 }
 
-// Whether the cut in the one body reaches solid that is whole on all lines along the jet: its path
-// leads past it.
+// Whether the cut in one body, or in a stack whose bodies fill the way of the jet, reaches solid
+// that is whole on all lines along the jet: its path leads past it.
 bool is_inclined(const RunOutcome& outcome) {
-  if (!outcome.kerf || !outcome.kerf->layers.empty()) return false;
+  if (!outcome.kerf) return false;
+  for (const NamedLayer& layer : named_layers(*outcome.kerf, outcome.description))
+    if (layer.layer.verdict.is_in_way && !fills_the_way(layer, outcome)) return false;
   const CutMargin& margin = outcome.kerf->of<CutMargin>();
   if (!(margin.value < 0.0 && margin.unbroken > least_length(outcome) &&
         margin.unbroken >= least_layer(outcome)))

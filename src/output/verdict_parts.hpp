@@ -7,6 +7,7 @@
 
 namespace kerf {
 
+struct NamedLayer;
 struct RunOutcome;
 
 // Names the jet that the verdict is on: the first one (docs/metrics.md).
@@ -24,6 +25,9 @@ std::string layers_clause(const RunOutcome& outcome);
 // Names the bodies in the way of the jet below its face that stand where the cut has passed beside
 // them.
 std::string beside_clause(const RunOutcome& outcome);
+// Whether a body is a jet width wide on both sides of the axis, so that no path of a cut leads past
+// it.
+bool fills_the_way(const NamedLayer& layer, const RunOutcome& outcome);
 
 // Returns whether the water has exerted a force on the workpiece, or on any solid where the jet
 // aims at none.

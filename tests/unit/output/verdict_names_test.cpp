@@ -48,6 +48,11 @@ TEST(Verdict, NamesWhatStandsWhereTheCutHasPassed) {
   outcome.kerf->layers = {bone};
   EXPECT_THAT(verdict_of(outcome),
               testing::HasSubstr("; the cut is 8 mm deep beside bone and its front 7 mm deep"));
+  // There is nothing beside a layer that fills the way of the jet.
+  outcome.kerf->layers[0].left = -1.0;
+  outcome.kerf->layers[0].right = 1.0;
+  EXPECT_THAT(verdict_of(outcome), testing::Not(testing::HasSubstr("beside bone")));
+  outcome.kerf->layers[0].left = 0.0;
   outcome.kerf->layers[0].top = 8e-3;
   EXPECT_THAT(verdict_of(outcome), testing::HasSubstr("; the cut is 8 mm and its front 7 mm deep"));
 }
