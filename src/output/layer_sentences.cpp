@@ -44,7 +44,7 @@ std::string layers_clause(const RunOutcome& outcome) {
 
 bool fills_the_way(const NamedLayer& layer, const RunOutcome& outcome) {
   const double width = outcome.description.jets.front().width;
-  return layer.layer.left <= -width && layer.layer.right >= width;
+  return layer.layer.left < -width && layer.layer.right > width;
 }
 
 std::string beside_clause(const RunOutcome& outcome) {

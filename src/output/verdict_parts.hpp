@@ -25,8 +25,8 @@ std::string layers_clause(const RunOutcome& outcome);
 // Names the bodies in the way of the jet below its face that stand where the cut has passed beside
 // them.
 std::string beside_clause(const RunOutcome& outcome);
-// Whether a body is a jet width wide on both sides of the axis, so that no path of a cut leads past
-// it.
+// Whether a body is more than a jet width wide on both sides of the axis, so that no path of a cut
+// leads past it.
 bool fills_the_way(const NamedLayer& layer, const RunOutcome& outcome);
 
 // Returns whether the water has exerted a force on the workpiece, or on any solid where the jet

@@ -132,18 +132,13 @@ class ReferenceSph {
     rates_[pair.i].moment -= volume * pair.separation * pair.gradient.transpose();
   }
 
-  // (37) with the gradient normalised, unless a ratio of leading minors of M is below 0.1.
+  // (37) with the gradient normalised, unless an eigenvalue of M is below 0.1.
   Matrix3 spin_of(const ReferenceRate& rate) const {
     const int d = state_.dimension;
     const Eigen::MatrixXd moment = rate.moment.topLeftCorner(d, d);
     Matrix3 gradient = rate.gradient;
-    double minor = 1.0, least = 1.0;
-    for (int k = 1; k <= d; ++k) {
-      const double next = moment.topLeftCorner(k, k).determinant();
-      least = std::min(least, minor > 0.0 ? next / minor : 0.0);
-      minor = next;
-    }
-    if (least >= 0.1)
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> values(moment, Eigen::EigenvaluesOnly);
+    if (values.eigenvalues().minCoeff() >= 0.1)
       gradient.topLeftCorner(d, d) = rate.gradient.topLeftCorner(d, d) * moment.inverse();
     return 0.5 * (gradient - gradient.transpose());
   }

@@ -39,11 +39,11 @@ export function distinctOf(data: StudyData, name: "refinement" | "repeat"): numb
   return [...new Set(data.study.runs.map((run) => run[name]))].sort((a, b) => a - b);
 }
 
-/** Those that at least one run has, the columns of the table first. */
+/** Those that at least one run has, the columns of the table first; flags are told by the verdict. */
 export function metricsOf(data: StudyData): string[] {
   const inRuns = new Set(data.study.runs.flatMap((run) => Object.keys(run.metrics)));
   const first = data.study.metrics.map((metric) => metric.name);
-  return [...new Set([...first, ...[...inRuns].sort()])].filter((name) => name !== "cut_through");
+  return [...new Set([...first, ...[...inRuns].sort()])].filter((name) => name !== "cut_through" && !name.startsWith("validity."));
 }
 
 function varies(data: StudyData, metric: string): boolean {
