@@ -4,7 +4,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+
 #include "input/read.hpp"
+#include "model/case.hpp"
 #include "simulation/run_settings.hpp"
 #include "support/runs.hpp"
 
