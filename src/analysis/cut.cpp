@@ -146,10 +146,13 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
   CutState state;
   state.time = part.time;
   state.bodies.resize(workpiece.bodies.size());
-  if (!history_.empty()) state.bodies = history_.back().bodies;
-  if (!history_.empty()) state.cut_through = history_.back().cut_through;
-  if (!history_.empty()) state.cut_depth = history_.back().cut_depth;
-  if (!history_.empty()) state.is_touched = history_.back().is_touched;
+  if (!history_.empty()) {
+    const CutState& last = history_.back();
+    state.bodies = last.bodies;
+    state.cut_through = last.cut_through;
+    state.cut_depth = last.cut_depth;
+    state.is_touched = last.is_touched;
+  }
   if (!workpiece.empty()) {
     const WholeFrame whole(part, workpiece.images);
     const Frame& frame = whole.get();

@@ -40,9 +40,7 @@ double tube_edge(const TubePoint& point) {
 }
 
 TubeColumn tube_column(const TubePoint& point, std::size_t body, double spacing) {
-  return {body,
-          {static_cast<long>(std::floor(point.position[0] / spacing)),
-           static_cast<long>(std::floor(point.position[1] / spacing))}};
+  return {body, face_column({point.position[0], point.position[1]}, spacing)};
 }
 
 std::vector<TubePoint> points_in_tube(const KerfView& view, const KerfAxes& axes,
@@ -254,10 +252,10 @@ double measure_cut_depth(const KerfView& view, const KerfAxes& axes,
   if (open.empty()) return 0.0;
   const double spacing = view.workpiece.axis_spacing;
   add_voids(points, spacing, open);
-  const TubeColumns columns = find_columns(points, spacing);
+  TubeColumns columns = find_columns(points, spacing);
   const double most =
       greatest_length(points, columns, TubeFaces::space_of(axes.jet, spacing), spacing);
-  const TubeFaces faces(view.workpiece, columns, bodies);
+  const TubeFaces faces(view.workpiece, std::move(columns), bodies);
   OpenPaths paths(open);
   double deepest = 0.0;
   for (std::size_t n = 0; n < open.size(); ++n) {

@@ -29,6 +29,11 @@ void visit_disc(const std::map<FaceColumn, ColumnEnds>& columns, const FaceColum
 
 }  // namespace
 
+FaceColumn face_column(const std::array<double, 2>& place, double breadth) {
+  return {static_cast<long>(std::floor(place[0] / breadth)),
+          static_cast<long>(std::floor(place[1] / breadth))};
+}
+
 JetFace::JetFace(std::map<FaceColumn, ColumnEnds> columns, double breadth, double reach,
                  double core)
     : columns_(std::move(columns)), breadth_(breadth), reach_(reach), core_(core) {}
@@ -61,8 +66,7 @@ std::optional<JetFace::Plane> JetFace::find_plane(const FaceColumn& path) const 
 
 double JetFace::depth_at(const std::array<double, 2>& path, const std::array<double, 2>& offset,
                          double top) const {
-  const FaceColumn place{static_cast<long>(std::floor(path[0] / breadth_)),
-                         static_cast<long>(std::floor(path[1] / breadth_))};
+  const FaceColumn place = face_column(path, breadth_);
   auto known = planes_.find(place);
   if (known == planes_.end()) known = planes_.emplace(place, find_plane(place)).first;
   if (!known->second) return top;

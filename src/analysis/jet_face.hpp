@@ -12,6 +12,8 @@ namespace kerf {
 
 // A column of the layout along the jet: which one crosswise and lengthwise.
 using FaceColumn = std::pair<long, long>;
+// Returns the column of a place, m local (crosswise, lengthwise). `breadth`: of a column, m.
+FaceColumn face_column(const std::array<double, 2>& place, double breadth);
 
 // Where the layout begins in a column, and where it ends.
 struct ColumnEnds {

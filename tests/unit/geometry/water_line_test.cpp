@@ -58,11 +58,16 @@ TEST(TimeBeside, TurnsWithTheCase) {
   }
 }
 
-TEST(TimeBeside, OfASphereBesideTheMiddle) {
+Body ball() {
   Body body;
   body.spacing = spacing;
   body.shape.kind = Shape::Kind::sphere;
   body.shape.radius = 2.0;
+  return body;
+}
+
+TEST(TimeBeside, OfASphereBesideTheMiddle) {
+  const Body body = ball();
   Jet jet = jet_beside(0.0, {1.0, 0.0, 0.0});
   jet.position = {-5.0, 0.0, 1.2};
   EXPECT_NEAR(time_beside(jet, {&body}, 9.0, 3), (5.0 - 1.6 + 0.5 * spacing) / speed, 1e-3);
@@ -72,10 +77,7 @@ TEST(TimeBeside, OfASphereBesideTheMiddle) {
 
 // The axis is over the sphere for less than half a spacing.
 TEST(TimeBeside, EndsOverABodyThatIsGrazed) {
-  Body body;
-  body.spacing = spacing;
-  body.shape.kind = Shape::Kind::sphere;
-  body.shape.radius = 2.0;
+  const Body body = ball();
   Jet jet = jet_beside(0.0, {1.0, 0.0, 0.0});
   jet.position = {-5.0, 0.0, 2.0 - 5e-6};
   const double time = time_beside(jet, {&body}, 9.0, 3);
