@@ -4,6 +4,7 @@
 // foot of j is the point of the surface nearest to it.
 #pragma once
 
+#include "fluid/seen_face.hpp"
 #include "pairs/pair.hpp"
 
 namespace kerf {
@@ -18,7 +19,8 @@ struct FaceInFront {
 
   template <class P>
   KERF_FUNCTION static FaceInFront of(const ParticleView<D, P>& particles, const Pair<D, P>& pair) {
-    const auto normal_j = pair.of_j(particles.face_normal[pair.j]);
+    const auto normal_j =
+        seen_face(particles, pair.j, pair.of_j(particles.face_normal[pair.j]), pair.separation);
     const Real depth_j = particles.face_depth[pair.j], along_j = dot(pair.separation, normal_j);
     return {normal_j,          depth_j * normal_j - pair.separation,
             depth_j,           along_j,

@@ -95,9 +95,14 @@ struct WallPair {
                                    bool fluid_i) {
     const auto of_i = particles.face_normal[pair.i];
     const auto of_j = pair.of_j(particles.face_normal[pair.j]);
-    if (fluid_i) return {pair.i, pair.j, pair.separation, pair.velocity, of_i, of_j};
+    if (fluid_i)
+      return {pair.i,        pair.j, pair.separation,
+              pair.velocity, of_i,   seen_face(particles, pair.j, of_j, pair.separation)};
     const typename P::Real back(-1);
-    return {pair.j, pair.i, back * pair.separation, back * pair.velocity, of_j, of_i};
+    const RealVector separation = back * pair.separation;
+    return {pair.j,     pair.i,
+            separation, back * pair.velocity,
+            of_j,       seen_face(particles, pair.i, of_i, separation)};
   }
 };
 

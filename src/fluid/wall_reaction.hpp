@@ -22,7 +22,9 @@ struct WallReaction {
                          Sum& sum) const {
     const auto& push = particles.wall_push[pair.j];
     if (pair.medium_j->phase != Phase::water || !(push.inverse_weight > Real(0))) return;
-    const Real along = -dot(pair.separation, particles.face_normal[pair.i]);
+    const Vector<D, Real> separation = Real(-1) * pair.separation;
+    const Real along =
+        dot(separation, seen_face(particles, pair.i, particles.face_normal[pair.i], separation));
     if (!(along > particles.face_depth[pair.i])) return;
     const Real share =
         push.inverse_weight * pair.medium_i->volume * pair.slope_per_distance * along;

@@ -54,13 +54,22 @@ CoveredShape region_of(const SurfaceLayers& layers) {
   return {layers.body.shape, layers.others, std::ceil(layers.depth / spacing - slack) * spacing};
 }
 
+// Returns what a particle as far from one face as from the other has of both.
+NearestFace between(const NearestFace& face, const Point& other_normal) {
+  const Point mean{(face.normal[0] + other_normal[0]) / 2.0,
+                   (face.normal[1] + other_normal[1]) / 2.0, 0.0};
+  const double square = dot(mean, mean);
+  return {mean, face.depth, std::sqrt(std::max(0.0, 1.0 - square) / square)};
+}
+
 // The faces nearest to the particles of a plane body.
 class PlaneFaces {
  public:
   PlaneFaces(const CoveredShape& region, double spacing) : region_(region), spacing_(spacing) {}
 
   // Returns the nearest face of a particle; at a corner, which is equally far from two faces, the
-  // one that goes on farther, along which water is led, whatever the direction of the body.
+  // one that goes on much farther, along which water is led, or both, whatever the direction of the
+  // body.
   std::optional<NearestFace> face_of(const Point& point) const {
     const auto face = region_.nearest(point, 2);
     if (!face) return face;
@@ -70,9 +79,9 @@ class PlaneFaces {
       if (dot(face->normal, other->normal) > corner_alignment) continue;
       const double way = length_from_corner(point, *face, other->normal);
       const double other_way = length_from_corner(point, *other, face->normal);
-      const bool is_first = face->normal[0] * other->normal[1] > face->normal[1] * other->normal[0];
-      const bool keeps = way != other_way ? way > other_way : is_first;
-      return keeps ? face : NearestFace{other->normal, face->depth};
+      if (std::max(way, other_way) <= 2.0 * std::min(way, other_way))
+        return between(*face, other->normal);
+      return way > other_way ? face : NearestFace{other->normal, face->depth};
     }
     return face;
   }

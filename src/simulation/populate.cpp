@@ -140,6 +140,7 @@ std::size_t add_body(const Case& description, std::size_t number,
     if (const auto& face = layout.faces[k]) {
       particle.face_normal = face->normal;
       particle.face_depth = face->depth;
+      particle.face_corner = face->corner;
     }
     if (!body.fixed && body.displacement[0].empty() && body.role != Role::rigid)
       for (int a = 0; a < dimension; ++a)

@@ -39,7 +39,9 @@ struct TurnFaces {
     if (!(volume > Real(least_volume))) return;
     const auto turned = cofactor(h) * Vector<D, double>::from(at_rest);
     const auto face = Vector<D, Real>::from((1.0 / double(volume)) * turned);
-    particles.face_depth[i] = Real(1) / norm(face);
+    // The normal between two faces is shorter than 1; the angle between them is kept.
+    const Real corner = particles.face_corner[i];
+    particles.face_depth[i] = Real(1) / (std::sqrt(Real(1) + corner * corner) * norm(face));
     particles.face_normal[i] = particles.face_depth[i] * face;
     const double area = norm(turned) / double(norm(at_rest));
     particles.face_growth[i] = static_cast<Real>((D == 2 ? area : std::sqrt(area)) - 1.0);

@@ -19,13 +19,14 @@ class OneFace {
  public:
   using Real = typename P::Real;
 
-  OneFace(const Vector3& normal, double depth) {
+  OneFace(const Vector3& normal, double depth, double corner = 0.0) {
     particles_.groups = {};
     const std::vector<Medium<double>> media{mixture_solid(1e-3, D, 0)};
     to_device(std::vector<Medium<Real>>{Medium<Real>::from(media[0])}, particles_.media);
     NewParticle particle;
     for (int a = 0; a < D; ++a) particle.face_normal[static_cast<std::size_t>(a)] = normal[a];
     particle.face_depth = depth;
+    particle.face_corner = corner;
     particles_.append({particle}, media);
   }
   void turn(const Matrix3& gradient, bool is_damaged = false) {
@@ -118,6 +119,30 @@ TYPED_TEST(FacesOfSolids, EndWithDamageAndCollapse) {
   face.particles().fractured[0] = 1;
   face.turn(Matrix3::Identity());
   EXPECT_EQ(face.normal().norm(), 0.0);
+}
+
+// A particle between two faces, whose body turns and swells: water on either side of it sees the
+// face of its side, and water on the bisector none.
+TEST(CornerOfASolid, TurnsWithTheBody) {
+  constexpr double depth = 4e-4, half = 0.6, middle = 0.9, turn = 2.1, growth = 1.2;  // half: rad
+  const auto at = [](double angle) { return Vector3(std::cos(angle), std::sin(angle), 0.0); };
+  OneFace<2, Double> face(std::cos(half) * at(middle), depth, std::tan(half));
+  Matrix3 gradient = Matrix3::Identity();
+  gradient.topLeftCorner<2, 2>() = growth * Eigen::Rotation2Dd(turn).toRotationMatrix();
+  const auto seen_from = [&](double angle) {
+    const auto view = face.particles().view();
+    return as_eigen(seen_face(view, 0, Vector<2, double>(view.face_normal[0]),
+                              Vector<2, double>{1e-3 * std::cos(angle), 1e-3 * std::sin(angle)}));
+  };
+  for (const double turned : {0.0, turn}) {
+    if (turned > 0.0) face.turn(gradient);
+    for (const double aside : {0.01, 0.4, 1.5}) {
+      EXPECT_LE((seen_from(turned + middle + aside) - at(turned + middle + half)).norm(), 1e-12);
+      EXPECT_LE((seen_from(turned + middle - aside) - at(turned + middle - half)).norm(), 1e-12);
+    }
+    EXPECT_EQ(seen_from(turned + middle).norm(), 0.0);
+    EXPECT_NEAR(face.depth(), turned > 0.0 ? growth * depth : depth, 1e-15);
+  }
 }
 
 }  // namespace
