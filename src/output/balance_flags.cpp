@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace kerf {
@@ -49,8 +51,25 @@ ValidityFlag break_flag(double gain) {
                          100.0 * gain, 100.0 * small_drift)};
 }
 
+// Whether an energy is small beside that of a motion at the speed for which the sound speed of the
+// water was made: a tenth of it. Water that settles gets little energy, of which any share is
+// small.
+bool is_little(double energy, const Balance& balance, const Case& description) {
+  constexpr double speed_over_sound = 0.1, small_speed = 0.05;
+  double slowest = std::numeric_limits<double>::infinity();  // m/s, sound speed
+  for (const Material& material : description.materials)
+    if (material.kind == MaterialKind::water) slowest = std::min(slowest, material.sound_speed);
+  const double speed = small_speed * speed_over_sound * slowest;
+  return std::isfinite(slowest) && std::abs(energy) < 0.5 * balance.mass_now * speed * speed;
+}
+
 // For the standard formulation. Smoothing of the density may take energy, and add none.
-ValidityFlag density_flag(double loss) {
+ValidityFlag density_flag(const Balance& balance, const Case& description) {
+  const double loss = balance.density_loss();
+  if (is_little(loss * balance.energy_supplied(), balance, description))
+    return {"density_loss", ValidityFlag::State::good, loss, small_density_loss,
+            fmt::format("Smoothing of the density {} {:.2g}% of the little energy that came in.",
+                        loss < 0.0 ? "adds" : "takes", 100.0 * std::abs(loss))};
   const bool adds = loss < -small_drift, good = !adds && loss <= small_density_loss;
   const double limit = adds ? -small_drift : small_density_loss;
   const std::string takes = fmt::format("Smoothing of the density {} {:.2g}% of all energy",
@@ -63,9 +82,10 @@ ValidityFlag density_flag(double loss) {
 
 }  // namespace
 
-void add_balance_flags(const Balance& balance, std::vector<ValidityFlag>& flags) {
+void add_balance_flags(const Balance& balance, const Case& description,
+                       std::vector<ValidityFlag>& flags) {
   flags.push_back(drift_flag(balance));
-  if (balance.density_loss() != 0.0) flags.push_back(density_flag(balance.density_loss()));
+  if (balance.density_loss() != 0.0) flags.push_back(density_flag(balance, description));
   if (balance.dissipated_fracture != 0.0) flags.push_back(break_flag(balance.energy_from_breaks()));
 }
 

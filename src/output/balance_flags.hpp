@@ -5,13 +5,15 @@
 
 #include <vector>
 
+#include "model/case.hpp"
 #include "output/validity.hpp"
 #include "simulation/balance.hpp"
 
 namespace kerf {
 
-// Adds the flags of a balance: always that of its drift, the others where they have something to
-// tell.
-void add_balance_flags(const Balance& balance, std::vector<ValidityFlag>& flags);
+// Adds the flags of the balance of a case: always that of its drift, the others where they have
+// something to tell.
+void add_balance_flags(const Balance& balance, const Case& description,
+                       std::vector<ValidityFlag>& flags);
 
 }  // namespace kerf

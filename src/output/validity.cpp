@@ -89,8 +89,8 @@ ValidityFlag mach_flag(const DerivedNumbers& derived) {
         State::good,
         mach,
         {},
-        fmt::format("The jet's Mach number is {:.2g} in water with the stiffness of its equation "
-                    "of state says: the first impact peak is that of a shock.",
+        fmt::format("The jet's Mach number is {:.2g} in water as stiff as its equation of state "
+                    "says: the first impact peak is that of a shock.",
                     mach)};
   const bool good = mach <= weak_compression * rounding;
   return {"mach", good_if(good), mach, weak_compression,
@@ -258,7 +258,7 @@ std::vector<ValidityFlag> validity_of(const RunOutcome& outcome) {
                      fmt::format("The solid's spacing is {:.3g} times the water's: water can pass "
                                  "between the solid's particles.",
                                  derived.solid_to_water_spacing)});
-  add_balance_flags(outcome.balance, flags);
+  add_balance_flags(outcome.balance, outcome.description, flags);
   add_of_hourglass(outcome, flags);
   add_of_relaxation(outcome, flags);
   add_parting_flags(outcome, flags);

@@ -29,7 +29,7 @@ bool aims_at_nothing(const RunOutcome& outcome) {
 // Says that no body is in the way of the jet as laid out, and whether its water has met one since.
 std::string aimless_sentence(const RunOutcome& outcome) {
   const std::string start = the_jet(outcome) + " aims at no body that it could cut";
-  if (!has_touched(outcome)) return start + ".";
+  if (!has_workpiece(outcome.description) || !has_touched(outcome)) return start + ".";
   // What is loose as laid out counts as fractured in the balance.
   const bool has_debris = outcome.balance.mass_fractured > 0.0 && outcome.loose.empty();
   const bool breaks = has_debris || outcome.balance.dissipated_fracture > 0.0;

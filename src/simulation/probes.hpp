@@ -10,10 +10,11 @@
 
 namespace kerf {
 
-// Shepard interpolation: sum f W V / sum W V over water and solid.
+// Shepard interpolation, sum f W V / sum W V, over water and over solid apart: the pressure is not
+// continuous between them, since that of a solid is the mean of its normal stresses.
 template <int D, class P>
 struct PointSum {
-  enum Slot { weight = 0, pressure, velocity, slots = velocity + D };
+  enum Slot { weight = 0, pressure, velocity, of_one = velocity + D, slots = 2 * of_one };
   ParticleView<D, P> particles;
   Vector<D, double> point;
 
@@ -26,6 +27,13 @@ struct PointSum {
       if (particles.mirrors.find_image(image, code)) add_image(i, code, sum);
     }
   }
+  // Returns the first slot of what a probe reads: a gauge the water, if there is any; a point that
+  // of the two that it is in, where the face between them, at half of the weight, is the water's.
+  static int first_slot(const Terms<slots>& sum, bool is_gauge) {
+    constexpr double least_share = 0.4;
+    const double water = sum.value[weight], solid = sum.value[of_one + weight];
+    return water > (is_gauge ? 0.0 : least_share * (water + solid)) ? 0 : of_one;
+  }
 
  private:
   KERF_FUNCTION void add_image(Index i, MirrorCode code, Terms<slots>& sum) const {
@@ -33,10 +41,11 @@ struct PointSum {
     const auto r = particles.mirrors.image_position(code, particles.position[i]) - point;
     const double w = CubicSpline<D>::value(norm(r), double(medium.smoothing_length)) *
                      (double(medium.mass) / double(particles.density(i)));
-    sum.value[weight] += w;
-    sum.value[pressure] += w * double(particles.pressure[i]);
+    double* const value = sum.value + (medium.phase == Phase::water ? 0 : int(of_one));
+    value[weight] += w;
+    value[pressure] += w * double(particles.pressure[i]);
     const auto v = MirrorPlanes<D>::image(code, particles.velocity[i]);
-    for (int a = 0; a < D; ++a) sum.value[velocity + a] += w * double(v[a]);
+    for (int a = 0; a < D; ++a) value[velocity + a] += w * double(v[a]);
   }
 };
 
@@ -70,13 +79,14 @@ struct ForceSum {
 template <int D, class P>
 class Probes {
  public:
-  // Appends the means over the points of the pressure and of the three components of the velocity.
-  // Where a point has no matter around it they are 0, so that the pressure of a gauge is the force
-  // on its face over its area.
+  // Appends the means over the points of a gauge of the pressure and of the three components of the
+  // velocity. Where a point has no matter around it they are 0, so that the pressure of a gauge is
+  // the force on its face over its area.
   void sample_mean(Particles<D, P>& particles, const std::vector<Point>& points,
                    std::vector<double>& values) {
     std::vector<double> sampled;
-    for (const Point& point : points) sample_point(particles, point, sampled);
+    const bool is_gauge = points.size() > 1;
+    for (const Point& point : points) sample_point(particles, point, is_gauge, sampled);
     for (std::size_t k = 0; k < 4; ++k) {
       double sum = 0.0;
       for (std::size_t n = k; n < sampled.size(); n += 4) sum += sampled[n];
@@ -85,15 +95,16 @@ class Probes {
   }
 
   // pressure, then velocity in three components.
-  void sample_point(Particles<D, P>& particles, const Point& position,
+  void sample_point(Particles<D, P>& particles, const Point& position, bool of_gauge,
                     std::vector<double>& values) {
     using Sum = PointSum<D, P>;
     const auto sum = point_sum_(particles.sum_groups.view(), particles.size(),
                                 Sum{particles.view(), Vector<D, double>::from(position)});
-    const double weight = sum.value[Sum::weight];
-    values.push_back(weight > 0.0 ? sum.value[Sum::pressure] / weight : 0.0);
+    const int first = Sum::first_slot(sum, of_gauge);
+    const double weight = sum.value[first + Sum::weight];
+    values.push_back(weight > 0.0 ? sum.value[first + Sum::pressure] / weight : 0.0);
     for (int a = 0; a < 3; ++a)
-      values.push_back(a < D && weight > 0.0 ? sum.value[Sum::velocity + a] / weight : 0.0);
+      values.push_back(a < D && weight > 0.0 ? sum.value[first + Sum::velocity + a] / weight : 0.0);
   }
 
   // Returns the total force of the particles' accelerations, three components.

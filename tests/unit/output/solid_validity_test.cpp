@@ -47,6 +47,20 @@ TEST(BalanceValidity, TellsADriftWithoutEnergy) {
               flag_of("energy_drift", State::warning, "0.002 J although none"));
 }
 
+// Water that settles gets a little energy: any share of it is small beside a motion at a tenth of
+// the sound speed, for which the sound speed was made.
+TEST(BalanceValidity, AnyDensityLossOfLittleEnergyIsSmall) {
+  RunOutcome outcome = outcome_with_solid();
+  Material water;
+  water.sound_speed = 20.0;
+  outcome.description.materials = {water};
+  outcome.balance.dissipated_density = 0.2;
+  outcome.balance.mass_now = 10.0;  // the motion has 20 J, and a twentieth of its speed 0.05 J
+  EXPECT_THAT(validity_of(outcome), flag_of("density_loss", State::warning, "takes 20% of all"));
+  outcome.balance.mass_now = 100.0;
+  EXPECT_THAT(validity_of(outcome), flag_of("density_loss", State::good, "20% of the little"));
+}
+
 TEST(SolidValidity, FlagsHourglassEnergy) {
   RunOutcome outcome = outcome_with_solid();
   outcome.balance.hourglass = 0.01;

@@ -77,7 +77,7 @@ TEST(StateIo, CheckpointsRestoreEveryStateFieldBitForBit) {
   restore_fields(archive, restored);
   EXPECT_EQ(restored.size(), 5u);
   EXPECT_EQ(bytes_of(restored), bytes_of(particles));
-  EXPECT_EQ(archive.arrays.size(), 27u);  // rows STATE and PAIRED of particles/fields.hpp
+  EXPECT_EQ(archive.arrays.size(), 28u);  // rows STATE and PAIRED of particles/fields.hpp
   EXPECT_EQ(std::get<std::vector<double>>(archive.arrays.at("particles/position")).size(), 15u);
   EXPECT_EQ(std::get<std::vector<float>>(archive.arrays.at("particles/shear")).size(), 30u);
 }
@@ -205,15 +205,37 @@ TEST(Probes, PointInterpolatesPressureAndVelocity) {
   set_pressure(particles, 5e4);
   Probes<2, Double> probes;
   std::vector<double> values;
-  probes.sample_point(particles, {0.0, 0.0, 0.0}, values);
+  probes.sample_point(particles, {0.0, 0.0, 0.0}, false, values);
   ASSERT_EQ(values.size(), 4u);
   EXPECT_NEAR(values[0], 5e4, 1e-8);
   EXPECT_NEAR(values[1], 1.0, 1e-13);
   EXPECT_NEAR(values[2], 0.0, 1e-13);
   EXPECT_EQ(values[3], 0.0);
   values.clear();
-  probes.sample_point(particles, {1.0, 1.0, 0.0}, values);  // no particle near
+  probes.sample_point(particles, {1.0, 1.0, 0.0}, false, values);  // no particle near
   EXPECT_EQ(values, std::vector<double>(4, 0.0));
+}
+
+// Water above y = 0 on solid, whose pressure is another: the mean of its normal stresses.
+TEST(Probes, ReadWaterInAFaceAndSolidBelowIt) {
+  auto start = lattice(1e-3, -1.0);
+  for (NewParticle& particle : start) particle.source = particle.position[1] > 0.0 ? 0 : 1;
+  auto particles = loaded<2, Double>(start, {.mirrored = false, .density_losses = false});
+  for (std::size_t i = 0; i < start.size(); ++i)
+    particles.pressure[i] = start[i].source == 0 ? 5e4 : 2e4;
+  Probes<2, Double> probes;
+  const auto pressure_at = [&](double y, bool of_gauge) {
+    std::vector<double> values;
+    probes.sample_point(particles, {0.3e-3, y, 0.0}, of_gauge, values);
+    return values[0];
+  };
+  for (const double y : {0.0, 0.4e-3, 2e-3}) {
+    EXPECT_NEAR(pressure_at(y, false), 5e4, 1e-8) << y;
+    EXPECT_NEAR(pressure_at(y, true), 5e4, 1e-8) << y;
+  }
+  EXPECT_NEAR(pressure_at(-0.5e-3, false), 2e4, 1e-8);
+  EXPECT_NEAR(pressure_at(-0.5e-3, true), 5e4, 1e-8);
+  EXPECT_NEAR(pressure_at(-4e-3, true), 2e4, 1e-8);  // no water within reach
 }
 
 TEST(Probes, MirrorImagesCountAtASymmetryPlane) {
@@ -224,7 +246,7 @@ TEST(Probes, MirrorImagesCountAtASymmetryPlane) {
   set_pressure(particles, 5e4);
   Probes<2, Double> probes;
   std::vector<double> values;
-  probes.sample_point(particles, {0.0, 0.0, 0.0}, values);
+  probes.sample_point(particles, {0.0, 0.0, 0.0}, false, values);
   EXPECT_NEAR(values[0], 5e4, 1e-8);
   EXPECT_NEAR(values[1], 0.0, 1e-13);  // the normal velocity of an image is opposite
 }
