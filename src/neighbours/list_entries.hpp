@@ -4,6 +4,7 @@
 #pragma once
 
 #include "neighbours/compact_lists.hpp"
+#include "neighbours/ghost_names.hpp"
 #include "neighbours/list_in_passes.hpp"
 
 namespace kerf {
@@ -81,6 +82,15 @@ class ListEntries {
       thrust::fill(marks.begin(), marks.end(), std::uint8_t(1));
       list(find, count);
     }
+  }
+
+  // Names the new ghosts in the lists that are kept, of the particles without a mark.
+  template <int D_>
+  void name_ghosts(const GhostNames& names, const MirrorPlanes<D_>& mirrors,
+                   const Array<std::uint8_t>& marks) {
+    const auto kept = static_cast<Index>(end_.size());
+    for_each_index(kept, NameGhosts<D_>{pointer(begin_), pointer(end_), pointer(marks), mirrors,
+                                        names.names(), names.first(), pointer(neighbour_)});
   }
 
   NeighbourView view() const {

@@ -66,9 +66,8 @@ class NeighbourList {
     refresh_marked(particles, true);
     return is_usable(particles, horizon);
   }
-  // The same in parts, for several ranks: marks the particles that have moved or come, unless that
-  // are too many; gives them new build positions; and after build() returns whether the particles
-  // are still in order and the list will hold.
+  // The same in parts, for several ranks, which fetch their ghosts anew in between. It marks the
+  // particles that have moved or come, unless that are too many.
   bool mark_for_refresh(Particles<D, P>& particles, bool have_moved) {
     if (on_gpu) return false;
     constexpr double share = 0.3;  // of the skin; two that have moved less apart need no refresh
@@ -80,9 +79,34 @@ class NeighbourList {
     const IsMarked<D, P> is_marked{particles.view(), pointer(moved_)};
     return ranks::total(count_indices(n, is_marked)) <= ranks::total(particles.owned()) / 2;
   }
-  void move_marked(Particles<D, P>& particles) {
-    for_each_index(particles.size(), MoveBuildPosition<D, P>{particles.view(), pointer(moved_)});
+  // Marks those whose lists may change, before the ghosts are dropped, and gives the moved ones new
+  // build positions.
+  void leave_ghosts(Particles<D, P>& particles) {
+    start_marks(particles);
+    mark_around(particles, listed(), true);
+    ghost_names_.note(particles);
+    for (auto* marks : {&moved_, &listed_anew_}) {
+      const auto ghosts = marks->begin() + particles.ghosts.first;
+      marks->erase(ghosts, ghosts + particles.ghosts.count);
+    }
   }
+  // The marks of the particles that have moved or come: those of new ghosts must be those at their
+  // owners.
+  Array<std::uint8_t>& moved(Index particles) {
+    moved_.resize(particles);
+    return moved_;
+  }
+  // Finds the lists that may have changed, when the new ghosts are there.
+  void take_ghosts(Particles<D, P>& particles) {
+    listed_anew_.resize(particles.size(), std::uint8_t(0));
+    cells_.build(particles, grids_);
+    validity_.restart(cells_.view());
+    mark_around(particles, particles.size(), false);
+    ghost_names_.find(particles);
+    entries_.name_ghosts(ghost_names_, particles.mirrors, listed_anew_);
+    list_marked(particles);
+  }
+  // Returns whether the particles are still in order and the list will hold.
   bool is_usable(Particles<D, P>& particles, double horizon) {
     return ranks::total(disorder(particles)) <= ranks::total(particles.owned()) / 8 &&
            validity_.holds(particles, cells_.view(), horizon);
@@ -129,18 +153,29 @@ class NeighbourList {
 
   // Lists the particles of `moved_`, at their positions if it `moves` them, and those around them.
   void refresh_marked(Particles<D, P>& particles, bool moves) {
-    const Index n = particles.size();
-    const auto view = particles.view();
-    listed_anew_.resize(n);
-    thrust::fill(listed_anew_.begin(), listed_anew_.end(), std::uint8_t(0));
-    unmoved_.find(cells_.view(), listed(), pointer(moved_));
-    for_each_index(n, MarkAround<D, P>{view, grids_, cells_.view(), unmoved_.view(),
-                                       pointer(moved_), moves, pointer(listed_anew_)});
+    start_marks(particles);
+    mark_around(particles, listed(), moves);
     if (moves) {
-      for_each_index(n, MoveBuildPosition<D, P>{view, pointer(moved_)});
       cells_.build(particles, grids_);
       validity_.restart(cells_.view());
     }
+    list_marked(particles);
+  }
+  void start_marks(const Particles<D, P>& particles) {
+    listed_anew_.resize(particles.size());
+    thrust::fill(listed_anew_.begin(), listed_anew_.end(), std::uint8_t(0));
+  }
+  // Marks the particles of `moved_` and those around them, of which the cells know the first
+  // `places`, and moves their build positions if it `moves` them.
+  void mark_around(Particles<D, P>& particles, Index places, bool moves) {
+    const Index n = particles.size();
+    const auto view = particles.view();
+    unmoved_.find(cells_.view(), places, pointer(moved_));
+    for_each_index(n, MarkAround<D, P>{view, grids_, cells_.view(), unmoved_.view(),
+                                       pointer(moved_), moves, pointer(listed_anew_)});
+    if (moves) for_each_index(n, MoveBuildPosition<D, P>{view, pointer(moved_)});
+  }
+  void list_marked(Particles<D, P>& particles) {
     entries_.list_anew(find(particles), particles.owned(), listed_anew_);
     listed_as_ = particles.fractured;
   }
@@ -176,6 +211,7 @@ class NeighbourList {
   ListEntries<D, P, Scheme> entries_;
   CellTable<D, P> cells_;
   UnmovedParticles unmoved_;
+  GhostNames ghost_names_;
   double skin_ = 0.0;
   bool splits_ = false;
   Array<std::uint8_t> listed_as_, moved_, listed_anew_;

@@ -7,6 +7,7 @@
 namespace kerf {
 
 using Index = std::uint32_t;
+inline constexpr Index no_index = ~Index(0);
 
 // Sets how many threads all runs of this process use; 0 = every core.
 void set_threads(int threads);

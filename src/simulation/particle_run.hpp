@@ -57,8 +57,9 @@ class ParticleRun : public Simulation {
   // Evaluates the accelerations by the pairs across a plane.
   virtual void accelerate_across(const AcrossPlane<D>& across) const = 0;
 
-  // Called when the particles have been put into another order.
-  virtual void after_reorder() {}
+  // Called when particles have other indices than before. `listed_anew` has 1 for those whose list
+  // of neighbours is new; null: all are.
+  virtual void after_reorder([[maybe_unused]] const std::uint8_t* listed_anew) {}
   // Called when some lists of neighbours are new (NeighbourList::listed_anew), of particles in the
   // same order.
   virtual void after_refresh() {}
@@ -142,6 +143,11 @@ class ParticleRun : public Simulation {
   bool refresh_with_ghosts(double horizon, bool have_moved);
   // Fetches the ghosts, of several ranks, and finds all lists, of particles in their order.
   void list_particles();
+  void fetch_ghosts() {
+    if constexpr (ranks::exist)
+      if (ranks::are_several()) decomposition_.fetch_ghosts(particles_, list_.grids());
+  }
+  void note_listed();
   void note_listed_ghosts();
   // Gives every rank its part of the particles.
   void distribute() {
@@ -155,7 +161,7 @@ class ParticleRun : public Simulation {
     return use(particles_);
   }
   void restore_particles(const Archive& archive);
-  void note_order();  // when the particles have been put into another order
+  void note_order(const std::uint8_t* listed_anew);  // when particles have other indices
   void close_planes();
   std::size_t first_jet() const { return settings_.source_names.size() - nozzles_.size(); }
   struct ParticleStep;

@@ -69,7 +69,7 @@ void ParticleRun<D, P, Traits>::restore(const Archive& archive) {
   }
   // The particles are in the order in which they were listed: the same list results.
   list_particles();
-  note_order();
+  note_order(nullptr);
   fresh_ = false;
 }
 

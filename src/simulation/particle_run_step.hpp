@@ -39,23 +39,30 @@ bool ParticleRun<D, P, Traits>::refresh_list(double horizon) {
   return true;
 }
 
-// Finds all lists: those that a refresh would keep are the same then, but name other ghosts.
+// Fetches the ghosts anew: where particles have moved others are near enough to be ghosts.
 template <int D, class P, class Traits>
 bool ParticleRun<D, P, Traits>::refresh_with_ghosts(double horizon, bool have_moved) {
   if (!list_.mark_for_refresh(particles_, have_moved)) return false;
-  list_.move_marked(particles_);
+  list_.leave_ghosts(particles_);
   drop_ghosts();
-  list_particles();
+  fetch_ghosts();
+  update_ghosts(list_.moved(particles_.size()));
+  list_.take_ghosts(particles_);
+  note_listed();
   if (!list_.is_usable(particles_, horizon)) return false;
-  note_order();
+  note_order(list_.listed_anew());
   return true;
 }
 
 template <int D, class P, class Traits>
 void ParticleRun<D, P, Traits>::list_particles() {
-  if constexpr (ranks::exist)
-    if (ranks::are_several()) decomposition_.fetch_ghosts(particles_, list_.grids());
+  fetch_ghosts();
   list_.build(particles_);
+  note_listed();
+}
+
+template <int D, class P, class Traits>
+void ParticleRun<D, P, Traits>::note_listed() {
   note_listed_ghosts();
   next_listed_ = next_id_;
 }
@@ -125,13 +132,13 @@ void ParticleRun<D, P, Traits>::rebuild_list() {
   }
   sort_particles(particles_, list_.cell_numbers(particles_));
   list_particles();
-  note_order();
+  note_order(nullptr);
 }
 
 template <int D, class P, class Traits>
-void ParticleRun<D, P, Traits>::note_order() {
+void ParticleRun<D, P, Traits>::note_order(const std::uint8_t* listed_anew) {
   exit_pressure_.find_columns(particles_, nozzles_, first_jet());
-  after_reorder();
+  after_reorder(listed_anew);
 }
 
 // A limit of the step, and the particle that sets it, for those who do not have that.

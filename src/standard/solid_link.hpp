@@ -12,8 +12,6 @@
 
 namespace kerf {
 
-inline constexpr Index no_index = 0xffffffffu;
-
 // Both directions of the correspondence. Ids of solid particles are those of the start.
 struct SolidIndexView {
   const Index* solid_index_of_id;  // solid number, or no_index

@@ -195,10 +195,10 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   void shift_window(std::uint64_t shifts);
   void restore_window(const Archive& archive);
 
-  void after_reorder() override {
+  void after_reorder(const std::uint8_t* listed_anew) override {
     solid_.relink(particles_, list_.view());
-    rates_.take_list(particles_.view(), particles_.owned(), list_.view());
-    wake_listed_anew(nullptr);
+    rates_.take_list(particles_.view(), particles_.owned(), list_.view(), listed_anew);
+    wake_listed_anew(listed_anew);
   }
   void after_refresh() override {
     solid_.mark_fully_bonded(particles_, list_.view(), list_.listed_anew());
