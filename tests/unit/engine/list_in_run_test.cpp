@@ -12,6 +12,14 @@
 #include "simulation/run_settings.hpp"
 #include "standard/standard.hpp"
 
+namespace kerf {
+// They are in the engine.
+extern template class ParticleRun<2, Mixed, StandardTraits>;
+extern template class ParticleRun<3, Mixed, StandardTraits>;
+extern template class Standard<2, Mixed>;
+extern template class Standard<3, Mixed>;
+}  // namespace kerf
+
 namespace kerf::test {
 namespace {
 
@@ -102,7 +110,7 @@ class ListedRun final : private Standard<D, Mixed> {
 template <int D>
 void expect_complete_lists() {
   ListedRun<D> run(parse_case(fast_jet(D), "fast.toml"));
-  constexpr int steps = 120, checked_every = D == 2 ? 1 : 6;
+  constexpr int steps = 120, checked_every = D == 2 ? 1 : 12;
   for (int step = 0; step < steps; ++step) {
     run.take_step();
     if (step % checked_every == checked_every - 1) run.check();
