@@ -42,8 +42,7 @@ namespace kerf {
   PAIRED(RealVector, face_normal, RealVector::from(start.face_normal), smooth_walls, hidden)       \
   /* 1, of a wall particle: of the face nearest to it; of fluid: of the smooth wall beside it */   \
   PAIRED(Real, face_depth, start.face_depth, smooth_walls, hidden) /* m, of a wall particle */     \
-  PAIRED(Real, face_corner, start.face_corner, smooth_walls, hidden)                              \
-  /* 1, of a wall particle between two faces: fluid/seen_face.hpp */                              \
+  PAIRED(Real, face_corner, start.face_corner, smooth_walls, hidden) /* 1, fluid/seen_face.hpp */  \
   PAIRED(Real, face_growth, 0, smooth_walls, hidden) /* 1, of its width along the surface */      \
   STATE(RealVector, face_at_rest, RealVector::from(start.face()), smooth_walls, hidden)            \
   /* 1/m, normal over depth before a solid is deformed (standard/turn_faces.hpp) */                \

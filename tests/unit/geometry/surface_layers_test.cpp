@@ -120,16 +120,15 @@ TEST(SurfaceLayers, TheApexOfAWedgeHasBothFaces) {
       const NearestFace face = face_at(wedge, {});
       const double x = face.normal[0], y = face.normal[1];
       EXPECT_NEAR(face.depth, 0.5 * wall_spacing, 1e-3 * wall_spacing);
-      double unlike[2] = {1.0, 1.0};  // the least distances of n + c and n - c from the normals
-      for (int sign = 0; sign < 2; ++sign) {
-        const double c = (sign == 0 ? 1.0 : -1.0) * face.corner;
-        for (const double angle : {turn + right, turn - left}) {
-          const double side = angle > turn ? 1.0 : -1.0;
-          unlike[sign] = std::min(unlike[sign], std::hypot(x - c * y - side * std::cos(angle),
-                                                           y + c * x - side * std::sin(angle)));
-        }
-        EXPECT_LT(unlike[sign], 1e-6) << left << ' ' << right << ' ' << turn;
-      }
+      // The distances of n + c and n - c from the normal of the right face, and from that of the
+      // left.
+      const auto unlike = [&](double sign, double side, double angle) {
+        const double c = sign * face.corner;
+        return std::hypot(x - c * y - side * std::cos(angle), y + c * x - side * std::sin(angle));
+      };
+      for (const double sign : {1.0, -1.0})
+        EXPECT_LT(std::min(unlike(sign, 1.0, turn + right), unlike(sign, -1.0, turn - left)), 1e-6)
+            << left << ' ' << right << ' ' << turn;
       EXPECT_NEAR(face.corner, std::tan(std::numbers::pi / 2.0 - (left + right) / 2.0), 1e-6);
     }
   const NearestFace end = face_at(turned_plate(60e-3, 6e-3, 0.4), {30e-3, 3e-3});
