@@ -124,15 +124,17 @@ void turn_round(std::vector<double>& sums) {
 }  // namespace
 
 const MetricList<DamagedZone>& DamagedZone::metrics() {
-  static const MetricList<DamagedZone> list{
-      {"damaged_zone", "m", "width of the damaged zone",
-       "Width of the damaged material beside the kerf at half its depth, mean of both sides.",
-       &DamagedZone::width}};
+  static const MetricList<DamagedZone> list{{"damaged_zone", "m", "width of the damaged zone",
+                                             "Width of the damaged material beside the kerf at "
+                                             "half its depth, mean of both sides; null where "
+                                             "that is in a gap between layers.",
+                                             &DamagedZone::width}};
   return list;
 }
 
 DamagedZone DamagedZone::measure(const KerfScene& scene) {
   const auto& [view, map, axes, path, shape, fragments, conditions] = scene;
+  if (std::isnan(shape.middle.width)) return {shape.middle.width};
   if (shape.middle.width <= 0.0) return {};
   const double spacing = view.workpiece.axis_spacing;
   Layer layer = make_layer(map, axes, path, shape.depth / 2.0, spacing);

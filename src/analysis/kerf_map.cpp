@@ -112,19 +112,28 @@ std::vector<std::uint8_t> find_standing(const Workpiece& workpiece, const Frame&
   return standing;
 }
 
-double KerfMap::taken_below_top(std::size_t i, std::size_t j, double below) const {
-  const KerfColumn& here = column(i, j);
+double KerfMap::sample_below_top(const KerfColumn& column, double below) const {
   // The far face has the roughness of the lattice.
   const double roughness = samples_per_spacing * grid.step;
-  if (!here.exists || here.top + below > here.bottom + roughness) return 0.0;
-  const double depth = std::min(here.top + below, here.bottom);
-  const double sample =
-      std::clamp((depth - grid.low[2]) / grid.step, 0.0, static_cast<double>(grid.count[2] - 1));
+  if (!column.exists || column.top + below > column.bottom + roughness) return -1.0;
+  const double depth = std::min(column.top + below, column.bottom);
+  return std::clamp((depth - grid.low[2]) / grid.step, 0.0, static_cast<double>(grid.count[2] - 1));
+}
+
+double KerfMap::taken_below_top(std::size_t i, std::size_t j, double below) const {
+  const double sample = sample_below_top(column(i, j), below);
+  if (sample < 0.0) return 0.0;
   const auto k = static_cast<std::size_t>(sample);
   const double part = sample - static_cast<double>(k);
   const float* samples = &taken[grid.index(i, j, 0)];
   const std::size_t next = std::min(k + 1, grid.count[2] - 1);
   return (1.0 - part) * static_cast<double>(samples[k]) + part * static_cast<double>(samples[next]);
+}
+
+bool KerfMap::is_laid_out_below_top(std::size_t i, std::size_t j, double below) const {
+  const double sample = sample_below_top(column(i, j), below);
+  return sample >= 0.0 &&
+         laid_out[grid.index(i, j, static_cast<std::size_t>(std::round(sample)))] != 0;
 }
 
 KerfMap make_kerf_map(const KerfView& view, const KerfAxes& axes, const KerfPath& path) {
@@ -137,9 +146,12 @@ KerfMap make_kerf_map(const KerfView& view, const KerfAxes& axes, const KerfPath
   field.add(solids.original);
   const std::vector<float>& original = field.share();
   map.taken = share_of_standing(map.grid, solids);
+  map.laid_out.resize(original.size());
   // Beside a face of the workpiece the initial share is below 1.
-  for (std::size_t n = 0; n < original.size(); ++n)
+  for (std::size_t n = 0; n < original.size(); ++n) {
     map.taken[n] = std::clamp(1.0f - map.taken[n] / std::max(original[n], face), 0.0f, 1.0f);
+    map.laid_out[n] = original[n] >= face ? 1 : 0;
+  }
   map.columns.resize(map.grid.count[0] * map.grid.count[1]);
   for (std::size_t c = 0; c < map.columns.size(); ++c) {
     const std::size_t first = c * map.grid.count[2];

@@ -39,6 +39,7 @@ struct KerfColumn {
 struct KerfMap {
   SampleGrid grid;
   std::vector<float> taken;  // by sample: 0 in standing solid, 1 where it is removed; 1/2: the face
+  std::vector<std::uint8_t> laid_out;  // by sample: whether solid was laid out there
   std::vector<KerfColumn> columns;
 
   const KerfColumn& column(std::size_t i, std::size_t j) const {
@@ -46,6 +47,13 @@ struct KerfMap {
   }
   // Returns `taken` at a depth below the top of that column; 0 outside the workpiece.
   double taken_below_top(std::size_t i, std::size_t j, double below) const;
+  // Whether solid was laid out at a depth below the top of that column.
+  bool is_laid_out_below_top(std::size_t i, std::size_t j, double below) const;
+
+ private:
+  // Returns the number of that sample along the jet, with a fraction; negative outside the
+  // workpiece.
+  double sample_below_top(const KerfColumn& column, double below) const;
 };
 
 // The part of the path of the nozzle on which it has cut, as positions of the axis at depth 0.

@@ -20,13 +20,12 @@ double reached_by_breadth(std::vector<double> values, const KerfMap& map,
   return *least;
 }
 
-// Returns the distance of a sample from the tube across it, m; not positive inside.
+}  // namespace
+
 double beside_tube(const KerfMap& map, std::size_t i, const SectionProbe& probe) {
   const double across = map.grid.at(0, i);
   return std::max(probe.tube_low - across, across - probe.tube_high);
 }
-
-}  // namespace
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;

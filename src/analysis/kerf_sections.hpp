@@ -22,6 +22,9 @@ struct SectionProbe {
   double reach = 0.0;      // m, distance beside the tube up to which the depth is measured
 };
 
+// Returns the distance of a sample from the tube across it, m; not positive inside.
+double beside_tube(const KerfMap& map, std::size_t i, const SectionProbe& probe);
+
 struct KerfSection {
   std::size_t index = 0;   // of the samples along the kerf
   double position = 0.0;   // m, along the kerf

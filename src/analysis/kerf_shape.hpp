@@ -17,7 +17,7 @@ struct ProfilePoint {
 struct KerfLevel {
   double below = 0.0;  // m, below the face
   double half = 0.0;   // m, half the thickness of the layer whose mean the width is
-  double width = 0.0;  // m
+  double width = 0.0;  // m; nan in a gap between two layers
 };
 
 struct KerfShape {

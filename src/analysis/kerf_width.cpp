@@ -37,25 +37,41 @@ double width_below_top(const KerfMap& map, std::size_t j, const SectionProbe& pr
   return width;
 }
 
+// Whether solid was laid out there in the tube of the jet: a gap between two layers has no width.
+bool crosses_solid(const KerfMap& map, std::size_t j, const SectionProbe& probe, double below) {
+  for (std::size_t i = 0; i < map.grid.count[0]; ++i)
+    if (beside_tube(map, i, probe) <= probe.reach && map.is_laid_out_below_top(i, j, below))
+      return true;
+  return false;
+}
+
 // Returns the median, over the sections that are that deep, of the mean width in a layer of twice
-// `half`.
+// `half`, where that has solid; nan where it has none.
 KerfLevel measure_level(const KerfMap& map, const std::vector<KerfSection>& passed,
                         const SectionProbe& probe, double below, double half) {
   const int rows = 2 * static_cast<int>(std::max(1.0, std::round(half / map.grid.step)));
   std::vector<double> widths;
+  bool is_deep = false;
   for (const KerfSection& section : passed) {
     if (section.depth < below) continue;
+    is_deep = true;
     double sum = 0.0;
-    for (int row = 0; row < rows; ++row)
-      sum +=
-          width_below_top(map, section.index, probe, below + half * ((2 * row + 1.0) / rows - 1.0));
-    widths.push_back(sum / rows);
+    int solid_rows = 0;
+    for (int row = 0; row < rows; ++row) {
+      const double at = below + half * ((2 * row + 1.0) / rows - 1.0);
+      if (!crosses_solid(map, section.index, probe, at)) continue;
+      sum += width_below_top(map, section.index, probe, at);
+      ++solid_rows;
+    }
+    if (solid_rows > 0) widths.push_back(sum / solid_rows);
   }
-  return {below, half, median(widths)};
+  const bool is_gap = is_deep && widths.empty();
+  return {below, half, is_gap ? std::nan("") : median(widths)};
 }
 
 // Returns the angle of one face, rad, from the least-squares line through widths over depth.
-double find_taper(const std::vector<KerfLevel>& levels) {
+double find_taper(std::vector<KerfLevel> levels) {
+  std::erase_if(levels, [](const KerfLevel& level) { return std::isnan(level.width); });
   if (levels.size() < 2) return 0.0;
   const double slope = line_slope(
       levels, [](const KerfLevel& level) { return level.below; },

@@ -57,7 +57,7 @@ Wake measure_wake(const KerfView& view, const KerfAxes& axes) {
     const double deep = front_low + share * (front_high - front_low);
     wake.lag += first_reach(behind, deep * wake.depth) / front_levels;
   }
-  if (map.grid.dimension == 3) wake.width = shape.middle.width;
+  if (map.grid.dimension == 3 && shape.middle.width > 0.0) wake.width = shape.middle.width;
   return wake;
 }
 

@@ -92,6 +92,23 @@ TEST_P(KerfOfAMovedBlock, ReachesTheEdgeOfTheBlockWhereAHalfIsDetached) {
   EXPECT_NEAR(carving_.measure_pair(initial_, half).shape.middle.width, breadth, solid_spacing);
 }
 
+// Two layers with a gap between them, in which half the depth lies.
+TEST_P(KerfOfAMovedBlock, HasNoWidthInAGapBetweenLayers) {
+  const auto is_in_gap = [](const Position& x) {
+    return std::abs(x[1] + thickness / 2.0) < 5.0 * mm;
+  };
+  const Frame layers = without(initial_, is_in_gap);
+  Frame cut = layers;
+  change(cut, Category::fractured, [](const Position& x) { return std::abs(x[0]) < width / 2.0; });
+  const Kerf kerf = carving_.measure_pair(layers, cut);
+  EXPECT_NEAR(kerf.shape.depth, thickness, 0.25 * solid_spacing);
+  EXPECT_TRUE(std::isnan(kerf.shape.middle.width));
+  EXPECT_TRUE(std::isnan(kerf.of<DamagedZone>().width));
+  for (const KerfLevel& level : {kerf.shape.top, kerf.shape.bottom})
+    EXPECT_NEAR(level.width, width, 0.25 * solid_spacing);
+  EXPECT_NEAR(kerf.shape.taper, 0.0, 1e-3);
+}
+
 TEST_P(KerfOfAMovedBlock, IsIndependentOfTheParticleOrder) {
   const Kerf a = carving_.measure_pair(initial_, frame_);
   const Kerf b = carving_.measure_pair(initial_, shuffled(frame_, 5));
