@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/crack_path.hpp"
 #include "analysis/cut_depth.hpp"
 #include "analysis/front.hpp"
 #include "analysis/kerf_map.hpp"
@@ -84,7 +85,10 @@ BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Evidence& e
   }
   const KerfPath path{{}, axes.way(view.frame.time)};
   if (view.workpiece.dimension == 2) {
-    if (axes.moves() && is_parted_on_path(view, pieces, axes, path))
+    const bool is_cracked = std::any_of(
+        body.sides.begin(), body.sides.end(),
+        [&](const BodySides& sides) { return is_parted_by_crack(sides, view, axes, pieces); });
+    if (is_cracked || (axes.moves() && is_parted_on_path(view, pieces, axes, path)))
       return {.through = true, .severed = true};
     // In the plane a chain of bonds between the sides crosses the axis of the jet.
     if (is_joined) return cut;
@@ -164,7 +168,8 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
     const double face = face_depth(workpiece, frame, rows);
     state.front_depth = front_depth(workpiece, frame, face);
     state.pressed_share = pressed_share(workpiece, frame, rows, rigid_);
-    const auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
+    auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
+    keep_divided(workpiece, frame, rows, pieces.body_piece, traces_, standing);
     note_traces(rows, standing, traces_);
     if (has_wake_ && axes_) {
       state.wake = measure_wake({workpiece, frame, rows, standing}, *axes_);
@@ -183,10 +188,10 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
     }
     if (workpiece.jet && (state.front_depth > 0.0 || touches_water(workpiece, frame, rows))) {
       state.is_touched = true;
-      if (!state.cut_through)
-        judge_bodies({workpiece, frame, rows, standing}, {pieces, *axes_, traces_},
-                     state.front_depth + face, state);
       const auto closed = closed_where_left(workpiece, standing, traces_);
+      if (!state.cut_through)
+        judge_bodies({workpiece, frame, rows, closed}, {pieces, *axes_, traces_},
+                     state.front_depth + face, state);
       state.cut_depth =
           std::max(state.cut_depth,
                    measure_cut_depth({workpiece, frame, rows, closed}, *axes_, state.bodies));
@@ -206,6 +211,12 @@ CutSummary CutMonitor::summary() const {
     summary.pressed_share = std::max(summary.pressed_share, state.pressed_share);
   for (std::size_t slot = 0; slot < traces_.size(); ++slot)
     if (traces_[slot] == slot_trace::left_whole) summary.mass_left_whole += workpiece_->mass[slot];
+  if (summary.mass_left_whole > 0.0) summary.traces = traces_;
+  summary.pieces_since =
+      std::find_if(history_.rbegin(), history_.rend(),
+                   [&](const CutState& state) { return state.pieces != summary.last.pieces; })
+          .base()
+          ->time;
   summary.initial_pieces = workpiece_->initial_pieces;
   add_verdicts(summary);
   std::vector<CutState> cutting;

@@ -111,9 +111,11 @@ struct CutSummary {
   double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
   std::vector<BodyVerdict> bodies;
   CutState last;
-  double pressed_share = 0.0;       // the largest of all states
-  double mass_left_whole = 0.0;     // kg, of the solid that stood until it left the domain
-  std::vector<Fragment> fragments;  // of the last frame, the heaviest first
+  double pressed_share = 0.0;        // the largest of all states
+  double mass_left_whole = 0.0;      // kg, of the solid that stood until it left the domain
+  std::vector<std::uint8_t> traces;  // slot_trace of each slot; empty where nothing has left whole
+  double pieces_since = 0.0;         // s, the time from which on the number of pieces is the last
+  std::vector<Fragment> fragments;   // of the last frame, the heaviest first
 
   // Returns the share of the workpiece that stood until it left the domain.
   double left_fraction() const {

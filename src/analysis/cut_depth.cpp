@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "analysis/jet_face.hpp"
+#include "analysis/open_paths.hpp"
 #include "analysis/unbroken.hpp"
 #include "analysis/void_places.hpp"
-#include "geometry/cell_grid.hpp"
 
 namespace kerf {
 namespace {
@@ -193,53 +193,11 @@ class TubeFaces {
   JetFace at_axis_;
 };
 
-// The open particles, and the paths among them.
-class OpenPaths {
- public:
-  explicit OpenPaths(const std::vector<TubePoint>& open)
-      : open_(open), seen_(open.size(), 0), near_(places_of(open), longest_step(open)) {}
-
-  // Calls visit(n) for each open particle to which a path leads from the open particle `start`,
-  // and which was not visited before.
-  template <class Visit>
-  void follow(std::size_t start, const Visit& visit) {
-    std::vector<std::size_t> next;
-    if (seen_[start] == 0) next.push_back(start);
-    seen_[start] = 1;
-    while (!next.empty()) {
-      const std::size_t n = next.back();
-      next.pop_back();
-      visit(n);
-      near_.visit_near(place_of(open_[n]), [&](std::size_t other) {
-        if (seen_[other] != 0 || !are_close(open_[n], open_[other])) return;
-        seen_[other] = 1;
-        next.push_back(other);
-      });
-    }
-  }
-
- private:
-  using Place = CellGrid<3>::Position;
-
-  static Place place_of(const TubePoint& point) { return Place::from(point.position); }
-  static std::vector<Place> places_of(const std::vector<TubePoint>& open) {
-    std::vector<Place> places;
-    for (const TubePoint& point : open) places.push_back(place_of(point));
-    return places;
-  }
-  static double longest_step(const std::vector<TubePoint>& open) {
-    double longest = 0.0;
-    for (const TubePoint& point : open) longest = std::max(longest, open_reach * point.size);
-    return longest;
-  }
-  static bool are_close(const TubePoint& a, const TubePoint& b) {
-    return norm(place_of(a) - place_of(b)) < open_reach * std::max(a.size, b.size);
-  }
-
-  const std::vector<TubePoint>& open_;
-  std::vector<std::uint8_t> seen_;
-  CellGrid<3> near_;
-};
+std::vector<OpenPlace> places_of(const std::vector<TubePoint>& points) {
+  std::vector<OpenPlace> places;
+  for (const TubePoint& point : points) places.push_back({point.position, point.size});
+  return places;
+}
 
 }  // namespace
 
@@ -256,7 +214,7 @@ double measure_cut_depth(const KerfView& view, const KerfAxes& axes,
   const double most =
       greatest_length(points, columns, TubeFaces::space_of(axes.jet, spacing), spacing);
   const TubeFaces faces(view.workpiece, std::move(columns), bodies);
-  OpenPaths paths(open);
+  OpenPaths paths(places_of(open));
   double deepest = 0.0;
   for (std::size_t n = 0; n < open.size(); ++n) {
     if (!faces.is_at_face(open[n])) continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/left_whole.hpp"
 #include "analysis/pieces.hpp"
 #include "analysis/unbroken.hpp"
 #include "geometry/nozzle.hpp"
@@ -177,6 +178,7 @@ KerfConditions kerf_conditions(const Case& description, const CutSummary& summar
   if (description.time.end > 0.0) conditions.stated_end = description.time.end;
   conditions.front_depth = summary.last.front_depth;
   conditions.bodies = summary.bodies;
+  conditions.traces = summary.traces;
   if (description.jets.empty()) return conditions;
   const Jet& jet = description.jets.front();
   conditions.traverse = jet.traverse;
@@ -198,7 +200,8 @@ Kerf measure_kerf(const Workpiece& workpiece, const Frame& part, const KerfCondi
   const std::vector<std::uint32_t> rows = locate(workpiece, frame);
   const Pieces pieces = find_pieces(workpiece, frame, rows);
   if (!workpiece.jet) return kerf;
-  auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
+  auto standing = closed_where_left(
+      workpiece, find_standing(workpiece, frame, rows, pieces.in_piece), conditions.traces);
   keep_what_left(workpiece, conditions.bodies, standing);
   const KerfAxes axes(*workpiece.jet, conditions.traverse, frame.dimension);
   const KerfPath path_now = find_path(axes, conditions, frame.time, workpiece.bottom);

@@ -65,28 +65,67 @@ std::vector<float> share_of_standing(const SampleGrid& grid, Solids solids) {
 }
 
 // Returns the position between samples k - 1 and k at which a field crosses the level of a face.
-double crossing(const SampleGrid& grid, std::size_t k, float before, float after) {
+double crossing(const SampleGrid& grid, std::size_t k, float before, float after,
+                float level = face) {
   const double part =
-      after == before ? 0.5 : static_cast<double>((face - before) / (after - before));
+      after == before ? 0.5 : static_cast<double>((level - before) / (after - before));
   return grid.at(2, k - 1) + std::clamp(part, 0.0, 1.0) * grid.step;
 }
 
+// Returns the greatest value of each column and of those within the reach of a spline of it, along
+// one axis across the jet.
+std::vector<float> greatest_near(const SampleGrid& grid, const std::vector<float>& values,
+                                 std::size_t axis) {
+  const auto reach = static_cast<std::size_t>(2.0 * samples_per_spacing);
+  const std::size_t stride = axis == 0 ? grid.count[1] : 1;
+  std::vector<float> greatest(values);
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    const std::size_t place = c / stride % grid.count[axis];
+    const std::size_t first = c - std::min(place, reach) * stride;
+    const std::size_t last = c + std::min(grid.count[axis] - 1 - place, reach) * stride;
+    for (std::size_t n = first; n <= last; n += stride)
+      greatest[c] = std::max(greatest[c], values[n]);
+  }
+  return greatest;
+}
+
+// Returns the share at which the faces of each column are: half of that inside. At an edge of the
+// workpiece beside the column this is less, as the space beyond it is empty, and without it the
+// corners of the workpiece would be round. 0 where a column is beyond the edge.
+std::vector<float> levels_of_faces(const SampleGrid& grid, const std::vector<float>& original) {
+  constexpr float rounding = 1e-4f;  // of columns on the edge
+  std::vector<float> inside(grid.count[0] * grid.count[1], 0.0f);
+  for (std::size_t c = 0; c < inside.size(); ++c) {
+    const auto first = original.begin() + static_cast<std::ptrdiff_t>(c * grid.count[2]);
+    inside[c] = *std::max_element(first, first + static_cast<std::ptrdiff_t>(grid.count[2]));
+  }
+  const std::vector<float> near = greatest_near(grid, greatest_near(grid, inside, 0), 1);
+  std::vector<float> levels(inside.size(), 0.0f);
+  for (std::size_t c = 0; c < inside.size(); ++c)
+    if (inside[c] >= face - rounding)
+      levels[c] = face * std::min(1.0f, inside[c] / std::min(1.0f, near[c]));
+  return levels;
+}
+
 // Returns the face of a column on the side of a nozzle at depth `-standoff`: above the nozzle where
-// that is inside the solid, as beside a steeply tilted jet, else below it.
-void find_faces(const SampleGrid& grid, const float* original, double standoff,
+// that is inside the solid, as beside a steeply tilted jet, else below it. `level`: the share
+// there.
+void find_faces(const SampleGrid& grid, const float* original, float level, double standoff,
                 KerfColumn& column) {
+  if (!(level > 0.0f)) return;
   const std::size_t count = grid.count[2];
   const double nozzle = std::round((-standoff - grid.low[2]) / grid.step);
   auto k = static_cast<std::size_t>(std::clamp(nozzle, 0.0, static_cast<double>(count - 1)));
-  while (k < count && original[k] < face) ++k;
+  while (k < count && original[k] < level) ++k;
   if (k == count) return;
-  while (k > 0 && original[k - 1] >= face) --k;
+  while (k > 0 && original[k - 1] >= level) --k;
   column.exists = true;
-  column.top = k == 0 ? grid.at(2, 0) : crossing(grid, k, original[k - 1], original[k]);
+  column.top = k == 0 ? grid.at(2, 0) : crossing(grid, k, original[k - 1], original[k], level);
   std::size_t last = count - 1;
-  while (original[last] < face) --last;
-  column.bottom = last + 1 == count ? grid.at(2, last)
-                                    : crossing(grid, last + 1, original[last], original[last + 1]);
+  while (original[last] < level) --last;
+  column.bottom = last + 1 == count
+                      ? grid.at(2, last)
+                      : crossing(grid, last + 1, original[last], original[last + 1], level);
 }
 
 double find_free_depth(const SampleGrid& grid, const float* taken, const KerfColumn& column) {
@@ -147,15 +186,17 @@ KerfMap make_kerf_map(const KerfView& view, const KerfAxes& axes, const KerfPath
   const std::vector<float>& original = field.share();
   map.taken = share_of_standing(map.grid, solids);
   map.laid_out.resize(original.size());
-  // Beside a face of the workpiece the initial share is below 1.
-  for (std::size_t n = 0; n < original.size(); ++n) {
-    map.taken[n] = std::clamp(1.0f - map.taken[n] / std::max(original[n], face), 0.0f, 1.0f);
-    map.laid_out[n] = original[n] >= face ? 1 : 0;
-  }
   map.columns.resize(map.grid.count[0] * map.grid.count[1]);
+  const std::vector<float> levels = levels_of_faces(map.grid, original);
+  for (std::size_t n = 0; n < original.size(); ++n) {
+    const float level = levels[n / map.grid.count[2]];
+    // Beside a face of the workpiece the initial share is below 1.
+    map.taken[n] = std::clamp(1.0f - map.taken[n] / std::max(original[n], face), 0.0f, 1.0f);
+    map.laid_out[n] = level > 0.0f && original[n] >= level ? 1 : 0;
+  }
   for (std::size_t c = 0; c < map.columns.size(); ++c) {
     const std::size_t first = c * map.grid.count[2];
-    find_faces(map.grid, &original[first], axes.jet.standoff, map.columns[c]);
+    find_faces(map.grid, &original[first], levels[c], axes.jet.standoff, map.columns[c]);
     if (map.columns[c].exists)
       map.columns[c].depth = find_free_depth(map.grid, &map.taken[first], map.columns[c]);
   }

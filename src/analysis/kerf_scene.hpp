@@ -25,8 +25,9 @@ struct KerfConditions {
   // s, the end of the run as the case states it, which does not hang on when a run stops after its
   // cut; nan where no case states it: the time of the frame.
   double stated_end = std::numeric_limits<double>::quiet_NaN();
-  double front_depth = 0.0;         // m, of the water
-  std::vector<BodyVerdict> bodies;  // on each body of the workpiece; empty = not judged
+  double front_depth = 0.0;          // m, of the water
+  std::vector<BodyVerdict> bodies;   // on each body of the workpiece; empty = not judged
+  std::vector<std::uint8_t> traces;  // CutSummary::traces
 
   // Returns the share of the stated time that is left after a cut at `time`, s, of which a frame at
   // `now` tells.

@@ -35,13 +35,14 @@ double median(std::vector<double> values) {
 }
 
 KerfSection measure_section(const KerfMap& map, std::size_t j, const SectionProbe& probe) {
+  const double rounding = 1e-6 * map.grid.step;  // of a column on the edge of the tube
   std::vector<double> depths, thicknesses;
   for (std::size_t i = 0; i < map.grid.count[0]; ++i) {
     const KerfColumn& column = map.column(i, j);
     const double beside = beside_tube(map, i, probe);
     if (!column.exists || beside > probe.reach) continue;
     depths.push_back(column.depth);
-    if (beside <= 0.0) thicknesses.push_back(column.bottom - column.top);
+    if (beside <= rounding) thicknesses.push_back(column.bottom - column.top);
   }
   return {j, map.grid.at(1, j), reached_by_breadth(std::move(depths), map, probe),
           median(std::move(thicknesses))};

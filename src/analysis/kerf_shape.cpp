@@ -171,8 +171,13 @@ KerfShape measure_shape(const KerfMap& map, const KerfAxes& axes, const KerfPath
   const SectionProbe probe = make_probe(axes, path, spacing);
   const double bin = std::max(axes.jet.width / 4.0, 2.0 * spacing);
   std::vector<KerfSection> sections;
-  for (std::size_t j = 0; j < map.grid.count[1]; ++j)
-    sections.push_back(measure_section(map, j, probe));
+  // In 2D the path of a nozzle that travels lies in the section, whose thickness may vary along it.
+  const bool is_path_across = map.grid.dimension == 2 && axes.moves();
+  for (std::size_t j = 0; j < map.grid.count[1]; ++j) {
+    KerfSection section = measure_section(map, j, probe);
+    if (!is_path_across) section.depth = std::min(section.depth, section.thickness);
+    sections.push_back(section);
+  }
   const std::vector<KerfSection> passed = passed_sections(sections, path, bin);
   if (passed.empty()) return shape;
   std::vector<double> depths, thicknesses;

@@ -188,6 +188,17 @@ void describe_bodies(Workpiece& workpiece, const Case& description, const Pieces
   }
 }
 
+// Returns the edges of the domain through which solid leaves it, m.
+Box exits_of(const Case& description) {
+  constexpr double beyond_all = std::numeric_limits<double>::infinity();
+  Box exits = description.domain;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (description.symmetry.minimum[a]) exits.minimum[a] = -beyond_all;
+    if (description.symmetry.maximum[a]) exits.maximum[a] = beyond_all;
+  }
+  return exits;
+}
+
 }  // namespace
 
 double Workpiece::below(int number) const {
@@ -236,6 +247,7 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
   workpiece.initial_body_piece = pieces.body_piece;
   workpiece.initial_pieces = pieces.count;
   describe_bodies(workpiece, description, pieces);
+  workpiece.exits = exits_of(description);
   workpiece.drift = drift_of(description, workpiece);
   return workpiece;
 }

@@ -15,6 +15,7 @@
 #include "analysis/body_sides.hpp"
 #include "analysis/jet_axis.hpp"
 #include "analysis/whole_frame.hpp"
+#include "model/shape.hpp"
 #include "simulation/frame.hpp"
 
 namespace kerf {
@@ -80,6 +81,7 @@ struct Workpiece {
   std::vector<JetAxis> jets;  // all, with their images
   // By index into Case::bodies: 1 = the body is one with others (analysis/united_bodies.hpp).
   std::vector<std::uint8_t> is_united;
+  Box exits;                      // m, the domain; without end where a symmetry plane is its edge
   std::array<double, 3> drift{};  // m/s, at which the bodies in the way move from the start on
 
   // Returns the thickness of a body, by its index into Case::bodies, or of all (-1) beyond the part

@@ -21,23 +21,6 @@ bool has_left(const RunOutcome& outcome) {
                      [](const BodyVerdict& body) { return body.cut.left; });
 }
 
-bool aims_at_nothing(const RunOutcome& outcome) {
-  return outcome.kerf && outcome.kerf->shape.thickness == 0.0 && outcome.kerf->layers.empty() &&
-         !outcome.cut.cut_through;
-}
-
-// Says that no body is in the way of the jet as laid out, and whether its water has met one since.
-std::string aimless_sentence(const RunOutcome& outcome) {
-  const std::string start = the_jet(outcome) + " aims at no body that it could cut";
-  if (!has_workpiece(outcome.description) || !has_touched(outcome)) return start + ".";
-  // What is loose as laid out counts as fractured in the balance.
-  const bool has_debris = outcome.balance.mass_fractured > 0.0 && outcome.loose.empty();
-  const bool breaks = has_debris || outcome.balance.dissipated_fracture > 0.0;
-  return fmt::format(
-      "{} at the start; its water has met one beside its way or that moved into it{}.", start,
-      breaks ? ", and solid has broken" : "");
-}
-
 // Returns the thickness of a layer of the finest particles, m; 0 without bodies.
 double least_layer(const RunOutcome& outcome) {
   return outcome.description.bodies.empty() ? 0.0 : finest_spacing(outcome);
@@ -266,9 +249,7 @@ std::string still_cutting_sentence(const RunOutcome& outcome) {
 }
 
 std::string verdict_of(const RunOutcome& outcome) {
-  if (outcome.description.jets.empty())
-    return fmt::format("The run reached {}; it has no jet, so there is nothing to cut.",
-                       readable(outcome.time, "s"));
+  if (outcome.description.jets.empty()) return jetless_sentence(outcome);
   if (aims_at_nothing(outcome)) return aimless_sentence(outcome);
   if (!has_touched(outcome)) return untouched_sentence(outcome);
   return (outcome.cut.cut_through ? cut_sentence(outcome) : depth_sentence(outcome)) +

@@ -47,6 +47,13 @@ std::string pieces_clause(const RunOutcome& outcome);
 // Says that nothing breaks, the dent, and whether the solid has begun to soften.
 std::string dent_sentence(const RunOutcome& outcome);
 
+// Returns whether no body that a jet could cut is in the way of the jet as laid out.
+bool aims_at_nothing(const RunOutcome& outcome);
+// Says so, and why, or whether its water has met one since.
+std::string aimless_sentence(const RunOutcome& outcome);
+// Says what became of the workpiece of a run without a jet.
+std::string jetless_sentence(const RunOutcome& outcome);
+
 // Says whether the cut under a nozzle with which a frame travels is the same all along its path.
 std::string stationary_sentence(const RunOutcome& outcome);
 

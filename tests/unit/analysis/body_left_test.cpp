@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/broken_bonds.hpp"
 #include "analysis/cut.hpp"
@@ -93,6 +94,58 @@ TEST(BodyCut, ATornEdgeIsNoCut) {
     CutMonitor monitor(description, initial);
     monitor.observe(frame);
     EXPECT_EQ(monitor.summary().cut_through, torn > 4.0 * mm) << torn;
+  }
+}
+
+// A kerf does not hang on where the domain ends: what was pushed out of it whole is not removed.
+TEST(BodyCut, WhatLeavesWholeIsNoPartOfTheKerf) {
+  const Case description = breakable();
+  Frame initial = make_block(2), cut = initial;
+  change(cut, Category::fractured,
+         [](const Position& x) { return std::abs(x[0]) < 6.0 * mm && x[1] > -20.0 * mm; });
+  bond(initial, cut);
+  bond(initial, initial);
+  const Frame all = with_water(
+      description, cut, [](std::size_t) { return true; }, 20.0 * mm);
+  const Frame rest = with_water(
+      description, cut, [&](std::size_t k) { return cut.position[k][0] < 6.0 * mm; }, 20.0 * mm);
+  CutMonitor monitor(description, initial);
+  const auto measure = [&](const Frame& frame) {
+    monitor.observe(frame);
+    return measure_kerf(monitor.workpiece(), frame,
+                        kerf_conditions(description, monitor.summary()));
+  };
+  const Kerf before = measure(all), after = measure(rest);
+  EXPECT_GT(monitor.summary().left_fraction(), 0.4);
+  EXPECT_FALSE(monitor.summary().cut_through);
+  EXPECT_NEAR(before.shape.depth, 20.0 * mm, 0.5 * solid_spacing);
+  EXPECT_DOUBLE_EQ(after.shape.depth, before.shape.depth);
+  EXPECT_DOUBLE_EQ(after.shape.middle.width, before.shape.middle.width);
+  EXPECT_DOUBLE_EQ(after.of<Removal>().volume, before.of<Removal>().volume);
+}
+
+// The edge of the domain divides a piece: what is left of it, less than a counted piece, stands. As
+// little elsewhere is debris.
+TEST(BodyCut, ThePartOfAPieceThatIsStillInTheDomainStands) {
+  for (const double edge : {45.0 * mm, 500.0 * mm}) {
+    Case description = breakable();
+    description.domain = {{-0.5, -0.5, -0.5}, {edge, 0.5, 0.5}};
+    Frame initial = make_block(2), cut = initial;
+    const auto is_between = [](const Position& x) { return x[0] > 34.0 * mm && x[0] < 40.0 * mm; };
+    change(cut, Category::fractured, is_between);
+    bond(initial, cut);
+    bond(initial, initial);
+    const Frame all = with_water(
+        description, cut, [](std::size_t) { return true; }, 5.0 * mm);
+    const Frame rest = with_water(
+        description, cut, [&](std::size_t k) { return cut.position[k][0] < 44.0 * mm; }, 5.0 * mm);
+    CutMonitor monitor(description, initial);
+    monitor.observe(all);
+    monitor.observe(rest);
+    const Kerf kerf =
+        measure_kerf(monitor.workpiece(), rest, kerf_conditions(description, monitor.summary()));
+    const double breadth = edge < 0.1 ? 6.0 * mm : 10.0 * mm;
+    EXPECT_NEAR(kerf.of<Removal>().volume, breadth * thickness, 1e-3 * breadth * thickness) << edge;
   }
 }
 
