@@ -54,10 +54,12 @@ Condition read_condition(StudySection& section, int dimension) {
   return condition;
 }
 
-std::optional<Axis> read_range(StudySection& section, AxisReader& reader) {
+std::optional<Axis> read_range(StudySection& section, const std::string& table,
+                               AxisReader& reader) {
   const std::string key = section.text("key");
   const toml::node *from = section.node("from"), *to = section.node("to");
   if (key.empty()) return std::nullopt;
+  reader.note(table, key, section.path("key"), *section.node("key"));
   return reader.range(key, section.path("key"), from, to);
 }
 
@@ -70,7 +72,7 @@ void read_threshold(StudySection& section, AxisReader& reader, StudyPlan& plan) 
   goal.draft = section.number("draft", 0.1, 1.0, goal.draft);
   goal.most_runs = section.whole("runs", 2, most_runs, goal.most_runs);
   goal.repeats = section.whole("repeats", 1, 1000, plan.repeats);
-  auto axis = read_range(section, reader);
+  auto axis = read_range(section, "search", reader);
   if (!axis) return;
   goal.axis = std::move(*axis);
   goal.axis.is_logarithmic = is_logarithmic;
@@ -107,13 +109,13 @@ void read_search(StudySection& top, AxisReader& reader, StudyPlan& plan) {
 }
 
 // Reads a table of keys and values; the axes hold the units in which they are written.
-Setting read_setting(StudySection& parent, const toml::table& table,
-                     const std::string& reported_key, AxisReader& reader, std::vector<Axis>& axes) {
+Setting read_setting(const toml::table& table, const std::string& reported_key, AxisReader& reader,
+                     std::vector<Axis>& axes) {
   Setting setting;
   const auto is_value = [](const toml::table&) { return false; };
   for_each_key(table, "", is_value, [&](const std::string& path, const toml::node& node) {
     const std::string where = fmt::format("{}.{}", reported_key, path);
-    parent.problems().mention(where, static_cast<int>(node.source().begin.line), show(node));
+    reader.note(reported_key, path, where, node);
     const auto axis = reader.axis(path, where, node);
     if (!axis) return;
     axis->put_level(0, setting);
@@ -135,11 +137,12 @@ void read_calibration(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   goal.tolerance = section.number("tolerance", 1e-4, 0.5, goal.tolerance);
   goal.most_runs = section.whole("runs", 4, most_runs, goal.most_runs);
   const toml::table* at = section.table("at");
-  if (at) goal.at = read_setting(section, *at, section.path("at"), reader, goal.at_axes);
+  if (at) goal.at = read_setting(*at, section.path("at"), reader, goal.at_axes);
   for (const toml::table* entry : section.tables("predict"))
-    goal.predict.push_back(
-        read_setting(section, *entry, section.path("predict"), reader, goal.at_axes));
-  auto axis = read_range(section, reader);
+    goal.predict.push_back(read_setting(
+        *entry, fmt::format("{}[{}]", section.path("predict"), goal.predict.size() + 1), reader,
+        goal.at_axes));
+  auto axis = read_range(section, "calibrate", reader);
   section.refuse_unknown();
   if (!axis) return;
   if (axis->values.front() <= 0.0)
