@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kerf {
 
@@ -19,6 +20,12 @@ Metrics read_metrics(const std::string& result_json);
 // Flags of the validity of a run that are metrics too, 1 where they are raised (docs/results.md).
 inline constexpr std::string_view still_cutting_metric = "validity.still_cutting";
 inline constexpr std::string_view not_reached_metric = "validity.not_reached";
+
+// Returns why no run has a number of that name, such as "verdict", which is a text; "" where runs
+// may have it.
+std::string why_no_number(const std::string& name);
+// Returns the names of all numbers that a run may have.
+std::vector<std::string> number_names();
 
 // Returns whether no water has come to the workpiece within the run, which then tells of no cut.
 bool is_not_reached(const Metrics& metrics);

@@ -11,6 +11,8 @@
 #include "input/section.hpp"
 #include "input/units.hpp"
 #include "output/result_metrics.hpp"
+#include "study/metrics.hpp"
+#include "study/run_table.hpp"
 
 namespace kerf {
 
@@ -153,6 +155,22 @@ void read_calibration(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   plan.calibration = std::move(goal);
 }
 
+// Refuses a variable of the model that no run has as a number.
+void check_variable(StudySection& section, std::string_view key, const std::string& name,
+                    const StudyPlan& plan) {
+  for (const Axis& axis : all_axes(plan))
+    if (axis.name() == name && axis.words.empty()) return;
+  const std::string problem = why_no_number(name);
+  if (problem.empty()) return;
+  std::vector<std::string> known = number_names();
+  for (const Axis& axis : all_axes(plan)) known.push_back(axis.name());
+  const std::string guess = closest(name, known);
+  section.refuse(key,
+                 fmt::format("\"{}\" is no varied key that holds numbers, and {}", name, problem),
+                 "varied keys, and numbers of result.json",
+                 guess.empty() ? "Name one of them" : fmt::format("Did you mean \"{}\"?", guess));
+}
+
 void read_model(StudySection& top, StudyPlan& plan) {
   const toml::table* table = top.table("model");
   if (!table) return;
@@ -173,6 +191,8 @@ void read_model(StudySection& top, StudyPlan& plan) {
   if (goal.drive.empty() && goal.variables.empty())
     section.refuse("variables", "the model has no variables", "a list of varied keys or metrics",
                    "Add one");
+  if (!goal.drive.empty()) check_variable(section, "drive", goal.drive, plan);
+  for (const std::string& name : goal.variables) check_variable(section, "variables", name, plan);
   section.refuse_unknown();
   plan.model = std::move(goal);
 }
