@@ -91,5 +91,5 @@ def test_replaced_takes_names_as_the_program_does(case: kerf.Case) -> None:
 def test_replaced_bases_a_material_on_that_of_the_library(case: kerf.Case) -> None:
     of_library = kerf.replaced(case, {"body.block.material": "gelatin-10"})
     other = kerf.replaced(of_library, {"materials.gelatin-10.density": "1234 kg/m3"})
-    assert 'base = "gelatin-10"' in other.text
+    assert "base = 'gelatin-10'" in other.text
     assert "1234" in other.used

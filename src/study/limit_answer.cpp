@@ -193,7 +193,8 @@ LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer) {
     for (std::string& note : cause_notes(plan, found)) words.notes.push_back(std::move(note));
   }
   for (const std::string& sentence : plan.held) words.notes.push_back(sentence);
-  for (const auto& doubt_of : {undecided_sentence, short_way_sentence, thin_jet_sentence}) {
+  for (const auto& doubt_of :
+       {undecided_sentence, left_whole_sentence, short_way_sentence, thin_jet_sentence}) {
     const std::string doubt = doubt_of(plan, answer.runs);
     if (!doubt.empty()) words.notes.push_back(doubt);
   }

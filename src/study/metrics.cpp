@@ -28,11 +28,12 @@ void add_flags(const nlohmann::json& result, Metrics& metrics) {
   for (const auto& flag : *flags) {
     const std::string path = "validity." + flag.at("name").get<std::string>();
     if (path == still_cutting_metric || path == not_reached_metric) metrics[path] = 1.0;
+    if (path == left_whole_metric) metrics[path] = flag.value("value", 0.0);
   }
 }
 
 bool is_flag(std::string_view name) {
-  return name == still_cutting_metric || name == not_reached_metric;
+  return name == still_cutting_metric || name == not_reached_metric || name == left_whole_metric;
 }
 
 bool is_number(const ResultMetric& metric) {
@@ -79,6 +80,11 @@ bool is_not_reached(const Metrics& metrics) {
 
 bool was_still_cutting(const Metrics& metrics) {
   return is_raised(metrics, still_cutting_metric);
+}
+
+double left_whole(const Metrics& metrics) {
+  const auto found = metrics.find(std::string(left_whole_metric));
+  return found == metrics.end() ? 0.0 : found->second;
 }
 
 std::optional<bool> cuts(const Metrics& metrics) {

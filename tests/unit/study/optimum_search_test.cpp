@@ -232,38 +232,6 @@ TEST(OptimumSearch, NamesTheOptimaOfItsRuns) {
   EXPECT_EQ(interval.high, 3.0);
 }
 
-TEST(OptimumSearch, RunsThatAreEqualButForRoundingAreOneOptimum) {
-  std::vector<TriedSetting> runs;
-  const double values[] = {2.0, 2.0 - 1e-8, 2.0 + 1e-8, 1.0, 2.0, 2.0, 3.0};
-  for (const double value : values)
-    runs.push_back({{static_cast<double>(runs.size()) / 6.0}, 1.0, value, 0.5});
-  // Greatest: the plateau at 2 before the dip, and the last run; the plateau beside it is none.
-  const auto greatest = local_optima(runs, false);
-  ASSERT_EQ(greatest.size(), 2u);
-  EXPECT_EQ(greatest[0].shares, runs[6].shares);
-  EXPECT_EQ(greatest[1].shares, runs[2].shares);
-  EXPECT_EQ(local_optima(runs, true).size(), 1u);
-  runs[1].value = 2.0 - 1e-4;  // more than rounding
-  EXPECT_EQ(local_optima(runs, false).size(), 3u);
-}
-
-TEST(OptimumSearch, AConstantMetricHasNoOtherOptimum) {
-  for (const char* find : {"find = \"minimum\"\n", "find = \"maximum\"\n"}) {
-    const OptimumGoal goal =
-        optimum_of(find + std::string("metric = \"kerf.thickness\"\nruns = 16\n"));
-    test::SyntheticLaboratory laboratory(
-        [](const Trial& trial) {
-          auto metrics = cut_by_flow(trial, 1.0);
-          metrics["kerf.thickness"] = 0.02 * (1.0 + 1e-8 * std::sin(1e3 * speed_of(trial)));
-          return metrics;
-        },
-        2);
-    const OptimumAnswer answer = find_optimum(goal, 1.0, laboratory);
-    EXPECT_EQ(answer.problem, "");
-    EXPECT_TRUE(answer.others.empty()) << find;
-  }
-}
-
 TEST(OptimumSearch, ForwardsAStop) {
   const OptimumGoal goal =
       optimum_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\ndraft = 1.0\nruns = 60\n");
