@@ -106,7 +106,7 @@ std::string left_whole_sentence(const LimitPlan& plan, const std::vector<RunRow>
           100.0 * left_whole(row.metrics)));
   if (values.empty()) return "";
   return fmt::format(
-      "Undecided, too, are the runs at {}: this share of the workpiece left the domain unbroken, "
+      "The runs at {} are undecided: this share of the workpiece left the domain unbroken, "
       "and "
       "without it the jet has not cut enough of its way, which counts as not satisfying. A wider "
       "[domain] that keeps it, or a support that holds it, may {} the limit.",

@@ -128,6 +128,11 @@ TEST(LimitOfWay, RestsNotOnSolidThatLeftTheDomain) {
               testing::AllOf(HasSubstr("4 m/s (36%)"), HasSubstr("wider [domain]"),
                              HasSubstr("may raise the limit")));
   EXPECT_EQ(undecided_sentence(plan, {row}), "");
+  LimitAnswer answer;
+  answer.runs = {row};
+  answer.threshold.emplace().problem = "it holds nowhere";
+  answer.threshold->holds_everywhere = false;
+  EXPECT_EQ(describe_limit(plan, answer).finding, "undecided at every feed tried");
   row.metrics["validity.left_whole"] = 0.04;  // all the rest is enough
   expect("cuts", true);
   row.metrics["kerf.through_share"] = 0.5;  // it is not enough with it
