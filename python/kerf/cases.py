@@ -18,27 +18,41 @@ def replaced(case: Case, changes: Mapping[str, Any]) -> Case:
     case
         The case, which remains as it is.
     changes
-        Values by their paths: ``{"jet.0.speed": "20 m/s", "time.end": "5 ms"}``. A number in a
-        path counts the tables of a list from 0; None removes a key.
+        Values by their paths: ``{"jet.jet.speed": "20 m/s", "time.end": "5 ms"}``. An entry of a
+        list is given by its ``name`` or its number from 0, a component of a vector by its number.
+        A material that the case takes from the library gets a table of its own, based on the
+        library's. None removes a key.
 
     Raises
     ------
     CaseError
         If the new case is not valid.
     KeyError
-        If a path leads through something that is no table or list of the case.
+        If a path leads through something that is no table or list of the case, or if two paths
+        lead to the same key.
     """
     tables = tomllib.loads(case.text)
+    taken: dict[tuple[str, ...], str] = {}
     for path, value in changes.items():
-        _put(tables, path, value)
+        place = _put(tables, path, value)
+        if place in taken:
+            raise KeyError(f"{path}: this is the same key as {taken[place]}; name it once")
+        taken[place] = path
     return Case(tables, case.file)
 
 
-def _put(tables: dict[str, Any], path: str, value: Any) -> None:
+def _put(tables: dict[str, Any], path: str, value: Any) -> tuple[str, ...]:
+    """Put a value at a path and return its place, which is the same for all paths to the key."""
     *way, last = path.split(".")
     inner: Any = tables
+    place: list[str] = []
     for key in way:
+        is_material = place == ["materials"] and key not in inner
+        place.append(_key_in(inner, key, path))
         inner = _step(inner, key, path)
+        if is_material and key in _materials_in_use(tables):
+            inner["base"] = key
+    place.append(_key_in(inner, last, path))
     if isinstance(inner, list):
         inner[_index(inner, last, path)] = value
     elif not isinstance(inner, dict):
@@ -47,6 +61,16 @@ def _put(tables: dict[str, Any], path: str, value: Any) -> None:
         inner.pop(last, None)
     else:
         inner[last] = value
+    return tuple(place)
+
+
+def _materials_in_use(tables: dict[str, Any]) -> set[str]:
+    entries = [*tables.get("body", []), *tables.get("jet", [])]
+    return {"water", *(entry["material"] for entry in entries if "material" in entry)}
+
+
+def _key_in(inner: Any, key: str, path: str) -> str:
+    return str(_index(inner, key, path)) if isinstance(inner, list) else key
 
 
 def _step(inner: Any, key: str, path: str) -> Any:
@@ -58,6 +82,13 @@ def _step(inner: Any, key: str, path: str) -> Any:
 
 
 def _index(entries: list[Any], key: str, path: str) -> int:
-    if not key.isdigit() or int(key) >= len(entries):
-        raise KeyError(f"{path}: {key} is no index of a list of {len(entries)}")
-    return int(key)
+    names = [entry.get("name") if isinstance(entry, dict) else None for entry in entries]
+    if key in names:
+        return names.index(key)
+    if key.isdigit() and int(key) < len(entries):
+        return int(key)
+    known = ", ".join(f'"{name}"' for name in names if name)
+    raise KeyError(
+        f"{path}: {key} is no name and no index of a list of {len(entries)}"
+        + (f", whose names are {known}" if known else "")
+    )

@@ -73,5 +73,23 @@ def test_replaced_changes_what_it_names(case: kerf.Case) -> None:
     assert "probe" not in without.text
     with pytest.raises(KeyError, match="no index"):
         kerf.replaced(case, {"jet.3.speed": "20 m/s"})
+    with pytest.raises(KeyError, match='names are "jet"'):
+        kerf.replaced(case, {"jet.jett.speed": "20 m/s"})
     with pytest.raises(kerf.CaseError, match="sped"):
         kerf.replaced(case, {"jet.0.sped": "20 m/s"})
+
+
+def test_replaced_takes_names_as_the_program_does(case: kerf.Case) -> None:
+    by_name = kerf.replaced(case, {"jet.jet.speed": "20 m/s", "body.block.shape.maximum.1": "9 mm"})
+    by_number = kerf.replaced(case, {"jet.0.speed": "20 m/s", "body.0.shape.maximum.1": "9 mm"})
+    assert by_name.used == by_number.used
+    assert by_name.used != case.used
+    with pytest.raises(KeyError, match=r"the same key as jet\.0\.speed"):
+        kerf.replaced(case, {"jet.0.speed": "20 m/s", "jet.jet.speed": "10 m/s"})
+
+
+def test_replaced_bases_a_material_on_that_of_the_library(case: kerf.Case) -> None:
+    of_library = kerf.replaced(case, {"body.block.material": "gelatin-10"})
+    other = kerf.replaced(of_library, {"materials.gelatin-10.density": "1234 kg/m3"})
+    assert "base = 'gelatin-10'" in other.text
+    assert "1234" in other.used

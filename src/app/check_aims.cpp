@@ -32,6 +32,19 @@ void warn_of_late_water(const Jet& jet, double end, std::vector<std::string>& wa
                     jet.name, arrival, end));
 }
 
+// Warns of a dwell of a nozzle that has no traverse to wait for.
+void warn_of_idle_dwell(const Case& description, const Jet& jet,
+                        std::vector<std::string>& warnings) {
+  const double speed =
+      description.machine ? description.machine->traverse_speed : traverse_speed(jet);
+  if (jet.dwell > 0.0 && speed == 0.0)
+    warnings.push_back(
+        fmt::format("the dwell of the jet \"{}\", {}, changes nothing, because its nozzle does not "
+                    "move afterwards. Remove it, or add {}",
+                    jet.name, readable(jet.dwell, "s"),
+                    description.machine ? "machine.traverse_speed" : "a traverse"));
+}
+
 // Tells of a nozzle that starts beside the workpiece and comes over it.
 std::string entry_sentence(const Jet& jet, const std::vector<const Body*>& targets, int dimension) {
   const WaterLine axis = axis_line(jet, jet.time_beside);
@@ -49,6 +62,7 @@ std::string entry_sentence(const Jet& jet, const std::vector<const Body*>& targe
 std::vector<std::string> aim_warnings(const Case& description) {
   std::vector<std::string> warnings;
   for (const Jet& jet : description.jets) warn_of_late_water(jet, description.time.end, warnings);
+  for (const Jet& jet : description.jets) warn_of_idle_dwell(description, jet, warnings);
   std::vector<const Body*> targets;
   for (const Body& body : description.bodies)
     if (body.role == Role::elastic && !body.fixed) targets.push_back(&body);

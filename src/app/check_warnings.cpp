@@ -208,6 +208,7 @@ std::vector<std::string> check_warnings(const Case& description, const DerivedNu
     warnings.push_back(std::move(need));
   warn_of_planes_at_walls(description, warnings);
   warn_of_misfits(description, warnings);
+  for (auto& warning : cut_warnings(description)) warnings.push_back(std::move(warning));
   return warnings;
 }
 

@@ -17,13 +17,17 @@ struct Case;
 std::vector<std::string> check_warnings(const Case& description, const DerivedNumbers& numbers);
 
 // Returns a sentence for each jet whose water reaches no body that it could cut, by where and when
-// it flows.
+// it flows, and for each dwell without a traverse after it.
 std::vector<std::string> aim_warnings(const Case& description);
 
 // Returns a sentence for each body that the particles or the contact forces cannot represent: where
 // it is one particle thick, and where a jet may press it through another. Throws a UserError if no
 // particle of a body is bonded.
 std::vector<std::string> solid_warnings(const Case& description);
+
+// Returns a sentence for each body from whose shape plane faces cut that lie on rows of particles,
+// which are left out.
+std::vector<std::string> cut_warnings(const Case& description);
 
 // Returns a sentence for each solid that is brittle in tension and whose strength in compression is
 // not given, and for each thin soft layer that is joined to a stiffer body.

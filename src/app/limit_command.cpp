@@ -95,6 +95,21 @@ void print_answer(const LimitPlan& plan, const LimitAnswer& answer, const LimitO
              folder.string());
 }
 
+// Returns the runs at the ends of the range that the question states; the search begins elsewhere.
+std::vector<Trial> stated_ends(const LimitQuestion& question, const LimitPlan& plan) {
+  const Axis& axis = plan.study.threshold->axis;
+  std::vector<Trial> trials;
+  const auto add = [&](const std::string& stated, std::size_t end) {
+    if (stated.empty() || plan.by_exposure) return;
+    Trial trial{{}, 0, plan.study.refinement};
+    axis.put_level(end, trial.setting);
+    trials.push_back(with_end(plan, trial));
+  };
+  add(question.from, 0);
+  add(question.to, 1);
+  return trials;
+}
+
 // One search, from the first run to its files.
 class LimitSearch {
  public:
@@ -114,6 +129,7 @@ class LimitSearch {
               options.executor.retry) {}
 
   void run() {
+    runs_.refuse_invalid(stated_ends(options_.question, plan_));
     LimitRuns laboratory(plan_, runs_, [this](const auto& ids, const Trial& last) {
       table_.tell(runs_.asked(), ids, last, executor_->side_by_side());
       write_answer(plan_, answer(), folder_);

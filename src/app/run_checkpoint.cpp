@@ -29,7 +29,24 @@ void RunLoop::check_state(const Archive& state) const {
   check_saved_state(state, fresh, settings_.description);
 }
 
+// Keeps the name of the files that the earlier parts of the run have written: a case file that has
+// another name since would leave half of the frames and pictures behind.
+void RunLoop::keep_name() {
+  const std::string& name = before_.case_name;
+  if (name.empty() || name == settings_.case_name) return;
+  using_checkpoint([&] {
+    if (std::filesystem::path(name).filename() != name || name == "." || name == "..")
+      throw std::logic_error("its name of the case is no name of a file");
+  });
+  tell(
+      fmt::format("{}: the run keeps the name with which it began, {}", settings_.case_name, name));
+  settings_.case_name = name;
+  frames_ = FrameWriter(folder_.path(), name, legend_of(settings_.description));
+  pictures_ = PictureWriter(folder_.path(), name, settings_.description);
+}
+
 void RunLoop::resume(const Archive& state) {
+  keep_name();
   look_at_layout();
   using_checkpoint([&] {
     check_state(state);

@@ -33,7 +33,9 @@ namespace kerf {
 
 struct RunLoopSettings {
   Case description;
-  std::string case_name;  // the stem of the case file; names frames and pictures
+  // The stem of the case file, or the name with which a resumed run began; names frames and
+  // pictures.
+  std::string case_name;
   std::string case_text;  // of case.used.toml
   std::filesystem::path folder;
   Existing existing = Existing::refuse;
@@ -96,6 +98,7 @@ class RunLoop {
   bool already_finished() const;
   void begin();
   void resume(const Archive& state);
+  void keep_name();
   void look_at_layout();
   void leave_earlier_end();
   void check_state(const Archive& state) const;

@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "output/files.hpp"
 #include "study/run_table.hpp"
+#include "study/search_ends.hpp"
 #include "study/study_answers.hpp"
 #include "study/study_page.hpp"
 #include "study/study_runs.hpp"
@@ -40,6 +41,7 @@ std::vector<Trial> design_trials(const StudyPlan& plan) {
 
 void find_answers(const StudyPlan& plan, StudyRuns& runs, StudyAnswers& answers) {
   const Trial middle{{}, 0, plan.refinement};
+  runs.refuse_invalid(search_ends(plan));
   if (plan.design) runs.run(design_trials(plan));
   if (plan.threshold) answers.threshold = find_threshold(*plan.threshold, middle, runs);
   if (plan.optimum) answers.optimum = find_optimum(*plan.optimum, plan.refinement, runs);

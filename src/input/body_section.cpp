@@ -132,8 +132,16 @@ void check_displacement(Section& section, const Body& body) {
                    "formulas that are 0 at t = 0");
     return;
   }
-  if (body.fixed)
-    section.refuse("fixed", "the body also has a displacement_expression", "Remove one of the two",
+}
+
+// Refuses a motion of particles that do not move.
+void check_fixed(Section& section, const Body& body) {
+  const bool has_velocity = body.velocity != Body().velocity;
+  const char* motion = section.has("displacement_expression") ? "a displacement_expression"
+                       : has_velocity                         ? "a velocity"
+                                                              : nullptr;
+  if (body.fixed && motion)
+    section.refuse("fixed", fmt::format("the body also has {}", motion), "Remove one of the two",
                    "false, where the body moves");
 }
 
@@ -226,6 +234,7 @@ void read_body(Draft& draft, const toml::table& table, const std::string& path) 
   }
   if (body.role != Role::water) check_displacement(section, body);
   check_bonds(section, entry);
+  check_fixed(section, body);
   if (body.role == Role::elastic) check_absorbing(section, body);
   if (body.role == Role::rigid) check_layer(section, body);
   section.refuse_unknown();

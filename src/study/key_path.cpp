@@ -37,6 +37,12 @@ toml::node* entry_of(toml::array& list, const std::string& word) {
   return index && *index < list.size() ? list.get(*index) : nullptr;
 }
 
+std::ptrdiff_t number_of(const toml::array& list, const toml::node& entry) {
+  const auto found = std::find_if(list.begin(), list.end(),
+                                  [&](const toml::node& each) { return &each == &entry; });
+  return found - list.begin();
+}
+
 // Returns all keys of a section, whatever they apply to.
 std::vector<std::string> names_in(std::string_view section) {
   std::vector<std::string> names;
@@ -70,8 +76,13 @@ struct Walk {
     return table ? table->get(name) : nullptr;
   }
 
+  void enter(std::string_view word) {
+    path.place += fmt::format("{}{}", path.place.empty() ? "" : ".", word);
+  }
+
   void step() {
     const std::string& word = path.segments[at++];
+    enter(word);
     const Key* key = find_key(section, word, {});
     if (!key)
       return fail(lacks(
@@ -92,6 +103,7 @@ struct Walk {
     section = "materials";
     if (at == path.segments.size()) return fail("the path ends at a table, not at a key");
     const std::string& name = path.segments[at++];
+    enter(name);
     node = child(name);
     if (!node && !find_library_material(name))
       fail(lacks("neither the case nor the library has a material", name, {}));
@@ -107,6 +119,8 @@ struct Walk {
     node = list ? entry_of(*list, word) : nullptr;
     if (!node)
       fail(lacks(fmt::format("the case has no {} of the name or number", key.name), word, names));
+    else
+      enter(std::to_string(number_of(*list, *node)));
     section = section_of(key);
   }
 
@@ -120,6 +134,8 @@ struct Walk {
     else if (!list || !as_index(word) || *as_index(word) >= list->size())
       fail(fmt::format("the case writes no \"{}\" with an entry {} (the first is 0)", key.name,
                        word));
+    else
+      enter(std::to_string(*as_index(word)));
   }
 };
 

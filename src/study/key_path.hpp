@@ -16,6 +16,7 @@ namespace kerf {
 struct KeyPath {
   std::string text;                   // as written
   std::vector<std::string> segments;  // its parts
+  std::string place;                  // the same for all paths to a key: entries by their numbers
   const Key* key = nullptr;           // of the schema
   std::string problem;                // why it leads to no key; empty = it does
 

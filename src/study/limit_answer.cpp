@@ -177,7 +177,12 @@ LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer) {
   }
   if (!answer.threshold || !answer.threshold->problem.empty()) {
     const auto so_far = bracket_of(plan, answer.runs, {{}, 0, plan.study.refinement});
-    if (answer.threshold && answer.threshold->holds_everywhere)
+    const bool is_open =
+        std::all_of(answer.runs.begin(), answer.runs.end(),
+                    [&](const RunRow& row) { return rests_on_what_left(plan, row); });
+    if (answer.threshold && is_open && !answer.runs.empty())
+      words.finding = fmt::format("undecided at every {} tried", plan.quantity);
+    else if (answer.threshold && answer.threshold->holds_everywhere)
       words.finding = without_limit(plan, *answer.threshold->holds_everywhere);
     else if (so_far)
       words.finding =
@@ -193,7 +198,8 @@ LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer) {
     for (std::string& note : cause_notes(plan, found)) words.notes.push_back(std::move(note));
   }
   for (const std::string& sentence : plan.held) words.notes.push_back(sentence);
-  for (const auto& doubt_of : {undecided_sentence, short_way_sentence, thin_jet_sentence}) {
+  for (const auto& doubt_of :
+       {undecided_sentence, left_whole_sentence, short_way_sentence, thin_jet_sentence}) {
     const std::string doubt = doubt_of(plan, answer.runs);
     if (!doubt.empty()) words.notes.push_back(doubt);
   }

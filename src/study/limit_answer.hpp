@@ -43,13 +43,17 @@ struct LimitWords {
 };
 LimitWords describe_limit(const LimitPlan& plan, const LimitAnswer& answer);
 
+// Returns whether a completed run would satisfy the condition only if solid that left the domain
+// whole had been cut.
+bool rests_on_what_left(const LimitPlan& plan, const RunRow& row);
 // Returns whether a completed run does not satisfy the condition and ended while its jet was still
-// cutting: it counts as not satisfying it, and a later end may show otherwise.
+// cutting, or rests on what left the domain: it counts as not satisfying it, and a later end or a
+// wider domain may show otherwise.
 bool is_undecided(const LimitPlan& plan, const RunRow& row);
 // Returns whether a completed run cuts, in the words of the tables: "cuts" or "does not cut",
-// "undecided" where it was still cutting, "not reached" without water at the workpiece, "may cut"
-// at a feed between the certain and the possible one; of another condition "holds" or "does not
-// hold"; "failed" of a failed run.
+// "undecided" where it was still cutting or rests on what left the domain, "not reached" without
+// water at the workpiece, "may cut" at a feed between the certain and the possible one; of another
+// condition "holds" or "does not hold"; "failed" of a failed run.
 std::string trial_verdict(const LimitPlan& plan, const RunRow& row);
 // Returns the value of the quantity in a run.
 double value_of_trial(const LimitPlan& plan, const RunRow& row);
@@ -58,6 +62,9 @@ double metric_of(const RunRow& row, const char* name);
 // Says how many runs are undecided, and on which side of the limit later ends may take it; empty
 // where none is.
 std::string undecided_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs);
+// Says which runs rest on what left the domain, with the share of the workpiece; empty where none
+// does.
+std::string left_whole_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs);
 // Says of which runs too few particles lie across the jet for a verdict; empty where there is none.
 std::string thin_jet_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs);
 // Says of which runs the way of the nozzle is too short for a verdict on all of it, less than a few

@@ -70,16 +70,24 @@ double metric_of(const RunRow& row, const char* name) {
   return found ? *found : std::nan("");
 }
 
+bool rests_on_what_left(const LimitPlan& plan, const RunRow& row) {
+  const Condition& condition = plan.study.threshold->condition;
+  return row.state == RunState::done && !condition.holds(row.metrics) &&
+         condition.may_hold(row.metrics);
+}
+
 bool is_undecided(const LimitPlan& plan, const RunRow& row) {
   const Condition& condition = plan.study.threshold->condition;
   const bool may_come = condition.at_least && condition.metric != certain_feed;
-  return row.state == RunState::done && may_come && was_still_cutting(row.metrics) &&
-         !condition.holds(row.metrics);
+  const bool was_cutting = row.state == RunState::done && may_come &&
+                           was_still_cutting(row.metrics) && !condition.holds(row.metrics);
+  return was_cutting || rests_on_what_left(plan, row);
 }
 
 std::string undecided_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs) {
-  const auto count = std::count_if(runs.begin(), runs.end(),
-                                   [&](const RunRow& row) { return is_undecided(plan, row); });
+  const auto count = std::count_if(runs.begin(), runs.end(), [&](const RunRow& row) {
+    return is_undecided(plan, row) && !rests_on_what_left(plan, row);
+  });
   if (count == 0) return "";
   return fmt::format(
       "{} run{} undecided: the jet was still cutting when {} ended, which counts as {}. A later "
@@ -87,6 +95,22 @@ std::string undecided_sentence(const LimitPlan& plan, const std::vector<RunRow>&
       count, count == 1 ? " is" : "s are", count == 1 ? "it" : "they",
       plan.study.threshold->condition.metric == "cut_through" ? "no cut" : "not satisfying",
       plan.study.threshold->least ? "lower" : "raise");
+}
+
+std::string left_whole_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs) {
+  std::vector<std::string> values;
+  for (const RunRow& row : runs)
+    if (rests_on_what_left(plan, row))
+      values.push_back(fmt::format(
+          "{} ({:.2g}%)", show_number(value_of_trial(plan, row), plan.study.threshold->axis, 4),
+          100.0 * left_whole(row.metrics)));
+  if (values.empty()) return "";
+  return fmt::format(
+      "The runs at {} are undecided: this share of the workpiece left the domain unbroken, "
+      "and "
+      "without it the jet has not cut enough of its way, which counts as not satisfying. A wider "
+      "[domain] that keeps it, or a support that holds it, may {} the limit.",
+      fmt::join(values, ", "), plan.study.threshold->least ? "lower" : "raise");
 }
 
 std::string thin_jet_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs) {

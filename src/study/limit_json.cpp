@@ -34,6 +34,7 @@ Json trial_json(const LimitPlan& plan, const RunRow& row) {
   json["margin"] = is_told ? number_or_null(condition.margin(row.metrics)) : Json(nullptr);
   json["not_reached"] = is_not_reached(row.metrics);
   json["undecided"] = is_undecided(plan, row);
+  json["left_whole"] = left_whole(row.metrics);
   for (const auto& [key, name] : {std::pair{"cut_through", "cut_through"},
                                   {"cut_through_time", "cut_through_time"},
                                   {"depth", "kerf.depth"},

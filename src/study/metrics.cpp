@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/metrics.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+
+#include "output/result_metrics.hpp"
 
 namespace kerf {
 
@@ -24,7 +28,17 @@ void add_flags(const nlohmann::json& result, Metrics& metrics) {
   for (const auto& flag : *flags) {
     const std::string path = "validity." + flag.at("name").get<std::string>();
     if (path == still_cutting_metric || path == not_reached_metric) metrics[path] = 1.0;
+    if (path == left_whole_metric) metrics[path] = flag.value("value", 0.0);
   }
+}
+
+bool is_flag(std::string_view name) {
+  return name == still_cutting_metric || name == not_reached_metric || name == left_whole_metric;
+}
+
+bool is_number(const ResultMetric& metric) {
+  return metric.form == ResultMetric::Form::value && metric.kind != MetricKind::text &&
+         metric.kind != MetricKind::numbers && !metric.name.starts_with("balance.");
 }
 
 bool is_raised(const Metrics& metrics, std::string_view flag) {
@@ -41,12 +55,36 @@ Metrics read_metrics(const std::string& result_json) {
   return metrics;
 }
 
+std::string why_no_number(const std::string& name) {
+  if (is_flag(name)) return "";
+  const ResultMetric* metric = find_result_metric(name);
+  if (!metric) return fmt::format("there is no metric \"{}\"", name);
+  if (is_number(*metric)) return "";
+  if (name.starts_with("balance."))
+    return "the terms of the balance describe the computation and are kept with each run only";
+  const bool is_text =
+      metric->form == ResultMetric::Form::value && metric->kind == MetricKind::text;
+  return fmt::format("\"{}\" is {} and no number", name, is_text ? "a text" : "a list or table");
+}
+
+std::vector<std::string> number_names() {
+  std::vector<std::string> names;
+  for (const ResultMetric& metric : result_metrics())
+    if (is_number(metric)) names.push_back(metric.name);
+  return names;
+}
+
 bool is_not_reached(const Metrics& metrics) {
   return is_raised(metrics, not_reached_metric);
 }
 
 bool was_still_cutting(const Metrics& metrics) {
   return is_raised(metrics, still_cutting_metric);
+}
+
+double left_whole(const Metrics& metrics) {
+  const auto found = metrics.find(std::string(left_whole_metric));
+  return found == metrics.end() ? 0.0 : found->second;
 }
 
 std::optional<bool> cuts(const Metrics& metrics) {

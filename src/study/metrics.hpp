@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kerf {
 
@@ -16,14 +17,26 @@ using Metrics = std::map<std::string, double>;
 // of limits and the times of stages, which describe the run and not the cut.
 Metrics read_metrics(const std::string& result_json);
 
-// Flags of the validity of a run that are metrics too, 1 where they are raised (docs/results.md).
+// Flags of the validity of a run that are metrics too, 1 where they are raised (docs/results.md);
+// of `left_whole` the share of the workpiece.
 inline constexpr std::string_view still_cutting_metric = "validity.still_cutting";
 inline constexpr std::string_view not_reached_metric = "validity.not_reached";
+inline constexpr std::string_view left_whole_metric = "validity.left_whole";
+
+// Returns why no run has a number of that name, such as "verdict", which is a text; "" where runs
+// may have it.
+std::string why_no_number(const std::string& name);
+// Returns the names of all numbers that a run may have.
+std::vector<std::string> number_names();
 
 // Returns whether no water has come to the workpiece within the run, which then tells of no cut.
 bool is_not_reached(const Metrics& metrics);
 // Returns whether the jet was still cutting when the run ended, before it was through.
 bool was_still_cutting(const Metrics& metrics);
+
+// Returns the share of the workpiece that stood until it left the domain, where nobody can tell
+// whether the jet cut it.
+double left_whole(const Metrics& metrics);
 
 // Returns whether a run cuts: under a nozzle that stands in place of one that moves, whether its
 // feed is certain to (analysis/exposure.hpp), since it leaves no path; nothing where it tells none,

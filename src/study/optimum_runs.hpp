@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "study/searches.hpp"
@@ -36,9 +37,10 @@ struct NeighbouringRuns {
 std::vector<NeighbouringRuns> neighbours_of(const Shares& shares,
                                             const std::vector<TriedSetting>& runs);
 
-// Returns the runs that are better than their neighbours, the best first. All runs are of one
-// resolution. With several keys only runs at which the condition holds are neighbours, because its
-// edge would make a local optimum of each run beside it.
+// Returns the runs that are better than their neighbours, the best first; of neighbours that are
+// equal but for rounding the best. All runs are of one resolution. With several keys only runs at
+// which the condition holds are neighbours, because its edge would make a local optimum of each run
+// beside it.
 std::vector<TriedSetting> local_optima(const std::vector<TriedSetting>& runs, bool least);
 
 // Returns by how much the metric of the optimum is uncertain between its neighbours: by the
@@ -46,5 +48,9 @@ std::vector<TriedSetting> local_optima(const std::vector<TriedSetting>& runs, bo
 // further away between runs of equal distances; and up to a better one at which it does not hold.
 Bracket between_neighbours(const TriedSetting& best, const std::vector<TriedSetting>& runs,
                            bool least);
+
+// Returns why none of the runs is an answer: the condition held in none, or in none that has the
+// metric.
+std::string why_none_holds(const OptimumGoal& goal, const std::vector<TriedSetting>& runs);
 
 }  // namespace kerf

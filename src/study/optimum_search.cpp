@@ -217,12 +217,12 @@ class OptimumSearch {
   void conclude() {
     const Tried found = best();
     answer_.setting = setting_of(found.shares);
-    answer_.value = answer_.low = answer_.high = found.value;
-    if (found.margin < 0.0 || !std::isfinite(found.value)) {
-      answer_.problem = fmt::format("{} held in none of {} runs that have {}. Widen the ranges",
-                                    goal_.condition.text(), answer_.runs, goal_.metric);
+    if (!found.holds()) {
+      answer_.value = answer_.low = answer_.high = std::nan("");
+      answer_.problem = why_none_holds(goal_, tried_);
       return;
     }
+    answer_.value = answer_.low = answer_.high = found.value;
     std::vector<Trial> layouts;
     for (int repeat = 1; repeat < goal_.repeats; ++repeat)
       layouts.push_back({answer_.setting, repeat, refinement_});

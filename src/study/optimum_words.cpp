@@ -2,6 +2,7 @@
 // This file describes the optimum of a study.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <vector>
 
 #include "study/answer_parts.hpp"
@@ -39,8 +40,11 @@ void add_surroundings(const StudyPlan& plan, const OptimumAnswer& answer, Answer
   if (!lies.empty())
     result.notes.push_back(
         fmt::format("it lies at {}, the neighbouring runs", fmt::join(lies, ", ")));
-  result.notes.push_back(fmt::format("searched was {}; a {} value between the runs is not excluded",
-                                     fmt::join(searched, ", "), better));
+  result.notes.push_back(
+      std::isnan(answer.value)
+          ? fmt::format("searched was {}", fmt::join(searched, ", "))
+          : fmt::format("searched was {}; a {} value between the runs is not excluded",
+                        fmt::join(searched, ", "), better));
   for (const OtherOptimum& other : answer.others) {
     json["others"].push_back({{"setting", setting_json(other.setting)},
                               {"value", other.value},
@@ -75,6 +79,11 @@ Answer describe_optimum(const StudyPlan& plan, const OptimumAnswer& answer) {
   const char* kind = answer.others.empty() ? (goal.least ? "Minimum" : "Maximum")
                                            : (goal.least ? "Local minimum" : "Local maximum");
   result.question = fmt::format("{} of {} with {}", kind, goal.metric, goal.condition.text());
+  if (std::isnan(answer.value)) {
+    result.finding = fmt::format("not found. {}.", answer.problem);
+    add_surroundings(plan, answer, result);
+    return result;
+  }
   result.finding = fmt::format("{} at {} ({} runs, {} of them drafts)", shown(answer.value),
                                show(answer.setting, plan.axes), answer.runs, answer.draft_runs);
   if (answer.low < answer.high)

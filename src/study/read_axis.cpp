@@ -44,6 +44,14 @@ void AxisReader::refuse(const std::string& reported_key, const std::string& what
   problems_.add({reported_key, what, allowed, remedy});
 }
 
+void AxisReader::note(const std::string& table, const std::string& path,
+                      const std::string& reported_key, const toml::node& node) {
+  const KeyPath found = find_key_path(path, base_);
+  const int line = static_cast<int>(node.source().begin.line);
+  problems_.mention(reported_key, line, show(node));
+  if (found.problem.empty()) named_.push_back({table, reported_key, line, found});
+}
+
 std::optional<KeyPath> AxisReader::key(const std::string& path, const std::string& reported_key) {
   KeyPath result = find_key_path(path, base_);
   if (result.problem.empty()) return result;

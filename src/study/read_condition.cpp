@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "output/result_metrics.hpp"
+#include "study/metrics.hpp"
 
 namespace kerf {
 
@@ -24,14 +25,12 @@ Condition read_where(const std::string& text, int dimension) {
   static const std::regex form(R"(\s*([\w.]+)\s*(>=|<=)\s*(\S.*?)\s*)");
   std::smatch parts;
   const bool has_form = std::regex_match(text, parts, form);
-  const ResultMetric* metric = has_form ? find_result_metric(parts[1].str()) : nullptr;
-  if (!metric)
+  const std::string problem = has_form ? why_no_number(parts[1].str()) : "this is no condition";
+  if (!problem.empty())
     throw UserError(fmt::format(
         "--where \"{}\": {}. Allowed: METRIC >= VALUE or METRIC <= VALUE. Write for example "
         "\"kerf.depth >= 5 mm\"; docs/metrics.md has all metrics.",
-        text,
-        has_form ? fmt::format("there is no metric \"{}\"", parts[1].str())
-                 : "this is no condition"));
+        text, problem));
   Condition condition;
   condition.metric = parts[1].str();
   condition.at_least = parts[2].str() == ">=";

@@ -11,6 +11,8 @@
 #include "input/section.hpp"
 #include "input/units.hpp"
 #include "output/result_metrics.hpp"
+#include "study/metrics.hpp"
+#include "study/run_table.hpp"
 
 namespace kerf {
 
@@ -54,10 +56,12 @@ Condition read_condition(StudySection& section, int dimension) {
   return condition;
 }
 
-std::optional<Axis> read_range(StudySection& section, AxisReader& reader) {
+std::optional<Axis> read_range(StudySection& section, const std::string& table,
+                               AxisReader& reader) {
   const std::string key = section.text("key");
   const toml::node *from = section.node("from"), *to = section.node("to");
   if (key.empty()) return std::nullopt;
+  reader.note(table, key, section.path("key"), *section.node("key"));
   return reader.range(key, section.path("key"), from, to);
 }
 
@@ -70,7 +74,7 @@ void read_threshold(StudySection& section, AxisReader& reader, StudyPlan& plan) 
   goal.draft = section.number("draft", 0.1, 1.0, goal.draft);
   goal.most_runs = section.whole("runs", 2, most_runs, goal.most_runs);
   goal.repeats = section.whole("repeats", 1, 1000, plan.repeats);
-  auto axis = read_range(section, reader);
+  auto axis = read_range(section, "search", reader);
   if (!axis) return;
   goal.axis = std::move(*axis);
   goal.axis.is_logarithmic = is_logarithmic;
@@ -107,13 +111,13 @@ void read_search(StudySection& top, AxisReader& reader, StudyPlan& plan) {
 }
 
 // Reads a table of keys and values; the axes hold the units in which they are written.
-Setting read_setting(StudySection& parent, const toml::table& table,
-                     const std::string& reported_key, AxisReader& reader, std::vector<Axis>& axes) {
+Setting read_setting(const toml::table& table, const std::string& reported_key, AxisReader& reader,
+                     std::vector<Axis>& axes) {
   Setting setting;
   const auto is_value = [](const toml::table&) { return false; };
   for_each_key(table, "", is_value, [&](const std::string& path, const toml::node& node) {
     const std::string where = fmt::format("{}.{}", reported_key, path);
-    parent.problems().mention(where, static_cast<int>(node.source().begin.line), show(node));
+    reader.note(reported_key, path, where, node);
     const auto axis = reader.axis(path, where, node);
     if (!axis) return;
     axis->put_level(0, setting);
@@ -135,11 +139,12 @@ void read_calibration(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   goal.tolerance = section.number("tolerance", 1e-4, 0.5, goal.tolerance);
   goal.most_runs = section.whole("runs", 4, most_runs, goal.most_runs);
   const toml::table* at = section.table("at");
-  if (at) goal.at = read_setting(section, *at, section.path("at"), reader, goal.at_axes);
+  if (at) goal.at = read_setting(*at, section.path("at"), reader, goal.at_axes);
   for (const toml::table* entry : section.tables("predict"))
-    goal.predict.push_back(
-        read_setting(section, *entry, section.path("predict"), reader, goal.at_axes));
-  auto axis = read_range(section, reader);
+    goal.predict.push_back(read_setting(
+        *entry, fmt::format("{}[{}]", section.path("predict"), goal.predict.size() + 1), reader,
+        goal.at_axes));
+  auto axis = read_range(section, "calibrate", reader);
   section.refuse_unknown();
   if (!axis) return;
   if (axis->values.front() <= 0.0)
@@ -148,6 +153,22 @@ void read_calibration(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   goal.axis = std::move(*axis);
   goal.axis.is_logarithmic = true;
   plan.calibration = std::move(goal);
+}
+
+// Refuses a variable of the model that no run has as a number.
+void check_variable(StudySection& section, std::string_view key, const std::string& name,
+                    const StudyPlan& plan) {
+  for (const Axis& axis : all_axes(plan))
+    if (axis.name() == name && axis.words.empty()) return;
+  const std::string problem = why_no_number(name);
+  if (problem.empty()) return;
+  std::vector<std::string> known = number_names();
+  for (const Axis& axis : all_axes(plan)) known.push_back(axis.name());
+  const std::string guess = closest(name, known);
+  section.refuse(key,
+                 fmt::format("\"{}\" is no varied key that holds numbers, and {}", name, problem),
+                 "varied keys, and numbers of result.json",
+                 guess.empty() ? "Name one of them" : fmt::format("Did you mean \"{}\"?", guess));
 }
 
 void read_model(StudySection& top, StudyPlan& plan) {
@@ -170,6 +191,8 @@ void read_model(StudySection& top, StudyPlan& plan) {
   if (goal.drive.empty() && goal.variables.empty())
     section.refuse("variables", "the model has no variables", "a list of varied keys or metrics",
                    "Add one");
+  if (!goal.drive.empty()) check_variable(section, "drive", goal.drive, plan);
+  for (const std::string& name : goal.variables) check_variable(section, "variables", name, plan);
   section.refuse_unknown();
   plan.model = std::move(goal);
 }

@@ -68,7 +68,7 @@ void read_set(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   const auto is_value = [](const toml::table&) { return false; };
   for_each_key(*set, "", is_value, [&](const std::string& path, const toml::node& node) {
     const std::string reported_key = "set." + path;
-    top.problems().mention(reported_key, static_cast<int>(node.source().begin.line), show(node));
+    reader.note("set", path, reported_key, node);
     if (const auto key = reader.key(path, reported_key)) set_key(plan.base, *key, node);
   });
 }
@@ -79,7 +79,7 @@ bool read_vary(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   if (!vary) return false;
   for_each_key(*vary, "", is_range, [&](const std::string& path, const toml::node& node) {
     const std::string reported_key = "vary." + path;
-    top.problems().mention(reported_key, static_cast<int>(node.source().begin.line), show(node));
+    reader.note("vary", path, reported_key, node);
     if (auto axis = reader.axis(path, reported_key, node)) plan.axes.push_back(std::move(*axis));
   });
   // TOML does not keep the order of keys: the order of the lines is restored.
@@ -207,6 +207,7 @@ StudyPlan parse_study(const std::string& text, const fs::path& file,
   const bool varies = read_vary(top, reader, plan);
   read_design(top, varies, plan);
   read_goals(top, reader, plan);
+  reader.refuse_repeated();
   check_use_of_axes(top, plan);
   top.refuse_unknown();
   problems.throw_if_any();

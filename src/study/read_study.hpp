@@ -17,6 +17,7 @@
 
 #include "input/problems.hpp"
 #include "study/axis.hpp"
+#include "study/named_keys.hpp"
 #include "study/study_plan.hpp"
 
 namespace kerf {
@@ -82,6 +83,12 @@ class AxisReader {
  public:
   AxisReader(Problems& problems, const toml::table& base) : problems_(problems), base_(base) {}
 
+  // Remembers that the study file has a key in `table`, with its value at `node`. A path that leads
+  // to no key is left to the reader of its value.
+  void note(const std::string& table, const std::string& path, const std::string& reported_key,
+            const toml::node& node);
+  // Notes the keys that the study has twice as problems.
+  void refuse_repeated() const { refuse_repeated_keys(named_, problems_); }
   // Returns the key of the case; nothing, with a problem noted, where the path leads to none.
   std::optional<KeyPath> key(const std::string& path, const std::string& reported_key);
   // Reads a list of values, a range { from, to, count, scale }, or one value.
@@ -105,6 +112,7 @@ class AxisReader {
 
   Problems& problems_;
   const toml::table& base_;
+  std::vector<NamedKey> named_;
 };
 
 // Returns the unit of a quantity as written: "mm/min" of "1200 mm/min".

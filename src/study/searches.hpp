@@ -53,7 +53,8 @@ struct OtherOptimum {
 struct OptimumAnswer {
   std::string problem;  // why there is no answer; empty when there is one
   Setting setting;      // of the best of all runs at the study's resolution
-  double value = 0.0;   // of the metric, SI, at the first layout
+  double value =
+      0.0;  // of the metric, SI, at the first layout; NaN where the condition held nowhere
   // Of the metric: between the neighbouring runs and over the layouts, extended to `extrapolated`.
   double low = 0.0, high = 0.0;
   // The neighbouring runs along each axis of the goal, SI; an end of the range where there is none.

@@ -103,6 +103,10 @@ Job StudyRuns::prepared(const ResolvedCase& resolved) const {
   return {resolved.id, beside(".toml"), results, beside(".txt"), resolved.memory};
 }
 
+void StudyRuns::refuse_invalid(const std::vector<Trial>& trials) const {
+  resolve(maker_, trials);
+}
+
 std::vector<Outcome> StudyRuns::run(const std::vector<Trial>& trials) {
   std::vector<std::string> ids;
   std::vector<Job> jobs;

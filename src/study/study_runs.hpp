@@ -40,6 +40,8 @@ class StudyRuns : public Laboratory, private JobWatcher {
   StudyRuns(std::filesystem::path folder, const CaseMaker& maker, StudyDatabase& database,
             Executor& executor, Hooks hooks, bool retry);
 
+  // Throws UserError, which names all of the trials whose case is not valid; no run is made.
+  void refuse_invalid(const std::vector<Trial>& trials) const;
   std::vector<Outcome> run(const std::vector<Trial>& trials) override;
   int side_by_side() const override { return executor_.side_by_side(); }
   // Returns the runs that were requested of this object, in the order of study.db.

@@ -8,7 +8,7 @@
 
 #include "input/problems.hpp"
 #include "input/section.hpp"
-#include "output/result_metrics.hpp"
+#include "study/metrics.hpp"
 
 namespace kerf {
 
@@ -49,17 +49,12 @@ std::vector<std::string> StudySection::metrics(std::string_view name) {
   return list;
 }
 
-// An object of result.json has members that are in no table, such as those of "intervals".
 void StudySection::check_metric(std::string_view name, const std::string& metric) {
-  std::vector<std::string> known;
-  for (const ResultMetric& candidate : result_metrics()) {
-    if (metric == candidate.name || metric.starts_with(std::string(candidate.name) + ".")) return;
-    known.emplace_back(candidate.name);
-  }
-  const std::string guess = closest(metric, known);
-  refuse(name, fmt::format("there is no metric \"{}\"", metric),
-         "a number of result.json; docs/metrics.md has all of them",
-         guess.empty() ? "Correct it" : fmt::format("Did you mean \"{}\"?", guess));
+  const std::string problem = why_no_number(metric);
+  if (problem.empty()) return;
+  const std::string guess = closest(metric, number_names());
+  refuse(name, problem, "a number of result.json; docs/metrics.md has all of them",
+         guess.empty() ? "Name a number" : fmt::format("Did you mean \"{}\"?", guess));
 }
 
 void StudySection::missing(std::string_view name, const std::string& allowed) {

@@ -176,11 +176,24 @@ bool Condition::is_of_feed(const std::map<std::string, double>& metrics) const {
   return asks_cut && at_least && metrics.contains("exposure.cuts");
 }
 
+double Condition::uncertain_share(const std::map<std::string, double>& metrics) const {
+  const auto dimension = metrics.find("dimension");
+  const bool is_plane = dimension != metrics.end() && dimension->second == 2.0;
+  const bool is_of_path = metric == "kerf.through_share" && at_least && !is_of_feed(metrics);
+  return is_of_path && is_plane ? left_whole(metrics) : 0.0;
+}
+
 bool Condition::holds(const std::map<std::string, double>& metrics) const {
   if (is_of_feed(metrics)) return cuts(metrics).value_or(false);
   const auto found = metrics.find(metric);
   if (found == metrics.end()) return false;
-  return at_least ? found->second >= bound : found->second <= bound;
+  return at_least ? found->second - uncertain_share(metrics) >= bound : found->second <= bound;
+}
+
+bool Condition::may_hold(const std::map<std::string, double>& metrics) const {
+  const auto found = metrics.find(metric);
+  const double uncertain = uncertain_share(metrics);
+  return uncertain > 0.0 && found != metrics.end() && found->second + uncertain >= bound;
 }
 
 double Condition::margin(const std::map<std::string, double>& metrics) const {
@@ -189,7 +202,8 @@ double Condition::margin(const std::map<std::string, double>& metrics) const {
   if (found == metrics.end()) return holds(metrics) ? 0.0 : -1.0;
   if (is_cut) return holds(metrics) ? std::abs(found->second) : -std::abs(found->second);
   const double scale = std::max(std::abs(bound), std::numeric_limits<double>::min());
-  return (at_least ? 1.0 : -1.0) * (found->second - bound) / scale;
+  const double certain = found->second - uncertain_share(metrics);
+  return (at_least ? 1.0 : -1.0) * (certain - bound) / scale;
 }
 
 std::string Condition::text() const {

@@ -197,6 +197,17 @@ TEST(Refuse, Expressions) {
   });
 }
 
+TEST(Refuse, AVelocityOfABodyThatIsFixed) {
+  expect_refused({
+      {"fixed with a velocity",
+       block_material,
+       block_material + "\nfixed = true\nvelocity = [\"1 m/s\", \"0 m/s\"]",
+       "fixed",
+       "body[1].fixed = true: the body also has a velocity.",
+       {"Remove one of the two"}},
+  });
+}
+
 // The other sections are read to their end without the surface of the mesh.
 TEST(Refuse, AMachineCaseWhoseMeshIsMissing) {
   const std::string message = message_of(

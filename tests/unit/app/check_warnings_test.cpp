@@ -262,5 +262,21 @@ TEST(CheckWarnings, TellOfANozzleThatComesOntoABody) {
   EXPECT_THAT(of(-15.0, 1.0), Not(Contains(onto)));   // not within the run
 }
 
+TEST(CheckWarnings, TellOfADwellWithoutATraverse) {
+  const auto of = [&](const std::string& keys) {
+    const Case description = parse_case(
+        "title = \"dwell\"\ndimension = 2\n[time]\nend = \"2 ms\"\n[[jet]]\nname = \"jet\"\n"
+        "speed = \"20 m/s\"\nwidth = \"2 mm\"\nposition = [\"0 mm\", \"6 mm\"]\n"
+        "standoff = \"4 mm\"\nspacing = \"0.2 mm\"\n" +
+            keys + block_of("tofu"),
+        "my.toml");
+    return check_warnings(description, derive(description));
+  };
+  const auto idle = HasSubstr("the dwell of the jet \"jet\", 1 ms, changes nothing");
+  EXPECT_THAT(of("dwell = \"1 ms\"\n"), Contains(idle));
+  EXPECT_THAT(of("dwell = \"1 ms\"\ntraverse = [\"1 m/s\", \"0 m/s\"]\n"), Not(Contains(idle)));
+  EXPECT_THAT(of(""), Not(Contains(idle)));
+}
+
 }  // namespace
 }  // namespace kerf

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "study/study_answers.hpp"
 #include "synthetic.hpp"
 
@@ -47,6 +49,22 @@ TEST(AnswerWords, AnOptimumNamesItsNeighboursTheRangeAndOtherOptima) {
   EXPECT_EQ(json.at("neighbours").at("jet.jet.speed").at("low"), 3.5);
   EXPECT_EQ(json.at("ranges").at("jet.jet.speed").at("high"), 10.0);
   EXPECT_EQ(json.at("others").at(0).at("value"), 1020.0);
+}
+
+TEST(AnswerWords, AnOptimumThatWasNotFoundHasNoValue) {
+  const StudyPlan plan = test::plan_of(
+      "[vary]\n\"jet.jet.speed\" = { from = \"2 m/s\", to = \"10 m/s\" }\n[search]\n"
+      "find = \"minimum\"\nmetric = \"kerf.specific_energy\"\n");
+  StudyAnswers answers;
+  answers.optimum.emplace().problem = "cut-through held in none of 3 runs. Widen the ranges";
+  answers.optimum->value = answers.optimum->low = answers.optimum->high = std::nan("");
+  answers.optimum->setting = at_speed(4.0);
+  const auto described = describe_answers(plan, answers);
+  EXPECT_THAT(
+      answers_text(described),
+      AllOf(HasSubstr("with cut-through: not found. cut-through held in none of 3 runs"),
+            HasSubstr("searched was jet.jet.speed from 2 m/s to 10 m/s\n"), Not(HasSubstr("nan"))));
+  EXPECT_THAT(described.front().members.dump(), HasSubstr("\"value\":null"));
 }
 
 TEST(AnswerWords, AJumpIsNamed) {

@@ -9,6 +9,7 @@
 #include "model/case.hpp"
 #include "study/case_maker.hpp"
 #include "study/limit_answer.hpp"
+#include "study/metrics.hpp"
 #include "synthetic.hpp"
 
 namespace kerf {
@@ -104,6 +105,50 @@ TEST(LimitOfWay, SaysWhereTheWayIsTooShort) {
     row.metrics = {{"end_time", plan.end.start + 0.5e-3}, {"kerf.lag", lag}};
     EXPECT_EQ(short_way_sentence(plan, {row}).empty(), lag < 0.5e-3);
   }
+}
+
+// Solid that left the domain whole may have been cut or not: what rests on it is undecided.
+TEST(LimitOfWay, RestsNotOnSolidThatLeftTheDomain) {
+  const LimitPlan plan = plan_of_way(test::machine_case, "feed");
+  const ThresholdGoal& goal = *plan.study.threshold;
+  RunRow row;
+  row.state = RunState::done;
+  row.trial.setting.numbers["machine.traverse_speed"] = 4.0;
+  row.metrics = {{"cut_through", 1.0}, {"dimension", 2.0}, {"kerf.through_share", 1.0}};
+  const auto expect = [&](const char* verdict, bool holds) {
+    EXPECT_EQ(trial_verdict(plan, row), verdict);
+    EXPECT_EQ(goal.condition.holds(row.metrics), holds);
+    EXPECT_EQ(goal.condition.margin(row.metrics) >= 0.0, holds);
+    EXPECT_EQ(left_whole_sentence(plan, {row}).empty(), trial_verdict(plan, row) != "undecided");
+  };
+  expect("cuts", true);
+  row.metrics["validity.left_whole"] = 0.36;
+  expect("undecided", false);
+  EXPECT_THAT(left_whole_sentence(plan, {row}),
+              testing::AllOf(HasSubstr("4 m/s (36%)"), HasSubstr("wider [domain]"),
+                             HasSubstr("may raise the limit")));
+  EXPECT_EQ(undecided_sentence(plan, {row}), "");
+  LimitAnswer answer;
+  answer.runs = {row};
+  answer.threshold.emplace().problem = "it holds nowhere";
+  answer.threshold->holds_everywhere = false;
+  EXPECT_EQ(describe_limit(plan, answer).finding, "undecided at every feed tried");
+  row.metrics["validity.left_whole"] = 0.04;  // all the rest is enough
+  expect("cuts", true);
+  row.metrics["kerf.through_share"] = 0.5;  // it is not enough with it
+  expect("cuts in part", false);
+  row.metrics["validity.left_whole"] = 0.46;
+  expect("undecided", false);
+  row.metrics["kerf.through_share"] = 1.0;
+  row.metrics["dimension"] = 3.0;  // where it may have lain beside the path
+  expect("cuts", true);
+}
+
+TEST(LimitOfWay, TakesTheShareThatLeftFromTheResult) {
+  const Metrics metrics = read_metrics(
+      R"({"dimension": 2, "validity": [{"name": "left_whole", "state": "warning", "value": 0.36}]})");
+  EXPECT_EQ(left_whole(metrics), 0.36);
+  EXPECT_EQ(left_whole(read_metrics(R"({"validity": []})")), 0.0);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -250,8 +252,23 @@ TEST(OptimumSearch, ReportsThatNoRunCuts) {
       optimum_of("find = \"minimum\"\nmetric = \"kerf.specific_energy\"\nruns = 20\n");
   test::SyntheticLaboratory laboratory(
       [](const Trial& trial) { return cut_by_flow(trial, 1000.0); }, 2);
-  EXPECT_THAT(find_optimum(goal, 1.0, laboratory).problem,
-              testing::HasSubstr("cut-through held in none"));
+  const OptimumAnswer answer = find_optimum(goal, 1.0, laboratory);
+  EXPECT_THAT(answer.problem, testing::HasSubstr("cut-through held in none of "));
+  EXPECT_TRUE(std::isnan(answer.value));
+}
+
+TEST(OptimumSearch, ReportsThatNoRunThatCutsHasTheMetric) {
+  const OptimumGoal goal = optimum_of("find = \"minimum\"\nmetric = \"kerf.taper\"\nruns = 20\n");
+  test::SyntheticLaboratory laboratory([](const Trial& trial) { return cut_by_flow(trial, 25.0); },
+                                       2);
+  const OptimumAnswer answer = find_optimum(goal, 1.0, laboratory);
+  int cut = 0;
+  for (const Trial& trial : laboratory.asked) cut += speed_of(trial) * width_of(trial) >= 25.0;
+  ASSERT_GT(cut, 0);
+  EXPECT_EQ(answer.problem,
+            fmt::format("cut-through held in {} of {} runs, and none of these has kerf.taper. "
+                        "Choose another metric",
+                        cut, laboratory.asked.size()));
 }
 
 }  // namespace

@@ -119,6 +119,26 @@ TEST(ReadStudy, MetricsThatNoResultHasAreRefused) {
               AllOf(HasSubstr("search.where.metric"), is_refused));
 }
 
+TEST(ReadStudy, MetricsThatAreNoNumbersAreRefused) {
+  const std::string range = "[vary]\n\"jet.jet.speed\" = { from = \"1 m/s\", to = \"2 m/s\" }\n";
+  const auto of_search = [&](const std::string& metric) {
+    return complaint(range + "[search]\nfind = \"minimum\"\nmetric = \"" + metric + "\"\n");
+  };
+  EXPECT_THAT(of_search("verdict"),
+              AllOf(StartsWith("my-study.toml:6: search.metric = \"verdict\""),
+                    HasSubstr("\"verdict\" is a text and no number"), HasSubstr("Name a number")));
+  EXPECT_THAT(of_search("pictures"), HasSubstr("is a list or table and no number"));
+  EXPECT_THAT(of_search("balance.mass"), HasSubstr("there is no metric"));
+  EXPECT_THAT(of_search("kerf"), HasSubstr("there is no metric \"kerf\""));
+  EXPECT_EQ(of_search("cut_through"), "");
+  EXPECT_THAT(complaint("metrics = [\"title\"]\n" + vary), HasSubstr("\"title\" is a text"));
+  EXPECT_THAT(complaint(vary + "[model]\ndrive = \"jet.jet.sped\"\n"),
+              AllOf(HasSubstr("model.drive"), HasSubstr("Did you mean \"jet.jet.speed\"?")));
+  EXPECT_THAT(complaint(vary + "[model]\ndrive = \"jet.jet.speed\"\nvariables = [\"title\"]\n"),
+              HasSubstr("model.variables"));
+  EXPECT_EQ(complaint(vary + "[model]\ndrive = \"stagnation_pressure\"\n"), "");
+}
+
 TEST(ReadStudy, AMissingBaseIsNamedWithASuggestion) {
   const EmbeddedText templates[] = {{"small", test::small_case}};
   EXPECT_THAT(test::message_of<UserError>(

@@ -5,6 +5,7 @@
 #include "app/embedded.hpp"
 #include "study/case_maker.hpp"
 #include "study/run_table.hpp"
+#include "study/search_ends.hpp"
 
 namespace kerf {
 namespace {
@@ -21,6 +22,8 @@ TEST(ShippedStudies, MakeValidCases) {
       for (const Axis& axis : all_axes(plan)) axis.put_share(share, trial.setting);
       EXPECT_GT(maker.make(trial).memory, 0.0) << entry.name;
     }
+    for (const Trial& trial : search_ends(plan))
+      EXPECT_GT(maker.make(trial).memory, 0.0) << entry.name;
   }
 }
 
