@@ -187,7 +187,7 @@ bool Condition::holds(const std::map<std::string, double>& metrics) const {
   if (is_of_feed(metrics)) return cuts(metrics).value_or(false);
   const auto found = metrics.find(metric);
   if (found == metrics.end()) return false;
-  return at_least ? found->second - uncertain_share(metrics) >= bound : found->second <= bound;
+  return at_least ? found->second >= bound : found->second <= bound;
 }
 
 bool Condition::may_hold(const std::map<std::string, double>& metrics) const {
@@ -202,8 +202,7 @@ double Condition::margin(const std::map<std::string, double>& metrics) const {
   if (found == metrics.end()) return holds(metrics) ? 0.0 : -1.0;
   if (is_cut) return holds(metrics) ? std::abs(found->second) : -std::abs(found->second);
   const double scale = std::max(std::abs(bound), std::numeric_limits<double>::min());
-  const double certain = found->second - uncertain_share(metrics);
-  return (at_least ? 1.0 : -1.0) * (certain - bound) / scale;
+  return (at_least ? 1.0 : -1.0) * (found->second - bound) / scale;
 }
 
 std::string Condition::text() const {

@@ -122,7 +122,9 @@ TEST(LimitOfWay, RestsNotOnSolidThatLeftTheDomain) {
     EXPECT_EQ(left_whole_sentence(plan, {row}).empty(), trial_verdict(plan, row) != "undecided");
   };
   expect("cuts", true);
-  row.metrics["validity.left_whole"] = 0.36;
+  row.metrics["validity.left_whole"] = 0.36;  // which the share does not count
+  expect("cuts", true);
+  row.metrics["kerf.through_share"] = 0.6;
   expect("undecided", false);
   EXPECT_THAT(left_whole_sentence(plan, {row}),
               testing::AllOf(HasSubstr("4 m/s (36%)"), HasSubstr("wider [domain]"),
@@ -133,15 +135,11 @@ TEST(LimitOfWay, RestsNotOnSolidThatLeftTheDomain) {
   answer.threshold.emplace().problem = "it holds nowhere";
   answer.threshold->holds_everywhere = false;
   EXPECT_EQ(describe_limit(plan, answer).finding, "undecided at every feed tried");
-  row.metrics["validity.left_whole"] = 0.04;  // all the rest is enough
-  expect("cuts", true);
-  row.metrics["kerf.through_share"] = 0.5;  // it is not enough with it
+  row.metrics["validity.left_whole"] = 0.04;  // the share is not enough with it
   expect("cuts in part", false);
   row.metrics["validity.left_whole"] = 0.46;
-  expect("undecided", false);
-  row.metrics["kerf.through_share"] = 1.0;
   row.metrics["dimension"] = 3.0;  // where it may have lain beside the path
-  expect("cuts", true);
+  expect("cuts in part", false);
 }
 
 TEST(LimitOfWay, TakesTheShareThatLeftFromTheResult) {
