@@ -22,8 +22,8 @@ struct Condition {
   // Whether it asks of such a run whether its feed cuts.
   bool is_of_feed(const std::map<std::string, double>& metrics) const;
   // Returns by how much the share of the path that is cut through may be too small: a part of the
-  // workpiece that has left the domain whole, cut or not, counts as standing. In 2D all of it lies in the plane of the path;
-  // in 3D it may have lain beside the path, and is not counted.
+  // workpiece that has left the domain whole, cut or not, counts as standing. In 2D all of it lies
+  // in the plane of the path; in 3D it may have lain beside the path, and is not counted.
   double uncertain_share(const std::map<std::string, double>& metrics) const;
   // Whether the condition would hold if what has left the domain whole had been cut.
   bool may_hold(const std::map<std::string, double>& metrics) const;
