@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/check_warnings.hpp"
 #include "geometry/fill.hpp"
+#include "geometry/nearest_face.hpp"
 #include "geometry/shapes.hpp"
 #include "model/case.hpp"
 #include "output/readable.hpp"
@@ -18,36 +18,10 @@ namespace {
 
 constexpr double on_face = 1e-6;  // of a spacing
 
-bool is_near(double a, double b, double slack) {
-  return std::abs(a - b) <= slack;
-}
-
-bool is_on_edge(const Shape& polygon, const Point& point, double slack) {
-  for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
-    const auto& a = polygon.vertices[i];
-    const auto& b = polygon.vertices[(i + 1) % polygon.vertices.size()];
-    const double ex = b[0] - a[0], ey = b[1] - a[1], length = std::hypot(ex, ey);
-    const double px = point[0] - a[0], py = point[1] - a[1];
-    const double along = px * ex + py * ey;
-    if (std::abs(px * ey - py * ex) <= slack * length && along >= -slack * length &&
-        along <= (length + slack) * length)
-      return true;
-  }
-  return false;
-}
-
 // Returns whether a point of the shape is on one of its plane faces.
 bool is_on_plane_face(const Shape& shape, const Point& point, double slack, int dimension) {
-  if (shape.kind == Shape::Kind::polygon)
-    return is_on_edge(shape, point, slack) ||
-           (dimension == 3 && (is_near(point[2], shape.depth_minimum, slack) ||
-                               is_near(point[2], shape.depth_maximum, slack)));
-  if (shape.kind != Shape::Kind::box) return false;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
-    if (is_near(point[a], shape.box.minimum[a], slack) ||
-        is_near(point[a], shape.box.maximum[a], slack))
-      return true;
-  return false;
+  const bool is_plane = shape.kind == Shape::Kind::polygon || shape.kind == Shape::Kind::box;
+  return is_plane && is_near_face(shape, point, slack, dimension);
 }
 
 // A place inside another body is filled by it, as that of an inclusion.
