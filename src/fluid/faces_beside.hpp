@@ -3,9 +3,15 @@
 // to what is added to its rates: rigid ones here, those of solids in fluid/wall_reaction.hpp.
 #pragma once
 
+#include <cstdint>
+
 #include "fluid/facing_faces.hpp"
 
 namespace kerf {
+
+// What is completed of the rates of fluid beside smooth walls. Output needs the accelerations only,
+// and leaves the rates of compression as the step has found them.
+enum class WallCompletion : std::uint8_t { of_all_rates, of_accelerations };
 
 template <int D, class P>
 struct FacesBeside : FacingFaces<D, typename P::Real> {

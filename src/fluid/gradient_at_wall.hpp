@@ -44,6 +44,7 @@ struct GradientAtWall {
     Real spacing{}, reach{};  // m, the largest ones of the wall
   };
   Real kernel_gradient_normalisation;
+  WallCompletion completion = WallCompletion::of_all_rates;
 
   KERF_FUNCTION void add(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                          Sum& sum) const {
@@ -93,7 +94,7 @@ struct GradientAtWall {
     if (!(rest > Real(0))) return;
     const RealVector lacking = (Real(2) * end * rest * kernel_gradient_normalisation) * sum.lacking;
     sum.faces.push(particles, i, (p / density) * lacking);
-    particles.compression_rate[i] -= (Real(1) + particles.compression[i]) * dot(lacking, speed);
+    diverge(particles, i, dot(lacking, speed));
   }
   KERF_FUNCTION void complete(const ParticleView<D, P>& particles, Index i, const Sum& sum,
                               const RealVector& n) const {
@@ -108,7 +109,11 @@ struct GradientAtWall {
     const Real motion_across = across(sum.motion, n);
     const Real divergence =
         share * (sum.motion.trace() - motion_across) + share_across * motion_across;
-    particles.compression_rate[i] -= (Real(1) + particles.compression[i]) * divergence;
+    diverge(particles, i, divergence);
+  }
+  KERF_FUNCTION void diverge(const ParticleView<D, P>& particles, Index i, Real divergence) const {
+    if (completion == WallCompletion::of_all_rates)
+      particles.compression_rate[i] -= (Real(1) + particles.compression[i]) * divergence;
   }
   KERF_FUNCTION static void add_face(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                                      Sum& sum) {

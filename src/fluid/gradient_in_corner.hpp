@@ -39,6 +39,7 @@ struct GradientInCorner {
   };
   RealVector gravity;  // m/s^2
   Real kernel_gradient_normalisation;
+  WallCompletion completion = WallCompletion::of_all_rates;
   // Shares of N: of the second wall beside the first one, and of a third one.
   static constexpr double least_second = 0.02, most_third = 0.02;
   static constexpr double most_aside = 0.15;   // smoothing lengths, along e
@@ -76,8 +77,9 @@ struct GradientInCorner {
     const Real moment = (along * sum.moment).trace();
     const Real share = Real(1) / maximum(moment, Real(least_moment) / k) - k;
     const RealVector force = along * (share * sum.pressure - k * sum.given);
-    const Real divergence = (along * (share * sum.motion + (Real(-2) * k) * sum.passing)).trace();
     sum.faces.push(particles, i, (Real(1) / particles.density(i)) * force);
+    if (completion == WallCompletion::of_accelerations) return;
+    const Real divergence = (along * (share * sum.motion + (Real(-2) * k) * sum.passing)).trace();
     particles.compression_rate[i] -= (Real(1) + particles.compression[i]) * divergence;
   }
 

@@ -136,25 +136,26 @@ class StandardRates {
     for_each_index(count, Loop(view, others, {}, term));
   }
 
-  // Adds what smooth walls lack to the rates of fluid, after the sums over pairs. Returns whether
-  // solids take a reaction, by react_at_walls(), for which ghosts need the field `wall_push`.
-  bool complete_at_walls(const ParticleView<D, P>& view, Index count,
-                         const NeighbourView& list) const {
+  // Adds what smooth walls lack to the rates of fluid, after the sums over pairs: to all of them
+  // after evaluate(), to accelerations after accelerate(). Returns whether solids take a reaction,
+  // by react_at_walls(), for which ghosts need the field `wall_push`.
+  bool complete_at_walls(const ParticleView<D, P>& view, Index count, const NeighbourView& list,
+                         WallCompletion completion) const {
     if (!has_smooth_walls(view)) return false;
     using Loop = PairLoop<D, P, ContactPairs, GradientAtWall<D, P, ContactPairs::Kernel<D>>>;
     NeighbourView all = list;
     all.skips = Skips::nothing;
     const GradientAtWall<D, P, ContactPairs::Kernel<D>> term{
-        fluid_pair_.kernel_gradient_normalisation};
+        fluid_pair_.kernel_gradient_normalisation, completion};
     for_each_index(count, BesideSmoothWalls<D, P, Loop>{view, all, Loop(view, all, {}, term)});
-    if constexpr (D == 3) complete_in_corners(view, count, all);
+    if constexpr (D == 3) complete_in_corners(view, count, all, completion);
     return has_solids_;
   }
-  void complete_in_corners(const ParticleView<D, P>& view, Index count,
-                           const NeighbourView& all) const {
+  void complete_in_corners(const ParticleView<D, P>& view, Index count, const NeighbourView& all,
+                           WallCompletion completion) const {
     using Loop = PairLoop<D, P, ContactPairs, GradientInCorner<D, P>>;
     const GradientInCorner<D, P> term{fluid_pair_.gravity,
-                                      fluid_pair_.kernel_gradient_normalisation};
+                                      fluid_pair_.kernel_gradient_normalisation, completion};
     for_each_index(count, InCorners<D, P, Loop>{view, Loop(view, all, {}, term)});
   }
   void react_at_walls(const ParticleView<D, P>& view, Index count,

@@ -147,7 +147,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     rates_.evaluate(particles_.view(), particles_.owned(),
                     solid_.without_fully_bonded(list_.view()), solid_.bonds(),
                     pointer(concentration_gradient_));
-    complete_at_walls();
+    complete_at_walls(WallCompletion::of_all_rates);
     rates_.find_rigid_power(particles_.view(), particles_.owned(), list_.view());
     pair_interactions_ += static_cast<double>(list_.pairs());
   }
@@ -219,10 +219,10 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
   }
 
   // Completes the forces at smooth walls, and gives solid walls the reaction.
-  void complete_at_walls() const {
+  void complete_at_walls(WallCompletion completion) const {
     const auto view = particles_.view();
     const auto list = list_.view();
-    if (!rates_.complete_at_walls(view, particles_.owned(), list)) return;
+    if (!rates_.complete_at_walls(view, particles_.owned(), list, completion)) return;
     Run::update_ghosts(particles_.wall_push);
     rates_.react_at_walls(view, particles_.owned(), list);
   }
@@ -232,7 +232,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     find_contacts();
     rates_.accelerate(particles_.view(), particles_.owned(),
                       solid_.without_fully_bonded(list_.view()), solid_.bonds());
-    complete_at_walls();
+    complete_at_walls(WallCompletion::of_accelerations);
     solid_.deform_to_current(particles_);
     solid_.set_time(time_);
     solid_.accelerate(particles_);

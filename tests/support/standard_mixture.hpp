@@ -83,7 +83,8 @@ using LoadedStandard = Loaded<D, P, ContactPairs>;
 template <int D, class P>
 void complete_at_walls(const StandardRates<D, P>& rates, LoadedStandard<D, P>& loaded) {
   const auto view = loaded.particles.view();
-  if (rates.complete_at_walls(view, loaded.particles.size(), loaded.list.view()))
+  if (rates.complete_at_walls(view, loaded.particles.size(), loaded.list.view(),
+                              WallCompletion::of_all_rates))
     rates.react_at_walls(view, loaded.particles.size(), loaded.list.view());
 }
 
