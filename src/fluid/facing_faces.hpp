@@ -19,8 +19,7 @@ struct FaceInFront {
 
   template <class P>
   KERF_FUNCTION static FaceInFront of(const ParticleView<D, P>& particles, const Pair<D, P>& pair) {
-    const auto normal_j =
-        seen_face(particles, pair.j, pair.of_j(particles.face_normal[pair.j]), pair.separation);
+    const auto normal_j = seen_face(particles, pair);
     const Real depth_j = particles.face_depth[pair.j], along_j = dot(pair.separation, normal_j);
     return {normal_j,          depth_j * normal_j - pair.separation,
             depth_j,           along_j,

@@ -6,27 +6,38 @@
 // sees none.
 #pragma once
 
-#include "particles/fields.hpp"
+#include "pairs/pair.hpp"
 
 namespace kerf {
 
-// Returns the normal of that face. `normal`: that of particle j, mirrored where the pair is;
-// `separation`, m: of the fluid from j.
+// Returns the normal of that face of particle j. `normal`, `corner`: n and c of j, mirrored where
+// the pair is; `separation`, m: of the fluid from j.
 template <int D, class P>
 KERF_FUNCTION Vector<D, typename P::Real> seen_face(const ParticleView<D, P>& particles, Index j,
                                                     const Vector<D, typename P::Real>& normal,
+                                                    const Vector<D, typename P::Real>& corner,
                                                     const Vector<D, typename P::Real>& separation) {
   using Real = typename P::Real;
-  if constexpr (D == 2) {
-    const Real corner = particles.face_corner[j];
-    if (corner == Real(0)) return normal;
-    constexpr Real least(1e-3);  // of the depth, within which rounding would decide
-    const Vector<D, Real> half{-corner * normal[1], corner * normal[0]};
-    const Real aside = dot(separation, half), depth = least * particles.face_depth[j];
-    if (!(aside * aside > depth * depth * dot(half, half))) return Vector<D, Real>::zero();
-    return aside > Real(0) ? normal + half : normal - half;
-  }
-  return normal;
+  const Real square = dot(corner, corner);
+  if (square == Real(0)) return normal;
+  constexpr Real least(1e-3);  // of the depth, within which rounding would decide
+  const Real aside = dot(separation, corner), depth = least * particles.face_depth[j];
+  if (!(aside * aside > depth * depth * square)) return Vector<D, Real>::zero();
+  return aside > Real(0) ? normal + corner : normal - corner;
+}
+
+// The same of the wall particle j of a pair with fluid.
+template <int D, class P>
+KERF_FUNCTION Vector<D, typename P::Real> seen_face(const ParticleView<D, P>& particles,
+                                                    const Pair<D, P>& pair) {
+  return seen_face(particles, pair.j, pair.of_j(particles.face_normal[pair.j]),
+                   pair.of_j(particles.face_corner[pair.j]), pair.separation);
+}
+// The same of the wall particle i of a pair with fluid, at `separation`, m, from it.
+template <int D, class P>
+KERF_FUNCTION Vector<D, typename P::Real> seen_face(const ParticleView<D, P>& particles, Index i,
+                                                    const Vector<D, typename P::Real>& separation) {
+  return seen_face(particles, i, particles.face_normal[i], particles.face_corner[i], separation);
 }
 
 }  // namespace kerf

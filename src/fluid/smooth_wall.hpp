@@ -93,16 +93,15 @@ struct WallPair {
 
   KERF_FUNCTION static WallPair of(const ParticleView<D, P>& particles, const Pair<D, P>& pair,
                                    bool fluid_i) {
-    const auto of_i = particles.face_normal[pair.i];
-    const auto of_j = pair.of_j(particles.face_normal[pair.j]);
-    if (fluid_i)
-      return {pair.i,        pair.j, pair.separation,
-              pair.velocity, of_i,   seen_face(particles, pair.j, of_j, pair.separation)};
+    if (fluid_i) {
+      const auto of_wall = particles.face_normal[pair.i];
+      return {pair.i, pair.j, pair.separation, pair.velocity, of_wall, seen_face(particles, pair)};
+    }
     const typename P::Real back(-1);
-    const RealVector separation = back * pair.separation;
-    return {pair.j,     pair.i,
-            separation, back * pair.velocity,
-            of_j,       seen_face(particles, pair.i, of_i, separation)};
+    const RealVector separation = back * pair.separation, velocity = back * pair.velocity;
+    const auto of_wall = pair.of_j(particles.face_normal[pair.j]);
+    return {pair.j,   pair.i,  separation,
+            velocity, of_wall, seen_face(particles, pair.i, separation)};
   }
 };
 

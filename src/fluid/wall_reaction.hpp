@@ -23,8 +23,7 @@ struct WallReaction {
     const auto& push = particles.wall_push[pair.j];
     if (pair.medium_j->phase != Phase::water || !(push.inverse_weight > Real(0))) return;
     const Vector<D, Real> separation = Real(-1) * pair.separation;
-    const Real along =
-        dot(separation, seen_face(particles, pair.i, particles.face_normal[pair.i], separation));
+    const Real along = dot(separation, seen_face(particles, pair.i, separation));
     if (!(along > particles.face_depth[pair.i])) return;
     const Real share =
         push.inverse_weight * pair.medium_i->volume * pair.slope_per_distance * along;

@@ -76,6 +76,29 @@ KERF_FUNCTION double compressed_energy(const ElasticSolid<T>& solid,
   return energy > 0.0 ? energy : 0.0;
 }
 
+// Largest principal Kirchhoff stress of the undamaged solid at Green's strain `green`, Pa: tau has
+// the principal values of C S.
+template <int D, class T>
+KERF_FUNCTION T largest_stress(const ElasticSolid<T>& solid, const SymmetricTensor<D, T>& green) {
+  SymmetricTensor<D, T> c = T(2) * green;
+  for (int a = 0; a < 3; ++a) c(a, a) += T(1);
+  return largest_of(principal_values(coaxial_product(c, second_piola(solid, green))));
+}
+
+// What a confined solid keeps of the strain `tensile` below (compressive_strength.hpp), at the
+// energy of shear and tension psi_t, J/m^3.
+template <int D, class T>
+KERF_FUNCTION double confined_strain(const BreakableSolid<T>& solid,
+                                     const SymmetricTensor<D, double>& green, double tensile,
+                                     double energy) {
+  const double volume = std::sqrt(compressed_energy(solid, green)), shear = std::sqrt(energy);
+  if (!(volume > 0.0)) return tensile;
+  const double confined = tensile * (shear / (shear + double(solid.confinement) * volume));
+  const double pulled =
+      largest_stress(ElasticSolid<double>::from(solid), green) / double(solid.young_modulus());
+  return pulled > confined ? pulled : confined;
+}
+
 // sqrt(2 psi_t / E): the strain of a tensile test that stores as much as tension does at Green's
 // strain `green`, in the undamaged solid; less where the solid is confined.
 template <int D, class T>
@@ -84,9 +107,8 @@ KERF_FUNCTION T tensile_strain(const BreakableSolid<T>& solid,
   const double energy = tensile_energy(solid, green);
   if (!(energy > 0.0)) return T(0);
   const double strain = std::sqrt(2.0 * energy / double(solid.young_modulus()));
-  if (!(solid.confinement > T(0))) return static_cast<T>(strain);
-  const double shear = std::sqrt(energy), volume = std::sqrt(compressed_energy(solid, green));
-  return static_cast<T>(strain * (shear / (shear + double(solid.confinement) * volume)));
+  const bool is_confined = solid.confinement > T(0);
+  return static_cast<T>(is_confined ? confined_strain(solid, green, strain, energy) : strain);
 }
 
 // The same at the displacement gradient `h`.
@@ -102,12 +124,7 @@ struct ElasticParticle {
   const SymmetricTensor<D, T>& green;
   T damage = T(0);
 
-  // Largest principal Kirchhoff stress, Pa: tau has the principal values of C S.
-  KERF_FUNCTION T largest_stress() const {
-    SymmetricTensor<D, T> c = T(2) * green;
-    for (int a = 0; a < 3; ++a) c(a, a) += T(1);
-    return largest_of(principal_values(coaxial_product(c, second_piola(solid, green))));
-  }
+  KERF_FUNCTION T largest_stress() const { return kerf::largest_stress(solid, green); }
   KERF_FUNCTION T tensile_strain() const {
     return kerf::tensile_strain(solid, SymmetricTensor<D, double>::from(green));
   }

@@ -9,6 +9,10 @@
 // In a uniaxial compressive test, psi_s = s^2 / (6 G) and psi_p = s^2 / (18 K) at the stress s.
 // Softening begins there at the compressive strength f_c if
 //   c = sqrt(3 K / G) (f_c / f_t sqrt(E / (3 G)) - 1).
+// Pressure does not hold a crack together that the largest principal stress s_1 opens across it, so
+// that k is at least s_1 / E, as in a tensile test (Rankine's limit of tension). Where the volume
+// is compressed psi_s is more than (3/4) (1 + nu) s_1^2 / E: the strain never jumps, and psi_t is
+// above E k^2 / 2.
 #pragma once
 
 #include <cmath>

@@ -14,9 +14,7 @@ namespace kerf {
 struct NearestFace {
   Point normal{};      // 1, outward unit vector; between two faces the mean of both
   double depth = 0.0;  // m, of the point below the surface
-  // 1, between two faces: their normals are n + corner t and n - corner t, with the mean n and its
-  // normal t of the same length in the plane; otherwise 0.
-  double corner = 0.0;
+  Point corner{};      // 1, c between two faces, whose normals are n + c and n - c; otherwise 0
 };
 
 // Returns the face nearest to `point`, which is inside `shape`. Only faces count that neither

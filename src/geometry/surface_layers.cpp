@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 
+#include "geometry/faces_at_edges.hpp"
 #include "geometry/level_curve.hpp"
 #include "geometry/point_vectors.hpp"
 #include "model/body.hpp"
@@ -53,57 +54,6 @@ CoveredShape region_of(const SurfaceLayers& layers) {
   const double spacing = layers.body.spacing;
   return {layers.body.shape, layers.others, std::ceil(layers.depth / spacing - slack) * spacing};
 }
-
-// Returns what a particle as far from one face as from the other has of both.
-NearestFace between(const NearestFace& face, const Point& other_normal) {
-  const Point mean{(face.normal[0] + other_normal[0]) / 2.0,
-                   (face.normal[1] + other_normal[1]) / 2.0, 0.0};
-  const double square = dot(mean, mean);
-  return {mean, face.depth, std::sqrt(std::max(0.0, 1.0 - square) / square)};
-}
-
-// The faces nearest to the particles of a plane body.
-class PlaneFaces {
- public:
-  PlaneFaces(const CoveredShape& region, double spacing) : region_(region), spacing_(spacing) {}
-
-  // Returns the nearest face of a particle; at a corner, which is equally far from two faces, the
-  // one that goes on much farther, along which water is led, or both, whatever the direction of the
-  // body.
-  std::optional<NearestFace> face_of(const Point& point) const {
-    const auto face = region_.nearest(point, 2);
-    if (!face) return face;
-    for (const double side : {-1e-3 * spacing_, 1e-3 * spacing_}) {
-      const auto other = region_.nearest(moved_aside(point, *face, side), 2);
-      if (!other || std::abs(other->depth - face->depth) > 1e-2 * spacing_) continue;
-      if (dot(face->normal, other->normal) > corner_alignment) continue;
-      const double way = length_from_corner(point, *face, other->normal);
-      const double other_way = length_from_corner(point, *other, face->normal);
-      if (std::max(way, other_way) <= 2.0 * std::min(way, other_way))
-        return between(*face, other->normal);
-      return way > other_way ? face : NearestFace{other->normal, face->depth};
-    }
-    return face;
-  }
-
- private:
-  // Returns how far the layer goes along a face, away from a corner where a face of the normal
-  // `beyond` begins: powers of two of the spacing, m.
-  double length_from_corner(const Point& corner, const NearestFace& face,
-                            const Point& beyond) const {
-    const double side = dot(moved_aside({}, face, 1.0), beyond) < 0.0 ? 1.0 : -1.0;
-    double length = spacing_;
-    for (; length < 1e3 * spacing_; length *= 2.0) {
-      const auto there = region_.nearest(moved_aside(corner, face, side * length), 2);
-      if (!there || std::abs(there->depth - face.depth) > 0.1 * spacing_) break;
-      if (dot(there->normal, face.normal) < corner_alignment) break;
-    }
-    return length;
-  }
-
-  const CoveredShape& region_;
-  double spacing_;
-};
 
 class PlaneLayers {
  public:
@@ -194,10 +144,9 @@ class PlaneLayers {
 std::vector<std::optional<NearestFace>> nearest_faces(const SurfaceLayers& layers, int dimension,
                                                       const std::vector<Point>& points) {
   const CoveredShape region = region_of(layers);
-  const PlaneFaces plane(region, layers.body.spacing);
+  const FacesAtEdges faces_at_edges(region, layers.body.spacing, dimension);
   std::vector<std::optional<NearestFace>> faces;
-  for (const Point& point : points)
-    faces.push_back(dimension == 2 ? plane.face_of(point) : region.nearest(point, dimension));
+  for (const Point& point : points) faces.push_back(faces_at_edges.face_of(point));
   return faces;
 }
 

@@ -42,10 +42,10 @@ namespace kerf {
   PAIRED(RealVector, face_normal, RealVector::from(start.face_normal), smooth_walls, hidden)       \
   /* 1, of a wall particle: of the face nearest to it; of fluid: of the smooth wall beside it */   \
   PAIRED(Real, face_depth, start.face_depth, smooth_walls, hidden) /* m, of a wall particle */     \
-  PAIRED(Real, face_corner, start.face_corner, smooth_walls, hidden) /* 1, fluid/seen_face.hpp */  \
+  PAIRED(RealVector, face_corner, RealVector::from(start.face_corner), smooth_walls, hidden) /* 1, fluid/seen_face.hpp */  \
   PAIRED(Real, face_growth, 0, smooth_walls, hidden) /* 1, of its width along the surface */      \
-  STATE(RealVector, face_at_rest, RealVector::from(start.face()), smooth_walls, hidden)            \
-  /* 1/m, normal over depth before a solid is deformed (standard/turn_faces.hpp) */                \
+  STATE(RealVector, face_at_rest, RealVector::from(start.face()), smooth_walls, hidden) /* 1/m, normal over depth, */ \
+  STATE(RealVector, corner_at_rest, RealVector::from(start.face_corner), smooth_walls, hidden) /* before a solid deforms */ \
   PAIRED(Real, wall_force_excess, 0, smooth_walls, hidden) /* 1, of fluid beside a smooth wall: */ \
   STATE(Real, wall_volume_excess, 0, smooth_walls, hidden) /* 1, fluid/smooth_wall.hpp */          \
   PAIRED(Real, wall_room, 0, smooth_walls, hidden)         /* 1 */                                 \

@@ -25,7 +25,7 @@ struct NewParticle {
   std::uint32_t inlet_column = 0;  // of its nozzle, of jet water
   Point face_normal{};             // outward normal of the face nearest to a particle of a wall
   double face_depth = 0.0;         // m, of the particle below that face
-  double face_corner = 0.0;        // 1, of a particle between two faces (geometry/nearest_face.hpp)
+  Point face_corner{};             // 1, of a particle between two faces (geometry/nearest_face.hpp)
   std::uint32_t id = 0;            // given when it joins
   std::uint16_t source = 0;        // number of its medium (simulation/media_order.hpp)
   std::uint8_t flags = 0;

@@ -133,7 +133,8 @@ struct MarkDetached {
     const double stored = energy_by_density(particles, i, double(before));
     const Real by_density = pressure_by_density(particles, i, before);
     particles.fractured[i] = 1;
-    if (particles.face_normal != nullptr) particles.face_normal[i] = Vector<D, Real>::zero();
+    if (particles.face_normal != nullptr)
+      particles.face_normal[i] = particles.face_corner[i] = Vector<D, Real>::zero();
     const Real compression = compression_with(s, medium, by_density, stored + by_bonds);
     const double taken = energy_at(medium, double(compression)) - stored;
     particles.compression[i] = particles.start_compression[i] = compression;

@@ -32,19 +32,35 @@ struct TurnFaces {
     if (i == no_index || particles.fractured[i]) return;
     const auto& at_rest = particles.face_at_rest[i];
     if (!(dot(at_rest, at_rest) > Real(0))) return;
-    particles.face_normal[i] = Vector<D, Real>::zero();
+    particles.face_normal[i] = particles.face_corner[i] = Vector<D, Real>::zero();
     if ((damaged != nullptr ? damaged[s] : IsDamaged<D, P>{solid}(s)) > Real(0)) return;
     const Matrix<D, Real>& h = gradient != nullptr ? gradient[s] : solid.gradient[s];
     const Real volume = determinant(identity<D, Real>() + h);
     if (!(volume > Real(least_volume))) return;
     const auto turned = cofactor(h) * Vector<D, double>::from(at_rest);
     const auto face = Vector<D, Real>::from((1.0 / double(volume)) * turned);
-    // The normal between two faces is shorter than 1; the angle between them is kept.
-    const Real corner = particles.face_corner[i];
-    particles.face_depth[i] = Real(1) / (std::sqrt(Real(1) + corner * corner) * norm(face));
+    const auto& corner = particles.corner_at_rest[i];
+    const Real square = dot(corner, corner);
+    particles.face_depth[i] = std::sqrt(Real(1) - square) / norm(face);
     particles.face_normal[i] = particles.face_depth[i] * face;
+    if (square > Real(0)) particles.face_corner[i] = turned_corner(cofactor(h), corner, turned);
     const double area = norm(turned) / double(norm(at_rest));
     particles.face_growth[i] = static_cast<Real>((D == 2 ? area : std::sqrt(area)) - 1.0);
+  }
+
+ private:
+  // The normals n + c and n - c of two faces keep the angle between them: c turns as a normal does,
+  // and stays normal to n.
+  template <class Cofactor>
+  KERF_FUNCTION static Vector<D, Real> turned_corner(const Cofactor& cofactor,
+                                                     const Vector<D, Real>& corner,
+                                                     const Vector<D, double>& normal) {
+    const auto at_rest = Vector<D, double>::from(corner);
+    auto turned = cofactor * at_rest;
+    turned = turned - (dot(turned, normal) / dot(normal, normal)) * normal;
+    const double length = norm(turned);
+    if (!(length > 0.0)) return Vector<D, Real>::zero();
+    return Vector<D, Real>::from((norm(at_rest) / length) * turned);
   }
 };
 

@@ -3,6 +3,7 @@
 // is computed. Without a jet they are the same to the last bit.
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include "engine/device.hpp"
 #include "support/farthest.hpp"
@@ -51,6 +52,12 @@ struct BarCase {
   bool mirrored;
   bool nearly_incompressible;
   double failure_strain;
+
+  friend void PrintTo(const BarCase& of, std::ostream* out) {
+    *out << of.dimension << "D" << (of.mirrored ? ", mirrored" : "")
+         << (of.nearly_incompressible ? ", nearly incompressible" : "") << ", failure strain "
+         << of.failure_strain;
+  }
 };
 
 class StruckBar : public testing::TestWithParam<BarCase> {};
@@ -128,7 +135,10 @@ TEST_P(LateDriver, MovesABarAsIfItHadNotSlept) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Drivers, LateDriver, testing::Values(Role::rigid, Role::elastic));
+INSTANTIATE_TEST_SUITE_P(Drivers, LateDriver, testing::Values(Role::rigid, Role::elastic),
+                         [](const auto& of) {
+                           return std::string(of.param == Role::rigid ? "Rigid" : "Elastic");
+                         });
 
 TEST(Sleep, SolidUnderGravityDoesNotSleep) {
   Case c = struck_bar(2, PrecisionKind::mixed, 0.0);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The dent is the loss of thickness under the jet, whatever the motion of the workpiece.
+#include <ostream>
+
 #include "kerf_layout.hpp"
 
 namespace kerf {
@@ -11,6 +13,10 @@ struct DentLayout {
   int dimension;
   double angle;          // rad, of the jet
   bool is_block_tilted;  // with the jet
+
+  friend void PrintTo(const DentLayout& of, std::ostream* out) {
+    *out << of.dimension << "D at " << of.angle << " rad" << (of.is_block_tilted ? ", tilted" : "");
+  }
 };
 
 class DentOfABlock : public testing::TestWithParam<DentLayout> {

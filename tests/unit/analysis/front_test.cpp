@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <ostream>
+
 #include <gtest/gtest.h>
 
 #include "analysis/cut.hpp"
@@ -13,6 +15,10 @@ struct Layout {
   int dimension;
   double angle;    // rad
   double breadth;  // m, of the water in the kerf
+
+  friend void PrintTo(const Layout& of, std::ostream* out) {
+    *out << of.dimension << "D at " << of.angle << " rad, " << of.breadth << " m";
+  }
 };
 
 class WaterFront : public testing::TestWithParam<Layout> {

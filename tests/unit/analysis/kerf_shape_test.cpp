@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <ostream>
+
 #include "kerf_layout.hpp"
 
 namespace kerf {
@@ -9,6 +11,10 @@ using namespace layout;
 struct View {
   int dimension;
   double angle;  // rad
+
+  friend void PrintTo(const View& of, std::ostream* out) {
+    *out << of.dimension << "D at " << of.angle << " rad";
+  }
 };
 
 class KerfOf : public testing::TestWithParam<View> {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kerfs of a moving nozzle.
+#include <ostream>
+
 #include "kerf_layout.hpp"
 
 namespace kerf {
@@ -19,6 +21,10 @@ double lag_of(const Kerf& kerf) {
 struct Way {
   double angle = 0.0;  // rad
   bool is_turned = false;
+
+  friend void PrintTo(const Way& of, std::ostream* out) {
+    *out << of.angle << " rad" << (of.is_turned ? ", turned" : "");
+  }
 };
 
 class TraversedKerf : public testing::TestWithParam<Way> {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A jet that leans across a symmetry plane enters the workpiece where it enters the whole one.
+#include <ostream>
+
 #include <gtest/gtest.h>
 
 #include "analysis/workpiece.hpp"
@@ -15,6 +17,11 @@ struct Lean {
   double angle;   // rad
   double beside;  // m, of the aimed point from the plane
   bool is_right;  // the side of the plane that is simulated
+
+  friend void PrintTo(const Lean& of, std::ostream* out) {
+    *out << of.dimension << "D at " << of.angle << " rad, " << of.beside << " m beside, "
+         << (of.is_right ? "right" : "left");
+  }
 };
 
 // A block of which a half, right or left of x = 0, or all is simulated.

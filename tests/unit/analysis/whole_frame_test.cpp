@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Half and quarter of a workpiece beside symmetry planes have the metrics of the whole one.
+#include <ostream>
+
 #include "analysis/whole_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -144,6 +146,10 @@ struct Plate {
     std::vector<std::uint8_t> result;
     for (std::size_t n = 0; n < rows.size(); ++n) result.push_back(planes[part.body_piece[n]]);
     return result;
+  }
+
+  friend void PrintTo(const Plate& of, std::ostream* out) {
+    *out << of.dimension << "D, a hole of " << of.depth << " m";
   }
 };
 

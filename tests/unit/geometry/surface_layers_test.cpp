@@ -99,42 +99,6 @@ TEST(SurfaceLayers, LieAtHalfOddSpacingsBelowTheFace) {
   }
 }
 
-// The particle on the bisector of an apex belongs to both faces, whatever their order and the angle
-// of the body; that at the end of a plate to the long one.
-TEST(SurfaceLayers, TheApexOfAWedgeHasBothFaces) {
-  const auto face_at = [](const Shape& shape, const Point& apex) {
-    const Layout layout = lay(rigid(shape), 2);
-    std::size_t nearest = 0;
-    for (std::size_t i = 0; i < layout.points.size(); ++i)
-      if (plane_distance(layout.points[i], apex) < plane_distance(layout.points[nearest], apex))
-        nearest = i;
-    return *layout.faces[nearest];
-  };
-  for (const auto& [left, right] : {std::pair{0.4, 0.4}, {0.5, 0.9}, {0.9, 0.5}, {0.3, 1.1}})
-    for (const double turn : {0.0, 0.7, 2.5}) {
-      Shape wedge;
-      wedge.kind = Shape::Kind::polygon;
-      wedge.vertices = {{0.0, 0.0},
-                        {20e-3 * std::sin(turn + right), -20e-3 * std::cos(turn + right)},
-                        {20e-3 * std::sin(turn - left), -20e-3 * std::cos(turn - left)}};
-      const NearestFace face = face_at(wedge, {});
-      const double x = face.normal[0], y = face.normal[1];
-      EXPECT_NEAR(face.depth, 0.5 * wall_spacing, 1e-3 * wall_spacing);
-      // The distances of n + c and n - c from the normal of the right face, and from that of the
-      // left.
-      const auto unlike = [&](double sign, double side, double angle) {
-        const double c = sign * face.corner;
-        return std::hypot(x - c * y - side * std::cos(angle), y + c * x - side * std::sin(angle));
-      };
-      for (const double sign : {1.0, -1.0})
-        EXPECT_LT(std::min(unlike(sign, 1.0, turn + right), unlike(sign, -1.0, turn - left)), 1e-6)
-            << left << ' ' << right << ' ' << turn;
-      EXPECT_NEAR(face.corner, std::tan(std::numbers::pi / 2.0 - (left + right) / 2.0), 1e-6);
-    }
-  const NearestFace end = face_at(turned_plate(60e-3, 6e-3, 0.4), {30e-3, 3e-3});
-  EXPECT_EQ(end.corner, 0.0);
-}
-
 // Layers go round the corner of a vessel, and end where another body covers the surface.
 TEST(SurfaceLayers, AVesselInLineWithItsLatticeStaysAsItIs) {
   const Body body = rigid(

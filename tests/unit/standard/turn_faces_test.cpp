@@ -19,14 +19,16 @@ class OneFace {
  public:
   using Real = typename P::Real;
 
-  OneFace(const Vector3& normal, double depth, double corner = 0.0) {
+  OneFace(const Vector3& normal, double depth, const Vector3& corner = Vector3::Zero()) {
     particles_.groups = {};
     const std::vector<Medium<double>> media{mixture_solid(1e-3, D, 0)};
     to_device(std::vector<Medium<Real>>{Medium<Real>::from(media[0])}, particles_.media);
     NewParticle particle;
-    for (int a = 0; a < D; ++a) particle.face_normal[static_cast<std::size_t>(a)] = normal[a];
+    for (int a = 0; a < D; ++a) {
+      particle.face_normal[static_cast<std::size_t>(a)] = normal[a];
+      particle.face_corner[static_cast<std::size_t>(a)] = corner[a];
+    }
     particle.face_depth = depth;
-    particle.face_corner = corner;
     particles_.append({particle}, media);
   }
   void turn(const Matrix3& gradient, bool is_damaged = false) {
@@ -123,26 +125,34 @@ TYPED_TEST(FacesOfSolids, EndWithDamageAndCollapse) {
 
 // A particle between two faces, whose body turns and swells: water on either side of it sees the
 // face of its side, and water on the bisector none.
-TEST(CornerOfASolid, TurnsWithTheBody) {
-  constexpr double depth = 4e-4, half = 0.6, middle = 0.9, turn = 2.1, growth = 1.2;  // half: rad
-  const auto at = [](double angle) { return Vector3(std::cos(angle), std::sin(angle), 0.0); };
-  OneFace<2, Double> face(std::cos(half) * at(middle), depth, std::tan(half));
-  Matrix3 gradient = Matrix3::Identity();
-  gradient.topLeftCorner<2, 2>() = growth * Eigen::Rotation2Dd(turn).toRotationMatrix();
-  const auto seen_from = [&](double angle) {
-    const auto view = face.particles().view();
-    return as_eigen(seen_face(view, 0, Vector<2, double>(view.face_normal[0]),
-                              Vector<2, double>{1e-3 * std::cos(angle), 1e-3 * std::sin(angle)}));
+TYPED_TEST(FacesOfSolids, OfACornerTurnWithTheBody) {
+  constexpr int D = TypeParam::D;
+  using P = typename TypeParam::P;
+  using Real = typename TypeParam::P::Real;
+  constexpr double depth = 4e-4, growth = 1.2;  // m, 1
+  const double rounding = std::is_same_v<Real, float> ? 1e-6 : 1e-12;
+  const Vector3 axis = D == 2 ? Vector3(0, 0, 1) : Vector3(1, 2, -1).normalized();
+  const Matrix3 turned = Eigen::AngleAxisd(2.1, axis).toRotationMatrix();
+  const Vector3 one(std::cos(0.3), std::sin(0.3), 0.0), other(std::cos(1.5), std::sin(1.5), 0.0);
+  OneFace<D, P> face((one + other) / 2.0, depth, (one - other) / 2.0);
+  const auto seen_from = [&](const Vector3& place) {
+    Vector<D, Real> separation;
+    for (int a = 0; a < D; ++a) separation[a] = Real(1e-3 * place[a]);
+    return as_eigen(Vector<D, double>::from(seen_face(face.particles().view(), 0, separation)));
   };
-  for (const double turned : {0.0, turn}) {
-    if (turned > 0.0) face.turn(gradient);
-    for (const double aside : {0.01, 0.4, 1.5}) {
-      EXPECT_LE((seen_from(turned + middle + aside) - at(turned + middle + half)).norm(), 1e-12);
-      EXPECT_LE((seen_from(turned + middle - aside) - at(turned + middle - half)).norm(), 1e-12);
+  for (const Matrix3& by : {Matrix3(Matrix3::Identity()), turned}) {
+    if (!by.isIdentity()) face.turn(growth * by);
+    for (const double nearer : {0.51, 0.6, 0.9}) {
+      const Vector3 place = by * (nearer * one + (1.0 - nearer) * other);
+      EXPECT_LE((seen_from(place) - by * one).norm(), rounding);
+      const Vector3 beside = by * ((1.0 - nearer) * one + nearer * other);
+      EXPECT_LE((seen_from(beside) - by * other).norm(), rounding);
     }
-    EXPECT_EQ(seen_from(turned + middle).norm(), 0.0);
-    EXPECT_NEAR(face.depth(), turned > 0.0 ? growth * depth : depth, 1e-15);
+    EXPECT_EQ(seen_from(by * (one + other)).norm(), 0.0);
+    EXPECT_NEAR(face.depth(), by.isIdentity() ? depth : growth * depth, rounding * depth);
   }
+  face.turn(Matrix3::Identity(), true);
+  EXPECT_EQ(seen_from(one).norm(), 0.0);
 }
 
 }  // namespace

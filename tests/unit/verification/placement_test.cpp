@@ -18,6 +18,13 @@
 #include "support/flight.hpp"
 #include "verification/verify.hpp"
 
+namespace kerf {
+// Names of the tests.
+static void PrintTo(const Placement& placement, std::ostream* out) {
+  *out << placement.text();
+}
+}  // namespace kerf
+
 namespace kerf::test::placement_test {
 namespace {
 
