@@ -8,7 +8,8 @@ check applies to the types of src/, of tests/support/ and of each folder of test
 namespaces separate the names of the files of src/; specialisations and declarations do not count.
 
 The files of a test folder may be compiled as one (UNITY_BUILD in tests/CMakeLists.txt), which joins
-their anonymous namespaces. So the types, functions and variables in these differ too.
+their anonymous namespaces. So the types, functions and variables in these differ too; operators do by what
+they take.
 """
 import collections
 import itertools
@@ -48,7 +49,7 @@ def name_of(entry: dict) -> str:
     name, kind, scope = entry["name"], entry["kind"], entry.get("scope", "")
     around = {"namespace"} | TYPES if kind in TYPES else {"namespace"}
     is_macro = kind == "function" and name.isupper()  # such as TEST of GoogleTest
-    if name.startswith("__anon") or is_macro or entry.get("scopeKind", "namespace") not in around:
+    if name.startswith(("__anon", "operator ")) or is_macro or entry.get("scopeKind", "namespace") not in around:
         return ""
     if "specialization" in entry:
         return ""

@@ -53,10 +53,10 @@ struct BarCase {
   bool nearly_incompressible;
   double failure_strain;
 
-  friend void PrintTo(const BarCase& of, std::ostream* out) {
-    *out << of.dimension << "D" << (of.mirrored ? ", mirrored" : "")
-         << (of.nearly_incompressible ? ", nearly incompressible" : "") << ", failure strain "
-         << of.failure_strain;
+  friend std::ostream& operator<<(std::ostream& out, const BarCase& of) {
+    return out << of.dimension << "D" << (of.mirrored ? ", mirrored" : "")
+               << (of.nearly_incompressible ? ", nearly incompressible" : "") << ", failure strain "
+               << of.failure_strain;
   }
 };
 

@@ -14,8 +14,9 @@ struct DentLayout {
   double angle;          // rad, of the jet
   bool is_block_tilted;  // with the jet
 
-  friend void PrintTo(const DentLayout& of, std::ostream* out) {
-    *out << of.dimension << "D at " << of.angle << " rad" << (of.is_block_tilted ? ", tilted" : "");
+  friend std::ostream& operator<<(std::ostream& out, const DentLayout& of) {
+    return out << of.dimension << "D at " << of.angle << " rad"
+               << (of.is_block_tilted ? ", tilted" : "");
   }
 };
 

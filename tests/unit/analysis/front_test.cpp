@@ -16,8 +16,8 @@ struct Layout {
   double angle;    // rad
   double breadth;  // m, of the water in the kerf
 
-  friend void PrintTo(const Layout& of, std::ostream* out) {
-    *out << of.dimension << "D at " << of.angle << " rad, " << of.breadth << " m";
+  friend std::ostream& operator<<(std::ostream& out, const Layout& of) {
+    return out << of.dimension << "D at " << of.angle << " rad, " << of.breadth << " m";
   }
 };
 

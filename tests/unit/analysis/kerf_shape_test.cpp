@@ -12,8 +12,8 @@ struct View {
   int dimension;
   double angle;  // rad
 
-  friend void PrintTo(const View& of, std::ostream* out) {
-    *out << of.dimension << "D at " << of.angle << " rad";
+  friend std::ostream& operator<<(std::ostream& out, const View& of) {
+    return out << of.dimension << "D at " << of.angle << " rad";
   }
 };
 

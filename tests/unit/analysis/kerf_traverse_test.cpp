@@ -22,8 +22,8 @@ struct Way {
   double angle = 0.0;  // rad
   bool is_turned = false;
 
-  friend void PrintTo(const Way& of, std::ostream* out) {
-    *out << of.angle << " rad" << (of.is_turned ? ", turned" : "");
+  friend std::ostream& operator<<(std::ostream& out, const Way& of) {
+    return out << of.angle << " rad" << (of.is_turned ? ", turned" : "");
   }
 };
 

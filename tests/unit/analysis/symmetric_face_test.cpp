@@ -18,9 +18,9 @@ struct Lean {
   double beside;  // m, of the aimed point from the plane
   bool is_right;  // the side of the plane that is simulated
 
-  friend void PrintTo(const Lean& of, std::ostream* out) {
-    *out << of.dimension << "D at " << of.angle << " rad, " << of.beside << " m beside, "
-         << (of.is_right ? "right" : "left");
+  friend std::ostream& operator<<(std::ostream& out, const Lean& of) {
+    return out << of.dimension << "D at " << of.angle << " rad, " << of.beside << " m beside, "
+               << (of.is_right ? "right" : "left");
   }
 };
 

@@ -148,8 +148,8 @@ struct Plate {
     return result;
   }
 
-  friend void PrintTo(const Plate& of, std::ostream* out) {
-    *out << of.dimension << "D, a hole of " << of.depth << " m";
+  friend std::ostream& operator<<(std::ostream& out, const Plate& of) {
+    return out << of.dimension << "D, a hole of " << of.depth << " m";
   }
 };
 
