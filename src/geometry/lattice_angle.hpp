@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "geometry/symmetry_planes.hpp"
 #include "model/body.hpp"
 
 namespace kerf {
@@ -21,10 +22,6 @@ double angle_of_faces(const Shape& shape);
 // another one has the angle of that one. Lattices of bodies that
 // reach one of the `planes` of symmetry of the domain are along the axes, in line with their mirror
 // image.
-struct SymmetryPlanes {
-  Faces planes;
-  Box domain;
-};
 void orient_lattices(const std::vector<Body*>& bodies, const SymmetryPlanes& symmetry,
                      int dimension);
 

@@ -211,7 +211,9 @@ void read_grading(Draft& draft, Section& section, Body& body) {
 void find_spacing(const Draft& draft, Section& section, Body& body) {
   if (section.has("spacing")) return;
   body.spacing = finest_jet_spacing(draft);
-  if (body.spacing == 0.0)
+  const Problems& problems = draft.reading.problems;
+  const bool has_jet = problems.is_written("machine") || problems.is_written("jet");
+  if (body.spacing == 0.0 && !(has_jet && problems.any()))  // one that failed has no spacing
     section.refuse("spacing", "the key is missing", "Add it: there is no jet to take it from");
 }
 

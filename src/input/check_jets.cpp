@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/beside_jet.hpp"
 #include "geometry/jet_direction.hpp"
@@ -41,20 +42,55 @@ Point along(const Point& start, const Point& direction, double distance) {
   return point;
 }
 
-// Tests points along a few columns of the jet, half a spacing apart, up to the end of the domain.
+// A part of a straight line, by distances from its start, m.
+struct LinePart {
+  double begin, end;
+};
+
+// Returns the part of the line that lies in the box; its end is before its begin if none does.
+LinePart part_within(const Box& box, const Point& start, const Point& direction, int dimension) {
+  LinePart part{0.0, std::numeric_limits<double>::infinity()};
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+    const double slack = 1e-9 * (box.maximum[a] - box.minimum[a]);
+    const double low = box.minimum[a] - slack - start[a], high = box.maximum[a] + slack - start[a];
+    if (std::abs(direction[a]) < 1e-12) {
+      if (low > 0.0 || high < 0.0) return {0.0, -1.0};
+      continue;
+    }
+    part.begin = std::max(part.begin, std::min(low / direction[a], high / direction[a]));
+    part.end = std::min(part.end, std::max(low / direction[a], high / direction[a]));
+  }
+  return part;
+}
+
+// Tests points along a line in the box around a body, half a spacing apart: however large the
+// domain is, they do not step over the body.
+bool meets(const Body& body, const Point& start, const Point& direction, double length,
+           int dimension) {
+  constexpr double most_steps = 1e5;
+  LinePart part = part_within(bounding_box(body.shape, dimension), start, direction, dimension);
+  part.end = std::min(part.end, length);
+  const double way = part.end - part.begin;
+  if (way < 0.0) return false;
+  const double steps = std::clamp(std::ceil(way / (0.5 * body.spacing)), 1.0, most_steps);
+  for (double step = 0.0; step <= steps; ++step)
+    if (contains(body.shape, along(start, direction, part.begin + step / steps * way), dimension))
+      return true;
+  return false;
+}
+
+// Tests a few columns of the jet, up to the end of the domain.
 bool hits_a_body(const Case& description, const Nozzle& nozzle,
                  const std::vector<InletParticle>& water) {
-  constexpr double most_steps = 1e5;
   constexpr std::size_t most_columns = 50;
-  double step = 1e300, length = 0.0;
-  for (const Body& body : description.bodies) step = std::min(step, 0.5 * body.spacing);
+  double length = 0.0;
   for (std::size_t a = 0; a < 3; ++a)
     length += description.domain.maximum[a] - description.domain.minimum[a];
-  step = std::max(step, length / most_steps);
   const std::size_t stride = std::max<std::size_t>(1, water.size() / most_columns);
   for (std::size_t i = 0; i < water.size(); i += stride)
-    for (double distance = 0.0; distance <= length; distance += step)
-      if (body_at(description, along(water[i].position, nozzle.direction(), distance))) return true;
+    for (const Body& body : description.bodies)
+      if (meets(body, water[i].position, nozzle.direction(), length, description.dimension))
+        return true;
   return false;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -38,18 +39,37 @@ const toml::node* Section::node(const Key& key) {
   done_.emplace(key.name);
   if (const toml::node* found = table_.get(key.name)) return found;
   if (key.required() && key.applies_under(conditions_))
-    refuse(key.name, "the key is missing", fmt::format("Add it: {}", key.sentence));
+    fail(key.name, "the key is missing", fmt::format("Add it: {}", key.sentence));
   return nullptr;
 }
 
 void Section::refuse(std::string_view name, const std::string& what, const std::string& remedy,
                      std::optional<std::string> allowed) {
+  if (unreadable_.contains(name)) return;
   reading_.problems.add({path(name), what, allowed ? *allowed : allowed_text(key(name)), remedy});
 }
 
+void Section::fail(std::string_view name, const std::string& what, const std::string& remedy) {
+  reading_.problems.add({path(name), what, allowed_text(key(name)), remedy});
+  unreadable_.emplace(name);
+}
+
+// Refuses a value of a key that holds numbers.
+void Section::no_number(const Key& key, const toml::node& node, const std::string& where) {
+  const auto text = node.value_exact<std::string>();
+  if (!text) return wrong_type(key, where);
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  const bool is_number =
+      error == std::errc() && rest == text->data() + text->size() && std::isfinite(value);
+  fail(key.name, where + "this is a text, not a number",
+       is_number ? fmt::format("Write {} without quotes", *text)
+                 : "Write a bare number, without quotes and unit");
+}
+
 void Section::wrong_type(const Key& key, const std::string& where) {
-  refuse(key.name, where + "this is not what the key holds",
-         fmt::format("Write {}", allowed_text(key)));
+  fail(key.name, where + "this is not what the key holds",
+       fmt::format("Write {}", allowed_text(key)));
 }
 
 double Section::entry(const Key& key, const toml::node& node, const std::string& where) {
@@ -57,24 +77,24 @@ double Section::entry(const Key& key, const toml::node& node, const std::string&
   if (key.unit.empty()) {
     if (key.may_be_none() && node.value_exact<std::string>() == "none")
       return std::numeric_limits<double>::infinity();
-    if (!node.is_number()) return wrong_type(key, where), value;
+    if (!node.is_number()) return no_number(key, node, where), value;
     value = *node.value<double>();
   } else {
     const std::string unit(key.unit);
     const auto written = node.value_exact<std::string>();
     const std::string remedy = fmt::format("Write a text such as \"{}\"", example_of(unit));
     if (!written && node.is_number())
-      return refuse(key.name, where + "a unit is missing", remedy), value;
+      return fail(key.name, where + "a unit is missing", remedy), value;
     if (!written) return wrong_type(key, where), value;
     if (key.may_be_none() && *written == "none") return std::numeric_limits<double>::infinity();
     const Quantity quantity = read_quantity(*written, unit);
-    if (!quantity.problem.empty()) return refuse(key.name, where + quantity.problem, remedy), value;
+    if (!quantity.problem.empty()) return fail(key.name, where + quantity.problem, remedy), value;
     value = quantity.value;
   }
   if (!std::isfinite(value))
-    refuse(key.name, where + "the number is not finite", "Write a finite number");
+    fail(key.name, where + "the number is not finite", "Write a finite number");
   else if (!in_range(key, value))
-    refuse(key.name, where + "the value is out of range", "Choose a value in the range");
+    fail(key.name, where + "the value is out of range", "Choose a value in the range");
   return value;
 }
 
@@ -93,9 +113,9 @@ std::int64_t Section::integer(const Key& key) {
   const toml::node* value = node(key);
   if (!value) return static_cast<std::int64_t>(standard_number(key));
   const auto whole = value->value_exact<std::int64_t>();
-  if (!whole) return wrong_type(key, {}), 0;
+  if (!whole) return no_number(key, *value, {}), 0;
   if (in_range(key, static_cast<double>(*whole))) return *whole;
-  refuse(key.name, "the value is out of range", "Choose a value in the range");
+  fail(key.name, "the value is out of range", "Choose a value in the range");
   return 0;
 }
 
@@ -118,7 +138,7 @@ std::string Section::text(const Key& key) {
   const auto written = value->value_exact<std::string>();
   if (!written) return wrong_type(key, {}), std::string();
   if (key.kind == ValueKind::name && !is_name(*written))
-    refuse(key.name, "this is not a name", "Choose another name");
+    fail(key.name, "this is not a name", "Choose another name");
   return *written;
 }
 
@@ -137,8 +157,8 @@ std::size_t Section::word_position(const Key& key) {
   if (found != key.choices.end()) return static_cast<std::size_t>(found - key.choices.begin());
   if (const toml::node* value = table_.get(key.name); value && value->is_string()) {
     const std::string guess = closest(written, {key.choices.begin(), key.choices.end()});
-    refuse(key.name, "the word is unknown",
-           guess.empty() ? "Choose one of these" : fmt::format("Did you mean \"{}\"?", guess));
+    fail(key.name, "the word is unknown",
+         guess.empty() ? "Choose one of these" : fmt::format("Did you mean \"{}\"?", guess));
   }
   return 0;
 }
@@ -158,9 +178,8 @@ Point Section::vector(const Key& key) {
   }
   const toml::array* list = value->as_array();
   if (!list || list->size() != dimension) {
-    refuse(key.name,
-           fmt::format("a {0}D case needs a list of {0} entries here", reading_.dimension),
-           "Write one entry for each dimension");
+    fail(key.name, fmt::format("a {0}D case needs a list of {0} entries here", reading_.dimension),
+         "Write one entry for each dimension");
     return result;
   }
   for (std::size_t a = 0; a < list->size(); ++a)

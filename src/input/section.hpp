@@ -80,7 +80,8 @@ class Section {
   // Accepts that a required key is missing in this table, because another problem covers it.
   void excuse(std::string_view name) { done_.emplace(name); }
 
-  // Records a problem of the key `name`; `allowed` is by default the text of the schema.
+  // Records a problem of the key `name`; `allowed` is by default the text of the schema. Of a key
+  // that could not be read this says nothing: what stands in its place is not of the file.
   void refuse(std::string_view name, const std::string& what, const std::string& remedy,
               std::optional<std::string> allowed = {});
   // Records unknown keys, and keys that do not apply here, as problems. It must be called after all
@@ -107,7 +108,10 @@ class Section {
   std::array<std::string, 3> expressions(const Key& key);
   std::string expression(const Key& key);
   Faces faces(const Key& key);
+  // Records that a key could not be read.
+  void fail(std::string_view name, const std::string& what, const std::string& remedy);
   void wrong_type(const Key& key, const std::string& where);
+  void no_number(const Key& key, const toml::node& node, const std::string& where);
   std::string checked_expression(const Key& key, const toml::node& node);
 
   Reading& reading_;
@@ -115,7 +119,8 @@ class Section {
   std::string section_;
   std::string path_;
   std::set<std::string> conditions_;
-  std::set<std::string, std::less<>> done_;  // keys that were read
+  std::set<std::string, std::less<>> done_;        // keys that were read
+  std::set<std::string, std::less<>> unreadable_;  // those that failed
 };
 
 // Returns a value of the file as one short line, for messages.

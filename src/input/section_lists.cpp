@@ -52,8 +52,8 @@ std::vector<double> Section::quantities(const Key& key) {
   for (std::size_t i = 0; i < list->size(); ++i) {
     result.push_back(entry(key, (*list)[i], fmt::format("entry {}: ", i + 1)));
     if (i == 0 || result[i] > result[i - 1]) continue;
-    refuse(key.name, fmt::format("entry {} is not greater than the one before", i + 1),
-           "Put the entries in rising order, each once");
+    fail(key.name, fmt::format("entry {} is not greater than the one before", i + 1),
+         "Put the entries in rising order, each once");
     return result;
   }
   return result;
@@ -80,7 +80,7 @@ std::string Section::checked_expression(const Key& key, const toml::node& node) 
   try {
     const Expression checked(*written, {key.choices.begin(), key.choices.end()});
   } catch (const UserError& error) {
-    refuse(key.name, error.what(), "Correct the formula");
+    fail(key.name, error.what(), "Correct the formula");
   }
   return *written;
 }
@@ -111,7 +111,7 @@ Faces Section::faces(const Key& key) {
     const auto word = (*list)[i].value_exact<std::string>();
     const auto found = std::find(key.choices.begin(), key.choices.end(), word.value_or(""));
     if (found == key.choices.end()) {
-      refuse(key.name, fmt::format("entry {} is not such a side", i + 1), "Correct the entry");
+      fail(key.name, fmt::format("entry {} is not such a side", i + 1), "Correct the entry");
       return result;
     }
     const auto side = static_cast<std::size_t>(found - key.choices.begin());

@@ -33,7 +33,7 @@ double Balance::momentum_error() const {
   const double scale =
       std::max({length(momentum_initial), length(momentum_now), length(momentum_in),
                 length(impulse_gravity), length(impulse_rigid), length(impulse_constraint),
-                length(impulse_load), momentum_scale, load_scale});
+                length(impulse_load), momentum_scale, load_scale, constraint_scale});
   return scale > 0.0 ? length(gap) / scale : 0.0;
 }
 

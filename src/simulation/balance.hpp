@@ -40,8 +40,9 @@ struct KERF_PUBLIC Balance {
   std::array<double, 3> impulse_water{};       // of the water on the solids
   std::array<double, 3> force_rigid{};         // N, of the particles on the rigid bodies, last step
   std::array<double, 3> force_water{};         // N, of the water on the solids, last step
-  double momentum_scale = 0.0;  // kg m/s, sum of m |v| now: a scale where momenta cancel
-  double load_scale = 0.0;      // kg m/s, impulse of the loads by their magnitudes, likewise
+  double momentum_scale = 0.0;    // kg m/s, sum of m |v| now: a scale where momenta cancel
+  double load_scale = 0.0;        // kg m/s, impulse of the loads by their magnitudes, likewise
+  double constraint_scale = 0.0;  // kg m/s, impulses of rigid bodies and constraints, likewise
 
   // Energy, J.
   double energy_initial = 0.0;  // kinetic + stored at t = 0
@@ -74,7 +75,7 @@ struct KERF_PUBLIC Balance {
   double stored_solid = 0.0;
 
   double mass_error() const;       // relative to all mass that was ever there
-  double momentum_error() const;   // relative to the largest term, with that of loads by magnitude
+  double momentum_error() const;   // relative to the largest term, also by magnitudes
   double energy_drift() const;     // relative to the energy supplied
   double energy_total() const;     // now, stored + dissipated
   double energy_supplied() const;  // at the start, with the inflow and by positive work

@@ -39,6 +39,7 @@ class BalanceAccumulator {
       balance_.impulse_water[axis] += sum.value[Change::water + a];
       balance_.impulse_gravity[axis] += sum.value[Change::mass] * gravity[a] * dt;
     }
+    balance_.constraint_scale += sum.value[Change::magnitude];
     balance_.work_gravity += sum.value[Change::gravity_work];
     balance_.work_constraint += sum.value[Change::constraint_work];
     balance_.dissipated_artificial += sum.value[Change::artificial];

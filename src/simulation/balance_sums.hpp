@@ -59,7 +59,8 @@ struct StepChange {
     plate = 0,
     constraint = D,
     water = 2 * D,
-    mass = 3 * D,
+    magnitude = 3 * D,  // of the impulses of rigid bodies and constraints
+    mass,
     gravity_work,
     constraint_work,
     artificial,
@@ -91,10 +92,10 @@ struct StepChange {
     if (particles.continuity_loss != nullptr) add_density_losses(i, m, sum);
     const auto moved = particles.position[i] - particles.start_position[i];
     const auto acceleration = Vector<D, double>::from(particles.acceleration[i]);
-    for (int a = 0; a < D; ++a) sum.value[plate + a] += m * dt * double(particles.repulsion[i][a]);
+    add_impulse(plate, m * dt * Vector<D, double>::from(particles.repulsion[i]), sum);
     if (particles.mirrors.faces != 0)
-      for (int a = 0; a < D; ++a)
-        sum.value[constraint + a] += m * dt * double(particles.mirror_acceleration[i][a]);
+      add_impulse(constraint, m * dt * Vector<D, double>::from(particles.mirror_acceleration[i]),
+                  sum);
     sum.value[mass] += m;
     sum.value[gravity_work] += m * dot(gravity, moved);
     sum.value[artificial] += m * artificial_work(i, moved);
@@ -111,13 +112,17 @@ struct StepChange {
     if (!particles.is_constrained(i)) return;
     const auto before = Vector<D, double>::from(particles.start_velocity[i]);
     const auto after = Vector<D, double>::from(particles.velocity[i]);
-    for (int a = 0; a < D; ++a)
-      sum.value[constraint + a] += m * (after[a] - before[a] - dt * acceleration[a]);
+    add_impulse(constraint, m * (after - before - dt * acceleration), sum);
     sum.value[constraint_work] +=
         m * (0.5 * (dot(after, after) - dot(before, before)) - dot(acceleration, moved));
   }
 
  private:
+  KERF_FUNCTION static void add_impulse(Slot first, const Vector<D, double>& impulse,
+                                        Terms<slots>& sum) {
+    for (int a = 0; a < D; ++a) sum.value[first + a] += impulse[a];
+    sum.value[magnitude] += norm(impulse);
+  }
   // What dissipative forces take in the step, J/kg: those of the `standard` formulation are known,
   // artificial terms give their power.
   KERF_FUNCTION double artificial_work(Index i, const Vector<D, double>& moved) const {

@@ -17,15 +17,6 @@ std::size_t body_number(const Case& description, const Load& load) {
   return static_cast<std::size_t>(found - description.bodies.begin());
 }
 
-// Whether the point lies in a symmetry plane or beyond it.
-bool is_at_symmetry(const Case& description, const Point& point, double slack) {
-  for (std::size_t a = 0; a < 3; ++a)
-    if ((description.symmetry.minimum[a] && point[a] < description.domain.minimum[a] + slack) ||
-        (description.symmetry.maximum[a] && point[a] > description.domain.maximum[a] - slack))
-      return true;
-  return false;
-}
-
 Point force_on(const Load& load, const SurfaceElement& element) {
   Point force{};
   for (std::size_t a = 0; a < 3; ++a)
@@ -44,13 +35,12 @@ std::vector<LoadedElement> loaded_elements(const Case& description, const Load& 
   if (load.kind == LoadKind::body_force || number == description.bodies.size()) return elements;
   const Body& body = description.bodies[number];
   const double size = body.spacing / fineness;
-  const auto face =
-      load.region ? surface_elements_within(*load.region, body.shape, description.dimension, size)
-                  : surface_elements(body.shape, description.dimension, size);
-  for (const SurfaceElement& element : face) {
-    if (is_at_symmetry(description, element.position, 0.25 * size)) continue;
+  const SymmetryPlanes planes{description.symmetry, description.domain};
+  const auto face = load.region ? surface_elements_within(*load.region, body.shape,
+                                                          description.dimension, size, planes)
+                                : surface_elements(body.shape, description.dimension, size, planes);
+  for (const SurfaceElement& element : face)
     elements.push_back({element.position, force_on(load, element)});
-  }
   return elements;
 }
 

@@ -168,6 +168,50 @@ TEST(Loads, SumInSpace) {
   EXPECT_NEAR(now.impulse_load[2], 0.0, 1e-5 * force);
 }
 
+// A ball or a disc of 6 spacings cut by symmetry planes through its middle: pressure times the area
+// of a section along each axis. Elements of a quarter of a spacing (2D: a 32nd) are accurate to the
+// square of their angle.
+TEST(Loads, PressureOnACurvedFaceIsTheSameAlongAllPlanes) {
+  for (const int dimension : {2, 3}) {
+    Shape round;
+    round.kind = dimension == 3 ? Shape::Kind::sphere : Shape::Kind::disc;
+    round.radius = 6e-3;
+    Case c = free_body(dimension, PrecisionKind::double_precision, round);
+    c.domain.minimum = {0.0, 0.0, dimension == 3 ? 0.0 : -0.15};
+    c.symmetry.minimum = {true, true, dimension == 3};
+    c.loads = {load_of(LoadKind::pressure, box({-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}))};
+    c.loads[0].pressure = 40.0;
+    const auto simulation = make_simulation(c);
+    simulation->advance();
+    const double section = dimension == 3 ? std::numbers::pi * 36e-6 / 4.0 : 6e-3;
+    const double impulse = 40.0 * section * simulation->last_step().dt;
+    const Balance now = simulation->balance();
+    for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+      EXPECT_NEAR(now.impulse_load[a], -impulse, 4e-4 * impulse) << dimension << ' ' << a;
+    EXPECT_NEAR(now.impulse_load[0], now.impulse_load[1], 1e-5 * impulse) << dimension;
+  }
+}
+
+// Half a disc has no load along its plane.
+TEST(Loads, PressureOnHalfADiscDoesNotMoveItAlongItsPlane) {
+  for (const std::size_t across : {std::size_t(0), std::size_t(1)}) {
+    Shape disc;
+    disc.kind = Shape::Kind::disc;
+    disc.radius = 6.1e-3;
+    Case c = free_body(2, PrecisionKind::double_precision, disc);
+    c.domain.minimum[across] = 0.0;
+    c.symmetry.minimum[across] = true;
+    c.loads = {load_of(LoadKind::pressure, box({-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}))};
+    c.loads[0].pressure = 40.0;
+    const auto simulation = make_simulation(c);
+    simulation->advance();
+    const double impulse = 40.0 * 2.0 * 6.1e-3 * simulation->last_step().dt;
+    const Balance now = simulation->balance();
+    EXPECT_NEAR(now.impulse_load[across], -impulse, 1e-5 * impulse);
+    EXPECT_NEAR(now.impulse_load[1 - across], 0.0, 1e-7 * impulse);
+  }
+}
+
 TEST(Loads, SameBitsAfterRestart) {
   Case c = standard_jet_on_block(2, PrecisionKind::mixed);
   c.loads = {load_of(LoadKind::pressure, box({-0.009, -0.001, 0.0}, {-0.0079, 0.009, 0.0}))};

@@ -39,6 +39,33 @@ Case plate_and_block(const Pushed& of) {
   return c;
 }
 
+// Two plates that squeeze a block between them, or two clamps that pull at it, balance one another:
+// what remains of the momentum is rounding, relative to their impulses by magnitude, which each
+// has.
+TEST(BalancedConstraints, LeaveRoundingOfMomentum) {
+  for (const Role role : {Role::rigid, Role::elastic}) {
+    Case c = empty_case(2, PrecisionKind::double_precision);
+    c.formulation = Formulation::standard;
+    c.smoothing_ratio = 1.3;
+    c.materials[0].failure_strain = 0.0;
+    c.materials[0].artificial_linear = c.materials[0].artificial_quadratic = 0.0;
+    c.bodies = {body("left", role, box({-3e-3, -3e-3, 0.0}, {0.0, 3e-3, 0.0}), 1e-3),
+                body("right", role, box({8e-3, -3e-3, 0.0}, {11e-3, 3e-3, 0.0}), 1e-3),
+                body("block", Role::elastic, box({0.0, -3e-3, 0.0}, {8e-3, 3e-3, 0.0}), 1e-3)};
+    if (role == Role::elastic) c.bodies[0].joined_to = c.bodies[1].joined_to = "block";
+    c.bodies[0].displacement = {"1e-4*min(t/0.01, 1)", "0", "0"};
+    c.bodies[1].displacement = {"-1e-4*min(t/0.01, 1)", "0", "0"};
+    c.time.relax = c.time.end = 0.02;
+    const auto simulation = make_simulation(c);
+    while (!simulation->finished()) simulation->advance();
+    const Balance now = simulation->balance();
+    // E' times the strain, the mean of which is half of the last one while the plates move.
+    const double stress = 1e5 / (1.0 - 0.09) * 2e-4 / 8e-3;
+    EXPECT_NEAR(now.constraint_scale, 2.0 * stress * 6e-3 * 0.015, 0.2 * now.constraint_scale);
+    EXPECT_LT(now.momentum_error(), 1e-11);
+  }
+}
+
 class MovingWalls : public testing::TestWithParam<Pushed> {};
 
 // The work is the force times the displacement of the plate, step by step.

@@ -38,6 +38,18 @@ TEST(RefuseAim, ThroughAGapOrBeside) {
             std::string::npos);
 }
 
+// A jet that aims at a block meets it, however far the domain reaches beyond.
+TEST(RefuseAim, NoJetThatAimsAtABodyInALargeDomain) {
+  for (const std::string size : {"0.1 m", "1e5 m"}) {
+    std::string text = gap_case({"30 mm"});
+    for (const std::string sign : {"-", ""}) {
+      const std::string corner = "[\"" + sign + "0.1 m\"";
+      text.replace(text.find(corner), corner.size(), "[\"" + sign + size + "\"");
+    }
+    EXPECT_EQ(message_of(text), "(no error)") << size;
+  }
+}
+
 // A jet of 1000 km has one particle each 100 km, by default: its breadth is at fault.
 TEST(RefuseAim, OfAJetBetweenWhoseParticlesTheBodiesLie) {
   std::string text = gap_case({"30 mm"});

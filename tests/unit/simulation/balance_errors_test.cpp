@@ -35,6 +35,8 @@ TEST(Balance, MomentumErrorIsRelativeToTheLargestTerm) {
   EXPECT_NEAR(balance.momentum_error(), 0.2 / 4.0, 1e-15);
   balance.load_scale = 10.0;  // loads that balance one another
   EXPECT_NEAR(balance.momentum_error(), 0.2 / 10.0, 1e-15);
+  balance.constraint_scale = 20.0;  // clamps or rigid bodies that do so
+  EXPECT_NEAR(balance.momentum_error(), 0.2 / 20.0, 1e-15);
 }
 
 // Up to twice of what was supplied, and down to half of it; at rest without energy too.

@@ -137,6 +137,7 @@ TEST(BalanceSums, StepAddsImpulsesWorkAndDissipation) {
   const Balance& sum = accumulator.totals();
   EXPECT_NEAR(sum.impulse_gravity[1], -10.0 * 8.0 * dt, 1e-14);
   EXPECT_NEAR(sum.impulse_rigid[1], 2.0 * 2.0 * dt, 1e-15);
+  EXPECT_NEAR(sum.constraint_scale, 2.0 * 2.0 * dt, 1e-15);
   // The water's acceleration is (5, -4), of which (0, -10) is gravity and (0, 2) is due to the
   // wall.
   EXPECT_NEAR(sum.impulse_water[0], -2.0 * 5.0 * dt, 1e-15);
