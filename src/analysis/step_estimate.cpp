@@ -31,6 +31,14 @@ struct Impact {
   double shock = 0.0;
 };
 
+// Returns the largest speed of the water of a case, m/s: it moves along with its nozzle.
+double fastest_water_of(const Case& description, const DerivedNumbers& numbers) {
+  double fastest = numbers.jet_speed;
+  for (const Jet& jet : description.jets)
+    fastest = std::max(fastest, std::hypot(jet.speed, jet.traverse[0], jet.traverse[2]));
+  return fastest;
+}
+
 // The impedances of water and solid determine the shock, V Z_s / (Z_s + Z_w). A solid whose waves
 // are slower than the front of the jet is compacted until it stops the water as a wall does.
 Impact impact_of(const DerivedNumbers& numbers, const MeetingMaterials& meeting) {
@@ -77,7 +85,8 @@ double step_of_joints(const Case& description) {
 double estimated_step(const Case& description, const DerivedNumbers& numbers,
                       const MeetingMaterials& meeting) {
   double step = std::min(description.time.maximum_step, description.time.end);
-  const Impact impact = impact_of(numbers, meeting);
+  Impact impact = impact_of(numbers, meeting);
+  impact.speed = fastest_water_of(description, numbers);
   const auto limit = [&](int material, double spacing) {
     step = std::min(
         step, acoustic_step(description, description.materials[static_cast<std::size_t>(material)],

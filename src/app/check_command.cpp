@@ -16,6 +16,7 @@
 #include "app/checked_case.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
+#include "app/measured_pace.hpp"
 #include "app/run_cost.hpp"
 #include "core/error.hpp"
 #include "engine/device.hpp"
@@ -181,10 +182,11 @@ void print_meshes(const Case& description) {
   }
 }
 
-Pace pace_of(const CheckOptions& options, const CostedCase& costed) {
+Pace pace_of(const CheckOptions& options, const CostedCase& costed, WallClock::time_point since) {
   const int threads = threads_of(options.machine);
-  return options.no_timing ? typical_pace(costed.description, threads)
-                           : measured_pace(costed.description, costed.numbers, threads);
+  return options.no_timing
+             ? typical_pace(costed.description, threads)
+             : measured_pace(costed.description, costed.numbers, threads, limits_of_answer(since));
 }
 
 void print_numbers(const CheckedCase& checked) {
@@ -208,6 +210,7 @@ void print_cost_and_warnings(const CheckedCase& checked) {
 }
 
 void check(const CheckOptions& options) {
+  const auto start = WallClock::now();
   take_machine(options.machine);
   CheckedCase checked = checked_case(case_text(options.file), options.file);
   if (options.ranks > 0 && options.machine.device == Device::gpu)
@@ -217,7 +220,7 @@ void check(const CheckOptions& options) {
                     exit_bad_input);
   if (options.ranks > 0) refuse_unplanned(checked.costed.description, options.file, options.ranks);
   if (!options.json) print_numbers(checked);
-  checked.costed.pace = pace_of(options, checked.costed);
+  checked.costed.pace = pace_of(options, checked.costed, start);
   if (options.ranks > 0)
     checked.ranks = rank_plan(checked.costed, options.ranks, threads_of(options.machine),
                               {1e-6 * options.latency, 1e9 * options.bandwidth});

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/jet_axis.hpp"
 #include "app/check_warnings.hpp"
@@ -22,16 +23,14 @@ namespace {
 
 constexpr double most_bonded = 1e5;  // particles of solids whose bonds are found within a second
 
-// Returns the bodies with loose particles, of cases that are laid out and bonded quickly. A layout
-// that is fitted to the surface has other loose particles than its lattice.
-std::vector<LooseParticles> quick_loose_particles(const Case& description) {
-  double particles = 0.0;
-  for (const Body& body : description.bodies) {
-    if (body.role != Role::elastic) continue;
-    particles += estimate_particles(body, description.dimension, {}).total();
-    if (body.shape.kind == Shape::Kind::mesh) return {};  // whether a point is inside takes long
-  }
-  return particles > most_bonded ? std::vector<LooseParticles>() : loose_particles(description);
+// Whether a body is a box of so many rows of particles that each has neighbours on both sides.
+bool is_thick_box(const Body& body, int dimension) {
+  constexpr double rows = 4.0;
+  if (body.shape.kind != Shape::Kind::box || body.jitter > 0.0) return false;
+  const double coarsest = std::ldexp(body.spacing, body.grading.levels);
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    if (body.shape.box.maximum[a] - body.shape.box.minimum[a] < rows * coarsest) return false;
+  return true;
 }
 
 // Returns a body onto which a jet pushes another: one that reaches deeper along the jet.
@@ -81,17 +80,36 @@ void warn_of_crushing(const Case& description, const Jet& jet, std::vector<std::
 
 }  // namespace
 
-void refuse_unbonded(const Case& description, const std::string& text, const std::string& file) {
-  const auto loose = loose_body(description, quick_loose_particles(description));
+std::vector<LooseParticles> quick_loose_particles(const Case& description) {
+  const bool all_are_thick =
+      std::all_of(description.bodies.begin(), description.bodies.end(), [&](const Body& body) {
+        return body.role != Role::elastic || is_thick_box(body, description.dimension);
+      });
+  if (all_are_thick) return {};
+  // A layout that is fitted to the surface has other loose particles than its lattice.
+  double particles = 0.0;
+  for (const Body& body : description.bodies) {
+    if (body.role != Role::elastic) continue;
+    particles += estimate_particles(body, description.dimension, {}).total();
+    if (body.shape.kind == Shape::Kind::mesh) return {};  // whether a point is inside takes long
+  }
+  return particles > most_bonded ? std::vector<LooseParticles>() : loose_particles(description);
+}
+
+std::vector<LooseParticles> refuse_unbonded(const Case& description, const std::string& text,
+                                            const std::string& file) {
+  std::vector<LooseParticles> found = quick_loose_particles(description);
+  const auto loose = loose_body(description, found);
   if (loose)
     throw UserError(fmt::format("{}:{}: {}.", file, line_of_key(text, loose->key), loose->sentence),
                     exit_bad_input);
+  return found;
 }
 
-std::vector<std::string> solid_warnings(const Case& description) {
+std::vector<std::string> solid_warnings(const Case& description,
+                                        const std::vector<LooseParticles>& loose) {
   std::vector<std::string> warnings;
   if (description.formulation != Formulation::standard) return warnings;
-  const std::vector<LooseParticles> loose = quick_loose_particles(description);
   refuse_loose_bodies(description, loose);
   for (const LooseParticles& body : loose) warnings.push_back(loose_sentence(description, body));
   for (const Jet& jet : description.jets) {

@@ -182,6 +182,11 @@ void warn_of_materials(const Case& description, std::vector<std::string>& warnin
 }  // namespace
 
 std::vector<std::string> check_warnings(const Case& description, const DerivedNumbers& numbers) {
+  return check_warnings(description, numbers, quick_loose_particles(description));
+}
+
+std::vector<std::string> check_warnings(const Case& description, const DerivedNumbers& numbers,
+                                        const std::vector<LooseParticles>& loose) {
   constexpr double weakly_compressible = 0.11;
   std::vector<std::string> warnings;
   if (numbers.solid_to_water_spacing > 1.0 && description.jets.empty())
@@ -201,7 +206,7 @@ std::vector<std::string> check_warnings(const Case& description, const DerivedNu
     warnings.emplace_back("the back-flow removal removes mass and momentum");
   warn_of_nothing_to_cut(description, warnings);
   for (auto& warning : aim_warnings(description)) warnings.push_back(std::move(warning));
-  for (auto& warning : solid_warnings(description)) warnings.push_back(std::move(warning));
+  for (auto& warning : solid_warnings(description, loose)) warnings.push_back(std::move(warning));
   for (auto& warning : strength_warnings(description)) warnings.push_back(std::move(warning));
   warn_of_materials(description, warnings);
   if (std::string need = calibration_need(description); !need.empty())

@@ -32,9 +32,9 @@ std::optional<std::string> refusal_of(const std::string& text, const std::string
 
 CheckedCase checked_case(const std::string& text, const std::string& file) {
   Case description = parse_case(text, file, quick_look);
-  refuse_unbonded(description, text, file);
+  const auto loose = refuse_unbonded(description, text, file);
   const DerivedNumbers numbers = derive(description);
-  auto warnings = check_warnings(description, numbers);
+  auto warnings = check_warnings(description, numbers, loose);
   for (const auto& warning : resolution_warnings(description))
     warnings.push_back(fmt::format("{}: {}", file, warning));
   const auto refusal = refusal_of(text, file, numbers);

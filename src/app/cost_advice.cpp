@@ -47,10 +47,12 @@ std::string changed_text(const std::string& text, const CaseChange& change) {
 std::optional<Advice> advised(const CostedCase& costed, const CaseChange& change) {
   Advice advice;
   advice.lines = change.lines;
+  advice.condition = change.condition;
   advice.before = run_cost(costed.numbers, costed.pace);
   try {
     advice.text = changed_text(costed.text, change);
-    const Case changed = parse_case(advice.text, costed.file, quick_look);
+    Case changed = parse_case(advice.text, costed.file, quick_look);
+    if (change.ends_at > 0.0) changed.time.end = change.ends_at;
     advice.after = run_cost(derive(changed), pace_of_changed(costed, changed));
   } catch (const UserError&) {
     return {};
@@ -68,11 +70,11 @@ std::vector<CaseChange> possible_changes(const CostedCase& costed) {
   std::vector<CaseChange> changes;
   for (const auto& change :
        {draft_quality(costed.description, written),
-        usual_end(costed.description, written, costed.file),
-        spacing_of_jet(costed.description, written), double_spacing(costed.description, written),
-        smaller_piece(costed.description), smaller_depth(costed.description),
-        graded_spacing(costed.description), symmetry_planes(costed.description),
-        plane_case(costed.description)})
+        usual_end(costed.description, written, costed.file), shorter_path(costed.description),
+        stationary_stop(costed.description), spacing_of_jet(costed.description, written),
+        double_spacing(costed.description, written), smaller_piece(costed.description),
+        smaller_depth(costed.description), graded_spacing(costed.description),
+        symmetry_planes(costed.description), plane_case(costed.description)})
     if (change) changes.push_back(*change);
   return changes;
 }
@@ -106,6 +108,7 @@ std::optional<Advice> all_together(const CostedCase& costed) {
     all.after = step->after;
   };
   apply(usual_end(current.description, toml::parse(current.text), current.file));
+  apply(shorter_path(current.description));
   apply(spacing_of_jet(current.description, toml::parse(current.text)));
   apply(smaller_piece(current.description));
   apply(smaller_depth(current.description));
@@ -164,10 +167,10 @@ std::string times(double ratio, const char* more, const char* less) {
 
 std::string Advice::sentence() const {
   return fmt::format(
-      "{}  # {}, {}: {}, {}{}", fmt::join(lines, "; "),
+      "{}  # {}, {}: {}, {}{}{}", fmt::join(lines, "; "),
       times(before.particles / after.particles, "fewer particles", "more particles"),
       times(before.seconds / after.seconds, "faster", "slower"), duration_text(after.seconds),
-      readable(after.memory, "B"),
+      readable(after.memory, "B"), condition.empty() ? "" : "; " + condition,
       instead_of.empty() ? "" : fmt::format("; instead of the {} line", places_text(instead_of)));
 }
 

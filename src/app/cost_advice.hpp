@@ -28,6 +28,7 @@ struct Advice {
   std::vector<std::string> lines;  // keys with their tables, ready to be copied
   std::string text;                // of the changed case
   RunCost before, after;
+  std::string condition = {};  // of the time after it, in a clause
   // Places in the list of the advice before it with which it is not accepted.
   std::vector<std::size_t> instead_of;
   // Returns the lines with what they gain.

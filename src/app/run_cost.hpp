@@ -2,9 +2,7 @@
 // What a run will cost: particles, steps, memory and time, estimated before anything is laid out.
 //
 // The time is particles x (steps x pace + rows of series.csv x their pace): the time of one step or
-// row for one particle. A pilot run measures both: the case itself at a spacing at which its whole
-// run takes a second or two. It has the geometry and the physics of the run, so that it counts the
-// costly debris and contacts of later times, and the steps that squeezed particles shorten.
+// row for one particle. A pilot run measures both (app/measured_pace.hpp).
 #pragma once
 
 #include <string>
@@ -35,14 +33,6 @@ struct RunCost {
 
 // Returns the pace of a typical case of the same dimension and formulation on one core.
 Pace typical_pace(const Case& description, int threads);
-
-// Makes a pilot run, of a few seconds and of 10^4 particles at most. Returns the typical pace where
-// this build cannot run the case, or all pilots fail.
-Pace measured_pace(const Case& description, const DerivedNumbers& numbers, int threads);
-
-// Returns the case of the pilot run: with its bodies and jets coarsened, `stretch` times as much as
-// is needed.
-Case pilot_case(const Case& description, const DerivedNumbers& numbers, double stretch = 1.0);
 
 // Returns the case at a spacing that is `factor` times as wide; jets stay two particles wide.
 Case with_coarser_particles(const Case& description, double factor);

@@ -14,6 +14,7 @@
 #include "input/draft.hpp"
 #include "input/units.hpp"
 #include "machine/characteristic_speed.hpp"
+#include "machine/machine_jet.hpp"
 #include "machine/travelling_frame.hpp"
 #include "model/case.hpp"
 
@@ -79,6 +80,19 @@ bool meets(const Body& body, const Point& start, const Point& direction, double 
   return false;
 }
 
+// Returns the water that stands in a nozzle, its rows `factor` times as far from the exit: those of
+// fewer columns have the distances of all.
+std::vector<InletParticle> rows_moved(const Nozzle& nozzle, double factor) {
+  std::vector<InletParticle> water = nozzle.standing_water();
+  const Point exit = nozzle.exit(0.0), direction = nozzle.direction();
+  for (InletParticle& particle : water) {
+    double before = 0.0;
+    for (std::size_t a = 0; a < 3; ++a) before += (particle.position[a] - exit[a]) * direction[a];
+    particle.position = along(particle.position, direction, (factor - 1.0) * before);
+  }
+  return water;
+}
+
 // Tests a few columns of the jet, up to the end of the domain.
 bool hits_a_body(const Case& description, const Nozzle& nozzle,
                  const std::vector<InletParticle>& water) {
@@ -117,14 +131,32 @@ bool anything_moves(const Case& description) {
   return fastest_body(description) > 0.0 || g[0] != 0.0 || g[1] != 0.0 || g[2] != 0.0;
 }
 
+// A workpiece lies where its machine aims: the standoff decides where the water starts.
+void add_start_inside(Draft& draft, std::size_t number, const Body& body) {
+  const std::string& path = draft.jets[number].path;
+  const std::string what = fmt::format("the jet starts inside the body \"{}\"", body.name);
+  if (path == "machine" && draft.result.workpiece) {
+    const double least = least_flight(draft.result.jets[number]);
+    draft.reading.problems.add(
+        {path + ".standoff", what,
+         fmt::format("at least {} at this angle", show_quantity(least, "m", Bound::least)),
+         "Lengthen the standoff or turn the angle"});
+    return;
+  }
+  draft.reading.problems.add({path + ".position", what,
+                              "a nozzle that is outside all bodies with its last 4 spacings",
+                              "Move the jet, lengthen its standoff or turn its angle"});
+}
+
 void add_outside(Draft& draft, const std::string& path) {
   draft.reading.problems.add({path + ".position", "the nozzle is outside the domain",
                               "a nozzle that is in the domain with its last 4 spacings",
                               "Move the jet, shorten its standoff or enlarge the [domain]"});
 }
 
-void check_start(Draft& draft, const std::string& path, const std::vector<InletParticle>& water) {
+void check_start(Draft& draft, std::size_t number, const std::vector<InletParticle>& water) {
   const Case& result = draft.result;
+  const std::string& path = draft.jets[number].path;
   for (const InletParticle& particle : water) {
     if (!std::isfinite(particle.speed)) {
       draft.reading.problems.add({path + ".profile_expression",
@@ -138,10 +170,7 @@ void check_start(Draft& draft, const std::string& path, const std::vector<InletP
       return;
     }
     if (const Body* body = body_at(result, particle.position)) {
-      draft.reading.problems.add({path + ".position",
-                                  fmt::format("the jet starts inside the body \"{}\"", body->name),
-                                  "a nozzle that is outside all bodies with its last 4 spacings",
-                                  "Move the jet, lengthen its standoff or turn its angle"});
+      add_start_inside(draft, number, *body);
       return;
     }
   }
@@ -208,12 +237,12 @@ void check_jets(Draft& draft) {
     const Jet& jet = result.jets[i];
     const std::string& path = draft.jets[i].path;
     const auto& water = result.materials[static_cast<std::size_t>(jet.material)];
-    Nozzle nozzle(coarsened(jet, result.dimension, draft.effort.most_tested), water.density,
-                  result.dimension);
+    const Jet tested = coarsened(jet, result.dimension, draft.effort.most_tested);
+    Nozzle nozzle(tested, water.density, result.dimension);
     nozzle.cut_at(result.symmetry, result.domain);
-    const std::vector<InletParticle> standing = nozzle.standing_water();
+    const auto standing = rows_moved(nozzle, jet.spacing / tested.spacing);
     const std::size_t before = draft.reading.problems.count();
-    check_start(draft, path, standing);
+    check_start(draft, i, standing);
     if (draft.reading.problems.count() == before) check_traverse(draft, path, nozzle);
     if (draft.reading.problems.count() > before || one_hits) continue;
     one_hits = jet.time_beside > 0.0 || hits_a_body(result, nozzle, standing);

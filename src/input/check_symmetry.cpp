@@ -131,6 +131,14 @@ void check_body(Draft& draft, const Plane& plane, std::size_t number) {
        "body, or shift the lattice by an offset"});
 }
 
+// Returns whether an odd number of columns lies across the axis of a jet: of all its columns, which
+// are not tested one by one where they are many.
+bool has_middle_column(const Jet& jet, std::size_t axis) {
+  const bool is_along = jet.length > 0.0 && std::abs(axes_of(jet).sideways[axis]) > 0.5;
+  const double size = is_along ? jet.length : jet.width;
+  return std::max(1L, std::lround(size / jet.spacing)) % 2 != 0;
+}
+
 void check_jet_on(Draft& draft, const Plane& plane, std::size_t number) {
   const Case& result = draft.result;
   const Jet& jet = result.jets[number];
@@ -138,6 +146,9 @@ void check_jet_on(Draft& draft, const Plane& plane, std::size_t number) {
   const Nozzle nozzle(coarsened(jet, result.dimension, draft.effort.most_tested), water.density,
                       result.dimension);
   const double reach = nearest * jet.spacing;
+  const bool centred = std::abs(plane.depth(nozzle.exit())) < 1e-6 * jet.spacing &&
+                       std::abs(nozzle.direction()[plane.axis]) < 1e-9 &&
+                       jet.traverse[plane.axis] == 0.0 && !is_turned_slot(jet, plane.axis);
   bool beyond = false, on_plane = false, inside = false;
   for (const InletParticle& particle : nozzle.standing_water()) {
     const double depth = plane.depth(particle.position);
@@ -145,10 +156,8 @@ void check_jet_on(Draft& draft, const Plane& plane, std::size_t number) {
     beyond = beyond || depth <= -reach;
     inside = inside || depth >= reach;
   }
+  if (centred) on_plane = has_middle_column(jet, plane.axis);
   if (!on_plane && !(beyond && inside)) return;
-  const bool centred = std::abs(plane.depth(nozzle.exit())) < 1e-6 * jet.spacing &&
-                       std::abs(nozzle.direction()[plane.axis]) < 1e-9 &&
-                       jet.traverse[plane.axis] == 0.0 && !is_turned_slot(jet, plane.axis);
   const std::string& path = draft.jets[number].path;
   if (!centred)
     draft.reading.problems.add(

@@ -92,6 +92,29 @@ void check_height(Draft& draft) {
        "Write 0 there; the distance of the nozzle is the standoff"});
 }
 
+// Refuses a sheet of water of which most would fall beside the workpiece.
+void check_sheet(Draft& draft) {
+  constexpr double most = 2.0;  // lengths of the workpiece
+  const Machine& machine = *draft.result.machine;
+  const Jet& jet = draft.jets.back().jet;
+  for (const std::size_t a : {std::size_t{0}, std::size_t{2}}) {
+    const double length = jet.length * std::abs(jet.slot[a]),
+                 size = draft.workpiece.setting.size[a];
+    if (length <= most * size) continue;
+    const bool is_fan = machine.orifice_type == OrificeType::fan;
+    draft.reading.problems.add(
+        {is_fan ? "machine.fan_angle" : "machine.orifice_length",
+         fmt::format("the sheet of water is {} long at the workpiece, along {}, where that has {}",
+                     show_quantity(length, "m"), a == 0 ? "x" : "z", show_quantity(size, "m")),
+         fmt::format("a sheet of at most {} there, twice the workpiece",
+                     show_quantity(most * size, "m", Bound::most)),
+         is_fan
+             ? "Choose a smaller fan_angle, standoff or orifice_length, or enlarge workpiece.size"
+             : "Shorten the slit to what meets the workpiece, or enlarge workpiece.size"});
+    return;
+  }
+}
+
 toml::array corner(const Point& point, int dimension) {
   toml::array array;
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
@@ -234,6 +257,7 @@ void read_workpiece(Draft& draft, Section& top) {
   if (draft.reading.problems.any()) return;
   resolve_motion(draft);
   check_height(draft);
+  check_sheet(draft);
   const bool travels = draft.workpiece.setting.frame == WorkpieceFrame::travelling;
   if (travels) check_travel(draft, top, section);
   if (draft.reading.problems.any()) return;

@@ -20,8 +20,8 @@ namespace kerf {
 
 namespace {
 
-// The simulated flight has this many diameters at most, because the jet is uniform further
-// upstream.
+// The simulated flight has this many diameters, because the jet is uniform further upstream, or
+// what a grazing jet needs.
 constexpr double simulated_flight = 2.0;
 
 bool is_flat(const Machine& machine) {
@@ -68,7 +68,8 @@ void lay_sheet(const Machine& machine, Jet& jet) {
 // it as the middle of an upright one.
 double flight_of(const Machine& machine, const Jet& jet) {
   const double lowered = 0.5 * jet.length * std::abs(jet.slot[1]) / std::cos(jet.angle);
-  return std::min(machine.standoff, simulated_flight * jet.width + lowered);
+  const double flight = std::max(simulated_flight * jet.width, least_flight(jet));
+  return std::min(machine.standoff, flight + lowered);
 }
 
 JetAtWorkpiece arriving_jet(const Machine& machine, const MachineNumbers& numbers, int dimension) {
@@ -111,6 +112,11 @@ MachineNumbers machine_numbers(const Machine& machine, const Material& water, in
   if (flat && dimension == 3)  // the thickness of a sheet decreases as its length increases
     numbers.diameter_at_workpiece *= machine.orifice_length / sheet_length(machine);
   return numbers;
+}
+
+double least_flight(const Jet& jet) {
+  constexpr double clear = 1.0;  // diameters of flight of the lower edge
+  return (0.5 * std::abs(std::tan(jet.angle)) + clear) * jet.width;
 }
 
 Jet machine_jet(const Machine& machine, const Material& water, int dimension) {

@@ -27,6 +27,10 @@ inline constexpr double standard_velocity_coefficient = 0.98;
 
 MachineNumbers machine_numbers(const Machine& machine, const Material& water, int dimension);
 
+// Returns the flight (m, of the axis) of a jet whose lower edge has a diameter of flight before it:
+// the edge of a jet that leans meets the face before the axis does.
+double least_flight(const Jet& jet);
+
 // Name of the jet that a machine makes.
 inline constexpr const char* machine_jet_name = "machine";
 // Returns the simulated jet: it starts close above the workpiece, with the breakup by the air.

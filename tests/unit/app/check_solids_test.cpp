@@ -19,6 +19,10 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
+std::vector<std::string> solids_of(const Case& description) {
+  return solid_warnings(description, quick_loose_particles(description));
+}
+
 // A jet of 2 mm that aims at the origin, of material whose Poisson's ratio is 0: K + 4 G / 3 = E.
 Case case_of(const std::string& bodies, double speed = 5.0, double angle = 0.0) {
   return parse_case(fmt::format(R"(
@@ -63,16 +67,29 @@ TEST(CheckSolids, RefuseABodyOneParticleThick) {
           is_upright ? box(0.0, -8.0, thickness, 0.0) : box(-8.0, -thickness, 8.0, 0.0);
       const Case description = case_of(body_of("foil", shape));
       if (thickness > 0.5) {
-        EXPECT_THAT(solid_warnings(description), IsEmpty());
+        EXPECT_THAT(solids_of(description), IsEmpty());
         continue;
       }
       try {
-        solid_warnings(description);
+        solids_of(description);
         FAIL() << "no refusal";
       } catch (const UserError& error) {
         EXPECT_THAT(error.what(), HasSubstr("body[1].spacing (\"foil\") = 0.0005 m: none of its "));
       }
     }
+}
+
+// Boxes of four rows are not laid out: none of their particles is loose, whatever their levels.
+TEST(CheckSolids, BoxesThatAreNotLaidOutHaveNoLooseParticles) {
+  for (const int levels : {0, 1, 2}) {
+    const double edge = 4.0 * 0.5 * (1 << levels);
+    const std::string grading =
+        levels > 0 ? fmt::format("grading = {{ levels = {}, width = \"6 mm\" }}\n", levels) : "";
+    const Case description =
+        case_of(body_of("block", box(0.0, -edge, 40.0, 0.0), "material = \"soft\"\n" + grading));
+    EXPECT_THAT(quick_loose_particles(description), IsEmpty());
+    EXPECT_TRUE(loose_particles(description).empty()) << levels;
+  }
 }
 
 // A run and a check name the place in the file, as they do of other keys.
@@ -102,9 +119,9 @@ TEST(CheckSolids, WarnOfTheTipOfAWedge) {
         tip < -3.0 ? 0.0 : -6.0, tip);
   };
   for (const double tip : {0.0, -6.0})
-    EXPECT_THAT(solid_warnings(case_of(body_of("wedge", wedge(tip)))),
+    EXPECT_THAT(solids_of(case_of(body_of("wedge", wedge(tip)))),
                 Contains(HasSubstr("particles of \"wedge\" have too few neighbours")));
-  EXPECT_THAT(solid_warnings(case_of(body_of("block", box(-2.0, -4.0, 2.0, 0.0)))), IsEmpty());
+  EXPECT_THAT(solids_of(case_of(body_of("block", box(-2.0, -4.0, 2.0, 0.0)))), IsEmpty());
 }
 
 // The stagnation pressure of water is 98 kPa at 14 m/s and 113 kPa at 15 m/s, M is 100 kPa.
@@ -112,15 +129,15 @@ TEST(CheckSolids, WarnOfASolidThatMayBePressedThroughAnother) {
   const auto pressed = HasSubstr("may press it through \"wall\"");
   const std::string block = body_of("block", box(-2.0, -4.0, 2.0, 0.0));
   const std::string below = block + body_of("wall", box(-6.0, -6.0, 6.0, -4.0), "role = \"rigid\"");
-  EXPECT_THAT(solid_warnings(case_of(below, 15.0)), Contains(pressed));
-  EXPECT_THAT(solid_warnings(case_of(below, 14.0)), Not(Contains(pressed)));
-  EXPECT_THAT(solid_warnings(case_of(block, 15.0)), Not(Contains(pressed)));
+  EXPECT_THAT(solids_of(case_of(below, 15.0)), Contains(pressed));
+  EXPECT_THAT(solids_of(case_of(below, 14.0)), Not(Contains(pressed)));
+  EXPECT_THAT(solids_of(case_of(block, 15.0)), Not(Contains(pressed)));
   const std::string beside = body_of("block", box(0.0, -2.0, 4.0, 2.0)) +
                              body_of("wall", box(4.0, -6.0, 6.0, 6.0), "role = \"rigid\"");
-  EXPECT_THAT(solid_warnings(case_of(beside, 15.0, 90.0)), Contains(pressed));
+  EXPECT_THAT(solids_of(case_of(beside, 15.0, 90.0)), Contains(pressed));
   const std::string missed = body_of("block", box(6.0, -4.0, 9.0, 0.0)) +
                              body_of("wall", box(-6.0, -6.0, 9.0, -4.0), "role = \"rigid\"");
-  EXPECT_THAT(solid_warnings(case_of(missed, 15.0)), Not(Contains(pressed)));
+  EXPECT_THAT(solids_of(case_of(missed, 15.0)), Not(Contains(pressed)));
 }
 
 // A neo-Hookean solid that is compressed to a fifth of its volume, in one direction.
@@ -135,8 +152,8 @@ TEST(CheckSolids, WarnOfASolidThatThePressureOfAJetFails) {
   const double stress = shear * std::pow(volume, -5.0 / 3.0) * 2.0 / 3.0 * (1.0 - volume * volume) +
                         0.5 * bulk * (1.0 / volume - volume);
   const double limit = std::sqrt(2.0 * stress / 1000.0);  // m/s
-  EXPECT_THAT(solid_warnings(case_of(block, 0.98 * limit)), Not(Contains(crushed)));
-  EXPECT_THAT(solid_warnings(case_of(block, 1.02 * limit)), Contains(crushed));
+  EXPECT_THAT(solids_of(case_of(block, 0.98 * limit)), Not(Contains(crushed)));
+  EXPECT_THAT(solids_of(case_of(block, 1.02 * limit)), Contains(crushed));
 }
 
 }  // namespace

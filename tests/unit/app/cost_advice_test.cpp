@@ -137,5 +137,27 @@ TEST(CostAdvice, ChangesThatExcludeEachOtherSaySo) {
   EXPECT_EQ(list.front().sentence().find("instead of"), std::string::npos);
 }
 
+// The runs of a window that travels with its nozzle end where the cut is stationary.
+TEST(CostAdvice, LongPathsAreToldHowToEnd) {
+  const std::string text =
+      "title = \"path\"\ndimension = 2\nquality = \"draft\"\n[machine]\npressure = \"30 MPa\"\n"
+      "orifice_diameter = \"0.1 mm\"\nstandoff = \"3 mm\"\ntraverse_speed = \"1 m/s\"\n"
+      "[workpiece]\nmaterial = \"fat\"\nsize = [\"300 mm\", \"1 mm\"]\nframe = \"travelling\"\n";
+  const CheckedCase path = checked(text);
+  const auto list = cost_advice(path.costed);
+  const auto lines = lines_of(list);
+  EXPECT_TRUE(has(lines, "[time] end = "));
+  EXPECT_TRUE(has(lines, "[time] stop = \"stationary\""));
+  for (const Advice& advice : list) {
+    if (advice.lines.front() != "[time] stop = \"stationary\"") continue;
+    EXPECT_LT(advice.after.seconds, 0.1 * advice.before.seconds);
+    EXPECT_NE(advice.sentence().find("where the cut is stationary after "), std::string::npos);
+  }
+  const auto ended =
+      lines_of(cost_advice(checked(text + "[time]\nstop = \"stationary\"\n").costed));
+  EXPECT_FALSE(has(ended, "[time] stop"));
+  EXPECT_FALSE(has(lines_of(cost_advice(checked(foam("", "")).costed)), "[time]"));
+}
+
 }  // namespace cost_advice_of_cases
 }  // namespace kerf

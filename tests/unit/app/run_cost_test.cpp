@@ -12,6 +12,7 @@
 
 #include "app/check_warnings.hpp"
 #include "app/cost_advice.hpp"
+#include "app/measured_pace.hpp"
 #include "input/read.hpp"
 #include "model/case.hpp"
 

@@ -41,6 +41,39 @@ std::string refusal_of(const std::string& text, const ReadEffort& effort = quick
   return "";
 }
 
+std::string slit_case(const std::string& orifice, const std::string& standoff = "3 mm") {
+  return "title = \"slit\"\ndimension = 3\nquality = \"draft\"\n[machine]\n"
+         "pressure = \"30 MPa\"\norifice_diameter = \"0.1 mm\"\ntraverse_speed = \"1 m/s\"\n"
+         "standoff = \"" +
+         standoff + "\"\n" + orifice +
+         "[workpiece]\nmaterial = \"fat\"\nsize = [\"300 mm\", \"1 mm\", \"200 mm\"]\n";
+}
+
+// A sheet of water may be twice as long as the workpiece; a longer one is blamed on its own keys.
+TEST(Workpiece, ASheetBesideTheWorkpieceIsRefused) {
+  const std::string slit = "orifice_type = \"slit\"\norifice_length = ";
+  EXPECT_THAT(refusal_of(slit_case(slit + "\"10 m\"\n")),
+              AllOf(HasSubstr("machine.orifice_length = \"10 m\""), HasSubstr("0.2 m"),
+                    Not(HasSubstr("symmetry"))));
+  for (const std::string length : {"10 mm", "399 mm", "399.01 mm", "399.02 mm"})
+    EXPECT_EQ(refusal_of(slit_case(slit + "\"" + length + "\"\n")), "") << length;
+  const std::string fan =
+      "orifice_type = \"fan\"\norifice_length = \"1 mm\"\nfan_angle = \"170 deg\"\n";
+  EXPECT_THAT(refusal_of(slit_case(fan, "30 mm")),
+              AllOf(HasSubstr("machine.fan_angle"), Not(HasSubstr("[domain]"))));
+  EXPECT_EQ(refusal_of(slit_case(fan, "10 mm")), "");
+}
+
+// A jet starts where its standoff says; no position is written.
+TEST(Workpiece, AStandoffThatIsTooShortForTheAngleIsNamed) {
+  const std::string text = fat_case("lead_angle = \"80 deg\"\n", "size = [\"200 mm\", \"8 mm\"]\n");
+  EXPECT_THAT(refusal_of(text), AllOf(HasSubstr("machine.standoff = \"1 mm\""),
+                                      HasSubstr("Allowed: at least"), Not(HasSubstr("position"))));
+  std::string longer = text;
+  longer.replace(longer.find("standoff = \"1 mm\""), 17, "standoff = \"9 mm\"");
+  EXPECT_EQ(refusal_of(longer), "");
+}
+
 // The run of a part ends where the front is two jet widths above its end.
 TEST(Workpiece, APartIsDeeperThanItsRunLeavesOut) {
   const std::string size = "size = [\"200 mm\", \"8 mm\"]\n";

@@ -144,6 +144,28 @@ TEST(Machine, FansKeepTheirFlowRate) {
   EXPECT_NEAR(nozzle_area(jet, 3) * jet.speed, numbers.flow_rate, 1e-9 * numbers.flow_rate);
 }
 
+// The lower edge of a jet meets the face before its axis does: it starts above the face at any
+// angle that machines may have, as far as the standoff allows. Upright jets keep their two
+// diameters.
+TEST(Machine, GrazingJetsStartAboveTheFace) {
+  for (const int dimension : {2, 3})
+    for (const double lead : {0.0, 60.0, 78.0, 80.0}) {
+      Machine machine = plain_machine();
+      machine.standoff = 0.1;
+      machine.lead_angle = lead * degree;
+      if (dimension == 3) machine.tilt_angle = lead * degree;
+      const Jet jet = machine_jet(machine, water(), dimension);
+      const double lowest =
+          jet.standoff * std::cos(jet.angle) - 0.5 * jet.width * std::sin(jet.angle);
+      EXPECT_GT(lowest, 0.99 * jet.width * std::cos(jet.angle)) << lead;
+      if (lead == 0.0) {
+        EXPECT_NEAR(jet.standoff, 2.0 * jet.width, 1e-12);
+      }
+      machine.standoff = jet.width;
+      EXPECT_LE(machine_jet(machine, water(), dimension).standoff, machine.standoff);
+    }
+}
+
 TEST(Machine, LeadAngleHasEitherSignIn2D) {
   for (const double lead : {20.0, -20.0})
     for (const double forward : {1.0, -1.0}) {
