@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include "analysis/cut.hpp"
 #include "core/error.hpp"
@@ -60,6 +62,13 @@ double thread_time() {
 
 double wall_seconds(WallClock::time_point from, WallClock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
+}
+
+// Returns how many programs wait for each core of this machine, in the mean over a minute.
+double load_of_cores() {
+  double load = 0.0;
+  if (getloadavg(&load, 1) != 1) return 1.0;
+  return load / std::max(1u, std::thread::hardware_concurrency());
 }
 
 // Returns the share of bonds and fracture in the time of all stages of a run.
@@ -176,12 +185,14 @@ Pace pace_on_one_thread(const Case& description, const DerivedNumbers& numbers, 
 }  // namespace
 
 PilotLimits limits_of_answer(WallClock::time_point begun) {
-  constexpr std::chrono::milliseconds answered{4300};  // with a reserve for the last step and rows
+  constexpr double answered = 4.5, advice = 0.6;  // s: of the day, and of the processor
   const auto now = WallClock::now();
+  const double before = wall_seconds(begun, now);
   PilotLimits limits;
-  limits.until = begun + answered - (now - begun);
-  limits.slower = std::max(1.0, wall_seconds(begun, now) * CLOCKS_PER_SEC /
-                                    std::max(1.0, static_cast<double>(std::clock())));
+  limits.slower = std::max(
+      {1.0, before * CLOCKS_PER_SEC / std::max(1.0, double(std::clock())), load_of_cores()});
+  const std::chrono::duration<double> left(answered - 2.0 * before - advice * limits.slower);
+  limits.until = now + std::chrono::duration_cast<WallClock::duration>(left);
   return limits;
 }
 

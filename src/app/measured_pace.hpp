@@ -22,7 +22,8 @@ struct PilotLimits {
 };
 
 // Returns the limits within which an answer that was begun then is there after five seconds, also
-// on a busy machine: what follows the pilot run may take as long as what was done before it.
+// on a busy machine: what follows the pilot run takes as long as what was done before it, and
+// advice.
 PilotLimits limits_of_answer(WallClock::time_point begun);
 
 // Makes a pilot run of 10^4 particles at most. Returns the typical pace, which says why, where this

@@ -78,10 +78,9 @@ TEST(MeasuredPace, LeavesAsMuchTimeForTheRestAsWasTakenBefore) {
   const auto left = [&](std::chrono::milliseconds before) {
     return std::chrono::duration<double>(limits_of_answer(now - before).until - now).count();
   };
-  EXPECT_LT(left(0ms), 5.0);
-  EXPECT_GT(left(0ms), 4.0);
+  EXPECT_LT(left(0ms), 4.2);
   EXPECT_GE(limits_of_answer(now - 1000ms).slower, 1.0);
-  EXPECT_NEAR(left(0ms) - left(1000ms), 2.0, 0.1);
+  EXPECT_LT(left(1000ms), left(0ms) - 1.9);
   EXPECT_LT(left(3000ms), 0.0);
 }
 
