@@ -77,7 +77,7 @@ TEST(StateIo, CheckpointsRestoreEveryStateFieldBitForBit) {
   restore_fields(archive, restored);
   EXPECT_EQ(restored.size(), 5u);
   EXPECT_EQ(bytes_of(restored), bytes_of(particles));
-  EXPECT_EQ(archive.arrays.size(), 28u);  // rows STATE and PAIRED of particles/fields.hpp
+  EXPECT_EQ(archive.arrays.size(), 29u);  // rows STATE and PAIRED of particles/fields.hpp
   EXPECT_EQ(std::get<std::vector<double>>(archive.arrays.at("particles/position")).size(), 15u);
   EXPECT_EQ(std::get<std::vector<float>>(archive.arrays.at("particles/shear")).size(), 30u);
 }
