@@ -52,15 +52,13 @@ std::vector<WaterLine> lines_at_edge(const Jet& jet, int dimension) {
   return lines;
 }
 
-double way_into(const Body& body, const WaterLine& line, int dimension) {
-  constexpr double most_steps = 2000.0, per_spacing = 4.0;
-  const Box box = bounding_box(body.shape, dimension);
+WayPart way_within(const Box& box, const WaterLine& line, int dimension) {
   double from = 0.0, to = endless;
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
     const double rounding = 1e-9 * (box.maximum[a] - box.minimum[a]);
     if (std::abs(line.direction[a]) < 1e-12) {
       if (line.origin[a] < box.minimum[a] - rounding || line.origin[a] > box.maximum[a] + rounding)
-        return endless;
+        return {0.0, -endless};
       continue;
     }
     const double one = (box.minimum[a] - line.origin[a]) / line.direction[a];
@@ -68,6 +66,13 @@ double way_into(const Body& body, const WaterLine& line, int dimension) {
     from = std::max(from, std::min(one, other));
     to = std::min(to, std::max(one, other));
   }
+  return {from, to};
+}
+
+double way_into(const Body& body, const WaterLine& line, int dimension) {
+  constexpr double most_steps = 2000.0, per_spacing = 4.0;
+  const WayPart part = way_within(bounding_box(body.shape, dimension), line, dimension);
+  const double from = part.begin, to = part.end;
   if (!(from <= to)) return endless;
   const auto is_inside = [&](double way) { return contains(body.shape, line.at(way), dimension); };
   if (is_inside(from)) return from;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/point.hpp"
+#include "model/shape.hpp"
 
 namespace kerf {
 
@@ -22,6 +23,12 @@ struct WaterLine {
 WaterLine axis_line(const Jet& jet, double moved = 0.0);
 // Returns lines at the edge of a jet.
 std::vector<WaterLine> lines_at_edge(const Jet& jet, int dimension);
+// A part of a line, m; there is none where its end is before its begin.
+struct WayPart {
+  double begin, end;
+};
+// Returns the part of the line that lies in a box.
+WayPart way_within(const Box& box, const WaterLine& line, int dimension);
 // Returns the way along the line until it enters a body, m; infinite where it passes beside it.
 double way_into(const Body& body, const WaterLine& line, int dimension);
 

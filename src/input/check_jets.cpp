@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/beside_jet.hpp"
 #include "geometry/jet_direction.hpp"
@@ -43,40 +42,17 @@ Point along(const Point& start, const Point& direction, double distance) {
   return point;
 }
 
-// A part of a straight line, by distances from its start, m.
-struct LinePart {
-  double begin, end;
-};
-
-// Returns the part of the line that lies in the box; its end is before its begin if none does.
-LinePart part_within(const Box& box, const Point& start, const Point& direction, int dimension) {
-  LinePart part{0.0, std::numeric_limits<double>::infinity()};
-  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
-    const double slack = 1e-9 * (box.maximum[a] - box.minimum[a]);
-    const double low = box.minimum[a] - slack - start[a], high = box.maximum[a] + slack - start[a];
-    if (std::abs(direction[a]) < 1e-12) {
-      if (low > 0.0 || high < 0.0) return {0.0, -1.0};
-      continue;
-    }
-    part.begin = std::max(part.begin, std::min(low / direction[a], high / direction[a]));
-    part.end = std::min(part.end, std::max(low / direction[a], high / direction[a]));
-  }
-  return part;
-}
-
 // Tests points along a line in the box around a body, half a spacing apart: however large the
 // domain is, they do not step over the body.
-bool meets(const Body& body, const Point& start, const Point& direction, double length,
-           int dimension) {
+bool meets(const Body& body, const WaterLine& line, double length, int dimension) {
   constexpr double most_steps = 1e5;
-  LinePart part = part_within(bounding_box(body.shape, dimension), start, direction, dimension);
+  WayPart part = way_within(bounding_box(body.shape, dimension), line, dimension);
   part.end = std::min(part.end, length);
   const double way = part.end - part.begin;
-  if (way < 0.0) return false;
+  if (!(way >= 0.0)) return false;
   const double steps = std::clamp(std::ceil(way / (0.5 * body.spacing)), 1.0, most_steps);
   for (double step = 0.0; step <= steps; ++step)
-    if (contains(body.shape, along(start, direction, part.begin + step / steps * way), dimension))
-      return true;
+    if (contains(body.shape, line.at(part.begin + step / steps * way), dimension)) return true;
   return false;
 }
 
@@ -103,7 +79,7 @@ bool hits_a_body(const Case& description, const Nozzle& nozzle,
   const std::size_t stride = std::max<std::size_t>(1, water.size() / most_columns);
   for (std::size_t i = 0; i < water.size(); i += stride)
     for (const Body& body : description.bodies)
-      if (meets(body, water[i].position, nozzle.direction(), length, description.dimension))
+      if (meets(body, {water[i].position, nozzle.direction()}, length, description.dimension))
         return true;
   return false;
 }
