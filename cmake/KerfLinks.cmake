@@ -26,7 +26,7 @@ target_link_libraries(kerf_app PUBLIC kerf_study kerf_verification CLI11::CLI11 
   PRIVATE PkgConfig::httplib Threads::Threads)
 target_link_libraries(kerf_library PUBLIC kerf_app)
 kerf_precompile_headers(headers
-  LAYERS model geometry machine input parallel simd simulation engine analysis output report)
+  LAYERS model geometry machine parallel simd simulation engine analysis output)
 # These layers read files and call the others; -O3 would compile them for a third longer.
 kerf_precompile_headers(command_headers HEADERS <fmt/format.h> <nlohmann/json.hpp> LIBRARIES fmt::fmt
-  OPTIONS $<$<CONFIG:Release>:-O1> LAYERS verification study app library)
+  OPTIONS $<$<CONFIG:Release>:-O1> LAYERS input report verification study app library)

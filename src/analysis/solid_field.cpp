@@ -15,7 +15,13 @@ constexpr double spline_reach = 2.0;  // spacings, of the spline
 double cubic_spline(double x) {
   const double q = std::abs(x);
   if (q < 1.0) return 2.0 / 3.0 - q * q + q * q * q / 2.0;
-  return q < spline_reach ? std::pow(spline_reach - q, 3) / 6.0 : 0.0;
+  const double rest = std::max(0.0, spline_reach - q);
+  return rest * rest * rest / 6.0;
+}
+
+// x^2 or x^3.
+double to_dimension(double x, int dimension) {
+  return dimension == 3 ? x * x * x : x * x;
 }
 
 // The weights that a particle adds to the samples of one axis, from sample `first` on.
@@ -39,6 +45,10 @@ void find_weights(const SampleGrid& grid, std::size_t axis, const SolidPoint& po
   weights.first = static_cast<std::size_t>(first);
   for (double n = first; n <= last; n += 1.0)
     weights.value.push_back(cubic_spline((n - centre) * grid.step / point.size));
+}
+
+void add_column(float* column, double outer, const std::vector<double>& down) {
+  for (std::size_t k = 0; k < down.size(); ++k) column[k] += static_cast<float>(outer * down[k]);
 }
 
 }  // namespace
@@ -82,14 +92,11 @@ void SolidField::add(const std::vector<SolidPoint>& points) {
     for (std::size_t a = 0; a < 3; ++a) find_weights(grid_, a, point, weights[a]);
     const auto& [across, along, down] = weights;
     if (down.value.empty()) continue;
-    const double whole = point.volume / std::pow(point.size, grid_.dimension);
-    for (std::size_t n = 0; n < across.value.size() * along.value.size(); ++n) {
-      const std::size_t i = n / along.value.size(), j = n % along.value.size();
-      const double outer = whole * across.value[i] * along.value[j];
-      float* column = &share_[grid_.index(across.first + i, along.first + j, down.first)];
-      for (std::size_t k = 0; k < down.value.size(); ++k)
-        column[k] += static_cast<float>(outer * down.value[k]);
-    }
+    const double whole = point.volume / to_dimension(point.size, grid_.dimension);
+    for (std::size_t i = 0; i < across.value.size(); ++i)
+      for (std::size_t j = 0; j < along.value.size(); ++j)
+        add_column(&share_[grid_.index(across.first + i, along.first + j, down.first)],
+                   whole * across.value[i] * along.value[j], down.value);
   }
 }
 
@@ -106,7 +113,7 @@ float SolidField::share_at(const std::array<double, 3>& position) const {
 }
 
 float SolidField::share_with(const SolidPoint& point) const {
-  const double own = point.volume * std::pow(cubic_spline(0.0) / point.size, grid_.dimension);
+  const double own = point.volume * to_dimension(cubic_spline(0.0) / point.size, grid_.dimension);
   return share_at(point.position) + static_cast<float>(own);
 }
 

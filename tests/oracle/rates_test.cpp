@@ -2,24 +2,12 @@
 // The right-hand side of the engine against double loops written from the paper's equations.
 #include <gtest/gtest.h>
 
+#include "support/kinds.hpp"
 #include "support/loaded.hpp"
 #include "support/mixture.hpp"
 
 namespace kerf::test {
 namespace {
-
-struct Two {
-  static constexpr int dimension = 2;
-};
-struct Three {
-  static constexpr int dimension = 3;
-};
-
-template <class D, class P>
-struct Kind {
-  static constexpr int dimension = D::dimension;
-  using Precision = P;
-};
 
 // In double precision the tolerance is the rounding of sums of some hundred terms in different
 // orders; in mixed precision it is single precision in fields and pairs.
@@ -38,8 +26,8 @@ struct Worst {
 template <class K>
 class RatesOracle : public testing::Test {
  protected:
-  static constexpr int D = K::dimension;
-  using P = typename K::Precision;
+  static constexpr int D = K::D;
+  using P = typename K::P;
 
   static ReferenceState mixture(unsigned seed) {
     MixtureChoice choice;
@@ -95,9 +83,7 @@ class RatesOracle : public testing::Test {
   }
 };
 
-using Kinds =
-    testing::Types<Kind<Two, Double>, Kind<Two, Mixed>, Kind<Three, Double>, Kind<Three, Mixed>>;
-TYPED_TEST_SUITE(RatesOracle, Kinds);
+TYPED_TEST_SUITE(RatesOracle, TwoKinds);
 
 TYPED_TEST(RatesOracle, MixedParticlesWithGravity) {
   for (unsigned seed : {1u, 2u, 3u}) {

@@ -50,7 +50,7 @@ class StandardRatesOracle : public testing::Test {
  private:
   static Vector3 of(const Vector<dimension, typename Precision::Real>& v) { return as_eigen(v); }
 };
-TYPED_TEST_SUITE(StandardRatesOracle, MixtureKinds);
+TYPED_TEST_SUITE(StandardRatesOracle, OtherTwoKinds);
 
 TYPED_TEST(StandardRatesOracle, MixedParticlesWithGravity) {
   constexpr int D = TypeParam::D;

@@ -111,7 +111,7 @@ class SymmetryPlanes : public testing::Test {
  private:
   static Vector3 of(const Vector<D, Real>& v) { return as_eigen(v); }
 };
-TYPED_TEST_SUITE(SymmetryPlanes, MixtureKinds);
+TYPED_TEST_SUITE(SymmetryPlanes, OtherTwoKinds);
 
 TYPED_TEST(SymmetryPlanes, One) {
   for (unsigned seed : {1u, 2u}) TestFixture::compare("x-", TypeParam::D == 2 ? 14 : 7, seed);

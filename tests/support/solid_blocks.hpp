@@ -10,19 +10,10 @@
 #include <random>
 
 #include "solid/total_lagrangian.hpp"
+#include "support/kinds.hpp"
 
 namespace kerf::test {
 
-template <int D_, class P_>
-struct Kind {
-  static constexpr int D = D_;
-  using P = P_;
-  using Real = typename P::Real;
-  // Rounding error of one sum over the bonds of a particle.
-  static constexpr double rounding = std::is_same_v<Real, float> ? 4e-6 : 1e-14;
-};
-using BothPrecisions =
-    testing::Types<Kind<2, Double>, Kind<3, Double>, Kind<2, Mixed>, Kind<3, Mixed>>;
 using PlaneOnly = testing::Types<Kind<2, Double>, Kind<2, Mixed>>;
 using DoubleOnly = testing::Types<Kind<2, Double>, Kind<3, Double>>;
 

@@ -5,19 +5,13 @@
 #include <type_traits>
 
 #include "standard/pair_forces.hpp"
+#include "support/kinds.hpp"
 #include "support/loaded.hpp"
 #include "support/mixture.hpp"
 #include "support/reference_standard.hpp"
 
 namespace kerf::test {
 
-template <int D_, class P_>
-struct MixtureKind {
-  static constexpr int D = D_;
-  using P = P_;
-};
-using MixtureKinds = testing::Types<MixtureKind<2, Double>, MixtureKind<2, Mixed>,
-                                    MixtureKind<3, Double>, MixtureKind<3, Mixed>>;
 using MixtureDimensions =
     testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 

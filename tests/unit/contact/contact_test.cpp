@@ -93,7 +93,7 @@ class ContactOfBonds : public testing::Test {
     return result;
   }
 };
-TYPED_TEST_SUITE(ContactOfBonds, BothPrecisions);
+TYPED_TEST_SUITE(ContactOfBonds, TwoKinds);
 
 TYPED_TEST(ContactOfBonds, IntactBondsHaveNoContactForce) {
   constexpr int D = TypeParam::D;

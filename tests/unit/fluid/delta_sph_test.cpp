@@ -9,6 +9,7 @@
 #include "fluid/density_gradient.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "pairs/pair_loop.hpp"
+#include "support/kinds.hpp"
 #include "support/loaded.hpp"
 #include "support/mixture.hpp"
 
@@ -42,13 +43,7 @@ ReferenceState shaken_block(int dimension, const Compression& compression) {
 
 template <class K>
 class DeltaSph : public testing::Test {};
-template <int D_, class P_>
-struct Kind {
-  static constexpr int D = D_;
-  using P = P_;
-};
-using Kinds = testing::Types<Kind<2, Double>, Kind<2, Mixed>, Kind<3, Double>, Kind<3, Mixed>>;
-TYPED_TEST_SUITE(DeltaSph, Kinds);
+TYPED_TEST_SUITE(DeltaSph, OtherTwoKinds);
 
 template <int D, class P>
 struct Diffused {

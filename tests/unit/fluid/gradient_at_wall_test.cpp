@@ -16,7 +16,7 @@ namespace {
 
 template <class Kind>
 class GradientAtWalls : public testing::Test {};
-TYPED_TEST_SUITE(GradientAtWalls, MixtureKinds);
+TYPED_TEST_SUITE(GradientAtWalls, OtherTwoKinds);
 
 // Without the completion the first row feels 0.78 of the gradient.
 // The particles of the wall see the water in one phase of its lattice; the mean over phases, which

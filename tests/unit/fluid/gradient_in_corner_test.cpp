@@ -15,7 +15,7 @@ namespace {
 
 template <class Kind>
 class GradientInCorners : public testing::Test {};
-using CornerKinds = testing::Types<MixtureKind<3, Double>, MixtureKind<3, Mixed>>;
+using CornerKinds = testing::Types<Kind<3, Double>, Kind<3, Mixed>>;
 TYPED_TEST_SUITE(GradientInCorners, CornerKinds);
 
 constexpr double angles[] = {0.0, 0.4, 1.1};

@@ -10,6 +10,7 @@
 #include "fluid/particle_concentration.hpp"
 #include "kernels/wendland_c2.hpp"
 #include "pairs/pair_loop.hpp"
+#include "support/kinds.hpp"
 #include "support/loaded.hpp"
 #include "support/mixture.hpp"
 #include "time/verlet.hpp"
@@ -19,12 +20,6 @@ namespace {
 
 constexpr double spacing = 1e-3, dt = 1e-5, max_relative_velocity = 1e3;
 constexpr int side = 14;
-
-template <int D_, class P_>
-struct Kind {
-  static constexpr int D = D_;
-  using P = P_;
-};
 
 // A block of water whose lattice is randomly displaced by up to `amplitude` spacings.
 ReferenceState block(int dimension, double amplitude) {
@@ -97,8 +92,7 @@ struct Shifted {
 
 template <class K>
 class Shifting : public testing::Test {};
-using Kinds = testing::Types<Kind<2, Double>, Kind<2, Mixed>, Kind<3, Double>, Kind<3, Mixed>>;
-TYPED_TEST_SUITE(Shifting, Kinds);
+TYPED_TEST_SUITE(Shifting, OtherTwoKinds);
 
 // Opposite neighbours cancel to rounding.
 TYPED_TEST(Shifting, LatticeIsUnchanged) {

@@ -134,7 +134,7 @@ struct MeanErrors {
 
 template <class Kind>
 class RigidWallForces : public testing::Test {};
-TYPED_TEST_SUITE(RigidWallForces, MixtureKinds);
+TYPED_TEST_SUITE(RigidWallForces, OtherTwoKinds);
 
 template <int D>
 WaterAtWall random_wall(std::mt19937& engine) {

@@ -11,7 +11,7 @@ namespace {
 
 template <class Kind>
 class SolidWalls : public testing::Test {};
-TYPED_TEST_SUITE(SolidWalls, MixtureKinds);
+TYPED_TEST_SUITE(SolidWalls, OtherTwoKinds);
 
 // A pressure that changes along the wall and across it, and a motion along and towards the wall.
 template <int D>

@@ -69,17 +69,20 @@ struct Flight {
     const auto id = to_host(loaded.particles.id);
     const Entries listed = entries();
     int result = 0;
-    for (const MirrorCode code : images_of(mirrors))
+    for (const MirrorCode code : images_of(mirrors)) {
+      std::vector<Vector3> image;
+      for (const auto& particle : state.particles)
+        image.push_back(mirrored_place(mirrors, code, particle.position));
       for (std::size_t i = 0; i < id.size(); ++i)
         for (std::size_t j = 0; j < id.size(); ++j)
-          result += sees(i, j, code) && listed.count({i, j, code}) == 0 ? 1 : 0;
+          result +=
+              (i != j || code != 0) && sees(i, j, image[j]) && listed.count({i, j, code}) == 0;
+    }
     return result;
   }
-  bool sees(std::size_t i, std::size_t j, MirrorCode code) const {
-    if (i == j && code == 0) return false;
+  bool sees(std::size_t i, std::size_t j, const Vector3& image_of_j) const {
     const double reach = state.medium(i).smoothing_length + state.medium(j).smoothing_length;
-    const Vector3 other = mirrored_place(mirrors, code, state.particles[j].position);
-    return (state.particles[i].position - other).norm() < reach;
+    return (state.particles[i].position - image_of_j).squaredNorm() < reach * reach;
   }
 };
 

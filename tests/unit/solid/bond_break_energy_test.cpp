@@ -40,7 +40,7 @@ class BondBreakEnergy : public testing::Test {
     trial.evaluate();
   }
 };
-TYPED_TEST_SUITE(BondBreakEnergy, BothPrecisions);
+TYPED_TEST_SUITE(BondBreakEnergy, TwoKinds);
 
 TYPED_TEST(BondBreakEnergy, EqualsTheChangeOfTheSums) {
   for (const auto criterion : {BondCriterion::principal_strain, BondCriterion::crack_band}) {

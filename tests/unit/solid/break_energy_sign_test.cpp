@@ -163,7 +163,7 @@ class BreakEnergySign : public testing::Test {
       }
   }
 };
-TYPED_TEST_SUITE(BreakEnergySign, BothPrecisions);
+TYPED_TEST_SUITE(BreakEnergySign, TwoKinds);
 
 TYPED_TEST(BreakEnergySign, NoBreakRaisesTheStoredEnergy) {
   const auto total = [](auto& trial) {

@@ -13,7 +13,7 @@ namespace {
 
 template <class Chosen>
 struct Clamps : testing::Test {};
-TYPED_TEST_SUITE(Clamps, BothPrecisions);
+TYPED_TEST_SUITE(Clamps, TwoKinds);
 
 constexpr double spacing = 1e-3;
 

@@ -26,7 +26,7 @@ class Deformation : public testing::Test {
     return worst;
   }
 };
-TYPED_TEST_SUITE(Deformation, BothPrecisions);
+TYPED_TEST_SUITE(Deformation, TwoKinds);
 
 TYPED_TEST(Deformation, PatchTestOnEveryParticle) {
   constexpr int D = TypeParam::D;

@@ -12,7 +12,7 @@ namespace {
 
 template <class Chosen>
 class DetachedPressure : public testing::Test {};
-TYPED_TEST_SUITE(DetachedPressure, BothPrecisions);
+TYPED_TEST_SUITE(DetachedPressure, TwoKinds);
 
 // A block of one volume J whose particles are detached all at once.
 template <int D, class P>

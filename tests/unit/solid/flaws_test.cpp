@@ -9,9 +9,7 @@ namespace {
 
 template <class T>
 class Flaws : public testing::Test {};
-// The tests run in both dimensions and both precisions.
-using FlawKinds = testing::Types<Kind<2, Mixed>, Kind<3, Double>>;
-TYPED_TEST_SUITE(Flaws, FlawKinds);
+TYPED_TEST_SUITE(Flaws, OtherTwoKinds);
 
 // About two flaws per particle are active at a strain of 1%.
 template <int D, class P>

@@ -29,7 +29,7 @@ class FlowingBlock : public testing::Test {
     return m;
   }
 };
-TYPED_TEST_SUITE(FlowingBlock, BothPrecisions);
+TYPED_TEST_SUITE(FlowingBlock, TwoKinds);
 
 // The deformation is uniform, also at the surface.
 TYPED_TEST(FlowingBlock, IsAMaterialPoint) {

@@ -42,7 +42,7 @@ SolidOnTrial<D, P> deformed() {
 
 template <class Chosen>
 class SolidForce : public testing::Test {};
-TYPED_TEST_SUITE(SolidForce, BothPrecisions);
+TYPED_TEST_SUITE(SolidForce, TwoKinds);
 template <class Chosen>
 class SolidForceGradient : public testing::Test {};
 TYPED_TEST_SUITE(SolidForceGradient, DoubleOnly);

@@ -12,7 +12,7 @@ namespace {
 
 template <class Chosen>
 class SolidFracture : public testing::Test {};
-TYPED_TEST_SUITE(SolidFracture, BothPrecisions);
+TYPED_TEST_SUITE(SolidFracture, TwoKinds);
 template <class Chosen>
 class PlaneFracture : public testing::Test {};
 TYPED_TEST_SUITE(PlaneFracture, PlaneOnly);

@@ -12,7 +12,7 @@ namespace {
 
 template <class Chosen>
 class GradedSolid : public testing::Test {};
-TYPED_TEST_SUITE(GradedSolid, BothPrecisions);
+TYPED_TEST_SUITE(GradedSolid, TwoKinds);
 template <class Chosen>
 class GradedForce : public testing::Test {};
 TYPED_TEST_SUITE(GradedForce, DoubleOnly);

@@ -11,7 +11,7 @@ namespace {
 
 template <class Chosen>
 class Hourglass : public testing::Test {};
-TYPED_TEST_SUITE(Hourglass, BothPrecisions);
+TYPED_TEST_SUITE(Hourglass, TwoKinds);
 
 constexpr int block_cells = 11;
 

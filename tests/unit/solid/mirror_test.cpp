@@ -166,7 +166,7 @@ class MirroredSolid : public testing::Test {
     }
   }
 };
-TYPED_TEST_SUITE(MirroredSolid, BothPrecisions);
+TYPED_TEST_SUITE(MirroredSolid, TwoKinds);
 
 TYPED_TEST(MirroredSolid, ForcesAndDeformation) {
   for (const char* faces : {"x-", "y+", "x- y-", "x- x+ y+"}) {

@@ -94,7 +94,7 @@ class BearingBlock {
 
 template <class Chosen>
 class OpenDamagedDensity : public testing::Test {};
-TYPED_TEST_SUITE(OpenDamagedDensity, BothPrecisions);
+TYPED_TEST_SUITE(OpenDamagedDensity, TwoKinds);
 
 TYPED_TEST(OpenDamagedDensity, ReleasesWhatItStoredInTension) {
   const double tolerance = std::max(1e-5, 10.0 * TypeParam::rounding);

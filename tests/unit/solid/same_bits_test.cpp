@@ -73,7 +73,7 @@ class SameBits : public testing::Test {
     });
   }
 };
-TYPED_TEST_SUITE(SameBits, BothPrecisions);
+TYPED_TEST_SUITE(SameBits, TwoKinds);
 
 constexpr int steps = 60;
 

@@ -86,7 +86,7 @@ class SharedLists : public testing::Test {
     return v;
   }
 };
-TYPED_TEST_SUITE(SharedLists, BothPrecisions);
+TYPED_TEST_SUITE(SharedLists, TwoKinds);
 
 // The inner particles share one list, so there are far fewer entries than bonds.
 TYPED_TEST(SharedLists, AreOnePerRow) {

@@ -34,7 +34,7 @@ void end_step(SolidOnTrial<D, P>& trial) {
 
 template <class T>
 class StrengthRateOfSolid : public testing::Test {};
-TYPED_TEST_SUITE(StrengthRateOfSolid, BothPrecisions);
+TYPED_TEST_SUITE(StrengthRateOfSolid, TwoKinds);
 
 // Returns the uniform strain at which bonds break first in a block that is stretched at a rate.
 template <int D, class P>

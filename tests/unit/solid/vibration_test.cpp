@@ -12,7 +12,7 @@ namespace {
 
 template <class Chosen>
 class Vibration : public testing::Test {};
-TYPED_TEST_SUITE(Vibration, BothPrecisions);
+TYPED_TEST_SUITE(Vibration, TwoKinds);
 template <class Chosen>
 class PlaneVibration : public testing::Test {};
 TYPED_TEST_SUITE(PlaneVibration, PlaneOnly);

@@ -83,7 +83,7 @@ class SolidPiecesOf : public testing::Test {
     return find_solid_pieces<dimension>(host, body);
   }
 };
-TYPED_TEST_SUITE(SolidPiecesOf, BothPrecisions);
+TYPED_TEST_SUITE(SolidPiecesOf, TwoKinds);
 
 // From few to nearly all bonds are broken, so that there are from one to very many pieces.
 TYPED_TEST(SolidPiecesOf, EqualThoseOfASearchOverAllPairs) {

@@ -53,7 +53,7 @@ class OneFace {
 
 template <class Kind>
 class FacesOfSolids : public testing::Test {};
-TYPED_TEST_SUITE(FacesOfSolids, MixtureKinds);
+TYPED_TEST_SUITE(FacesOfSolids, OtherTwoKinds);
 
 template <int D>
 Matrix3 random_gradient(std::mt19937& engine) {
