@@ -55,6 +55,13 @@ KERF_FUNCTION Matrix<D, T> identity() {
 }
 
 template <int D, class T>
+KERF_FUNCTION Matrix<D, T> transposed(const Matrix<D, T>& m) {
+  Matrix<D, T> result;
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) result(a, b) = m(b, a);
+  return result;
+}
+template <int D, class T>
 KERF_FUNCTION T determinant(const Matrix<D, T>& m) {
   if constexpr (D == 2)
     return m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);

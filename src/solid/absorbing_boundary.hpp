@@ -20,11 +20,14 @@ struct AbsorbingSite {
 };
 
 // Applies the damping of the absorbing boundary to the acceleration of its particles.
+// `velocity`: at the start of the step, m/s. That in its middle is extrapolated where a particle
+// has a density (time/verlet.hpp), without this damping, and would make the face too stiff.
 // `particle_of`: the index of each particle of the solid among all particles, or `no_particle`.
 template <int D, class P>
 struct Absorb {
   using Real = typename P::Real;
   ParticleView<D, P> particles;
+  const Vector<D, Real>* velocity;
   const Index* particle_of;
   Index no_particle;
   const std::uint8_t* detached;  // by particle of the solid
@@ -35,8 +38,9 @@ struct Absorb {
     site.force = Vector<D, double>::zero();
     const Index i = particle_of[site.particle];
     if (i == no_particle || detached[site.particle] || particles.is_constrained(i)) return;
+    if (particles.is_asleep(i)) return;
     Vector<D, Real> damping;
-    for (int a = 0; a < D; ++a) damping[a] = Real(-site.rate[a]) * particles.velocity[i][a];
+    for (int a = 0; a < D; ++a) damping[a] = Real(-site.rate[a]) * velocity[i][a];
     particles.acceleration[i] += damping;
     particles.damping_acceleration[i] += damping;
     site.force = site.mass * Vector<D, double>::from(damping);

@@ -36,6 +36,22 @@ KERF_FORMULA void add_bond_gradient(Matrix<D, T>& sum, const BondGeometry<D, T>&
   add_outer(sum, bond.change, bond.weight * bond.reference);
 }
 
+// Adds a bond to the moments (solid/simd/packed_bonds.hpp): `weighted`, w R, and `stiffness`, w
+// times `hourglass`, in the precision of the other sums.
+template <class Moments, int D, class Real>
+KERF_FORMULA void add_bond_moments(Moments& moments, const Vector<D, Real>& reference,
+                                   const Vector<D, Real>& weighted, Real stiffness,
+                                   Real hourglass) {
+  const auto bond = Vector<D, double>::from(reference);
+  add_outer(moments.of_gradient, bond, Vector<D, double>::from(weighted));
+  add_outer(moments.of_hourglass, (double(stiffness) / double(hourglass)) * bond, bond);
+}
+// Returns 2 mu, Pa, which scales the moments of hourglass control; 1 without that.
+template <class Real>
+KERF_FUNCTION Real hourglass_of_pair(Real own) {
+  return own > Real(0) ? own + own : Real(1);
+}
+
 // Returns |R + u_j - u_i|^2 - |R|^2 = (2 R + u) . u, m^2, without the cancellation.
 template <int D, class T>
 KERF_FORMULA T square_growth(const Vector<D, T>& reference, const Vector<D, T>& change) {

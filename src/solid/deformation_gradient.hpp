@@ -33,10 +33,12 @@ struct Deform {
     const BondGradient bonds = is_known ? known_sums[i] : sum_all(i);
     solid.stretch[i] = bonds.stretch;
     const auto& medium = solid.medium(i);
-    const Matrix<D, Real> h = bonds.sum * solid.correction[i];
+    const Matrix<D, double>& correction = solid.correction[i];
+    const auto h = Matrix<D, Real>::from(Matrix<D, double>::from(bonds.sum) * correction);
     solid.gradient[i] = h;
     const Matrix<D, Real> stress = first_piola(response.stress(solid, i, h), h);
-    traction = medium.reference_volume() * solid.elastic_share[i] * (stress * solid.correction[i]);
+    traction = medium.reference_volume() * solid.elastic_share[i] *
+               (stress * Matrix<D, Real>::from(correction));
     traction += -solid.ends[i].hourglass * h;
   }
 

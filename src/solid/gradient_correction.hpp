@@ -4,8 +4,15 @@
 // after which the gradient of any linear field is exact, beside free surfaces and cracks too (Bonet
 // & Lok, Comput. Methods Appl. Mech. Engrg. 180 (1999) 97). A particle that has no valid B is
 // detached.
+//   In single precision w R of the sum of H and mu w of the force are rounded apart. The particles
+//   of
+// a lattice round alike, so that hourglass control would turn a body that rotates. With
+// M = sum_j R (x) [w R] and N = sum_j [2 mu w] / (2 mu) R (x) R, as rounded there,
+//   B_i = V_i M^-1 N M^-T
+// makes the couple of a linear field vanish: antisym(N H^T - M (H M B / V)^T) = 0.
 #pragma once
 
+#include "simd/run_in_blocks.hpp"
 #include "solid/bond_break_energy.hpp"
 
 namespace kerf {
@@ -21,38 +28,59 @@ inline constexpr double least_moment = 0.05;
 template <int D, class P>
 struct Correct {
   using Real = typename P::Real;
+  using Moments = BondMoments<D, Real>;
   SolidView<D, P> solid;
+  BlockResults<Moments> known_moments{};  // of particles that the SIMD kernels compute
+
+  KERF_FUNCTION void take(const BlockResults<Moments>& moments) { known_moments = moments; }
 
   KERF_FUNCTION void operator()(Index i) const {
     if (!solid.changed[i]) return;
     solid.changed[i] = 0;
-    solid.has_broken_bonds[i] = 1;
     if (solid.detached[i]) return clear_correction(i);
-    // In double: the sums of solid/deformation_gradient.hpp are rounded in another order, and must
-    // not depend on its rounding here.
+    const bool is_known = known_moments.are_known() && !solid.several_bodies[i];
+    const Moments moments = is_known ? known_moments[i] : sum_all(i);
     const double volume = solid.medium(i).reference_volume();
-    auto moment = Matrix<D, double>::zero();
-    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
-      if (!solid.is_intact(i, k)) continue;
-      const BondEnd j = solid.bond_end(i, k);
-      const double weight = solid.weight(i, k, j, solid.reference_bond(i, j));
-      const auto bond = solid.template reference_bond<double>(i, j);
-      add_outer(moment, (weight / volume) * bond, bond);
-    }
     const Index intact = solid.intact_bonds(i);
     solid.has_broken_bonds[i] = intact < solid.bonds.count[i];
-    auto correction = identity<D, double>();
-    if (intact < least_bonds<D> || !divide(correction, moment, least_moment)) {
+    auto inverse = identity<D, double>();
+    const auto moment = (1.0 / volume) * moments.of_gradient;
+    if (intact < least_bonds<D> || !divide(inverse, moment, least_moment)) {
       solid.detached[i] = 1;
       return clear_correction(i);
     }
-    solid.correction[i] = Matrix<D, Real>::from((1.0 / volume) * correction);
+    solid.correction[i] =
+        (1.0 / (volume * volume)) * (inverse * moments.of_hourglass * transposed(inverse));
   }
 
  private:
   KERF_FUNCTION void clear_correction(Index i) const {
-    solid.correction[i] = Matrix<D, Real>::zero();
+    solid.correction[i] = Matrix<D, double>::zero();
     solid.changed[i] = solid.intact_bonds(i) > 0;
+  }
+  KERF_NOINLINE KERF_FUNCTION Moments sum_all(Index i) const {
+    Moments moments{Matrix<D, double>::zero(), Matrix<D, double>::zero()};
+    const Real hourglass = hourglass_of_pair(solid.ends[i].hourglass);
+    for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
+      if (!solid.is_intact(i, k)) continue;
+      const BondEnd j = solid.bond_end(i, k);
+      const Vector<D, Real> bond = solid.reference_bond(i, j);
+      const Real weight = solid.weight(i, k, j, bond);
+      add_bond_moments(moments, bond, weight * bond, weight * hourglass, hourglass);
+    }
+    return moments;
+  }
+};
+
+// Prepares Correct: marks what it leaves out, and what has lost bonds.
+template <int D, class P>
+struct PrepareCorrection {
+  SolidView<D, P> solid;
+  std::uint8_t* left_out;
+
+  KERF_FUNCTION void operator()(Index i) const {
+    left_out[i] = solid.changed[i] ? 0 : 1;
+    if (solid.changed[i]) solid.has_broken_bonds[i] = 1;
   }
 };
 

@@ -56,7 +56,7 @@ class JointLimit {
     double largest = 0.0;
     for (int a = 0; a < D; ++a) {
       double row = 0.0;
-      for (int b = 0; b < D; ++b) row += std::abs(double(solid_.correction[i](a, b)));
+      for (int b = 0; b < D; ++b) row += std::abs(solid_.correction[i](a, b));
       largest = row > largest ? row : largest;
     }
     const double fitted =

@@ -55,6 +55,14 @@ class PackedBondLoop {
       result.misfit += bond.geometry.weight * square;
     });
   }
+  KERF_FUNCTION void sum(BondMoments<D, Real>& result) const {
+    result = {Matrix<D, double>::zero(), Matrix<D, double>::zero()};
+    const Real hourglass = hourglass_of_pair(own_.hourglass);
+    for_each_bond<parts_of_geometry>([&](const Bond& bond, const End&) {
+      const auto& [reference, change, weight] = bond.geometry;
+      add_bond_moments(result, reference, weight * reference, weight * hourglass, hourglass);
+    });
+  }
   KERF_FUNCTION void sum(BondForceSum<D, Real>& result) const {
     result = {Vector<D, Real>::zero(), Real(0)};
     for_each_bond<parts_of_force>([&](const Bond& bond, const End& other) {

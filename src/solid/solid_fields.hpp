@@ -27,6 +27,7 @@ struct SolidView {
   using Position = Vector<D, double>;
   using Speed = Vector<D, Real>;
   using Tensor = Matrix<D, Real>;
+  using DoubleTensor = Matrix<D, double>;
   using Packed = PackedBondEnd<D, Real>;
   using State = PlasticState<D, Real>;
   using Flaws = FlawState<Real>;
@@ -185,6 +186,7 @@ struct SolidFields {
   using Position = typename View::Position;
   using Speed = typename View::Speed;
   using Tensor = typename View::Tensor;
+  using DoubleTensor = typename View::DoubleTensor;
   using Packed = typename View::Packed;
   using State = typename View::State;
   using Flaws = typename View::Flaws;

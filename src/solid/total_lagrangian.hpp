@@ -280,7 +280,7 @@ class TotalLagrangian : public DividedSolid<D, P> {
   }
 
   void update_corrections(const BreakRecords<D, P>& records) {
-    correct_(fields_, Divided::halo(), records);
+    correct_(fields_, Divided::halo(), records, simd_);
   }
   bool any_changed() { return correct_.any_changed(view()); }
   using Divided::fields_, Divided::break_records_, Divided::entries_;

@@ -5,6 +5,7 @@
 
 #include "solid/bond_halo.hpp"
 #include "solid/gradient_correction.hpp"
+#include "solid/simd/bond_sums.hpp"
 
 namespace kerf {
 
@@ -38,12 +39,13 @@ struct BreakBesideDetached {
 template <int D, class P>
 class CorrectionUpdate {
  public:
-  // `halo`: of several ranks.
+  // `halo`: of several ranks. `sums` has the moments of the bonds.
   void operator()(SolidFields<D, P>& fields, const BondHalo<D>& halo,
-                  const BreakRecords<D, P>& records) {
+                  const BreakRecords<D, P>& records, const SimdBondSums<D, P>& sums) {
     const SolidView<D, P> solid = fields.view();
     beside_.resize(solid.count, std::uint8_t(0));
-    for_each_index(solid.share, Correct<D, P>{solid});
+    left_out_.resize(solid.count);
+    correct(solid, sums);
     while (any_changed(solid)) {
       for_each_index(solid.share, MarkBesideDetached<D, P>{solid, pointer(beside_)});
       if constexpr (ranks::exist)
@@ -53,17 +55,22 @@ class CorrectionUpdate {
         }
       for_each_index(solid.share,
                      BreakBesideDetached<D, P>{{solid, solid.detached, records}, pointer(beside_)});
-      for_each_index(solid.share, Correct<D, P>{solid});
+      correct(solid, sums);
     }
   }
   static bool any_changed(const SolidView<D, P>& solid) {
     const bool own = reduce_unordered(solid.share, IsSet{solid.changed}, false, Either{});
     return solid.share.is_part ? ranks::any(own) : own;
   }
-  std::size_t bytes() const { return beside_.size(); }
+  std::size_t bytes() const { return beside_.size() + left_out_.size(); }
 
  private:
-  Array<std::uint8_t> beside_;
+  void correct(const SolidView<D, P>& solid, const SimdBondSums<D, P>& sums) {
+    for_each_index(solid.share, PrepareCorrection<D, P>{solid, pointer(left_out_)});
+    sums.sum_moments(solid, Correct<D, P>{solid}, pointer(left_out_));
+  }
+
+  Array<std::uint8_t> beside_, left_out_;
 };
 
 }  // namespace kerf

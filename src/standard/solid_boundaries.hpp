@@ -62,11 +62,12 @@ class SolidBoundaries {
       if (solid.share.is_part) collect_turned(solid.share);
   }
 
-  // Adds the accelerations by absorbing faces and loads.
-  void accelerate(Particles<D, P>& particles, const SolidIndexView& link,
-                  const SolidFields<D, P>& solid) {
-    for_each_index(size(absorbing_), Absorb<D, P>{particles.view(), link.particle_of, no_index,
-                                                  pointer(solid.detached), pointer(absorbing_)});
+  // Adds the accelerations by absorbing faces and loads; `velocity` at the start of the step, m/s.
+  void accelerate(Particles<D, P>& particles, const Vector<D, typename P::Real>* velocity,
+                  const SolidIndexView& link, const SolidFields<D, P>& solid) {
+    for_each_index(size(absorbing_),
+                   Absorb<D, P>{particles.view(), velocity, link.particle_of, no_index,
+                                pointer(solid.detached), pointer(absorbing_)});
     for_each_index(size(loaded_), ApplyLoads<D, P>{particles.view(), link.particle_of, no_index,
                                                    pointer(solid.detached), pointer(factor_),
                                                    pointer(shares_), pointer(loaded_)});

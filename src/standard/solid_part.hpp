@@ -124,8 +124,8 @@ class SolidPart {
   void set_time(double time) { boundaries_.set_time(time); }
 
   // Adds the accelerations by all bonds, which in later substeps are those of the first one, and by
-  // absorbing faces and loads.
-  void accelerate(Particles<D, P>& particles);
+  // absorbing faces, at the given velocities of the particles, and loads.
+  void accelerate_by_all(Particles<D, P>& particles, const Vector<D, Real>* velocity);
   // Adds the accelerations by the bonds that `filter` selects, at the current deformation.
   template <class Filter>
   void accelerate(Particles<D, P>& particles, const Filter& filter) {

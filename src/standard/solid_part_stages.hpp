@@ -8,7 +8,8 @@
 namespace kerf {
 
 template <int D, class P>
-void SolidPart<D, P>::accelerate(Particles<D, P>& particles) {
+void SolidPart<D, P>::accelerate_by_all(Particles<D, P>& particles,
+                                        const Vector<D, Real>* velocity) {
   if (!solid_) return;
   const AddSolidAcceleration<D, P> add{particles.view(), link(), solid_->view()};
   if (is_divided())
@@ -17,7 +18,7 @@ void SolidPart<D, P>::accelerate(Particles<D, P>& particles) {
     solid_->accelerate(EveryBond{}, add);
   else
     for_each_index(solid_->size(), add);
-  boundaries_.accelerate(particles, link(), solid_->fields());
+  boundaries_.accelerate(particles, velocity, link(), solid_->fields());
 }
 
 template <int D, class P>

@@ -154,7 +154,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
 
   void compute_bond_forces() {
     const auto timer = timers_.stage("solid");
-    solid_.accelerate(particles_);
+    solid_.accelerate_by_all(particles_, pointer(particles_.start_velocity));
     count_bonds();
   }
 
@@ -235,7 +235,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     complete_at_walls(WallCompletion::of_accelerations);
     solid_.deform_to_current(particles_);
     solid_.set_time(time_);
-    solid_.accelerate(particles_);
+    solid_.accelerate_by_all(particles_, pointer(particles_.velocity));
     solid_.show_pressure(particles_);
   }
 

@@ -75,6 +75,25 @@ class BondsOfParticle {
     result.misfit = stdx::reduce(sum);
   }
 
+  template <bool shared>
+  [[gnu::always_inline]] void sum_moments(BondMoments<D, Real>& result) const {
+    result = {Matrix<D, double>::zero(), Matrix<D, double>::zero()};
+    const Real hourglass = hourglass_of_pair(own_->hourglass);
+    for_each_batch<shared>([&](BondBatch& batch) KERF_SIMD_BODY {
+      load_geometry<shared>(batch);
+      const T stiffness = batch.bond.weight * T(hourglass);
+      const Vector<D, T> weighted = batch.bond.weight * batch.bond.reference;
+      for (int lane = 0; lane < width; ++lane) {
+        Vector<D, Real> of_lane, weighted_of_lane;
+        for (int a = 0; a < D; ++a) {
+          of_lane[a] = batch.bond.reference[a][lane];
+          weighted_of_lane[a] = weighted[a][lane];
+        }
+        add_bond_moments(result, of_lane, weighted_of_lane, Real(stiffness[lane]), hourglass);
+      }
+    });
+  }
+
   template <bool shared, bool viscous>
   [[gnu::always_inline]] void sum_force(BondForceSum<D, Real>& result) const {
     auto force = Vector<D, T>::zero();
@@ -232,6 +251,15 @@ template <int D, class Real>
                                 bonds.template sum_force<shared, true>(task.results[n]);
                               else
                                 bonds.template sum_force<shared, false>(task.results[n]);
+                            });
+}
+
+template <int D, class Real>
+[[gnu::flatten]] void sum_moments(const BondKernelTask<D, Real, BondMoments>& task,
+                                  std::uint32_t first, std::uint32_t last) {
+  for_each_particle_in_simd(task, first, last,
+                            [&](const auto& bonds, auto shared, std::uint32_t n) {
+                              bonds.template sum_moments<shared>(task.results[n]);
                             });
 }
 

@@ -9,7 +9,7 @@ namespace kerf {
 namespace simd::KERF_SIMD {
 template <int D, class Real>
 inline constexpr BondKernelsOf<D, Real> kernels_of{sum_gradients<D, Real>, sum_forces<D, Real>,
-                                                   sum_misfits<D, Real>};
+                                                   sum_misfits<D, Real>, sum_moments<D, Real>};
 }
 
 KERF_DEFINE_KERNELS(BondKernels, bond_kernels, kernels_of<2, float>, kernels_of<3, float>,

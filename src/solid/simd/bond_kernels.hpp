@@ -13,6 +13,7 @@ struct BondKernelsOf {
   BondKernel<D, Real, BondGradientSum> sum_gradients;
   BondKernel<D, Real, BondForceSum> sum_forces;
   BondKernel<D, Real, BondMisfitSum> sum_misfits;
+  BondKernel<D, Real, BondMoments> sum_moments;
 };
 using BondKernels = KernelsByType<BondKernelsOf>;
 

@@ -56,6 +56,13 @@ class SimdBondSums {
   void sum_gradients(const SolidView<D, P>& solid, const Loop& loop) const {
     run<BondGradientSum>(solid, kernels_.sum_gradients, loop, false);
   }
+  // Calls `loop`, a Correct, for all particles with their moments, which those that `left_out`
+  // marks lack.
+  template <class Loop>
+  void sum_moments(const SolidView<D, P>& solid, const Loop& loop,
+                   const std::uint8_t* left_out) const {
+    run<BondMoments>(solid, kernels_.sum_moments, loop, false, left_out);
+  }
   // Calls `loop`, a BondForce, for all particles with their sums over all bonds.
   template <class Loop>
   void sum_forces(const SolidView<D, P>& solid, const Loop& loop, bool viscous) const {

@@ -60,6 +60,14 @@ struct BondMisfitSum {
   Real misfit;
 };
 
+// The moments of the bonds in the reference configuration, of which solid/gradient_correction.hpp
+// makes B: in double, of the numbers that the other sums have, as these round them.
+template <int D, class Real>
+struct BondMoments {
+  Matrix<D, double> of_gradient;   // sum_j R (x) [w_ij R], as the sum of H has it
+  Matrix<D, double> of_hourglass;  // sum_j [2 mu_i w_ij] / (2 mu_i) R (x) R, as the force has it
+};
+
 // The bonds of shared lists (solid/share_lists.hpp) in the reference configuration, for each of
 // their entries.
 template <int D, class Real>
