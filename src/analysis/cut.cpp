@@ -8,7 +8,6 @@
 #include "analysis/front.hpp"
 #include "analysis/kerf_map.hpp"
 #include "analysis/left_whole.hpp"
-#include "analysis/line_slope.hpp"
 #include "analysis/opening_width.hpp"
 #include "analysis/pieces.hpp"
 #include "analysis/plug.hpp"
@@ -19,13 +18,6 @@
 
 namespace kerf {
 namespace {
-
-// Returns the mean speed of the front, m/s.
-double mean_front_speed(const std::vector<CutState>& states) {
-  return line_slope(
-      states, [](const CutState& state) { return state.time; },
-      [](const CutState& state) { return state.front_depth; });
-}
 
 double fractured_mass(const Workpiece& workpiece, const Frame& frame,
                       const std::vector<std::uint32_t>& rows) {
@@ -156,6 +148,7 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
     state.cut_through = last.cut_through;
     state.cut_depth = last.cut_depth;
     state.is_touched = last.is_touched;
+    state.is_touched_by_first = last.is_touched_by_first;
   }
   if (!workpiece.empty()) {
     const WholeFrame whole(part, workpiece.images);
@@ -167,6 +160,7 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
     state.fractured_fraction = state.fractured_mass / workpiece.total_mass;
     const double face = face_depth(workpiece, frame, rows);
     state.front_depth = front_depth(workpiece, frame, face);
+    const double any_front = front_depth(workpiece, frame, face, WaterOf::all_jets);
     state.pressed_share = pressed_share(workpiece, frame, rows, rigid_);
     auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
     keep_divided(workpiece, frame, rows, pieces.body_piece, traces_, standing);
@@ -186,88 +180,32 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
       state.kerf_width = widths.open;
       state.void_width = widths.laid_out;
     }
-    if (workpiece.jet && (state.front_depth > 0.0 || touches_water(workpiece, frame, rows))) {
-      state.is_touched = true;
+    if (note_touch(frame, rows, any_front, state)) {
       const auto closed = closed_where_left(workpiece, standing, traces_);
       if (!state.cut_through)
-        judge_bodies({workpiece, frame, rows, closed}, {pieces, *axes_, traces_},
-                     state.front_depth + face, state);
+        judge_bodies({workpiece, frame, rows, closed}, {pieces, *axes_, traces_}, any_front + face,
+                     state);
       state.cut_depth =
           std::max(state.cut_depth,
                    measure_cut_depth({workpiece, frame, rows, closed}, *axes_, state.bodies));
     }
     fragments_ = std::move(pieces.fragments);
+  } else if (workpiece.jet_count > 1 && !state.is_touched_by_first) {
+    state.is_touched_by_first = touches_water(workpiece, part, {}, WaterOf::first_jet);
   }
   history_.push_back(state);
   return state;
 }
 
-CutSummary CutMonitor::summary() const {
-  CutSummary summary;
-  if (history_.empty()) return summary;
-  summary.last = history_.back();
-  summary.fragments = fragments_;
-  for (const CutState& state : history_)
-    summary.pressed_share = std::max(summary.pressed_share, state.pressed_share);
-  for (std::size_t slot = 0; slot < traces_.size(); ++slot)
-    if (traces_[slot] == slot_trace::left_whole) summary.mass_left_whole += workpiece_->mass[slot];
-  if (summary.mass_left_whole > 0.0) summary.traces = traces_;
-  summary.pieces_since =
-      std::find_if(history_.rbegin(), history_.rend(),
-                   [&](const CutState& state) { return state.pieces != summary.last.pieces; })
-          .base()
-          ->time;
-  summary.initial_pieces = workpiece_->initial_pieces;
-  add_verdicts(summary);
-  std::vector<CutState> cutting;
-  for (const CutState& state : history_) {
-    if (state.front_depth > 0.0 && state.front_depth >= contact_depth_) cutting.push_back(state);
-    if (state.front_depth > 0.0 &&
-        state.front_depth >= workpiece_->bottom - workpiece_->axis_spacing)
-      break;
-  }
-  if (!cutting.empty()) summary.contact_time = cutting.front().time;
-  summary.front_speed = mean_front_speed(cutting);
-  return summary;
-}
-
-// Adds when and how the bodies and the workpiece were cut through.
-void CutMonitor::add_verdicts(CutSummary& summary) const {
-  summary.severed = summary.punched = true;
-  for (std::size_t n = 0; n < workpiece_->bodies.size(); ++n) {
-    const WorkpieceBody& body = workpiece_->bodies[n];
-    BodyVerdict verdict{body.body, body.is_in_way, body.can_break, history_.back().bodies.at(n)};
-    const auto cut = std::find_if(history_.begin(), history_.end(), [n](const CutState& state) {
-      return state.bodies.at(n).through;
-    });
-    if (cut != history_.end()) verdict.time = cut->time;
-    if (body.is_in_way) {
-      summary.severed = summary.severed && verdict.cut.severed;
-      summary.punched = summary.punched && verdict.cut.punched;
-    }
-    summary.bodies.push_back(verdict);
-  }
-  const auto through = std::find_if(history_.begin(), history_.end(),
-                                    [](const CutState& state) { return state.cut_through; });
-  summary.cut_through = through != history_.end();
-  summary.severed = summary.severed && summary.cut_through;
-  summary.punched = summary.punched && summary.cut_through;
-  const double bottom = workpiece_->bottom;
-  if (bottom > 0.0) summary.front_share_at_end = summary.last.front_depth / bottom;
-  summary.removed_share_at_end = summary.last.removed_share();
-  if (!summary.cut_through) return;
-  summary.cut_through_time = through->time;
-  summary.cut_through_place = workpiece_->jet->point_at(through->front_depth, through->time);
-  summary.removed_share_at_cut = through->removed_share();
-  if (bottom > 0.0) {
-    summary.front_share_at_cut = through->front_depth / bottom;
-    const double pressed = 0.5 * std::min(workpiece_->jet->width, bottom);
-    summary.greatest_share = 1.0 + std::max(pressed, workpiece_->axis_spacing) / bottom;
-  }
-  const auto passed = std::find_if(through, history_.end(), [&](const CutState& state) {
-    return state.front_depth >= bottom - workpiece_->axis_spacing;
-  });
-  if (passed != history_.end()) summary.water_through_time = passed->time;
+bool CutMonitor::note_touch(const Frame& frame, const std::vector<std::uint32_t>& rows,
+                            double front, CutState& state) const {
+  if (!workpiece_->jet) return false;
+  const bool is_touched = front > 0.0 || touches_water(*workpiece_, frame, rows);
+  state.is_touched = state.is_touched || is_touched;
+  if (is_touched && !state.is_touched_by_first)
+    state.is_touched_by_first = workpiece_->jet_count == 1 || state.front_depth > 0.0 ||
+                                touches_water(*workpiece_, frame, rows, WaterOf::first_jet);
+  return is_touched;
 }
 
 void CutMonitor::restore(std::vector<CutState> history, const std::vector<std::uint8_t>& traces,

@@ -40,7 +40,7 @@ std::string kind_of_cut(bool is_severed, bool is_punched);
 // The state of a cut at one instant.
 struct CutState {
   double time = 0.0;                // s
-  double front_depth = 0.0;         // m, below the face, along the jet; 0 before contact
+  double front_depth = 0.0;         // m, of the first jet, below the face; 0 before contact
   double cut_depth = 0.0;           // m, of the cut so far (analysis/cut_depth.hpp)
   int pieces = 0;                   // connected pieces of intact solid > 5% of the workpiece
   double fractured_fraction = 0.0;  // fractured mass over the workpiece's, as at the start
@@ -52,10 +52,11 @@ struct CutState {
   bool cut_through = false;
   // Whether water of a jet touches or has entered the workpiece, at this instant or before.
   bool is_touched = false;
-  std::vector<BodyCut> bodies;  // in the order of Workpiece::bodies
-  Wake wake;                    // of a nozzle with which a frame travels
-  double water_impulse = 0.0;   // N s (2D: N s/m), of the water on the solids, along the jet
-  double pressed_share = 0.0;   // of the mass, inside rigid bodies (analysis/pressed_solid.hpp)
+  bool is_touched_by_first = false;  // likewise, of the first jet, or of it and any solid
+  std::vector<BodyCut> bodies;       // in the order of Workpiece::bodies
+  Wake wake;                         // of a nozzle with which a frame travels
+  double water_impulse = 0.0;        // N s (2D: N s/m), of the water on the solids, along the jet
+  double pressed_share = 0.0;  // of the mass, inside rigid bodies (analysis/pressed_solid.hpp)
 
   // Returns the part of the opening that is removed, of its width in solid; 1 without an opening,
   // and where a dent opens no path from the face.
@@ -107,6 +108,11 @@ struct CutSummary {
   // s, from then on the first time at which the front is within a spacing of that depth
   double water_through_time = std::numeric_limits<double>::quiet_NaN();
   double contact_time = std::numeric_limits<double>::quiet_NaN();  // s, first with a front
+  // s, first at which water of the first jet touched the workpiece; nan = never
+  double first_touch_time = std::numeric_limits<double>::quiet_NaN();
+  // Of several jets: the water of the first had touched nothing when the workpiece was cut through,
+  // or by the end of a run without a cut. What is broken is the work of the others.
+  bool is_of_other_jet = false;
   int initial_pieces = 0;  // pieces as laid out: bodies that nothing joins are pieces of their own
   double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
   std::vector<BodyVerdict> bodies;
@@ -131,7 +137,9 @@ struct CutSummary {
   }
 
   // Whether a crack parted or pierced more of the thickness than the water had passed by then.
-  bool cracked_ahead() const { return cut_through && front_share_at_cut < least_share; }
+  bool cracked_ahead() const {
+    return cut_through && !is_of_other_jet && front_share_at_cut < least_share;
+  }
   // Whether the jet had pressed the workpiece ahead by more than that by then, or had pushed aside
   // more than it had removed. A front below the far face of what is not cut has pressed that ahead.
   bool was_pressed_ahead() const {
@@ -141,7 +149,8 @@ struct CutSummary {
     if (!cut_through) return removed_share_at_end < least_removed;
     return !cracked_ahead() && removed_share_at_cut < least_removed;
   }
-  bool gave_way() const { return was_pressed_ahead() || was_pushed_aside(); }
+  // It does not give way to a first jet that met nothing.
+  bool gave_way() const { return !is_of_other_jet && (was_pressed_ahead() || was_pushed_aside()); }
   // Whether a nozzle that moves may fail where this one, which stands, cuts through: it strikes but
   // once, and edges that give way evade it (docs/theory/exposure.md).
   bool holds_at_rest_only() const { return cracked_ahead() || gave_way(); }
@@ -172,6 +181,9 @@ class CutMonitor {
  private:
   void add_verdicts(CutSummary& summary) const;
   void take(const Case& description, const Frame& layout);
+  // Notes what water of the jets touches in a frame, and returns whether water of any does.
+  bool note_touch(const Frame& frame, const std::vector<std::uint32_t>& rows, double front,
+                  CutState& state) const;
   // Returns the time of the first front so far, s, before a row at `now`.
   double contact_time(double now) const;
 

@@ -42,6 +42,15 @@ std::string kind_of_cut(bool is_severed, bool is_punched) {
   return is_punched ? "punched" : is_severed ? "severed" : "holed";
 }
 
+namespace {
+
+// Returns a time that may be nan for what has not happened.
+std::optional<double> known(double time) {
+  return std::isnan(time) ? std::nullopt : std::optional(time);
+}
+
+}  // namespace
+
 const MetricList<CutSummary>& CutSummary::metrics() {
   using S = CutSummary;
   static const MetricList<S> list{
@@ -60,6 +69,10 @@ const MetricList<CutSummary>& CutSummary::metrics() {
        [](const S& s) {
          return s.cut_through ? std::optional(s.cut_through_place) : std::nullopt;
        }},
+      {"cut_by_other_jet", "1", "cut by another jet than the first",
+       "Whether what is cut or broken is the work of other jets: the first had met no solid by "
+       "then.",
+       &S::is_of_other_jet},
       {"front_share_at_cut", "1", "depth of the front at the cut over the thickness",
        "Depth of the water front when the workpiece was cut through, over the depth at which the "
        "axis leaves the workpiece as laid out.",
@@ -87,10 +100,7 @@ const MetricList<CutSummary>& CutSummary::metrics() {
        "First time, from the cut on, at which the water front is within one spacing of the far "
        "face "
        "as laid out.",
-       [](const S& s) {
-         return std::isnan(s.water_through_time) ? std::nullopt
-                                                 : std::optional(s.water_through_time);
-       }},
+       [](const S& s) { return known(s.water_through_time); }},
       {"front_speed", "m/s", "speed of the water front",
        "Least-squares slope of the front depth over time, from contact to the far face.",
        &S::front_speed},

@@ -51,7 +51,8 @@ struct DerivedNumbers {
   double likely_end = 0.0;             // s, at most the end of the case
   double likely_share = 1.0;           // of the time of the case until then
   double steps = 0.0;                  // until then
-  double memory = 0.0;                 // bytes, estimate
+  double particle_memory = 0.0;        // bytes, estimate, of the engine for its particles
+  double memory = 0.0;                 // bytes, of the process of a run at its peak
   // "no jet", "nothing to cut", "elastic dimple", "crack-led", "erosion", "hydrodynamic"
   std::string regime;
 

@@ -2,6 +2,7 @@
 #include "analysis/front.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "geometry/cell_grid.hpp"
 
@@ -13,12 +14,31 @@ struct Drop {
   double mass;   // kg
 };
 
+bool is_water_of(WaterOf jets, const Workpiece& workpiece, const Frame& frame, std::size_t row) {
+  return jets == WaterOf::all_jets ? workpiece.is_jet_water(frame, row)
+                                   : workpiece.is_first_jet_water(frame, row);
+}
+
+// Returns the rows of the intact solid of the workpiece; without one, of all solid.
+std::vector<std::uint32_t> intact_rows(const Frame& frame, const std::vector<std::uint32_t>& rows) {
+  std::vector<std::uint32_t> intact;
+  if (rows.empty()) {
+    for (std::uint32_t row = 0; row < frame.position.size(); ++row)
+      if (is_intact(frame, row)) intact.push_back(row);
+    return intact;
+  }
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(intact),
+               [&](std::uint32_t row) { return is_intact(frame, row); });
+  return intact;
+}
+
 // Returns the water within a jet width of the path of the axis, the deepest first, with depths
 // below `face`, m. A slot must be about twice as wide as its jet for the water to flow back.
-std::vector<Drop> drops_near_axis(const Workpiece& workpiece, const Frame& frame, double face) {
+std::vector<Drop> drops_near_axis(const Workpiece& workpiece, const Frame& frame, double face,
+                                  WaterOf jets) {
   std::vector<Drop> drops;
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
-    if (!workpiece.is_jet_water(frame, row)) continue;
+    if (!is_water_of(jets, workpiece, frame, row)) continue;
     const auto x = workpiece.jet->swept(frame.position[row], frame.time);
     const double depth = workpiece.jet->depth(x) - face;
     if (depth < -workpiece.jet->width || workpiece.jet->distance(x) > workpiece.jet->width)
@@ -32,10 +52,10 @@ std::vector<Drop> drops_near_axis(const Workpiece& workpiece, const Frame& frame
 
 }  // namespace
 
-double front_depth(const Workpiece& workpiece, const Frame& frame, double face) {
+double front_depth(const Workpiece& workpiece, const Frame& frame, double face, WaterOf jets) {
   if (!workpiece.jet) return 0.0;
   const JetAxis& jet = *workpiece.jet;
-  const auto drops = drops_near_axis(workpiece, frame, face);
+  const auto drops = drops_near_axis(workpiece, frame, face, jets);
   if (drops.empty()) return 0.0;
   const double plug = workpiece.jet_density * jet.section * jet.width;
   // The bound is slightly lower, so that the result does not depend on rounding if a lattice has
@@ -69,23 +89,26 @@ double face_depth(const Workpiece& workpiece, const Frame& frame,
 }
 
 bool touches_water(const Workpiece& workpiece, const Frame& frame,
-                   const std::vector<std::uint32_t>& rows) {
+                   const std::vector<std::uint32_t>& rows, WaterOf jets) {
   // Beside a flat face a drop is at most 1.12 of the larger spacing from the nearest particle.
   constexpr double contact = 1.2;
   using Place = CellGrid<3>::Position;
   std::vector<Place> drops;
   double spacing = 0.0;  // of the water
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
-    if (!workpiece.is_jet_water(frame, row)) continue;
+    if (!is_water_of(jets, workpiece, frame, row)) continue;
     drops.push_back(Place::from(frame.position[row]));
     spacing = std::max(spacing, static_cast<double>(frame.spacing[row]));
   }
   if (drops.empty()) return false;
-  const CellGrid<3> near(drops, contact * std::max(spacing, workpiece.spacing));
-  for (std::size_t slot = 0; slot < rows.size(); ++slot) {
-    if (!is_intact(frame, rows[slot])) continue;
-    const double reach = contact * std::max(spacing, workpiece.size[slot]);
-    const Place place = Place::from(frame.position[rows[slot]]);
+  const auto solid = intact_rows(frame, rows);
+  double coarsest = spacing;
+  for (const std::uint32_t row : solid)
+    coarsest = std::max(coarsest, static_cast<double>(frame.spacing[row]));
+  const CellGrid<3> near(drops, contact * coarsest);
+  for (const std::uint32_t row : solid) {
+    const double reach = contact * std::max(spacing, static_cast<double>(frame.spacing[row]));
+    const Place place = Place::from(frame.position[row]);
     bool touches = false;
     near.visit_near(place, [&](std::size_t drop) { touches |= norm(drops[drop] - place) < reach; });
     if (touches) return true;

@@ -15,18 +15,23 @@ inline constexpr double front_plug_fraction = 0.1;
 // Fewer particles than this do not make a front either, if the jet is only a few particles wide.
 inline constexpr double front_least_particles = 3.0;
 
-// Returns the depth of the water front along the axis of the first jet below `face`, m: a depth of
-// the layout. The water of all jets counts. It is 0 before contact or without a jet.
-double front_depth(const Workpiece& workpiece, const Frame& frame, double face = 0.0);
+// Of which jets water counts. The first has its images in symmetry planes.
+enum class WaterOf : std::uint8_t { first_jet, all_jets };
+
+// Returns the depth of the front of this water along the axis of the first jet below `face`, m: a
+// depth of the layout. It is 0 before contact or without a jet.
+double front_depth(const Workpiece& workpiece, const Frame& frame, double face = 0.0,
+                   WaterOf jets = WaterOf::first_jet);
 
 // Returns the depth of the face, m, of a workpiece that comes towards the nozzle: minus the way by
 // which nine tenths of its intact solid have come; 0 where it stands or recedes.
 double face_depth(const Workpiece& workpiece, const Frame& frame,
                   const std::vector<std::uint32_t>& rows);
 
-// Returns whether the water of a jet touches intact solid of the workpiece.
+// Returns whether this water touches intact solid of the workpiece, or of any body where no body is
+// in the way of the first jet.
 bool touches_water(const Workpiece& workpiece, const Frame& frame,
-                   const std::vector<std::uint32_t>& rows);
+                   const std::vector<std::uint32_t>& rows, WaterOf jets = WaterOf::all_jets);
 
 // Returns the depth at which the axis leaves a body in current positions, m: its initial depth,
 // moved by the median displacement of the intact solid around that point.

@@ -228,12 +228,12 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
     const auto material = static_cast<std::size_t>(bodies[source].material);
     workpiece.volume.push_back(workpiece.mass.back() / description.materials.at(material).density);
   }
+  workpiece.jet_source = static_cast<std::uint16_t>(bodies.size());
+  workpiece.jet_count = static_cast<int>(description.jets.size());
   if (workpiece.empty()) return workpiece;
   if (!description.jets.empty()) {
     const Jet& jet = description.jets.front();
     workpiece.jet.emplace(jet, description.dimension);
-    workpiece.jet_source = static_cast<std::uint16_t>(bodies.size());
-    workpiece.jet_count = static_cast<int>(description.jets.size());
     workpiece.jets = axes_of_jets(description, workpiece.images);
     workpiece.jet_density =
         description.materials.at(static_cast<std::size_t>(jet.material)).density;

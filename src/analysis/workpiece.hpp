@@ -93,6 +93,10 @@ struct Workpiece {
     const int source = frame.source[row] - jet_source;
     return source >= 0 && source < jet_count && frame.upstream[row] == 0;
   }
+  // Whether such water is that of the first jet, or of one of its images.
+  bool is_first_jet_water(const Frame& frame, std::size_t row) const {
+    return frame.source[row] == jet_source && is_jet_water(frame, row);
+  }
   bool is_in_united(std::size_t slot) const {
     return !is_united.empty() && is_united[body[slot]] != 0;
   }

@@ -154,7 +154,8 @@ void print_cost(const Case& description, const DerivedNumbers& numbers, const Pa
   row("time step", readable(numbers.time_step / pace.step_factor, "s"));
   row("steps",
       cost.steps < 1e12 ? fmt::format("{:.0f}", cost.steps) : fmt::format("{:.3g}", cost.steps));
-  row("memory", readable(cost.memory, "B"));
+  row("memory", fmt::format("{} of the process at its peak, of which {} are the particles",
+                            readable(cost.memory, "B"), readable(cost.particle_memory, "B")));
   row("speed on this machine", fmt::format("{:.3g} particle-steps/s", 1.0 / pace.particle_step));
   row("run time", run_time_text(cost, pace));
 }

@@ -13,6 +13,7 @@ Json cost_json(const RunCost& cost) {
   return {{"particles", cost.particles},
           {"steps", cost.steps},
           {"memory", cost.memory},
+          {"particle_memory", cost.particle_memory},
           {"run_time", cost.seconds}};
 }
 

@@ -19,7 +19,7 @@ struct OneRank {
   int dimension = 3;
   double step_time = 0.0;   // s, mean over the run
   double steps = 0.0;       // of the run
-  double memory = 0.0;      // bytes
+  double memory = 0.0;      // bytes, for the particles
   double bond_share = 0.0;  // of the time, for bonds of solids
   double refinement = 1.0;  // particles of the case over those of the layout that was divided
 };
@@ -30,7 +30,7 @@ struct RankEstimate {
   // bonds it computes.
   double particles = 0.0, ghosts = 0.0, solid = 0.0, solid_ghosts = 0.0;
   double imbalance = 1.0;   // work of the slowest over the mean, without ghosts
-  double memory = 0.0;      // bytes, of the largest
+  double memory = 0.0;      // bytes, for the particles of the largest
   double bytes = 0.0;       // sent or received by a rank in a step, the most
   int partners = 0;         // with which a rank exchanges them, the most
   double compute = 0.0;     // s, of a step

@@ -90,7 +90,8 @@ std::string RankPlan::text() const {
         readable(estimate.step_time, "s"), duration_text(estimate.run_time), estimate.speed_up,
         100.0 * estimate.efficiency);
   text +=
-      "  Particles, ghosts, memory and what is sent in a step are those of the rank that has most, "
+      "  Particles, ghosts, memory for them and what is sent in a step are those of the rank that "
+      "has most, "
       "at "
       "the start.\n  While it lays the case out, and rank 0 while it writes a frame, a rank needs "
       "the "
@@ -139,12 +140,8 @@ RankPlan rank_plan(const CostedCase& costed, int ranks, int threads, const Netwo
   plan.threads = threads;
   plan.laid_out = layout->particles();
   if (particles > most_laid_out) plan.refinement = particles / double(plan.laid_out);
-  const OneRank one{costed.description.dimension,
-                    cost.seconds / cost.steps,
-                    cost.steps,
-                    cost.memory,
-                    costed.pace.bond_share,
-                    plan.refinement};
+  const OneRank one{costed.description.dimension, cost.seconds / cost.steps, cost.steps,
+                    cost.particle_memory,         costed.pace.bond_share,    plan.refinement};
   for (const int count : numbers_up_to(ranks)) {
     const RankLoads loads = layout->rank_loads(count);
     plan.waits = loads.waits;

@@ -62,6 +62,7 @@ RunCost run_cost(const DerivedNumbers& numbers, const Pace& pace) {
   cost.particles = numbers.particles_mean;
   cost.steps = pace.step_factor * numbers.steps;
   cost.memory = numbers.memory;
+  cost.particle_memory = numbers.particle_memory;
   const double rows = pace.rows * numbers.likely_share;
   cost.seconds = cost.particles * (pace.particle_step * cost.steps + pace.particle_row * rows);
   return cost;

@@ -27,8 +27,9 @@ struct Pace {
 struct RunCost {
   double particles = 0.0;  // mean over the run
   double steps = 0.0;
-  double memory = 0.0;   // bytes
-  double seconds = 0.0;  // of the run
+  double memory = 0.0;           // bytes, of the process at its peak
+  double particle_memory = 0.0;  // bytes, of that the data of the engine
+  double seconds = 0.0;          // of the run
 };
 
 // Returns the pace of a typical case of the same dimension and formulation on one core.

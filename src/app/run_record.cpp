@@ -46,7 +46,8 @@ void save_history(std::vector<CutState> history, Archive& archive) {
   std::vector<std::uint8_t> bodies;  // of each body in turn
   for (const CutState& state : history) {
     pieces.push_back(static_cast<std::uint32_t>(state.pieces));
-    through.push_back((state.cut_through ? 1u : 0u) + (state.is_touched ? 2u : 0u));
+    through.push_back((state.cut_through ? 1u : 0u) + (state.is_touched ? 2u : 0u) +
+                      (state.is_touched_by_first ? 4u : 0u));
     for (const BodyCut& body : state.bodies)
       bodies.push_back(static_cast<std::uint8_t>((body.through ? 1 : 0) + (body.severed ? 2 : 0) +
                                                  (body.left ? 4 : 0) + (body.punched ? 8 : 0)));
@@ -78,6 +79,7 @@ std::vector<CutState> restore_history(const Archive& archive) {
     history[i].pieces = static_cast<int>(pieces[i]);
     history[i].cut_through = (through.at(i) & 1u) != 0;
     history[i].is_touched = (through.at(i) & 2u) != 0;
+    history[i].is_touched_by_first = (through.at(i) & 4u) != 0;
     for (std::size_t n = i * count; n < (i + 1) * count; ++n)
       history[i].bodies.push_back({(bodies[n] & 1u) != 0, (bodies[n] & 2u) != 0,
                                    (bodies[n] & 4u) != 0, (bodies[n] & 8u) != 0});

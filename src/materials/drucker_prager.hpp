@@ -5,7 +5,7 @@
 // with flow along q + dilation p on the cone and along p on the cap; both act where they meet,
 // which is the apex if the cap lies there. The cone touches the pyramid of Mohr & Coulomb along
 // the meridians of `ConeMatch` (de Souza Neto, Peric & Owen, Computational Methods for Plasticity
-// (2008), 6.4.4).
+// (2008), 6.4.4); docs/theory/plasticity.md derives that of plane strain for any dilation.
 #pragma once
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace kerf {
 enum class ConeMatch : std::uint8_t {
   compression,  // like a cylinder pressed along its axis: the outer cone
   extension,    // like a cylinder pressed from its side: the inner cone
-  plane_strain  // collapse in plane strain; exact where dilation = friction
+  plane_strain  // collapse in plane strain, where the flow out of the plane is zero
 };
 
 template <class T>
@@ -44,59 +44,60 @@ struct DruckerPrager {
   static constexpr bool depends_on_temperature = false;
   static std::vector<Key> rows() {
     using Law = DruckerPrager<double>;
-    return {
-        {"cohesion",
-         ValueKind::quantity,
-         "Pa",
-         "",
-         key_range::not_negative,
-         {},
-         "",
-         "Cohesion of Mohr & Coulomb, which the cone is fitted to: in plane strain in 2D, along "
-         "the compressive meridian in 3D",
-         stored_in<&Law::cohesion>},
-        {"friction_angle",
-         ValueKind::quantity,
-         "rad",
-         "",
-         {0.0, 1.5, false, true},
-         {},
-         "",
-         "Angle of internal friction",
-         stored_in<&Law::friction_angle>},
-        {"dilation_angle",
-         ValueKind::quantity,
-         "rad",
-         "0 deg",
-         {0.0, 1.5, false, true},
-         {},
-         "",
-         "Angle of dilation",
-         stored_in<&Law::dilation_angle>},
-        {"tension_cut_off",
-         ValueKind::quantity,
-         "Pa",
-         "none",
-         key_range::not_negative,
-         {},
-         "",
-         "Mean tension that it bears; none = the apex of the cone",
-         stored_in<&Law::tension_cut_off>}};
+    return {{"cohesion",
+             ValueKind::quantity,
+             "Pa",
+             "",
+             key_range::not_negative,
+             {},
+             "",
+             "Cohesion of Mohr & Coulomb, which the cone is fitted to: in 2D at collapse in plane "
+             "strain with the dilation_angle given, in 3D along the compressive meridian",
+             stored_in<&Law::cohesion>},
+            {"friction_angle",
+             ValueKind::quantity,
+             "rad",
+             "",
+             {0.0, 1.5, false, true},
+             {},
+             "",
+             "Angle of internal friction",
+             stored_in<&Law::friction_angle>},
+            {"dilation_angle",
+             ValueKind::quantity,
+             "rad",
+             "0 deg",
+             {0.0, 1.5, false, true},
+             {},
+             "",
+             "Angle of dilation",
+             stored_in<&Law::dilation_angle>},
+            {"tension_cut_off",
+             ValueKind::quantity,
+             "Pa",
+             "none",
+             key_range::not_negative,
+             {},
+             "",
+             "Mean tension that it bears; none = the apex of the cone",
+             stored_in<&Law::tension_cut_off>}};
   }
   void derive(const BodyNumbers& body) {
     const ConeMatch match = body.dimension == 2 ? ConeMatch::plane_strain : ConeMatch::compression;
     *this = of(cohesion, friction_angle, dilation_angle, tension_cut_off, match);
   }
 
-  // Slope of the cone over the sine of the angle of friction, or of the flow over that of dilation.
-  KERF_FUNCTION static T steepness(T sine, ConeMatch match) {
+  // Slope of the cone over the sine of the angle of friction. The flow decides by the sine of its
+  // angle of dilation where the stress at collapse in plane strain lies. With both sines the same
+  // it is the slope of the flow over the sine of the angle of dilation.
+  KERF_FUNCTION static T steepness(T sine, T flow_sine, ConeMatch match) {
     switch (match) {
       case ConeMatch::compression:
         return T(6) / (T(3) - sine);
       case ConeMatch::extension:
         return T(6) / (T(3) + sine);
       case ConeMatch::plane_strain:
-        return T(3) / std::sqrt(T(3) + sine * sine);
+        return T(3) * std::sqrt(T(3) + flow_sine * flow_sine) / (T(3) + sine * flow_sine);
     }
     return T(0);
   }
@@ -107,9 +108,10 @@ struct DruckerPrager {
                                         ConeMatch match) {
     DruckerPrager law{T(0), T(0), T(0), T(0), cohesion, friction_angle, dilation_angle, cut_off};
     const T sine = std::sin(friction_angle), flow_sine = std::sin(dilation_angle);
-    law.friction = steepness(sine, match) * sine;
-    law.dilation = steepness(flow_sine, match) * flow_sine;
-    law.strength = steepness(sine, match) * cohesion * std::cos(friction_angle);
+    const T slope = steepness(sine, flow_sine, match);
+    law.friction = slope * sine;
+    law.dilation = steepness(flow_sine, flow_sine, match) * flow_sine;
+    law.strength = slope * cohesion * std::cos(friction_angle);
     law.tension = law.friction * cut_off < law.strength ? cut_off : law.strength / law.friction;
     return law;
   }

@@ -37,17 +37,23 @@ bool aims_at_nothing(const RunOutcome& outcome) {
          !outcome.cut.cut_through;
 }
 
-std::string aimless_sentence(const RunOutcome& outcome) {
-  const std::string start = the_jet(outcome) + " aims at no body that it could cut";
+bool has_broken(const RunOutcome& outcome) {
   // What is loose as laid out counts as fractured in the balance.
   const bool has_debris = outcome.balance.mass_fractured > 0.0 && outcome.loose.empty();
-  const bool breaks = has_debris || outcome.balance.dissipated_fracture > 0.0;
-  const std::string broken = breaks ? ", and solid has broken" : "";
+  return has_debris || outcome.balance.dissipated_fracture > 0.0;
+}
+
+std::string aimless_sentence(const RunOutcome& outcome) {
+  const std::string start = the_jet(outcome) + " aims at no body that it could cut";
+  const std::string broken = has_broken(outcome) ? ", and solid has broken" : "";
   const std::vector<std::string> fixed = fixed_in_way(outcome.description);
   if (!fixed.empty())
     return fmt::format("{}: {} in its way {} fixed{}.", start, join_names(fixed),
                        fixed.size() == 1 ? "is" : "are", broken);
   if (!has_workpiece(outcome.description) || !has_touched(outcome)) return start + ".";
+  if (outcome.cut.is_of_other_jet)
+    return fmt::format("{} at the start, and its water has met none{}.", start,
+                       has_broken(outcome) ? "; solid has broken under another jet" : "");
   return fmt::format(
       "{} at the start; its water has met one beside its way or that moved into it{}.", start,
       broken);

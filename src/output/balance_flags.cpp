@@ -63,6 +63,24 @@ bool is_little(double energy, const Balance& balance, const Case& description) {
   return std::isfinite(slowest) && std::abs(energy) < 0.5 * balance.mass_now * speed * speed;
 }
 
+// What has a density that is smoothed: water, debris, and solids that are nearly incompressible.
+struct SmoothedMatter {
+  const char* named;   // as the subject of a sentence
+  const char* remedy;  // a sentence
+};
+SmoothedMatter smoothed_matter(const Case& description) {
+  const auto has = [&](MaterialKind kind) {
+    return std::any_of(description.materials.begin(), description.materials.end(),
+                       [&](const Material& material) { return material.kind == kind; });
+  };
+  if (!has(MaterialKind::elastic)) return {"the water", "Use a finer spacing."};
+  if (!has(MaterialKind::water))
+    return {"debris and nearly incompressible solids",
+            "Give the solids more artificial_linear, or use a finer spacing."};
+  return {"the water or the debris",
+          "Use a finer spacing; where debris is jammed, give its solid more artificial_linear."};
+}
+
 // For the standard formulation. Smoothing of the density may take energy, and add none.
 ValidityFlag density_flag(const Balance& balance, const Case& description) {
   const double loss = balance.density_loss();
@@ -74,10 +92,12 @@ ValidityFlag density_flag(const Balance& balance, const Case& description) {
   const double limit = adds ? -small_drift : small_density_loss;
   const std::string takes = fmt::format("Smoothing of the density {} {:.2g}% of all energy",
                                         loss < 0.0 ? "adds" : "takes", 100.0 * std::abs(loss));
+  const SmoothedMatter matter = smoothed_matter(description);
   return {"density_loss", good_where(good), loss, limit,
           good ? takes + "."
-               : fmt::format("{}, more than {:g}%: the water may be too {}. Use a finer spacing.",
-                             takes, 100.0 * std::abs(limit), adds ? "fast" : "slow")};
+               : fmt::format("{}, more than {:g}%: {} may be too {}. {}", takes,
+                             100.0 * std::abs(limit), matter.named, adds ? "fast" : "slow",
+                             matter.remedy)};
 }
 
 }  // namespace

@@ -100,7 +100,8 @@ bool has_touched(const RunOutcome& outcome) {
 
 std::string untouched_sentence(const RunOutcome& outcome) {
   const std::string end = readable(outcome.time, "s");
-  const double arrival = arrival_time(outcome.description.jets.front());
+  double arrival = std::numeric_limits<double>::infinity();
+  for (const Jet& jet : outcome.description.jets) arrival = std::min(arrival, arrival_time(jet));
   std::string text =
       arrival < outcome.time
           ? fmt::format("The water has not touched the workpiece within {}", end)

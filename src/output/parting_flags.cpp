@@ -3,8 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
+#include "analysis/workpiece_motion.hpp"
 #include "model/case.hpp"
+#include "output/readable.hpp"
 #include "output/result.hpp"
+#include "output/verdict_parts.hpp"
 
 namespace kerf {
 
@@ -26,11 +32,60 @@ void add_flag_of_uncut(const CutSummary& cut, std::vector<ValidityFlag>& flags) 
                      100.0 * cut.removed_share_at_end)});
 }
 
+// Whether the case itself moves a body in the way of the jet.
+bool is_moved_by_case(const RunOutcome& outcome) {
+  const auto& verdicts = outcome.cut.bodies;
+  return std::any_of(verdicts.begin(), verdicts.end(), [&](const BodyVerdict& verdict) {
+    const Body& body = outcome.description.bodies.at(std::size_t(verdict.body));
+    return !body.displacement[0].empty() ||
+           first_velocity(body, outcome.description.dimension) != std::array<double, 3>{};
+  });
+}
+
+// Of a workpiece that was pressed ahead by more than its thickness: when it is cut depends on what
+// holds it. The front, which runs past a body that is narrow, tells of one that is cut whether it
+// moved before.
+void add_flag_of_sag(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  if (!outcome.kerf || is_moved_by_case(outcome)) return;
+  const CutSummary& cut = outcome.cut;
+  const double thickness = outcome.kerf->shape.thickness;
+  const double motion = outcome.kerf->of<Dent>().motion;
+  if (!(thickness > 0.0) || !(motion > thickness)) return;
+  if (cut.cut_through && !(cut.front_share_at_cut > 2.0)) return;
+  const auto& workpiece = outcome.description.workpiece;
+  const bool travels = workpiece && workpiece->frame == WorkpieceFrame::travelling;
+  flags.push_back(
+      {"sagged", ValidityFlag::State::warning, motion, thickness,
+       fmt::format(
+           "The workpiece has given way by {}, {:.2g} times its thickness: the depth and the time "
+           "of a cut depend on what holds it{}.",
+           readable(motion, "m"), motion / thickness,
+           travels ? ", the ends of the window. Widen the window until they no longer change, or "
+                     "simulate a workpiece on a support in a frame at rest"
+                   : ". Support it, as by a rigid body below it")});
+}
+
+// Of several jets, of which the first met nothing.
+void add_flag_of_other_jet(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
+  const std::string& first = outcome.description.jets.front().name;
+  flags.push_back(
+      {"other_jet",
+       ValidityFlag::State::warning,
+       {},
+       {},
+       fmt::format("What is cut or broken is the work of another jet than the first, {}, which had "
+                   "met no solid by then. The front is that of {}, and the cut and the kerf are "
+                   "measured along its axis: name the jet that cuts first in the case.",
+                   first, first)});
+}
+
 }  // namespace
 
 void add_parting_flags(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   const CutSummary& cut = outcome.cut;
+  if (is_of_other_jet(outcome)) return add_flag_of_other_jet(outcome, flags);
   const double share = cut.front_share_at_cut;
+  add_flag_of_sag(outcome, flags);
   if (cut.cracked_ahead())
     flags.push_back(
         {"crack_ahead", ValidityFlag::State::note, share, CutSummary::least_share,

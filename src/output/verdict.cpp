@@ -252,6 +252,7 @@ std::string verdict_of(const RunOutcome& outcome) {
   if (outcome.description.jets.empty()) return jetless_sentence(outcome);
   if (aims_at_nothing(outcome)) return aimless_sentence(outcome);
   if (!has_touched(outcome)) return untouched_sentence(outcome);
+  if (is_of_other_jet(outcome)) return other_jet_sentence(outcome);
   return (outcome.cut.cut_through ? cut_sentence(outcome) : depth_sentence(outcome)) +
          other_jets_sentence(outcome) + exposure_sentence(outcome) + stationary_sentence(outcome);
 }

@@ -51,6 +51,15 @@ std::string dent_sentence(const RunOutcome& outcome);
 bool aims_at_nothing(const RunOutcome& outcome);
 // Says so, and why, or whether its water has met one since.
 std::string aimless_sentence(const RunOutcome& outcome);
+// Whether solid has broken that was not loose as laid out.
+bool has_broken(const RunOutcome& outcome);
+
+// Returns whether the first of several jets met no solid before the workpiece was cut through, or
+// by the end, so that what another jet did is not credited to it.
+bool is_of_other_jet(const RunOutcome& outcome);
+// Says so, and what another jet did.
+std::string other_jet_sentence(const RunOutcome& outcome);
+
 // Says what became of the workpiece of a run without a jet.
 std::string jetless_sentence(const RunOutcome& outcome);
 

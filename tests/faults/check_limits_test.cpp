@@ -5,8 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/derived.hpp"
 #include "core/error.hpp"
 #include "faults/program.hpp"
+#include "input/read.hpp"
+#include "model/case.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace kerf::test::check_limits {
@@ -75,10 +78,44 @@ TEST(CheckLimits, RunRefusesWhatDoesNotFitIntoTheMemory) {
   EXPECT_EQ(refused.exit_code, exit_bad_input);
   EXPECT_LT(refused.memory, 200e6);
   EXPECT_THAT(refused.output,
-              AllOf(HasSubstr("the run needs about 276.1 GB"), HasSubstr("Allowed: at most"),
+              AllOf(HasSubstr("the run needs about 878 GB"), HasSubstr("Allowed: at most"),
                     HasSubstr("--ignore-memory"), HasSubstr("What to change"),
                     HasSubstr("[machine] spacing = \"0.022 mm\"")));
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+// The memory that is told is that of the process of a run at its peak, program and report included:
+// for a case of few particles it is the program, for a larger one mostly what is held for output.
+TEST(CheckLimits, TellsTheMemoryOfTheProcessOfARun) {
+  const TemporaryFolder folder;
+  for (const double spacing : {2.0, 0.4}) {  // mm
+    const std::string text = fmt::format(R"(title = "A block"
+dimension = 2
+[time]
+end = "0.1 ms"
+[[body]]
+name = "block"
+material = "tofu"
+shape = {{ type = "box", minimum = ["-30 mm", "0 mm"], maximum = ["30 mm", "20 mm"] }}
+spacing = "{0} mm"
+[[jet]]
+name = "jet"
+speed = "5 m/s"
+width = "12 mm"
+position = ["0 mm", "20 mm"]
+standoff = "10 mm"
+spacing = "{0} mm"
+)",
+                                         spacing);
+    write_file(folder / "case.toml", text);
+    const Ending ending = Program({"run", (folder / "case.toml").string(), "--out",
+                                   (folder / "out").string(), "--force", "--threads", "1"},
+                                  folder / "output.txt")
+                              .wait();
+    ASSERT_EQ(ending.exit_code, 0) << ending.output;
+    const double told = derive(parse_case(text, "case.toml")).memory;
+    EXPECT_NEAR(told, ending.memory, 0.25 * ending.memory) << spacing;
+  }
 }
 
 }  // namespace

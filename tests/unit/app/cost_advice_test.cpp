@@ -59,7 +59,7 @@ TEST(CostAdvice, WaterThatHasLeftIsNotCounted) {
   EXPECT_EQ(numbers.particles_initial, usual.particles_initial);
   EXPECT_GE(numbers.particles_expected, usual.particles_expected);
   EXPECT_LE(static_cast<double>(numbers.particles_expected - numbers.particles_initial), room);
-  EXPECT_LT(numbers.memory, 2e9);
+  EXPECT_LT(numbers.particle_memory, 2e9);
   const DerivedNumbers longer =
       derive(checked(foam("", "", "[time]\nend = \"10 s\"\n")).costed.description);
   EXPECT_EQ(longer.particles_expected, numbers.particles_expected);

@@ -81,7 +81,7 @@ TEST_P(Memory, EstimateEqualsTheAllocation) {
   const double held = heap() - before;
   const auto particles = static_cast<double>(simulation->particles());
   EXPECT_NEAR(simulation->bytes_per_particle() * particles, held, 0.02 * held);
-  EXPECT_NEAR(derive(description).memory, held, 0.15 * held);
+  EXPECT_NEAR(derive(description).particle_memory, held, 0.15 * held);
 }
 
 // The memory budget of a water particle in 3D in single precision, besides the list of its

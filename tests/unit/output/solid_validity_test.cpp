@@ -61,6 +61,26 @@ TEST(BalanceValidity, AnyDensityLossOfLittleEnergyIsSmall) {
   EXPECT_THAT(validity_of(outcome), flag_of("density_loss", State::good, "20% of the little"));
 }
 
+// Debris has a density too, and a case without water is not told that its water is too fast.
+TEST(BalanceValidity, NamesWhoseDensityIsSmoothed) {
+  RunOutcome outcome = outcome_with_solid();
+  outcome.balance.dissipated_density = -0.5;
+  Material solid, water;
+  solid.kind = MaterialKind::elastic;
+  water.kind = MaterialKind::water;
+  outcome.description.materials = {solid};
+  EXPECT_THAT(validity_of(outcome),
+              flag_of("density_loss", State::warning,
+                      "debris and nearly incompressible solids may be too fast. Give the solids "
+                      "more artificial_linear, or use a finer spacing."));
+  outcome.description.materials = {water};
+  EXPECT_THAT(validity_of(outcome),
+              flag_of("density_loss", State::warning, "the water may be too fast. Use a finer"));
+  outcome.description.materials = {solid, water};
+  EXPECT_THAT(validity_of(outcome),
+              flag_of("density_loss", State::warning, "the water or the debris may be too fast"));
+}
+
 TEST(SolidValidity, FlagsHourglassEnergy) {
   RunOutcome outcome = outcome_with_solid();
   outcome.balance.hourglass = 0.01;
