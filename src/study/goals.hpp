@@ -77,9 +77,13 @@ struct CalibrationGoal {
   std::string metric;         // the measured quantity; with "cut_through" cutting begins at `at`
   double measured = 0.0;      // SI
   double uncertainty = 0.0;   // SI, standard uncertainty of `measured`
+  std::string shown_unit;     // of `measured`, as the study file has it; "" = none
+  double shown_factor = 1.0;  // SI units that one of them has
   double tolerance = 0.05;    // relative, of the key
   int most_runs = 16;
   std::vector<Setting> predict;  // settings at which the metric is predicted
+  // Returns a value of the metric in the unit of `measured`.
+  std::string metric_text(double value) const;
 };
 
 enum class ModelForm { power, threshold_linear, threshold_power };

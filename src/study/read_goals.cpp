@@ -135,6 +135,11 @@ void read_calibration(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   if (goal.metric != "cut_through") {
     goal.measured = metric_value(section, "measured", {goal.metric, plan.dimension});
     goal.uncertainty = metric_value(section, "uncertainty", {goal.metric, plan.dimension}, 0.0);
+    const std::string unit = metric_unit(goal.metric, plan.dimension);
+    const toml::node* measured = section.node("measured");
+    if (measured && !unit.empty()) goal.shown_unit = unit_of(*measured);
+    if (!goal.shown_unit.empty())
+      goal.shown_factor = read_quantity("1 " + goal.shown_unit, unit).value;
   }
   goal.tolerance = section.number("tolerance", 1e-4, 0.5, goal.tolerance);
   goal.most_runs = section.whole("runs", 4, most_runs, goal.most_runs);
