@@ -19,6 +19,7 @@ struct Condition {
   std::string metric = "cut_through";
   double bound = 0.5;    // SI
   bool at_least = true;  // otherwise at most
+  std::string written{};  // the bound with its unit, as the user wrote it; "" = by the program
   // Whether it asks of such a run whether its feed cuts.
   bool is_of_feed(const std::map<std::string, double>& metrics) const;
   // Returns by how much the share of the path that is cut through may be too small: a part of the

@@ -50,8 +50,9 @@ Condition read_condition(StudySection& section, int dimension) {
   StudySection where(section.problems(), *table, section.path("where"));
   condition.metric = where.metric("metric");
   condition.at_least = !where.has("at_most");
-  condition.bound = metric_value(where, condition.at_least ? "at_least" : "at_most",
-                                 {condition.metric, dimension});
+  const char* end = condition.at_least ? "at_least" : "at_most";
+  condition.bound = metric_value(where, end, {condition.metric, dimension});
+  if (!metric_unit(condition.metric, dimension).empty()) condition.written = where.text(end);
   where.refuse_unknown();
   return condition;
 }
