@@ -29,7 +29,8 @@ void StudyDisplay::show(const StudyProgress& now) {
 
 std::string StudyDisplay::line(const StudyProgress& now, double seconds) const {
   return fmt::format("{} of {} runs | at work {} | failed {} | left {}", now.ended, now.total,
-                     now.at_work, now.failed, duration_text(seconds_left(now, start_share_, seconds)));
+                     now.at_work, now.failed,
+                     duration_text(seconds_left(now, start_share_, seconds)));
 }
 
 }  // namespace kerf

@@ -177,8 +177,7 @@ class Calibrator {
   std::optional<double> undecided_key(double root, const Bracket& interval,
                                       double uncertainty) const {
     const MetricByKey runs = runs_.all();
-    const auto key =
-        undecided_value(runs, interval, goal_.measured, uncertainty, goal_.tolerance);
+    const auto key = undecided_value(runs, interval, goal_.measured, uncertainty, goal_.tolerance);
     if (key) return key;
     return undecided_value(runs, {root, root}, goal_.measured, uncertainty, goal_.tolerance);
   }

@@ -114,8 +114,8 @@ std::optional<double> CalibrationRuns::key_before_lacking() const {
   double least = std::numeric_limits<double>::infinity();
   for (auto left = runs.begin(); left != runs.end() && std::next(left) != runs.end(); ++left) {
     const auto right = std::next(left);
-    const double miss = std::min(std::abs(left->second - goal_.measured),
-                                 std::abs(right->second - goal_.measured));
+    const double miss =
+        std::min(std::abs(left->second - goal_.measured), std::abs(right->second - goal_.measured));
     const bool is_edge = std::isinf(left->second) != std::isinf(right->second);
     if (!is_edge || miss >= least || right->first - left->first <= goal_.tolerance) continue;
     least = miss;
@@ -131,9 +131,10 @@ std::string CalibrationRuns::no_crossing() const {
       without += (without.empty() ? "" : ", ") + show_number(std::exp(key), goal_.axis, 4);
   const std::string remedy =
       without.empty() ? "Widen the range"
-                      : fmt::format("The runs at {} have no {} by their end. Choose a later end of "
-                                    "the runs (time.end), or another range",
-                                    without, goal_.metric);
+                      : fmt::format(
+                            "The runs at {} have no {} by their end. Choose a later end of "
+                            "the runs (time.end), or another range",
+                            without, goal_.metric);
   if (known_.size() < 2)
     return fmt::format("fewer than two runs over the range of {} have {}. {}", goal_.axis.name(),
                        goal_.metric, remedy);

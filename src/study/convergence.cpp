@@ -162,8 +162,7 @@ MetricInterval interval_of(const std::string& name, const Samples& samples, doub
   interval.high = interval.value + std::hypot(spacing.above, layout.above);
   limit_to_possible(interval, samples, thickness);
   interval.spacing = std::max(spacing.below, spacing.above);
-  interval.layout =
-      samples.by_layout.size() > 1 ? layout.above : std::nan("");
+  interval.layout = samples.by_layout.size() > 1 ? layout.above : std::nan("");
   interval.order = spacing.order;
   interval.rule = spacing_rules[static_cast<std::size_t>(spacing.rule)];
   return interval;

@@ -17,8 +17,8 @@ namespace kerf {
 // those of the feed (cuts() in study/metrics.hpp).
 struct Condition {
   std::string metric = "cut_through";
-  double bound = 0.5;    // SI
-  bool at_least = true;  // otherwise at most
+  double bound = 0.5;     // SI
+  bool at_least = true;   // otherwise at most
   std::string written{};  // the bound with its unit, as the user wrote it; "" = by the program
   // Whether it asks of such a run whether its feed cuts.
   bool is_of_feed(const std::map<std::string, double>& metrics) const;

@@ -91,10 +91,10 @@ std::string without_limit(const LimitPlan& plan, bool holds) {
                        plan.quantity, from, is_upper ? "up to" : "down to", shown(plan, end), far,
                        further);
   // Another condition may hold below a limit that cutting has above it.
-  const std::string other =
-      is_cut(plan) ? ""
-                   : fmt::format(", or ask for the {0} {1} by --find {0}",
-                                 goal.least ? "greatest" : "least", plan.quantity);
+  const std::string other = is_cut(plan)
+                                ? ""
+                                : fmt::format(", or ask for the {0} {1} by --find {0}",
+                                              goal.least ? "greatest" : "least", plan.quantity);
   return fmt::format("none in the range. {} at {} {} {} {}{}. {}{}", verb(plan, holds),
                      holds ? "every" : "any", plan.quantity, is_upper ? "up to" : "down to",
                      shown(plan, end), far, further, other);

@@ -129,8 +129,7 @@ std::vector<Outcome> StudyRuns::run(const std::vector<Trial>& trials) {
     asked_.insert(resolved.id);
     database_.add(resolved, trials[n]);
     if (!wanted.insert(resolved.id).second) continue;
-    if (database_.find(resolved.id)->state == RunState::waiting)
-      jobs.push_back(prepared(resolved));
+    if (database_.find(resolved.id)->state == RunState::waiting) jobs.push_back(prepared(resolved));
   }
   progress_ = {wanted.size(), wanted.size() - jobs.size(), 0, 0, 0.0, progress_.round + 1};
   for (const std::string& id : wanted) count_time(database_.find(id)->metrics);

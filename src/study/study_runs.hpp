@@ -26,8 +26,8 @@ struct StudyProgress {
   double run_time = 0.0;  // s, of these runs together
 };
 
-// Returns the time that is left, s, after `seconds` of this call, which began at `first_share`: that
-// of the runs still to make at the mean time of those that have ended. A run that was found
+// Returns the time that is left, s, after `seconds` of this call, which began at `first_share`:
+// that of the runs still to make at the mean time of those that have ended. A run that was found
 // finished has its own time, not the moment in which it was found. Until one has ended it follows
 // from the share; infinite = unknown.
 double seconds_left(const StudyProgress& now, double first_share, double seconds);

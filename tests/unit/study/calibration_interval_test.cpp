@@ -97,7 +97,8 @@ struct NoisyCut {
 
 double normal_number(std::uint64_t set, std::uint64_t n) {
   const double share = std::max(1e-12, random_number(set, 2 * n));
-  return std::sqrt(-2.0 * std::log(share)) * std::cos(2.0 * std::numbers::pi * random_number(set, 2 * n + 1));
+  return std::sqrt(-2.0 * std::log(share)) *
+         std::cos(2.0 * std::numbers::pi * random_number(set, 2 * n + 1));
 }
 
 class CoverageOfCalibration : public testing::TestWithParam<NoisyCut> {};
@@ -116,8 +117,8 @@ TEST_P(CoverageOfCalibration, IsThatOfTheStatedProbability) {
     goal.axis.values = {2.0, cut.greatest};
     goal.most_runs = cut.runs;
     goal.uncertainty = cut.uncertainty;
-    goal.measured = time(truth) + cut.scatter * normal_number(set, 1) +
-                    cut.uncertainty * normal_number(set, 2);
+    goal.measured =
+        time(truth) + cut.scatter * normal_number(set, 1) + cut.uncertainty * normal_number(set, 2);
     test::SyntheticLaboratory laboratory(
         [&](const Trial& trial) {
           const double at = energy_of(trial);
@@ -170,12 +171,11 @@ TEST(CalibrationInterval, IsFoundBetweenRunsWithTheMetricAndRunsWithout) {
       EXPECT_LE(answer.low, 15.0);
       EXPECT_GE(answer.high, 15.0);
     } else {
-      EXPECT_THAT(answer.problem,
-                  testing::AllOf(testing::HasSubstr("is between 2 ms and 13."),
-                                 testing::HasSubstr("15 ms was measured"),
-                                 testing::HasSubstr("17.1 J/m2, 50 J/m2 have no"),
-                                 testing::HasSubstr("a later end"),
-                                 testing::Not(testing::HasSubstr("Widen"))));
+      EXPECT_THAT(answer.problem, testing::AllOf(testing::HasSubstr("is between 2 ms and 13."),
+                                                 testing::HasSubstr("15 ms was measured"),
+                                                 testing::HasSubstr("17.1 J/m2, 50 J/m2 have no"),
+                                                 testing::HasSubstr("a later end"),
+                                                 testing::Not(testing::HasSubstr("Widen"))));
     }
   }
 }

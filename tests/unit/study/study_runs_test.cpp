@@ -41,8 +41,9 @@ class InstantExecutor : public Executor {
       const JobEnd how = end(job);
       if (how.exit_code == 0 && how.signal == 0) {
         make_folder(job.folder);
-        write_file(job.folder / "result.json",
-                   R"({"wall_time": 8.0, "cut_through": true, "front_depth": 0.004, "balance": {"mass": 1},
+        write_file(
+            job.folder / "result.json",
+            R"({"wall_time": 8.0, "cut_through": true, "front_depth": 0.004, "balance": {"mass": 1},
                        "kerf": {"depth": 0.003, "lag": null, "top": {"width": 0.002}}})");
       }
       if (watcher.ended(job, how)) queue.push_back(job);
@@ -84,8 +85,8 @@ TEST_F(StudyRunsTest, ARepeatedRequestRunsOnce) {
   EXPECT_EQ(outcomes[0].metrics.count("balance.mass"), 0u);
 }
 
-// One of three runs was made by an earlier start, in 8 s: the two others take 16 s, although finding
-// the first took no time.
+// One of three runs was made by an earlier start, in 8 s: the two others take 16 s, although
+// finding the first took no time.
 TEST_F(StudyRunsTest, ARunThatWasFoundFinishedHasItsOwnTime) {
   laboratory().run(speeds({1.0}));
   executor_.stop_after = 1;  // looks at each run
