@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Mapping
 from typing import Any
 
-from kerf._kerf import Case
+from kerf._kerf import Case, CaseError
 
 
 def replaced(case: Case, changes: Mapping[str, Any]) -> Case:
@@ -33,12 +33,28 @@ def replaced(case: Case, changes: Mapping[str, Any]) -> Case:
     """
     tables = tomllib.loads(case.text)
     taken: dict[tuple[str, ...], str] = {}
+    named: dict[str, str] = {}  # the paths by the keys of messages
     for path, value in changes.items():
         place = _put(tables, path, value)
         if place in taken:
             raise KeyError(f"{path}: this is the same key as {taken[place]}; name it once")
         taken[place] = path
-    return Case(tables, case.file)
+        named[_key_of(place)] = path
+    try:
+        return Case(tables, case.file)
+    except CaseError as error:
+        message = str(error)
+        for key, path in named.items():
+            message = message.replace(f"{key} =", f"{path} =")
+        raise CaseError(message) from None
+
+
+def _key_of(place: tuple[str, ...]) -> str:
+    """Return a place as messages write it, such as ``jet[1].speed``; they count from 1."""
+    key = ""
+    for name in place:
+        key += f"[{int(name) + 1}]" if name.isdigit() else f".{name}"
+    return key.removeprefix(".")
 
 
 def _put(tables: dict[str, Any], path: str, value: Any) -> tuple[str, ...]:

@@ -27,7 +27,13 @@ def program() -> Path:
     """
     folder = Path(__file__).parent
     if "KERF_PROGRAM" in os.environ:
-        return Path(os.environ["KERF_PROGRAM"])
+        named = shutil.which(os.environ["KERF_PROGRAM"])
+        if named is None:
+            raise FileError(
+                f"KERF_PROGRAM = {os.environ['KERF_PROGRAM']}: there is no such program; name the "
+                "command kerf by its path, or remove the variable"
+            )
+        return Path(named)
     build = Path(os.path.abspath(folder)).parents[1]
     for path in (folder / "bin" / "kerf", build / "kerf"):
         if path.is_file() and os.access(path, os.X_OK):
@@ -50,7 +56,11 @@ def command(*arguments: str | os.PathLike[str]) -> str:
         [program(), *arguments], capture_output=True, encoding="utf-8", check=False
     )
     if done.returncode != 0:
-        message = done.stderr.strip().removeprefix("kerf: error: ")
+        message = done.stderr.strip().removeprefix("kerf: error: ") or (
+            f"kerf {arguments[0]} ended by the signal {-done.returncode}"
+            if done.returncode < 0
+            else f"kerf {arguments[0]} ended with the code {done.returncode} and no message"
+        )
         raise _errors.get(done.returncode, KerfError)(message)
     return done.stdout
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from types import TracebackType
@@ -69,8 +70,14 @@ class Run(_kerf.Run):
         function
             A return value is ignored; an exception stops the run, which can then go on.
         """
-        if interval < 0.0:
+        interval = _seconds("interval", interval)
+        if interval < 0.0 or math.isinf(interval):
             raise ValueError(f"interval = {interval} s. Allowed: 0 and above.")
+        if not callable(function):
+            raise TypeError(
+                f"function = {function!r}. Allowed: a function of the run, such as "
+                "lambda run: print(run.time)."
+            )
         self._calls.append(_Call(function, interval, self.time))
 
     def step(self, count: int = 1) -> None:
@@ -84,6 +91,7 @@ class Run(_kerf.Run):
 
     def until(self, time: float) -> None:
         """Take steps until the time, s, is reached or passed; a step is never shortened for it."""
+        time = _seconds("time", time)
         while self.time < time and not self.is_over:
             next_call = min((call.due for call in self._calls), default=time)
             if next_call <= self.time:
@@ -135,3 +143,13 @@ class Run(_kerf.Run):
             return self.picture(0.5)
         except _kerf.KerfError:
             return Result(self.folder)._repr_png_()
+
+
+def _seconds(name: str, value: object) -> float:
+    """Return a number of seconds; texts with units stand in cases only."""
+    if isinstance(value, str) or not hasattr(value, "__float__"):
+        raise TypeError(f"{name} = {value!r}. Allowed: a number of seconds, such as 5e-3 for 5 ms.")
+    seconds = float(value)
+    if math.isnan(seconds):
+        raise ValueError(f"{name} = {seconds} s. Allowed: a number of seconds.")
+    return seconds

@@ -5,15 +5,16 @@ from __future__ import annotations
 
 import hashlib
 import json
+import warnings
 from collections.abc import Callable, Generator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from kerf._kerf import Case, FileError, RunError
+from kerf._kerf import Case, KerfError, RunError
 from kerf.cases import replaced
-from kerf.program import command
+from kerf.program import command, program
 from kerf.results import Result
 
 Setting = Mapping[str, Any]
@@ -83,20 +84,32 @@ class Study:
     jobs: int = 1
     rows: list[dict[str, Any]] = field(default_factory=list, init=False)
 
+    def __post_init__(self) -> None:
+        if self.jobs < 1:
+            raise ValueError(f"jobs = {self.jobs}. Allowed: 1 and above.")
+
     def run(self, settings: Sequence[Setting]) -> list[dict[str, Any]]:
         """Run the case at settings (`kerf.replaced`) and return a row for each.
 
         A row holds the setting, the metrics, `verdict`, `folder`, and `error` of a run that
-        failed, whose other entries are None. All rows so far are in `rows`.
+        failed, whose other entries are None. Settings that give the same case share one run. All
+        rows so far are in `rows`.
 
         Raises
         ------
         CaseError
             If a setting gives no valid case; nothing is run then.
+        FileError
+            If a case has yet to run and there is no command `kerf`; nothing is run then.
         """
         cases = [replaced(self.case, setting) for setting in settings]
+        folders = [self._folder(case) for case in cases]
+        case_of = dict(zip(folders, cases))
+        if not all(_has_finished(folder) for folder in case_of):
+            program()
         with ThreadPoolExecutor(self.jobs) as pool:
-            rows = list(pool.map(self._row, settings, cases))
+            outcomes = dict(zip(case_of, pool.map(self._outcome, case_of.values(), case_of)))
+        rows = [{**setting, **outcomes[folder]} for setting, folder in zip(settings, folders)]
         self.rows += rows
         return rows
 
@@ -105,22 +118,39 @@ class Study:
     ) -> Any:
         """Let a generator choose the settings: it yields them and gets their rows.
 
-        >>> def bisect(low, high):
+        >>> def narrow(low, high):
         ...     while high - low > 0.1:
-        ...         middle = (low + high) / 2
-        ...         [row] = yield [{"jet.0.speed": f"{middle} m/s"}]
-        ...         low, high = (low, middle) if row["through"] else (middle, high)
+        ...         third = (high - low) / 3
+        ...         speeds = [low + third, high - third]
+        ...         rows = yield [{"jet.0.speed": f"{speed} m/s"} for speed in speeds]
+        ...         for speed, row in zip(speeds, rows):
+        ...             if row["error"]:
+        ...                 raise kerf.RunError(row["error"])
+        ...             if row["through"]:
+        ...                 high = min(high, speed)
+        ...             else:
+        ...                 low = max(low, speed)
         ...     return high
-        >>> Study(case, "out/least", {"through": through}).search(bisect(2, 5))
+        >>> Study(case, "out/least", {"through": through}, jobs=2).search(narrow(2, 5))
+
+        A failed run has a row with its `error`, and a warning is given. Where all runs of a round
+        have failed, the generator gets a RunError in place of their rows.
 
         Returns
         -------
         What the generator returns.
+
+        Raises
+        ------
+        RunError
+            If all runs of a round failed, unless the generator catches it.
         """
         try:
             settings = next(strategy)
             while True:
-                settings = strategy.send(self.run(settings))
+                rows = self.run(settings)
+                failure = _failure_of(rows)
+                settings = strategy.throw(failure) if failure else strategy.send(rows)
         except StopIteration as end:
             return end.value
 
@@ -130,21 +160,23 @@ class Study:
 
         return pandas.DataFrame(self.rows)
 
-    def _row(self, setting: Setting, case: Case) -> dict[str, Any]:
+    def _folder(self, case: Case) -> Path:
         name = hashlib.sha1(case.used.encode(), usedforsecurity=False).hexdigest()[:15]
-        folder = Path(self.out) / "runs" / name
-        row: dict[str, Any] = {**setting, "folder": folder, "verdict": None, "error": None}
-        row |= {metric: None for metric in self.metrics}
+        return Path(self.out) / "runs" / name
+
+    def _outcome(self, case: Case, folder: Path) -> dict[str, Any]:
+        outcome: dict[str, Any] = {"folder": folder, "verdict": None, "error": None}
+        outcome |= {metric: None for metric in self.metrics}
         try:
             result = self._result(case, folder)
-        except (RunError, FileError) as error:
-            return row | {"error": str(error)}
+        except KerfError as error:
+            return outcome | {"error": str(error)}
         values = {metric: value(result) for metric, value in self.metrics.items()}
-        return row | {"verdict": result.verdict} | values
+        return outcome | {"verdict": result.verdict} | values
 
     @staticmethod
     def _result(case: Case, folder: Path) -> Result:
-        if (folder / "result.json").is_file():
+        if _has_finished(folder):
             return Result(folder)
         folder.parent.mkdir(parents=True, exist_ok=True)
         file = folder.parent / f"{folder.name}.toml"
@@ -152,3 +184,21 @@ class Study:
         goes_on = ["--resume"] if (folder / "checkpoint.h5").is_file() else ["--force"]
         command("run", file, "--out", folder, "--threads", "1", "--quiet", *goes_on)
         return Result(folder)
+
+
+def _has_finished(folder: Path) -> bool:
+    return (folder / "result.json").is_file()
+
+
+def _failure_of(rows: Sequence[Mapping[str, Any]]) -> RunError | None:
+    """Warn of the runs that failed; return an error if all of them did."""
+    failed = [row for row in rows if row["error"]]
+    if not failed:
+        return None
+    first = f"{failed[0]['folder']}: {failed[0]['error']}"
+    if len(failed) == len(rows):
+        return RunError(f"{len(failed)} of {len(rows)} runs of this round of the search failed: {first}")
+    warnings.warn(
+        f"{len(failed)} of {len(rows)} runs failed, such as {first}", RuntimeWarning, stacklevel=3
+    )
+    return None

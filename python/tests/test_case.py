@@ -47,6 +47,13 @@ def test_a_wrong_value_is_refused_with_the_remedy(tables: dict[str, Any]) -> Non
     assert isinstance(refused.value, kerf.KerfError)
 
 
+def test_a_refusal_names_what_was_written_and_no_line_of_tables(tables: dict[str, Any]) -> None:
+    with pytest.raises(kerf.CaseError, match=r"mine\.toml: jet\.jet\.sped = .*unknown"):
+        kerf.replaced(kerf.Case(tables, "mine.toml"), {"jet.jet.sped": "5 m/s"})
+    with pytest.raises(kerf.CaseError, match=r"mine\.toml:1: "):
+        kerf.Case("title = 3", "mine.toml")
+
+
 def test_a_value_that_toml_cannot_hold_is_refused(tables: dict[str, Any]) -> None:
     tables["dimension"] = object()
     with pytest.raises(TypeError, match="a case cannot hold"):

@@ -88,3 +88,94 @@ def test_a_study_file(case: kerf.Case, tmp_path: Path) -> None:
     assert len(result.pandas()) == 2
     with pytest.raises(kerf.KerfError, match="missing.toml"):
         kerf.study(tmp_path / "missing.toml", tmp_path / "other")
+
+
+def through(result: kerf.Result) -> Any:
+    return result.metrics["cut_through"]
+
+
+def bisection(low: float, high: float) -> Generator[list[dict[str, Any]], Any, float]:
+    """A search that takes a missing verdict for one that does not cut."""
+    while high - low > 0.5:
+        middle = (low + high) / 2
+        [row] = yield [{"jet.0.speed": f"{middle} m/s"}]
+        low, high = (low, middle) if row["through"] else (middle, high)
+    return high
+
+
+def test_a_missing_program_is_an_error_of_every_study(
+    case: kerf.Case, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study = kerf.Study(case, tmp_path / "study", {"through": through})
+    monkeypatch.setenv("KERF_PROGRAM", str(tmp_path / "no" / "kerf"))
+    with pytest.raises(kerf.FileError, match="KERF_PROGRAM"):
+        study.search(bisection(2.0, 5.0))
+    with pytest.raises(kerf.FileError, match="KERF_PROGRAM"):
+        kerf.study(tmp_path / "study.toml", tmp_path / "other")
+    assert study.rows == []
+
+
+def failing_program(folder: Path, speed: str) -> Path:
+    """A program that fails in the runs whose case has this text, and else is `kerf`."""
+    file = folder / "failing"
+    file.write_text(
+        f'#!/bin/sh\nif grep -q "{speed}" "$2"; then echo "kerf: error: broke down" >&2; exit 3; fi\n'
+        f'exec "{kerf.program()}" "$@"\n',
+        encoding="utf-8",
+    )
+    file.chmod(0o755)
+    return file
+
+
+def test_failed_runs_are_no_answer_of_a_search(
+    case: kerf.Case, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("KERF_PROGRAM", str(failing_program(tmp_path, "title")))
+    study = kerf.Study(case, tmp_path / "study", {"through": through})
+    with pytest.raises(kerf.RunError, match="broke down"):
+        study.search(bisection(2.0, 5.0))
+    assert len(study.rows) == 1 and study.rows[0]["through"] is None
+
+    def patient() -> Generator[list[dict[str, Any]], Any, str]:
+        try:
+            yield [{"jet.0.speed": "5 m/s"}]
+        except kerf.RunError:
+            return "went on"
+        return "saw rows"
+
+    assert study.search(patient()) == "went on"
+
+
+def test_a_failed_run_among_others_has_its_error(
+    case: kerf.Case, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("KERF_PROGRAM", str(failing_program(tmp_path, "speed = .7 m/s")))
+    study = kerf.Study(kerf.replaced(case, {"time.end": "0.2 ms"}), tmp_path / "study")
+
+    def one_round() -> Generator[list[dict[str, Any]], Any, list[dict[str, Any]]]:
+        rows: list[dict[str, Any]] = yield [{"jet.0.speed": f"{v} m/s"} for v in (7, 8)]
+        return rows
+
+    with pytest.warns(RuntimeWarning, match="1 of 2 runs failed"):
+        broken, sound = study.search(one_round())
+    assert broken["error"] == "broke down" and broken["verdict"] is None
+    assert sound["error"] is None and sound["verdict"]
+
+
+def test_settings_of_the_same_case_share_a_run(case: kerf.Case, tmp_path: Path) -> None:
+    study = kerf.Study(
+        kerf.replaced(case, {"time.end": "0.5 ms"}), tmp_path / "study", {"depth": depth}, jobs=2
+    )
+    settings = [
+        {"jet.0.speed": "5 m/s"},
+        {"jet.0.speed": "5 m/s"},
+        {"jet.0.speed": "5000 mm/s"},
+        {"jet.jet.speed": "5 m/s"},
+    ]
+    rows = study.run(settings)
+    assert [row["error"] for row in rows] == [None] * 4
+    assert len({row["folder"] for row in rows}) == 1
+    assert [list(row)[0] for row in rows] == [list(setting)[0] for setting in settings]
+    assert len(list((tmp_path / "study" / "runs").glob("*/result.json"))) == 1
+    with pytest.raises(ValueError, match="jobs = 0. Allowed: 1"):
+        kerf.Study(case, tmp_path / "none", jobs=0)

@@ -126,6 +126,22 @@ def test_calls_come_at_their_times(case: kerf.Case, tmp_path: Path) -> None:
         kerf.Run(case, tmp_path / "other").every(-1.0, print)
 
 
+def test_times_are_numbers_and_calls_functions(case: kerf.Case, tmp_path: Path) -> None:
+    run = kerf.Run(case, tmp_path / "run")
+    with pytest.raises(TypeError, match="5 ms.*number of seconds, such as 5e-3"):
+        run.until("5 ms")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="time = nan"):
+        run.until(float("nan"))
+    with pytest.raises(ValueError, match="interval = nan"):
+        run.every(float("nan"), print)
+    with pytest.raises(TypeError, match="function = 3"):
+        run.every(1e-3, 3)  # type: ignore[arg-type]
+    run.until(np.float64(1e-4))  # type: ignore[arg-type]
+    assert run.time >= 1e-4
+    with pytest.raises(kerf.KerfError, match="threads = -1. Allowed: 0"):
+        kerf.Run(case, tmp_path / "other", threads=-1)
+
+
 def test_an_exception_in_a_call_stops_between_steps(case: kerf.Case, tmp_path: Path) -> None:
     run = kerf.Run(case, tmp_path / "run")
 

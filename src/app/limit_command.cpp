@@ -19,6 +19,7 @@
 #include "study/limit_answer.hpp"
 #include "study/limit_runs.hpp"
 #include "study/run_table.hpp"
+#include "study/study_answers.hpp"
 #include "study/study_runs.hpp"
 
 namespace kerf {
@@ -42,8 +43,11 @@ class LimitTable {
 
   void tell(const std::vector<RunRow>& runs, const std::vector<std::string>& ids, const Trial& last,
             int side_by_side) {
-    const double seconds = std::chrono::duration<double>(Clock::now() - round_).count();
+    double seconds = std::chrono::duration<double>(Clock::now() - round_).count();
     round_ = Clock::now();
+    for (const RunRow& row : runs)  // a run that was found finished took its time, too
+      if (std::find(ids.begin(), ids.end(), row.id) != ids.end())
+        if (const double* time = find_number(row, "wall_time")) seconds = std::max(seconds, *time);
     if (quiet_) return;
     display_.clear();
     if (count_ == 0) fmt::print("{}\n", trial_heading(plan_));

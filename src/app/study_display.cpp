@@ -4,19 +4,18 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdio>
 
 namespace kerf {
 
 void StudyDisplay::show(const StudyProgress& now) {
   const auto time = Clock::now();
-  const bool is_new_batch = now.total != last_.total || now.ended < last_.ended;
-  if (is_new_batch) {
+  const bool is_new_round = now.round != last_.round;
+  if (is_new_round) {
     start_ = time;
     start_share_ = now.share;
   }
-  const bool has_changed = is_new_batch || now.ended != last_.ended;
+  const bool has_changed = is_new_round || now.ended != last_.ended;
   last_ = now;
   if (style_ == ProgressStyle::none) return;
   const std::string words = line(now, std::chrono::duration<double>(time - start_).count());
@@ -29,10 +28,9 @@ void StudyDisplay::show(const StudyProgress& now) {
 }
 
 std::string StudyDisplay::line(const StudyProgress& now, double seconds) const {
-  const double done = now.share - start_share_;
-  const double left = done > 0.0 ? (1.0 - now.share) * seconds / done : INFINITY;
   return fmt::format("{} of {} runs | at work {} | failed {} | left {}", now.ended, now.total,
-                     now.at_work, now.failed, duration_text(left));
+                     now.at_work, now.failed,
+                     duration_text(seconds_left(now, start_share_, seconds)));
 }
 
 }  // namespace kerf

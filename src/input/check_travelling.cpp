@@ -94,7 +94,9 @@ void check_travelling_time(Draft& draft, Section& section) {
   const bool travels =
       draft.workpiece.setting.frame == WorkpieceFrame::travelling && draft.result.workpiece;
   if (!travels) {
-    if (time.stop == RunStop::stationary)
+    // A frame without its workpiece has a problem that is told already.
+    const bool has_frame = draft.workpiece.setting.frame == WorkpieceFrame::travelling;
+    if (time.stop == RunStop::stationary && !has_frame)
       section.refuse("stop", "no frame travels",
                      "Set workpiece.frame to \"travelling\", or remove it",
                      "\"end\" where workpiece.frame is not \"travelling\"");

@@ -9,6 +9,7 @@
 #include "analysis/derived.hpp"
 #include "app/check_json.hpp"
 #include "app/embedded.hpp"
+#include "core/error.hpp"
 #include "input/read.hpp"
 #include "input/write_used.hpp"
 #include "output/metric_json.hpp"
@@ -22,6 +23,24 @@ namespace {
 CaseText read_text(std::string text, const std::string& file) {
   Case description = parse_case(text, file);
   return {std::move(text), file, std::move(description)};
+}
+
+// Tables of Python have no lines: an error names only the case.
+CaseText read_tables(const py::dict& tables, const std::string& file) {
+  try {
+    return read_text(toml_of(tables), file);
+  } catch (const UserError& error) {
+    std::string message = error.what();
+    const std::string before = file + ":";
+    for (std::size_t at = message.find(before); at != std::string::npos;
+         at = message.find(before, at + 1)) {
+      const std::size_t line = at + before.size();
+      const std::size_t end = message.find_first_not_of("0123456789", line);
+      if (end != std::string::npos && end > line && message[end] == ':')
+        message.erase(line, end + 1 - line);
+    }
+    throw UserError(message, error.exit_code());
+  }
 }
 
 py::object derived_of(const CaseText& self) {
@@ -55,10 +74,7 @@ void bind_case(py::module_& module) {
                        "CaseError\n"
                        "    With the message of `kerf check`: key, value, allowed range, remedy.")
       .def(py::init(&read_text), py::arg("source"), py::arg("file") = "case.toml")
-      .def(py::init([](const py::dict& source, const std::string& file) {
-             return read_text(toml_of(source), file);
-           }),
-           py::arg("source"), py::arg("file") = "case.toml")
+      .def(py::init(&read_tables), py::arg("source"), py::arg("file") = "case.toml")
       .def_static(
           "read",
           [](const std::filesystem::path& file) {

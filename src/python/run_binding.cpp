@@ -30,6 +30,9 @@ struct PythonOptions {
 RunOptions options_of(const CaseText& text, const PythonOptions& options) {
   RunOptions run;
   run.folder = options.folder;
+  if (options.threads < 0)
+    throw UserError("threads = " + std::to_string(options.threads) +
+                    ". Allowed: 0 (every core) and above.");
   run.threads = options.threads;
   if (options.device == word_of(Device::gpu))
     run.device = Device::gpu;

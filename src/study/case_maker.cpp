@@ -41,6 +41,11 @@ std::string without_place(const std::string& message, const std::string& file_na
   return result;
 }
 
+// Whether the key holds a number without unit, which words give beside "none".
+bool is_plain_number(const Axis& axis) {
+  return axis.path.is_number() && axis.path.unit().empty();
+}
+
 }  // namespace
 
 UserError refused_case(const std::string& study_file, const std::string& setting,
@@ -83,7 +88,10 @@ ResolvedCase CaseMaker::make(const Trial& trial) const {
     const auto word = trial.setting.words.find(axis.name());
     if (number != trial.setting.numbers.end())
       set_number(table, axis.path, axis.of_case(number->second));
-    if (word != trial.setting.words.end())
+    if (word == trial.setting.words.end()) continue;
+    if (is_plain_number(axis) && word->second != "none")
+      set_number(table, axis.path, std::stod(word->second));
+    else
       set_key(table, axis.path, toml::value<std::string>(word->second));
   }
   std::ostringstream written;

@@ -30,6 +30,14 @@ SpacingEffect range_of(std::span<const double> values) {
   return effect;
 }
 
+// The rank of a layout at one spacing says nothing about its rank at another: half of the range to
+// both sides.
+SpacingEffect half_range_of(std::span<const double> values) {
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  const double half = 0.5 * (*greatest - *least);
+  return {half, half};
+}
+
 SpacingEffect grid_convergence(double change, double order, double ratio) {
   const double used = std::min(order, greatest_order);
   const double index = usual_safety * std::abs(change) / (std::pow(ratio, used) - 1.0);
@@ -149,13 +157,12 @@ MetricInterval interval_of(const std::string& name, const Samples& samples, doub
                                     ? range_of(samples.by_spacing)
                                     : effect_of_spacing(samples.by_spacing, ratio);
   const SpacingEffect layout =
-      samples.by_layout.empty() ? SpacingEffect{} : range_of(samples.by_layout);
+      samples.by_layout.empty() ? SpacingEffect{} : half_range_of(samples.by_layout);
   interval.low = interval.value - std::hypot(spacing.below, layout.below);
   interval.high = interval.value + std::hypot(spacing.above, layout.above);
   limit_to_possible(interval, samples, thickness);
   interval.spacing = std::max(spacing.below, spacing.above);
-  interval.layout =
-      samples.by_layout.size() > 1 ? std::max(layout.below, layout.above) : std::nan("");
+  interval.layout = samples.by_layout.size() > 1 ? layout.above : std::nan("");
   interval.order = spacing.order;
   interval.rule = spacing_rules[static_cast<std::size_t>(spacing.rule)];
   return interval;

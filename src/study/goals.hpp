@@ -17,8 +17,9 @@ namespace kerf {
 // those of the feed (cuts() in study/metrics.hpp).
 struct Condition {
   std::string metric = "cut_through";
-  double bound = 0.5;    // SI
-  bool at_least = true;  // otherwise at most
+  double bound = 0.5;     // SI
+  bool at_least = true;   // otherwise at most
+  std::string written{};  // the bound with its unit, as the user wrote it; "" = by the program
   // Whether it asks of such a run whether its feed cuts.
   bool is_of_feed(const std::map<std::string, double>& metrics) const;
   // Returns by how much the share of the path that is cut through may be too small: a part of the
@@ -77,9 +78,13 @@ struct CalibrationGoal {
   std::string metric;         // the measured quantity; with "cut_through" cutting begins at `at`
   double measured = 0.0;      // SI
   double uncertainty = 0.0;   // SI, standard uncertainty of `measured`
+  std::string shown_unit;     // of `measured`, as the study file has it; "" = none
+  double shown_factor = 1.0;  // SI units that one of them has
   double tolerance = 0.05;    // relative, of the key
   int most_runs = 16;
   std::vector<Setting> predict;  // settings at which the metric is predicted
+  // Returns a value of the metric in the unit of `measured`.
+  std::string metric_text(double value) const;
 };
 
 enum class ModelForm { power, threshold_linear, threshold_power };

@@ -90,9 +90,14 @@ std::string without_limit(const LimitPlan& plan, bool holds) {
     return fmt::format("certain at no {} tried, {}{} {}{}. {}, or ask from another stated value",
                        plan.quantity, from, is_upper ? "up to" : "down to", shown(plan, end), far,
                        further);
-  return fmt::format("none in the range. {} at {} {} {} {}{}. {}", verb(plan, holds),
+  // Another condition may hold below a limit that cutting has above it.
+  const std::string other = is_cut(plan)
+                                ? ""
+                                : fmt::format(", or ask for the {0} {1} by --find {0}",
+                                              goal.least ? "greatest" : "least", plan.quantity);
+  return fmt::format("none in the range. {} at {} {} {} {}{}. {}{}", verb(plan, holds),
                      holds ? "every" : "any", plan.quantity, is_upper ? "up to" : "down to",
-                     shown(plan, end), far, further);
+                     shown(plan, end), far, further, other);
 }
 
 std::string stated_note(const LimitPlan& plan, const ThresholdAnswer& found) {
@@ -225,7 +230,8 @@ std::string margin_text(const LimitPlan& plan, const RunRow& row) {
   const double* feed = find_number(row, std::string(certain_feed));
   const bool tells_none = trial_verdict(plan, row) == "may cut" && (!feed || *feed == 0.0);
   if (row.state != RunState::done || tells_none || is_not_reached(row.metrics)) return "-";
-  return fmt::format("{:+.1f}%", 100.0 * goal_of(plan).condition.margin(row.metrics));
+  const double percent = std::round(1e3 * goal_of(plan).condition.margin(row.metrics)) / 10.0;
+  return percent == 0.0 ? "0.0%" : fmt::format("{:+.1f}%", percent);
 }
 
 std::string trial_heading(const LimitPlan& plan) {

@@ -117,16 +117,25 @@ std::optional<Axis> AxisReader::list(KeyPath path, const std::string& reported_k
            "Name one number of a list by its index, from 0: \"....position.0\"");
     return std::nullopt;
   }
+  // With "none" among them, values are words as they are written: it is no number.
+  const bool has_none = axis.path.key->may_be_none() &&
+                        std::any_of(values.begin(), values.end(), [](const toml::node& value) {
+                          return value.value_exact<std::string>() == "none";
+                        });
   for (const toml::node& value : values) {
-    if (is_word) {
-      axis.words.push_back(value.value_or(std::string()));
+    const std::string text = value.value_or(std::string());
+    if (is_word || (has_none && text == "none")) {
+      axis.words.push_back(text);
       continue;
     }
     const auto number = this->number(axis.path, reported_key, value);
     if (!number) return std::nullopt;
-    axis.values.push_back(*number);
+    if (has_none)
+      axis.words.push_back(text.empty() ? fmt::format("{}", *number) : text);
+    else
+      axis.values.push_back(*number);
   }
-  axis.shown_unit = unit_of(*values.get(0));
+  if (!has_none) axis.shown_unit = unit_of(*values.get(0));
   return axis;
 }
 

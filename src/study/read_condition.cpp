@@ -41,6 +41,7 @@ Condition read_where(const std::string& text, int dimension) {
         "--where \"{}\": {}: {}. Allowed: {}. Correct the value.", text, parts[3].str(),
         quantity.problem, unit.empty() ? "a pure number" : "a number with a unit of " + unit));
   condition.bound = quantity.value;
+  condition.written = parts[3].str();
   return condition;
 }
 

@@ -50,8 +50,9 @@ Condition read_condition(StudySection& section, int dimension) {
   StudySection where(section.problems(), *table, section.path("where"));
   condition.metric = where.metric("metric");
   condition.at_least = !where.has("at_most");
-  condition.bound = metric_value(where, condition.at_least ? "at_least" : "at_most",
-                                 {condition.metric, dimension});
+  const char* end = condition.at_least ? "at_least" : "at_most";
+  condition.bound = metric_value(where, end, {condition.metric, dimension});
+  if (!metric_unit(condition.metric, dimension).empty()) condition.written = where.text(end);
   where.refuse_unknown();
   return condition;
 }
@@ -135,6 +136,11 @@ void read_calibration(StudySection& top, AxisReader& reader, StudyPlan& plan) {
   if (goal.metric != "cut_through") {
     goal.measured = metric_value(section, "measured", {goal.metric, plan.dimension});
     goal.uncertainty = metric_value(section, "uncertainty", {goal.metric, plan.dimension}, 0.0);
+    const std::string unit = metric_unit(goal.metric, plan.dimension);
+    const toml::node* measured = section.node("measured");
+    if (measured && !unit.empty()) goal.shown_unit = unit_of(*measured);
+    if (!goal.shown_unit.empty())
+      goal.shown_factor = read_quantity("1 " + goal.shown_unit, unit).value;
   }
   goal.tolerance = section.number("tolerance", 1e-4, 0.5, goal.tolerance);
   goal.most_runs = section.whole("runs", 4, most_runs, goal.most_runs);

@@ -61,11 +61,13 @@ class SlurmQueue {
     auto queue = arrays_.in_queue();
     silences_ = queue ? 0 : silences_ + 1;
     if (silences_ > most_silences || (silences_ > 0 && !has_answered_))
-      throw UserError(fmt::format("--on slurm: squeue does not answer: {} Is Slurm installed and "
-                                  "running here? Queued runs continue; start the study "
-                                  "again to adopt them.",
-                                  arrays_.last_complaint()),
-                      exit_files);
+      throw UserError(
+          fmt::format("--on slurm: squeue does not answer: {} Is Slurm installed and "
+                      "running here? {}",
+                      arrays_.last_complaint(),
+                      has_answered_ ? "Queued runs continue; start the study again to adopt them."
+                                    : "This start has queued no run."),
+          exit_files);
     has_answered_ = has_answered_ || queue.has_value();
     return queue;
   }

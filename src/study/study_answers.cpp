@@ -125,7 +125,7 @@ Answer describe(const StudyPlan& plan, const CalibrationAnswer& answer) {
                  {"predictions", Json::array()}},
                 goal.axis.name()};
   const auto shown = [&](double value) { return show_number(value, goal.axis); };
-  const auto metric = [&](double value) { return metric_text(value, unit); };
+  const auto metric = [&](double value) { return goal.metric_text(value); };
   for (const PredictedCut& cut : answer.predictions)
     result.members["predictions"].push_back({{"setting", setting_json(cut.setting)},
                                              {"value", cut.value},

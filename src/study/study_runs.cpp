@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 #include "core/error.hpp"
 #include "output/files.hpp"
@@ -78,6 +79,16 @@ fs::path run_folder(const std::string& id) {
   return fs::path("runs") / id;
 }
 
+double seconds_left(const StudyProgress& now, double first_share, double seconds) {
+  if (now.timed > 0) {
+    const double runs = (1.0 - now.share) * static_cast<double>(now.total);
+    const double each = now.run_time / static_cast<double>(now.timed);
+    return runs * each / static_cast<double>(std::max<std::size_t>(1, now.at_work));
+  }
+  const double done = now.share - first_share;
+  return done > 0.0 ? (1.0 - now.share) * seconds / done : std::numeric_limits<double>::infinity();
+}
+
 StudyRuns::StudyRuns(fs::path folder, const CaseMaker& maker, StudyDatabase& database,
                      Executor& executor, Hooks hooks, bool retry)
     : folder_(std::move(folder)),
@@ -117,11 +128,11 @@ std::vector<Outcome> StudyRuns::run(const std::vector<Trial>& trials) {
     ids.push_back(resolved.id);
     asked_.insert(resolved.id);
     database_.add(resolved, trials[n]);
-    const bool is_new = wanted.insert(resolved.id).second;
-    if (is_new && database_.find(resolved.id)->state == RunState::waiting)
-      jobs.push_back(prepared(resolved));
+    if (!wanted.insert(resolved.id).second) continue;
+    if (database_.find(resolved.id)->state == RunState::waiting) jobs.push_back(prepared(resolved));
   }
-  progress_ = {wanted.size(), wanted.size() - jobs.size(), 0, 0, 0.0};
+  progress_ = {wanted.size(), wanted.size() - jobs.size(), 0, 0, 0.0, progress_.round + 1};
+  for (const std::string& id : wanted) count_time(database_.find(id)->metrics);
   shown_ = {};
   if (!jobs.empty()) executor_.run(jobs, *this);
   if (signal_ != 0) throw StudyStopped{signal_};
@@ -166,11 +177,20 @@ bool StudyRuns::ended(const Job& job, const JobEnd& end) {
 
 void StudyRuns::finish(const Job& job) {
   try {
-    database_.mark_done(job.id, read_metrics(read_file(job.folder / "result.json")));
+    const Metrics metrics = read_metrics(read_file(job.folder / "result.json"));
+    database_.mark_done(job.id, metrics);
+    count_time(metrics);
   } catch (const std::exception& error) {
     ++progress_.failed;
     database_.mark_failed(job.id, fmt::format("its results cannot be read: {}", error.what()));
   }
+}
+
+void StudyRuns::count_time(const Metrics& metrics) {
+  const auto time = metrics.find("wall_time");
+  if (time == metrics.end()) return;
+  ++progress_.timed;
+  progress_.run_time += time->second;
 }
 
 bool StudyRuns::look(const std::vector<Job>& at_work) {
@@ -180,7 +200,8 @@ bool StudyRuns::look(const std::vector<Job>& at_work) {
     shown_ = now;
     double parts = 0.0;
     for (const Job& job : at_work) parts += share_of(job.output);
-    progress_.at_work = at_work.size();
+    // For a moment no run is at work between two.
+    if (!at_work.empty() || progress_.ended == progress_.total) progress_.at_work = at_work.size();
     progress_.share =
         (static_cast<double>(progress_.ended) + parts) / static_cast<double>(progress_.total);
     hooks_.show(progress_);

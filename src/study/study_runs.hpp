@@ -20,8 +20,17 @@ namespace kerf {
 // The progress of the last call of run().
 struct StudyProgress {
   std::size_t total = 0, ended = 0, failed = 0, at_work = 0;
-  double share = 0.0;  // completed share, from 0 to 1, parts of runs included
+  double share = 0.0;     // completed share, from 0 to 1, parts of runs included
+  int round = 0;          // number of the call
+  std::size_t timed = 0;  // runs that have ended and say how long they took, also before the call
+  double run_time = 0.0;  // s, of these runs together
 };
+
+// Returns the time that is left, s, after `seconds` of this call, which began at `first_share`:
+// that of the runs still to make at the mean time of those that have ended. A run that was found
+// finished has its own time, not the moment in which it was found. Until one has ended it follows
+// from the share; infinite = unknown.
+double seconds_left(const StudyProgress& now, double first_share, double seconds);
 
 // This is thrown when a study must stop. A new start of the study continues it.
 struct StudyStopped {
@@ -54,6 +63,7 @@ class StudyRuns : public Laboratory, private JobWatcher {
 
   Job prepared(const ResolvedCase& resolved) const;
   void finish(const Job& job);
+  void count_time(const Metrics& metrics);
 
   std::filesystem::path folder_;
   const CaseMaker& maker_;

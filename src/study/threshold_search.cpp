@@ -207,7 +207,8 @@ double Condition::margin(const std::map<std::string, double>& metrics) const {
 
 std::string Condition::text() const {
   if (metric == "cut_through") return "cut-through";
-  return fmt::format("{} {} {:.6g}", metric, at_least ? ">=" : "<=", bound);
+  return fmt::format("{} {} {}", metric, at_least ? ">=" : "<=",
+                     written.empty() ? fmt::format("{:.6g}", bound) : written);
 }
 
 ThresholdAnswer find_threshold(const ThresholdGoal& goal, const Trial& at, Laboratory& laboratory) {

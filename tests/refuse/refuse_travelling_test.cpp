@@ -74,6 +74,14 @@ TEST(RefuseTravelling, NeedsRoomAndATravellingFrame) {
   text.frame = "frame = \"fixed\"";
   text.time = "stop = \"stationary\"";
   EXPECT_NE(message_of(text.text()).find("no frame travels"), std::string::npos);
+  // A frame that travels, over a workpiece that another error takes away.
+  text.frame = test::TravellingText().frame;
+  std::string wrong = text.text();
+  const std::size_t at = wrong.find("position = [");
+  wrong.replace(at, wrong.find('\n', at) - at, "position = [\"0 mm\", \"16 mm\"]");
+  const std::string message = message_of(wrong);
+  EXPECT_NE(message.find("machine.position"), std::string::npos) << message;
+  EXPECT_EQ(message.find("no frame travels"), std::string::npos) << message;
   test::TravellingText space;
   space.dimension = 3;
   space.machine = "traverse_speed = \"10 m/s\"\ntraverse_direction = [1, 0, 1]";

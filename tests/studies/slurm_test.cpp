@@ -204,6 +204,7 @@ TEST(SlurmStudyWithoutSlurm, ReportsThatSlurmIsMissing) {
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(ending.exit_code, 4);
   EXPECT_THAT(ending.output, HasSubstr("squeue does not answer: squeue is not installed"));
+  EXPECT_THAT(ending.output, HasSubstr("This start has queued no run."));
 }
 
 }  // namespace

@@ -255,6 +255,20 @@ class ReadingExecutor : public Executor {
   int side_by_side() const override { return 1; }
 };
 
+// A front that is at most 30 mm deep is asked for below a limit, which is the greatest speed.
+TEST(Limit, AConditionThatHoldsEverywhereHasItsUnitAndNamesTheOtherLimit) {
+  LimitQuestion question = limit_of("jet_speed");
+  question.where = "front_depth <= 30 mm";
+  const LimitPlan plan = test::limit_plan_of(test::small_case, question);
+  ThresholdAnswer found;
+  found.problem = "the condition holds everywhere";
+  found.holds_everywhere = true;
+  const LimitWords words = describe_limit(plan, {found, {}});
+  EXPECT_THAT(words.question, HasSubstr("front_depth <= 30 mm"));
+  EXPECT_THAT(words.finding, HasSubstr("front_depth <= 30 mm holds"));
+  EXPECT_THAT(words.finding, HasSubstr("--find greatest"));
+}
+
 TEST(Limit, MeshesOfTheCaseAreBesideItsRuns) {
   const test::TemporaryFolder folder;
   const LimitPlan plan = plan_limit(

@@ -162,6 +162,20 @@ TEST(ReadStudy, RepeatsOfADeterministicRunAreRefused) {
   EXPECT_EQ(complaint("repeats = 1\n" + vary), "");
 }
 
+TEST(CaseMaker, AKeyMayBeVariedOverNone) {
+  const StudyPlan plan = test::plan_of("[vary]\n\"jet.jet.stop\" = [\"none\", \"1 ms\"]\n");
+  ASSERT_EQ(plan.axes.size(), 1u);
+  EXPECT_EQ(plan.axes[0].levels(), 2u);
+  const CaseMaker maker(plan);
+  Trial none, stopped;
+  plan.axes[0].put_level(0, none.setting);
+  plan.axes[0].put_level(1, stopped.setting);
+  EXPECT_EQ(maker.make(none).id, maker.make({}).id) << "no end is the default";
+  EXPECT_THAT(maker.make(stopped).text, HasSubstr("stop = \"0.001 s\""));
+  EXPECT_THROW(test::plan_of("[vary]\n\"jet.jet.stop\" = [\"none\", \"1 kg\"]\n"), UserError);
+  EXPECT_THROW(test::plan_of("[vary]\n\"jet.jet.speed\" = [\"none\", \"1 m/s\"]\n"), UserError);
+}
+
 TEST(CaseMaker, EqualCasesHaveEqualNames) {
   const CaseMaker by_name(test::plan_of(vary));
   const CaseMaker by_number(test::plan_of("[vary]\n\"jet.0.speed\" = [\"100 cm/s\"]\n"));

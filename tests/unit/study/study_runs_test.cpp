@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <thread>
 
@@ -40,8 +41,9 @@ class InstantExecutor : public Executor {
       const JobEnd how = end(job);
       if (how.exit_code == 0 && how.signal == 0) {
         make_folder(job.folder);
-        write_file(job.folder / "result.json",
-                   R"({"cut_through": true, "front_depth": 0.004, "balance": {"mass": 1},
+        write_file(
+            job.folder / "result.json",
+            R"({"wall_time": 8.0, "cut_through": true, "front_depth": 0.004, "balance": {"mass": 1},
                        "kerf": {"depth": 0.003, "lag": null, "top": {"width": 0.002}}})");
       }
       if (watcher.ended(job, how)) queue.push_back(job);
@@ -81,6 +83,29 @@ TEST_F(StudyRunsTest, ARepeatedRequestRunsOnce) {
   EXPECT_EQ(outcomes[0].metrics.at("cut_through"), 1.0);
   EXPECT_EQ(outcomes[0].metrics.count("kerf.lag"), 0u);
   EXPECT_EQ(outcomes[0].metrics.count("balance.mass"), 0u);
+}
+
+// One of three runs was made by an earlier start, in 8 s: the two others take 16 s, although
+// finding the first took no time.
+TEST_F(StudyRunsTest, ARunThatWasFoundFinishedHasItsOwnTime) {
+  laboratory().run(speeds({1.0}));
+  executor_.stop_after = 1;  // looks at each run
+  StudyProgress first;
+  StudyRuns runs(folder_.path(), maker_, database_, executor_,
+                 {[&](const StudyProgress& now) {
+                    if (now.total == 3 && first.total == 0) first = now;
+                  },
+                  nullptr},
+                 false);
+  runs.run(speeds({1.0, 2.0, 3.0}));
+  ASSERT_EQ(first.ended, 1u);
+  EXPECT_NEAR(seconds_left(first, first.share, 1e-3), 16.0, 1e-9);
+  EXPECT_NEAR(seconds_left(first, 0.0, 1e-3), 16.0, 1e-9);
+  StudyProgress untimed;
+  untimed.total = 4;
+  untimed.share = 0.5;
+  EXPECT_NEAR(seconds_left(untimed, 0.25, 10.0), 20.0, 1e-9) << "a quarter took 10 s";
+  EXPECT_TRUE(std::isinf(seconds_left(untimed, 0.5, 10.0)));
 }
 
 // A grid with settings that no case can have names all of them, and looks as if it had not begun.
