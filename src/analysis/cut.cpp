@@ -19,6 +19,12 @@
 namespace kerf {
 namespace {
 
+// Returns the depth of the front of the water of all jets, m; `of_first` is that of the first.
+double front_of_all(const Workpiece& workpiece, const Frame& frame, double face, double of_first) {
+  return workpiece.jet_count == 1 ? of_first
+                                  : front_depth(workpiece, frame, face, WaterOf::all_jets);
+}
+
 double fractured_mass(const Workpiece& workpiece, const Frame& frame,
                       const std::vector<std::uint32_t>& rows) {
   double sum = 0.0;
@@ -160,7 +166,7 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
     state.fractured_fraction = state.fractured_mass / workpiece.total_mass;
     const double face = face_depth(workpiece, frame, rows);
     state.front_depth = front_depth(workpiece, frame, face);
-    const double any_front = front_depth(workpiece, frame, face, WaterOf::all_jets);
+    const double any_front = front_of_all(workpiece, frame, face, state.front_depth);
     state.pressed_share = pressed_share(workpiece, frame, rows, rigid_);
     auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
     keep_divided(workpiece, frame, rows, pieces.body_piece, traces_, standing);

@@ -142,7 +142,8 @@ const MetricList<KerfShape>& KerfShape::metrics() {
        "Depth below the face at which the middle width is measured.",
        [](const S& s) { return s.middle.below; }},
       {"middle.width", "m", "width of the {} in the middle",
-       "Width of the {} at half its depth; null where that is in a gap between layers, or where a crack "
+       "Width of the {} at half its depth; null where that is in a gap between layers, or where a "
+       "crack "
        "parts the workpiece and nothing is removed.",
        [](const S& s) { return s.middle.width; }},
       {"bottom.below", "m", "level of the bottom width of the {}",
