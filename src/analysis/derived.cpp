@@ -221,9 +221,7 @@ double estimate_particle_memory(const DerivedNumbers& numbers, const Case& descr
   const double particle =
       record + wider * (contact + (bonds ? (plane ? 256.0 : 326.0) : (plane ? 286.0 : 404.0)));
   const double list = 4.5 * particles_within(reach + skin, dimension);
-  // The gradient corrections are in double precision in both.
-  const double corrections = single ? (plane ? 16.0 : 36.0) : 0.0;
-  const double solid = wider * (plane ? 196.0 : 281.0) + corrections;
+  const double solid = wider * (plane ? 195.0 : 280.0);
   const double jittered = bonds ? static_cast<double>(numbers.particles_jittered) : 0.0;
   const double bond_list = 4.0 * particles_within(reach, dimension);
   return all * particle + (all - bonded) * list + bonded * solid + jittered * bond_list;

@@ -46,12 +46,6 @@ KERF_FORMULA void add_bond_moments(Moments& moments, const Vector<D, Real>& refe
   add_outer(moments.of_gradient, bond, Vector<D, double>::from(weighted));
   add_outer(moments.of_hourglass, (double(stiffness) / double(hourglass)) * bond, bond);
 }
-// Returns 2 mu, Pa, which scales the moments of hourglass control; 1 without that.
-template <class Real>
-KERF_FUNCTION Real hourglass_of_pair(Real own) {
-  return own > Real(0) ? own + own : Real(1);
-}
-
 // Returns |R + u_j - u_i|^2 - |R|^2 = (2 R + u) . u, m^2, without the cancellation.
 template <int D, class T>
 KERF_FORMULA T square_growth(const Vector<D, T>& reference, const Vector<D, T>& change) {

@@ -50,6 +50,14 @@ KERF_FORMULA Number weight_of_levels(const BondScale<T>& within, Number ratio, N
                       distance);
 }
 
+// Returns 2 mu of two intact particles, Pa, which scales the moments of hourglass control; 1
+// without it.
+template <class T>
+KERF_FUNCTION T hourglass_of_pair(const Medium<T>& medium) {
+  const T own = medium.hourglass_modulus();
+  return own > T(0) ? own + own : T(1);
+}
+
 // Returns w_ij of an intact bond, in double; 0 where there is none.
 template <int D>
 double intact_weight(const Medium<double>& a, const Medium<double>& b, double distance) {

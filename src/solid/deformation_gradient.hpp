@@ -33,7 +33,7 @@ struct Deform {
     const BondGradient bonds = is_known ? known_sums[i] : sum_all(i);
     solid.stretch[i] = bonds.stretch;
     const auto& medium = solid.medium(i);
-    const Matrix<D, double>& correction = solid.correction[i];
+    const Matrix<D, double> correction = solid.correction[i].matrix();
     const auto h = Matrix<D, Real>::from(Matrix<D, double>::from(bonds.sum) * correction);
     solid.gradient[i] = h;
     const Matrix<D, Real> stress = first_piola(response.stress(solid, i, h), h);

@@ -9,7 +9,8 @@
 // a lattice round alike, so that hourglass control would turn a body that rotates. With
 // M = sum_j R (x) [w R] and N = sum_j [2 mu w] / (2 mu) R (x) R, as rounded there,
 //   B_i = V_i M^-1 N M^-T
-// makes the couple of a linear field vanish: antisym(N H^T - M (H M B / V)^T) = 0.
+// makes the couple of a linear field vanish, mu that of the intact medium: antisym(N H^T - M (H M B
+// / V)^T) = 0.
 #pragma once
 
 #include "simd/run_in_blocks.hpp"
@@ -29,6 +30,7 @@ template <int D, class P>
 struct Correct {
   using Real = typename P::Real;
   using Moments = BondMoments<D, Real>;
+  using Stored = StoredCorrection<D, Real>;
   SolidView<D, P> solid;
   BlockResults<Moments> known_moments{};  // of particles that the SIMD kernels compute
 
@@ -49,18 +51,18 @@ struct Correct {
       solid.detached[i] = 1;
       return clear_correction(i);
     }
-    solid.correction[i] =
-        (1.0 / (volume * volume)) * (inverse * moments.of_hourglass * transposed(inverse));
+    solid.correction[i] = Stored::from((1.0 / (volume * volume)) *
+                                       (inverse * moments.of_hourglass * transposed(inverse)));
   }
 
  private:
   KERF_FUNCTION void clear_correction(Index i) const {
-    solid.correction[i] = Matrix<D, double>::zero();
+    solid.correction[i] = Stored{};
     solid.changed[i] = solid.intact_bonds(i) > 0;
   }
   KERF_NOINLINE KERF_FUNCTION Moments sum_all(Index i) const {
     Moments moments{Matrix<D, double>::zero(), Matrix<D, double>::zero()};
-    const Real hourglass = hourglass_of_pair(solid.ends[i].hourglass);
+    const Real hourglass = hourglass_of_pair(solid.medium(i));
     for (Index k = solid.bonds.first(i); k < solid.bonds.last(i); ++k) {
       if (!solid.is_intact(i, k)) continue;
       const BondEnd j = solid.bond_end(i, k);
@@ -72,7 +74,7 @@ struct Correct {
   }
 };
 
-// Prepares Correct: marks what it leaves out, and what has lost bonds.
+// Prepares Correct: marks what it leaves out, and as having lost bonds what may have lost some.
 template <int D, class P>
 struct PrepareCorrection {
   SolidView<D, P> solid;

@@ -43,7 +43,8 @@ struct RateTraction {
         const Vector<D, Real> bond = solid.reference_bond(i, j);
         add_outer(sum, solid.velocity_bond(i, j), solid.weight(i, k, j, bond) * bond);
       }
-    solid.rate_traction[i] = viscosity * (sum * Matrix<D, Real>::from(solid.correction[i]));
+    solid.rate_traction[i] =
+        viscosity * (sum * Matrix<D, Real>::from(solid.correction[i].matrix()));
   }
 };
 

@@ -53,10 +53,11 @@ class JointLimit {
   KERF_FUNCTION double stiffness(Index i) const {
     if (solid_.detached[i]) return 0.0;
     const auto& medium = solid_.medium(i);
+    const Matrix<D, double> correction = solid_.correction[i].matrix();
     double largest = 0.0;
     for (int a = 0; a < D; ++a) {
       double row = 0.0;
-      for (int b = 0; b < D; ++b) row += std::abs(solid_.correction[i](a, b));
+      for (int b = 0; b < D; ++b) row += std::abs(correction(a, b));
       largest = row > largest ? row : largest;
     }
     const double fitted =

@@ -57,7 +57,7 @@ class PackedBondLoop {
   }
   KERF_FUNCTION void sum(BondMoments<D, Real>& result) const {
     result = {Matrix<D, double>::zero(), Matrix<D, double>::zero()};
-    const Real hourglass = hourglass_of_pair(own_.hourglass);
+    const Real hourglass = law_.hourglass;
     for_each_bond<parts_of_geometry>([&](const Bond& bond, const End&) {
       const auto& [reference, change, weight] = bond.geometry;
       add_bond_moments(result, reference, weight * reference, weight * hourglass, hourglass);

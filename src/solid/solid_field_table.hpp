@@ -16,7 +16,7 @@
   FIELD(std::uint8_t, strained)         /* 1: one of its bonds may break */                    \
   FIELD(Real, stretch)                  /* largest lambda^2 - 1 of its bonds, if they break */ \
   FIELD(Packed, ends)                   /* displacement, velocity, traction and others */      \
-  FIELD(DoubleTensor, correction)       /* B_i / V_i, 1/m^D */                                 \
+  FIELD(Correction, correction)         /* B_i / V_i, 1/m^D */                                 \
   FIELD(Tensor, gradient)               /* H = F - 1 */                                        \
   FIELD(Real, elastic_share)            /* s of limit_break_energy.hpp, 1 without breaks */    \
   FIELD(Real, criterion)                /* of the fracture criterion */                        \

@@ -17,6 +17,7 @@
 #include "solid/bond_weight.hpp"
 #include "solid/simd/packed_bonds.hpp"
 #include "solid/solid_field_table.hpp"
+#include "solid/stored_correction.hpp"
 #include "solid/unlike_media.hpp"
 
 namespace kerf {
@@ -27,7 +28,7 @@ struct SolidView {
   using Position = Vector<D, double>;
   using Speed = Vector<D, Real>;
   using Tensor = Matrix<D, Real>;
-  using DoubleTensor = Matrix<D, double>;
+  using Correction = StoredCorrection<D, Real>;
   using Packed = PackedBondEnd<D, Real>;
   using State = PlasticState<D, Real>;
   using Flaws = FlawState<Real>;
@@ -186,7 +187,7 @@ struct SolidFields {
   using Position = typename View::Position;
   using Speed = typename View::Speed;
   using Tensor = typename View::Tensor;
-  using DoubleTensor = typename View::DoubleTensor;
+  using Correction = typename View::Correction;
   using Packed = typename View::Packed;
   using State = typename View::State;
   using Flaws = typename View::Flaws;

@@ -34,7 +34,7 @@ KERF_FUNCTION Matrix<D, double> earlier_gradient(const SolidView<D, P>& solid, I
     add_outer(sum, earlier_displacement_bond(solid, i, j, ago),
               weight * solid.template reference_bond<double>(i, j));
   }
-  return sum * solid.correction[i];
+  return sum * solid.correction[i].matrix();
 }
 
 // Returns sum_j w_ij |F_i R - x_ij|^2 at the gradient H = F - 1 a time `ago`, s.

@@ -44,7 +44,6 @@ class CorrectionUpdate {
                   const BreakRecords<D, P>& records, const SimdBondSums<D, P>& sums) {
     const SolidView<D, P> solid = fields.view();
     beside_.resize(solid.count, std::uint8_t(0));
-    left_out_.resize(solid.count);
     correct(solid, sums);
     while (any_changed(solid)) {
       for_each_index(solid.share, MarkBesideDetached<D, P>{solid, pointer(beside_)});
@@ -62,15 +61,17 @@ class CorrectionUpdate {
     const bool own = reduce_unordered(solid.share, IsSet{solid.changed}, false, Either{});
     return solid.share.is_part ? ranks::any(own) : own;
   }
-  std::size_t bytes() const { return beside_.size() + left_out_.size(); }
+  std::size_t bytes() const { return beside_.size(); }
 
  private:
   void correct(const SolidView<D, P>& solid, const SimdBondSums<D, P>& sums) {
-    for_each_index(solid.share, PrepareCorrection<D, P>{solid, pointer(left_out_)});
-    sums.sum_moments(solid, Correct<D, P>{solid}, pointer(left_out_));
+    // No mark is set at this time, so that their memory serves for what is left out.
+    for_each_index(solid.share, PrepareCorrection<D, P>{solid, pointer(beside_)});
+    sums.sum_moments(solid, Correct<D, P>{solid}, pointer(beside_));
+    thrust::fill(loop_policy(), beside_.begin(), beside_.end(), std::uint8_t(0));
   }
 
-  Array<std::uint8_t> beside_, left_out_;
+  Array<std::uint8_t> beside_;  // marks of MarkBesideDetached
 };
 
 }  // namespace kerf

@@ -78,7 +78,7 @@ class BondsOfParticle {
   template <bool shared>
   [[gnu::always_inline]] void sum_moments(BondMoments<D, Real>& result) const {
     result = {Matrix<D, double>::zero(), Matrix<D, double>::zero()};
-    const Real hourglass = hourglass_of_pair(own_->hourglass);
+    const Real hourglass = law_.hourglass;
     for_each_batch<shared>([&](BondBatch& batch) KERF_SIMD_BODY {
       load_geometry<shared>(batch);
       const T stiffness = batch.bond.weight * T(hourglass);

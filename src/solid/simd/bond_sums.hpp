@@ -106,7 +106,8 @@ class SimdBondSums {
     return {BondScale<Real>::template of<D>(medium, medium),
             {static_cast<Real>(medium.density), static_cast<Real>(medium.smoothing_length),
              static_cast<Real>(medium.artificial_linear * medium.bond_wave_speed()),
-             static_cast<Real>(medium.artificial_quadratic)}};
+             static_cast<Real>(medium.artificial_quadratic)},
+            hourglass_of_pair(Medium<Real>::from(medium))};
   }
 
  public:  // nvcc has no loop bodies that are private

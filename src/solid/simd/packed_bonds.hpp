@@ -40,6 +40,7 @@ template <class Real>
 struct BondLaw {
   BondScale<Real> scale;
   BondViscosityLaw<Real> viscosity;
+  Real hourglass;  // 2 mu of intact particles, Pa; 1 without hourglass control
 };
 
 // sum_j w_ij (u_j - u_i) (x) R, and the largest stretch |x|^2 / R^2 - 1 of a bond.
@@ -64,8 +65,9 @@ struct BondMisfitSum {
 // makes B: in double, of the numbers that the other sums have, as these round them.
 template <int D, class Real>
 struct BondMoments {
-  Matrix<D, double> of_gradient;   // sum_j R (x) [w_ij R], as the sum of H has it
-  Matrix<D, double> of_hourglass;  // sum_j [2 mu_i w_ij] / (2 mu_i) R (x) R, as the force has it
+  Matrix<D, double> of_gradient;  // sum_j R (x) [w_ij R], as the sum of H has it
+  // sum_j [2 mu w_ij] / (2 mu) R (x) R, as the force has it, with mu of the intact medium
+  Matrix<D, double> of_hourglass;
 };
 
 // The bonds of shared lists (solid/share_lists.hpp) in the reference configuration, for each of
