@@ -4,13 +4,12 @@
 // after which the gradient of any linear field is exact, beside free surfaces and cracks too (Bonet
 // & Lok, Comput. Methods Appl. Mech. Engrg. 180 (1999) 97). A particle that has no valid B is
 // detached.
-//   In single precision w R of the sum of H and mu w of the force are rounded apart. The particles
-//   of
-// a lattice round alike, so that hourglass control would turn a body that rotates. With
-// M = sum_j R (x) [w R] and N = sum_j [2 mu w] / (2 mu) R (x) R, as rounded there,
-//   B_i = V_i M^-1 N M^-T
-// makes the couple of a linear field vanish, mu that of the intact medium: antisym(N H^T - M (H M B
-// / V)^T) = 0.
+// In single precision w R of the sum of H and mu w of the force are rounded apart, and the
+// particles of a lattice round alike, so that hourglass control would turn a body that rotates.
+// With
+//   M = sum_j R (x) [w R],   N = sum_j [2 mu w] / (2 mu) R (x) R,
+// brackets for what is rounded and mu of the intact medium, B_i = V_i M^-1 N M^-T makes the couple
+// of a linear field vanish: that field has H = (its gradient) N M^-T.
 #pragma once
 
 #include "simd/run_in_blocks.hpp"
