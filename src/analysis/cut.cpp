@@ -69,7 +69,9 @@ struct Evidence {
 // the workpiece. `front`: depth of the front below the face as laid out, m.
 BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Evidence& evidence,
               double front) {
-  const auto& [pieces, axes, traces] = evidence;
+  const auto& pieces = evidence.pieces;
+  const auto& axes = evidence.axes;
+  const auto& traces = evidence.traces;
   BodyCut cut;
   if (!body.is_in_way) return cut;
   if (has_left(body, view, traces)) return {.left = true};
