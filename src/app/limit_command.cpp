@@ -45,16 +45,16 @@ class LimitTable {
             int side_by_side) {
     double seconds = std::chrono::duration<double>(Clock::now() - round_).count();
     round_ = Clock::now();
-    for (const RunRow& row : runs)  // a run that was found finished took its time, too
-      if (std::find(ids.begin(), ids.end(), row.id) != ids.end())
-        if (const double* time = find_number(row, "wall_time")) seconds = std::max(seconds, *time);
     if (quiet_) return;
     display_.clear();
     if (count_ == 0) fmt::print("{}\n", trial_heading(plan_));
     for (const std::string& id : ids) {
       const auto row =
           std::find_if(runs.begin(), runs.end(), [&](const RunRow& each) { return each.id == id; });
-      if (row != runs.end()) fmt::print("{}\n", trial_line(plan_, ++count_, *row));
+      if (row == runs.end()) continue;
+      fmt::print("{}\n", trial_line(plan_, ++count_, *row));
+      // A run that was found finished took its time, too.
+      if (const double* time = find_number(*row, "wall_time")) seconds = std::max(seconds, *time);
     }
     tell_what_is_left(runs, last, side_by_side, seconds);
     std::fflush(stdout);
