@@ -194,6 +194,19 @@ LimitEnd end_of(const Asked& asked, const toml::table& base, bool is_feed) {
   return end;
 }
 
+// Refuses a depth of the cut that no run can reach.
+void refuse_beyond_thickness(const Asked& asked, const Condition& condition) {
+  const auto& workpiece = asked.description.workpiece;
+  const bool is_depth = condition.metric == "kerf.depth" || condition.metric == "front_depth";
+  if (!workpiece || !is_depth || !condition.at_least || condition.bound <= workpiece->size[1])
+    return;
+  refuse(asked,
+         fmt::format("--where \"{}\" wants more than the thickness of the workpiece. Allowed: at "
+                     "most {:g} mm",
+                     asked.question.where, 1e3 * workpiece->size[1]),
+         "State a smaller depth, or leave out --where to ask for cut-through");
+}
+
 ThresholdGoal goal_of(const Asked& asked, const LimitPlan& plan, Axis axis) {
   const LimitQuestion& question = asked.question;
   constexpr int converged_layouts = 3;
@@ -205,6 +218,7 @@ ThresholdGoal goal_of(const Asked& asked, const LimitPlan& plan, Axis axis) {
     goal.condition = {std::string(certain_feed), asked.description.machine->traverse_speed, true};
   else if (travels(asked.description))
     goal.condition = {"kerf.through_share", 0.95, true};
+  refuse_beyond_thickness(asked, goal.condition);
   goal.tolerance = question.tolerance;
   goal.most_runs = question.most_runs;
   goal.draft =

@@ -130,6 +130,17 @@ TEST(Limit, RefusesWhatTheCaseDoesNotHave) {
             HasSubstr("used are \"curd\", \"water\"")));
 }
 
+TEST(Limit, RefusesADepthBeyondTheThickness) {
+  const std::string foam =
+      read_file(std::string(KERF_SOURCE_DIR) + "/cases/cuts/foam-30mpa-1mps.toml");  // 5 mm thick
+  LimitQuestion question = limit_of("feed");
+  question.where = "kerf.depth >= 6 mm";
+  EXPECT_THAT(limit_refusal(foam, question),
+              AllOf(HasSubstr("kerf.depth >= 6 mm"), HasSubstr("Allowed: at most 5 mm")));
+  question.where = "kerf.depth >= 4 mm";
+  EXPECT_EQ(limit_plan_of(foam, question).study.threshold->condition.bound, 4e-3);
+}
+
 TEST(Limit, RefusesRangesAndConditions) {
   LimitQuestion question = limit_of("pressure");
   question.from = "3";
