@@ -20,6 +20,10 @@ Vector3 difference(const Vector3& a, const Vector3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
+double product(const Vector3& a, const Vector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 double length(const Vector3& v) {
   return std::hypot(v[0], v[1], v[2]);
 }
@@ -33,6 +37,8 @@ struct MaterialLine {
 struct LineChange {
   double shortening = 0.0;  // m
   double motion = 0.0;      // m, the greatest
+  double sag = 0.0;         // m, the greatest along the jet
+  double aside = 0.0;       // m, the greatest across the jet
 };
 
 // Returns the sets of joined bodies of which the jet meets one.
@@ -104,7 +110,12 @@ std::map<LinePlace, LineChange> find_changes(const KerfScene& scene) {
     LineChange& change = changes[std::get<LinePlace>(key)];
     change.shortening +=
         length(difference(last, first)) - length(difference(now(line.last), now(line.first)));
-    change.motion = std::max(change.motion, length(difference(now(line.last), last)));
+    const Vector3 moved = difference(now(line.last), last);
+    const double along = product(moved, scene.axes.jet.along);
+    change.motion = std::max(change.motion, length(moved));
+    change.sag = std::max(change.sag, along);
+    change.aside =
+        std::max(change.aside, std::sqrt(std::max(0.0, product(moved, moved) - along * along)));
   }
   return changes;
 }
@@ -120,7 +131,11 @@ const MetricList<Dent>& Dent::metrics() {
       {"motion", "m", "motion of the workpiece",
        "Distance by which the far face in the way of the jet has moved since the start, in any "
        "direction: by bending or as a whole.",
-       &Dent::motion}};
+       &Dent::motion},
+      {"sag", "m", "sag of the workpiece",
+       "Distance by which the far face in the way of the jet has moved along the jet since the "
+       "start: by bending or as a whole. The sides of a cut that slide apart do not count.",
+       &Dent::sag}};
   return list;
 }
 
@@ -131,16 +146,20 @@ Dent Dent::measure(const KerfScene& scene) {
       std::max(1L, std::lround(depth_breadth_fraction * scene.axes.jet.width / spacing / 2));
   Dent dent;
   for (const auto& [place, unused] : changes) {
-    double count = 0.0, shortening = 0.0, motion = 0.0;
+    double count = 0.0, shortening = 0.0, motion = 0.0, sag = 0.0, aside = 0.0;
     for (long i = place.first - reach; i <= place.first + reach; ++i)
       for (auto near = changes.lower_bound({i, place.second - reach});
            near != changes.end() && near->first <= LinePlace{i, place.second + reach}; ++near) {
         count += 1.0;
         shortening += near->second.shortening;
         motion += near->second.motion;
+        sag += near->second.sag;
+        aside += near->second.aside;
       }
     dent.depth = std::max(dent.depth, shortening / count);
     dent.motion = std::max(dent.motion, motion / count);
+    dent.sag = std::max(dent.sag, sag / count);
+    dent.aside = std::max(dent.aside, aside / count);
   }
   return dent;
 }

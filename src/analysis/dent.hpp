@@ -14,6 +14,8 @@ namespace kerf {
 struct Dent {
   double depth = 0.0;   // m, by which a line has become shorter, whatever its motion
   double motion = 0.0;  // m, by which its far end has moved in any direction
+  double sag = 0.0;     // m, by which its far end has moved along the jet
+  double aside = 0.0;   // m, by which its far end has moved across the jet
 
   static Dent measure(const KerfScene& scene);
   static const MetricList<Dent>& metrics();

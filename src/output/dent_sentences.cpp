@@ -28,9 +28,7 @@ double dent_of(const RunOutcome& outcome) {
 
 // Says how far the workpiece has moved, if that is measurable and more than the dent.
 std::string motion_clause(const RunOutcome& outcome) {
-  const double motion = outcome.kerf ? outcome.kerf->of<Dent>().motion : 0.0;
-  if (!(motion > std::max(dent_of(outcome), least_length(outcome)))) return "";
-  return fmt::format("the workpiece has bent or moved by {}", readable(motion, "m"));
+  return motion_clause_beyond(outcome, std::max(dent_of(outcome), least_length(outcome)));
 }
 
 // Names the bodies that have left the domain.
@@ -60,6 +58,15 @@ bool breaks_without_water(const RunOutcome& outcome) {
 }
 
 }  // namespace
+
+std::string motion_clause_beyond(const RunOutcome& outcome, double least) {
+  const Dent dent = outcome.kerf ? outcome.kerf->of<Dent>() : Dent{};
+  if (!(dent.motion > least)) return "";
+  constexpr double mostly = 0.87;  // within 30 degrees of the plane across the jet
+  const bool is_sideways = dent.aside > mostly * dent.motion;
+  return fmt::format("the workpiece has {} by {}", is_sideways ? "moved sideways" : "bent or moved",
+                     readable(dent.motion, "m"));
+}
 
 std::string the_jet(const RunOutcome& outcome, bool begins_sentence) {
   const std::size_t jets = jets_of_whole(outcome.description);

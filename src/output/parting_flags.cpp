@@ -43,23 +43,23 @@ bool is_moved_by_case(const RunOutcome& outcome) {
 }
 
 // Of a workpiece that was pressed ahead by more than its thickness: when it is cut depends on what
-// holds it. The front, which runs past a body that is narrow, tells of one that is cut whether it
-// moved before.
+// holds it. Sides of a cut that slide apart do not give way: no support below would hold them. The
+// front, which runs past a body that is narrow, tells of one that is cut whether it moved before.
 void add_flag_of_sag(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
   if (!outcome.kerf || is_moved_by_case(outcome)) return;
   const CutSummary& cut = outcome.cut;
   const double thickness = outcome.kerf->shape.thickness;
-  const double motion = outcome.kerf->of<Dent>().motion;
-  if (!(thickness > 0.0) || !(motion > thickness)) return;
+  const double sag = outcome.kerf->of<Dent>().sag;
+  if (!(thickness > 0.0) || !(sag > thickness)) return;
   if (cut.cut_through && !(cut.front_share_at_cut > 2.0)) return;
   const auto& workpiece = outcome.description.workpiece;
   const bool travels = workpiece && workpiece->frame == WorkpieceFrame::travelling;
   flags.push_back(
-      {"sagged", ValidityFlag::State::warning, motion, thickness,
+      {"sagged", ValidityFlag::State::warning, sag, thickness,
        fmt::format(
            "The workpiece has given way by {}, {:.2g} times its thickness: the depth and the time "
            "of a cut depend on what holds it{}.",
-           readable(motion, "m"), motion / thickness,
+           readable(sag, "m"), sag / thickness,
            travels ? ", the ends of the window. Widen the window until they no longer change, or "
                      "simulate a workpiece on a support in a frame at rest"
                    : ". Support it, as by a rigid body below it")});

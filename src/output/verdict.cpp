@@ -106,11 +106,10 @@ std::string reach_clause(const RunOutcome& outcome) {
 // Says how far a workpiece that is cut has moved, if by more than the width of the jet: the cut is
 // elsewhere in it than where the jet aimed at first.
 std::string shift_clause(const RunOutcome& outcome) {
-  const double motion = outcome.kerf ? outcome.kerf->of<Dent>().motion : 0.0;
-  if (cuts_nothing(outcome) || has_left(outcome) ||
-      !(motion > outcome.description.jets.front().width))
-    return "";
-  return fmt::format("; the workpiece has bent or moved by {}", readable(motion, "m"));
+  if (cuts_nothing(outcome) || has_left(outcome)) return "";
+  const std::string motion =
+      motion_clause_beyond(outcome, outcome.description.jets.front().width);
+  return motion.empty() ? "" : "; " + motion;
 }
 
 // Says what several jets have broken together, because the verdict is on the first.

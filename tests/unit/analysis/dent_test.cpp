@@ -2,6 +2,7 @@
 // The dent is the loss of thickness under the jet, whatever the motion of the workpiece.
 #include <ostream>
 
+#include "geometry/jet_direction.hpp"
 #include "kerf_layout.hpp"
 
 namespace kerf {
@@ -57,6 +58,11 @@ TEST_P(DentOfABlock, IsNoneWhereTheBlockMovesOrTurnsAsAWhole) {
   });
   EXPECT_NEAR(shifted.depth, 0.0, 1e-9);
   EXPECT_NEAR(shifted.motion, std::hypot(3.0 * mm, 40.0 * mm), 1e-9);
+  // A tilted block is moved before the tilt, in which the jet points straight down.
+  const Position along = carving_.is_block_tilted ? Position{0.0, -1.0, 0.0}
+                                                  : jet_direction(carving_.description().jets[0]);
+  EXPECT_NEAR(shifted.sag, 3.0 * mm * along[0] - 40.0 * mm * along[1], 1e-9);
+  EXPECT_NEAR(shifted.aside, std::abs(3.0 * mm * along[1] + 40.0 * mm * along[0]), 1e-9);
   const double turn = 0.35;  // rad, about the aimed point
   const Dent turned = after([turn](const Position& x) -> Position {
     return {std::cos(turn) * x[0] - std::sin(turn) * x[1],
@@ -64,6 +70,17 @@ TEST_P(DentOfABlock, IsNoneWhereTheBlockMovesOrTurnsAsAWhole) {
   });
   EXPECT_NEAR(turned.depth, 0.0, 1e-9);
   EXPECT_NEAR(turned.motion, 2.0 * std::sin(turn / 2.0) * line(), 3.0 * mm);
+}
+
+// Two halves of a cut slide apart along a table: they have moved, but have not given way.
+TEST_P(DentOfABlock, SidesThatSlideApartDoNotSag) {
+  if (!carving_.is_block_tilted) GTEST_SKIP() << "the face is not across the jet";
+  const Dent dent = after([](const Position& x) -> Position {
+    return {x[0] + (x[0] > 0.0 ? 3.0 * mm : -3.0 * mm), x[1], x[2]};
+  });
+  EXPECT_NEAR(dent.motion, 3.0 * mm, 1e-9);
+  EXPECT_NEAR(dent.aside, 3.0 * mm, 1e-9);
+  EXPECT_NEAR(dent.sag, 0.0, 1e-9);
 }
 
 // The whole block is thinner by a part that is far below a spacing, and moves down.

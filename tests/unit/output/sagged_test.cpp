@@ -42,6 +42,17 @@ TEST(SaggedFlag, TellsAWorkpieceThatGivesWay) {
   EXPECT_THAT(validity_of(outcome), sagged("Widen the window until they no longer change"));
 }
 
+// The sides of a cut on a table slide apart: a support below would change nothing.
+TEST(SaggedFlag, IsNotOfSidesThatSlideApart) {
+  RunOutcome outcome = outcome_that_moves(20e-3);
+  outcome.kerf->of<Dent>().sag = 0.1e-3;
+  outcome.kerf->of<Dent>().aside = 20e-3;
+  EXPECT_THAT(validity_of(outcome), no_flag());
+  EXPECT_THAT(verdict_of(outcome), HasSubstr("the workpiece has moved sideways by 20 mm"));
+  outcome.kerf->of<Dent>().aside = 14e-3;
+  EXPECT_THAT(verdict_of(outcome), HasSubstr("the workpiece has bent or moved by 20 mm"));
+}
+
 // What flies off after the cut has not sagged before it.
 TEST(SaggedFlag, OfACutTheFrontTellsWhetherItMovedBefore) {
   RunOutcome outcome = outcome_that_moves(20e-3);

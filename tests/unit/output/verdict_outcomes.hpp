@@ -22,7 +22,8 @@ inline Jet arriving_jet() {
   return jet;
 }
 
-// The outcome of a run that breaks nothing, whose water has come 30 mm deep.
+// The outcome of a run that breaks nothing, whose water has come 30 mm deep; the workpiece has
+// moved along the jet.
 inline RunOutcome whole_outcome(double dent, double motion) {
   RunOutcome outcome = touched_outcome();
   outcome.description.jets.push_back(arriving_jet());
@@ -33,7 +34,7 @@ inline RunOutcome whole_outcome(double dent, double motion) {
   outcome.kerf.emplace();
   outcome.kerf->shape.thickness = 8e-3;
   outcome.kerf->of<CutMargin>().unbroken = 8e-3;
-  outcome.kerf->of<Dent>() = {dent, motion};
+  outcome.kerf->of<Dent>() = {dent, motion, motion};
   return outcome;
 }
 
