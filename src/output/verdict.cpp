@@ -107,8 +107,7 @@ std::string reach_clause(const RunOutcome& outcome) {
 // elsewhere in it than where the jet aimed at first.
 std::string shift_clause(const RunOutcome& outcome) {
   if (cuts_nothing(outcome) || has_left(outcome)) return "";
-  const std::string motion =
-      motion_clause_beyond(outcome, outcome.description.jets.front().width);
+  const std::string motion = motion_clause_beyond(outcome, outcome.description.jets.front().width);
   return motion.empty() ? "" : "; " + motion;
 }
 

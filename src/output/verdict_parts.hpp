@@ -42,8 +42,8 @@ bool makes_dent(const RunOutcome& outcome);
 // Says how deep the dent is, and how far the workpiece has moved if that is more; empty where there
 // is neither.
 std::string dent_clause(const RunOutcome& outcome);
-// Says how far the workpiece has moved, and whether across the jet, as the sides of a cut that slide
-// apart; empty where it is at most `least`, m.
+// Says how far the workpiece has moved, and whether across the jet, as the sides of a cut that
+// slide apart; empty where it is at most `least`, m.
 std::string motion_clause_beyond(const RunOutcome& outcome, double least);
 // Says in how many pieces the workpiece is, if in more than at the start.
 std::string pieces_clause(const RunOutcome& outcome);
