@@ -68,9 +68,11 @@ void add_of_left_whole(const RunOutcome& outcome, std::vector<ValidityFlag>& fla
   flags.push_back(
       {"left_whole", state, share, little,
        fmt::format("{:.2g}% of the workpiece has left the domain unbroken: the shares and volumes "
-                   "of what is fractured and removed count it, although the jet has not broken it. "
+                   "of what is fractured and removed count it, although {}. "
                    "A larger [domain] keeps it.",
-                   100.0 * share)});
+                   100.0 * share,
+                   outcome.description.jets.empty() ? "nothing has broken it"
+                                                    : "the jet has not broken it")});
 }
 
 // Flags the first body under the jet that its pressure crushes.

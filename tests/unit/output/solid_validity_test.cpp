@@ -118,6 +118,9 @@ TEST(SolidValidity, TellsOfSolidThatHasLeftTheDomainWhole) {
   outcome.cut.mass_left_whole = 0.3;
   EXPECT_THAT(validity_of(outcome),
               flag_of("left_whole", State::warning, "15% of the workpiece has left the domain"));
+  outcome.description.jets.clear();
+  EXPECT_THAT(validity_of(outcome),
+              flag_of("left_whole", State::warning, "although nothing has broken it."));
   EXPECT_NEAR(outcome.cut.broken_fraction(), 0.05, 1e-12);
 }
 
