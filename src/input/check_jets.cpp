@@ -84,6 +84,22 @@ bool hits_a_body(const Case& description, const Nozzle& nozzle,
   return false;
 }
 
+// Returns whether a body lies along the jet: beside its outermost column of particles, but within a
+// spacing of its water, as the wall of a channel. It is within reach of that column, and what flows
+// past it is a case of its own.
+bool flows_along_a_body(const Case& description, const Jet& jet, double most_tested) {
+  constexpr double slack = 1.01;  // spacings: a face in the column is beside it
+  std::vector<const Body*> bodies;
+  for (const Body& body : description.bodies) bodies.push_back(&body);
+  const BesideJet beside = beside_jet(jet, bodies, description.dimension, most_tested);
+  if (beside.body == nullptr) return false;
+  const double reach = std::max(jet.spacing, beside.body->spacing);
+  if (beside.distance > reach) return false;
+  Jet columns = jet;
+  columns.width = std::max(0.0, jet.width - slack * jet.spacing);
+  return beside_jet(columns, bodies, description.dimension, most_tested).distance > 0.0;
+}
+
 // Returns for how long the nozzle moves beside the workpiece before the cut begins, s. Bodies that
 // move come to it at another time; whether a point is inside a mesh takes long.
 double time_beside_bodies(const Case& description, const Jet& jet) {
@@ -221,7 +237,8 @@ void check_jets(Draft& draft) {
     check_start(draft, i, standing);
     if (draft.reading.problems.count() == before) check_traverse(draft, path, nozzle);
     if (draft.reading.problems.count() > before || one_hits) continue;
-    one_hits = jet.time_beside > 0.0 || hits_a_body(result, nozzle, standing);
+    one_hits = jet.time_beside > 0.0 || hits_a_body(result, nozzle, standing) ||
+               flows_along_a_body(result, jet, draft.effort.most_tested);
     if (!one_hits) misses.push_back(i);
   }
   if (one_hits) return;

@@ -99,6 +99,22 @@ TEST(RefuseAim, OfAllJets) {
             std::string::npos);
 }
 
+// A jet between two walls meets none of them, but flows along them: whether its edge touches a
+// wall, is beside it by less than a spacing, or its outermost particles alone are beside it.
+TEST(RefuseAim, NoJetThatFlowsAlongAWall) {
+  const auto channel = [](const std::string& gap, const std::string& angle) {
+    std::string text = gap_case({"0 mm"}, angle);
+    for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"-10 mm\"", "\"-" + gap},
+                                   std::pair<std::string, std::string>{"\"20 mm\"", "\"" + gap}})
+      text.replace(text.find(from), from.size(), to + " mm\"");
+    return message_of(text);
+  };
+  for (const char* gap : {"4.7", "5", "5.000000000000001", "6.9"})
+    EXPECT_EQ(channel(gap, "0 deg"), "(no error)") << gap;
+  EXPECT_NE(channel("7.1", "0 deg").find("its water is 0.0021 m from the nearest"),
+            std::string::npos);
+}
+
 // A round jet through a round hole that is wider by 1 mm on every side.
 TEST(RefuseAim, ThroughAHole) {
   const std::string text =
