@@ -11,6 +11,8 @@
 #include "geometry/water_line.hpp"
 #include "machine/characteristic_speed.hpp"
 #include "model/case.hpp"
+#include "output/falling_jet_flag.hpp"
+#include "output/fast_nozzle_flag.hpp"
 #include "output/readable.hpp"
 
 namespace kerf {
@@ -45,6 +47,16 @@ void warn_of_idle_dwell(const Case& description, const Jet& jet,
                     description.machine ? "machine.traverse_speed" : "a traverse"));
 }
 
+// Says how near the water comes to a body. A distance that is rounding is none.
+std::string nearest_words(const BesideJet& beside) {
+  constexpr double rounding = 1e-6;  // spacings
+  if (beside.body == nullptr) return "all lie behind its nozzle";
+  if (beside.distance < rounding * beside.body->spacing)
+    return fmt::format("its water flows along the nearest, \"{}\"", beside.body->name);
+  return fmt::format("its water is {:.3g} m from the nearest, \"{}\"", beside.distance,
+                     beside.body->name);
+}
+
 // Tells of a nozzle that starts beside the workpiece and comes over it.
 std::string entry_sentence(const Jet& jet, const std::vector<const Body*>& targets, int dimension) {
   const WaterLine axis = axis_line(jet, jet.time_beside);
@@ -63,6 +75,8 @@ std::vector<std::string> aim_warnings(const Case& description) {
   std::vector<std::string> warnings;
   for (const Jet& jet : description.jets) warn_of_late_water(jet, description.time.end, warnings);
   for (const Jet& jet : description.jets) warn_of_idle_dwell(description, jet, warnings);
+  if (const auto text = fast_nozzle(description)) warnings.push_back(*text);
+  if (const auto text = falling_jet(description)) warnings.push_back(*text);
   std::vector<const Body*> targets;
   for (const Body& body : description.bodies)
     if (body.role == Role::elastic && !body.fixed) targets.push_back(&body);
@@ -77,10 +91,7 @@ std::vector<std::string> aim_warnings(const Case& description) {
     const bool meets_one = std::any_of(targets.begin(), targets.end(), meets);
     if (meets_one || traverse_speed(jet) > 0.0) continue;
     const BesideJet beside = beside_jet(jet, targets, description.dimension, most_tested);
-    const std::string nearest = beside.body
-                                    ? fmt::format("its water is {:.3g} m from the nearest, \"{}\"",
-                                                  beside.distance, beside.body->name)
-                                    : std::string("all lie behind its nozzle");
+    const std::string nearest = nearest_words(beside);
     warnings.push_back(fmt::format(
         "the jet \"{}\" passes beside all bodies that it could cut: none is within half "
         "its width of its axis, and {}. Correct its position or its angle",

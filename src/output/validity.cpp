@@ -9,6 +9,8 @@
 #include "model/calibration_need.hpp"
 #include "model/case.hpp"
 #include "output/balance_flags.hpp"
+#include "output/falling_jet_flag.hpp"
+#include "output/fast_nozzle_flag.hpp"
 #include "output/moving_workpiece_flag.hpp"
 #include "output/parting_flags.hpp"
 #include "output/pulse_flag.hpp"
@@ -205,6 +207,8 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
     flags.push_back({"uncalibrated", State::warning, {}, {}, need});
   if (description.jets.empty()) return;
   add_pulse_flag(description, flags);
+  if (const auto flag = fast_nozzle_flag(description)) flags.push_back(*flag);
+  if (const auto flag = falling_jet_flag(description)) flags.push_back(*flag);
   if (jets_of_whole(description) > 1)
     note("several_jets", fmt::format("The verdict and the kerf are those of the first jet, {}.",
                                      description.jets.front().name));
