@@ -23,9 +23,21 @@ function parts(html) {
   return { number, factor: factorOf(unit), hasPower: power !== undefined };
 }
 
+const lasting = { s: 1, min: 60, h: 3600 };
+
+/** "1 min 08 s" or "2 h 05 min" as seconds, with the last unit, s; null if it is no such time. */
+function duration(html) {
+  const found = /^(\d+)\s(min|h)\s(\d\d)\s(s|min)$/.exec(html);
+  if (!found) return null;
+  const [, whole, unit, rest, last] = found;
+  return { seconds: whole * lasting[unit] + rest * lasting[last], last: lasting[last] };
+}
+
 /** In SI units; null for "—". */
 export function readQuantity(html) {
   if (html === "—") return null;
+  const time = duration(html);
+  if (time) return time.seconds;
   const { number, factor } = parts(html);
   return number * factor;
 }
@@ -33,6 +45,8 @@ export function readQuantity(html) {
 /** Whether `html` shows `value`, rounded to so many digits in the unit shown; three before a power of ten. */
 export function shows(html, value, digits) {
   if (html === "—" || value === null) return html === "—" && value === null;
+  const time = duration(html);
+  if (time) return Math.abs(time.seconds - value) <= (time.last === 1 ? 0.5 : time.last);
   const { number, factor, hasPower } = parts(html);
   const exact = value / factor;
   if (exact === 0) return number === 0;

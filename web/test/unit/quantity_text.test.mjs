@@ -20,6 +20,8 @@ test("what the report writes is read back", () => {
   near(readQuantity("15°"), Math.PI / 12);
   near(readQuantity("117.1\u202fkJ/m³"), 117100);
   near(readQuantity("12.4\u202fmm²"), 1.24e-5);
+  near(readQuantity("1\u202fmin 08\u202fs"), 68);
+  near(readQuantity("2\u202fh 05\u202fmin"), 7500);
   assert.equal(readQuantity("—"), null);
   assert.throws(() => readQuantity("11.98\u202fmm²²"));
   assert.throws(() => readQuantity("none"));
@@ -31,5 +33,7 @@ test("a shown number is the rounded one and no other", () => {
   assert.ok(!shows("4.32\u202fm", 0.004322846, 3));
   assert.ok(shows("19.6°", 0.34289671256284293, 3) && !shows("19.7°", 0.34289671256284293, 3));
   assert.ok(shows("1.17 · 10<sup>5</sup>", 117072.07, 4) && !shows("1.18 · 10<sup>5</sup>", 117072.07, 4));
+  assert.ok(shows("1 min 08 s", 68.4, 4) && !shows("1 min 08 s", 68.6, 4));
+  assert.ok(shows("2 h 05 min", 7559, 4) && !shows("2 h 05 min", 7561, 4));
   assert.ok(shows("—", null, 3) && !shows("0", null, 3) && !shows("—", 0, 3) && shows("0", 0, 3));
 });
