@@ -133,7 +133,7 @@ void CutMonitor::take(const Case& description, const Frame& initial) {
   workpiece_ = std::make_shared<const Workpiece>(
       make_workpiece(description, WholeFrame(initial, images).get()));
   // Of the layout at the start all stands; of a later window it is not known.
-  traces_.assign(workpiece_->position.size(), history_.empty() ? slot_trace::stood : 0);
+  traced_.traces.assign(workpiece_->position.size(), history_.empty() ? slot_trace::stood : 0);
   if (!workpiece_->jet) return;
   axes_.emplace(*workpiece_->jet, description.jets.front().traverse, description.dimension);
   opening_lines_ = opening_lines(description, *workpiece_->jet);
@@ -145,7 +145,19 @@ double CutMonitor::contact_time(double now) const {
   return contact == history_.end() ? now : contact->time;
 }
 
-CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& water_impulse) {
+CutState CutMonitor::observe(const Frame& frame, const std::array<double, 3>& water_impulse) {
+  history_.push_back(measure(frame, water_impulse, traced_));
+  return history_.back();
+}
+
+CutState CutMonitor::state_at(const Frame& frame,
+                              const std::array<double, 3>& water_impulse) const {
+  Traced traced = traced_;
+  return measure(frame, water_impulse, traced);
+}
+
+CutState CutMonitor::measure(const Frame& part, const std::array<double, 3>& water_impulse,
+                             Traced& traced) const {
   const Workpiece& workpiece = *workpiece_;
   CutState state;
   state.time = part.time;
@@ -171,8 +183,8 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
     const double any_front = front_of_all(workpiece, frame, face, state.front_depth);
     state.pressed_share = pressed_share(workpiece, frame, rows, rigid_);
     auto standing = find_standing(workpiece, frame, rows, pieces.in_piece);
-    keep_divided(workpiece, frame, rows, pieces.body_piece, traces_, standing);
-    note_traces(rows, standing, traces_);
+    keep_divided(workpiece, frame, rows, pieces.body_piece, traced.traces, standing);
+    note_traces(rows, standing, traced.traces);
     if (has_wake_ && axes_) {
       state.wake = measure_wake({workpiece, frame, rows, standing}, *axes_);
       state.water_impulse = KerfAxes::dot(water_impulse, axes_->jet.along);
@@ -189,19 +201,18 @@ CutState CutMonitor::observe(const Frame& part, const std::array<double, 3>& wat
       state.void_width = widths.laid_out;
     }
     if (note_touch(frame, rows, any_front, state)) {
-      const auto closed = closed_where_left(workpiece, standing, traces_);
+      const auto closed = closed_where_left(workpiece, standing, traced.traces);
       if (!state.cut_through)
-        judge_bodies({workpiece, frame, rows, closed}, {pieces, *axes_, traces_}, any_front + face,
-                     state);
+        judge_bodies({workpiece, frame, rows, closed}, {pieces, *axes_, traced.traces},
+                     any_front + face, state);
       state.cut_depth =
           std::max(state.cut_depth,
                    measure_cut_depth({workpiece, frame, rows, closed}, *axes_, state.bodies));
     }
-    fragments_ = std::move(pieces.fragments);
+    traced.fragments = std::move(pieces.fragments);
   } else if (workpiece.jet_count > 1 && !state.is_touched_by_first) {
     state.is_touched_by_first = touches_water(workpiece, part, {}, WaterOf::first_jet);
   }
-  history_.push_back(state);
   return state;
 }
 
@@ -219,12 +230,13 @@ bool CutMonitor::note_touch(const Frame& frame, const std::vector<std::uint32_t>
 void CutMonitor::restore(std::vector<CutState> history, const std::vector<std::uint8_t>& traces,
                          const Frame& last) {
   history_ = std::move(history);
-  if (traces.size() == traces_.size()) traces_ = traces;
+  if (traces.size() == traced_.traces.size()) traced_.traces = traces;
   for (const CutState& state : history_)
     require(state.bodies.size() == workpiece_->bodies.size(), "every row has all bodies");
   if (workpiece_->empty()) return;
   const WholeFrame whole(last, workpiece_->images);
-  fragments_ = find_pieces(*workpiece_, whole.get(), locate(*workpiece_, whole.get())).fragments;
+  traced_.fragments =
+      find_pieces(*workpiece_, whole.get(), locate(*workpiece_, whole.get())).fragments;
 }
 
 }  // namespace kerf

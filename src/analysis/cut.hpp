@@ -166,6 +166,8 @@ class CutMonitor {
   CutMonitor(const Case& description, const Frame& initial);
   // Frames in order of time; `water_impulse`: of the water on the solids so far, N s (2D: N s/m).
   CutState observe(const Frame& frame, const std::array<double, 3>& water_impulse = {});
+  // Returns the state of a frame after the last one observed, without a trace in the history.
+  CutState state_at(const Frame& frame, const std::array<double, 3>& water_impulse = {}) const;
   // Takes the workpiece in the window of a travelling frame, as laid out. The case is that after
   // its shifts (machine/travelling_frame.hpp).
   void follow(const Case& shifted, const Frame& layout);
@@ -174,11 +176,20 @@ class CutMonitor {
   const std::vector<CutState>& history() const { return history_; }
   const Workpiece& workpiece() const { return *workpiece_; }
   // The slot_trace of each slot, with which a resumed run continues too.
-  const std::vector<std::uint8_t>& traces() const { return traces_; }
+  const std::vector<std::uint8_t>& traces() const { return traced_.traces; }
   void restore(std::vector<CutState> history, const std::vector<std::uint8_t>& traces,
                const Frame& last);
 
  private:
+  // What an observation leaves behind besides the state.
+  struct Traced {
+    std::vector<std::uint8_t> traces;
+    std::vector<Fragment> fragments;
+  };
+
+  // Returns the state of a frame; `traced` has the traces before it, and then those with it.
+  CutState measure(const Frame& frame, const std::array<double, 3>& water_impulse,
+                   Traced& traced) const;
   void add_verdicts(CutSummary& summary) const;
   void take(const Case& description, const Frame& layout);
   // Notes what water of the jets touches in a frame, and returns whether water of any does.
@@ -194,8 +205,7 @@ class CutMonitor {
   bool has_wake_ = false;       // whether a frame travels
   std::vector<RigidShape> rigid_;
   std::vector<CutState> history_;
-  std::vector<std::uint8_t> traces_;
-  std::vector<Fragment> fragments_;  // of the last frame observed
+  Traced traced_;  // of the last frame observed
 };
 
 }  // namespace kerf

@@ -22,12 +22,13 @@ CutSummary CutMonitor::summary() const {
   CutSummary summary;
   if (history_.empty()) return summary;
   summary.last = history_.back();
-  summary.fragments = fragments_;
+  summary.fragments = traced_.fragments;
   for (const CutState& state : history_)
     summary.pressed_share = std::max(summary.pressed_share, state.pressed_share);
-  for (std::size_t slot = 0; slot < traces_.size(); ++slot)
-    if (traces_[slot] == slot_trace::left_whole) summary.mass_left_whole += workpiece_->mass[slot];
-  if (summary.mass_left_whole > 0.0) summary.traces = traces_;
+  for (std::size_t slot = 0; slot < traced_.traces.size(); ++slot)
+    if (traced_.traces[slot] == slot_trace::left_whole)
+      summary.mass_left_whole += workpiece_->mass[slot];
+  if (summary.mass_left_whole > 0.0) summary.traces = traced_.traces;
   summary.pieces_since =
       std::find_if(history_.rbegin(), history_.rend(),
                    [&](const CutState& state) { return state.pieces != summary.last.pieces; })

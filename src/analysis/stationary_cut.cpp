@@ -15,21 +15,21 @@ struct Stretch {
   bool is_cut = false;  // throughout
 };
 
-// Returns the means over the states first .. last of the history, of which the force follows from
-// the impulses of the first and the last.
+// Returns the means over the time between the states first and last of the history. The force
+// follows from the impulses of these two.
 Stretch mean_of(const std::vector<CutState>& history, std::size_t first, std::size_t last) {
   Stretch mean;
   mean.is_cut = true;
-  const double count = static_cast<double>(last - first);
+  const double time = history[last].time - history[first].time;
   for (std::size_t n = first + 1; n <= last; ++n) {
     const Wake& wake = history[n].wake;
-    mean.depth += wake.depth / count;
-    mean.lag += wake.lag / count;
-    mean.width += wake.width / count;
+    const double share = (history[n].time - history[n - 1].time) / time;
+    mean.depth += share * wake.depth;
+    mean.lag += share * wake.lag;
+    mean.width += share * wake.width;
     mean.is_cut = mean.is_cut && wake.depth > 0.0;
   }
-  mean.force = (history[last].water_impulse - history[first].water_impulse) /
-               (history[last].time - history[first].time);
+  mean.force = (history[last].water_impulse - history[first].water_impulse) / time;
   return mean;
 }
 

@@ -66,7 +66,7 @@ void RunLoop::resume(const Archive& state) {
   rows_due_.restore(before_.rows_due);
   limits_ = before_.limits;
   most_stored_ = before_.most_stored;
-  if (!before_.cut_history.empty()) row_time_ = before_.cut_history.back().time;
+  row_time_ = before_.row_time;
   energy_drift_ = simulation_->balance().energy_drift();
   tell(fmt::format("{}: continuing from {:.6g} ms, step {}", settings_.case_name,
                    1e3 * simulation_->time(), simulation_->step()));

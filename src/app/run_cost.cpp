@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/observation_times.hpp"
 #include "model/case.hpp"
 #include "output/readable.hpp"
 
@@ -25,8 +26,10 @@ double typical_particle_step(const Case& description) {
   return plane ? 3.3e-6 : 7.0e-6;
 }
 
+// Returns the number of rows of series.csv and of observations of the cut, which take as long.
 double rows_of(const Case& description) {
-  return description.time.end / description.output.series_interval;
+  const double end = description.time.end;
+  return end / description.output.series_interval + ObservationTimes(description).count(end);
 }
 
 double on_threads(double seconds, int threads) {

@@ -50,6 +50,7 @@ RunLoop::RunLoop(RunLoopSettings settings, SimulationMaker maker)
       maker_(std::move(maker)),
       folder_(settings_.folder, settings_.case_text, settings_.existing),
       progress_(progress_style(settings_.quiet)),
+      observations_due_(settings_.description),
       series_(folder_.series(), settings_.description),
       frames_(folder_.path(), settings_.case_name, legend_of(settings_.description)),
       pictures_(folder_.path(), settings_.case_name, settings_.description),
@@ -150,6 +151,7 @@ void RunLoop::begin() {
                    simulation_->particles(), folder_.path().string()));
   for (const LooseParticles& body : loose_) tell(loose_sentence(settings_.description, body));
   series_.start();
+  observe_due();
   write_due();
 }
 
@@ -164,6 +166,7 @@ void RunLoop::take_step() {
   simulation_->advance();
   frame_.reset();
   ++limits_[simulation_->last_step().limit];
+  observe_due();
   write_due();
   const double interval = settings_.description.output.checkpoint_interval;
   const bool is_due = std::chrono::duration<double>(Clock::now() - saved_).count() >= interval;

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "analysis/cut.hpp"
+#include "analysis/observation_times.hpp"
 #include "analysis/stationary_cut.hpp"
 #include "app/progress.hpp"
 #include "app/run_folder.hpp"
@@ -106,6 +107,9 @@ class RunLoop {
   void take_step();
   void follow_window();  // measures in the window of a travelling frame
   void judge_motion();   // of a cut under a nozzle with which a frame travels
+  void observe_due();    // the cut
+  void observe_cut();
+  bool is_observed() const;  // at this time
   void write_due();
   void write_row();
   void write_frame(bool as_frame, bool as_picture);
@@ -135,10 +139,11 @@ class RunLoop {
 
   std::unique_ptr<Simulation> simulation_;
   std::optional<CutMonitor> cut_;
+  ObservationTimes observations_due_;
   std::vector<LooseParticles> loose_;        // as laid out
   double broken_at_start_ = 0.0;             // analysis/broken_bonds.hpp
   std::uint64_t shifts_ = 0;                 // of the frame in which the cut is measured
-  std::optional<StationaryCut> stationary_;  // at the last row, where a frame travels
+  std::optional<StationaryCut> stationary_;  // at the last observation, where a frame travels
   std::shared_ptr<const Frame> frame_;       // of the current step, made on first use
   SeriesWriter series_;
   FrameWriter frames_;
@@ -149,7 +154,7 @@ class RunLoop {
   std::shared_ptr<const SavedState> before_end_;
   std::map<std::string, std::uint64_t> limits_;
   double energy_drift_ = 0.0;
-  MostStored most_stored_;    // of all rows
+  MostStored most_stored_;    // of all observations
   double row_time_ = -1.0;    // s, of the last row of the series
   double saved_time_ = -1.0;  // s, of the last checkpoint; negative = none; set by `writing_`
   Background writing_;        // the last member, so that it ends before the others

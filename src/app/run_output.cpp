@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// This file writes what is due after a step: rows of the series, frames and pictures.
+// This file does what is due after a step: it observes the cut and writes rows of the series,
+// frames and pictures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +10,26 @@
 #include "model/case.hpp"
 
 namespace kerf {
+
+bool RunLoop::is_observed() const {
+  return !cut_->history().empty() && cut_->history().back().time == simulation_->time();
+}
+
+void RunLoop::observe_due() {
+  const auto& history = cut_->history();
+  const bool is_first = history.empty() && observations_due_.has_own();
+  if (is_first ||
+      (!history.empty() && observations_due_.is_due(simulation_->time(), history.back().time)))
+    observe_cut();
+}
+
+void RunLoop::observe_cut() {
+  const Balance balance = simulation_->balance();
+  follow_window();
+  cut_->observe(frame_ ? *frame_ : simulation_->frame_of_cut(), balance.impulse_water);
+  judge_motion();
+  most_stored_.observe(balance);
+}
 
 // At the end all output up to the end is due, in spite of the rounding of the sum of all steps.
 void RunLoop::write_due() {
@@ -30,7 +51,9 @@ void RunLoop::write_frame(bool as_frame, bool as_picture) {
   });
 }
 
+// Rows between the observations of a cut leave no trace in its history.
 void RunLoop::write_row() {
+  if (!observations_due_.has_own() && !is_observed()) observe_cut();
   SeriesSample sample;
   sample.time = simulation_->time();
   sample.step = simulation_->step();
@@ -38,13 +61,12 @@ void RunLoop::write_row() {
   sample.last_step = simulation_->last_step();
   sample.balance = simulation_->balance();
   follow_window();
-  sample.cut =
-      cut_->observe(frame_ ? *frame_ : simulation_->frame_of_cut(), sample.balance.impulse_water);
-  judge_motion();
+  sample.cut = is_observed() ? cut_->history().back()
+                             : cut_->state_at(frame_ ? *frame_ : simulation_->frame_of_cut(),
+                                              sample.balance.impulse_water);
   sample.probes = simulation_->probe_values();
   series_.append(sample);
   energy_drift_ = sample.balance.energy_drift();
-  most_stored_.observe(sample.balance);
   row_time_ = sample.time;
 }
 
@@ -68,6 +90,7 @@ void RunLoop::write_last() {
   const auto missing = [time](const std::vector<double>& times) {
     return times.empty() || times.back() != time;
   };
+  if (!is_observed()) observe_cut();
   if (row_time_ != time) write_row();
   writing_.wait();
   write_frame(missing(frames_.times()), missing(pictures_.times()));

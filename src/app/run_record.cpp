@@ -101,6 +101,7 @@ Archive to_archive(const RunRecord& record) {
   archive.texts["case_name"] = record.case_name;
   archive.texts["state"] = record.finished ? "finished" : "running";
   archive.arrays["wall_time"] = std::vector<double>{record.wall_time};
+  archive.arrays["row_time"] = std::vector<double>{record.row_time};
   archive.arrays["frame_times"] = record.frame_times;
   archive.arrays["picture_times"] = record.picture_times;
   archive.arrays["schedule"] = std::vector<std::uint64_t>{record.frames_due, record.pictures_due,
@@ -120,6 +121,7 @@ RunRecord record_from(const Archive& archive) {
   RunRecord record;
   const auto& schedule = find<std::uint64_t>(archive, "schedule");
   record.wall_time = find<double>(archive, "wall_time").at(0);
+  record.row_time = find<double>(archive, "row_time").at(0);
   record.frame_times = find<double>(archive, "frame_times");
   record.picture_times = find<double>(archive, "picture_times");
   record.frames_due = schedule.at(0);

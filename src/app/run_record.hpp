@@ -22,6 +22,7 @@ struct RunRecord {
   std::vector<double> frame_times, picture_times;                // s, of the files written
   std::uint64_t frames_due = 0, pictures_due = 0, rows_due = 0;  // positions in the schedules
   std::uint64_t rows = 0;                                        // of series.csv
+  double row_time = -1.0;                                        // s, of the last of them
   std::map<std::string, std::uint64_t> limits;  // number of steps that each limit set
   std::vector<StageTime> stage_times;           // of all parts of the run
   MostStored most_stored;

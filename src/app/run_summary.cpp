@@ -51,6 +51,7 @@ RunRecord RunLoop::record(bool finished) const {
   record.pictures_due = pictures_due_.passed();
   record.rows_due = rows_due_.passed();
   record.rows = series_.rows();
+  record.row_time = row_time_;
   record.limits = limits_;
   record.stage_times = stage_times();
   record.most_stored = most_stored_;

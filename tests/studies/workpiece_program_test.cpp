@@ -202,6 +202,23 @@ TEST_F(WorkpieceProgram, TheLeastPressureIsThatOfTheStatedFeed) {
   }
 }
 
+// The cut is observed at times of its own: rows that are far apart made it later and its feed
+// uncertain.
+TEST_F(WorkpieceProgram, TheRowsOfOutputDoNotChangeTheAnswer) {
+  write(fat_workpiece);
+  ASSERT_EQ(run().exit_code, 0);
+  const auto all = result();
+  write(fat_workpiece + std::string("[output]\nseries_interval = \"30 us\"\n"));
+  ASSERT_EQ(
+      kerf({"run", (folder_ / "my.toml").string(), "--out", (folder_ / "out").string(), "--force"})
+          .exit_code,
+      0);
+  const auto coarse = result();
+  for (const char* name :
+       {"cut_through_time", "steps", "end_time", "exposure", "front_speed", "kerf", "validity"})
+    EXPECT_EQ(all.at(name), coarse.at(name)) << name;
+}
+
 // The jet presses the tofu ahead and aside before it tears: a nozzle that moves may leave it whole.
 TEST_F(WorkpieceProgram, NoFeedIsCertainOfWhatGivesWay) {
   ASSERT_EQ(run().exit_code, 0);
