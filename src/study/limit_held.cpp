@@ -11,6 +11,7 @@
 #include "model/case.hpp"
 #include "study/limit_answer.hpp"
 #include "study/metrics.hpp"
+#include "study/run_table.hpp"
 #include "study/study_answers.hpp"
 
 namespace kerf {
@@ -77,11 +78,7 @@ bool rests_on_what_left(const LimitPlan& plan, const RunRow& row) {
 }
 
 bool is_undecided(const LimitPlan& plan, const RunRow& row) {
-  const Condition& condition = plan.study.threshold->condition;
-  const bool may_come = condition.at_least && condition.metric != certain_feed;
-  const bool was_cutting = row.state == RunState::done && may_come &&
-                           was_still_cutting(row.metrics) && !condition.holds(row.metrics);
-  return was_cutting || rests_on_what_left(plan, row);
+  return ended_too_soon(plan.study.threshold->condition, row) || rests_on_what_left(plan, row);
 }
 
 std::string undecided_sentence(const LimitPlan& plan, const std::vector<RunRow>& runs) {

@@ -11,6 +11,7 @@
 #include "output/csv.hpp"
 #include "output/hdf5.hpp"
 #include "output/result_metrics.hpp"
+#include "study/limit_plan.hpp"
 #include "study/metrics.hpp"
 #include "study/study_runs.hpp"
 
@@ -163,7 +164,26 @@ RunVerdict verdict_of(const RunRow& row) {
   const auto verdict = cuts(row.metrics);
   if (!verdict) return RunVerdict::done;
   if (may_cut(row.metrics)) return RunVerdict::may_cut;
-  return *verdict ? RunVerdict::cut_through : RunVerdict::not_cut_through;
+  if (*verdict) return RunVerdict::cut_through;
+  const bool is_exposure = row.metrics.contains("exposure.cuts");
+  return was_still_cutting(row.metrics) && !is_exposure ? RunVerdict::undecided
+                                                        : RunVerdict::not_cut_through;
+}
+
+bool ended_too_soon(const Condition& condition, const RunRow& row) {
+  const bool may_come = condition.at_least && condition.metric != certain_feed;
+  return row.state == RunState::done && may_come && was_still_cutting(row.metrics) &&
+         !condition.holds(row.metrics);
+}
+
+std::string too_soon_sentence(const Condition& condition, const std::vector<RunRow>& runs) {
+  const auto count = std::count_if(
+      runs.begin(), runs.end(), [&](const RunRow& row) { return ended_too_soon(condition, row); });
+  if (count == 0) return "";
+  return fmt::format(
+      "{} run{} undecided: the jet was still cutting when {} ended, which counts as not "
+      "satisfying; a later `end` in [time] tells more",
+      count, count == 1 ? " is" : "s are", count == 1 ? "it" : "they");
 }
 
 std::string report_of(const RunRow& row) {

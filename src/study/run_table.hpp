@@ -27,17 +27,25 @@ enum class RunVerdict {
   cut_through,
   may_cut,
   not_cut_through,
+  undecided,
   not_reached,
   done,
   failed,
   not_run_yet
 };
-inline constexpr std::array<std::string_view, 7> verdict_words{
-    "cut through", "may cut", "not cut through", "not reached", "done", "failed", "not run yet"};
+inline constexpr std::array<std::string_view, 8> verdict_words{
+    "cut through", "may cut", "not cut through", "undecided",
+    "not reached", "done",    "failed",          "not run yet"};
 // Returns whether the run cut through, under a nozzle that stands in place of one that moves
-// whether its feed does; `not_reached` where no water has come to the workpiece, `done` where the
-// result does not say so.
+// whether its feed does; `undecided` where the run ended while the jet was still cutting, of a case
+// whose time is no exposure that a feed sets; `not_reached` where no water has come to the
+// workpiece, `done` where the result does not say so.
 RunVerdict verdict_of(const RunRow& row);
+// Returns whether a run does not satisfy a condition that more time may bring about, as the jet was
+// still cutting when it ended.
+bool ended_too_soon(const Condition& condition, const RunRow& row);
+// Says how many runs did, which count as not satisfying; empty where none did.
+std::string too_soon_sentence(const Condition& condition, const std::vector<RunRow>& runs);
 // Returns the path of the run's report from the folder of the study; "" when the run is not done.
 std::string report_of(const RunRow& row);
 // Returns the value of the key in the units of the study; "as the case" where it is not set.

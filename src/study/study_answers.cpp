@@ -192,8 +192,15 @@ Answer describe(const StudyPlan& plan, const ReducedModel& model) {
 
 std::vector<Answer> describe_answers(const StudyPlan& plan, const StudyAnswers& answers) {
   std::vector<Answer> result;
-  if (answers.threshold) result.push_back(describe(*plan.threshold, *answers.threshold));
-  if (answers.optimum) result.push_back(describe_optimum(plan, *answers.optimum));
+  const auto add_search = [&](Answer answer, const Condition& condition) {
+    const std::string open = too_soon_sentence(condition, answers.runs);
+    if (!open.empty()) answer.notes.push_back(open);
+    result.push_back(std::move(answer));
+  };
+  if (answers.threshold)
+    add_search(describe(*plan.threshold, *answers.threshold), plan.threshold->condition);
+  if (answers.optimum)
+    add_search(describe_optimum(plan, *answers.optimum), plan.optimum->condition);
   if (answers.calibration) result.push_back(describe(plan, *answers.calibration));
   if (answers.model) result.push_back(describe(plan, *answers.model));
   return result;

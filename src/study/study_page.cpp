@@ -135,6 +135,7 @@ std::string words_of(RunVerdict verdict) {
 Mark mark_of(RunVerdict verdict) {
   switch (verdict) {
     case RunVerdict::not_cut_through:
+    case RunVerdict::undecided:
     case RunVerdict::may_cut:
       return Mark::hollow;
     case RunVerdict::failed:

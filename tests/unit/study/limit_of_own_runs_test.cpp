@@ -147,6 +147,20 @@ TEST(LimitOfOwnRuns, TellsTheRunsThatWereStillCutting) {
   }
 }
 
+// A study tells them too, but for runs whose time is the exposure of the stated feed.
+TEST(LimitOfOwnRuns, StudiesTellTheRunsThatWereStillCutting) {
+  const RunRow open = run_of(3.0, {{"cut_through", 0.0}, {still_cutting, 1.0}});
+  EXPECT_EQ(verdict_of(open), RunVerdict::undecided);
+  EXPECT_EQ(verdict_of(run_of(3.0, {{"cut_through", 0.0}})), RunVerdict::not_cut_through);
+  EXPECT_EQ(verdict_of(run_of(3.0, {{"cut_through", 1.0}})), RunVerdict::cut_through);
+  EXPECT_EQ(
+      verdict_of(run_of(3.0, {{"cut_through", 0.0}, {"exposure.cuts", 0.0}, {still_cutting, 1.0}})),
+      RunVerdict::not_cut_through);
+  EXPECT_THAT(too_soon_sentence({}, {open, run_of(2.0, {{"cut_through", 0.0}})}),
+              HasSubstr("1 run is undecided"));
+  EXPECT_EQ(too_soon_sentence({}, {run_of(2.0, {{"cut_through", 0.0}})}), "");
+}
+
 // The water comes from 3 m/s on, and cuts from 3.9 m/s on, or at no speed that was tried.
 TEST(LimitOfOwnRuns, ARunThatNoWaterReachesDecidesNothing) {
   const LimitPlan plan = limit_plan_of(test::small_case, limit_of("jet_speed"));
