@@ -3,15 +3,13 @@
 
 #include <algorithm>
 
-#include "analysis/crack_path.hpp"
 #include "analysis/cut_depth.hpp"
 #include "analysis/front.hpp"
 #include "analysis/kerf_map.hpp"
 #include "analysis/left_whole.hpp"
 #include "analysis/opening_width.hpp"
 #include "analysis/pieces.hpp"
-#include "analysis/plug.hpp"
-#include "analysis/unbroken.hpp"
+#include "analysis/torn_mass.hpp"
 #include "analysis/workpiece.hpp"
 #include "core/error.hpp"
 #include "model/case.hpp"
@@ -33,85 +31,15 @@ double fractured_mass(const Workpiece& workpiece, const Frame& frame,
   return sum;
 }
 
-// Returns whether a body is parted where a nozzle that crosses the section has been since it began
-// (2D): its sides are those beside a place of the path where all is torn.
-bool is_parted_on_path(const KerfView& view, const Pieces& pieces, const KerfAxes& axes,
-                       const KerfPath& path) {
-  const auto body = static_cast<std::uint16_t>(view.body);
-  for (const double place : torn_places(view, axes, path)) {
-    KerfAxes there = axes;
-    for (std::size_t a = 0; a < 3; ++a) there.jet.aim[a] += place * axes.unit_crosswise[a];
-    for (const BodySides& sides :
-         find_sides(view.workpiece, body, there, view.workpiece.initial_body_piece))
-      if (joint_of(sides, view.workpiece, pieces.body_piece) == Joint::parted) return true;
-  }
-  return false;
-}
-
-// Returns whether the jet, where it is now, has punched a plug out of a body.
-BodyCut judge_plug(const KerfView& view, const Pieces& pieces, const KerfAxes& axes) {
-  KerfAxes here = axes;
-  here.jet.aim = axes.jet.point_at(0.0, view.frame.time);
-  const PlugState state =
-      find_plug(view.workpiece, static_cast<std::uint16_t>(view.body), here, pieces);
-  if (state == PlugState::held) return {};
-  return {.through = true, .severed = true, .punched = state == PlugState::apart};
-}
-
-// What tells the fate of the bodies in a frame.
-struct Evidence {
-  const Pieces& pieces;
-  const KerfAxes& axes;
-  const std::vector<std::uint8_t>& traces;  // slot_trace
-};
-
-// Returns whether a body is cut through in a frame in which water of a jet touches or has entered
-// the workpiece. `front`: depth of the front below the face as laid out, m.
-BodyCut judge(const WorkpieceBody& body, const KerfView& view, const Evidence& evidence,
-              double front) {
-  const auto& pieces = evidence.pieces;
-  const auto& axes = evidence.axes;
-  const auto& traces = evidence.traces;
-  BodyCut cut;
-  if (!body.is_in_way) return cut;
-  if (has_left(body, view, traces)) return {.left = true};
-  if (!body.can_break || body.below > 0.0) return cut;
-  if (const BodyCut plug = judge_plug(view, pieces, axes); plug.through) return plug;
-  bool is_joined = false;
-  for (const BodySides& sides : body.sides) {
-    const Joint joint = joint_of(sides, view.workpiece, pieces.body_piece);
-    if (joint == Joint::parted) return {.through = true, .severed = true};
-    is_joined = is_joined || joint == Joint::joined;
-  }
-  const KerfPath path{{}, axes.way(view.frame.time)};
-  if (view.workpiece.dimension == 2) {
-    const bool is_cracked = std::any_of(
-        body.sides.begin(), body.sides.end(),
-        [&](const BodySides& sides) { return is_parted_by_crack(sides, view, axes, pieces); });
-    if (is_cracked || (axes.moves() && is_parted_on_path(view, pieces, axes, path)))
-      return {.through = true, .severed = true};
-    // In the plane a chain of bonds between the sides crosses the axis of the jet.
-    if (is_joined) return cut;
-  }
-  const UnbrokenThickness thickness = measure_unbroken(view, axes, path);
-  const bool is_past = front >= bottom_depth(view.workpiece, body, view.frame, view.rows) -
-                                    view.workpiece.axis_spacing;
-  cut.through = thickness.is_open || (thickness.is_torn_through && is_past);
-  return cut;
-}
-
-// Adds the verdict of a frame to that of the frames before it.
-void judge_bodies(KerfView view, const Evidence& evidence, double front, CutState& state) {
-  const Workpiece& workpiece = view.workpiece;
-  bool all = true;
-  for (std::size_t n = 0; n < workpiece.bodies.size(); ++n) {
-    const WorkpieceBody& body = workpiece.bodies[n];
-    view.body = body.body;
-    if (!state.bodies[n].through && !state.bodies[n].left)
-      state.bodies[n] = judge(body, view, evidence, front);
-    all = all && (state.bodies[n].through || !body.is_in_way);
-  }
-  state.cut_through = all;
+// Takes over what a state keeps of the one before it.
+void carry_on(const CutState& last, CutState& state) {
+  state.bodies = last.bodies;
+  state.cut_through = last.cut_through;
+  state.cut_depth = last.cut_depth;
+  state.cut_jet = last.cut_jet;
+  state.cut_front = last.cut_front;
+  state.is_touched = last.is_touched;
+  state.is_touched_by_first = last.is_touched_by_first;
 }
 
 }  // namespace
@@ -136,6 +64,13 @@ void CutMonitor::take(const Case& description, const Frame& initial) {
   traced_.traces.assign(workpiece_->position.size(), history_.empty() ? slot_trace::stood : 0);
   if (!workpiece_->jet) return;
   axes_.emplace(*workpiece_->jet, description.jets.front().traverse, description.dimension);
+  ways_.assign(1, {workpiece_, *axes_});
+  for (std::size_t n = 1; n < description.jets.size(); ++n) {
+    const auto along = std::make_shared<const Workpiece>(along_jet(*workpiece_, description, n));
+    ways_.push_back(
+        {along, KerfAxes(*along->jet, description.jets[n].traverse, description.dimension)});
+  }
+  near_jets_ = mark_near_jets(*workpiece_);
   opening_lines_ = opening_lines(description, *workpiece_->jet);
 }
 
@@ -162,14 +97,7 @@ CutState CutMonitor::measure(const Frame& part, const std::array<double, 3>& wat
   CutState state;
   state.time = part.time;
   state.bodies.resize(workpiece.bodies.size());
-  if (!history_.empty()) {
-    const CutState& last = history_.back();
-    state.bodies = last.bodies;
-    state.cut_through = last.cut_through;
-    state.cut_depth = last.cut_depth;
-    state.is_touched = last.is_touched;
-    state.is_touched_by_first = last.is_touched_by_first;
-  }
+  if (!history_.empty()) carry_on(history_.back(), state);
   if (!workpiece.empty()) {
     const WholeFrame whole(part, workpiece.images);
     const Frame& frame = whole.get();
@@ -200,18 +128,18 @@ CutState CutMonitor::measure(const Frame& part, const std::array<double, 3>& wat
       state.kerf_width = widths.open;
       state.void_width = widths.laid_out;
     }
-    if (note_touch(frame, rows, any_front, state)) {
+    const bool touches = note_touch(frame, rows, any_front, state);
+    if (state.is_touched) {
       const auto closed = closed_where_left(workpiece, standing, traced.traces);
-      if (!state.cut_through)
-        judge_bodies({workpiece, frame, rows, closed}, {pieces, *axes_, traced.traces},
-                     any_front + face, state);
-      state.cut_depth =
-          std::max(state.cut_depth,
-                   measure_cut_depth({workpiece, frame, rows, closed}, *axes_, state.bodies));
+      const KerfView view{workpiece, frame, rows, closed};
+      note_torn(view, near_jets_, state.bodies);
+      if (touches && !state.cut_through) judge_bodies(view, pieces, traced.traces, state);
+      if (touches)
+        state.cut_depth = std::max(state.cut_depth, measure_cut_depth(view, *axes_, state.bodies));
     }
     traced.fragments = std::move(pieces.fragments);
   } else if (workpiece.jet_count > 1 && !state.is_touched_by_first) {
-    state.is_touched_by_first = touches_water(workpiece, part, {}, WaterOf::first_jet);
+    state.is_touched_by_first = touches_water(workpiece, part, {}, WaterOf::own_jet);
   }
   return state;
 }
@@ -223,7 +151,7 @@ bool CutMonitor::note_touch(const Frame& frame, const std::vector<std::uint32_t>
   state.is_touched = state.is_touched || is_touched;
   if (is_touched && !state.is_touched_by_first)
     state.is_touched_by_first = workpiece_->jet_count == 1 || state.front_depth > 0.0 ||
-                                touches_water(*workpiece_, frame, rows, WaterOf::first_jet);
+                                touches_water(*workpiece_, frame, rows, WaterOf::own_jet);
   return is_touched;
 }
 

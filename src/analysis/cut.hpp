@@ -22,6 +22,7 @@
 namespace kerf {
 
 struct Case;
+struct KerfView;
 struct Workpiece;
 
 // Whether a body of the workpiece is cut through, at this instant or before.
@@ -32,6 +33,8 @@ struct BodyCut {
   // cut. What happens to the rows there, which lose their neighbours, is not judged.
   bool left = false;
   bool punched = false;  // it is severed around a plug under the jet (analysis/plug.hpp)
+  // kg, of it near the jets, torn so far (analysis/torn_mass.hpp); as at its cut from then on.
+  double torn = 0.0;
 };
 
 // Returns the name of a kind of cut in results: `punched`, `severed` or `holed`.
@@ -54,8 +57,12 @@ struct CutState {
   bool is_touched = false;
   bool is_touched_by_first = false;  // likewise, of the first jet, or of it and any solid
   std::vector<BodyCut> bodies;       // in the order of Workpiece::bodies
-  Wake wake;                         // of a nozzle with which a frame travels
-  double water_impulse = 0.0;        // N s (2D: N s/m), of the water on the solids, along the jet
+  // The jet whose way was cut, as an index into Case::jets, and the depth of the front of its
+  // water then, m.
+  int cut_jet = 0;
+  double cut_front = 0.0;
+  Wake wake;                   // of a nozzle with which a frame travels
+  double water_impulse = 0.0;  // N s (2D: N s/m), of the water on the solids, along the jet
   double pressed_share = 0.0;  // of the mass, inside rigid bodies (analysis/pressed_solid.hpp)
 
   // Returns the part of the opening that is removed, of its width in solid; 1 without an opening,
@@ -91,9 +98,12 @@ struct CutSummary {
   double cut_through_time = std::numeric_limits<double>::quiet_NaN();  // s
   bool severed = false;  // every body in the way is parted; else some have a hole
   bool punched = false;  // of every body in the way a plug is punched out
-  // m, position of the front on the axis at that time
+  // The jet whose way was cut, as an index into Case::jets.
+  int cut_jet = 0;
+  // m, position of the front at that time, on the axis of that jet
   std::array<double, 3> cut_through_place{};
-  // How deep the front was then, over the depth at which the axis leaves the workpiece as laid out.
+  // How deep that front was then, over the depth at which the axis leaves the workpiece as laid
+  // out.
   double front_share_at_cut = 1.0;
   // The greatest such share at which the workpiece did not give way: the front of water that
   // removes what is in its way ends at the far face, and one beyond it has pressed that face ahead.
@@ -110,8 +120,8 @@ struct CutSummary {
   double contact_time = std::numeric_limits<double>::quiet_NaN();  // s, first with a front
   // s, first at which water of the first jet touched the workpiece; nan = never
   double first_touch_time = std::numeric_limits<double>::quiet_NaN();
-  // Of several jets: the water of the first had touched nothing when the workpiece was cut through,
-  // or by the end of a run without a cut. What is broken is the work of the others.
+  // Of several jets: the way of another than the first was cut, or the water of the first had
+  // touched nothing when the workpiece was cut through, or by the end of a run without a cut.
   bool is_of_other_jet = false;
   int initial_pieces = 0;  // pieces as laid out: bodies that nothing joins are pieces of their own
   double front_speed = 0.0;  // m/s, least-squares slope of front depth from contact to the exit
@@ -136,9 +146,11 @@ struct CutSummary {
     return share > 1.0 - rounding ? 0.0 : (1.0 - share) * last.fractured_fraction;
   }
 
+  // Whether the front is known that was there when another jet than the first had cut.
+  bool knows_front() const { return !is_of_other_jet || cut_jet != 0; }
   // Whether a crack parted or pierced more of the thickness than the water had passed by then.
   bool cracked_ahead() const {
-    return cut_through && !is_of_other_jet && front_share_at_cut < least_share;
+    return cut_through && knows_front() && front_share_at_cut < least_share;
   }
   // Whether the jet had pressed the workpiece ahead by more than that by then, or had pushed aside
   // more than it had removed. A front below the far face of what is not cut has pressed that ahead.
@@ -175,6 +187,10 @@ class CutMonitor {
   // The history, from which a resumed run continues its measurements.
   const std::vector<CutState>& history() const { return history_; }
   const Workpiece& workpiece() const { return *workpiece_; }
+  // The workpiece as that jet of the case meets it.
+  const Workpiece& workpiece_along(int jet) const {
+    return *ways_.at(static_cast<std::size_t>(jet)).workpiece;
+  }
   // The slot_trace of each slot, with which a resumed run continues too.
   const std::vector<std::uint8_t>& traces() const { return traced_.traces; }
   void restore(std::vector<CutState> history, const std::vector<std::uint8_t>& traces,
@@ -190,6 +206,19 @@ class CutMonitor {
   // Returns the state of a frame; `traced` has the traces before it, and then those with it.
   CutState measure(const Frame& frame, const std::array<double, 3>& water_impulse,
                    Traced& traced) const;
+  // The way of a jet of the case.
+  struct Way {
+    std::shared_ptr<const Workpiece> workpiece;
+    KerfAxes axes;
+  };
+  // The depths of the fronts along a way, m: of the water of its jet below the face as that lies,
+  // and of all water below the face as laid out.
+  struct WayFront {
+    double of_own = 0.0, of_all = 0.0;
+  };
+
+  void judge_bodies(const KerfView& view, const Pieces& pieces,
+                    const std::vector<std::uint8_t>& traces, CutState& state) const;
   void add_verdicts(CutSummary& summary) const;
   void take(const Case& description, const Frame& layout);
   // Notes what water of the jets touches in a frame, and returns whether water of any does.
@@ -200,6 +229,8 @@ class CutMonitor {
 
   std::shared_ptr<const Workpiece> workpiece_;  // as laid out
   std::optional<KerfAxes> axes_;                // of the first jet
+  std::vector<Way> ways_;                       // of all jets, the first at the beginning
+  std::vector<std::uint8_t> near_jets_;         // mark_near_jets(), by slot
   std::vector<OpeningLine> opening_lines_;
   double contact_depth_ = 0.0;  // m, one spacing of the first jet
   bool has_wake_ = false;       // whether a frame travels

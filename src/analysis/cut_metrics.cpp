@@ -65,17 +65,18 @@ const MetricList<CutSummary>& CutSummary::metrics() {
          return s.cut_through ? std::optional(kind_of_cut(s.severed, s.punched)) : std::nullopt;
        }},
       {"cut_through_place", "m", "position of the front at the cut",
-       "Position of the water front on the axis of the jet when the workpiece was cut through.",
+       "Position of the water front on the axis of the jet that cut when the workpiece was cut "
+       "through.",
        [](const S& s) {
          return s.cut_through ? std::optional(s.cut_through_place) : std::nullopt;
        }},
       {"cut_by_other_jet", "1", "cut by another jet than the first",
-       "Whether what is cut or broken is the work of other jets: the first had met no solid by "
-       "then.",
+       "Whether what is cut or broken is the work of other jets: the way of another was cut, or "
+       "the first had met no solid by then.",
        &S::is_of_other_jet},
       {"front_share_at_cut", "1", "depth of the front at the cut over the thickness",
-       "Depth of the water front when the workpiece was cut through, over the depth at which the "
-       "axis leaves the workpiece as laid out.",
+       "Depth of the front of the jet that cut when the workpiece was cut through, over the depth "
+       "at which its axis leaves the workpiece as laid out.",
        [](const S& s) {
          return s.cut_through ? std::optional(s.front_share_at_cut) : std::nullopt;
        }},

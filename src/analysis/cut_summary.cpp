@@ -40,7 +40,8 @@ CutSummary CutMonitor::summary() const {
                                   [](const CutState& state) { return state.is_touched_by_first; });
   if (touch != history_.end()) summary.first_touch_time = touch->time;
   const double end = summary.cut_through ? summary.cut_through_time : summary.last.time;
-  summary.is_of_other_jet = workpiece_->jet_count > 1 && !(summary.first_touch_time <= end);
+  summary.is_of_other_jet =
+      workpiece_->jet_count > 1 && (summary.cut_jet != 0 || !(summary.first_touch_time <= end));
   std::vector<CutState> cutting;
   for (const CutState& state : history_) {
     if (state.front_depth > 0.0 && state.front_depth >= contact_depth_) cutting.push_back(state);
@@ -74,20 +75,24 @@ void CutMonitor::add_verdicts(CutSummary& summary) const {
   summary.cut_through = through != history_.end();
   summary.severed = summary.severed && summary.cut_through;
   summary.punched = summary.punched && summary.cut_through;
-  const double bottom = workpiece_->bottom;
-  if (bottom > 0.0) summary.front_share_at_end = summary.last.front_depth / bottom;
+  if (workpiece_->bottom > 0.0)
+    summary.front_share_at_end = summary.last.front_depth / workpiece_->bottom;
   summary.removed_share_at_end = summary.last.removed_share();
   if (!summary.cut_through) return;
   summary.cut_through_time = through->time;
-  summary.cut_through_place = workpiece_->jet->point_at(through->front_depth, through->time);
-  summary.removed_share_at_cut = through->removed_share();
-  if (bottom > 0.0) {
-    summary.front_share_at_cut = through->front_depth / bottom;
-    const double pressed = 0.5 * std::min(workpiece_->jet->width, bottom);
-    summary.greatest_share = 1.0 + std::max(pressed, workpiece_->axis_spacing) / bottom;
+  summary.cut_jet = through->cut_jet;
+  const Workpiece& cut = workpiece_along(summary.cut_jet);
+  const double front = summary.cut_jet == 0 ? through->front_depth : through->cut_front;
+  summary.cut_through_place = cut.jet->point_at(front, through->time);
+  if (cut.bottom > 0.0) {
+    summary.front_share_at_cut = front / cut.bottom;
+    const double pressed = 0.5 * std::min(cut.jet->width, cut.bottom);
+    summary.greatest_share = 1.0 + std::max(pressed, cut.axis_spacing) / cut.bottom;
   }
+  if (summary.cut_jet != 0) return;  // the opening and the front of the history are of the first
+  summary.removed_share_at_cut = through->removed_share();
   const auto passed = std::find_if(through, history_.end(), [&](const CutState& state) {
-    return state.front_depth >= bottom - workpiece_->axis_spacing;
+    return state.front_depth >= cut.bottom - cut.axis_spacing;
   });
   if (passed != history_.end()) summary.water_through_time = passed->time;
 }

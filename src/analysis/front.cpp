@@ -16,7 +16,7 @@ struct Drop {
 
 bool is_water_of(WaterOf jets, const Workpiece& workpiece, const Frame& frame, std::size_t row) {
   return jets == WaterOf::all_jets ? workpiece.is_jet_water(frame, row)
-                                   : workpiece.is_first_jet_water(frame, row);
+                                   : workpiece.is_water_of_jet(frame, row);
 }
 
 // Returns the rows of the intact solid of the workpiece; without one, of all solid.

@@ -15,13 +15,13 @@ inline constexpr double front_plug_fraction = 0.1;
 // Fewer particles than this do not make a front either, if the jet is only a few particles wide.
 inline constexpr double front_least_particles = 3.0;
 
-// Of which jets water counts. The first has its images in symmetry planes.
-enum class WaterOf : std::uint8_t { first_jet, all_jets };
+// Of which jets water counts: of Workpiece::jet, with its images in symmetry planes, or of all.
+enum class WaterOf : std::uint8_t { own_jet, all_jets };
 
-// Returns the depth of the front of this water along the axis of the first jet below `face`, m: a
+// Returns the depth of the front of this water along the axis of Workpiece::jet below `face`, m: a
 // depth of the layout. It is 0 before contact or without a jet.
 double front_depth(const Workpiece& workpiece, const Frame& frame, double face = 0.0,
-                   WaterOf jets = WaterOf::first_jet);
+                   WaterOf jets = WaterOf::own_jet);
 
 // Returns the depth of the face, m, of a workpiece that comes towards the nozzle: minus the way by
 // which nine tenths of its intact solid have come; 0 where it stands or recedes.

@@ -154,6 +154,21 @@ const Column* damage_column(const Frame& frame) {
   return damage != nullptr ? damage : find_column(frame, "damage");
 }
 
+// Returns the share of its bonds that each slot has lost, 0 of one without a row.
+std::vector<double> lost_bonds(const Workpiece& workpiece, const Frame& frame,
+                               const std::vector<std::uint32_t>& rows) {
+  std::vector<double> lost(rows.size(), 0.0);
+  const Column *within = damage_column(frame), *all = find_column(frame, "damage");
+  if (within == nullptr) return lost;
+  if (all == nullptr) all = within;
+  for (std::size_t slot = 0; slot < rows.size(); ++slot) {
+    if (rows[slot] == Workpiece::none) continue;
+    const Column& damage = workpiece.is_in_united(slot) ? *all : *within;
+    lost[slot] = static_cast<double>(damage.values[rows[slot]]);
+  }
+  return lost;
+}
+
 Windows windows_of(const Columns& columns) {
   return {window_means(columns, columns.laid_out), window_means(columns, columns.counted),
           window_means(columns, columns.standing), window_means(columns, columns.unbroken),
@@ -169,15 +184,18 @@ bool tells_torn(const Frame& frame) {
 std::vector<std::uint8_t> find_torn(const Workpiece& workpiece, const Frame& frame,
                                     const std::vector<std::uint32_t>& rows) {
   std::vector<std::uint8_t> torn(rows.size(), 0);
-  const Column *within = damage_column(frame), *all = find_column(frame, "damage");
-  if (within == nullptr) return torn;
-  if (all == nullptr) all = within;
-  for (std::size_t slot = 0; slot < rows.size(); ++slot) {
-    if (rows[slot] == Workpiece::none) continue;
-    const Column& damage = workpiece.is_in_united(slot) ? *all : *within;
-    torn[slot] = static_cast<double>(damage.values[rows[slot]]) > torn_share ? 1 : 0;
-  }
+  const std::vector<double> lost = lost_bonds(workpiece, frame, rows);
+  for (std::size_t slot = 0; slot < rows.size(); ++slot) torn[slot] = lost[slot] > torn_share;
   return torn;
+}
+
+std::vector<double> find_bond_loss(const Workpiece& workpiece, const Frame& frame,
+                                   const std::vector<std::uint32_t>& rows) {
+  std::vector<double> loss = lost_bonds(workpiece, frame, rows);
+  const Column* flaws = find_column(frame, "flaw_damage");
+  for (std::size_t slot = 0; flaws != nullptr && slot < rows.size(); ++slot)
+    if (rows[slot] != Workpiece::none && flaws->values[rows[slot]] >= 1.0f) loss[slot] = 1.0;
+  return loss;
 }
 
 UnbrokenThickness measure_unbroken(const KerfView& view, const KerfAxes& axes,

@@ -19,6 +19,11 @@ inline constexpr double torn_share = 0.3;
 // Returns whether a frame tells which particles are torn: it has one of these columns.
 bool tells_torn(const Frame& frame);
 
+// Returns the share of its bonds that each slot has lost, within its body; 1 of one that flaws have
+// left no tension, 0 of one without a row.
+std::vector<double> find_bond_loss(const Workpiece& workpiece, const Frame& frame,
+                                   const std::vector<std::uint32_t>& rows);
+
 // Returns whether each slot is torn; one without a row is not. A layer whose glue has broken is
 // whole, but bonds between bodies that are one to the jet count (analysis/united_bodies.hpp).
 std::vector<std::uint8_t> find_torn(const Workpiece& workpiece, const Frame& frame,

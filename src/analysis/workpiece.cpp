@@ -163,7 +163,7 @@ WorkpieceBody describe(const Case& description, std::uint16_t number) {
 }
 
 // Finds what the measurements need to know of each body beside the jet.
-void describe_bodies(Workpiece& workpiece, const Case& description, const Pieces& pieces) {
+void describe_bodies(Workpiece& workpiece, const Case& description) {
   const std::set<std::uint16_t> numbers(workpiece.body.begin(), workpiece.body.end());
   for (const std::uint16_t number : numbers)
     workpiece.bodies.push_back(describe(description, number));
@@ -178,14 +178,20 @@ void describe_bodies(Workpiece& workpiece, const Case& description, const Pieces
     body.bottom = find_bottom(workpiece, body.body);
     workpiece.bottom = std::max(workpiece.bottom, body.bottom);
     body.exit_region = find_exit_region(workpiece, body);
-    // Any of the jets may part a body, whatever their order.
-    for (const Jet& other : description.jets) {
-      const KerfAxes beside(JetAxis(other, description.dimension), other.traverse,
-                            description.dimension);
-      for (BodySides& sides : find_sides(workpiece, body.body, beside, pieces.body_piece))
-        body.sides.push_back(std::move(sides));
-    }
+    const Jet& own = description.jets[workpiece.jet_index];
+    const KerfAxes beside(JetAxis(own, description.dimension), own.traverse, description.dimension);
+    body.sides = find_sides(workpiece, body.body, beside, workpiece.initial_body_piece);
   }
+}
+
+// Takes the axis of a jet, from which depths count, and the particles beside it.
+void take_axis(Workpiece& workpiece, const Case& description, std::size_t number) {
+  const Jet& jet = description.jets.at(number);
+  workpiece.jet_index = static_cast<std::uint16_t>(number);
+  workpiece.jet.emplace(jet, description.dimension);
+  workpiece.jet_density = description.materials.at(static_cast<std::size_t>(jet.material)).density;
+  workpiece.axis_spacing = find_axis_spacing(workpiece);
+  aim_at_face(workpiece, description);
 }
 
 // Returns the edges of the domain through which solid leaves it, m.
@@ -232,13 +238,8 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
   workpiece.jet_count = static_cast<int>(description.jets.size());
   if (workpiece.empty()) return workpiece;
   if (!description.jets.empty()) {
-    const Jet& jet = description.jets.front();
-    workpiece.jet.emplace(jet, description.dimension);
     workpiece.jets = axes_of_jets(description, workpiece.images);
-    workpiece.jet_density =
-        description.materials.at(static_cast<std::size_t>(jet.material)).density;
-    workpiece.axis_spacing = find_axis_spacing(workpiece);
-    aim_at_face(workpiece, description);
+    take_axis(workpiece, description, 0);
     unite_bodies(description, workpiece);
   }
   if (initial.piece.empty()) workpiece.bonds = find_bonds(workpiece);
@@ -246,10 +247,19 @@ Workpiece make_workpiece(const Case& description, const Frame& initial) {
   workpiece.initially_in_piece = pieces.in_piece;
   workpiece.initial_body_piece = pieces.body_piece;
   workpiece.initial_pieces = pieces.count;
-  describe_bodies(workpiece, description, pieces);
+  describe_bodies(workpiece, description);
   workpiece.exits = exits_of(description);
   workpiece.drift = drift_of(description, workpiece);
   return workpiece;
+}
+
+Workpiece along_jet(const Workpiece& workpiece, const Case& description, std::size_t jet) {
+  Workpiece along = workpiece;
+  along.bodies.clear();
+  along.bottom = 0.0;
+  take_axis(along, description, jet);
+  describe_bodies(along, description);
+  return along;
 }
 
 std::vector<std::uint32_t> locate(const Workpiece& workpiece, const Frame& frame) {

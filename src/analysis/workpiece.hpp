@@ -54,9 +54,10 @@ struct Workpiece {
 
   int dimension = 2;
   SymmetryImages images;
-  std::optional<JetAxis> jet;                                   // the first jet of the case
-  std::uint16_t jet_source = 0;                                 // its index in Frame::source
-  double jet_density = 0.0;                                     // kg/m^3
+  std::optional<JetAxis> jet;    // the first jet, or `jet_index`
+  std::uint16_t jet_index = 0;   // into Case::jets
+  std::uint16_t jet_source = 0;  // index of the first jet of the case in Frame::source
+  double jet_density = 0.0;      // kg/m^3
   std::unordered_map<std::uint32_t, std::uint32_t> slot_of_id;  // of the part
   std::vector<std::array<double, 3>> position;                  // m, initial
   std::vector<double> mass;                                     // kg (2D: kg/m)
@@ -77,7 +78,7 @@ struct Workpiece {
   std::vector<std::uint8_t> initially_in_piece;
   std::vector<std::uint32_t> initial_body_piece;
   int initial_pieces = 0;
-  int jet_count = 0;          // of the case; `jet` is the first
+  int jet_count = 0;          // of the case
   std::vector<JetAxis> jets;  // all, with their images
   // By index into Case::bodies: 1 = the body is one with others (analysis/united_bodies.hpp).
   std::vector<std::uint8_t> is_united;
@@ -93,9 +94,9 @@ struct Workpiece {
     const int source = frame.source[row] - jet_source;
     return source >= 0 && source < jet_count && frame.upstream[row] == 0;
   }
-  // Whether such water is that of the first jet, or of one of its images.
-  bool is_first_jet_water(const Frame& frame, std::size_t row) const {
-    return frame.source[row] == jet_source && is_jet_water(frame, row);
+  // Whether such water is that of `jet`, or of one of its images.
+  bool is_water_of_jet(const Frame& frame, std::size_t row) const {
+    return frame.source[row] == jet_source + jet_index && is_jet_water(frame, row);
   }
   bool is_in_united(std::size_t slot) const {
     return !is_united.empty() && is_united[body[slot]] != 0;
@@ -108,6 +109,10 @@ struct Workpiece {
 // elastic bodies that are not fixed. `initial` is the frame before the first step, of the whole
 // workpiece (analysis/whole_frame.hpp).
 Workpiece make_workpiece(const Case& description, const Frame& initial);
+
+// Returns the same workpiece as a further jet of the case meets it: the same slots, with depths and
+// sides along the axis of that jet. `jet`: index into Case::jets.
+Workpiece along_jet(const Workpiece& workpiece, const Case& description, std::size_t jet);
 
 // Returns the row of each slot in `frame`, which is of the whole workpiece; `none` for a particle
 // that has left.

@@ -12,11 +12,14 @@
 namespace kerf {
 namespace {
 
+// Of a word of flags, before the number of a jet.
+constexpr unsigned jet_bits = 3;
+
 struct HistoryColumn {
   const char* name;
   double& (*member)(CutState&);
 };
-constexpr std::array<HistoryColumn, 13> history_columns = {{
+constexpr std::array<HistoryColumn, 14> history_columns = {{
     {"time", [](CutState& state) -> double& { return state.time; }},
     {"front_depth", [](CutState& state) -> double& { return state.front_depth; }},
     {"cut_depth", [](CutState& state) -> double& { return state.cut_depth; }},
@@ -30,6 +33,7 @@ constexpr std::array<HistoryColumn, 13> history_columns = {{
     {"wake_width", [](CutState& state) -> double& { return state.wake.width; }},
     {"water_impulse", [](CutState& state) -> double& { return state.water_impulse; }},
     {"pressed_share", [](CutState& state) -> double& { return state.pressed_share; }},
+    {"cut_front", [](CutState& state) -> double& { return state.cut_front; }},
 }};
 
 std::string history_name(const char* name) {
@@ -44,17 +48,22 @@ void save_history(std::vector<CutState> history, Archive& archive) {
   }
   std::vector<std::uint32_t> pieces, through;
   std::vector<std::uint8_t> bodies;  // of each body in turn
+  std::vector<double> torn;          // likewise
   for (const CutState& state : history) {
     pieces.push_back(static_cast<std::uint32_t>(state.pieces));
     through.push_back((state.cut_through ? 1u : 0u) + (state.is_touched ? 2u : 0u) +
-                      (state.is_touched_by_first ? 4u : 0u));
-    for (const BodyCut& body : state.bodies)
+                      (state.is_touched_by_first ? 4u : 0u) +
+                      (static_cast<std::uint32_t>(state.cut_jet) << jet_bits));
+    for (const BodyCut& body : state.bodies) {
+      torn.push_back(body.torn);
       bodies.push_back(static_cast<std::uint8_t>((body.through ? 1 : 0) + (body.severed ? 2 : 0) +
                                                  (body.left ? 4 : 0) + (body.punched ? 8 : 0)));
+    }
   }
   archive.arrays["cut/pieces"] = std::move(pieces);
   archive.arrays["cut/through"] = std::move(through);
   archive.arrays["cut/bodies"] = std::move(bodies);
+  archive.arrays["cut/torn"] = std::move(torn);
 }
 
 template <class T>
@@ -72,6 +81,7 @@ std::vector<CutState> restore_history(const Archive& archive) {
   const auto& pieces = find<std::uint32_t>(archive, "cut/pieces");
   const auto& through = find<std::uint32_t>(archive, "cut/through");
   const auto& bodies = find<std::uint8_t>(archive, "cut/bodies");
+  const auto& torn = find<double>(archive, "cut/torn");
   std::vector<CutState> history(pieces.size());
   const std::size_t count = history.empty() ? 0 : bodies.size() / history.size();
   require(count * history.size() == bodies.size(), "every row has all bodies");
@@ -80,9 +90,10 @@ std::vector<CutState> restore_history(const Archive& archive) {
     history[i].cut_through = (through.at(i) & 1u) != 0;
     history[i].is_touched = (through.at(i) & 2u) != 0;
     history[i].is_touched_by_first = (through.at(i) & 4u) != 0;
+    history[i].cut_jet = static_cast<int>(through.at(i) >> jet_bits);
     for (std::size_t n = i * count; n < (i + 1) * count; ++n)
       history[i].bodies.push_back({(bodies[n] & 1u) != 0, (bodies[n] & 2u) != 0,
-                                   (bodies[n] & 4u) != 0, (bodies[n] & 8u) != 0});
+                                   (bodies[n] & 4u) != 0, (bodies[n] & 8u) != 0, torn.at(n)});
   }
   for (const HistoryColumn& column : history_columns) {
     const auto& values = find<double>(archive, history_name(column.name));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "analysis/broken_bonds.hpp"
 #include "analysis/cut_over.hpp"
@@ -76,6 +77,12 @@ void RunLoop::measure(RunOutcome& outcome) {
   if (settings_.description.jets.empty()) return;
   const Case shifted = at_shift(settings_.description, simulation_->shifts());
   outcome.kerf = measure_kerf(cut_->workpiece(), frame(), kerf_conditions(shifted, outcome.cut));
+  const int other = outcome.cut.cut_jet;
+  if (other == 0) return;
+  Case seen = shifted;
+  std::swap(seen.jets.front(), seen.jets.at(static_cast<std::size_t>(other)));
+  outcome.kerf_of_cut =
+      measure_kerf(cut_->workpiece_along(other), frame(), kerf_conditions(seen, outcome.cut));
 }
 
 nlohmann::ordered_json RunLoop::result() {

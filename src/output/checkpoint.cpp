@@ -19,7 +19,7 @@ using hdf5::Handle;
 
 // The version of the format; it increases whenever the meaning or the layout of the content
 // changes.
-constexpr int format_version = 18;
+constexpr int format_version = 19;
 constexpr const char* kind = "checkpoint";
 constexpr const char* remedy = "Start the run again with --force.";
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -71,8 +72,17 @@ std::string motion_clause_beyond(const RunOutcome& outcome, double least) {
 std::string the_jet(const RunOutcome& outcome, bool begins_sentence) {
   const std::size_t jets = jets_of_whole(outcome.description);
   const char* article = begins_sentence ? "The" : "the";
-  return jets > 1 ? fmt::format("{} first of {} jets", article, jets)
-                  : fmt::format("{} jet", article);
+  if (jets < 2) return fmt::format("{} jet", article);
+  const CutSummary& cut = outcome.cut;
+  if (cut.cut_jet == 0 || cut.is_of_other_jet)
+    return fmt::format("{} first of {} jets", article, jets);
+  constexpr std::array<const char*, 6> ordinals{"first",  "second", "third",
+                                                "fourth", "fifth",  "sixth"};
+  const auto number = static_cast<std::size_t>(cut.cut_jet);
+  const std::string which =
+      number < ordinals.size() ? ordinals[number] : fmt::format("{}th", number + 1);
+  return fmt::format("{} {} of {} jets, {},", article, which, jets,
+                     outcome.description.jets.front().name);
 }
 
 double finest_spacing(const RunOutcome& outcome) {

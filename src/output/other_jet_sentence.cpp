@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "analysis/whole_frame.hpp"
 #include "model/case.hpp"
@@ -29,8 +30,10 @@ std::string first_jet_clause(const RunOutcome& outcome) {
 
 std::string deed_of_other(const RunOutcome& outcome) {
   const CutSummary& cut = outcome.cut;
-  const std::string other =
-      jets_of_whole(outcome.description) > 2 ? "another of them" : "the other one";
+  const auto number = static_cast<std::size_t>(cut.cut_jet);
+  const std::string other = jets_of_whole(outcome.description) <= 2 ? "the other one"
+                            : number > 0 ? outcome.description.jets.at(number).name
+                                         : "another of them";
   if (!cut.cut_through) return other + (has_broken(outcome) ? " breaks solid" : " breaks nothing");
   const std::string deed = cut.punched   ? "punches a plug out of the workpiece"
                            : cut.severed ? "parts the workpiece"
@@ -42,6 +45,21 @@ std::string deed_of_other(const RunOutcome& outcome) {
 
 bool is_of_other_jet(const RunOutcome& outcome) {
   return outcome.cut.is_of_other_jet && has_touched(outcome);
+}
+
+bool is_cut_beside_first(const RunOutcome& outcome) {
+  const CutSummary& cut = outcome.cut;
+  return is_of_other_jet(outcome) && cut.cut_through && cut.cut_jet != 0 &&
+         cut.first_touch_time <= cut.cut_through_time;
+}
+
+RunOutcome as_of_cutting_jet(const RunOutcome& outcome) {
+  RunOutcome seen = outcome;
+  auto& jets = seen.description.jets;
+  std::swap(jets.front(), jets.at(static_cast<std::size_t>(seen.cut.cut_jet)));
+  if (seen.kerf_of_cut) seen.kerf = seen.kerf_of_cut;
+  seen.cut.is_of_other_jet = false;
+  return seen;
 }
 
 std::string other_jet_sentence(const RunOutcome& outcome) {

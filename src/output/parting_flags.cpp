@@ -65,18 +65,26 @@ void add_flag_of_sag(const RunOutcome& outcome, std::vector<ValidityFlag>& flags
                    : ". Support it, as by a rigid body below it")});
 }
 
-// Of several jets, of which the first met nothing.
+// Of several jets, of which the first met nothing or another cut.
 void add_flag_of_other_jet(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) {
-  const std::string& first = outcome.description.jets.front().name;
+  const auto& jets = outcome.description.jets;
+  const std::string& first = jets.front().name;
+  const std::string what =
+      is_cut_beside_first(outcome)
+          ? fmt::format("What is cut is the way of another jet than the first, {}: that of {}.",
+                        first, jets.at(static_cast<std::size_t>(outcome.cut.cut_jet)).name)
+          : fmt::format(
+                "What is cut or broken is the work of another jet than the first, {}, "
+                "which had met no solid by then.",
+                first);
   flags.push_back(
       {"other_jet",
        ValidityFlag::State::warning,
        {},
        {},
-       fmt::format("What is cut or broken is the work of another jet than the first, {}, which had "
-                   "met no solid by then. The front is that of {}, and the cut and the kerf are "
-                   "measured along its axis: name the jet that cuts first in the case.",
-                   first, first)});
+       what + fmt::format(" The front is that of {}, and the depth of the cut and the kerf are "
+                          "measured along its axis: name the jet that cuts first in the case.",
+                          first)});
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ struct RunOutcome {
   // Of a nozzle that stands in the run and moves in the case, if its jet breaks something.
   std::optional<Exposure> exposure;
   std::optional<StationaryCut> stationary;  // where a frame travels with the nozzle
-  bool still_cutting = false;               // the front was moving when the run ended
+  bool still_cutting = false;               // when the run ended
+  std::optional<Kerf> kerf_of_cut;  // along the jet whose way was cut, where that is not the first
   Balance balance;
   MostStored most_stored;  // of the rows of the run
   double time = 0.0;       // s
@@ -76,7 +77,8 @@ struct RunOutcome {
   static const MetricList<RunOutcome>& file_metrics();
 };
 
-// Returns whether there is a cut and the front went deeper in the last tenth of the history.
+// Returns whether in the last tenth of the history of a workpiece that is not cut through solid in
+// the way of the jets tore, or there was a cut and the front went deeper.
 bool still_cutting(const std::vector<CutState>& history);
 // Says what that means.
 std::string still_cutting_sentence(const RunOutcome& outcome);

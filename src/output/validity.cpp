@@ -210,7 +210,8 @@ void add_of_models(const RunOutcome& outcome, std::vector<ValidityFlag>& flags) 
   if (const auto flag = fast_nozzle_flag(description)) flags.push_back(*flag);
   if (const auto flag = falling_jet_flag(description)) flags.push_back(*flag);
   if (jets_of_whole(description) > 1)
-    note("several_jets", fmt::format("The verdict and the kerf are those of the first jet, {}.",
+    note("several_jets", fmt::format("The kerf is that of the first jet, {}, and so is the verdict "
+                                     "unless the way of another is cut.",
                                      description.jets.front().name));
   if (const auto moves = moving_workpiece_flag(description)) flags.push_back(*moves);
   if (const Material* material = unbreakable_material(description))

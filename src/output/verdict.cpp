@@ -121,6 +121,12 @@ std::string other_jets_sentence(const RunOutcome& outcome) {
       jets, 100.0 * outcome.cut.broken_fraction());
 }
 
+// Says that the state at the end is none of rest.
+std::string tearing_clause(const RunOutcome& outcome) {
+  return outcome.still_cutting ? "; the run ended while solid still tore or the front went deeper"
+                               : "";
+}
+
 std::string depth_sentence(const RunOutcome& outcome) {
   if (breaks_nothing(outcome) && !has_left(outcome)) return dent_sentence(outcome);
   const std::string end = readable(outcome.time, "s");
@@ -132,7 +138,8 @@ std::string depth_sentence(const RunOutcome& outcome) {
   return fmt::format("{} {} within {}{}; {}{}{}.", the_jet(outcome),
                      is_dent ? "cuts nothing" : "does not cut through", end, layers_clause(outcome),
                      reach_clause(outcome), unbroken_clause(outcome),
-                     left_clause(outcome) + shift_clause(outcome) + pieces_clause(outcome));
+                     left_clause(outcome) + shift_clause(outcome) + pieces_clause(outcome) +
+                         tearing_clause(outcome));
 }
 
 // With a moving nozzle one hole is not a cut, so the cut share of its path is stated, and the open
@@ -214,6 +221,15 @@ std::string cut_sentence(const RunOutcome& outcome) {
                      pieces == 1 ? "piece" : "pieces", before);
 }
 
+// Whether solid in the way has torn between two states: what is torn is a sum over the same
+// particles, which where nothing breaks differs by rounding at most.
+bool has_torn(const CutState& before, const CutState& after) {
+  constexpr double more = 1.0 + 1e-9;
+  for (std::size_t n = 0; n < after.bodies.size() && n < before.bodies.size(); ++n)
+    if (after.bodies[n].torn > more * before.bodies[n].torn) return true;
+  return false;
+}
+
 }  // namespace
 
 bool breaks_nothing(const RunOutcome& outcome) {
@@ -229,27 +245,29 @@ bool cuts_nothing(const RunOutcome& outcome) {
 }
 
 bool still_cutting(const std::vector<CutState>& history) {
-  if (history.empty() || history.back().cut_through || history.back().cut_depth == 0.0)
-    return false;
+  if (history.empty() || history.back().cut_through) return false;
   const double late = history.front().time + 0.9 * (history.back().time - history.front().time);
   const auto before = std::find_if(history.begin(), history.end(),
                                    [late](const CutState& state) { return state.time >= late; });
-  return history.back().front_depth > before->front_depth;
+  const bool goes_deeper = history.back().front_depth > before->front_depth;
+  return has_torn(*before, history.back()) || (history.back().cut_depth > 0.0 && goes_deeper);
 }
 
 std::string still_cutting_sentence(const RunOutcome& outcome) {
   return is_at_end_of_part(outcome)
              ? "The run ended as the front came to the end of the depth that is simulated: a "
                "greater depth of the [workpiece] tells more."
-             : "The run ended while the jet was still cutting: set a later `end` in [time] of the "
-               "case and "
-               "continue the run with --resume.";
+             : "The run ended while the jet was still cutting: in its last tenth solid in the way "
+               "tore, or the front of a cut went deeper. Set a later `end` in [time] of the case "
+               "and continue the run with --resume.";
 }
 
 std::string verdict_of(const RunOutcome& outcome) {
   if (outcome.description.jets.empty()) return jetless_sentence(outcome);
   if (aims_at_nothing(outcome)) return aimless_sentence(outcome);
   if (!has_touched(outcome)) return untouched_sentence(outcome);
+  if (is_cut_beside_first(outcome))
+    return cut_sentence(as_of_cutting_jet(outcome)) + other_jets_sentence(outcome);
   if (is_of_other_jet(outcome)) return other_jet_sentence(outcome);
   return (outcome.cut.cut_through ? cut_sentence(outcome) : depth_sentence(outcome)) +
          other_jets_sentence(outcome) + exposure_sentence(outcome) + stationary_sentence(outcome);

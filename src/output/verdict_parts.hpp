@@ -10,7 +10,8 @@ namespace kerf {
 struct NamedLayer;
 struct RunOutcome;
 
-// Names the jet that the verdict is on: the first one (docs/metrics.md).
+// Names the jet that the verdict is on: the first one (docs/metrics.md), or the one whose way was
+// cut in an outcome as that jet sees it.
 std::string the_jet(const RunOutcome& outcome, bool begins_sentence = true);
 // Returns the finest spacing of the bodies, m; infinite without any.
 double finest_spacing(const RunOutcome& outcome);
@@ -60,6 +61,10 @@ bool has_broken(const RunOutcome& outcome);
 // Returns whether the first of several jets met no solid before the workpiece was cut through, or
 // by the end, so that what another jet did is not credited to it.
 bool is_of_other_jet(const RunOutcome& outcome);
+// Whether the first jet had met solid, but the way of another was cut.
+bool is_cut_beside_first(const RunOutcome& outcome);
+// Returns such an outcome as the case would have it with that jet in the first place.
+RunOutcome as_of_cutting_jet(const RunOutcome& outcome);
 // Says so, and what another jet did.
 std::string other_jet_sentence(const RunOutcome& outcome);
 

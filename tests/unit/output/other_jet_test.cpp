@@ -63,6 +63,29 @@ TEST(CutOfOtherJet, IsFlagged) {
   EXPECT_THAT(validity_of(outcome), Contains(Field(&ValidityFlag::name, "crack_ahead")));
 }
 
+// The first had met the workpiece before, but what is cut is the way of the second.
+TEST(CutOfOtherJet, NamesTheJetWhoseWayIsCut) {
+  RunOutcome outcome = outcome_cut_by_other(0.0);
+  outcome.description.jets.back().name = "fast";
+  outcome.cut.punched = false;
+  outcome.cut.first_touch_time = 0.005;
+  outcome.cut.cut_jet = 1;
+  outcome.cut.front_share_at_cut = 0.9;
+  outcome.balance.dissipated_fracture = 1.0;
+  outcome.kerf->of<CutMargin>().is_whole = true;  // in the way of the first
+  outcome.kerf_of_cut = outcome.kerf;
+  outcome.kerf_of_cut->shape.through = true;
+  EXPECT_THAT(verdict_of(outcome),
+              testing::StartsWith("The second of 2 jets, fast, cuts through after 19 ms; at the "
+                                  "end the workpiece is in 3 pieces."));
+  outcome.kerf_of_cut->shape.through = false;
+  EXPECT_THAT(verdict_of(outcome),
+              HasSubstr("by a crack beside the way of the second of 2 jets, fast, where"));
+  EXPECT_THAT(validity_of(outcome),
+              Contains(AllOf(Field(&ValidityFlag::name, "other_jet"),
+                             Field(&ValidityFlag::sentence, HasSubstr(": that of fast.")))));
+}
+
 TEST(AimlessFirstJet, IsNotCreditedWithWhatTheOtherMet) {
   RunOutcome outcome = touched_outcome();
   outcome.description.jets = {arriving_jet(), arriving_jet()};

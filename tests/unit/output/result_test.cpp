@@ -278,23 +278,5 @@ TEST(Validity, IsWrittenAsFlagsWithNumbers) {
   EXPECT_TRUE(result.at("validity").back().at("value").is_null());
 }
 
-TEST(StillCutting, TestsTheLastTenth) {
-  std::vector<CutState> history(101);
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    history[i].time = static_cast<double>(i);
-    history[i].front_depth = std::min(80.0, static_cast<double>(i));
-    history[i].cut_depth = 1.0;
-  }
-  EXPECT_FALSE(still_cutting(history));
-  for (std::size_t i = 0; i < history.size(); ++i) history[i].front_depth = static_cast<double>(i);
-  EXPECT_TRUE(still_cutting(history));
-  history.back().cut_depth = 0.0;  // a dent
-  EXPECT_FALSE(still_cutting(history));
-  history.back().cut_depth = 1.0;
-  history.back().cut_through = true;
-  EXPECT_FALSE(still_cutting(history));
-  EXPECT_FALSE(still_cutting({}));
-}
-
 }  // namespace
 }  // namespace kerf
