@@ -81,7 +81,7 @@ std::string the_jet(const RunOutcome& outcome, bool begins_sentence) {
   const auto number = static_cast<std::size_t>(cut.cut_jet);
   const std::string which =
       number < ordinals.size() ? ordinals[number] : fmt::format("{}th", number + 1);
-  return fmt::format("{} {} of {} jets, {},", article, which, jets,
+  return fmt::format("{} {} of {} jets ({})", article, which, jets,
                      outcome.description.jets.front().name);
 }
 

@@ -76,11 +76,11 @@ TEST(CutOfOtherJet, NamesTheJetWhoseWayIsCut) {
   outcome.kerf_of_cut = outcome.kerf;
   outcome.kerf_of_cut->shape.through = true;
   EXPECT_THAT(verdict_of(outcome),
-              testing::StartsWith("The second of 2 jets, fast, cuts through after 19 ms; at the "
+              testing::StartsWith("The second of 2 jets (fast) cuts through after 19 ms; at the "
                                   "end the workpiece is in 3 pieces."));
   outcome.kerf_of_cut->shape.through = false;
   EXPECT_THAT(verdict_of(outcome),
-              HasSubstr("by a crack beside the way of the second of 2 jets, fast, where"));
+              HasSubstr("by a crack beside the way of the second of 2 jets (fast), where"));
   EXPECT_THAT(validity_of(outcome),
               Contains(AllOf(Field(&ValidityFlag::name, "other_jet"),
                              Field(&ValidityFlag::sentence, HasSubstr(": that of fast.")))));
