@@ -80,9 +80,11 @@ TEST(OneVerdict, IsSaidByHeadlineResultReportAndStudy) {
   int number = 0;
   for (const Expected& expected :
        {Expected{Ending::cut, true, true, "The jet cuts through after .*in 2 pieces\\."},
-        Expected{Ending::layer_left, false, false,
-                 "The jet does not cut through within .* deep, and .* of the thickness is "
-                 "unbroken; the workpiece has bent or moved by .*\\."},
+        Expected{
+            Ending::layer_left, false, false,
+            "The jet does not cut through within .* deep, and .* of the thickness is "
+            "unbroken; the workpiece has bent or moved by .*; the run ended while solid still tore "
+            "or the front went deeper\\."},
         Expected{
             Ending::cracked, true, false,
             "The workpiece is parted after 5.* by a crack without loss of material in its way; "
@@ -110,8 +112,11 @@ TEST(OneVerdict, IsSaidByHeadlineResultReportAndStudy) {
     RunRow row;
     row.state = RunState::done;
     row.metrics = read_metrics(read_file(out / "result.json"));
-    EXPECT_EQ(verdict_of(row),
-              expected.is_cut ? RunVerdict::cut_through : RunVerdict::not_cut_through);
+    // The front goes deeper until the run ends, which decides nothing of a cut that is not through.
+    EXPECT_EQ(verdict_of(row), expected.is_cut ? RunVerdict::cut_through
+                               : expected.ending == Ending::layer_left
+                                   ? RunVerdict::undecided
+                                   : RunVerdict::not_cut_through);
     EXPECT_EQ(row.metrics.at("kerf.margin"), margin);
   }
 }
