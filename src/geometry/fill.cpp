@@ -273,11 +273,6 @@ double particle_volume(const Body& body, int dimension) {
   return dimension == 2 ? d * d * std::numbers::sqrt3 / 2.0 : d * d * d / std::numbers::sqrt2;
 }
 
-double layer_distance(const Body& body, int axis, int dimension) {
-  const LatticeFrame frame = make_frame(body, dimension);
-  return axis == 0 ? frame.x.step : axis == 1 ? frame.y.step : frame.z.step;
-}
-
 double lattice_nodes(const Body& body, int dimension) {
   const Box box = bounding_box(along_lattice(body).shape, dimension);
   double volume = 1.0;

@@ -28,9 +28,6 @@ std::vector<Point> fill(const Body& body, int dimension);
 // Returns the volume of one particle, m^3 (2D: m^2): that of a cell of the lattice.
 double particle_volume(const Body& body, int dimension);
 
-// Returns the distance of neighbouring layers of the body's lattice along an axis, m.
-double layer_distance(const Body& body, int axis, int dimension);
-
 // Returns the number of lattice nodes in the bounding box of the body, an upper bound of the number
 // of its particles.
 double lattice_nodes(const Body& body, int dimension);

@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "geometry/fill.hpp"
 #include "geometry/gauge_face.hpp"
+#include "geometry/surface_elements.hpp"
 #include "model/case.hpp"
 #include "simulation/media.hpp"
 #include "simulation/populate.hpp"
@@ -47,17 +48,57 @@ std::vector<RunProbe> run_probes(const Case& description) {
   return probes;
 }
 
+// Returns the box whose sides absorb; of a difference it is the first part.
+const Box& box_of(const Shape& shape) {
+  return shape.kind == Shape::Kind::difference ? shape.parts.front().box : shape.box;
+}
+
+// Returns what symmetry planes leave of a box.
+Box cut_at(const SymmetryPlanes& symmetry, Box box) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (symmetry.planes.minimum[a])
+      box.minimum[a] = std::max(box.minimum[a], symmetry.domain.minimum[a]);
+    if (symmetry.planes.maximum[a])
+      box.maximum[a] = std::min(box.maximum[a], symmetry.domain.maximum[a]);
+  }
+  return box;
+}
+
+// Returns the elements in the side of a box at `face`, m.
+std::vector<AbsorbingElement> elements_at(double face, std::size_t axis, double tolerance,
+                                          const std::vector<SurfaceElement>& surface) {
+  std::vector<AbsorbingElement> elements;
+  for (const SurfaceElement& element : surface)
+    if (std::abs(element.normal[axis]) > 0.5 && std::abs(element.position[axis] - face) < tolerance)
+      elements.push_back({element.position, element.area});
+  return elements;
+}
+
+// What lies in a symmetry plane or beyond one is no part of a face.
+void add_absorbing_sides(const Case& description, std::size_t number,
+                         std::vector<AbsorbingSide>& sides) {
+  const Body& body = description.bodies[number];
+  if (!body.absorbing.any()) return;
+  const double fineness = description.dimension == 2 ? 8.0 : 4.0;  // elements per spacing
+  const SymmetryPlanes symmetry{description.symmetry, description.domain};
+  const auto surface =
+      surface_elements(body.shape, description.dimension, body.spacing / fineness, symmetry);
+  const Box& box = box_of(body.shape);
+  for (int a = 0; a < description.dimension; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    const auto add = [&](double face) {
+      sides.push_back({number, a, cut_at(symmetry, box),
+                       elements_at(face, axis, 1e-6 * body.spacing, surface)});
+    };
+    if (body.absorbing.minimum[axis]) add(box.minimum[axis]);
+    if (body.absorbing.maximum[axis]) add(box.maximum[axis]);
+  }
+}
+
 std::vector<AbsorbingSide> absorbing_sides(const Case& description) {
   std::vector<AbsorbingSide> sides;
-  for (std::size_t b = 0; b < description.bodies.size(); ++b) {
-    const Body& body = description.bodies[b];
-    for (int a = 0; a < description.dimension; ++a) {
-      const auto axis = static_cast<std::size_t>(a);
-      const double layer = layer_distance(body, a, description.dimension);
-      if (body.absorbing.minimum[axis]) sides.push_back({b, a, -1.0, layer});
-      if (body.absorbing.maximum[axis]) sides.push_back({b, a, 1.0, layer});
-    }
-  }
+  for (std::size_t b = 0; b < description.bodies.size(); ++b)
+    add_absorbing_sides(description, b, sides);
   return sides;
 }
 
@@ -109,6 +150,17 @@ std::vector<BondRegion> bond_regions(const Case& description,
 }
 
 }  // namespace
+
+std::vector<AbsorbingSide> MovingWindow::absorbing_after(std::uint64_t shifts) const {
+  std::vector<AbsorbingSide> moved = absorbing;
+  const double offset = frame.offset(shifts);
+  for (AbsorbingSide& side : moved) {
+    side.edges.minimum[frame.axis] += offset;
+    side.edges.maximum[frame.axis] += offset;
+    for (AbsorbingElement& element : side.elements) element.position[frame.axis] += offset;
+  }
+  return moved;
+}
 
 RunSettings run_settings(const Case& description) {
   RunSettings settings;

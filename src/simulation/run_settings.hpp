@@ -32,20 +32,29 @@ struct RunProbe {
   std::vector<Point> points;  // m; none of a plane
 };
 
+// A part of an absorbing face.
+struct AbsorbingElement {
+  Point position{};   // m, its middle
+  double area = 0.0;  // m^2 (2D: m)
+};
+
 // A side of a body that absorbs waves.
 struct AbsorbingSide {
   std::size_t source = 0;  // body
-  int axis = 0;
-  double sign = 1.0;   // of the outward normal
-  double layer = 0.0;  // m, distance of the finest layers along the normal
+  int axis = 0;            // of the normal
+  Box edges;               // m, the box of the body as far as symmetry planes leave it
+  std::vector<AbsorbingElement> elements;
 };
 
 // A window of the workpiece that travels with the nozzle.
 struct MovingWindow {
   TravellingFrame frame;
-  std::vector<AbsorbingSide> absorbing;  // of every window but the first
+  std::vector<AbsorbingSide> absorbing;  // of every window but the first, in the place of that
   // Returns the solid of the window after some shifts, as laid out.
   std::function<std::vector<NewParticle>(std::uint64_t)> solid;
+
+  // Returns the absorbing sides of the window after some shifts, from the second one on.
+  std::vector<AbsorbingSide> absorbing_after(std::uint64_t shifts) const;
 };
 
 struct RunSettings {

@@ -54,7 +54,7 @@ void Standard<D, P>::shift_window(std::uint64_t shifts) {
   mark_outside(particles_, leaves);
   remove_outflow(particles_);
   Run::append(std::move(newcomers));
-  settings_.absorbing = settings_.window->absorbing;
+  settings_.absorbing = settings_.window->absorbing_after(shifts);
   const SolidLosses held = solid_.exchange(settings_, Run::media_, particles_, std::move(members));
   rates_.set_pair_correction(solid_.pair_correction());
   Run::move_domain(shifts);
@@ -67,7 +67,7 @@ template <int D, class P>
 void Standard<D, P>::restore_window(const Archive& archive) {
   const std::uint64_t shifts = find_array<std::uint64_t>(archive, "shifts").at(0);
   if (shifts == 0) return;
-  settings_.absorbing = settings_.window->absorbing;
+  settings_.absorbing = settings_.window->absorbing_after(shifts);
   solid_.build(settings_, Run::media_, particles_,
                SolidMembers<D>::of(settings_.window->solid(shifts),
                                    find_array<std::uint32_t>(archive, "solid/ids")));

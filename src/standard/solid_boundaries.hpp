@@ -28,7 +28,8 @@ class SolidBoundaries {
               const std::vector<Vector<D, double>>& position,
               const std::vector<std::uint16_t>& source, const std::vector<Index>& number,
               const std::vector<std::uint8_t>& detached) {
-    to_device(absorbing_sites<D>(settings, media, position, source, number), absorbing_);
+    to_device(absorbing_sites<D>({settings, media, position, source, number, detached}),
+              absorbing_);
     LoadLayout<D> layout = load_sites<D>(settings, media, position, source, number, detached);
     for (LoadShare<D>& share : layout.shares) share.turned = share.full;
     to_device(layout.sites, loaded_);
@@ -44,7 +45,7 @@ class SolidBoundaries {
             const std::vector<std::uint16_t>& source) {
     std::vector<Index> number(position.size());
     for (std::size_t s = 0; s < number.size(); ++s) number[s] = static_cast<Index>(s);
-    to_device(absorbing_sites<D>(settings, media, position, source, number), absorbing_);
+    to_device(absorbing_sites<D>({settings, media, position, source, number, {}}), absorbing_);
   }
 
   // Sets the factors of the loads at the time t, s.

@@ -139,17 +139,33 @@ TEST(Symmetry, APieceIsJoinedToItsImageAtThePlane) {
   EXPECT_EQ(settings.media[1].joined_mirrors, 0u);
 }
 
-std::vector<AbsorbingSite<2>> sites_of(const Case& c) {
-  const RunSettings settings = run_settings(c);
-  std::vector<Vector<2, double>> position;
+template <int D>
+std::vector<AbsorbingSite<D>> sites_among(const RunSettings& settings,
+                                          const std::vector<NewParticle>& particles) {
+  std::vector<Vector<D, double>> position;
   std::vector<std::uint16_t> source;
   std::vector<std::uint32_t> number;
-  for (const NewParticle& particle : settings.particles) {
+  for (const NewParticle& particle : particles) {
     number.push_back(static_cast<std::uint32_t>(position.size()));
-    position.push_back(Vector<2, double>::from(particle.position));
+    position.push_back(Vector<D, double>::from(particle.position));
     source.push_back(particle.source);
   }
-  return absorbing_sites<2>(settings, settings.media, position, source, number);
+  return absorbing_sites<D>({settings, settings.media, position, source, number, {}});
+}
+
+std::vector<AbsorbingSite<2>> sites_of(const Case& c) {
+  const RunSettings settings = run_settings(c);
+  return sites_among<2>(settings, settings.particles);
+}
+
+// The force per velocity along an axis over rho c_p, m^2 (2D: m): the area of the face if it lies
+// across that axis and is the only one that absorbs.
+template <int D>
+double absorbing_area(const RunSettings& settings, const std::vector<NewParticle>& particles,
+                      int axis) {
+  double sum = 0.0;
+  for (const auto& site : sites_among<D>(settings, particles)) sum += site.mass * site.rate[axis];
+  return sum / (settings.media[0].density * settings.media[0].longitudinal_speed);
 }
 
 TEST(AbsorbingSites, RowsAtTheFacesAreDampedByTheImpedanceOfTheirWaves) {
@@ -171,6 +187,77 @@ TEST(AbsorbingSites, RowsAtTheFacesAreDampedByTheImpedanceOfTheirWaves) {
     corners += left && low;
   }
   EXPECT_EQ(corners, 1);
+}
+
+// The areas of the sites add up to the area of the face, whatever lattice lies behind it.
+TEST(AbsorbingSites, ShareTheAreaOfTheFaceHoweverTheLatticeLies) {
+  struct Choice {
+    int dimension;
+    Lattice lattice;
+    double angle, jitter;
+  };
+  for (const Choice& choice :
+       {Choice{2, Lattice::square, 0.2, 0.0}, Choice{2, Lattice::square, 0.5, 0.0},
+        Choice{2, Lattice::square, 0.8, 0.0}, Choice{2, Lattice::square, 0.0, 0.3},
+        Choice{2, Lattice::hexagonal, 0.0, 0.0}, Choice{2, Lattice::hexagonal, 0.3, 0.1},
+        Choice{3, Lattice::square, 0.5, 0.0}, Choice{3, Lattice::square, 0.0, 0.3},
+        Choice{3, Lattice::hexagonal, 0.0, 0.0}}) {
+    Case c = empty_case(choice.dimension, PrecisionKind::double_precision);
+    const bool solid = choice.dimension == 3;
+    c.bodies = {body("block", Role::elastic,
+                     box({0.0, 0.0, 0.0}, {0.0103, 0.0051, solid ? 0.007 : 0.0}), block_spacing)};
+    c.bodies[0].lattice = choice.lattice;
+    c.bodies[0].lattice_angle = choice.angle;
+    c.bodies[0].jitter = choice.jitter;
+    for (const std::size_t axis : {0, 1}) {
+      c.bodies[0].absorbing = {};
+      c.bodies[0].absorbing.maximum[axis] = true;
+      const RunSettings settings = run_settings(c);
+      const double area = (axis == 0 ? 0.0051 : 0.0103) * (solid ? 0.007 : 1.0);
+      const int a = static_cast<int>(axis);
+      EXPECT_NEAR(solid ? absorbing_area<3>(settings, settings.particles, a)
+                        : absorbing_area<2>(settings, settings.particles, a),
+                  area, 1e-9 * area)
+          << choice.dimension << "D, angle " << choice.angle << ", axis " << axis;
+    }
+  }
+}
+
+// Of a face only the part that the shape leaves absorbs, and in front of a symmetry plane.
+TEST(AbsorbingSites, HaveTheAreaThatCutsAndPlanesLeaveOfAFace) {
+  Case c = one_block();
+  Shape cut;
+  cut.kind = Shape::Kind::difference;
+  cut.parts = {c.bodies[0].shape, box({-1.0, 0.002, 0.0}, {0.004, 0.003, 0.0})};
+  c.bodies[0].shape = cut;
+  c.bodies[0].absorbing.minimum[0] = true;
+  const RunSettings settings = run_settings(c);
+  EXPECT_NEAR(absorbing_area<2>(settings, settings.particles, 0), 0.004, 1e-9);
+  Case half = one_block();
+  half.domain = {{-0.1, 0.002, 0.0}, {0.1, 0.1, 0.0}};
+  half.symmetry.minimum[1] = true;
+  half.bodies[0].absorbing.minimum[0] = true;
+  const RunSettings above = run_settings(half);
+  EXPECT_NEAR(absorbing_area<2>(above, above.particles, 0), 0.003, 1e-9);
+}
+
+// The faces of a window travel with it: its sites are those of a block that has moved as far.
+TEST(AbsorbingSites, TravelWithTheWindow) {
+  Case c = one_block();
+  c.bodies[0].absorbing.minimum[0] = c.bodies[0].absorbing.maximum[0] = true;
+  RunSettings settings = run_settings(c);
+  const auto sites = sites_among<2>(settings, settings.particles);
+  TravellingFrame frame;
+  frame.sign = -1.0;
+  frame.shift = 5e-3;
+  settings.absorbing = MovingWindow{frame, settings.absorbing, {}}.absorbing_after(7);
+  std::vector<NewParticle> moved = settings.particles;
+  for (NewParticle& particle : moved) particle.position[0] -= 0.035;
+  const auto there = sites_among<2>(settings, moved);
+  ASSERT_EQ(there.size(), sites.size());
+  ASSERT_EQ(sites.size(), 10u);
+  for (std::size_t k = 0; k < sites.size(); ++k)
+    EXPECT_NEAR(there[k].rate[0], sites[k].rate[0], 1e-9 * sites[k].rate[0]);
 }
 
 }  // namespace
