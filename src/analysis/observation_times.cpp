@@ -10,7 +10,7 @@ namespace kerf {
 
 ObservationTimes::ObservationTimes(const Case& description) {
   for (const Jet& jet : description.jets) {
-    const double interval = jet.spacing / jet.speed;
+    const double interval = spacings * jet.spacing / jet.speed;
     shortest_ = shortest_ > 0.0 ? std::min(shortest_, interval) : interval;
   }
 }

@@ -7,12 +7,12 @@ namespace kerf {
 
 struct Case;
 
-// The interval is the time in which the fastest jet passes one spacing of its particles, or a
-// thousandth of the time of the run if that is more: water goes in by no more than half a spacing
-// between two observations at first, and a long run has a few thousand of them.
+// The interval is the time in which the fastest jet passes a part of the spacing of its particles,
+// or a thousandth of the time of the run if that is more: at first water goes in by a small part of
+// a spacing between two observations, and a long run has a few thousand of them.
 class ObservationTimes {
  public:
-  static constexpr double relative = 1e-3;
+  static constexpr double spacings = 0.25, relative = 1e-3;
 
   explicit ObservationTimes(const Case& description);
   // Without a jet the cut is observed with each row of output.

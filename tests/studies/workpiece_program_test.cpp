@@ -59,7 +59,8 @@ class WorkpieceProgram : public testing::Test {
   WorkpieceProgram() { write(tofu_workpiece); }
   void write(const std::string& text) const { write_file(folder_ / "my.toml", text); }
   Ending run() const {
-    return kerf({"run", (folder_ / "my.toml").string(), "--out", (folder_ / "out").string()});
+    return kerf(
+        {"run", (folder_ / "my.toml").string(), "--force", "--out", (folder_ / "out").string()});
   }
   Ending check() const { return kerf({"check", (folder_ / "my.toml").string()}); }
   Ending limit(const std::string& of) const {
@@ -209,10 +210,7 @@ TEST_F(WorkpieceProgram, TheRowsOfOutputDoNotChangeTheAnswer) {
   ASSERT_EQ(run().exit_code, 0);
   const auto all = result();
   write(fat_workpiece + std::string("[output]\nseries_interval = \"30 us\"\n"));
-  ASSERT_EQ(
-      kerf({"run", (folder_ / "my.toml").string(), "--out", (folder_ / "out").string(), "--force"})
-          .exit_code,
-      0);
+  ASSERT_EQ(run().exit_code, 0);
   const auto coarse = result();
   for (const char* name :
        {"cut_through_time", "steps", "end_time", "exposure", "front_speed", "kerf", "validity"})
