@@ -25,23 +25,23 @@ Point force_on(const Load& load, const SurfaceElement& element) {
   return force;
 }
 
-// Returns the part of the surface of a body that a load acts on. What lies in a symmetry plane is
-// no part of the surface.
-std::vector<LoadedElement> loaded_elements(const Case& description, const Load& load) {
+// Sets the part of the surface of a body that a load acts on. What lies in a symmetry plane is no
+// part of the surface.
+void set_face(const Case& description, const Load& load, RunLoad& result) {
   // Elements per spacing: the edge of a load that ends within a face is that accurate.
   const double fineness = description.dimension == 2 ? 32.0 : 4.0;
-  std::vector<LoadedElement> elements;
   const std::size_t number = body_number(description, load);
-  if (load.kind == LoadKind::body_force || number == description.bodies.size()) return elements;
+  if (load.kind == LoadKind::body_force || number == description.bodies.size()) return;
   const Body& body = description.bodies[number];
   const double size = body.spacing / fineness;
   const SymmetryPlanes planes{description.symmetry, description.domain};
-  const auto face = load.region ? surface_elements_within(*load.region, body.shape,
-                                                          description.dimension, size, planes)
-                                : surface_elements(body.shape, description.dimension, size, planes);
-  for (const SurfaceElement& element : face)
-    elements.push_back({element.position, force_on(load, element)});
-  return elements;
+  result.is_all_around = result.follows;
+  for (const SurfaceElement& element :
+       surface_elements(body.shape, description.dimension, size, planes))
+    if (!load.region || contains(*load.region, element.position, description.dimension))
+      result.faces.push_back({element.position, force_on(load, element)});
+    else
+      result.is_all_around = false;
 }
 
 // Returns the ids of the particles that a body force acts on.
@@ -68,7 +68,8 @@ std::vector<RunLoad> run_loads(const Case& description, const std::vector<NewPar
     RunLoad result;
     result.source = body_number(description, load);
     result.follows = load.kind == LoadKind::pressure;
-    result.faces = loaded_elements(description, load);
+    result.pressure = load.pressure;
+    set_face(description, load, result);
     result.history = Expression(load.history, {"t"});
     if (load.kind == LoadKind::body_force) {
       result.acceleration = load.acceleration;

@@ -23,6 +23,8 @@ struct LoadedElement {
 struct RunLoad {
   std::size_t source = 0;                // body
   bool follows = false;                  // whether the force turns with the surface: a pressure
+  bool is_all_around = false;            // a pressure on the whole surface of the body
+  double pressure = 0.0;                 // Pa, at the factor 1
   std::vector<LoadedElement> faces;      // of a traction or pressure
   std::vector<std::uint32_t> particles;  // ids, of a body force
   Point acceleration{};                  // m/s^2, of them

@@ -5,7 +5,8 @@
 //   f = q m g     acceleration g,
 //   f = - q p cof(F) A n    pressure p, A n the area vector; cof(F) = J F^-T turns and stretches it
 //                           with the surface (Nanson's formula).
-// A detached particle has no face: tractions and pressures do not act on it.
+// A detached particle has no face: tractions and pressures do not act on it, nor on those behind it
+// that take a part of the opposite sense (simulation/pressure_all_around.hpp).
 #pragma once
 
 #include "core/matrix.hpp"
@@ -17,6 +18,7 @@ namespace kerf {
 template <int D>
 struct LoadShare {
   std::uint32_t load;
+  Index bearer;                // the particle of the solid that has the face
   bool of_face;                // a traction or pressure
   bool follows;                // whether the force turns with the surface
   Vector<D, double> full;      // N (2D: N/m), at the factor 1 and without deformation
@@ -86,7 +88,7 @@ struct ApplyLoads {
     auto force = Vector<D, double>::zero();
     for (Index n = site.first; n < site.last; ++n) {
       const LoadShare<D>& share = shares[n];
-      if (share.of_face && detached[site.particle]) continue;
+      if (share.of_face && (detached[site.particle] || detached[share.bearer])) continue;
       force += factor[share.load] * share.turned;
     }
     const auto acceleration = Vector<D, Real>::from((1.0 / site.mass) * force);

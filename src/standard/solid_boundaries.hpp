@@ -23,14 +23,14 @@ template <int D, class P>
 class SolidBoundaries {
  public:
   // `position` and `source` of the particles of the start, `number` of each in the solid;
-  // `detached` by that number.
+  // `surface` by that number.
   void set_up(const RunSettings& settings, const std::vector<Medium<double>>& media,
               const std::vector<Vector<D, double>>& position,
               const std::vector<std::uint16_t>& source, const std::vector<Index>& number,
-              const std::vector<std::uint8_t>& detached) {
-    to_device(absorbing_sites<D>({settings, media, position, source, number, detached}),
+              const SurfaceOfSolid<D>& surface) {
+    to_device(absorbing_sites<D>({settings, media, position, source, number, surface.detached}),
               absorbing_);
-    LoadLayout<D> layout = load_sites<D>(settings, media, position, source, number, detached);
+    LoadLayout<D> layout = load_sites<D>(settings, media, position, source, number, surface);
     for (LoadShare<D>& share : layout.shares) share.turned = share.full;
     to_device(layout.sites, loaded_);
     to_device(layout.shares, shares_);

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "geometry/fill.hpp"
 #include "geometry/plane_turn.hpp"
@@ -156,16 +156,15 @@ TEST(ParticleEstimate, MirrorImagesDoNotCount) {
 }
 
 TEST(ParticleEstimate, TakesNoLongerForHugeBodies) {
-  using Clock = std::chrono::steady_clock;
   for (const double spacing : {1e-4, 1e-6, 1e-9})
     for (const int levels : {0, 5}) {
       Body body = body_of_shape(many_shapes()[6], spacing);
       body.grading.levels = levels;
       body.grading.width = 100.0 * spacing;
       body.grading.lines = {{{0.012, 0.06, 0.0}, {0.0, -1.0, 0.0}, 1e-3}};
-      const auto start = Clock::now();
+      const std::clock_t start = std::clock();  // of the processor: other work does not count
       EXPECT_GT(estimate_particles(body, 3).total(), 1e5);
-      EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 2.0)
+      EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 2.0)
           << spacing << " m, " << levels << " levels";
     }
 }
