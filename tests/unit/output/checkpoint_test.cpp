@@ -98,7 +98,7 @@ TEST_F(CheckpointFile, FileOfAnotherFormatVersionIsRefused) {
   std::string content = read_file(path_);
   const std::size_t at = content.rfind("version    19");
   ASSERT_NE(at, std::string::npos);
-  content[at + 12] = '9';
+  content[at + 12] = '8';
   write_file(path_, content);
   EXPECT_THAT(refusal(),
               AllOf(HasSubstr("version 18"), HasSubstr("reads version 19"), HasSubstr("--force")));
