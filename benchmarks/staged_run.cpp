@@ -46,7 +46,6 @@ class StagesOf final : public StagedRun, private Standard<D, P> {
   void compute_pair_forces() override { Run::compute_pair_forces(); }
   void sum_over_bonds() override {
     Run::deform(step_length());
-    Run::extrapolate(instant);
     Run::compute_bond_forces();
   }
   void break_bonds() override { Run::break_bonds(); }
@@ -71,7 +70,7 @@ class StagesOf final : public StagedRun, private Standard<D, P> {
   void settle() override {
     Run::restore(as_made_);
     Run::deform(step_length());
-    Run::evaluate(instant);
+    Run::evaluate();
   }
 
  private:

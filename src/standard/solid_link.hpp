@@ -82,22 +82,6 @@ struct AddSolidAcceleration {
   }
 };
 
-// Adds the acceleration by bonds times `dt` (s) to the velocities of solids with a density.
-template <int D, class P>
-struct ExtrapolateByBonds {
-  ParticleView<D, P> particles;
-  SolidIndexView link;
-  SolidView<D, P> solid;
-  double dt;
-
-  KERF_FUNCTION void operator()(Index s) const {
-    const Index i = link.particle_of[s];
-    if (i == no_index || particles.is_asleep(i) || particles.is_constrained(i)) return;
-    if (particles.has_density(i))
-      particles.velocity[i] += typename P::Real(dt) * solid.acceleration[s];
-  }
-};
-
 // The mean stress tr sigma / 3 of a particle of a solid by its bonds, Pa.
 template <int D, class P>
 struct MeanStress {

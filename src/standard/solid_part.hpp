@@ -123,15 +123,9 @@ class SolidPart {
   // Sets the time of the loads, s.
   void set_time(double time) { boundaries_.set_time(time); }
 
-  // Finds the accelerations by all bonds in the first substep, before those by pairs, where solids
-  // have a density: their velocities at the end of the step, of length `dt`, follow from them in
-  // place of those of the last step (time/verlet.hpp). Returns whether it did.
-  bool extrapolate(Particles<D, P>& particles, double dt);
   // Adds the accelerations by all bonds, which in later substeps are those of the first one, and by
   // absorbing faces, at the given velocities of the particles, and loads.
   void accelerate_by_all(Particles<D, P>& particles, const Vector<D, Real>* velocity);
-  // The same at the current deformation, for output.
-  void accelerate_now(Particles<D, P>& particles, const Vector<D, Real>* velocity);
   // Adds the accelerations by the bonds that `filter` selects, at the current deformation.
   template <class Filter>
   void accelerate(Particles<D, P>& particles, const Filter& filter) {
@@ -181,7 +175,18 @@ class SolidPart {
   // The limit by the waves of the solid for the next step, from its deformation in the middle of
   // its last one. None of its steps is longer than `most`, s.
   StepLimit step_limit(double most);
-  void record_losses(Balance& balance);
+  void record_losses(Balance& balance) {
+    balance.dissipated_artificial += losses_.viscous;
+    balance.dissipated_fracture += losses_.released;
+    balance.dissipated_plastic += losses_.plastic;
+    if (!solid_) return;
+    boundaries_.record(balance);
+    balance.dissipated_plastic += solid_->flow_work();
+    balance.dissipated_fracture += solid_->softening_work();
+    const SolidEnergy energy = solid_->energy();
+    balance.elastic_strain = energy.elastic;
+    balance.hourglass = energy.hourglass;
+  }
   // Gives rank 0 the whole solid, for frames and checkpoints.
   void gather() {
     if (solid_) solid_->gather();
@@ -246,7 +251,7 @@ class SolidPart {
   std::vector<Index> numbers_at_all_ranks(const Chosen& chosen) const;
   void mark_at_all_ranks(Array<std::uint8_t>& marks) const;
   void share_state_at_rest(FallAsleep<D, P>& fall);
-  void find_accelerations_divided();
+  void accelerate_divided(const AddSolidAcceleration<D, P>& add);
   template <class Filter>
   void accelerate_divided(Particles<D, P>& particles, const Filter& filter);
   const Real* mean_stress_divided();
@@ -283,7 +288,6 @@ class SolidPart {
   WaveTime wave_ = unknown_wave;
   bool has_detached_ = false;
   bool bears_tension_ = false;     // some of the solid, by its density
-  bool has_density_ = false;       // some of the solid
   bool has_pair_factors_ = false;  // where the spacing of a nearly incompressible solid jumps
 };
 

@@ -46,10 +46,11 @@ void SolidPart<D, P>::share_state_at_rest(FallAsleep<D, P>& fall) {
 }
 
 template <int D, class P>
-void SolidPart<D, P>::find_accelerations_divided() {
+void SolidPart<D, P>::accelerate_divided(const AddSolidAcceleration<D, P>& add) {
   if constexpr (ranks::exist) {
     if (cycle_.is_first_substep()) solid_->accelerate(EveryBond{});
     exchange_.send_back(*solid_);
+    for_each_index(solid_->size(), add);
   }
 }
 

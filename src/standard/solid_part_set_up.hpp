@@ -49,7 +49,7 @@ void SolidPart<D, P>::build(const RunSettings& settings, const std::vector<Mediu
   members_ = std::move(members);
   body_of_medium_.clear();
   for (const MediumOrigin& origin : settings.origins) body_of_medium_.push_back(origin.source);
-  has_pair_factors_ = has_density_ = false;
+  has_pair_factors_ = false;
   to_device(members_.number_of_id(), number_of_id_);
   particle_of_.assign(members_.size(), no_index);
   if (members_.size() == 0) return;
@@ -59,9 +59,6 @@ void SolidPart<D, P>::build(const RunSettings& settings, const std::vector<Mediu
   bears_tension_ =
       std::any_of(members_.medium_index.begin(), members_.medium_index.end(),
                   [&](const auto medium) { return media[medium].tensile_excess > 0.0; });
-  has_density_ =
-      std::any_of(members_.medium_index.begin(), members_.medium_index.end(),
-                  [&](const auto medium) { return media[medium].excess_bulk_modulus > 0.0; });
   mark_fitted(media, particles);
 }
 

@@ -8,43 +8,17 @@
 namespace kerf {
 
 template <int D, class P>
-bool SolidPart<D, P>::extrapolate(Particles<D, P>& particles, double dt) {
-  if (!has_density_ || !cycle_.is_first_substep()) return false;
-  const ExtrapolateByBonds<D, P> last{particles.view(), link(), solid_->view(), -dt};
-  for_each_index(solid_->size(), last);
-  if (is_divided())
-    find_accelerations_divided();
-  else
-    solid_->accelerate();
-  const ExtrapolateByBonds<D, P> current{particles.view(), link(), solid_->view(), dt};
-  for_each_index(solid_->size(), current);
-  return true;
-}
-
-template <int D, class P>
 void SolidPart<D, P>::accelerate_by_all(Particles<D, P>& particles,
                                         const Vector<D, Real>* velocity) {
   if (!solid_) return;
   const AddSolidAcceleration<D, P> add{particles.view(), link(), solid_->view()};
-  const bool are_known = has_density_ || !cycle_.is_first_substep();
-  if (is_divided() && !(has_density_ && cycle_.is_first_substep())) find_accelerations_divided();
-  if (is_divided() || are_known)
-    for_each_index(solid_->size(), add);
-  else
+  if (is_divided())
+    accelerate_divided(add);
+  else if (cycle_.is_first_substep())
     solid_->accelerate(EveryBond{}, add);
+  else
+    for_each_index(solid_->size(), add);
   boundaries_.accelerate(particles, velocity, link(), solid_->fields());
-}
-
-template <int D, class P>
-void SolidPart<D, P>::accelerate_now(Particles<D, P>& particles, const Vector<D, Real>* velocity) {
-  if (!has_density_) return accelerate_by_all(particles, velocity);
-  solid_->keeping_accelerations([&] {
-    if (is_divided())
-      find_accelerations_divided();
-    else if (cycle_.is_first_substep())
-      solid_->accelerate();
-    accelerate_by_all(particles, velocity);
-  });
 }
 
 template <int D, class P>
@@ -89,20 +63,6 @@ void SolidPart<D, P>::turn_faces(Particles<D, P>& particles) {
     turn.gradient = gradient_divided();
   }
   for_each_index(solid_->size(), turn);
-}
-
-template <int D, class P>
-void SolidPart<D, P>::record_losses(Balance& balance) {
-  balance.dissipated_artificial += losses_.viscous;
-  balance.dissipated_fracture += losses_.released;
-  balance.dissipated_plastic += losses_.plastic;
-  if (!solid_) return;
-  boundaries_.record(balance);
-  balance.dissipated_plastic += solid_->flow_work();
-  balance.dissipated_fracture += solid_->softening_work();
-  const SolidEnergy energy = solid_->energy();
-  balance.elastic_strain = energy.elastic;
-  balance.hourglass = energy.hourglass;
 }
 
 template <int D, class P>

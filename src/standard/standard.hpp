@@ -42,7 +42,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     Run::open([this] {
       rates_.record_initial_overlap(particles_.view(), particles_.owned(), list_.view());
     });
-    evaluate(0.0);  // the first rates
+    evaluate();  // the first rates
     for_each_index(particles_.owned(), UpdateSurfaceFlags<D, P>{particles_.view()});
   }
 
@@ -55,7 +55,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     Run::update_listed_ghosts();
     deform(dt);
     break_bonds();
-    evaluate(dt);
+    evaluate();
     finalize_step(dt);
     if (time_ < settings_.relax_time) damping_.end_step(particles_);
     solid_.remove_outflow(particles_);
@@ -133,16 +133,9 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     if (solid_.has_detached()) Run::update_listed_ghosts();  // they are fluid from now on
   }
 
-  void evaluate(double dt) {
-    extrapolate(dt);
+  void evaluate() {
     compute_pair_forces();
     compute_bond_forces();
-  }
-
-  // Completes the velocities of nearly incompressible solids at the end of the step.
-  void extrapolate(double dt) {
-    const auto timer = timers_.stage("solid");
-    if (solid_.extrapolate(particles_, dt)) Run::update_ghosts(particles_.velocity);
   }
 
   void compute_pair_forces() {
@@ -242,7 +235,7 @@ class Standard : public ParticleRun<D, P, StandardTraits> {
     complete_at_walls(WallCompletion::of_accelerations);
     solid_.deform_to_current(particles_);
     solid_.set_time(time_);
-    solid_.accelerate_now(particles_, pointer(particles_.velocity));
+    solid_.accelerate_by_all(particles_, pointer(particles_.velocity));
     solid_.show_pressure(particles_);
   }
 

@@ -4,8 +4,7 @@
 // velocity at the end of the step, by which it changes, is extrapolated by the last forces without
 // the dissipative ones, so that one pair loop per step is enough:
 //   x' = x^n + dt/2 v^n,   v' = v^n + dt (a - a_dissipative)_last,
-// (v' of particles with a density, by the bonds of this step in place of those of the last one;
-// other solids, on which v acts by damping only, keep v^n),
+// (v' of particles with a density; other solids, on which v acts by damping only, keep v^n),
 //   a, d rho/dt  at (x', v', rho^n),
 //   v^(n+1) = v^n + dt a,   x^(n+1) = x' + dt/2 v^(n+1),   rho^(n+1) = rho^n + dt d rho/dt.
 // For forces that depend on positions only the scheme is symplectic: its energy error stays
